@@ -1,0 +1,7 @@
+#!/bin/sh
+# Makes configure and Makefile.in, as maintainers expect. Newcomers type ./setup, which calls this.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+set -e
+cd "$(dirname "$0")"
+exec autoreconf -fi

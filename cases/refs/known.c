@@ -1,0 +1,97 @@
+/* What a reference knows: named values and curves; and the register of all references.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+/* Room for one more element of `size` bytes; the array doubles when its count reaches a power of two. NULL: no memory,
+ * and the old array stands. */
+static void *one_more(void *array, size_t count, size_t size) {
+  if (count & (count - 1))
+    return array;
+  return realloc(array, (count ? 2 * count : 1) * size);
+}
+
+static void copy_text(char *to, const char *from, size_t size) {
+  strncpy(to, from, size - 1);
+  to[size - 1] = '\0';
+}
+
+void known_value(struct nb_known *known, double value, const char *name) {
+  struct nb_known_value *values = one_more(known->values, known->value_count, sizeof *values);
+  if (!values) {
+    known->lacking = true;
+    return;
+  }
+  known->values = values;
+  values += known->value_count++;
+  copy_text(values->name, name, sizeof values->name);
+  values->value = value;
+}
+
+void known_curve(struct nb_known *known, const char *name, const char *along, double (*at)(const void *data, double x),
+                 void *data) {
+  struct nb_known_curve *curves = data ? one_more(known->curves, known->curve_count, sizeof *curves) : NULL;
+  if (!curves) {
+    known->lacking = true;
+    free(data);
+    return;
+  }
+  known->curves = curves;
+  curves += known->curve_count++;
+  copy_text(curves->name, name, sizeof curves->name);
+  copy_text(curves->along, along, sizeof curves->along);
+  curves->at = at;
+  curves->data = data;
+}
+
+enum nb_status known_full(const struct nb_known *known, struct nb_error *error) {
+  if (known->lacking)
+    return nb_error_set(error, NB_BROKEN, "a reference ran out of memory");
+  return NB_OK;
+}
+
+const double *known_find(const struct nb_known *known, const char *name) {
+  for (size_t i = 0; i < known->value_count; i++)
+    if (!strcmp(known->values[i].name, name))
+      return &known->values[i].value;
+  return NULL;
+}
+
+const struct nb_known_curve *known_find_curve(const struct nb_known *known, const char *name, const char *along) {
+  for (size_t i = 0; i < known->curve_count; i++)
+    if (!strcmp(known->curves[i].name, name) && !strcmp(known->curves[i].along, along))
+      return &known->curves[i];
+  return NULL;
+}
+
+void known_free(struct nb_known *known) {
+  for (size_t i = 0; i < known->curve_count; i++)
+    free(known->curves[i].data);
+  free(known->curves);
+  free(known->values);
+  *known = (struct nb_known){0};
+}
+
+/* references-register.h is made by make: a line NB_REFERENCE(nine_discs) for each file of REFERENCES in Makefile.am. */
+#define NB_REFERENCE(name) extern const struct nb_reference reference_##name;
+#include "references-register.h"
+#undef NB_REFERENCE
+
+static const struct nb_reference *const register_of_references[] = {
+#define NB_REFERENCE(name) &reference_##name,
+#include "references-register.h"
+#undef NB_REFERENCE
+    NULL,
+};
+
+const struct nb_reference *const *nb_references(void) { return register_of_references; }
+
+const struct nb_reference *nb_reference_find(const char *name) {
+  for (const struct nb_reference *const *reference = register_of_references; *reference; reference++)
+    if (!strcmp((*reference)->name, name))
+      return *reference;
+  return NULL;
+}

@@ -1,0 +1,178 @@
+/* From a scene to a network of springs: which bodies and walls touch, and what a displacement does to each contact.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "lattice.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "vec.h"
+
+/* Two things touch when the gap between them is below this share of the radius: a page writes centres in decimals. */
+static const double touch = 1e-9;
+
+/* Where a body's centre stands against a wall: the unit vector to the wall and the gap to it. */
+static struct nb_vec toward_wall(const struct nb_body *body, const struct nb_wall *wall, double *gap) {
+  struct nb_vec e = vec(wall->ex, wall->ey), p = vec(body->x - wall->x, body->y - wall->y);
+  double along = fmin(fmax(vec_dot(p, e), wall->h1), wall->h2);
+  struct nb_vec way = vec_sub(vec_scale(along, e), p);
+  double length = vec_length(way);
+  *gap = length - body->radius;
+  return vec_scale(1 / length, way);
+}
+
+static struct nb_pair springs_of(const struct nb_scene *scene, int material_a, int material_b) {
+  struct nb_pair pair = nb_scene_pair(scene, material_a, material_b);
+  if (!strcmp(scene->shear, "none") || (pair.friction == 0 && pair.cohesion == 0))
+    pair.ks = 0;
+  return pair;
+}
+
+/* Judges one gap: 1 touches, 0 does not, -1 the network would not stay what it is. */
+static int touches(double gap, double radius, double reach) {
+  if (fabs(gap) <= touch * radius)
+    return 1;
+  return gap > 2 * reach ? 0 : -1;
+}
+
+static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene *scene, int a, int b, bool wall,
+                                  struct nb_error *error) {
+  const struct nb_body *body = &scene->bodies[a];
+  struct nb_vec e;
+  double gap;
+  int other;
+  if (wall) {
+    e = toward_wall(body, &scene->walls[b], &gap);
+    other = scene->walls[b].material;
+  } else {
+    struct nb_vec way = vec(scene->bodies[b].x - body->x, scene->bodies[b].y - body->y);
+    double distance = vec_length(way);
+    e = vec_scale(1 / distance, way);
+    gap = distance - body->radius - scene->bodies[b].radius;
+    other = scene->bodies[b].material;
+  }
+  int answer = touches(gap, body->radius, lattice->reach);
+  if (answer == 0)
+    return NB_OK;
+  if (answer < 0)
+    return nb_error_set(error, NB_BAD_USE,
+                        "this reference is for bodies that just touch: body %d and %s %d are %g apart, within the "
+                        "walls' way",
+                        a + 1, wall ? "wall" : "body", b + 1, gap);
+  lattice->contacts[lattice->contact_count++] = (struct lattice_contact){
+      .a = a, .b = b, .wall = wall, .ex = e.x, .ey = e.y, .pair = springs_of(scene, body->material, other)};
+  return NB_OK;
+}
+
+static enum nb_status find_contacts(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
+  size_t most = scene->body_count * (scene->body_count + scene->wall_count);
+  lattice->contacts = calloc(most + 1, sizeof *lattice->contacts);
+  if (!lattice->contacts)
+    return nb_error_set(error, NB_BROKEN, "out of memory for %zu contacts", most);
+  enum nb_status status = NB_OK;
+  for (size_t a = 0; a < scene->body_count; a++) {
+    for (size_t b = a + 1; b < scene->body_count && status == NB_OK; b++)
+      status = add_contact(lattice, scene, (int)a, (int)b, false, error);
+    for (size_t b = 0; b < scene->wall_count && status == NB_OK; b++)
+      status = add_contact(lattice, scene, (int)a, (int)b, true, error);
+  }
+  if (status == NB_OK && lattice->contact_count == 0)
+    return nb_error_set(error, NB_BAD_USE, "this reference is for bodies that touch; nothing touches here");
+  return status;
+}
+
+/* What freedoms x, y, theta of body a (sign 1) or b (sign -1) do to contact c [CS79 12, 13]. */
+static void fill_stretch(struct lattice *lattice, const struct nb_scene *scene, size_t c, int index, double sign) {
+  const struct nb_body *body = &scene->bodies[index];
+  if (body->fixed)
+    return;
+  const struct lattice_contact *contact = &lattice->contacts[c];
+  struct nb_vec e = vec(contact->ex, contact->ey), t = vec_clockwise(e);
+  double heavy = sqrt(nb_body_mass(scene, body)), lazy = sqrt(nb_body_inertia(scene, body));
+  size_t x = 3 * (size_t)index;
+  gsl_matrix_set(lattice->stretch, 2 * c, x, sign * e.x / heavy);
+  gsl_matrix_set(lattice->stretch, 2 * c, x + 1, sign * e.y / heavy);
+  gsl_matrix_set(lattice->stretch, 2 * c + 1, x, sign * t.x / heavy);
+  gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 1, sign * t.y / heavy);
+  gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 2, -body->radius / lazy);
+}
+
+static void fill_push(struct lattice *lattice, size_t c) {
+  const struct lattice_contact *contact = &lattice->contacts[c];
+  struct nb_vec e = vec(contact->ex, contact->ey), t = vec_clockwise(e);
+  size_t x = 2 * (size_t)contact->b;
+  gsl_matrix_set(lattice->push, 2 * c, x, -e.x);
+  gsl_matrix_set(lattice->push, 2 * c, x + 1, -e.y);
+  gsl_matrix_set(lattice->push, 2 * c + 1, x, -t.x);
+  gsl_matrix_set(lattice->push, 2 * c + 1, x + 1, -t.y);
+}
+
+static enum nb_status starts_at_rest(const struct nb_scene *scene, struct nb_error *error) {
+  if (strcmp(scene->normal, "linear") || (strcmp(scene->shear, "linear") && strcmp(scene->shear, "none")))
+    return nb_error_set(error, NB_BAD_USE, "this reference is for linear springs, not for the laws %s and %s",
+                        scene->normal, scene->shear);
+  for (size_t i = 0; i < scene->body_count; i++)
+    if (scene->bodies[i].vx != 0 || scene->bodies[i].vy != 0 || scene->bodies[i].spin != 0)
+      return nb_error_set(error, NB_BAD_USE, "this reference is for bodies at rest at first; body %zu moves", i + 1);
+  if (scene->wall_count == 0)
+    return nb_error_set(error, NB_BAD_USE, "this reference is for walls that move");
+  return NB_OK;
+}
+
+enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
+  *lattice = (struct lattice){.freedom_count = 3 * scene->body_count};
+  enum nb_status status = starts_at_rest(scene, error);
+  if (status == NB_OK)
+    status = lattice_drive(lattice, scene, error);
+  if (status == NB_OK)
+    status = find_contacts(lattice, scene, error);
+  if (status != NB_OK) {
+    lattice_free(lattice);
+    return status;
+  }
+  lattice->stretch = gsl_matrix_calloc(2 * lattice->contact_count, lattice->freedom_count);
+  lattice->push = gsl_matrix_calloc(2 * lattice->contact_count, 2 * scene->wall_count);
+  lattice->springs = gsl_vector_calloc(2 * lattice->contact_count);
+  for (size_t c = 0; c < lattice->contact_count; c++) {
+    const struct lattice_contact *contact = &lattice->contacts[c];
+    fill_stretch(lattice, scene, c, contact->a, 1);
+    if (contact->wall)
+      fill_push(lattice, c);
+    else
+      fill_stretch(lattice, scene, c, contact->b, -1);
+    gsl_vector_set(lattice->springs, 2 * c, contact->pair.kn);
+    gsl_vector_set(lattice->springs, 2 * c + 1, contact->pair.ks);
+  }
+  return NB_OK;
+}
+
+int lattice_watched(const struct lattice *lattice, const struct nb_watch *watch) {
+  if (watch->kind != NB_WATCH_BODY_BODY && watch->kind != NB_WATCH_BODY_WALL)
+    return -1;
+  bool wall = watch->kind == NB_WATCH_BODY_WALL;
+  for (size_t c = 0; c < lattice->contact_count; c++) {
+    const struct lattice_contact *contact = &lattice->contacts[c];
+    if (contact->wall != wall)
+      continue;
+    if (contact->a == watch->a && contact->b == watch->b)
+      return (int)c;
+    if (!wall && contact->a == watch->b && contact->b == watch->a)
+      return (int)c;
+  }
+  return -1;
+}
+
+void lattice_free(struct lattice *lattice) {
+  for (size_t i = 0; i < lattice->turn_count; i++)
+    gsl_vector_free(lattice->turns[i].change);
+  for (size_t i = 0; i < lattice->stage_count; i++)
+    gsl_vector_free(lattice->travel[i]);
+  free(lattice->turns);
+  free(lattice->travel);
+  free(lattice->contacts);
+  gsl_matrix_free(lattice->stretch);
+  gsl_matrix_free(lattice->push);
+  gsl_vector_free(lattice->springs);
+  *lattice = (struct lattice){0};
+}

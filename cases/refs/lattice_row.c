@@ -1,0 +1,93 @@
+/* Finds the row in a network: two bodies that touch each other, and one wall behind each.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "lattice_row.h"
+
+#include <math.h>
+
+/* Unit vectors written in decimals agree or are perpendicular to this. */
+static const double straight = 1e-9;
+
+/* Contacts of the row go to their places, others must not matter: across the row and without shear. */
+static bool sort_contacts(struct lattice_row *row) {
+  const struct lattice *lattice = &row->lattice;
+  size_t found[3] = {0};
+  const struct lattice_contact *between = NULL;
+  for (size_t c = 0; c < lattice->contact_count; c++)
+    if (!lattice->contacts[c].wall) {
+      between = &lattice->contacts[c];
+      row->contact[1] = c;
+      found[1]++;
+    }
+  if (!between)
+    return false;
+  for (size_t c = 0; c < lattice->contact_count; c++) {
+    const struct lattice_contact *contact = &lattice->contacts[c];
+    if (!contact->wall)
+      continue;
+    double along = contact->ex * between->ex + contact->ey * between->ey;
+    if (fabs(along) < straight && contact->pair.ks == 0)
+      continue;
+    size_t place = contact->a == between->a ? 0 : 2;
+    if (fabs(along - (place == 0 ? -1 : 1)) > straight)
+      return false;
+    row->contact[place] = c;
+    found[place]++;
+  }
+  return found[0] == 1 && found[1] == 1 && found[2] == 1;
+}
+
+/* How far a wall's way w, x and y of each wall in turn, leads toward the bodies at contact A or C. */
+static double inward(const struct lattice_row *row, size_t place, const gsl_vector *way) {
+  const struct lattice_contact *contact = &row->lattice.contacts[row->contact[place]];
+  size_t x = 2 * (size_t)contact->b;
+  return -contact->ex * gsl_vector_get(way, x) - contact->ey * gsl_vector_get(way, x + 1);
+}
+
+static bool find_motion(struct lattice_row *row, const struct nb_scene *scene) {
+  const struct lattice *lattice = &row->lattice;
+  if (lattice->turn_count == 0 || lattice->turns[0].cycle != 0)
+    return false;
+  row->v = inward(row, 0, lattice->turns[0].change);
+  if (!(row->v > 0) || fabs(inward(row, 2, lattice->turns[0].change) - row->v) > straight * row->v)
+    return false;
+  row->even = lattice->undamped;
+  if (lattice->turn_count > 1 && lattice->turns[1].cycle < row->even)
+    row->even = lattice->turns[1].cycle;
+  if (!lattice->one_step && scene->stages[0].cycles < row->even)
+    row->even = scene->stages[0].cycles;
+  const gsl_vector *end = lattice->travel[lattice->stage_count - 1];
+  row->squeeze = inward(row, 0, end) + inward(row, 2, end);
+  return true;
+}
+
+enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene *scene, struct nb_error *error) {
+  *row = (struct lattice_row){0};
+  if (scene->body_count != 2 || scene->bodies[0].fixed || scene->bodies[1].fixed)
+    return nb_error_set(error, NB_BAD_USE, "this reference is for two free bodies in a row");
+  enum nb_status status = lattice_build(&row->lattice, scene, error);
+  if (status != NB_OK)
+    return status;
+  if (!sort_contacts(row))
+    status = nb_error_set(error, NB_BAD_USE, "this reference is for two bodies that touch, with one wall behind each");
+  else if (!find_motion(row, scene))
+    status = nb_error_set(error, NB_BAD_USE, "this reference is for two walls that close in alike from the start");
+  if (status != NB_OK) {
+    lattice_row_free(row);
+    return status;
+  }
+  for (size_t i = 0; i < 3; i++)
+    row->k[i] = row->lattice.contacts[row->contact[i]].pair.kn;
+  for (size_t i = 0; i < 2; i++)
+    row->m[i] = nb_body_mass(scene, &scene->bodies[i]);
+  return NB_OK;
+}
+
+void lattice_row_free(struct lattice_row *row) { lattice_free(&row->lattice); }
+
+int lattice_row_place(const struct lattice_row *row, int contact) {
+  for (int place = 0; place < 3; place++)
+    if (contact >= 0 && row->contact[place] == (size_t)contact)
+      return place;
+  return -1;
+}

@@ -1,0 +1,190 @@
+/* How a network of springs swings after its walls have moved: the sum over its normal modes, exact in steps.
+ *
+ * With u = sum q_i shape_i each mode obeys  q'' + w^2 q = g(t), w^2 = `square`. A wall whose velocity changes by c at
+ * t = 0 makes g = b t with b = - shape_i' stretch' S push c. From rest
+ *     q = (b / w^2) (t - sin(w t) / w).
+ * The calculation cycle [CS79 22, 22a] solves  q_(n+1) - 2 q_n + q_(n-1) = dt^2 (g_n - w^2 q_n)  with q_0 = q_1 = 0,
+ * and that is as exactly
+ *     q_n = (b dt / w^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = w dt / 2:
+ * the same line, and a wave of a slightly higher frequency. So a program that follows the cycle must agree with it
+ * to rounding, were it not for the small turning of its contacts. Every change of a wall's velocity starts such a
+ * term of its own, and they add.
+ *
+ * Nine equal discs between four walls that close in alike: by symmetry only two of the 27 modes move, corner discs by
+ * d_c and discs at the middle of a side by d_m along each axis, without spin. With r = k_s/k_n
+ *     m d_c'' / k_n = d - (2 + 2 r) d_c + r d_m       m d_m'' / k_n = d - (2 + 2 r) d_m + 2 r d_c
+ * so w^2 = (2 + 2 r -+ r sqrt 2) k_n/m with d_m = +- sqrt 2 d_c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+#include "lattice.h"
+
+/* Shares of the largest w^2 and of the largest term: below them there is no spring and no motion, only rounding. */
+static const double still = 1e-11, silent = 1e-12;
+/* Modes whose phases differ by less than this share are one wave. */
+static const double alike = 1e-9;
+
+/* springs stretches, row by row. */
+static void scale_rows(gsl_matrix *matrix, const gsl_vector *springs) {
+  for (size_t i = 0; i < matrix->size1; i++) {
+    gsl_vector_view row = gsl_matrix_row(matrix, i);
+    gsl_vector_scale(&row.vector, gsl_vector_get(springs, i));
+  }
+}
+
+struct swing_modes swing_modes_create(const struct lattice *lattice) {
+  size_t n = lattice->freedom_count;
+  struct swing_modes modes = {.square = gsl_vector_alloc(n), .shape = gsl_matrix_alloc(n, n)};
+  gsl_matrix *pulled = gsl_matrix_alloc(lattice->stretch->size1, n), *a = gsl_matrix_alloc(n, n);
+  gsl_matrix_memcpy(pulled, lattice->stretch);
+  scale_rows(pulled, lattice->springs);
+  gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, lattice->stretch, pulled, 0, a);
+  gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
+  gsl_eigen_symmv(a, modes.square, modes.shape, work);
+  gsl_eigen_symmv_sort(modes.square, modes.shape, GSL_EIGEN_SORT_VAL_ASC);
+  gsl_eigen_symmv_free(work);
+  gsl_matrix_free(pulled);
+  gsl_matrix_free(a);
+  return modes;
+}
+
+void swing_modes_free(struct swing_modes *modes) {
+  gsl_vector_free(modes->square);
+  gsl_matrix_free(modes->shape);
+  *modes = (struct swing_modes){0};
+}
+
+/* What one cycle of the walls' change of velocity does: straight, the wall's own part of each force, N per cycle, and
+ * load, on each mode, as b dt of the comment above. */
+static void drive(const struct lattice *lattice, const struct swing_modes *modes, const gsl_vector *change,
+                  gsl_vector *straight, gsl_vector *load) {
+  gsl_vector *force = gsl_vector_alloc(lattice->freedom_count);
+  gsl_blas_dgemv(CblasNoTrans, lattice->step, lattice->push, change, 0, straight);
+  gsl_vector_mul(straight, lattice->springs);
+  gsl_blas_dgemv(CblasTrans, -1, lattice->stretch, straight, 0, force);
+  gsl_blas_dgemv(CblasTrans, 1, modes->shape, force, 0, load);
+  gsl_vector_free(force);
+}
+
+/* The wave of a mode of the frequency `omega`. */
+static struct swing_term wave_of(double omega, double step, enum swing_time time) {
+  double turn = omega * step;
+  if (time == SWING_CONTINUOUS)
+    return (struct swing_term){.phase = turn, .sine = turn};
+  double phase = 2 * asin(turn / 2);
+  return (struct swing_term){.phase = phase, .sine = sin(phase)};
+}
+
+/* The fastest mode limits the step, even one that by symmetry does not move: rounding is enough to start it. */
+static bool step_is_stable(const struct lattice *lattice, double top, struct nb_error *error) {
+  if (sqrt(top) * lattice->step < 2)
+    return true;
+  nb_error_set(error, NB_BAD_USE, "the step %g is too long for this network: its limit is %g", lattice->step,
+               2 / sqrt(top));
+  return false;
+}
+
+struct swing *swing_create(const struct lattice *lattice, const struct swing_modes *modes, size_t row,
+                           enum swing_time time, double unit, struct nb_error *error) {
+  size_t n = lattice->freedom_count, most = lattice->turn_count * (n + 1);
+  double top = gsl_vector_get(modes->square, n - 1);
+  if (time == SWING_STEPS && !step_is_stable(lattice, top, error))
+    return NULL;
+  struct swing *swing = calloc(1, sizeof *swing + most * sizeof swing->terms[0]);
+  if (!swing) {
+    nb_error_set(error, NB_BROKEN, "out of memory for %zu modes", n);
+    return NULL;
+  }
+  swing->unit = unit;
+  gsl_vector *straight = gsl_vector_alloc(lattice->stretch->size1), *load = gsl_vector_alloc(n);
+  gsl_vector *share = gsl_vector_alloc(n); /* the force when a mode's q is 1 */
+  gsl_vector_const_view stretch = gsl_matrix_const_row(lattice->stretch, row);
+  gsl_blas_dgemv(CblasTrans, gsl_vector_get(lattice->springs, row), modes->shape, &stretch.vector, 0, share);
+  for (size_t k = 0; k < lattice->turn_count; k++) {
+    drive(lattice, modes, lattice->turns[k].change, straight, load);
+    double start = (double)lattice->turns[k].cycle, own = gsl_vector_get(straight, row);
+    double least = silent * (fabs(own) + gsl_blas_dnrm2(load) * gsl_blas_dnrm2(share) / top);
+    swing->terms[swing->count++] = (struct swing_term){.start = start, .size = own};
+    for (size_t i = 0; i < n; i++) {
+      double square = gsl_vector_get(modes->square, i);
+      if (square < still * top)
+        continue;
+      struct swing_term term = wave_of(sqrt(square), lattice->step, time);
+      term.start = start;
+      term.size = gsl_vector_get(share, i) * gsl_vector_get(load, i) / square;
+      if (fabs(term.size) > least)
+        swing->terms[swing->count++] = term;
+    }
+  }
+  gsl_vector_free(straight);
+  gsl_vector_free(load);
+  gsl_vector_free(share);
+  return swing;
+}
+
+double swing_at(const void *data, double x) {
+  const struct swing *swing = data;
+  double force = 0;
+  for (size_t i = 0; i < swing->count; i++) {
+    const struct swing_term *term = &swing->terms[i];
+    double n = x / swing->unit - term->start;
+    if (n <= 0)
+      continue;
+    force += term->size * (term->phase > 0 ? n - sin(n * term->phase) / term->sine : n);
+  }
+  return force;
+}
+
+/* The lines n - start add up to a constant when the walls stand. */
+double swing_mean(const struct swing *swing) {
+  double mean = 0;
+  for (size_t i = 0; i < swing->count; i++)
+    mean -= swing->terms[i].size * swing->terms[i].start;
+  return mean;
+}
+
+/* The amplitude of all waves of the phase of term i, or 0 when an earlier term has that phase: waves that started at
+ * different cycles add as arrows do. */
+static double wave(const struct swing *swing, size_t i) {
+  double phase = swing->terms[i].phase, along = 0, across = 0;
+  if (phase <= 0)
+    return 0;
+  for (size_t j = 0; j < swing->count; j++) {
+    const struct swing_term *term = &swing->terms[j];
+    if (term->phase <= 0 || fabs(term->phase - phase) > alike * phase)
+      continue;
+    if (j < i)
+      return 0;
+    along += term->size / term->sine * cos(term->start * phase);
+    across += term->size / term->sine * sin(term->start * phase);
+  }
+  return hypot(along, across);
+}
+
+double swing_amplitude(const struct swing *swing) {
+  double sum = 0;
+  for (size_t i = 0; i < swing->count; i++)
+    sum += wave(swing, i);
+  return sum;
+}
+
+/* One wave decides when it is higher than all others together and steeper than all others together: then the sum
+ * crosses its mean as often as that wave alone does, in the long run. */
+double swing_beat(const struct swing *swing) {
+  double height = 0, slope = 0;
+  for (size_t i = 0; i < swing->count; i++) {
+    height += wave(swing, i);
+    slope += wave(swing, i) * swing->terms[i].phase;
+  }
+  for (size_t i = 0; i < swing->count; i++) {
+    double own = wave(swing, i);
+    double phase = swing->terms[i].phase;
+    if (2 * own > height && 2 * own * phase > slope)
+      return phase / (2 * M_PI);
+  }
+  return 0;
+}

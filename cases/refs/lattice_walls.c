@@ -1,0 +1,117 @@
+/* What the stages of a scene do to its walls: when their velocities change, and how far they come.
+ * A stage's motions act from its first cycle and last until another stage says otherwise.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "lattice.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The step in s. `of critical` is of 2 sqrt(m/k) [CS79, Motion]: m the smallest mass that is free, k the largest normal
+ * stiffness between any two materials that bodies have, or a body and a wall. */
+static double step_length(const struct nb_scene *scene, const struct nb_step *step) {
+  if (step->kind == NB_STEP_TIME)
+    return step->value;
+  double lightest = INFINITY, stiffest = 0;
+  for (size_t i = 0; i < scene->body_count; i++) {
+    const struct nb_body *body = &scene->bodies[i];
+    if (!body->fixed)
+      lightest = fmin(lightest, nb_body_mass(scene, body));
+    for (size_t j = 0; j < scene->body_count + scene->wall_count; j++) {
+      int other = j < scene->body_count ? scene->bodies[j].material : scene->walls[j - scene->body_count].material;
+      stiffest = fmax(stiffest, nb_scene_pair(scene, body->material, other).kn);
+    }
+  }
+  return step->value * 2 * sqrt(lightest / stiffest);
+}
+
+static bool damped(const struct nb_damping *damping) {
+  return damping->contact_kind != NB_CONTACT_UNDAMPED || damping->global_kind != NB_GLOBAL_UNDAMPED;
+}
+
+static void wall_velocities(gsl_vector *velocity, const struct nb_scene *scene) {
+  for (size_t i = 0; i < scene->wall_count; i++) {
+    gsl_vector_set(velocity, 2 * i, scene->walls[i].vx);
+    gsl_vector_set(velocity, 2 * i + 1, scene->walls[i].vy);
+  }
+}
+
+static void stage_motions(gsl_vector *velocity, const struct nb_stage *stage) {
+  for (size_t i = 0; i < stage->motion_count; i++) {
+    const struct nb_wall_motion *motion = &stage->motions[i];
+    gsl_vector_set(velocity, 2 * (size_t)motion->wall, motion->vx);
+    gsl_vector_set(velocity, 2 * (size_t)motion->wall + 1, motion->vy);
+  }
+}
+
+/* Adds a turn when the velocities now differ from those before. */
+static void note_turn(struct lattice *lattice, const gsl_vector *before, const gsl_vector *now, unsigned long cycle) {
+  if (gsl_vector_equal(before, now))
+    return;
+  gsl_vector *change = gsl_vector_alloc(now->size);
+  gsl_vector_memcpy(change, now);
+  gsl_vector_sub(change, before);
+  lattice->turns[lattice->turn_count++] = (struct lattice_turn){.cycle = cycle, .change = change};
+}
+
+enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
+  lattice->turns = calloc(scene->stage_count, sizeof *lattice->turns);
+  lattice->travel = calloc(scene->stage_count, sizeof *lattice->travel);
+  if (!lattice->turns || !lattice->travel)
+    return nb_error_set(error, NB_BROKEN, "out of memory for the stages");
+  gsl_vector *before = gsl_vector_calloc(2 * scene->wall_count), *now = gsl_vector_calloc(2 * scene->wall_count);
+  gsl_vector *travel = gsl_vector_calloc(2 * scene->wall_count);
+  lattice->step = step_length(scene, &scene->stages[0].step);
+  lattice->one_step = true;
+  bool still_undamped = true;
+  enum nb_status status = NB_OK;
+  wall_velocities(now, scene);
+  for (size_t i = 0; i < scene->stage_count; i++) {
+    const struct nb_stage *stage = &scene->stages[i];
+    stage_motions(now, stage);
+    note_turn(lattice, before, now, lattice->cycles);
+    gsl_vector_memcpy(before, now);
+    if (stage->condition_count > 0 && !gsl_vector_isnull(now))
+      status = nb_error_set(error, NB_BAD_USE,
+                            "this reference must know how far the walls go: stage %s moves them until something "
+                            "happens",
+                            stage->name);
+    double step = step_length(scene, &stage->step);
+    if (step != lattice->step)
+      lattice->one_step = false;
+    if (damped(&stage->damping))
+      still_undamped = false;
+    lattice->cycles += stage->cycles;
+    if (still_undamped)
+      lattice->undamped = lattice->cycles;
+    for (size_t j = 0; j < now->size; j++) {
+      double way = (double)stage->cycles * step * gsl_vector_get(now, j);
+      gsl_vector_set(travel, j, gsl_vector_get(travel, j) + way);
+      lattice->reach = fmax(lattice->reach, fabs(gsl_vector_get(travel, j)));
+    }
+    lattice->travel[i] = gsl_vector_alloc(travel->size);
+    gsl_vector_memcpy(lattice->travel[i], travel);
+    lattice->stage_count++;
+  }
+  gsl_vector_free(before);
+  gsl_vector_free(now);
+  gsl_vector_free(travel);
+  return status;
+}
+
+size_t lattice_standing(const struct lattice *lattice, const struct nb_scene *scene) {
+  gsl_vector *velocity = gsl_vector_calloc(2 * scene->wall_count);
+  for (size_t i = 0; i < lattice->turn_count; i++)
+    gsl_vector_add(velocity, lattice->turns[i].change);
+  double left = fmax(gsl_vector_max(velocity), -gsl_vector_min(velocity)) * lattice->step;
+  gsl_vector_free(velocity);
+  if (left > 1e-12 * lattice->reach)
+    return lattice->stage_count; /* v - v is 0; three changes may round */
+  unsigned long begin = 0, last = lattice->turn_count ? lattice->turns[lattice->turn_count - 1].cycle : 0;
+  for (size_t i = 0; i < scene->stage_count; i++) {
+    if (begin >= last)
+      return i;
+    begin += scene->stages[i].cycles;
+  }
+  return lattice->stage_count;
+}

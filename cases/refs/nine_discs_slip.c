@@ -1,0 +1,24 @@
+/* Reference: discs that touch, between walls that close in slowly, with friction: the forces at rest [CS79 19].
+ *
+ * Known: the names of nine_discs_statics. Slow means that no swing makes anything slip that the growing load would
+ * not: the forces of a run at speed v approach these with v, damped or not. At finite speed the rest depends on the
+ * path.
+ *
+ * Nine equal discs, in units of k_n d and with r = k_s/k_n, f = tan phi: the corner discs slide on the walls when
+ * r d_c > f (1 - d_c) in the solution without slip; then
+ *   (1 - f) (1 - d_c) - d_c - r (d_c - d_m) = 0,   1 - 2 d_m - 2 r (d_m - d_c) = 0;
+ * at 15 degrees the centre contact carries 0.46999 (r = 1) and 0.47486 (r = 2/3); at 30 degrees nothing slides.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "lattice_tell.h"
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  return lattice_tell_rest(known, scene, lattice_rest_slipping, error);
+}
+
+const struct nb_reference reference_nine_discs_slip = {
+    .name = "nine_discs_slip",
+    .title = "touching discs between walls, slowly loaded with friction: the network solved with sliding contacts",
+    .source = "[CS79 16, 17, 19]",
+    .know = know,
+};

@@ -1,0 +1,33 @@
+/* Reference: discs that touch, between walls that have moved and stopped, at rest, without slip: the forces of the
+ * linear network [CS79 figures 5, 6].
+ *
+ * Known of a watched contact NAME: NAME.normal and NAME.shear at the end, also ` mean`; and NAME.normal in STAGE,
+ * where the stage's end finds the walls, as if everything had settled.
+ *
+ * Nine equal discs, each wall gone inward by d, r = k_s/k_n, forces in units of k_n d:
+ *   d_c, d_m (corner disc, disc in the middle of a side):  (2 + 2 r) d_c - r d_m = 1,  (2 + 2 r) d_m - 2 r d_c = 1
+ *   centre contact d_m, corner with middle d_c, corner with wall 1 - d_c, middle with wall 1 - d_m;
+ * r = 1: 3/7, 5/14, 9/14, 4/7. Without shear force 1/2 everywhere. Linear: overlap over radius is neglected, and
+ * 0.01 of that ratio is what it makes.
+ *
+ * Damping that is relative velocity times anything moves none of these values, as long as nothing slips.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "lattice_tell.h"
+
+static enum nb_status rest(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
+                           struct nb_error *error) {
+  enum nb_status status = lattice_rest(lattice, travel, forces, error);
+  return status == NB_OK ? lattice_holds(lattice, forces, (double)lattice->cycles, error) : status;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  return lattice_tell_rest(known, scene, rest, error);
+}
+
+const struct nb_reference reference_nine_discs_statics = {
+    .name = "nine_discs_statics",
+    .title = "touching discs between walls, at rest without slip: the linear network solved",
+    .source = "[CS79 16, 17, figures 5, 6]",
+    .know = know,
+};

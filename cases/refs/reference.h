@@ -1,0 +1,54 @@
+/* A reference: the judge of a page. It is handed the scene, constant, and answers what theory says should be seen,
+ * under the same names as the page expects. It never sees a number that the simulator computed about itself.
+ * One file each; closed forms, quadrature, roots, ODEs, eigenvalues; the only place where GSL is used.
+ *
+ * Adding one is two touches: the file, whose last lines define `const struct nb_reference reference_NAME`, and the
+ * file's path in REFERENCES in Makefile.am.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_REFERENCE_H
+#define NB_REFERENCE_H
+
+#include "nineball.h"
+
+/* A curve: the known value at x; `data` is what the reference computed once. */
+struct nb_known_curve {
+  char name[2 * NB_NAME_SIZE];  /* `C.normal` */
+  char along[2 * NB_NAME_SIZE]; /* `time`, `cycle`: the quantity that x is, SI */
+  double (*at)(const void *data, double x);
+  void *data; /* owned: one allocation, freed with free() */
+};
+
+/* Everything a reference knows of one run. */
+struct nb_known {
+  struct nb_known_value {
+    char name[3 * NB_NAME_SIZE]; /* quantity, reducer, stage as on the page: `C.normal mean`, `C.normal mean in rest` */
+    double value;                /* SI */
+  } * values;
+  size_t value_count;
+  struct nb_known_curve *curves;
+  size_t curve_count;
+  bool lacking; /* memory ran out: not all that was told is here */
+};
+
+/* Both copy their texts and may run out of memory, which known_full tells at the end: the last line of `know`. */
+void known_value(struct nb_known *known, double value, const char *name);
+void known_curve(struct nb_known *known, const char *name, const char *along, double (*at)(const void *data, double x),
+                 void *data);
+enum nb_status known_full(const struct nb_known *known, struct nb_error *error); /* NB_OK, or NB_BROKEN: no memory */
+const double *known_find(const struct nb_known *known, const char *name); /* NULL: this reference does not know it */
+const struct nb_known_curve *known_find_curve(const struct nb_known *known, const char *name, const char *along);
+void known_free(struct nb_known *known);
+
+struct nb_reference {
+  const char *name;   /* the word after `reference`, and the name of the file */
+  const char *title;  /* one line: what it computes and how */
+  const char *source; /* equation tags: "[CS79 1-7]" */
+  /* NB_OK, or NB_BAD_USE with an error in words when the scene is none this reference can judge. */
+  enum nb_status (*know)(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error);
+};
+
+const struct nb_reference *nb_reference_find(const char *name); /* NULL: there is none of that name */
+const struct nb_reference *const *nb_references(void);          /* NULL-terminated */
+
+#endif

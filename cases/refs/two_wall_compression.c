@@ -1,0 +1,193 @@
+/* Reference: two discs in a row between two walls that close in with v: the first calculation cycles by hand
+ * [CS79 1-7].
+ *
+ * At t_0 everything touches and no force exists. With X_n, Y_n the displacements of the discs x and y at t_n in units
+ * of v dt, along the row, the overlaps at A (wall and x), B (x and y), C (y and wall) are, in that unit,
+ *     a_n = n - X_n,    b_n = X_n - Y_n,    c_n = n + Y_n
+ * and the cycle, with p = k_A dt^2/m_x, q = k_B dt^2/m_x, r = k_B dt^2/m_y, s = k_C dt^2/m_y, is
+ *     X_(n+1) = 2 X_n - X_(n-1) + p a_n - q b_n,    Y_(n+1) = 2 Y_n - Y_(n-1) + r b_n - s c_n,
+ * X_0 = X_1 = Y_0 = Y_1 = 0: the discs rest while the walls make their first step. So every displacement is a
+ * polynomial in p, q, r, s with whole coefficients, worked out here in whole numbers; the first are
+ *     a_1 = 1, b_1 = 0              (1)
+ *     a_2 = 2 - p, b_2 = p + s, c_2 = 2 - s      (5) (6) (7), each with what (1) gave before
+ * and nothing is rounded until the polynomial is evaluated. No position is added to anything: a program that keeps
+ * positions x must differ by rounding(x) / overlap.
+ *
+ * Known for n = 1 ... 6 within the first undamped motion of the walls, of watches on contacts:
+ *     NAME.normal at n cycles = k v dt a_n (or b_n, c_n),     NAME.overlap at n cycles;
+ * of watches on the discs: the sum of forces (2), and the velocity over the step behind, which (4) calls that of t_n:
+ *     NAME.fx, NAME.fy at n cycles,     NAME.vx.half, NAME.vy.half at n cycles;
+ * and, when nothing is ever damped and no contact ever opens, NAME.normal along cycle and along time, by normal modes.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+
+#include "lattice_row.h"
+#include "lattice_tell.h"
+
+/* Powers 0 to 5 of each variable: X_6 is of degree 5. */
+enum { SIDE = 6, SIZE = SIDE * SIDE * SIDE * SIDE, LAST = 6 };
+/* How far one power of p, q, r, s moves in the array of coefficients. */
+enum power { ONE = 0, P = 1, Q = SIDE, R = SIDE * SIDE, S = SIDE * SIDE * SIDE };
+
+struct polynomial {
+  long long of[SIZE]; /* whole coefficients */
+};
+
+/* sum += factor * power * other */
+static void add(struct polynomial *sum, long long factor, enum power power, const struct polynomial *other) {
+  for (int i = 0; i + (int)power < SIZE; i++)
+    sum->of[i + (int)power] += factor * other->of[i];
+}
+
+static long double evaluate(const struct polynomial *polynomial, const long double at[4]) {
+  long double sum = 0, s = 1;
+  for (int l = 0, i = 0; l < SIDE; l++, s *= at[3]) {
+    long double r = s;
+    for (int k = 0; k < SIDE; k++, r *= at[2]) {
+      long double q = r;
+      for (int j = 0; j < SIDE; j++, q *= at[1]) {
+        long double p = q;
+        for (int m = 0; m < SIDE; m++, p *= at[0])
+          sum += (long double)polynomial->of[i++] * p;
+      }
+    }
+  }
+  return sum;
+}
+
+/* At t_0 ... t_LAST, in units of v dt: overlaps of A, B, C, displacements of x and y. */
+struct hand {
+  struct polynomial overlap[3][LAST + 1], displacement[2][LAST + 1];
+};
+
+static void calculate(struct hand *hand) {
+  struct polynomial *x = hand->displacement[0], *y = hand->displacement[1];
+  for (int n = 0; n <= LAST; n++) {
+    struct polynomial *a = &hand->overlap[0][n], *b = &hand->overlap[1][n], *c = &hand->overlap[2][n];
+    a->of[0] = c->of[0] = n;
+    add(a, -1, ONE, &x[n]);
+    add(b, 1, ONE, &x[n]);
+    add(b, -1, ONE, &y[n]);
+    add(c, 1, ONE, &y[n]);
+    if (n == 0 || n == LAST)
+      continue;
+    add(&x[n + 1], 2, ONE, &x[n]);
+    add(&x[n + 1], -1, ONE, &x[n - 1]);
+    add(&x[n + 1], 1, P, a);
+    add(&x[n + 1], -1, Q, b);
+    add(&y[n + 1], 2, ONE, &y[n]);
+    add(&y[n + 1], -1, ONE, &y[n - 1]);
+    add(&y[n + 1], 1, R, b);
+    add(&y[n + 1], -1, S, c);
+  }
+}
+
+/* The four variables, and v dt. */
+struct numbers {
+  long double at[4], way;
+};
+
+static struct numbers numbers_of(const struct lattice_row *row) {
+  long double square = (long double)row->lattice.step * row->lattice.step;
+  return (struct numbers){.at = {row->k[0] * square / row->m[0], row->k[1] * square / row->m[0],
+                                 row->k[1] * square / row->m[1], row->k[2] * square / row->m[1]},
+                          .way = (long double)row->v * row->lattice.step};
+}
+
+static void tell(struct nb_known *known, const char *watch, const char *quantity, unsigned long n, long double value) {
+  char text[3 * NB_NAME_SIZE];
+  snprintf(text, sizeof text, "%s.%s at %lu cycles", watch, quantity, n);
+  known_value(known, (double)value, text);
+}
+
+/* Of disc x (0) or y (1), along the row: the sum of forces at t_n, and the velocity over the step before. */
+static void tell_disc(struct nb_known *known, const char *watch, const struct lattice_row *row, const struct hand *hand,
+                      int disc, unsigned long n) {
+  struct numbers numbers = numbers_of(row);
+  const struct lattice_contact *between = &row->lattice.contacts[row->contact[1]];
+  long double before = evaluate(&hand->overlap[disc][n], numbers.at) * row->k[disc];
+  long double behind = evaluate(&hand->overlap[disc + 1][n], numbers.at) * row->k[disc + 1];
+  long double force = (before - behind) * numbers.way;
+  struct polynomial step = {{0}};
+  add(&step, 1, ONE, &hand->displacement[disc][n]);
+  add(&step, -1, ONE, &hand->displacement[disc][n - 1]);
+  long double speed = evaluate(&step, numbers.at) * row->v;
+  tell(known, watch, "fx", n, force * between->ex);
+  tell(known, watch, "fy", n, force * between->ey);
+  tell(known, watch, "vx.half", n, speed * between->ex);
+  tell(known, watch, "vy.half", n, speed * between->ey);
+}
+
+static enum nb_status tell_contact(struct nb_known *known, const char *watch, const struct lattice_row *row,
+                                   const struct hand *hand, int place, unsigned long n, struct nb_error *error) {
+  struct numbers numbers = numbers_of(row);
+  long double overlap = numbers.way * evaluate(&hand->overlap[place][n], numbers.at);
+  if (overlap < 0)
+    return nb_error_set(error, NB_BAD_USE, "the contact of watch %s opens at cycle %lu: the step is too long", watch,
+                        n);
+  tell(known, watch, "overlap", n, overlap);
+  tell(known, watch, "normal", n, overlap * row->k[place]);
+  return NB_OK;
+}
+
+static enum nb_status tell_cycles(struct nb_known *known, const struct nb_scene *scene, const struct lattice_row *row,
+                                  const struct hand *hand, struct nb_error *error) {
+  enum nb_status status = NB_OK;
+  for (size_t i = 0; i < scene->watch_count; i++) {
+    const struct nb_watch *watch = &scene->watches[i];
+    int place = lattice_row_place(row, lattice_watched(&row->lattice, watch));
+    for (unsigned long n = 1; n <= LAST && n <= row->even && status == NB_OK; n++) {
+      if (place >= 0)
+        status = tell_contact(known, watch->name, row, hand, place, n, error);
+      if (watch->kind == NB_WATCH_BODY)
+        tell_disc(known, watch->name, row, hand, watch->a, n);
+    }
+  }
+  return status;
+}
+
+static enum nb_status tell_curves(struct nb_known *known, const struct nb_scene *scene, const struct lattice *lattice,
+                                  struct nb_error *error) {
+  if (lattice->undamped < lattice->cycles || !lattice->one_step)
+    return NB_OK;
+  struct swing_modes modes = swing_modes_create(lattice);
+  enum nb_status status = NB_OK;
+  struct nb_error open;
+  bool known_for_ever = lattice_stays(lattice, &modes, &open) == NB_OK;
+  for (size_t i = 0; i < scene->watch_count && known_for_ever && status == NB_OK; i++) {
+    int contact = lattice_watched(lattice, &scene->watches[i]);
+    char quantity[2 * NB_NAME_SIZE];
+    snprintf(quantity, sizeof quantity, "%s.normal", scene->watches[i].name);
+    if (contact >= 0)
+      status = lattice_tell_curves(known, lattice, &modes, quantity, 2 * (size_t)contact, error);
+  }
+  swing_modes_free(&modes);
+  return status;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct lattice_row row;
+  enum nb_status status = lattice_row_build(&row, scene, error);
+  if (status != NB_OK)
+    return status;
+  struct hand *hand = calloc(1, sizeof *hand);
+  if (!hand) {
+    lattice_row_free(&row);
+    return nb_error_set(error, NB_BROKEN, "out of memory for the hand calculation");
+  }
+  calculate(hand);
+  status = tell_cycles(known, scene, &row, hand, error);
+  if (status == NB_OK)
+    status = tell_curves(known, scene, &row.lattice, error);
+  free(hand);
+  lattice_row_free(&row);
+  return status == NB_OK ? known_full(known, error) : status;
+}
+
+const struct nb_reference reference_two_wall_compression = {
+    .name = "two_wall_compression",
+    .title = "two discs between two walls that close in: the first cycles by hand, in whole numbers",
+    .source = "[CS79 1-7]",
+    .know = know,
+};

@@ -1,0 +1,44 @@
+/* Reference: two discs in a row between two walls that have closed in: at rest, three springs in series.
+ *
+ * One force F goes through the contacts A, B, C, and their overlaps F/k together are the way that the walls have
+ * come closer:   F = squeeze / (1/k_A + 1/k_B + 1/k_C);   2 v t_load k / 3 for equal stiffnesses.
+ * Exact, since nothing in a row turns; masses and damping do not enter.
+ *
+ * Known of watches on the contacts, once the walls stand: NAME.normal, NAME.normal mean, NAME.overlap; NAME.shear = 0.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "lattice_row.h"
+
+static void tell(struct nb_known *known, const char *watch, const char *quantity, double value) {
+  char text[3 * NB_NAME_SIZE];
+  snprintf(text, sizeof text, "%s.%s", watch, quantity);
+  known_value(known, value, text);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct lattice_row row;
+  enum nb_status status = lattice_row_build(&row, scene, error);
+  if (status != NB_OK)
+    return status;
+  double force = row.squeeze / (1 / row.k[0] + 1 / row.k[1] + 1 / row.k[2]);
+  if (lattice_standing(&row.lattice, scene) == scene->stage_count)
+    status = nb_error_set(error, NB_BAD_USE, "reference two_wall_statics is for walls that stop");
+  for (size_t i = 0; i < scene->watch_count && status == NB_OK; i++) {
+    int place = lattice_row_place(&row, lattice_watched(&row.lattice, &scene->watches[i]));
+    if (place < 0)
+      continue;
+    tell(known, scene->watches[i].name, "normal", force);
+    tell(known, scene->watches[i].name, "normal mean", force);
+    tell(known, scene->watches[i].name, "overlap", force / row.k[place]);
+    tell(known, scene->watches[i].name, "shear", 0);
+  }
+  lattice_row_free(&row);
+  return status == NB_OK ? known_full(known, error) : status;
+}
+
+const struct nb_reference reference_two_wall_statics = {
+    .name = "two_wall_statics",
+    .title = "two discs between two walls, at rest: three springs in series",
+    .source = "[CS79 figure 1, 16]",
+    .know = know,
+};

@@ -1,0 +1,81 @@
+/* A block: up to NB_BLOCK contacts of one pairing, the unit of work of the force half of a cycle.
+ *
+ * Whatever a contact has is a field: one double per contact, in an array of its own, so that the loops over a block are
+ * wide. A field that only the passes of this cycle read lives in a few kilobytes that stay in the first-level cache; one
+ * that somebody reads later (the motion half, a watch, a snapshot) is kept for all contacts. A pass need not know which.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_BLOCK_H
+#define NB_BLOCK_H
+
+#include "nineball.h"
+#include "vec.h"
+
+enum { NB_BLOCK = 256 };
+
+enum nb_field {
+  NB_OVERLAP, /* alpha >= 0, m */
+  NB_CLOSING, /* dn, approach over the last step, m [CS79 14] */
+  NB_SLIP,    /* ds, tangential displacement over the last step, m [CS79 15] */
+  NB_EX,
+  NB_EY,              /* e, unit vector from the first body to the second [CS79 9] */
+  NB_NORMAL,          /* F_n >= 0, elastic, N */
+  NB_STIFFNESS,       /* dF_n/d(alpha), N/m; 0 where nothing touches */
+  NB_RADIUS,          /* a, of the contact circle, m; 0 for laws that know none */
+  NB_SHEAR,           /* F_s, elastic, on the first body along -t, N */
+  NB_SHEAR_STIFFNESS, /* dF_s/ds, N/m; 0 where nothing touches */
+  NB_SLIDING,         /* 1 where F_s is at its limit [CS79 19], else 0 */
+  NB_PUSH,            /* F_n + D_n, N: what is felt; may pull while damped */
+  NB_DRAG,            /* F_s + D_s, N */
+  NB_MASS,            /* M*, reduced mass, kg [R89 4.6] */
+  NB_FIELDS
+};
+
+/* A set of fields. */
+#define NB_BIT(field) (1u << (field))
+
+enum { NB_MEMORY = 4 }; /* doubles of memory a law may have */
+
+/* Before a loop over a block: its arrays do not overlap, so it can be made wide. */
+#ifdef __clang__
+#define NB_WIDE _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define NB_WIDE _Pragma("GCC ivdep")
+#endif
+
+/* Instruction sets. A pass is written once, as `static inline NB_FORM void NAME(model, view)`, and NB_FORMS(NAME) makes a
+ * function of it for each: NAME_plain, NAME_avx2, NAME_avx512. The values are the same, only the loops are wider. */
+enum nb_isa { NB_PLAIN, NB_AVX2, NB_AVX512, NB_ISAS };
+struct nb_model;
+struct nb_view;
+typedef void nb_run_pass(const struct nb_model *model, const struct nb_view *view); /* C has no other word for it */
+
+#define NB_FORM __attribute__((always_inline))
+#define NB_FORM_OF(name, isa, target)                                                                                  \
+  target static void name##_##isa(const struct nb_model *model, const struct nb_view *view) { name(model, view); }
+#if defined __x86_64__ && defined __GNUC__
+#define NB_FORMS(name)                                                                                                 \
+  NB_FORM_OF(name, plain, )                                                                                            \
+  NB_FORM_OF(name, avx2, __attribute__((target("avx2"))))                                                              \
+  NB_FORM_OF(name, avx512, __attribute__((target("avx512f,avx512dq,avx512vl"))))
+#define NB_FORMS_LIST(name)                                                                                            \
+  { name##_plain, name##_avx2, name##_avx512 }
+#else
+#define NB_FORMS(name) NB_FORM_OF(name, plain, )
+#define NB_FORMS_LIST(name)                                                                                            \
+  { name##_plain, name##_plain, name##_plain }
+#endif
+
+struct nb_pairing;
+
+/* What a pass is given. All arrays have n entries, except where the plan has no use for a field: then NULL. */
+struct nb_view {
+  size_t n;
+  const int *a, *b; /* slots of the two bodies; b is a wall's index where the pairing is with walls */
+  double *f[NB_FIELDS];
+  struct nb_vec *force; /* on the first body, N */
+  double *normal_memory[NB_MEMORY], *shear_memory[NB_MEMORY];
+  const struct nb_pairing *pairing;
+};
+
+#endif

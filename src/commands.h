@@ -1,0 +1,42 @@
+/* What the program can do: one function for each word of the command line.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_COMMANDS_H
+#define NB_COMMANDS_H
+
+#include "nineball.h"
+
+/* A call, read. */
+struct nb_use {
+  char **pages;
+  size_t page_count;
+  const char *folder;    /* NULL: the default */
+  const char **settings; /* NULL-terminated */
+  struct nb_options options;
+  bool tap;
+};
+
+enum nb_status nb_command_run(const struct nb_use *use);
+enum nb_status nb_command_check(const struct nb_use *use);
+enum nb_status nb_command_figure(const struct nb_use *use);
+enum nb_status nb_command_report(const struct nb_use *use);
+enum nb_status nb_command_explain(const struct nb_use *use);
+enum nb_status nb_command_laws(const struct nb_use *use);
+enum nb_status nb_command_list(const struct nb_use *use);
+
+/* help.c: the words and units of a page, from the table that reads them. */
+void nb_help_language(FILE *out);
+
+/* print.c: verdicts and progress on the terminal */
+struct nb_outcome;
+void nb_print_verdict(const struct nb_outcome *outcome);
+void nb_print_tap(const struct nb_outcome *outcome, const char *path);
+void nb_print_trouble(const struct nb_outcome *outcome, const char *path); /* mistakes, or what broke, to stderr */
+struct nb_progress_line {
+  const char *page;
+  double shown; /* s of the run when it was last written; 0: never */
+};
+struct nb_progress nb_print_progress(struct nb_progress_line *line); /* does nothing when stderr is no terminal */
+void nb_print_progress_end(struct nb_progress_line *line);
+
+#endif

@@ -1,0 +1,140 @@
+/* The list of contacts, kept through a search, and which of them a body has.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <limits.h>
+#include <stdlib.h>
+
+#include "near.h"
+
+/* The old and the new list are in the same order: one walk along both finds what stays. */
+static void carry_memory(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
+  size_t o = 0;
+  for (size_t c = 0; c < now->count; c++) {
+    const struct nb_near_pair here = {now->a[c], now->b[c], now->pairing[c]};
+    for (; o < old->count; o++) {
+      const struct nb_near_pair there = {old->a[o], old->b[o], old->pairing[o]};
+      const int order = nb_near_order(model, there, here);
+      if (order > 0)
+        break;
+      if (order < 0)
+        continue;
+      for (int m = 0; m < NB_MEMORY; m++) {
+        if (now->normal_memory[m])
+          now->normal_memory[m][c] = old->normal_memory[m][o];
+        if (now->shear_memory[m])
+          now->shear_memory[m][c] = old->shear_memory[m][o];
+      }
+    }
+  }
+}
+
+void nb_contacts_free(struct nb_contacts *contacts) {
+  free(contacts->a), free(contacts->b), free(contacts->pairing), free(contacts->force);
+  for (int f = 0; f < NB_FIELDS; f++)
+    free(contacts->kept[f]);
+  for (int m = 0; m < NB_MEMORY; m++)
+    free(contacts->normal_memory[m]), free(contacts->shear_memory[m]);
+}
+
+static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
+                            const struct nb_near_pairs *pairs) {
+  const size_t n = pairs->count;
+  *contacts = (struct nb_contacts){.count = n};
+  contacts->a = nb_array(n, sizeof(int)), contacts->b = nb_array(n, sizeof(int));
+  contacts->pairing = nb_array(n, sizeof(int)), contacts->force = nb_array(n, sizeof *contacts->force);
+  bool made = contacts->a && contacts->b && contacts->pairing && contacts->force;
+  for (int f = 0; f < NB_FIELDS; f++)
+    if (model->kept & NB_BIT(f))
+      made = (contacts->kept[f] = nb_array(n, sizeof(double))) && made;
+  int normal = 0, shear = 0;
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    const struct nb_pairing *q = &model->pairings[p];
+    if (q->normal->memory > normal)
+      normal = q->normal->memory;
+    if (q->shear && q->shear->memory > shear)
+      shear = q->shear->memory;
+  }
+  for (int m = 0; m < normal; m++)
+    made = (contacts->normal_memory[m] = nb_array(n, sizeof(double))) && made;
+  for (int m = 0; m < shear; m++)
+    made = (contacts->shear_memory[m] = nb_array(n, sizeof(double))) && made;
+  if (!made)
+    return false;
+  for (size_t c = 0; c < n; c++) {
+    contacts->a[c] = pairs->list[c].a, contacts->b[c] = pairs->list[c].b;
+    contacts->pairing[c] = pairs->list[c].pairing;
+  }
+  return true;
+}
+
+/* The contacts of each body in the order of its partners' numbers, walls last: the order in which forces are summed. Partners
+ * with smaller numbers come first, so the contacts in which the body is the second one are the first of its entries. */
+static int partner(const struct nb_model *model, int contact, int slot) {
+  const struct nb_contacts *contacts = &model->contacts;
+  if (model->pairings[contacts->pairing[contact]].wall)
+    return INT_MAX / 2 + contacts->b[contact];
+  return model->bodies.number[contacts->a[contact] == slot ? contacts->b[contact] : contacts->a[contact]];
+}
+
+static bool incidence_renew(struct nb_model *model) {
+  struct nb_incidence *incidence = &model->incidence;
+  const struct nb_contacts *contacts = &model->contacts;
+  const size_t n = model->bodies.count;
+  free(incidence->first), free(incidence->middle), free(incidence->entry);
+  incidence->first = nb_array(n + 1, sizeof(size_t)), incidence->middle = nb_array(n + 1, sizeof(size_t));
+  incidence->entry = nb_array(2 * contacts->count, sizeof(int));
+  if (!incidence->first || !incidence->middle || !incidence->entry)
+    return false;
+  size_t *first = incidence->first, *end = incidence->middle; /* `middle` is filled last */
+  for (size_t c = 0; c < contacts->count; c++) {
+    first[contacts->a[c] + 1]++;
+    if (!model->pairings[contacts->pairing[c]].wall)
+      first[contacts->b[c] + 1]++;
+  }
+  for (size_t i = 0; i < n; i++)
+    first[i + 1] += first[i], end[i] = first[i];
+  for (int c = 0; c < (int)contacts->count; c++) {
+    incidence->entry[end[contacts->a[c]]++] = c;
+    if (!model->pairings[contacts->pairing[c]].wall)
+      incidence->entry[end[contacts->b[c]]++] = c;
+  }
+  for (int i = 0; i < (int)n; i++) {
+    int *entry = incidence->entry;
+    for (size_t p = first[i] + 1; p < first[i + 1]; p++) {
+      const int it = entry[p];
+      size_t q = p;
+      for (; q > first[i] && partner(model, it, i) < partner(model, entry[q - 1], i); q--)
+        entry[q] = entry[q - 1];
+      entry[q] = it;
+    }
+    incidence->middle[i] = first[i];
+    while (incidence->middle[i] < first[i + 1] && contacts->a[entry[incidence->middle[i]]] != i)
+      incidence->middle[i]++;
+  }
+  return true;
+}
+
+bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs) {
+  struct nb_contacts now;
+  if (!contacts_create(&now, model, pairs)) {
+    nb_contacts_free(&now);
+    return false;
+  }
+  carry_memory(model, &model->contacts, &now);
+  nb_contacts_free(&model->contacts);
+  model->contacts = now;
+  return incidence_renew(model);
+}
+
+long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_incidence *incidence = &model->incidence;
+  for (size_t k = incidence->first[a]; k < incidence->first[a + 1]; k++) {
+    const int c = incidence->entry[k];
+    if (model->pairings[contacts->pairing[c]].wall != wall)
+      continue;
+    if (contacts->b[c] == b || (!wall && contacts->a[c] == b))
+      return c;
+  }
+  return -1;
+}

@@ -1,0 +1,85 @@
+/* The calculation cycle [CS79, The calculation cycle].
+ *
+ *   Motion     Newton's second law gives, from the forces at t_N, the velocities at t_(N+1/2) and the positions at t_(N+1);
+ *              walls move as they are told.
+ *   Contacts   If something has moved far enough, the pairs that are near are looked for again.
+ *   Forces     The force-displacement laws give the forces at t_(N+1) from the positions, and what the velocities did since.
+ *
+ * Forces and positions of one cycle belong to the same time. Blocks of contacts, then bodies, are shared out to the threads
+ * in fixed parts; every contact and every body is worked out by one of them alone, so their number changes no bit.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "model.h"
+
+static void forces_of_block(const struct nb_model *model, const struct nb_view *view) {
+  const struct nb_pairing *pairing = view->pairing;
+  for (int p = 0; p < pairing->pass_count; p++)
+    pairing->passes[p].run(model, view);
+}
+
+static void forces_part(const struct nb_model *model, int part, int parts) {
+  const size_t n = model->view_count;
+  for (size_t v = n * (size_t)part / (size_t)parts; v < n * ((size_t)part + 1) / (size_t)parts; v++)
+    forces_of_block(model, &model->views[v]);
+}
+
+void nb_forces(struct nb_model *model) {
+  const int threads = model->threads;
+  if (threads == 1)
+    forces_part(model, 0, 1);
+  else {
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+    for (int part = 0; part < threads; part++)
+      forces_part(model, part, threads);
+  }
+  model->updates += model->contacts.count;
+}
+
+static enum nb_status motion(struct nb_model *model, struct nb_error *error) {
+  const int threads = model->threads;
+  struct nb_moved moved[NB_THREADS];
+  nb_motion_walls(model);
+  if (threads == 1)
+    nb_motion_part(model, 0, 1, &moved[0]);
+  else {
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+    for (int part = 0; part < threads; part++)
+      nb_motion_part(model, part, threads, &moved[part]);
+  }
+  double fastest = 0;
+  size_t lost = model->bodies.count;
+  for (int part = 0; part < threads; part++) {
+    fastest = moved[part].fastest > fastest ? moved[part].fastest : fastest;
+    lost = moved[part].lost < lost ? moved[part].lost : lost;
+  }
+  if (lost < model->bodies.count) {
+    const int number = model->bodies.number[lost];
+    return nb_error_set(
+        error, NB_BROKEN,
+        "body %d (line %d) is nowhere: its position is not a number after cycle %lu, at %g s; a step below the stable "
+        "one (now %g s, critical %g s) or a smaller velocity would keep it",
+        number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, model->critical);
+  }
+  const struct nb_walls *walls = &model->walls;
+  for (size_t w = 0; w < walls->count; w++) {
+    const double square = vec_dot(walls->velocity[w], walls->velocity[w]);
+    fastest = square > fastest ? square : fastest;
+  }
+  model->moved += sqrt(fastest) * model->step;
+  return NB_OK;
+}
+
+enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
+  const enum nb_status status = motion(model, error);
+  if (status)
+    return status;
+  model->cycle++;
+  model->stage_cycle++;
+  model->time = model->stage_time + (double)model->stage_cycle * model->step;
+  model->previous_step = model->step;
+  const enum nb_status near = nb_near(model, error);
+  if (near)
+    return near;
+  nb_forces(model);
+  return NB_OK;
+}

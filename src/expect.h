@@ -1,0 +1,68 @@
+/* What a page expects: its `expect` blocks, read.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_EXPECT_H
+#define NB_EXPECT_H
+
+#include "nineball.h"
+
+struct nb_reference;
+
+/* From the rows of a stage to one number. */
+enum nb_reducer { NB_LAST, NB_MAX, NB_MIN, NB_MEAN, NB_AMPLITUDE, NB_FREQUENCY, NB_AT_CYCLE, NB_AT_TIME };
+
+/* `C.normal mean in rest` */
+struct nb_measure {
+  char label[3 * NB_NAME_SIZE]; /* as references know it: quantity, reducer, stage */
+  size_t column;                /* of the table */
+  const char *unit;
+  enum nb_reducer reducer;
+  double at; /* cycle or s */
+  int stage; /* -1: the last one that has rows */
+};
+
+enum nb_tolerance_kind { NB_ABSOLUTE, NB_RELATIVE, NB_OF_PEAK };
+struct nb_tolerance {
+  enum nb_tolerance_kind kind;
+  double value; /* SI, or a share */
+  char text[NB_NAME_SIZE];
+};
+
+enum nb_expectation_kind {
+  NB_WITHIN, /* of what the reference knows */
+  NB_ALONG,  /* the same for a curve, at every row */
+  NB_STATED, /* of a number that a paper prints */
+  NB_LESS,   /* than another measure of the same run */
+  NB_MORE,
+  NB_RISES, /* from each value of a sweep to the next */
+  NB_FALLS,
+  NB_SAME /* for all values of a sweep */
+};
+
+struct nb_expectation {
+  enum nb_expectation_kind kind;
+  struct nb_measure measure;
+  struct nb_measure
+      other; /* NB_LESS, NB_MORE: the other one; NB_STATED with `has_scale`: what the number is a share of */
+  bool has_scale;
+  struct nb_tolerance tolerance;
+  double stated;                /* SI */
+  char source[NB_NAME_SIZE];    /* "[CS79 figure 6]" */
+  char along[2 * NB_NAME_SIZE]; /* NB_ALONG: `time`, `cycle`; NB_RISES, NB_FALLS, NB_SAME: the swept name */
+  size_t along_column;
+  int line;
+};
+
+struct nb_expectations {
+  const struct nb_reference *reference; /* NULL: none */
+  int reference_line;
+  struct nb_expectation *list; /* owned */
+  size_t count;
+};
+
+/* The expect blocks of the page, for one run. Empty when there are mistakes. A page may have none. */
+enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
+                                    const struct nb_scene *scene, struct nb_mistakes *mistakes);
+void nb_expectations_free(struct nb_expectations *expectations);
+
+#endif

@@ -1,0 +1,167 @@
+/* The parts of an expectation: what is measured, and how near it must be.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "expect_take.h"
+
+#include <string.h>
+
+static const struct {
+  const char *word;
+  enum nb_reducer reducer;
+} reducers[] = {
+    {"last", NB_LAST},          {"max", NB_MAX}, {"min", NB_MIN}, {"mean", NB_MEAN}, {"amplitude", NB_AMPLITUDE},
+    {"frequency", NB_FREQUENCY}};
+
+static const char *const endings[] = {"within", "stated", "below", "above", "rises",
+                                      "falls",  "same",   "along", "in",    "at"};
+
+static void append(struct nb_measure *measure, const char *format, const char *word) {
+  const size_t length = strlen(measure->label);
+  snprintf(measure->label + length, sizeof measure->label - length, format, word);
+}
+
+bool nb_find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
+                    size_t *column) {
+  for (size_t c = 0; c < scene->column_count; c++)
+    if (strcmp(scene->columns[c].name, token->text) == 0) {
+      *column = c;
+      return true;
+    }
+  struct nb_quantity quantity;
+  char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE];
+  if (nb_quantity_find(&quantity, scene, token->text, nearest))
+    snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
+  else if (nearest[0])
+    snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
+  else
+    snprintf(hint, sizeof hint, "`record` names the quantities that can be expected");
+  nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
+  reader->next = reader->count;
+  return false;
+}
+
+bool nb_take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
+  measure->stage = -1;
+  if (!nb_token_skip(reader, "in"))
+    return true;
+  const struct nb_token *token = nb_take(reader, "the name of a stage");
+  if (!token)
+    return false;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (strcmp(scene->stages[s].name, token->text) == 0)
+      measure->stage = (int)s;
+  if (measure->stage < 0) {
+    char hint[NB_HINT_SIZE];
+    struct nb_guess guess = nb_guess_begin(token->text);
+    for (size_t s = 0; s < scene->stage_count; s++)
+      nb_guess_offer(&guess, scene->stages[s].name);
+    nb_token_mistake(reader, token, nb_guess_hint(&guess, hint), "expected the name of a stage, found `%s`",
+                     token->text);
+    reader->next = reader->count;
+    return false;
+  }
+  append(measure, " in %s", token->text);
+  return true;
+}
+
+static bool take_moment(struct nb_reader *reader, struct nb_measure *measure) {
+  char text[NB_NAME_SIZE];
+  const struct nb_token *number = nb_token_peek(reader), *unit = number ? number + 1 : NULL;
+  const bool cycles = number && reader->next + 1 < reader->count &&
+                      (strcmp(unit->text, "cycles") == 0 || strcmp(unit->text, "cycle") == 0);
+  if (cycles) {
+    unsigned long count;
+    if (!nb_take_count(reader, 0, 1000000000, &count))
+      return false;
+    reader->next++;
+    measure->reducer = NB_AT_CYCLE, measure->at = (double)count;
+    snprintf(text, sizeof text, "%lu cycles", count);
+  } else {
+    if (!nb_take_number(reader, NB_UNIT_TIME, NB_NOT_NEGATIVE, &measure->at))
+      return false;
+    measure->reducer = NB_AT_TIME;
+    snprintf(text, sizeof text, reader->unitless ? "%g" : "%g s", measure->at);
+  }
+  append(measure, " at %s", text);
+  return true;
+}
+
+/* A word that is no reducer, and nothing that may follow one. */
+static bool unknown_reducer(struct nb_reader *reader) {
+  char hint[NB_HINT_SIZE];
+  const struct nb_token *token = nb_token_peek(reader);
+  if (!token)
+    return false;
+  struct nb_guess guess = nb_guess_begin(token->text);
+  for (size_t k = 0; k < sizeof endings / sizeof *endings; k++) {
+    if (strcmp(endings[k], token->text) == 0)
+      return false;
+    nb_guess_offer(&guess, endings[k]);
+  }
+  for (size_t k = 0; k < sizeof reducers / sizeof *reducers; k++)
+    nb_guess_offer(&guess, reducers[k].word);
+  nb_expected(reader, nb_guess_hint(&guess, hint),
+              "`max`, `min`, `mean`, `last`, `amplitude`, `frequency`, `at`, `in`, or what is expected (`within`, "
+              "`along`, `stated`, "
+              "`below`, `above`, `rises`, `falls`, `same`)");
+  return true;
+}
+
+bool nb_take_measure(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
+  const struct nb_token *token = nb_take(reader, "a quantity that the scene records");
+  *measure = (struct nb_measure){.stage = -1};
+  if (!token || !nb_find_column(reader, scene, token, &measure->column))
+    return false;
+  measure->unit = nb_quantity_unit(scene->columns[measure->column].quantity);
+  append(measure, "%s", token->text);
+  bool reduced = false;
+  for (size_t k = 0; k < sizeof reducers / sizeof *reducers && !reduced; k++) {
+    reduced = nb_token_skip(reader, reducers[k].word);
+    if (!reduced)
+      continue;
+    measure->reducer = reducers[k].reducer;
+    if (measure->reducer != NB_LAST)
+      append(measure, " %s", reducers[k].word);
+    if (measure->reducer == NB_FREQUENCY)
+      measure->unit = "1/s";
+  }
+  if (!reduced && nb_token_skip(reader, "at"))
+    return take_moment(reader, measure) && nb_take_stage(reader, scene, measure);
+  return !(unknown_reducer(reader)) && nb_take_stage(reader, scene, measure);
+}
+
+/* `within 0.1 %`, `within 2 nm`, `within 1e-12`, `within 0.5 % of peak` */
+bool nb_take_tolerance(struct nb_reader *reader, const char *unit, struct nb_tolerance *tolerance) {
+  if (!nb_take_word(reader, "within"))
+    return false;
+  const size_t from = reader->next;
+  const struct nb_token *number = nb_token_peek(reader);
+  const bool share =
+      number && from + 1 < reader->count && (strcmp(number[1].text, "%") == 0 || strcmp(number[1].text, "ppm") == 0);
+  if (share) {
+    if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_NOT_NEGATIVE, &tolerance->value))
+      return false;
+    tolerance->kind = NB_RELATIVE;
+    if (nb_token_skip(reader, "of")) {
+      if (!nb_take_word(reader, "peak"))
+        return false;
+      tolerance->kind = NB_OF_PEAK;
+    }
+  } else {
+    if (!nb_take_in(reader, unit, &tolerance->value))
+      return false;
+    tolerance->kind = NB_ABSOLUTE;
+  }
+  tolerance->text[0] = 0;
+  for (size_t k = from; k < reader->next; k++) {
+    const size_t length = strlen(tolerance->text);
+    snprintf(tolerance->text + length, sizeof tolerance->text - length, "%s%s", k > from ? " " : "",
+             reader->tokens[k].text);
+  }
+  if (!(tolerance->value >= 0)) {
+    nb_token_mistake(reader, &reader->tokens[from], NULL, "expected a tolerance of 0 or more, found `%s`",
+                     tolerance->text);
+    return false;
+  }
+  return true;
+}

@@ -1,0 +1,109 @@
+/* The plan, in words: what is switched on and which line of the page asked for it, what it weighs, what sets the step.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+#include <time.h>
+
+#include "model.h"
+
+static const char *const isa_names[] = {"plain", "avx2", "avx512"};
+
+static size_t bits(unsigned set) {
+  size_t count = 0;
+  for (; set; set &= set - 1)
+    count++;
+  return count;
+}
+
+static void explain_pairing(FILE *out, const struct nb_model *model, const struct nb_pairing *pairing) {
+  const struct nb_scene *scene = model->scene;
+  size_t contacts = 0;
+  for (size_t c = 0; c < model->contacts.count; c++)
+    contacts += &model->pairings[model->contacts.pairing[c]] == pairing;
+  fprintf(out, "  %s with %s%s: %zu near; k_n %g, k_s %g, tan(phi) %g, c %g\n", scene->materials[pairing->a].name,
+          pairing->wall ? "wall of " : "", scene->materials[pairing->b].name, contacts, pairing->values.kn,
+          pairing->values.ks, pairing->values.friction, pairing->values.cohesion);
+  for (int p = 0; p < pairing->pass_count && contacts; p++) {
+    const struct nb_planned *planned = &pairing->passes[p];
+    fprintf(out, "    %-40s", planned->name);
+    if (planned->line)
+      fprintf(out, " line %d", planned->line);
+    fputc('\n', out);
+  }
+  if (!pairing->shear && strcmp(scene->shear, "none") != 0)
+    fprintf(out, "    (no shear %s: without friction and cohesion there is nothing to hold)\n", scene->shear);
+}
+
+static void explain_memory(FILE *out, const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  size_t memory = 0;
+  for (int m = 0; m < NB_MEMORY; m++)
+    memory += (model->contacts.normal_memory[m] != NULL) + (model->contacts.shear_memory[m] != NULL);
+  const size_t per_body = sizeof(double) * (bodies->spin ? 14 : 12) + 3 * sizeof(int) + 2 * sizeof(size_t);
+  const size_t per_contact = sizeof(double) * (2 + bits(model->kept) + memory) + 5 * sizeof(int);
+  fprintf(out, "memory\n  %zu bytes a body%s, %zu a contact (%zu fields kept, %zu remembered by laws)\n", per_body,
+          bodies->spin ? "" : " (no spin)", per_contact, bits(model->kept) + 2, memory);
+  fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->view_count, NB_BLOCK,
+          isa_names[model->isa], model->threads, model->threads == 1 ? "" : "s");
+}
+
+static void explain_step(FILE *out, const struct nb_model *model) {
+  const struct nb_step *step = &model->scene->step;
+  const char *unit = model->scene->unitless ? "" : " s";
+  fprintf(out, "step\n  %g%s", model->step, unit);
+  if (step->line)
+    fprintf(out, ", line %d", step->line);
+  fprintf(out, "; critical 2 sqrt(m/k) = %g%s, so %g of it\n", model->critical, unit, model->step / model->critical);
+}
+
+static double now(void) {
+  struct timespec t;
+  timespec_get(&t, TIME_UTC);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Measured, not guessed: some cycles of a model of its own, at rest as the scene begins. */
+static double seconds_a_cycle(const struct nb_scene *scene, int threads) {
+  struct nb_error error;
+  struct nb_model *trial = nb_model_create(scene, &(struct nb_options){.threads = threads}, &error);
+  if (!trial)
+    return 0;
+  const double began = now();
+  unsigned long cycles = 0;
+  while (now() - began < 0.02 && !nb_cycle(trial, &error))
+    cycles++;
+  const double seconds = now() - began;
+  nb_model_free(trial);
+  return cycles ? seconds / (double)cycles : 0;
+}
+
+static void explain_stages(FILE *out, const struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  unsigned long cycles = 0;
+  fprintf(out, "stages\n");
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    fprintf(out, "  %-20s %s %lu cycles", stage->name, stage->condition_count ? "at most" : "       ", stage->cycles);
+    if (stage->record)
+      fprintf(out, ", a row every %lu", stage->record);
+    if (stage->snapshot)
+      fprintf(out, ", snapshot at its end");
+    fprintf(out, " (line %d)\n", stage->line);
+    cycles += stage->cycles;
+  }
+  const double each = seconds_a_cycle(scene, model->threads);
+  fprintf(out, "cost\n  %lu cycles, %.3g s (%.3g us a cycle, measured just now)\n", cycles, each * (double)cycles,
+          1e6 * each);
+}
+
+void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model) {
+  fprintf(out, "bodies\n  %zu free or fixed, %zu walls\n", scene->body_count, scene->wall_count);
+  fprintf(out, "contacts\n  %zu pairs near (closer than %g), searched again when something has moved %g\n",
+          model->contacts.count, model->skin, model->skin / 2);
+  fprintf(out, "passes of the force half, for each pairing of materials\n");
+  for (size_t p = 0; p < model->pairing_count; p++)
+    explain_pairing(out, model, &model->pairings[p]);
+  explain_memory(out, model);
+  explain_step(out, model);
+  explain_stages(out, model);
+}

@@ -1,0 +1,49 @@
+/* What a law is: a function of values, one contact at a time. It knows no step, no body, no loop, no file.
+ *
+ *   struct nb_normal normal_NAME(struct nb_pair p, double overlap, double closing, double m[])
+ *   struct nb_shear  shear_NAME(struct nb_pair p, struct nb_normal n, double slip, double m[])
+ *
+ * overlap is never negative, and is 0 where nothing touches: the answer must then be 0. closing and slip are lengths over
+ * this step. m is the law's own memory of this contact, as many doubles as it declares, 0 at first touch; the law writes
+ * there what it wants to find next step. Forces are elastic; dashpots come after, from the stiffnesses answered here.
+ *
+ * Straight-line laws use + - x / sqrt fabs copysign and ?: only, so that the compiler makes their loop wide.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_LAW_H
+#define NB_LAW_H
+
+#include <math.h>
+
+#include "../block.h"
+
+struct nb_normal {
+  double force;     /* F_n >= 0, N */
+  double stiffness; /* dF_n/d(overlap), N/m; 0 where nothing touches */
+  double radius;    /* a of the contact circle, m; 0 for a law that knows none */
+};
+
+struct nb_shear {
+  double force;     /* F_s, in the sense of the slip that made it, N */
+  double stiffness; /* dF_s/d(slip) while sticking, N/m; 0 where nothing touches */
+  double sliding;   /* 1 when the force is at its limit, else 0 */
+};
+
+/* One row of the register; law_batch.h writes it. */
+struct nb_law {
+  const char *kind;          /* "normal" or "shear" */
+  const char *name;          /* "linear" */
+  const char *title;         /* one line for `nineball laws` */
+  const char *source;        /* equation tags */
+  int memory;                /* doubles per contact */
+  unsigned needs;            /* set of fields, besides overlap, normal and its stiffness, that it reads */
+  bool branching;            /* has loops or calls: its loop is not asked to be wide */
+  bool gains;                /* may create energy over a closed path, and says so in its file */
+  nb_run_pass *run[NB_ISAS]; /* over a block */
+  struct nb_normal (*normal)(struct nb_pair, double overlap, double closing,
+                             double m[]); /* for the bench and the tests */
+  struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double slip, double m[]);
+  double (*stored)(struct nb_pair, struct nb_normal, const double m[]); /* elastic energy, J; NULL: the law has none */
+};
+
+#endif

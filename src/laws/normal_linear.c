@@ -1,0 +1,32 @@
+/* The linear spring:                                      F_n = k_n alpha
+ *
+ *   alpha   overlap of the two outlines, m, >= 0
+ *   k_n     normal stiffness of the pair, N/m
+ *
+ * Source     [CS79 16, 18], which add dF_n = k_n dn step by step. This is their sum: while the direction of the contact is
+ *            fixed the two agree to rounding, and the sum leaves nothing behind when the discs part, as increments along a
+ *            turning direction do.
+ * Range      any overlap; the paper asks for overlaps small beside the discs.
+ * Remembers  nothing.
+ * Stores     F_n^2 / (2 k_n).
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "law.h"
+
+static inline struct nb_normal normal_linear(struct nb_pair p, double overlap, double closing, double m[]) {
+  (void)closing, (void)m;
+  return (struct nb_normal){.force = p.kn * overlap, .stiffness = overlap > 0 ? p.kn : 0};
+}
+
+static double normal_linear_stored(struct nb_pair p, struct nb_normal n, const double m[]) {
+  (void)m;
+  return n.force > 0 ? n.force * n.force / (2 * p.kn) : 0;
+}
+
+#define LAW normal_linear
+#define NORMAL
+#define TITLE "linear spring, F_n = k_n overlap"
+#define SOURCE "[CS79 16, 18]"
+#define MEMORY 0
+#define STORED normal_linear_stored
+#include "law_batch.h"

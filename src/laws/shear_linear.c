@@ -1,0 +1,40 @@
+/* The linear spring with a slider:                        F_s <- F_s + k_s ds,  cut at  |F_s| <= F_n tan(phi) + c
+ *
+ *   ds        slip over this step, m, positive when the first body moves along t past the second [CS79 13, 15]
+ *   k_s       shear stiffness of the pair, N/m
+ *   tan(phi)  the smaller friction of the two materials, 1
+ *   c         the smaller cohesion, N; it lets a contact that is pressed carry shear, it pulls nothing together
+ *   F_n       the elastic normal force, without dashpots
+ *
+ * Source     [CS79 17-19]. The sign is kept when the force is cut.
+ * Range      any.
+ * Remembers  m[0]  F_s, N.
+ * Stores     F_s^2 / (2 k_s).
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "law.h"
+
+static inline struct nb_shear shear_linear(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+  const double limit = n.stiffness > 0 ? n.force * p.friction + p.cohesion : 0;
+  const double trial = m[0] + p.ks * slip;
+  const double size = fabs(trial);
+  m[0] = copysign(size > limit ? limit : size, trial);
+  return (struct nb_shear){
+      .force = m[0],
+      .stiffness = n.stiffness > 0 ? p.ks : 0,
+      .sliding = size > limit ? 1 : 0,
+  };
+}
+
+static double shear_linear_stored(struct nb_pair p, struct nb_normal n, const double m[]) {
+  (void)n;
+  return p.ks > 0 ? m[0] * m[0] / (2 * p.ks) : 0;
+}
+
+#define LAW shear_linear
+#define SHEAR
+#define TITLE "linear spring with Coulomb's limit, F_s += k_s slip, |F_s| <= F_n tan(phi) + c"
+#define SOURCE "[CS79 17-19]"
+#define MEMORY 1
+#define STORED shear_linear_stored
+#include "law_batch.h"

@@ -1,0 +1,25 @@
+/* No shear force:                                          F_s = 0
+ *
+ * For scenes without friction. The plan then has no slip, no spin and no memory of shear, and this law is never run;
+ * it is here so that the word has a file.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "law.h"
+
+static inline struct nb_shear shear_none(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+  (void)p, (void)n, (void)slip, (void)m;
+  return (struct nb_shear){0};
+}
+
+static double shear_none_stored(struct nb_pair p, struct nb_normal n, const double m[]) {
+  (void)p, (void)n, (void)m;
+  return 0;
+}
+
+#define LAW shear_none
+#define SHEAR
+#define TITLE "no shear force"
+#define SOURCE "-"
+#define MEMORY 0
+#define STORED shear_none_stored
+#include "law_batch.h"

@@ -1,0 +1,159 @@
+/* nineball, the program: the table of contents.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands.h"
+#include "guess.h"
+
+static const struct {
+  const char *name;
+  enum nb_status (*run)(const struct nb_use *use);
+  const char *arguments;
+  const char *help;
+} commands[] = {
+    {"run", nb_command_run, "PAGE… [-o FOLDER]", "run pages, print the verdicts, write tables"},
+    {"check", nb_command_check, "PAGE… [--tap]", "run pages, print the verdicts, write nothing"},
+    {"figure", nb_command_figure, "PAGE… [-o FOLDER]", "run pages, draw their figures with gnuplot"},
+    {"report", nb_command_report, "PAGE… [-o FOLDER]", "all of these, and one page about all of them"},
+    {"explain", nb_command_explain, "PAGE…", "the plan: what is switched on, what asked for it, step, cost"},
+    {"laws", nb_command_laws, "", "the contact laws, with their equations"},
+    {"list", nb_command_list, "", "the references, and the quantities that a page can record"},
+};
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static void print_help(FILE *out) {
+  fputs("nineball: discs and spheres in the plane, by the distinct element method; every page marks itself\n\n"
+        "usage: nineball COMMAND …\n\n",
+        out);
+  for (int k = 0; k < COMMANDS; k++) {
+    char call[64];
+    snprintf(call, sizeof call, "%s %s", commands[k].name, commands[k].arguments);
+    fprintf(out, "  %-28s %s\n", call, commands[k].help);
+  }
+  fputs("\n"
+        "  -o, --output FOLDER     where files go (default: NAME.out; report: report)\n"
+        "      --set NAME=VALUE    instead of the page's `let` or `sweep` NAME; also normal, shear, step\n"
+        "      --threads N         at most so many (default 1); the results do not depend on it\n"
+        "      --isa NAME          plain, avx2 or avx512 (default: the widest); nor on this\n"
+        "      --tap               verdicts in the form that `make check` reads\n"
+        "  -h, --help              this; with a page's words and units: nineball --help scene\n"
+        "      --version           version and licence\n\n"
+        "exit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 the physics broke\n",
+        out);
+}
+
+static void print_version(void) {
+  puts("nineball " NB_VERSION "\n"
+       "Copyright (C) 2026 the nineball authors.\n"
+       "GPL-3.0-or-later: free software, without any warranty.");
+}
+
+static enum nb_status usage(const char *format, const char *word) {
+  fprintf(stderr, "nineball: ");
+  fprintf(stderr, format, word);
+  fputs("; nineball --help tells\n", stderr);
+  return NB_BAD_USE;
+}
+
+enum { OPTION_SET = 256, OPTION_THREADS, OPTION_ISA, OPTION_TAP, OPTION_VERSION };
+
+static const struct option options[] = {
+    {"output", required_argument, NULL, 'o'},
+    {"set", required_argument, NULL, OPTION_SET},
+    {"threads", required_argument, NULL, OPTION_THREADS},
+    {"isa", required_argument, NULL, OPTION_ISA},
+    {"tap", no_argument, NULL, OPTION_TAP},
+    {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, OPTION_VERSION},
+    {NULL, 0, NULL, 0},
+};
+
+/* NB_OK to go on; anything else is the end, `done` when it is a good one. */
+static enum nb_status read_options(struct nb_use *use, int count, char **words, bool *done) {
+  int option;
+  char *end;
+  size_t settings = 0;
+  while ((option = getopt_long(count, words, "o:h", options, NULL)) != -1)
+    switch (option) {
+    case 'o':
+      use->folder = optarg;
+      break;
+    case OPTION_SET:
+      if (!strchr(optarg, '='))
+        return usage("--set wants NAME=VALUE, found `%s`", optarg);
+      use->settings[settings++] = optarg;
+      break;
+    case OPTION_THREADS: {
+      const long threads = strtol(optarg, &end, 10);
+      if (*end || end == optarg || threads < 1 || threads > 256)
+        return usage("--threads wants a number from 1 to 256, found `%s`", optarg);
+      use->options.threads = (int)threads;
+      break;
+    }
+    case OPTION_ISA:
+      use->options.isa = optarg;
+      break;
+    case OPTION_TAP:
+      use->tap = true;
+      break;
+    case 'h':
+      *done = true;
+      break;
+    case OPTION_VERSION:
+      print_version();
+      *done = true;
+      return NB_FAILED;
+    default: /* getopt has said what it did not like */
+      fputs("nineball --help tells\n", stderr);
+      return NB_BAD_USE;
+    }
+  return NB_OK;
+}
+
+static int find_command(const char *word) {
+  for (int k = 0; k < COMMANDS; k++)
+    if (strcmp(commands[k].name, word) == 0)
+      return k;
+  char hint[NB_HINT_SIZE];
+  struct nb_guess guess = nb_guess_begin(word);
+  for (int k = 0; k < COMMANDS; k++)
+    nb_guess_offer(&guess, commands[k].name);
+  const char *near = nb_guess_hint(&guess, hint);
+  fprintf(stderr, "nineball: there is no command `%s`%s%s; nineball --help tells\n", word, near ? "; " : "",
+          near ? near : "");
+  return -1;
+}
+
+int main(int count, char **words) {
+  struct nb_use use = {.options = {.threads = 1}};
+  use.settings = calloc((size_t)count + 1, sizeof *use.settings);
+  if (!use.settings)
+    return NB_BROKEN;
+  bool done = false;
+  enum nb_status status = read_options(&use, count, words, &done);
+  if (!status && done) {
+    if (optind < count && strcmp(words[optind], "scene") == 0)
+      nb_help_language(stdout);
+    else
+      print_help(stdout);
+  } else if (!status && optind >= count) {
+    print_help(stderr);
+    status = NB_BAD_USE;
+  } else if (!status) {
+    const int command = find_command(words[optind]);
+    use.pages = words + optind + 1, use.page_count = (size_t)(count - optind - 1);
+    status = command < 0 ? NB_BAD_USE
+             : commands[command].arguments[0] && use.page_count == 0
+                 ? usage("`nineball %s` wants the name of a page", words[optind])
+                 : commands[command].run(&use);
+  }
+  free(use.settings);
+  if (fflush(stdout) != 0 || ferror(stdout)) { /* a full disk, a closed pipe */
+    fputs("nineball: the output could not be written\n", stderr);
+    return NB_BAD_USE;
+  }
+  return done && status == NB_FAILED ? NB_OK : (int)status;
+}

@@ -1,0 +1,122 @@
+/* From the rows of a table to one number: the reducers.
+ *
+ *   mean        sum of the rows over their number
+ *   amplitude   half of the largest less the smallest
+ *   frequency   upward crossings of the mean, less one, over the time from the first to the last; the moment of a crossing
+ *               is found on the straight line between two rows
+ *   at TIME     on the straight line between two rows
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "outcome.h"
+
+void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to) {
+  const bool moment = measure->reducer == NB_AT_CYCLE || measure->reducer == NB_AT_TIME;
+  *from = 0, *to = table->row_count;
+  if (table->row_count == 0 || (moment && measure->stage < 0))
+    return;
+  const int stage = measure->stage < 0 ? table->stage[table->row_count - 1] : measure->stage;
+  while (*from < *to && table->stage[*from] != stage)
+    ++*from;
+  while (*to > *from && table->stage[*to - 1] != stage)
+    --*to;
+}
+
+struct column {
+  const struct nb_table *table;
+  size_t index, from, to;
+};
+
+static double value(const struct column *column, size_t row) {
+  return column->table->values[row * column->table->column_count + column->index];
+}
+
+static double mean(const struct column *column) {
+  double sum = 0;
+  for (size_t r = column->from; r < column->to; r++)
+    sum += value(column, r);
+  return sum / (double)(column->to - column->from);
+}
+
+static double extreme(const struct column *column, double sign) {
+  double most = -INFINITY;
+  for (size_t r = column->from; r < column->to; r++)
+    most = sign * value(column, r) > most ? sign * value(column, r) : most;
+  return sign * most;
+}
+
+static double frequency(const struct column *column) {
+  const double middle = mean(column);
+  double first = 0, last = 0, crossings = 0;
+  for (size_t r = column->from + 1; r < column->to; r++) {
+    const double before = value(column, r - 1) - middle, after = value(column, r) - middle;
+    if (!(before < 0 && after >= 0))
+      continue;
+    const double *time = column->table->time;
+    last = time[r - 1] + (time[r] - time[r - 1]) * before / (before - after);
+    if (crossings++ == 0)
+      first = last;
+  }
+  return crossings > 1 ? (crossings - 1) / (last - first) : NAN;
+}
+
+static double at(const struct column *column, const double *when, double moment, bool between) {
+  for (size_t r = column->from; r < column->to; r++) {
+    if (when[r] == moment)
+      return value(column, r);
+    if (between && r > column->from && when[r - 1] < moment && moment < when[r])
+      return value(column, r - 1) +
+             (value(column, r) - value(column, r - 1)) * (moment - when[r - 1]) / (when[r] - when[r - 1]);
+  }
+  return NAN;
+}
+
+static double reduce(const struct nb_measure *measure, const struct column *column) {
+  switch (measure->reducer) {
+  case NB_LAST:
+    return value(column, column->to - 1);
+  case NB_MAX:
+    return extreme(column, 1);
+  case NB_MIN:
+    return extreme(column, -1);
+  case NB_MEAN:
+    return mean(column);
+  case NB_AMPLITUDE:
+    return (extreme(column, 1) - extreme(column, -1)) / 2;
+  case NB_FREQUENCY:
+    return frequency(column);
+  case NB_AT_CYCLE:
+    return at(column, column->table->cycle, measure->at, false);
+  case NB_AT_TIME:
+    return at(column, column->table->time, measure->at, true);
+  }
+  return NAN;
+}
+
+bool nb_measure_seen(double *seen, const struct nb_measure *measure, const struct nb_table *table,
+                     struct nb_error *error) {
+  struct column column = {.table = table, .index = measure->column};
+  nb_measure_rows(measure, table, &column.from, &column.to);
+  *seen = column.from < column.to ? reduce(measure, &column) : NAN;
+  if (*seen == *seen)
+    return true;
+  const char *why = column.from >= column.to           ? "nothing was recorded then"
+                    : measure->reducer == NB_FREQUENCY ? "it crosses its mean less than twice"
+                                                       : "no row was recorded at that moment";
+  nb_error_set(error, NB_FAILED, "`%s` cannot be formed: %s", measure->label, why);
+  return false;
+}
+
+const double *nb_measure_known(const struct nb_measure *measure, const struct nb_scene *scene,
+                               const struct nb_known *known) {
+  const double *value = known_find(known, measure->label);
+  if (value || measure->stage < 0)
+    return value;
+  char label[sizeof measure->label];
+  const size_t length = strlen(measure->label), tail = strlen(scene->stages[measure->stage].name) + strlen(" in ");
+  memcpy(label, measure->label, sizeof label);
+  label[length > tail ? length - tail : 0] = 0;
+  return known_find(known, label);
+}

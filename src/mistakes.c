@@ -1,0 +1,235 @@
+/* What is wrong with a page, every mistake of it at once and in line order:
+ *
+ *   PATH:12:29: error: expected a length and its unit (m, mm, um, nm, cm, km), found `50`
+ *      12 | discs lattice 3 by 3 radius 50 rock
+ *         |                             ^~
+ *     hint: write `50 m` or `50 mm`, or begin the scene with `units none`
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reader.h"
+
+enum { MISTAKES_MAX = 1000 };
+
+struct nb_mistake_place {
+  size_t start; /* in the text */
+  size_t line;
+  int column;
+};
+
+void nb_mistakes_free(struct nb_mistakes *mistakes) {
+  free(mistakes->text);
+  free(mistakes->places);
+  memset(mistakes, 0, sizeof *mistakes);
+}
+
+void *nb_room(void *array, size_t count, size_t more, size_t element) {
+  size_t have = 0,
+         need = 8; /* the array always has room for the power of two that holds it, so this need not be kept */
+  if (count > 0)
+    for (have = 8; have < count;)
+      have *= 2;
+  while (need < count + more)
+    need *= 2;
+  return have >= need ? array : realloc(array, need * element);
+}
+
+/* A text under way; once too long for memory it is NULL and stays so. */
+struct text {
+  char *at;
+  size_t length;
+};
+
+static void add(struct text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void add_list(struct text *text, const char *format, va_list list) {
+  va_list again;
+  va_copy(again, list);
+  int n = vsnprintf(NULL, 0, format, list);
+  char *longer = text->at && n >= 0 ? realloc(text->at, text->length + (size_t)n + 1) : NULL;
+  if (longer) {
+    vsnprintf(longer + text->length, (size_t)n + 1, format, again);
+    text->length += (size_t)n;
+  } else {
+    free(text->at);
+  }
+  text->at = longer;
+  va_end(again);
+}
+static void add(struct text *text, const char *format, ...) {
+  va_list list;
+  va_start(list, format);
+  add_list(text, format, list);
+  va_end(list);
+}
+
+/* The bytes of the first n characters. */
+static int bytes_of(const char *c, int n) {
+  int bytes = 0;
+  while (n > 0 && c[bytes]) {
+    bytes++;
+    while ((c[bytes] & 0xC0) == 0x80)
+      bytes++; /* the rest of a character of several bytes */
+    n--;
+  }
+  return bytes;
+}
+
+/* The line, and a caret under the characters from column on. A tab is copied so that the two stay aligned; of a long
+ * line the part around the caret is shown. */
+static void add_line(struct text *text, const char *line, size_t number, int column, int length) {
+  enum { WIDEST = 110 };
+  int first = column > WIDEST - 30 ? column - 60 : 1;
+  const char *shown = line + bytes_of(line, first - 1);
+  int bytes = bytes_of(shown, WIDEST);
+  bool before = shown > line, after = shown[bytes] != '\0';
+  if (number)
+    add(text, "%5zu | ", number);
+  else
+    add(text, "      | ");
+  add(text, "%s%.*s%s\n      | %s", before ? "…" : "", bytes, shown, after ? "…" : "", before ? " " : "");
+  for (int i = first; i < column; i++) {
+    add(text, "%c", *shown == '\t' ? '\t' : ' ');
+    shown += bytes_of(shown, 1);
+  }
+  add(text, "^");
+  for (int i = 1; i < length && column + i < first + WIDEST; i++)
+    add(text, "~");
+  add(text, "\n");
+}
+
+/* Where a message belongs: after all of other pages and all of this one that stand before it on the page. */
+static size_t place_of(const struct nb_mistakes *mistakes, const char *path, size_t line, int column) {
+  size_t at = mistakes->count, length = strlen(path);
+  for (; at > 0; at--) {
+    const struct nb_mistake_place *before = &mistakes->places[at - 1];
+    if (strncmp(mistakes->text + before->start, path, length) != 0)
+      break;
+    if (before->line < line || (before->line == line && before->column <= column))
+      break;
+  }
+  return at;
+}
+
+static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, int column,
+                   const struct text *message) {
+  size_t count = mistakes->count, at = place_of(mistakes, path, line, column);
+  size_t end = mistakes->text ? strlen(mistakes->text) : 0;
+  size_t start = at < count ? mistakes->places[at].start : end;
+  for (size_t i = at; i-- > 0 && mistakes->places[i].line == line && mistakes->places[i].column == column;)
+    if (strncmp(mistakes->text + mistakes->places[i].start, message->at, message->length) == 0)
+      return;
+
+  struct nb_mistake_place *places = nb_room(mistakes->places, count, 1, sizeof *places);
+  if (places)
+    mistakes->places = places;
+  char *text = realloc(mistakes->text, end + message->length + 1);
+  if (text)
+    mistakes->text = text;
+  if (!places || !text)
+    return;
+  memmove(text + start + message->length, text + start, end - start);
+  memcpy(text + start, message->at, message->length);
+  text[end + message->length] = '\0';
+  memmove(places + at + 1, places + at, (count - at) * sizeof *places);
+  places[at] = (struct nb_mistake_place){start, line, column};
+  for (size_t i = at + 1; i <= count; i++)
+    places[i].start += message->length;
+  mistakes->count++;
+}
+
+void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
+                const char *hint, const char *format, ...) {
+  if (mistakes->count > MISTAKES_MAX)
+    return;
+  struct text message = {calloc(1, 1), 0};
+  bool in_file = page->kind_of != NULL;
+  if (mistakes->count == MISTAKES_MAX) {
+    line = page->line_count + 1;
+    add(&message, "%s: error: more than %d mistakes: the others are left unsaid\n", page->path, MISTAKES_MAX);
+  } else {
+    if (line && in_file)
+      add(&message, "%s:%zu:%d: error: ", page->path, line, column);
+    else
+      add(&message, "%s: error: ", page->path);
+    va_list list;
+    va_start(list, format);
+    add_list(&message, format, list);
+    va_end(list);
+    add(&message, "\n");
+    if (line && line <= page->line_count)
+      add_line(&message, page->lines[line - 1], in_file ? line : 0, column, length);
+    if (hint && hint[0])
+      add(&message, "  hint: %s\n", hint);
+  }
+  if (message.at)
+    insert(mistakes, page->path, line, column, &message);
+  else
+    mistakes->count++; /* no memory even for the message: the page must still not pass */
+  free(message.at);
+}
+
+/* ---- did you mean ---- */
+
+/* How many letters must be put in, left out, changed or swapped to make b of a (optimal string alignment). A letter in
+ * the wrong case costs nothing but counts as a change, so that `Disc` finds `disc`. */
+static int distance(const char *a, const char *b) {
+  enum { LONGEST = 2 * NB_NAME_SIZE };
+  int row[3][LONGEST + 1];
+  size_t m = strlen(a), n = strlen(b);
+  if (m >= LONGEST || n >= LONGEST)
+    return LONGEST;
+  int *two = row[0], *one = row[1], *now = row[2];
+  for (size_t j = 0; j <= n; j++)
+    one[j] = (int)j;
+  for (size_t i = 1; i <= m; i++) {
+    now[0] = (int)i;
+    for (size_t j = 1; j <= n; j++) {
+      int x = tolower((unsigned char)a[i - 1]), y = tolower((unsigned char)b[j - 1]);
+      int best = one[j - 1] + (x != y);
+      if (one[j] + 1 < best)
+        best = one[j] + 1;
+      if (now[j - 1] + 1 < best)
+        best = now[j - 1] + 1;
+      bool swapped = i > 1 && j > 1 && x == tolower((unsigned char)b[j - 2]) && y == tolower((unsigned char)a[i - 2]);
+      if (swapped && x != y && two[j - 2] + 1 < best)
+        best = two[j - 2] + 1;
+      now[j] = best;
+    }
+    int *spare = two;
+    two = one;
+    one = now;
+    now = spare;
+  }
+  return one[n];
+}
+
+struct nb_guess nb_guess_begin(const char *word) {
+  return (struct nb_guess){.word = word, .distance = 2 * NB_NAME_SIZE};
+}
+
+void nb_guess_offer(struct nb_guess *guess, const char *known) {
+  int d = distance(guess->word, known);
+  if (d >= guess->distance || strlen(known) >= sizeof guess->best)
+    return;
+  guess->distance = d;
+  strcpy(guess->best, known);
+}
+
+/* Near: one slip of the finger in three letters or so. One or two letters are near only to themselves in the other
+ * case. */
+bool nb_guess_found(const struct nb_guess *guess) {
+  size_t length = strlen(guess->word);
+  int allowed = length < 3 ? 0 : length < 6 ? 1 : length < 10 ? 2 : 3;
+  return guess->best[0] && guess->distance <= allowed;
+}
+
+const char *nb_guess_hint(const struct nb_guess *guess, char *text) {
+  if (!nb_guess_found(guess))
+    return NULL;
+  snprintf(text, NB_HINT_SIZE, "did you mean `%s`?", guess->best);
+  return text;
+}

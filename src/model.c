@@ -1,0 +1,231 @@
+/* From the scene to what runs: bodies, walls, pairings of materials, the plan, the first search, the forces at time 0.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "model.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+void *nb_array(size_t count, size_t size) {
+  const size_t line = 64; /* a cache line, and the widest load */
+  if (size && count > (SIZE_MAX - line) / size)
+    return NULL;
+  const size_t bytes = (count * size + line) / line * line; /* never nothing */
+  void *array = aligned_alloc(line, bytes);
+  if (array)
+    memset(array, 0, bytes);
+  return array;
+}
+
+/* Every second body from the front, then the others from the back: an order that no search or sum could expect. */
+static size_t slot_of(size_t index, size_t count, bool shuffle) {
+  if (!shuffle)
+    return index;
+  return index % 2 == 0 ? index / 2 : count - 1 - index / 2;
+}
+
+static bool has_spin(const struct nb_scene *scene) {
+  if (strcmp(scene->shear, "none") != 0)
+    return true;
+  for (size_t k = 0; k < scene->body_count; k++)
+    if (scene->bodies[k].spin != 0)
+      return true;
+  return false;
+}
+
+static bool make_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, bool shuffle) {
+  const size_t n = bodies->count = scene->body_count;
+  double **numbers[] = {&bodies->mass, &bodies->inertia, &bodies->inverse_mass, &bodies->inverse_inertia};
+  struct nb_vec **vectors[] = {&bodies->position, &bodies->velocity, &bodies->rim, &bodies->searched};
+  int **names[] = {&bodies->number, &bodies->slot, &bodies->material};
+  bool made = true;
+  for (size_t k = 0; k < COUNT(numbers); k++)
+    made = (*numbers[k] = nb_array(n, sizeof(double))) && made;
+  for (size_t k = 0; k < COUNT(vectors); k++)
+    made = (*vectors[k] = nb_array(n, sizeof(struct nb_vec))) && made;
+  for (size_t k = 0; k < COUNT(names); k++)
+    made = (*names[k] = nb_array(n, sizeof(int))) && made;
+  if (has_spin(scene)) {
+    made = (bodies->spin = nb_array(n, sizeof(double))) && made;
+    made = (bodies->angle = nb_array(n, sizeof(double))) && made;
+  }
+  if (!made)
+    return false;
+  for (size_t k = 0; k < n; k++) {
+    const struct nb_body *body = &scene->bodies[k];
+    const size_t i = slot_of(k, n, shuffle);
+    bodies->slot[k] = (int)i, bodies->number[i] = (int)k + 1;
+    bodies->position[i] = vec(body->x, body->y), bodies->velocity[i] = vec(body->vx, body->vy);
+    bodies->rim[i] = vec(body->radius, body->spin * body->radius);
+    if (bodies->spin)
+      bodies->spin[i] = body->spin;
+    bodies->mass[i] = nb_body_mass(scene, body), bodies->inertia[i] = nb_body_inertia(scene, body);
+    bodies->inverse_mass[i] = body->fixed ? 0 : 1 / bodies->mass[i];
+    bodies->inverse_inertia[i] = body->fixed ? 0 : 1 / bodies->inertia[i];
+    bodies->material[i] = body->material;
+  }
+  return true;
+}
+
+static bool make_walls(struct nb_walls *walls, const struct nb_scene *scene) {
+  const size_t n = walls->count = scene->wall_count;
+  struct nb_vec **vectors[] = {&walls->point, &walls->along, &walls->velocity, &walls->searched};
+  bool made = (walls->h1 = nb_array(n, sizeof(double))) != NULL;
+  made = (walls->h2 = nb_array(n, sizeof(double))) && made;
+  for (size_t k = 0; k < COUNT(vectors); k++)
+    made = (*vectors[k] = nb_array(n, sizeof(struct nb_vec))) && made;
+  if (!made)
+    return false;
+  for (size_t w = 0; w < n; w++) {
+    const struct nb_wall *wall = &scene->walls[w];
+    walls->point[w] = vec(wall->x, wall->y), walls->along[w] = vec(wall->ex, wall->ey);
+    walls->h1[w] = wall->h1, walls->h2[w] = wall->h2;
+    walls->velocity[w] = vec(wall->vx, wall->vy);
+  }
+  return true;
+}
+
+/* One pairing for every two materials that bodies have, and for every one that bodies have with every one that walls have. */
+static bool make_pairings(struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  const size_t n = scene->material_count;
+  bool *on_body = calloc(n + 1, sizeof *on_body), *on_wall = calloc(n + 1, sizeof *on_wall);
+  model->pairings = nb_array(n * (n + 1) / 2 + n * n, sizeof *model->pairings);
+  const bool made = on_body && on_wall && model->pairings;
+  if (made) {
+    for (size_t k = 0; k < scene->body_count; k++)
+      on_body[scene->bodies[k].material] = true;
+    for (size_t k = 0; k < scene->wall_count; k++)
+      on_wall[scene->walls[k].material] = true;
+    for (int wall = 0; wall < 2; wall++)
+      for (int a = 0; a < (int)n; a++)
+        for (int b = wall ? 0 : a; b < (int)n; b++) {
+          if (!on_body[a] || !(wall ? on_wall[b] : on_body[b]))
+            continue;
+          model->pairings[model->pairing_count++] =
+              (struct nb_pairing){.values = nb_scene_pair(scene, a, b), .a = a, .b = b, .wall = wall};
+        }
+  }
+  free(on_body), free(on_wall);
+  return made;
+}
+
+/* A tenth of the mean radius: wide enough that a search is rare, narrow enough that a listed pair mostly touches. */
+static double default_skin(const struct nb_bodies *bodies) {
+  double sum = 0;
+  for (size_t i = 0; i < bodies->count; i++)
+    sum += bodies->rim[i].x;
+  return 0.1 * sum / (double)bodies->count;
+}
+
+static enum nb_isa widest_isa(void) {
+#if defined __x86_64__ && defined __GNUC__
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return NB_AVX512;
+  if (__builtin_cpu_supports("avx2"))
+    return NB_AVX2;
+#endif
+  return NB_PLAIN;
+}
+
+static const char *const isa_names[NB_ISAS] = {"plain", "avx2", "avx512"};
+
+static enum nb_status choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error) {
+  model->isa = widest_isa();
+  if (options && options->isa) {
+    enum nb_isa isa = NB_PLAIN;
+    while (isa < NB_ISAS && strcmp(isa_names[isa], options->isa) != 0)
+      isa = (enum nb_isa)(isa + 1);
+    if (isa > model->isa)
+      return nb_error_set(error, NB_BAD_USE, "this machine does not run instruction set `%s`", options->isa);
+    model->isa = isa;
+  }
+  model->threads = options ? options->threads : 1;
+#ifdef _OPENMP
+  if (model->threads <= 0)
+    model->threads = omp_get_max_threads();
+#endif
+  if (model->threads <= 0)
+    model->threads = 1;
+  if (model->threads > NB_THREADS)
+    model->threads = NB_THREADS;
+  return NB_OK;
+}
+
+static enum nb_status set_up(struct nb_model *model, const struct nb_options *options, struct nb_error *error) {
+  const struct nb_scene *scene = model->scene;
+  enum nb_status status = choose(model, options, error);
+  if (status)
+    return status;
+  if (!make_bodies(&model->bodies, scene, options && options->shuffle) || !make_walls(&model->walls, scene) ||
+      !make_pairings(model))
+    return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
+  model->skin = default_skin(&model->bodies);
+  model->critical = nb_step_critical(model);
+  model->damping = scene->damping;
+  status = nb_step_set(model, &scene->step, error);
+  if (!status)
+    status = nb_plan(model, error);
+  if (!status)
+    status = nb_near(model, error);
+  if (!status)
+    nb_forces(model);
+  return status;
+}
+
+struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_options *options,
+                                 struct nb_error *error) {
+  struct nb_model *model = calloc(1, sizeof *model);
+  if (!model) {
+    nb_error_set(error, NB_BROKEN, "out of memory");
+    return NULL;
+  }
+  model->scene = scene;
+  if (set_up(model, options, error)) {
+    nb_model_free(model);
+    return NULL;
+  }
+  return model;
+}
+
+void nb_model_free(struct nb_model *model) {
+  if (!model)
+    return;
+  struct nb_bodies *b = &model->bodies;
+  struct nb_walls *w = &model->walls;
+  void *owned[] = {b->number,
+                   b->slot,
+                   b->position,
+                   b->velocity,
+                   b->rim,
+                   b->spin,
+                   b->angle,
+                   b->mass,
+                   b->inertia,
+                   b->inverse_mass,
+                   b->inverse_inertia,
+                   b->material,
+                   b->searched,
+                   w->point,
+                   w->along,
+                   w->h1,
+                   w->h2,
+                   w->velocity,
+                   w->searched,
+                   model->pairings,
+                   model->incidence.first,
+                   model->incidence.middle,
+                   model->incidence.entry,
+                   model->views,
+                   model->scratch};
+  for (size_t k = 0; k < COUNT(owned); k++)
+    free(owned[k]);
+  nb_contacts_free(&model->contacts);
+  free(model);
+}

@@ -1,0 +1,228 @@
+/* Dotted names: everything that can be recorded, waited for or expected, one row each.
+ *
+ * `WATCH.PART` for what a page watches, a plain name for the whole scene. Velocities and the like belong to the same time
+ * as positions and forces (the mean of the two half steps, [CS79 31]); those of the half step behind end in `.half`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdio.h>
+#include <string.h>
+
+#include "guess.h"
+#include "model.h"
+
+struct nb_quantity_kind {
+  const char *name;
+  unsigned watches; /* set of watch kinds it belongs to; 0: the whole scene */
+  const char *unit;
+  unsigned fields; /* contact fields it reads, to be kept */
+  double (*value)(const struct nb_model *model, const struct nb_watch *watch);
+  const char *help;
+};
+
+/* ---- the whole scene ---- */
+
+static double cycle(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  return (double)model->cycle;
+}
+static double time_(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  return model->time;
+}
+static double step(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  return model->step;
+}
+static double touching(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  double count = 0;
+  for (size_t c = 0; c < model->contacts.count; c++)
+    count += model->contacts.kept[NB_OVERLAP][c] > 0;
+  return count;
+}
+static double kinetic(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  double sum = 0;
+  for (size_t k = 0; k < model->bodies.count; k++) { /* in the order of numbers */
+    const size_t i = (size_t)model->bodies.slot[k];
+    if (!(model->bodies.inverse_mass[i] > 0))
+      continue;
+    const struct nb_state v = nb_velocity_now(model, i);
+    sum += (model->bodies.mass[i] * vec_dot(v.velocity, v.velocity) + model->bodies.inertia[i] * (v.spin * v.spin)) / 2;
+  }
+  return sum;
+}
+
+/* Largest force sum on a free body over largest contact force: dF/F of [CS79 tables 1-3]; 0 while nothing touches. */
+static double unbalance(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  double sum = 0, contact = 0;
+  for (size_t i = 0; i < model->bodies.count; i++) {
+    const double size = model->bodies.inverse_mass[i] > 0 ? vec_length(nb_force_on(model, i).force) : 0;
+    sum = size > sum ? size : sum;
+  }
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    const double size = vec_length(model->contacts.force[c]);
+    contact = size > contact ? size : contact;
+  }
+  return contact > 0 ? sum / contact : 0;
+}
+
+/* ---- a body ---- */
+
+static size_t slot(const struct nb_model *model, const struct nb_watch *watch) {
+  return (size_t)model->bodies.slot[watch->a];
+}
+#define OF_BODY(function, expression)                                                                                  \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
+    const struct nb_bodies *bodies = &model->bodies;                                                                   \
+    const size_t i = slot(model, watch);                                                                               \
+    (void)bodies;                                                                                                      \
+    return expression;                                                                                                 \
+  }
+OF_BODY(body_x, bodies->position[i].x)
+OF_BODY(body_y, bodies->position[i].y)
+OF_BODY(body_angle, bodies->angle ? bodies->angle[i] : 0)
+OF_BODY(body_vx, nb_velocity_now(model, i).velocity.x)
+OF_BODY(body_vy, nb_velocity_now(model, i).velocity.y)
+OF_BODY(body_spin, nb_velocity_now(model, i).spin)
+OF_BODY(body_vx_half, bodies->velocity[i].x)
+OF_BODY(body_vy_half, bodies->velocity[i].y)
+OF_BODY(body_spin_half, bodies->spin ? bodies->spin[i] : 0)
+OF_BODY(body_fx, nb_force_on(model, i).force.x)
+OF_BODY(body_fy, nb_force_on(model, i).force.y)
+OF_BODY(body_moment, nb_force_on(model, i).moment)
+
+/* ---- a wall ---- */
+
+static struct nb_vec force_on_wall(const struct nb_model *model, int wall) {
+  struct nb_vec sum = vec(0, 0);
+  const struct nb_contacts *contacts = &model->contacts;
+  for (size_t c = 0; c < contacts->count; c++)
+    if (model->pairings[contacts->pairing[c]].wall && contacts->b[c] == wall)
+      sum = vec_sub(sum, contacts->force[c]);
+  return sum;
+}
+static double wall_fx(const struct nb_model *model, const struct nb_watch *watch) {
+  return force_on_wall(model, watch->a).x;
+}
+static double wall_fy(const struct nb_model *model, const struct nb_watch *watch) {
+  return force_on_wall(model, watch->a).y;
+}
+static double wall_x(const struct nb_model *model, const struct nb_watch *watch) {
+  return model->walls.point[watch->a].x;
+}
+static double wall_y(const struct nb_model *model, const struct nb_watch *watch) {
+  return model->walls.point[watch->a].y;
+}
+
+/* ---- a pair: 0 while it is not near ---- */
+
+static double field(const struct nb_model *model, const struct nb_watch *watch, enum nb_field which) {
+  const bool wall = watch->kind == NB_WATCH_BODY_WALL;
+  const int a = model->bodies.slot[watch->a], b = wall ? watch->b : model->bodies.slot[watch->b];
+  const long c = nb_contacts_find(model, a, b, wall);
+  return c < 0 || !model->contacts.kept[which] ? 0 : model->contacts.kept[which][c];
+}
+#define OF_PAIR(function, expression)                                                                                  \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) { return expression; }
+OF_PAIR(pair_overlap, field(model, watch, NB_OVERLAP))
+OF_PAIR(pair_normal, field(model, watch, NB_NORMAL))
+OF_PAIR(pair_shear, field(model, watch, NB_SHEAR))
+OF_PAIR(pair_sliding, field(model, watch, NB_SLIDING))
+OF_PAIR(pair_dashpot_normal, model->dashpots ? field(model, watch, NB_PUSH) - field(model, watch, NB_NORMAL) : 0)
+OF_PAIR(pair_dashpot_shear, model->dashpots ? field(model, watch, NB_DRAG) - field(model, watch, NB_SHEAR) : 0)
+
+enum { BODY = 1 << NB_WATCH_BODY, WALL = 1 << NB_WATCH_WALL, PAIR = 1 << NB_WATCH_BODY_BODY | 1 << NB_WATCH_BODY_WALL };
+
+static const struct nb_quantity_kind kinds[] = {
+    {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
+    {"time", 0, "s", 0, time_, "time since the start"},
+    {"step", 0, "s", 0, step, "the time step"},
+    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching, "how many contacts touch"},
+    {"unbalance", 0, "1", 0, unbalance,
+     "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]"},
+    {"energy.kinetic", 0, "J", 0, kinetic, "of all bodies that are free, spin included"},
+    {"x", BODY, "m", 0, body_x, "position of the centre"},
+    {"y", BODY, "m", 0, body_y, "position of the centre"},
+    {"angle", BODY, "rad", 0, body_angle, "how far it has turned, counterclockwise"},
+    {"vx", BODY, "m/s", 0, body_vx, "velocity now, mean of the two half steps [CS79 31]"},
+    {"vy", BODY, "m/s", 0, body_vy, "velocity now"},
+    {"spin", BODY, "rad/s", 0, body_spin, "angular velocity now, counterclockwise"},
+    {"vx.half", BODY, "m/s", 0, body_vx_half, "velocity over the step behind [CS79 22]"},
+    {"vy.half", BODY, "m/s", 0, body_vy_half, "velocity over the step behind"},
+    {"spin.half", BODY, "rad/s", 0, body_spin_half, "angular velocity over the step behind [CS79 23]"},
+    {"fx", BODY, "N", 0, body_fx, "sum of the contact forces, dashpots included"},
+    {"fy", BODY, "N", 0, body_fy, "sum of the contact forces"},
+    {"moment", BODY, "N.m", 0, body_moment, "sum of the moments of the contact forces, counterclockwise"},
+    {"x", WALL, "m", 0, wall_x, "position of the wall's point P"},
+    {"y", WALL, "m", 0, wall_y, "position of the wall's point P"},
+    {"fx", WALL, "N", 0, wall_fx, "force of the bodies on the wall"},
+    {"fy", WALL, "N", 0, wall_fy, "force of the bodies on the wall"},
+    {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "how far the outlines overlap"},
+    {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal, "elastic normal force F_n, dashpot not included"},
+    {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear, "elastic shear force F_s, on the first body along -t"},
+    {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0"},
+    {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_PUSH), pair_dashpot_normal, "D_n [CS79 26]"},
+    {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_DRAG), pair_dashpot_shear, "D_s [CS79 27]"},
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+/* Row `kind` as the scene would call it, of watch w: "C.normal", "time". Empty when it does not belong to it. */
+static const char *full_name(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w, char *text,
+                             size_t size) {
+  text[0] = 0;
+  if (w < 0 && !kind->watches)
+    snprintf(text, size, "%s", kind->name);
+  if (w >= 0 && kind->watches & 1u << scene->watches[w].kind)
+    snprintf(text, size, "%s.%s", scene->watches[w].name, kind->name);
+  return text;
+}
+
+bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint) {
+  char name[3 * NB_NAME_SIZE];
+  struct nb_guess guess = nb_guess_begin(text);
+  for (int w = -1; w < (int)scene->watch_count; w++)
+    for (int k = 0; k < KINDS; k++) {
+      if (!*full_name(&kinds[k], scene, w, name, sizeof name))
+        continue;
+      if (strcmp(name, text) == 0) {
+        *quantity = (struct nb_quantity){&kinds[k], w};
+        return true;
+      }
+      nb_guess_offer(&guess, name);
+    }
+  if (hint)
+    snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
+  return false;
+}
+
+const char *nb_quantity_unit(struct nb_quantity quantity) { return quantity.kind->unit; }
+
+double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
+  return quantity.kind->value(model, quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch]);
+}
+
+unsigned nb_fields_watched(const struct nb_scene *scene) {
+  unsigned fields = 0;
+  for (size_t c = 0; c < scene->column_count; c++)
+    fields |= scene->columns[c].quantity.kind->fields;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    for (size_t k = 0; k < stage->condition_count; k++)
+      fields |= stage->conditions[k].quantity.kind->fields;
+    if (stage->snapshot)
+      fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |
+                NB_BIT(NB_SLIDING);
+  }
+  return fields;
+}
+
+bool nb_quantity_row(size_t row, const char **name, const char **unit, const char **of, const char **help) {
+  if (row >= KINDS)
+    return false;
+  const unsigned watches = kinds[row].watches;
+  *name = kinds[row].name, *unit = kinds[row].unit, *help = kinds[row].help;
+  *of = watches == BODY ? "a body" : watches == WALL ? "a wall" : watches == PAIR ? "a pair" : "the scene";
+  return true;
+}

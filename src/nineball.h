@@ -1,0 +1,330 @@
+/* nineball: discs and spheres in the plane, by the distinct element method.
+ *
+ * The public interface: what a page says (struct nb_scene), what runs (struct nb_model, opaque), what comes out
+ * (struct nb_table). SI units throughout; a page that says `units none` is passed through unchanged.
+ * Every structure says who owns it; nothing here is global, so one program may run many models at once.
+ *
+ * [CS79] Cundall and Strack, Geotechnique 29 (1979) 47-65.   [R89] Randall, PhD thesis, Aston (1989).
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NINEBALL_H
+#define NINEBALL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+enum { NB_NAME_SIZE = 64 }; /* longest word a page may use as a name, with its terminating zero */
+
+/* What a program answers to its caller; also the exit status of `nineball`. */
+enum nb_status {
+  NB_OK = 0,
+  NB_FAILED = 1,  /* a check of a page failed */
+  NB_BAD_USE = 2, /* the command line or the page is wrong, or a file cannot be read or written */
+  NB_BROKEN = 3   /* the physics broke: not a number, a stage that never ended */
+};
+
+/* One error, in words. The caller owns it; a function that fails fills it once. */
+struct nb_error {
+  enum nb_status status;
+  char text[512];
+};
+
+/* Fills `error` as printf would; returns its status, so that a function can end with it. */
+enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* ---- mistakes.c: what is wrong with a page, every mistake of it at once ------------------------------------------ */
+
+struct nb_mistakes {
+  char *text;                      /* the messages, ready to print; NULL while there are none; owned here */
+  size_t count;                    /* how many */
+  struct nb_mistake_place *places; /* where in the text each one begins: mistakes.c's own; owned here */
+};
+void nb_mistakes_free(struct nb_mistakes *mistakes);
+
+/* ---- page.c: a Markdown file and its fenced blocks ---------------------------------------------------------------- */
+
+enum nb_block_kind { NB_BLOCK_SCENE, NB_BLOCK_EXPECT, NB_BLOCK_GNUPLOT, NB_BLOCK_KINDS };
+
+struct nb_page {
+  char *path;              /* as given, for messages; owned */
+  char name[NB_NAME_SIZE]; /* file name without directory and .md: `nine-discs` */
+  char title[128];         /* first heading, without its `#` */
+  char **lines;            /* the text, line by line, without line ends; owned */
+  size_t line_count;       /* lines[0] is line 1 of the file */
+  unsigned char *kind_of;  /* per line: 1 + enum nb_block_kind inside such a block, 0 in prose and on fences; owned */
+  unsigned long long hash; /* FNV-1a of the whole file: what a table says it was made from */
+};
+enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes);
+void nb_page_free(struct nb_page *page);
+
+/* ---- names.c: dotted names ---------------------------------------------------------------------------------------- */
+
+struct nb_model;
+struct nb_scene;
+
+/* A quantity that can be recorded, waited for or expected: `C.normal`, `time`, `energy.kinetic`. */
+struct nb_quantity {
+  const struct nb_quantity_kind *kind; /* one row of the table in names.c, NULL: none */
+  int watch;                           /* index of the watch it belongs to, -1: of the whole scene */
+};
+
+/* Finds `text`; false when the scene has no such name, then `hint` (NB_NAME_SIZE * 2 bytes) holds the nearest one, or is empty. */
+bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint);
+const char *nb_quantity_unit(struct nb_quantity quantity);                           /* "N", "m", "1" */
+double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model); /* SI */
+/* Row by row all there are, for the manual; false past the last one. `of`: what such a quantity belongs to. */
+bool nb_quantity_row(size_t row, const char **name, const char **unit, const char **of, const char **help);
+
+/* ---- scene.c: what a page says ------------------------------------------------------------------------------------ */
+
+enum nb_shape {
+  NB_DISC,  /* a cylinder 1 m thick: m = pi R^2 rho, I = m R^2 / 2 */
+  NB_SPHERE /* moves in the plane: m = 4/3 pi R^3 rho, I = 2/5 m R^2 */
+};
+
+struct nb_material {
+  char name[NB_NAME_SIZE];
+  double density;  /* kg/m3 */
+  double kn, ks;   /* normal and shear stiffness of a contact between like materials, N/m [CS79 16, 17] */
+  double friction; /* tan phi_mu, 1 [CS79 19] */
+  double cohesion; /* c, N [CS79 19] */
+  int line;        /* of the page, for messages */
+};
+
+/* `pair A B ...`: what the rules for unlike materials would say otherwise; NAN where the rule stands. */
+struct nb_pair_rule {
+  int a, b; /* materials */
+  double kn, ks, friction, cohesion;
+  int line;
+};
+
+/* A body is known by its number for ever: 1, 2, ... in the order of the page; here at index number - 1. */
+struct nb_body {
+  enum nb_shape shape;
+  double x, y, radius; /* m */
+  double vx, vy;       /* m/s, at time 0 */
+  double spin;         /* rad/s, counterclockwise, at time 0 */
+  int material;
+  int fixed; /* 1: held where it is, its mass counts as infinite */
+  int line;
+};
+
+/* A wall is the part of a line from P + h1 e to P + h2 e [CS79 figure 4]. It pushes on both sides. */
+struct nb_wall {
+  char name[NB_NAME_SIZE];
+  double x, y;     /* P, m */
+  double ex, ey;   /* e, of length 1 */
+  double h1, h2;   /* m */
+  double inx, iny; /* unit normal that points into the box that made it; 0, 0 when it is no box's wall */
+  double vx, vy;   /* of P at time 0, m/s */
+  int material;
+  int line;
+};
+
+/* Damping has four conventions in the two papers, so four words; see docs/METHOD.md. */
+enum nb_contact_damping {
+  NB_CONTACT_UNDAMPED,
+  NB_CONTACT_BETA,     /* c = beta k, beta a time, s [CS79 28] */
+  NB_CONTACT_FRACTION, /* c = beta k t_c / 2, t_c the critical step: N dN beta/(2 FRAC) of [R89 4.3, 4.4] */
+  NB_CONTACT_RATIO     /* c = beta 2 sqrt(M* k), a share of critical [R89 4.13] */
+};
+enum nb_global_damping {
+  NB_GLOBAL_UNDAMPED,
+  NB_GLOBAL_ALPHA,         /* C = alpha m, alpha in 1/s [CS79 34-36] */
+  NB_GLOBAL_CON1_CS79,     /* v = (CON1 v + F dt/m) / (2 - CON1): CS79 35 with CON1 = 1 - alpha dt/2 */
+  NB_GLOBAL_CON1_VELOCITY, /* v = CON1 v + F dt/m */
+  NB_GLOBAL_CON1_ALL       /* v = CON1 (v + F dt/m): the reading in which CON1 = 0 damps completely [R89 6.5.1] */
+};
+struct nb_damping {
+  enum nb_contact_damping contact_kind;
+  double contact; /* s or 1 */
+  int contact_line;
+  enum nb_global_damping global_kind;
+  double global; /* 1/s or 1 */
+  int global_line;
+};
+
+enum nb_step_kind {
+  NB_STEP_TIME,    /* value in s */
+  NB_STEP_CRITICAL /* value times 2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion] */
+};
+struct nb_step {
+  enum nb_step_kind kind;
+  double value;
+  int line;
+};
+
+/* Something a page looks at, under a name of its own. */
+enum nb_watch_kind { NB_WATCH_BODY, NB_WATCH_WALL, NB_WATCH_BODY_BODY, NB_WATCH_BODY_WALL };
+struct nb_watch {
+  char name[NB_NAME_SIZE];
+  enum nb_watch_kind kind;
+  int a, b; /* body index or wall index, as the kind says; -1 where there is none */
+  int line;
+};
+
+/* What happens to a wall when a stage begins. It lasts until another stage says otherwise. */
+struct nb_wall_motion {
+  int wall;      /* index */
+  double vx, vy; /* m/s */
+  int line;
+};
+
+enum nb_relation { NB_BELOW, NB_ABOVE };
+struct nb_condition {
+  char name[2 * NB_NAME_SIZE]; /* as written */
+  struct nb_quantity quantity;
+  enum nb_relation relation;
+  double value; /* SI */
+  int line;
+};
+
+struct nb_stage {
+  char name[NB_NAME_SIZE];
+  struct nb_wall_motion *motions; /* owned by the scene */
+  size_t motion_count;
+  struct nb_condition *conditions; /* all must hold; owned by the scene */
+  size_t condition_count;
+  unsigned long cycles;      /* how many; with conditions: at most, and reaching it is a failure */
+  unsigned long record;      /* a row every so many cycles, 0: none */
+  bool snapshot;             /* keep bodies, walls and contacts as they are at its end */
+  struct nb_step step;       /* as the scene's, unless the stage says otherwise */
+  struct nb_damping damping; /* as the stage before, unless this one says otherwise */
+  int line;
+};
+
+struct nb_column {
+  char name[2 * NB_NAME_SIZE];
+  struct nb_quantity quantity;
+};
+
+/* `let NAME VALUE` and `sweep NAME VALUES`: what $NAME stands for in this run. */
+struct nb_binding {
+  char name[NB_NAME_SIZE];
+  char text[NB_NAME_SIZE]; /* the value as written, unit and all */
+  bool swept;              /* it has several values: a column of the tables */
+  int sweep; /* which `sweep` of the page it comes from, though --set may have left it one value; -1: a `let` */
+};
+
+/* One run of a page: every name resolved, every number SI. Filled by nb_scene_read, constant from there on;
+ * references read the same structure. Owns everything its pointers reach. */
+struct nb_scene {
+  const struct nb_page *page; /* not owned */
+  bool unitless;              /* `units none` */
+  struct nb_material *materials;
+  size_t material_count;
+  struct nb_pair_rule *pair_rules;
+  size_t pair_rule_count;
+  struct nb_body *bodies;
+  size_t body_count;
+  struct nb_wall *walls;
+  size_t wall_count;
+  char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* laws, by the names of their files: `linear`, `none` */
+  int normal_line, shear_line;
+  struct nb_damping damping;
+  struct nb_step step;
+  struct nb_watch *watches;
+  size_t watch_count;
+  struct nb_column *columns;
+  size_t column_count;
+  struct nb_stage *stages;
+  size_t stage_count;
+  struct nb_binding *bindings;
+  size_t binding_count;
+};
+
+/* `--set NAME=VALUE`, as often as wanted: NULL-terminated array of such texts, or NULL for none. */
+typedef const char *const *nb_settings;
+
+/* How many runs the sweeps of a page make: the product of their lengths; 0 when the page has mistakes. */
+size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes);
+/* Reads run 0 <= run < runs. All mistakes of the page are said at once; scene is empty when there are any. */
+enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
+                             struct nb_mistakes *mistakes);
+void nb_scene_free(struct nb_scene *scene);
+
+/* What two materials make of a contact: the harmonic mean 2ab/(a+b) of the stiffnesses (which is k between like ones), the
+ * smaller friction and cohesion [CS79 19], and what the page's `pair` says over both. */
+struct nb_pair {
+  double kn, ks;   /* N/m */
+  double friction; /* 1 */
+  double cohesion; /* N */
+};
+struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int material_b);
+double nb_body_mass(const struct nb_scene *scene, const struct nb_body *body);    /* kg */
+double nb_body_inertia(const struct nb_scene *scene, const struct nb_body *body); /* kg m2 */
+
+/* ---- model.c, cycle.c: what runs ----------------------------------------------------------------------------------- */
+
+struct nb_options {
+  int threads;     /* 0: as many as OpenMP would take */
+  const char *isa; /* "plain", "avx2", "avx512"; NULL: the widest this machine has */
+  bool shuffle;    /* store the bodies in another order than their numbers: a test that order changes nothing */
+};
+
+/* NULL and a filled error when it cannot be made. The scene must outlive the model. */
+struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_options *options,
+                                 struct nb_error *error);
+void nb_model_free(struct nb_model *model);
+
+/* One calculation cycle at a time: forces at t_N, then motion to t_(N+1) [CS79, The calculation cycle]. */
+enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error);
+
+/* ---- observe.c: what comes out --------------------------------------------------------------------------------------- */
+
+/* Rows of numbers under named columns. */
+struct nb_table {
+  size_t column_count, row_count;
+  char (*names)[2 * NB_NAME_SIZE]; /* owned */
+  const char **units;              /* the texts are constants */
+  double *values;                  /* row by row, column_count each; owned */
+  int *stage;                      /* per row: index of the stage; owned */
+  double *cycle, *time;            /* per row, whether the page records them or not; owned */
+  size_t row_capacity;             /* of the arrays above */
+};
+
+bool nb_table_create(struct nb_table *table, size_t column_count);
+/* A new row, its values 0, at this stage, cycle and time; NULL: out of memory, the table is as it was. */
+double *nb_table_row(struct nb_table *table, int stage, double cycle, double time);
+void nb_table_free(struct nb_table *table);
+
+/* The contacts, bodies and walls at one moment: what a picture of forces needs. */
+struct nb_snapshot {
+  int stage; /* index of the stage at whose end it was taken */
+  struct nb_table bodies, walls, contacts;
+};
+
+struct nb_result {
+  struct nb_table table;
+  struct nb_snapshot *snapshots; /* owned */
+  size_t snapshot_count;
+  unsigned long cycles;        /* done in all */
+  unsigned long *stage_cycles; /* per stage; owned */
+  unsigned long long updates;  /* contact updates: contacts listed, summed over cycles */
+  unsigned long long searches; /* for contacts, the first one included */
+  double seconds;              /* of wall clock */
+};
+
+/* Called about ten times a second while a run goes on, with the share done (0 to 1) and the seconds since its start. */
+struct nb_progress {
+  void (*call)(void *data, const char *stage, double share, double seconds);
+  void *data;
+};
+
+/* The whole scene, all stages. On NB_BROKEN the result holds what was seen until then. */
+enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
+                      const struct nb_progress *progress, struct nb_error *error);
+void nb_result_free(struct nb_result *result);
+
+/* ---- laws: the register that LAWS in Makefile.am makes ------------------------------------------------------------- */
+
+struct nb_law;                                                        /* src/laws/law.h */
+const struct nb_law *nb_law_find(const char *kind, const char *name); /* "normal", "linear"; NULL: no such law */
+const struct nb_law *const *nb_laws(void);                            /* NULL-terminated */
+
+/* What `nineball explain` prints: the plan, what asked for it, bytes, the step and what sets it. */
+void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model);
+
+#endif

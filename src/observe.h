@@ -1,0 +1,15 @@
+/* Between a run (run.c) and what it sees (observe.c).
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_OBSERVE_H
+#define NB_OBSERVE_H
+
+#include "model.h"
+
+/* All answer false when memory is out. */
+bool nb_observe_begin(struct nb_table *table, const struct nb_scene *scene);
+bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage);
+bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage);
+void nb_snapshot_free(struct nb_snapshot *snapshot);
+
+#endif

@@ -1,0 +1,59 @@
+/* A page carried out: all its runs, what the reference knows of each, and the verdict.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_OUTCOME_H
+#define NB_OUTCOME_H
+
+#include "expect.h"
+#include "reference.h"
+
+/* One run: one choice of the swept values. */
+struct nb_page_run {
+  struct nb_scene scene;
+  struct nb_expectations expectations;
+  struct nb_known known;
+  struct nb_result result;
+  char label[256]; /* "v=0.12 n=40", empty without a sweep */
+};
+
+/* One expectation held against what was seen. */
+struct nb_check {
+  char label[640]; /* "C.normal mean within 0.1 %" and the run */
+  char words[512]; /* "seen 1.002, known 1.003, off by 0.05 %" */
+  bool passed;
+  int line;
+};
+
+struct nb_outcome {
+  struct nb_page page;
+  struct nb_mistakes mistakes; /* of the page, when status is NB_BAD_USE */
+  struct nb_page_run *runs;    /* owned, as is all below */
+  size_t run_count;
+  struct nb_check *checks;
+  size_t check_count, failed;
+  enum nb_status status; /* the worst that came up */
+  struct nb_error error; /* in words, when it is NB_BAD_USE without mistakes, or NB_BROKEN */
+};
+
+/* Reads the page, runs it, judges it. What can be known of it is in the outcome whatever the status; free it in any case. */
+enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
+                               const struct nb_options *options, const struct nb_progress *progress);
+/* Only read: pages, scenes, expectations. What `run` and `explain` begin with. */
+enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings);
+void nb_outcome_free(struct nb_outcome *outcome);
+
+/* ---- measure.c: from the rows of a table to one number ---- */
+
+/* False when the table has no rows to reduce, or none at that moment; then the error says so. */
+bool nb_measure_seen(double *value, const struct nb_measure *measure, const struct nb_table *table,
+                     struct nb_error *error);
+/* The rows of a stage, or of the last stage that has any: first and one past the last. */
+void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to);
+/* What the reference knows under the measure's label, with the stage or without; NULL: nothing. */
+const double *nb_measure_known(const struct nb_measure *measure, const struct nb_scene *scene,
+                               const struct nb_known *known);
+
+/* ---- verdict.c ---- */
+enum nb_status nb_verdict(struct nb_outcome *outcome);
+
+#endif

@@ -1,0 +1,38 @@
+/* Contact forces into components.                                    [CS79, The force-displacement law, figure 3]
+ *
+ * F_n and F_s act on the first body opposite to e and t, on the second along them:
+ *
+ *   F_1 = -(F_n e1 + F_s t1),   F_2 = -(F_n e2 + F_s t2),   t = (e2, -e1)
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "../model.h"
+
+static inline NB_FORM void normal_only(const struct nb_model *model, const struct nb_view *view) {
+  (void)model;
+  const double *push = view->f[NB_PUSH], *ex = view->f[NB_EX], *ey = view->f[NB_EY];
+  struct nb_vec *force = view->force;
+  NB_WIDE
+  for (size_t c = 0; c < view->n; c++) {
+    force[c] = vec_scale(-push[c], vec(ex[c], ey[c]));
+  }
+}
+
+static inline NB_FORM void with_shear(const struct nb_model *model, const struct nb_view *view) {
+  (void)model;
+  const double *push = view->f[NB_PUSH], *ex = view->f[NB_EX], *ey = view->f[NB_EY];
+  const double *drag = view->f[NB_DRAG];
+  struct nb_vec *force = view->force;
+  NB_WIDE
+  for (size_t c = 0; c < view->n; c++) {
+    const struct nb_vec e = vec(ex[c], ey[c]), t = vec_clockwise(e);
+    force[c] = vec_scale(-1, vec_add(vec_scale(push[c], e), vec_scale(drag[c], t)));
+  }
+}
+
+NB_FORMS(normal_only)
+NB_FORMS(with_shear)
+
+const struct nb_pass nb_pass_resolve[] = {
+    {"resolve, normal", NB_FORMS_LIST(normal_only)},
+    {"resolve, normal and shear", NB_FORMS_LIST(with_shear)},
+};

@@ -1,0 +1,118 @@
+/* The plan: for each pairing of materials the passes that its contacts need, and no others.
+ *
+ * A contact without friction has no slip and no shear; one without dashpots needs no closing, unless its law asks for it;
+ * a field that nobody reads later is not kept. `nineball explain` prints what came of it.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "model.h"
+
+static void add(struct nb_pairing *pairing, nb_run_pass *run, int line, const char *kind, const char *name) {
+  struct nb_planned *planned = &pairing->passes[pairing->pass_count++];
+  planned->run = run, planned->line = line;
+  snprintf(planned->name, sizeof planned->name, "%s%s", kind, name);
+}
+
+static int first_damped_line(const struct nb_scene *scene) {
+  if (scene->damping.contact_kind)
+    return scene->damping.contact_line;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].damping.contact_kind)
+      return scene->stages[s].damping.contact_line;
+  return 0;
+}
+
+static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, const struct nb_law *normal,
+                         const struct nb_law *shear) {
+  const struct nb_scene *scene = model->scene;
+  const bool rubs = pairing->values.friction > 0 || pairing->values.cohesion > 0;
+  pairing->normal = normal;
+  pairing->shear = rubs && strcmp(shear->name, "none") != 0 ? shear : NULL;
+  pairing->pass_count = 0;
+  const bool closing = model->dashpots || (normal->needs & NB_BIT(NB_CLOSING));
+  const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
+  const struct nb_pass *geometry = pairing->wall ? &nb_pass_disc_wall[approach] : &nb_pass_disc_disc[approach];
+  const struct nb_pass *resolve = &nb_pass_resolve[pairing->shear != NULL];
+  const enum nb_isa isa = model->isa;
+  add(pairing, geometry->run[isa], 0, "", geometry->name);
+  add(pairing, normal->run[isa], scene->normal_line, "normal ", normal->name);
+  if (pairing->shear)
+    add(pairing, shear->run[isa], scene->shear_line, "shear ", shear->name);
+  if (model->dashpots)
+    add(pairing, nb_pass_dashpots.run[isa], first_damped_line(scene), "", nb_pass_dashpots.name);
+  add(pairing, resolve->run[isa], 0, "", resolve->name);
+}
+
+enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
+  const struct nb_scene *scene = model->scene;
+  const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
+  if (!normal || !shear)
+    return nb_error_set(error, NB_BAD_USE, "there is no law `%s %s`", normal ? "shear" : "normal",
+                        normal ? scene->shear : scene->normal);
+  model->dashpots = first_damped_line(scene) > 0;
+  model->drag = model->dashpots ? NB_DRAG : NB_SHEAR;
+  model->kept = nb_fields_watched(scene);
+  bool shears = false;
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    plan_pairing(model, &model->pairings[p], normal, shear);
+    shears = shears || model->pairings[p].shear;
+  }
+  if (shears)
+    model->kept |= NB_BIT(model->drag);
+  if (!model->dashpots) { /* then what is felt is what the laws say: one field for both */
+    if (model->kept & NB_BIT(NB_PUSH))
+      model->kept = (model->kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);
+    if (model->kept & NB_BIT(NB_DRAG))
+      model->kept = (model->kept & ~NB_BIT(NB_DRAG)) | NB_BIT(NB_SHEAR);
+  }
+  free(model->scratch);
+  model->scratch = nb_array((size_t)model->threads * NB_FIELDS * NB_BLOCK, sizeof(double));
+  return model->scratch ? NB_OK : nb_error_set(error, NB_BROKEN, "out of memory while planning");
+}
+
+static struct nb_view view_of(const struct nb_model *model, size_t from, size_t to, double *scratch) {
+  const struct nb_contacts *contacts = &model->contacts;
+  struct nb_view view = {.n = to - from, .a = contacts->a + from, .b = contacts->b + from};
+  view.force = contacts->force + from;
+  view.pairing = &model->pairings[contacts->pairing[from]];
+  for (int f = 0; f < NB_FIELDS; f++)
+    view.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK;
+  if (!model->dashpots)
+    view.f[NB_PUSH] = view.f[NB_NORMAL], view.f[NB_DRAG] = view.f[NB_SHEAR];
+  for (int m = 0; m < NB_MEMORY; m++) {
+    if (contacts->normal_memory[m])
+      view.normal_memory[m] = contacts->normal_memory[m] + from;
+    if (contacts->shear_memory[m])
+      view.shear_memory[m] = contacts->shear_memory[m] + from;
+  }
+  return view;
+}
+
+/* Runs of one pairing, cut into blocks. Thread `t` of T works on views n t/T to n (t+1)/T, each thread in scratch of its own. */
+enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
+  const struct nb_contacts *contacts = &model->contacts;
+  size_t most = contacts->count / NB_BLOCK + model->pairing_count + 1;
+  free(model->views);
+  model->views = nb_array(most, sizeof *model->views);
+  if (!model->views)
+    return nb_error_set(error, NB_BROKEN, "out of memory while planning");
+  size_t *start = nb_array(most + 1, sizeof *start);
+  if (!start)
+    return nb_error_set(error, NB_BROKEN, "out of memory while planning");
+  size_t n = 0;
+  for (size_t c = 0; c < contacts->count; c++)
+    if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
+      start[n++] = c;
+  start[n] = contacts->count;
+  for (size_t v = 0; v < n; v++) {
+    size_t thread = 0;
+    while (n * (thread + 1) / (size_t)model->threads <= v)
+      thread++;
+    model->views[v] = view_of(model, start[v], start[v + 1], model->scratch + thread * NB_FIELDS * NB_BLOCK);
+  }
+  model->view_count = n;
+  free(start);
+  return NB_OK;
+}

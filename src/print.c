@@ -1,0 +1,68 @@
+/* What the terminal shows: verdicts, mistakes, progress.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <string.h>
+#include <unistd.h>
+
+#include "commands.h"
+#include "outcome.h"
+
+void nb_print_verdict(const struct nb_outcome *outcome) {
+  printf("%s: %s\n", outcome->page.name, outcome->page.title);
+  for (size_t k = 0; k < outcome->check_count; k++) {
+    const struct nb_check *check = &outcome->checks[k];
+    printf("  %s  %s\n        %s\n", check->passed ? "pass" : "FAIL", check->label, check->words);
+  }
+  if (outcome->check_count)
+    printf("  %zu of %zu checks passed\n", outcome->check_count - outcome->failed, outcome->check_count);
+}
+
+/* A `#` would begin a directive of TAP. */
+static void tap_text(const char *words) {
+  for (; *words; words++)
+    putchar(*words == '#' ? ' ' : *words);
+}
+
+void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
+  if (outcome->status > NB_FAILED) {
+    printf("1..1\nnot ok 1 - %s %s\n# %s\n", path, outcome->mistakes.count ? "has mistakes" : "did not run",
+           outcome->mistakes.count ? "" : outcome->error.text);
+    return;
+  }
+  printf("1..%zu\n", outcome->check_count);
+  for (size_t k = 0; k < outcome->check_count; k++) {
+    const struct nb_check *check = &outcome->checks[k];
+    printf("%s %zu - ", check->passed ? "ok" : "not ok", k + 1);
+    tap_text(check->label);
+    printf("\n# line %d: ", check->line);
+    tap_text(check->words);
+    putchar('\n');
+  }
+}
+
+void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
+  if (outcome->mistakes.count)
+    fputs(outcome->mistakes.text, stderr);
+  else if (outcome->status > NB_FAILED)
+    fprintf(stderr, "%s: %s: %s\n", path, outcome->status == NB_BROKEN ? "stopped" : "error", outcome->error.text);
+}
+
+static void progress(void *data, const char *stage, double share, double seconds) {
+  struct nb_progress_line *line = data;
+  if (seconds < 2 || seconds - line->shown < 0.5)
+    return;
+  line->shown = seconds;
+  fprintf(stderr, "\r%s, stage %s: %3.0f %%, %.0f s left   ", line->page, stage, 100 * share,
+          share > 0 ? seconds * (1 - share) / share : 0);
+}
+
+struct nb_progress nb_print_progress(struct nb_progress_line *line) {
+  return (struct nb_progress){isatty(STDERR_FILENO) ? progress : NULL, line};
+}
+
+void nb_print_progress_end(struct nb_progress_line *line) {
+  if (line->shown > 0)
+    fputs("\r\033[K", stderr);
+}

@@ -1,0 +1,153 @@
+/* The reader, inside: what scene.c and expect.c share. A page is read line by line; a line becomes tokens, each with
+ * its place; a row of a table of keywords says what the tokens must be; what they are not is a mistake with a caret.
+ *
+ *   mistakes.c  messages, and the nearest known word     words.c     a line -> tokens, $NAME replaced
+ *   units.c     numbers and units                        keywords.c  tokens + a row of a table -> values
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_READER_H
+#define NB_READER_H
+
+#include "guess.h"
+#include "nineball.h"
+#include "units.h"
+
+enum {
+  NB_LINE_MAX = 4096,       /* bytes in a line */
+  NB_TOKENS_MAX = 256,      /* tokens in a line */
+  NB_RUNS_MAX = 10000,      /* of a page */
+  NB_BODIES_MAX = 10000000, /* of a scene */
+  NB_SLOTS = 24,            /* values that a row of a table may ask for */
+  NB_PAGE_MAX = 4 << 20     /* bytes in a page */
+};
+
+/* ---- mistakes.c ---- */
+
+/* Says one mistake, in its place among those of the same page. line counts from 1, 0: of the page as a whole. column
+ * and length count characters from 1. hint may be NULL. A page without kind_of is made of --set texts and shows no line
+ * number. What was said before in the same place and words is not said again, and past a thousand mistakes nothing
+ * is. */
+void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
+                const char *hint, const char *format, ...) __attribute__((format(printf, 7, 8)));
+
+/* ---- words.c ---- */
+
+struct nb_token {
+  const char *text;
+  int column, length; /* in characters of the line; of the $NAME when it came from one */
+  const char *name;   /* the NAME that it stands for, NULL when written in the line itself */
+  bool hollow;        /* stands for a value that is unknown because of a mistake already said: anything will do */
+};
+
+/* What reading needs: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing. About 60 kB. */
+struct nb_keyword;
+struct nb_reader {
+  const struct nb_page *page;
+  struct nb_mistakes *mistakes;
+  bool unitless;                     /* `units none` */
+  const struct nb_binding *bindings; /* what $NAME stands for; one with an empty text is hollow */
+  size_t binding_count;
+
+  size_t line; /* the statement: its line, from 1 */
+  struct nb_token tokens[NB_TOKENS_MAX];
+  size_t count, next;               /* how many, and which one is to be read */
+  bool bad;                         /* a mistake was made in this statement */
+  bool muted;                       /* and what follows from it would only be noise */
+  const struct nb_keyword *keyword; /* its row while the fields of the row are read, else NULL */
+  unsigned given;                   /* set of the fields that have been read */
+  char store[NB_LINE_MAX + NB_TOKENS_MAX * (2 * NB_NAME_SIZE + 2)]; /* the texts of the tokens */
+};
+
+/* Cuts a line of the page into tokens. False when it has none. */
+bool nb_line_read(struct nb_reader *reader, size_t line);
+const struct nb_token *nb_token_peek(const struct nb_reader *reader); /* NULL at the end of the line */
+bool nb_token_is(const struct nb_reader *reader, const char *word);   /* whether the next one is that word */
+bool nb_token_skip(struct nb_reader *reader, const char *word);       /* takes it if it is */
+/* A mistake at a token, or after the last one when it is NULL; sets reader->bad. */
+void nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+/* The most usual one: "expected WHAT, found `token`". Moves to the end of the line: what follows is not read. */
+void nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+bool nb_is_name(const char *text); /* a letter, then letters, digits, _ and -; shorter than NB_NAME_SIZE */
+
+/* ---- keywords.c: values one by one ---- */
+
+enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_SHARE }; /* all, > 0, >= 0, 0 to 1 */
+
+/* Each takes what it names from the line, or says what it expected and answers false. */
+bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
+bool nb_take_in(struct nb_reader *reader, const char *si_unit,
+                double *value); /* in a unit of that kind: "N", "1", "kg.m/s" */
+bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value);
+bool nb_take_word(struct nb_reader *reader, const char *word); /* exactly that */
+const struct nb_token *nb_take(struct nb_reader *reader,
+                               const char *what); /* any token; `what` for the message; or NULL */
+const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what); /* a new name, or NULL */
+
+/* ---- keywords.c: whole statements ---- */
+
+/* Where a statement may stand; a set. */
+enum { NB_IN_SCENE = 1, NB_IN_STAGE = 2, NB_IN_EXPECT = 4 };
+
+enum nb_argument_kind {
+  NB_ARGUMENT_NUMBER, /* of `unit` and within `range` */
+  NB_ARGUMENT_COUNT,  /* a whole number, 1 or more */
+  NB_ARGUMENT_NAME,   /* a new name */
+  NB_ARGUMENT_WORD,   /* a name that something has already */
+  NB_ARGUMENT_FLAG    /* the clause word alone */
+};
+
+struct nb_argument {
+  const char *word;  /* of the clause; NULL: a value that stands by itself, in the order of the row */
+  const char *value; /* how the manual writes the value: "R", "VX VY" */
+  enum nb_argument_kind kind;
+  enum nb_unit_kind unit;
+  enum nb_range range;
+  int slot, count;       /* where the values go in the record, and how many there are */
+  const char *otherwise; /* what holds without it, for the manual; NULL: it must be there */
+  const char *help;      /* for names and words also what is expected: "the name of a material" */
+};
+
+struct nb_value {
+  const struct nb_token *token; /* where it was written; NULL: it was not */
+  double number;                /* SI; 0 when not written */
+};
+struct nb_record {
+  const struct nb_keyword *keyword;
+  struct nb_value value[NB_SLOTS];
+};
+
+struct nb_keyword {
+  const char *word; /* the verb; NULL: a line that begins with none of the others */
+  unsigned where;
+  const struct nb_argument *arguments; /* ends in a row with count 0 */
+  const char *tail; /* how the manual writes what apply reads by itself from reader->next on; or NULL */
+  int variant;      /* for an apply that serves several rows */
+  bool defines;     /* apply is called even if reader->bad: others will ask for the name that it gives */
+  /* Every value is read, and checked for all that the row can say. subject: what the caller of nb_statement_read
+   * gave. */
+  void (*apply)(struct nb_reader *reader, const struct nb_record *record, void *subject);
+  const char *help;
+};
+
+/* Reads the statement in reader->tokens by its row in a table (which ends in a row without apply). `here` is one of
+ * NB_IN_…. */
+void nb_statement_read(struct nb_reader *reader, const struct nb_keyword *table, unsigned here, void *subject);
+/* "disc X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}" */
+void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword);
+/* The statements of scene blocks, for --help and the manual. */
+const struct nb_keyword *nb_keywords(void);
+
+/* ---- page.c ---- */
+
+size_t nb_page_fence(const struct nb_page *page,
+                     enum nb_block_kind kind); /* line of the fence of the first such block, 0: none */
+
+/* ---- arrays that grow ---- */
+
+/* Room for `more` elements after `count`: the array, moved perhaps, or NULL when there is no memory (the old one
+ * stays). */
+void *nb_room(void *array, size_t count, size_t more, size_t element);
+
+#endif

@@ -1,0 +1,228 @@
+/* A page's scene blocks as a struct nb_scene: every name resolved, every number SI.
+ *
+ * Two passes. The first looks at `units`, `let` and `sweep` only: how long the sweeps are decides which values a run
+ * takes. The second reads every statement by the table in scene_table.c. What needs the whole scene is checked at its
+ * end.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "scene.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void nb_no_memory(struct nb_reader *reader) {
+  nb_token_mistake(reader, &reader->tokens[0], NULL, "there is not enough memory for this");
+}
+
+void nb_scene_free(struct nb_scene *scene) {
+  for (size_t i = 0; i < scene->stage_count; i++) {
+    free(scene->stages[i].motions);
+    free(scene->stages[i].conditions);
+  }
+  free(scene->materials);
+  free(scene->pair_rules);
+  free(scene->bodies);
+  free(scene->walls);
+  free(scene->watches);
+  free(scene->columns);
+  free(scene->stages);
+  free(scene->bindings);
+  memset(scene, 0, sizeof *scene);
+}
+
+/* Quantities of a watch that was itself a mistake are not asked about. */
+static bool explained(const struct nb_scene *scene, const char *name) {
+  size_t length = strcspn(name, ".");
+  for (size_t i = 0; i < scene->watch_count; i++) {
+    const struct nb_watch *watch = &scene->watches[i];
+    if (watch->a < 0 && strncmp(watch->name, name, length) == 0 && watch->name[length] == '\0')
+      return true;
+  }
+  return false;
+}
+
+bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked) {
+  char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE] = "";
+  if (explained(reading->scene, asked->name))
+    return false;
+  if (nb_quantity_find(quantity, reading->scene, asked->name, nearest))
+    return true;
+  if (nearest[0])
+    snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
+  nb_mistake(reading->reader.mistakes, &reading->reader.page[0], asked->line, asked->column, asked->length, hint,
+             "expected a quantity, found `%s`", asked->name);
+  return false;
+}
+
+/* A mistake of the scene as a whole, shown at the word `scene` of its first fence. */
+static void say_of_scene(struct nb_scene_reading *reading, const char *hint, const char *what) {
+  const struct nb_page *page = reading->reader.page;
+  size_t fence = nb_page_fence(page, NB_BLOCK_SCENE);
+  const char *word = fence ? strstr(page->lines[fence - 1], "scene") : NULL;
+  nb_mistake(reading->reader.mistakes, page, fence, word ? (int)(word - page->lines[fence - 1]) + 1 : 1, 5, hint, "%s",
+             what);
+}
+
+static void read_lines(struct nb_scene_reading *reading) {
+  struct nb_reader *reader = &reading->reader;
+  const struct nb_page *page = reader->page;
+  for (size_t i = 0; i < page->line_count; i++) {
+    if (page->kind_of[i] != 1 + NB_BLOCK_SCENE || !nb_line_read(reader, i + 1))
+      continue;
+    const char *verb = reader->tokens[0].text;
+    bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
+    if (value || !reading->survey)
+      nb_statement_read(reader, nb_keywords(), reading->here, reading);
+  }
+}
+
+/* First pass: how long are the sweeps, which names are there. */
+static void survey(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
+  struct nb_mistakes unsaid = {0};
+  reading->survey = true;
+  reading->reader.mistakes = reading->setting.mistakes = &unsaid;
+  read_lines(reading);
+  nb_mistakes_free(&unsaid);
+  reading->survey = false;
+  reading->reader.mistakes = reading->setting.mistakes = mistakes;
+  nb_settings_read(reading);
+  reading->scene->binding_count = reading->reader.binding_count = 0;
+  reading->sweep = 0;
+  reading->units_line = 0;
+}
+
+static void find_columns(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  if (reading->asked_count == 0)
+    return;
+  scene->columns = calloc(reading->asked_count, sizeof *scene->columns);
+  if (!scene->columns) {
+    say_of_scene(reading, NULL, "there is not enough memory for the columns");
+    return;
+  }
+  for (size_t i = 0; i < reading->asked_count; i++) {
+    struct nb_column *column = &scene->columns[i];
+    memcpy(column->name, reading->asked[i].name, sizeof column->name);
+    if (nb_asked_find(reading, &column->quantity, &reading->asked[i]))
+      scene->column_count++;
+  }
+}
+
+/* What only the end of the page can tell. */
+static void check_whole(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  struct nb_reader *reader = &reading->reader;
+  if (!nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
+    say_of_scene(reading, "begin one with a line of three backticks and the word `scene`",
+                 "expected a block of kind `scene`, found none");
+    return;
+  }
+  find_columns(reading);
+  if (scene->body_count == 0 && !reading->bodies_unsure)
+    say_of_scene(reading, "`disc`, `sphere`, `discs` and `spheres` make them",
+                 "expected a scene with bodies, found none");
+  if (scene->stage_count == 0)
+    say_of_scene(reading, "begin it with `stage NAME`, and say how long it is with `cycles N`",
+                 "expected a scene with a stage, found none");
+  for (size_t i = 0; i < scene->stage_count; i++) {
+    if (scene->stages[i].cycles != 0)
+      continue;
+    nb_line_read(reader, (size_t)scene->stages[i].line);
+    nb_token_mistake(reader, &reader->tokens[0], "`cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
+                     "expected a stage that ends, found neither `cycles` nor `until` in `%s`", scene->stages[i].name);
+  }
+}
+
+/* A step that is wrong is a mistake already; one that is not there is none yet. */
+static void check_step(struct nb_scene_reading *reading) {
+  const struct nb_scene *scene = reading->scene;
+  const struct nb_page *page = reading->reader.page;
+  bool missing = scene->stage_count > 0 ? scene->stages[0].step.value == 0 : scene->step.value == 0;
+  for (size_t i = 0; i < page->line_count && missing; i++) {
+    bool here = page->kind_of[i] == 1 + NB_BLOCK_SCENE && nb_line_read(&reading->reader, i + 1);
+    if (here && strcmp(reading->reader.tokens[0].text, "step") == 0)
+      missing = false;
+  }
+  if (missing)
+    say_of_scene(reading, "`step TIME` or `step F of critical`", "expected a scene with a `step`, found none");
+}
+
+/* The settings as lines of a page that is no file. False: no memory. */
+static bool keep_settings(struct nb_scene_reading *reading, nb_settings settings) {
+  static char path[] = "--set";
+  size_t count = 0;
+  while (settings && settings[count])
+    count++;
+  reading->settings = (struct nb_page){.path = path, .line_count = count};
+  reading->settings.lines = calloc(count + 1, sizeof *reading->settings.lines);
+  for (size_t i = 0; i < count && reading->settings.lines; i++) {
+    size_t size = strlen(settings[i]) + 1;
+    char *line = malloc(size);
+    if (!line)
+      return false;
+    reading->settings.lines[i] = memcpy(line, settings[i], size);
+  }
+  return reading->settings.lines != NULL;
+}
+
+static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
+  struct nb_scene *scene = reading->scene;
+  survey(reading, mistakes);
+  read_lines(reading);
+  check_whole(reading);
+  if (nb_page_fence(reading->reader.page, NB_BLOCK_SCENE))
+    check_step(reading);
+  scene->unitless = reading->reader.unitless;
+  if (!scene->normal[0])
+    strcpy(scene->normal, "linear");
+  if (!scene->shear[0])
+    strcpy(scene->shear, "none");
+}
+
+/* Reads one run, and says how many there are. The scene is empty when there are mistakes. */
+static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
+                               struct nb_mistakes *mistakes, size_t *runs) {
+  size_t before = mistakes->count;
+  *scene = (struct nb_scene){.page = page};
+  struct nb_scene_reading *reading = calloc(1, sizeof *reading);
+  *runs = 0;
+  if (reading && keep_settings(reading, settings)) {
+    reading->scene = scene;
+    reading->run = run;
+    reading->here = NB_IN_SCENE;
+    reading->reader.page = page;
+    reading->setting.page = &reading->settings;
+    read_scene(reading, mistakes);
+    *runs = nb_runs(reading);
+  } else {
+    nb_mistake(mistakes, page, 0, 0, 0, NULL, "there is not enough memory to read this page");
+  }
+  if (reading) {
+    for (size_t i = 0; reading->settings.lines && i < reading->settings.line_count; i++)
+      free(reading->settings.lines[i]);
+    free(reading->settings.lines);
+    free(reading->rows);
+    free(reading->asked);
+    free(reading);
+  }
+  if (mistakes->count == before)
+    return NB_OK;
+  nb_scene_free(scene);
+  *runs = 0;
+  return NB_BAD_USE;
+}
+
+size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes) {
+  struct nb_scene scene;
+  size_t runs;
+  if (read_run(&scene, page, 0, settings, mistakes, &runs) == NB_OK)
+    nb_scene_free(&scene);
+  return runs;
+}
+
+enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
+                             struct nb_mistakes *mistakes) {
+  size_t runs;
+  return read_run(scene, page, run, settings, mistakes, &runs);
+}

@@ -1,0 +1,117 @@
+/* A scene while it is read: what the files scene_*.c share.
+ *
+ *   scene.c         the two passes over a page, and what must hold at its end
+ *   scene_table.c   the table of keywords
+ *   scene_values.c  units, let, sweep and --set
+ *   scene_world.c   materials, laws, walls
+ *   scene_bodies.c  bodies and watches
+ *   scene_step.c    step and damping
+ *   scene_stages.c  stages and what they do; what is recorded
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_SCENE_H
+#define NB_SCENE_H
+
+#include "reader.h"
+
+/* Slots of a record: what the values of the statements are. */
+enum {
+  AT_NAME,
+  AT_NAME2,
+  AT_X,
+  AT_Y,
+  AT_X1,
+  AT_Y1,
+  AT_RADIUS,
+  AT_MATERIAL,
+  AT_VX,
+  AT_VY,
+  AT_SPIN,
+  AT_FIXED,
+  AT_NX,
+  AT_NY,
+  AT_SPACING,
+  AT_DENSITY,
+  AT_KN,
+  AT_KS,
+  AT_FRICTION,
+  AT_COHESION,
+  AT_INWARD,
+  AT_STOP,
+  AT_CYCLES
+};
+
+/* A column asked for by `record`, until all watches are known. */
+struct nb_asked {
+  char name[2 * NB_NAME_SIZE];
+  size_t line;
+  int column, length;
+};
+
+struct nb_scene_reading {
+  struct nb_scene *scene;
+  struct nb_reader reader;  /* of the page */
+  struct nb_reader setting; /* of the --set texts, which are kept as the lines of a page of their own */
+  struct nb_page settings;
+  bool normal_set, shear_set, step_set; /* by --set: what the page says about them is checked and not used */
+
+  bool survey; /* first pass: only units, let and sweep; its mistakes are said in the second one */
+  size_t run;
+  size_t *rows;              /* of each sweep, in page order, from the survey; owned */
+  size_t sweep_count, sweep; /* how many; the next one to come in this pass */
+
+  unsigned here; /* NB_IN_SCENE, from the first `stage` on NB_IN_STAGE */
+  int units_line;
+  bool bodies_unsure;     /* a statement about bodies was wrong: numbers of bodies cannot be checked */
+  struct nb_asked *asked; /* owned */
+  size_t asked_count;
+};
+
+/* "expected WHAT, found `token`" at a token that was read before. */
+void nb_not_known(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
+/* Index of the material or wall that the token names; -1 with a message when there is none. */
+int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
+int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
+struct nb_stage *nb_stage_now(const struct nb_scene *scene); /* the stage that statements belong to; NULL: the scene */
+/* Array growth that failed. */
+void nb_no_memory(struct nb_reader *reader);
+/* The last --set of that name: its line among the settings; 0: none. */
+size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name);
+/* Says every --set that nothing on the page answers to, and obeys those for laws and step. */
+void nb_settings_read(struct nb_scene_reading *reading);
+/* All runs of the page so far: the product of the sweeps. */
+size_t nb_runs(const struct nb_scene_reading *reading);
+/* A quantity by its name; false with a message in place when there is none, unless an earlier mistake explains that. */
+bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked);
+/* Adds bodies row by row from the south-west; false when there is no memory. */
+struct nb_lattice {
+  size_t nx, ny;
+  double x, y, spacing; /* m, centre of the first and pitch */
+};
+bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_body first);
+
+/* What the rows of the table call. subject is the struct nb_scene_reading. */
+#define NB_APPLY(name) void name(struct nb_reader *reader, const struct nb_record *record, void *subject)
+NB_APPLY(nb_apply_units);
+NB_APPLY(nb_apply_let);
+NB_APPLY(nb_apply_sweep);
+NB_APPLY(nb_apply_material);
+NB_APPLY(nb_apply_pair);
+NB_APPLY(nb_apply_law);  /* variant 0: normal, 1: shear */
+NB_APPLY(nb_apply_body); /* variant: enum nb_shape, here and below */
+NB_APPLY(nb_apply_lattice);
+NB_APPLY(nb_apply_box);
+NB_APPLY(nb_apply_wall);
+NB_APPLY(nb_apply_watch);
+NB_APPLY(nb_apply_step);
+NB_APPLY(nb_apply_damping);
+NB_APPLY(nb_apply_columns);
+NB_APPLY(nb_apply_stage);
+NB_APPLY(nb_apply_walls);
+NB_APPLY(nb_apply_wall_motion);
+NB_APPLY(nb_apply_cycles);
+NB_APPLY(nb_apply_until);
+NB_APPLY(nb_apply_record);
+NB_APPLY(nb_apply_snapshot);
+
+#endif

@@ -1,0 +1,215 @@
+/* What happens: stages, the motion of walls in them, how long they last, and what is recorded.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "scene.h"
+
+enum { CYCLES_MAX = 1000000000 };
+
+struct nb_stage *nb_stage_now(const struct nb_scene *scene) {
+  return scene->stage_count ? &scene->stages[scene->stage_count - 1] : NULL;
+}
+
+/* A stage begins with the step and damping of the one before it, the first one with those of the scene. */
+NB_APPLY(nb_apply_stage) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
+  const struct nb_token *name = record->value[AT_NAME].token;
+  const struct nb_stage *before = nb_stage_now(scene);
+  struct nb_stage stage = {.record = 1, .line = (int)reader->line};
+  stage.step = before ? before->step : scene->step;
+  stage.damping = before ? before->damping : scene->damping;
+  if (name)
+    snprintf(stage.name, sizeof stage.name, "%s", name->text);
+  for (size_t i = 0; i < scene->stage_count; i++)
+    if (name && strcmp(scene->stages[i].name, name->text) == 0)
+      nb_token_mistake(reader, name, NULL, "there is a stage `%s` already, on line %d", name->text,
+                       scene->stages[i].line);
+  struct nb_stage *stages = nb_room(scene->stages, scene->stage_count, 1, sizeof *stages);
+  if (!stages) {
+    nb_no_memory(reader);
+    return;
+  }
+  scene->stages = stages;
+  stages[scene->stage_count++] = stage;
+  reading->here = NB_IN_STAGE;
+}
+
+/* A second motion of the same wall in a stage takes the place of the first: `walls inward 1 mm/s`, but one of them
+ * stands. */
+static void move_wall(struct nb_scene *scene, struct nb_reader *reader, size_t wall, double vx, double vy) {
+  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_wall_motion motion = {(int)wall, vx, vy, (int)reader->line};
+  for (size_t i = 0; i < stage->motion_count; i++) {
+    if (stage->motions[i].wall != motion.wall)
+      continue;
+    stage->motions[i] = motion;
+    return;
+  }
+  struct nb_wall_motion *motions = nb_room(stage->motions, stage->motion_count, 1, sizeof *motions);
+  if (!motions) {
+    nb_no_memory(reader);
+    return;
+  }
+  stage->motions = motions;
+  motions[stage->motion_count++] = motion;
+}
+
+NB_APPLY(nb_apply_walls) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *inward = &record->value[AT_INWARD], *stop = &record->value[AT_STOP];
+  size_t moved = 0;
+  if (!inward->token == !stop->token) {
+    reader->next = reader->count;
+    if (inward->token)
+      nb_token_mistake(reader, &reader->tokens[0], NULL, "expected one of `inward V` and `stop`, found both");
+    else
+      nb_expected(reader, NULL, "`inward V` or `stop`");
+    return;
+  }
+  for (size_t i = 0; i < scene->wall_count; i++) {
+    const struct nb_wall *wall = &scene->walls[i];
+    bool of_box = wall->inx != 0 || wall->iny != 0;
+    if (inward->token && !of_box)
+      continue;
+    /* + 0.0 makes the -0 of a product a plain 0 */
+    move_wall(scene, reader, i, stop->token ? 0 : wall->inx * inward->number + 0.0,
+              stop->token ? 0 : wall->iny * inward->number + 0.0);
+    moved++;
+  }
+  if (moved == 0)
+    nb_token_mistake(reader, &reader->tokens[0], inward->token ? "define it before the stages with `box …`" : NULL,
+                     "expected a scene with %s, found none", inward->token ? "a box" : "walls");
+}
+
+NB_APPLY(nb_apply_wall_motion) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  int wall = nb_wall_of(scene, reader, record->value[AT_NAME].token);
+  if (wall >= 0)
+    move_wall(scene, reader, (size_t)wall, record->value[AT_VX].number, record->value[AT_VY].number);
+}
+
+/* A stage lasts once: `cycles` or one `until`. The wrong statement counts, so that the stage is not said to have
+ * none. */
+static bool ends_twice(struct nb_stage *stage, struct nb_reader *reader) {
+  bool twice = stage->cycles != 0;
+  if (twice)
+    nb_token_mistake(reader, &reader->tokens[0], NULL,
+                     "the stage `%s` has an end already: `cycles` or `until`, and once", stage->name);
+  else
+    stage->cycles = 1;
+  return twice || reader->bad;
+}
+
+NB_APPLY(nb_apply_cycles) {
+  struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  if (!stage || ends_twice(stage, reader))
+    return;
+  stage->cycles = (unsigned long)record->value[AT_CYCLES].number;
+}
+
+/* The name at the next token, with its place. */
+static bool take_asked(struct nb_reader *reader, struct nb_asked *asked) {
+  const struct nb_token *token = nb_take(reader, "a quantity, such as `C.normal`");
+  if (!token || token->hollow)
+    return false;
+  if (strlen(token->text) >= sizeof asked->name) {
+    nb_token_mistake(reader, token, NULL, "expected a name shorter than %zu bytes", sizeof asked->name);
+    return false;
+  }
+  *asked = (struct nb_asked){.line = reader->line, .column = token->column, .length = token->length};
+  snprintf(asked->name, sizeof asked->name, "%s", token->text);
+  return true;
+}
+
+/* QUANTITY above|below VALUE */
+static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_condition *condition) {
+  struct nb_asked asked;
+  condition->line = (int)reader->line;
+  if (!take_asked(reader, &asked))
+    return false;
+  if (!nb_asked_find(reading, &condition->quantity, &asked))
+    return reader->bad = true, false;
+  snprintf(condition->name, sizeof condition->name, "%s", asked.name);
+  condition->relation = nb_token_is(reader, "above") ? NB_ABOVE : NB_BELOW;
+  if (!nb_token_skip(reader, "above") && !nb_token_skip(reader, "below"))
+    return nb_expected(reader, NULL, "`above` or `below`"), false;
+  return nb_take_in(reader, nb_quantity_unit(condition->quantity), &condition->value);
+}
+
+NB_APPLY(nb_apply_until) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_stage *stage = nb_stage_now(reading->scene);
+  (void)record;
+  if (!stage || ends_twice(stage, reader))
+    return;
+  do {
+    struct nb_condition condition = {0};
+    if (!take_condition(reading, reader, &condition))
+      return;
+    struct nb_condition *conditions = nb_room(stage->conditions, stage->condition_count, 1, sizeof *conditions);
+    if (!conditions) {
+      nb_no_memory(reader);
+      return;
+    }
+    stage->conditions = conditions;
+    conditions[stage->condition_count++] = condition;
+  } while (nb_token_skip(reader, "and"));
+  if (!nb_token_skip(reader, "at")) {
+    nb_expected(reader, "a stage that may last for ever is not run", "`and`, or `at most N cycles`");
+    return;
+  }
+  bool whole = nb_take_word(reader, "most") && nb_take_count(reader, 1, CYCLES_MAX, &stage->cycles);
+  if (whole && !nb_token_skip(reader, "cycle"))
+    nb_take_word(reader, "cycles");
+}
+
+/* `record QUANTITY …` in the scene: the names are looked up when all watches are known. */
+NB_APPLY(nb_apply_columns) {
+  struct nb_scene_reading *reading = subject;
+  (void)record;
+  do {
+    struct nb_asked one;
+    if (!take_asked(reader, &one))
+      return;
+    struct nb_asked *asked = nb_room(reading->asked, reading->asked_count, 1, sizeof *asked);
+    if (!asked) {
+      nb_no_memory(reader);
+      return;
+    }
+    reading->asked = asked;
+    for (size_t i = 0; i < reading->asked_count; i++)
+      if (strcmp(asked[i].name, one.name) == 0)
+        nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL, "`%s` is recorded already, by line %zu",
+                         one.name, asked[i].line);
+    asked[reading->asked_count++] = one;
+  } while (nb_token_peek(reader));
+}
+
+/* In a stage: `record every N cycles` or `record none`. */
+NB_APPLY(nb_apply_record) {
+  struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  unsigned long every = 0;
+  (void)record;
+  if (!nb_token_skip(reader, "none")) {
+    if (!nb_token_skip(reader, "every")) {
+      nb_expected(reader, "what to record is said before the first stage", "`every N cycles` or `none`");
+      return;
+    }
+    if (!nb_take_count(reader, 1, CYCLES_MAX, &every))
+      return;
+    if (!nb_token_skip(reader, "cycle") && !nb_take_word(reader, "cycles"))
+      return;
+  }
+  if (stage)
+    stage->record = every;
+}
+
+NB_APPLY(nb_apply_snapshot) {
+  struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  (void)record;
+  (void)reader;
+  if (stage)
+    stage->snapshot = true;
+}

@@ -1,0 +1,120 @@
+/* The step and the damping, of the scene and from a stage on.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "scene.h"
+
+static void said_twice(struct nb_reader *reader, int line) {
+  nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is said twice: first on line %d", reader->tokens[0].text,
+                   line);
+}
+
+/* TIME, or F of critical. */
+NB_APPLY(nb_apply_step) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_stage *stage = nb_stage_now(reading->scene);
+  struct nb_step *here = stage ? &stage->step : &reading->scene->step;
+  bool share = reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, "of") == 0;
+  bool setting = reader == &reading->setting;
+  struct nb_step step = {share ? NB_STEP_CRITICAL : NB_STEP_TIME, 0, setting ? 0 : (int)reader->line};
+  (void)record;
+  if (!nb_take_number(reader, share ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value))
+    return;
+  if (share && (!nb_take_word(reader, "of") || !nb_take_word(reader, "critical")))
+    return;
+  if (nb_token_peek(reader))
+    return; /* which the engine says */
+  if (!setting && here->line > (stage ? stage->line : 0)) {
+    said_twice(reader, here->line);
+    return;
+  }
+  if (setting)
+    reading->step_set = true;
+  else if (reading->step_set)
+    step.kind = here->kind, step.value = here->value; /* said and checked, but overridden */
+  *here = step;
+}
+
+/* The word after `con1 X reading`. */
+static bool take_reading(struct nb_reader *reader, enum nb_global_damping *kind) {
+  static const struct {
+    const char *word;
+    enum nb_global_damping kind;
+  } readings[] = {{"cs79", NB_GLOBAL_CON1_CS79}, {"velocity", NB_GLOBAL_CON1_VELOCITY}, {"all", NB_GLOBAL_CON1_ALL}};
+  if (!nb_token_skip(reader, "reading")) {
+    nb_expected(reader, NULL, "`reading cs79`, `reading velocity` or `reading all`");
+    return false;
+  }
+  for (size_t i = 0; i < sizeof readings / sizeof *readings; i++) {
+    if (!nb_token_skip(reader, readings[i].word))
+      continue;
+    *kind = readings[i].kind;
+    return true;
+  }
+  nb_expected(reader, NULL, "`cs79`, `velocity` or `all`");
+  return false;
+}
+
+static const struct damping_word {
+  const char *word;
+  bool global;
+  int kind;
+  enum nb_unit_kind unit;
+  enum nb_range range;
+} damping_words[] = {
+    {"contact-beta", false, NB_CONTACT_BETA, NB_UNIT_TIME, NB_NOT_NEGATIVE},
+    {"contact-fraction", false, NB_CONTACT_FRACTION, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
+    {"contact-ratio", false, NB_CONTACT_RATIO, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
+    {"global", true, NB_GLOBAL_ALPHA, NB_UNIT_RATE, NB_NOT_NEGATIVE},
+    {"con1", true, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_SHARE},
+};
+
+static const struct damping_word *take_damping_word(struct nb_reader *reader) {
+  const struct nb_token *token = nb_token_peek(reader);
+  char hint[NB_HINT_SIZE];
+  struct nb_guess guess = nb_guess_begin(token ? token->text : "");
+  for (size_t i = 0; i < sizeof damping_words / sizeof *damping_words; i++) {
+    if (nb_token_skip(reader, damping_words[i].word))
+      return &damping_words[i];
+    nb_guess_offer(&guess, damping_words[i].word);
+  }
+  nb_expected(reader, nb_guess_hint(&guess, hint),
+              "`contact-beta`, `contact-fraction`, `contact-ratio`, `global`, `con1` or `none`");
+  return NULL;
+}
+
+/* One statement for what contacts do and one for all bodies; `none` is both. In a stage each replaces what it
+ * inherits. */
+NB_APPLY(nb_apply_damping) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_damping *damping = stage ? &stage->damping : &scene->damping;
+  int line = (int)reader->line, since = stage ? stage->line : 0;
+  (void)record;
+  bool none = nb_token_skip(reader, "none");
+  const struct damping_word *word = none ? NULL : take_damping_word(reader);
+  if (!none && !word)
+    return;
+  bool global = none || word->global, contact = none || !word->global;
+  if (contact && damping->contact_line > since) {
+    said_twice(reader, damping->contact_line);
+    return;
+  }
+  if (global && damping->global_line > since) {
+    said_twice(reader, damping->global_line);
+    return;
+  }
+
+  double value = 0;
+  enum nb_global_damping global_kind = none ? NB_GLOBAL_UNDAMPED : (enum nb_global_damping)word->kind;
+  enum nb_contact_damping contact_kind = none ? NB_CONTACT_UNDAMPED : (enum nb_contact_damping)word->kind;
+  if (!none && !nb_take_number(reader, word->unit, word->range, &value))
+    return;
+  if (!none && strcmp(word->word, "con1") == 0 && !take_reading(reader, &global_kind))
+    return;
+  if (contact)
+    damping->contact_kind = contact_kind, damping->contact = value, damping->contact_line = line;
+  if (global)
+    damping->global_kind = global_kind, damping->global = value, damping->global_line = line;
+}

@@ -1,0 +1,155 @@
+/* The statements of scene blocks, one row each: the words, what they take, and a line for the manual.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "scene.h"
+
+/* clang-format off */
+
+/* Ways to write a row: what must be there has no default. Words and names say what they are; numbers which unit. */
+#define NAME(at, what) {NULL, "NAME", NB_ARGUMENT_NAME, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
+#define WORD(shown, at, what) {NULL, shown, NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
+#define VALUE(shown, unit, range, at, help) {NULL, shown, NB_ARGUMENT_NUMBER, unit, range, at, 1, NULL, help}
+#define CLAUSE(word, shown, unit, range, at, count, otherwise, help) \
+  {word, shown, NB_ARGUMENT_NUMBER, unit, range, at, count, otherwise, help}
+#define COUNT(word, shown, at, help) {word, shown, NB_ARGUMENT_COUNT, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, help}
+#define FLAG(word, at, otherwise, help) {word, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, at, 1, otherwise, help}
+#define END {NULL, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, 0, 0, NULL, NULL}
+
+#define MATERIAL WORD("MATERIAL", AT_MATERIAL, "the name of a material")
+#define RADIUS CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, NULL, "Radius.")
+#define VELOCITY(otherwise) \
+  CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, AT_VX, 2, otherwise, "Velocity to the east and to the north.")
+#define CONTACT(kn, ks, friction, cohesion) \
+  CLAUSE("kn", "K", NB_UNIT_STIFFNESS, NB_NOT_NEGATIVE, AT_KN, 1, kn, "Normal stiffness of a contact [CS79 16]."), \
+  CLAUSE("ks", "K", NB_UNIT_STIFFNESS, NB_NOT_NEGATIVE, AT_KS, 1, ks, "Shear stiffness of a contact [CS79 17]."), \
+  CLAUSE("friction", "F", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_FRICTION, 1, friction, \
+         "Tangent of the angle of friction [CS79 19]."), \
+  CLAUSE("cohesion", "N", NB_UNIT_FORCE, NB_NOT_NEGATIVE, AT_COHESION, 1, cohesion, "Cohesion, a force [CS79 19].")
+
+static const struct nb_argument nothing[] = {END};
+static const struct nb_argument units[] = {WORD("none|si", AT_NAME, "`none` or `si`"), END};
+static const struct nb_argument name_of_value[] = {NAME(AT_NAME, "a name for the value"), END};
+static const struct nb_argument law[] = {WORD("LAW", AT_NAME, "the name of a law"), END};
+static const struct nb_argument material[] = {
+  NAME(AT_NAME, "a name for the material"),
+  CLAUSE("density", "D", NB_UNIT_DENSITY, NB_NOT_NEGATIVE, AT_DENSITY, 1, "0",
+         "Mass per volume; a free body needs it."),
+  CONTACT("0", "0", "0", "0"),
+  END
+};
+static const struct nb_argument pair[] = {
+  WORD("MATERIAL", AT_NAME, "the name of a material"),
+  WORD("MATERIAL", AT_NAME2, "the name of a material"),
+  CONTACT("2ab/(a+b)", "2ab/(a+b)", "the smaller one", "the smaller one"),
+  END
+};
+static const struct nb_argument body[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
+  RADIUS,
+  MATERIAL,
+  VELOCITY("0 0"),
+  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity, counterclockwise."),
+  FLAG("fixed", AT_FIXED, "free", "Held where it is; its mass counts as infinite."),
+  END
+};
+static const struct nb_argument lattice[] = {
+  COUNT("lattice", "NX", AT_NX, "How many from west to east."),
+  COUNT("by", "NY", AT_NY, "How many rows, from south to north."),
+  CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, in the south-west."),
+  RADIUS,
+  CLAUSE("spacing", "S", NB_UNIT_LENGTH, NB_POSITIVE, AT_SPACING, 1, "2R", "From centre to centre; 2R: touching."),
+  MATERIAL,
+  END
+};
+static const struct nb_argument box[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "South-west corner, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "South-west corner, to the north."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "North-east corner."),
+  MATERIAL,
+  END
+};
+static const struct nb_argument wall[] = {
+  NAME(AT_NAME, "a name for the wall"),
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "First end, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "First end, to the north."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "Second end."),
+  MATERIAL,
+  VELOCITY("0 0"),
+  END
+};
+static const struct nb_argument watch[] = {NAME(AT_NAME, "a name for what is watched"), END};
+static const struct nb_argument stage[] = {NAME(AT_NAME, "a name for the stage"), END};
+static const struct nb_argument walls[] = {
+  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "none",
+         "Each wall of the box along its normal to the inside."),
+  FLAG("stop", AT_STOP, "none", "All walls stand still."),
+  END
+};
+static const struct nb_argument wall_motion[] = {WORD("NAME", AT_NAME, "the name of a wall"), VELOCITY(NULL), END};
+static const struct nb_argument cycles[] = {COUNT(NULL, "N", AT_CYCLES, "a number of cycles"), END};
+
+static const struct nb_keyword table[] = {
+  {"units", NB_IN_SCENE, units, NULL, 0, false, nb_apply_units,
+   "Whether numbers carry units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
+   "whole page."},
+  {"let", NB_IN_SCENE, name_of_value, "VALUE", 0, true, nb_apply_let,
+   "Gives a name to a value, a word or a number and its unit. $NAME stands for it below; --set NAME=VALUE "
+   "overrides it."},
+  {"sweep", NB_IN_SCENE, name_of_value, "{with NAME …} VALUE …", 0, true, nb_apply_sweep,
+   "Gives a name several values in turn, one run each; several names take their values together. Several sweeps make "
+   "the product, the last one fastest."},
+  {"material", NB_IN_SCENE, material, NULL, 0, true, nb_apply_material,
+   "What bodies and walls are made of: the stiffness, friction and cohesion of a contact between two of the same "
+   "material."},
+  {"pair", NB_IN_SCENE, pair, NULL, 0, false, nb_apply_pair,
+   "What holds between two materials where the rule does not: harmonic mean of stiffnesses, smaller friction and "
+   "cohesion."},
+  {"normal", NB_IN_SCENE, law, NULL, 0, false, nb_apply_law,
+   "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it."},
+  {"shear", NB_IN_SCENE, law, NULL, 1, false, nb_apply_law,
+   "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it."},
+  {"damping", NB_IN_SCENE | NB_IN_STAGE, nothing,
+   "contact-beta TIME | contact-fraction X | contact-ratio X | global RATE | con1 X reading cs79|velocity|all | none",
+   0, false, nb_apply_damping,
+   "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all bodies [CS79 34] [R89 6.5.1], one statement for each; "
+   "default none. In a stage: from this stage on."},
+  {"disc", NB_IN_SCENE, body, NULL, NB_DISC, true, nb_apply_body,
+   "One disc, a cylinder 1 m thick; it gets the next number."},
+  {"sphere", NB_IN_SCENE, body, NULL, NB_SPHERE, true, nb_apply_body,
+   "One sphere, which moves in the plane; it gets the next number."},
+  {"discs", NB_IN_SCENE, lattice, NULL, NB_DISC, true, nb_apply_lattice,
+   "Discs in a square lattice, numbered row by row from the south-west: to the east, then the next row to the north."},
+  {"spheres", NB_IN_SCENE, lattice, NULL, NB_SPHERE, true, nb_apply_lattice,
+   "Spheres in a square lattice, numbered as `discs`."},
+  {"box", NB_IN_SCENE, box, NULL, 0, true, nb_apply_box, "Four walls named south, east, north and west."},
+  {"wall", NB_IN_SCENE, wall, NULL, 0, true, nb_apply_wall,
+   "A straight wall between two ends; it pushes on both sides."},
+  {"watch", NB_IN_SCENE, watch,
+   "disc N | disc N with disc M | disc N with wall NAME | wall NAME", 0, true, nb_apply_watch,
+   "Names a body, a contact or a wall, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`."},
+  {"step", NB_IN_SCENE | NB_IN_STAGE, nothing, "TIME | F of critical", 0, false, nb_apply_step,
+   "How long a cycle is: a time, or a share of 2 sqrt(m/k) [CS79, Motion]; no default. In a stage: from this stage "
+   "on. --set step=... overrides it everywhere."},
+  {"record", NB_IN_SCENE, nothing, "QUANTITY …", 0, false, nb_apply_columns,
+   "The columns of the table, in this order."},
+  {"stage", NB_IN_SCENE | NB_IN_STAGE, stage, NULL, 0, true, nb_apply_stage,
+   "Begins a stage; the statements below belong to it, until the next one."},
+  {"walls", NB_IN_STAGE, walls, NULL, 0, false, nb_apply_walls,
+   "How all walls move from the beginning of this stage on: one of the two."},
+  {"wall", NB_IN_STAGE, wall_motion, NULL, 0, false, nb_apply_wall_motion,
+   "How one wall moves from the beginning of this stage on."},
+  {"cycles", NB_IN_STAGE, cycles, NULL, 0, true, nb_apply_cycles, "How many cycles the stage lasts."},
+  {"until", NB_IN_STAGE, nothing,
+   "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} at most N cycles", 0, true,
+   nb_apply_until, "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure."},
+  {"record", NB_IN_STAGE, nothing, "every N cycles | none", 0, false, nb_apply_record,
+   "How often a row is added to the table; default every 1 cycle."},
+  {"snapshot", NB_IN_STAGE, nothing, NULL, 0, false, nb_apply_snapshot,
+   "Keeps bodies, walls and contacts as they are at the end of the stage."},
+  {NULL, 0, NULL, NULL, 0, false, NULL, NULL},
+};
+
+/* clang-format on */
+
+const struct nb_keyword *nb_keywords(void) { return table; }

@@ -1,0 +1,139 @@
+#!/bin/sh
+# The documents are true: links lead somewhere, the table of cases lists the pages there are, and every command that is
+# shown can be given and ends as the text says. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+#
+# A command must end with status 0, or with the one its comment names: `nineball check mine.md  # exit status 1`. Those
+# of one document run one after the other in a folder of their own that has cases/ and plots/. What installs, configures
+# or builds is not run here: of setup and make the targets must exist, of other programs of the tree the file.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+nineball=${NINEBALL:-./nineball}
+case $nineball in
+/*) ;;
+*) nineball=$(pwd)/$nineball ;;
+esac
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "${srcdir:-.}" || exit 1
+top=$(pwd)
+PATH=$(dirname "$nineball"):$PATH
+documents="README.md HACKING.md NEWS $(echo docs/*.md cases/*.md)"
+
+n=0
+# result STATUS NAME: one line of TAP; what was said stands in $work/said.
+result() {
+  n=$((n + 1))
+  if [ "$1" -eq 0 ]; then
+    echo "ok $n - $2"
+  else
+    echo "not ok $n - $2"
+    tail -n 20 "$work/said" | sed 's/^/# /'
+  fi
+}
+
+# The words of a list of Makefile.am, one a line.
+words() {
+  awk -v list="$1" '
+    $1 == list && $2 == "=" { inside = 1; $1 = $2 = "" }
+    inside { more = sub(/\\$/, ""); for (i = 1; i <= NF; i++) if ($i != "") print $i; inside = more }' Makefile.am
+}
+
+# ---- links ----
+
+for document in $documents; do
+  grep -o '](\([^)#]*\)[^)]*)' "$document" | sed 's/^](//; s/[)#].*//' | grep -v '^[a-z]*:' | sort -u |
+    while read -r link; do
+      [ -z "$link" ] || [ -e "$(dirname "$document")/$link" ] || echo "$document links to $link, which is not there"
+    done
+done >"$work/said"
+test ! -s "$work/said"
+result $? "links between documents"
+
+# ---- cases/README.md ----
+
+{ words PAGES; words PAGES_LONG; } | sed 's|^cases/||' | sort >"$work/pages"
+sed -n 's/^| \[[^]]*\](\([a-z0-9-]*\.md\)).*/\1/p' cases/README.md | sort -u >"$work/listed"
+diff "$work/pages" "$work/listed" >"$work/said"
+result $? "the table of cases/README.md lists the pages of Makefile.am"
+
+# ---- commands ----
+
+# Is it a target of make?
+is_target() {
+  case $1 in
+  all | check | clean | dist | distcheck | distclean | install | installcheck | uninstall) true ;;
+  nineball | tests/unit) true ;;
+  *) grep -q "^$1:" Makefile.am ;;
+  esac
+}
+
+# What is not run: `./setup check && make -C build report`. Every part must name what exists.
+exists() {
+  echo "$1" | sed 's/&&/\n/g' | while read -r program arguments; do
+    case $program in
+    ./setup | make)
+      test "$program" = make || test -x setup || echo "there is no setup"
+      skip=
+      for word in $arguments; do
+        case $skip$word in
+        -C | -j) skip=x ;;
+        -* | *=* | x*) skip= ;;
+        *) is_target "$word" || echo "there is no target $word" ;;
+        esac
+      done
+      ;;
+    cd | mkdir | apt* | git) ;;
+    ./configure | ../configure) test -f configure.ac || echo "there is no configure.ac" ;;
+    sh | bash) test -f "${arguments%% *}" || echo "there is no ${arguments%% *}" ;;
+    *) test -x "$program" || echo "there is no $program" ;;
+    esac
+  done >"$work/said"
+  test ! -s "$work/said"
+}
+
+run() {
+  wanted=$(echo "$1" | sed -n 's/.*#.*exit status \([0-9]\).*/\1/p')
+  (cd "$folder" && eval "$1") >"$work/said" 2>&1 </dev/null
+  status=$?
+  echo "exit status $status, wanted ${wanted:-0}" >>"$work/said"
+  test $status -eq "${wanted:-0}"
+}
+
+# HACKING.md's example has a test of its own, which changes the tree.
+without_example() {
+  awk '/^## / { example = /^## A worked example/ } { print example ? "" : $0 }' "$1"
+}
+
+for document in $documents; do
+  without_example "$document" >"$work/document"
+  awk -f tests/fences.awk "$work/document" >"$work/commands"
+  test -s "$work/commands" || continue
+  folder=$work/$(echo "$document" | tr / -).d
+  mkdir -p "$folder/build" && cp -R cases plots "$folder" && chmod -R u+w "$folder"
+  ln -s "$nineball" "$folder/build/nineball"
+  awk -v into="$folder" -f "$top/tests/fences.awk" "$work/document" >/dev/null
+  while IFS='	' read -r line command; do
+    name=$(echo "$document:$line: $command" | sed 's/ *#.*//')
+    case $command in
+    ./setup* | make* | ./autogen.sh* | *configure* | apt* | git* | .ci/* | bash* | sh\ * | docs/*)
+      exists "$(echo "$command" | sed 's/ #.*//')"
+      result $? "$name"
+      ;;
+    *'nineball figure'* | *'nineball report'*)
+      if command -v gnuplot >/dev/null; then
+        run "$command"
+        result $? "$name"
+      else
+        n=$((n + 1))
+        echo "ok $n - $name # SKIP gnuplot is missing"
+      fi
+      ;;
+    *)
+      run "$command"
+      result $? "$name"
+      ;;
+    esac
+  done <"$work/commands"
+done
+echo "1..$n"

@@ -1,0 +1,79 @@
+#!/bin/sh
+# Carries out the worked example of HACKING.md, to the letter, in a copy of the source tree: writes its files, puts its
+# lines into the lists of Makefile.am, and gives its commands. TAP. $srcdir is the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+cd "${srcdir:-.}" || exit 1
+command -v automake >/dev/null || {
+  echo "1..0 # SKIP automake is missing, and the lists of Makefile.am cannot change without"
+  exit 0
+}
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+tree=$work/tree
+unset MAKEFLAGS MFLAGS MAKELEVEL srcdir # of the make that runs this test
+
+n=0
+result() {
+  n=$((n + 1))
+  if [ "$1" -eq 0 ]; then
+    echo "ok $n - $2"
+  else
+    echo "not ok $n - $2"
+    tail -n 30 "$work/said" | sed 's/^/# /'
+    echo "1..$n"
+    exit 1
+  fi
+}
+
+# A copy without what builds leave behind, times kept so that autotools are run only where something changed.
+mkdir "$tree"
+for entry in setup autogen.sh configure.ac Makefile.am README.md HACKING.md NEWS COPYING .ci .clang-format src cases tests docs plots \
+  m4 build-aux configure Makefile.in aclocal.m4 config.h.in; do
+  test ! -e "$entry" || echo "$entry"
+done | tar -c -f - -T - --exclude='*.o' --exclude='.deps' --exclude='.dirstamp' | tar -x -f - -C "$tree" >"$work/said" 2>&1
+chmod -R u+w "$tree"
+test -f "$tree/Makefile.am"
+result $? "the tree is copied"
+
+awk '/^## / { example = /^## A worked example/ } example' HACKING.md >"$work/example.md"
+awk -v into="$tree" -f tests/fences.awk "$work/example.md" >"$work/lists" && test -s "$work/lists"
+result $? "the example's files are written"
+
+# `LIST LINE`: the line goes behind `LIST = \`.
+while read -r list line; do
+  sed -i "/^$list = \\\\\$/a\\  $line" "$tree/Makefile.am"
+  grep -q "^  ${line%% *}" "$tree/Makefile.am" || echo "$list is not in Makefile.am"
+done <"$work/lists" >"$work/said"
+test ! -s "$work/said"
+result $? "its lines are in the lists"
+
+cd "$tree" || exit 1
+{
+  if test -f configure; then automake; else ./autogen.sh; fi &&
+    mkdir -p build && cd build && ../configure CFLAGS=-O1
+} >"$work/said" 2>&1
+result $? "configure"
+
+awk -f tests/fences.awk "$work/example.md" >"$work/commands"
+test -s "$work/commands"
+result $? "the example has commands"
+while IFS='	' read -r line command; do
+  wanted=$(echo "$command" | sed -n 's/.*#.*exit status \([0-9]\).*/\1/p')
+  eval "$command" >"$work/said" 2>&1 </dev/null
+  status=$?
+  echo "exit status $status, wanted ${wanted:-0}" >>"$work/said"
+  test $status -eq "${wanted:-0}"
+  result $? "$(echo "$command" | sed 's/ *#.*//')"
+done <"$work/commands"
+
+# The suites that go over the register of laws take the new one in without being told.
+suites=$(grep -l nb_laws tests/*.c | tr '\n' ' ')
+if grep -q "^HAVE_CUNIT_TRUE = *$" build/Makefile && test -n "$suites"; then
+  sed -i "/^SUITES = /,/[^\\\\]\$/d" Makefile.am
+  echo "SUITES = $suites" >>Makefile.am
+  make -C build -j2 tests/unit >"$work/said" 2>&1 && build/tests/unit >"$work/said" 2>&1
+  result $? "the law keeps the contract of laws"
+fi
+echo "1..$n"

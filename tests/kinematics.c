@@ -1,0 +1,163 @@
+/* The geometry of contacts against [CS79 8-15], written out here once more in long double, and its signs.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <stdlib.h>
+
+#include "../src/model.h"
+#include "chance.h"
+#include "suites.h"
+
+enum { N = NB_BLOCK };
+
+/* What a geometry pass is given and answers, with nothing around it. */
+struct bench {
+  struct nb_model model;
+  struct nb_vec position[2 * N], velocity[2 * N], rim[2 * N];
+  struct nb_vec point[N], along[N], wall_velocity[N];
+  double h1[N], h2[N];
+  int a[N], b[N];
+  _Alignas(64) double f[NB_FIELDS][N];
+  struct nb_pairing pairing;
+  struct nb_view view;
+};
+
+static struct bench *bench_create(bool wall) {
+  struct bench *it = calloc(1, sizeof *it);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(it);
+  it->model.bodies = (struct nb_bodies){
+      .count = 2 * N, .position = it->position, .velocity = it->velocity, .rim = it->rim};
+  it->model.walls = (struct nb_walls){
+      .count = N, .point = it->point, .along = it->along, .h1 = it->h1, .h2 = it->h2, .velocity = it->wall_velocity};
+  it->pairing.wall = wall;
+  it->view = (struct nb_view){.n = N, .a = it->a, .b = it->b, .pairing = &it->pairing};
+  for (int f = 0; f < NB_FIELDS; f++)
+    it->view.f[f] = it->f[f];
+  return it;
+}
+
+/* Discs 2c and 2c + 1, or disc 2c and wall c, near each other and far from the origin. */
+static void bench_fill(struct bench *it, unsigned seed) {
+  struct chance chance = chance_begin(seed);
+  it->model.previous_step = chance_scale(&chance, 1e-6, 1e-2);
+  for (int c = 0; c < N; c++) {
+    const double x = chance_between(&chance, -1e3, 1e3), y = chance_between(&chance, -1e3, 1e3);
+    const double turn = chance_between(&chance, 0, 6.283), reach = chance_between(&chance, 0.3, 1.3);
+    it->a[c] = 2 * c, it->b[c] = it->pairing.wall ? c : 2 * c + 1;
+    for (int k = 2 * c; k < 2 * c + 2; k++) {
+      const double radius = chance_scale(&chance, 0.1, 10), spin = chance_between(&chance, -3, 3);
+      it->rim[k] = vec(radius, spin * radius);
+      it->velocity[k] = vec(chance_between(&chance, -2, 2), chance_between(&chance, -2, 2));
+      it->wall_velocity[c] = vec(chance_between(&chance, -2, 2), chance_between(&chance, -2, 2));
+    }
+    const double apart = reach * (it->rim[2 * c].x + (it->pairing.wall ? 0 : it->rim[2 * c + 1].x));
+    it->position[2 * c] = vec(x, y);
+    it->position[2 * c + 1] = vec(x + apart * cos(turn), y + apart * sin(turn));
+    it->along[c] = vec(-sin(turn), cos(turn));
+    const double length = it->rim[2 * c].x, where = chance_between(&chance, -2, 2) * length;
+    it->h1[c] = -length, it->h2[c] = chance_between(&chance, 0.2, 1) * length;
+    it->point[c] = vec_add(it->position[2 * c + 1], vec_scale(where, it->along[c]));
+  }
+}
+
+static bool near(double seen, long double known, double scale) {
+  return fabsl(seen - known) <= 16 * 2.2e-16L * (fabsl(known) + scale);
+}
+
+/* [CS79 8-15] for disc c against a point at (qx, qy) with radius `other`, velocity (ux, uy) and rim speed `turning`. */
+static void compare(const struct bench *it, int c, const long double q[2], const long double u[2], long double other,
+                    long double turning) {
+  const struct nb_vec x = it->position[2 * c], v = it->velocity[2 * c], rim = it->rim[2 * c];
+  const long double dx = q[0] - x.x, dy = q[1] - x.y, distance = sqrtl(dx * dx + dy * dy);
+  const long double e1 = dx / distance, e2 = dy / distance, t1 = e2, t2 = -e1;
+  const long double rx = v.x - u[0], ry = v.y - u[1], dt = it->model.previous_step;
+  const long double overlap = rim.x + other - distance;
+  const double blur = 2000 / (double)distance; /* a position is known to an epsilon of 1e3, so e to that over D */
+  CU_ASSERT(near(it->f[NB_OVERLAP][c], overlap > 0 ? overlap : 0, 2000));
+  CU_ASSERT(near(it->f[NB_EX][c], e1, blur) && near(it->f[NB_EY][c], e2, blur));
+  CU_ASSERT(near(it->f[NB_CLOSING][c], (rx * e1 + ry * e2) * dt, 8 * (1 + blur) * (double)dt));
+  CU_ASSERT(near(it->f[NB_SLIP][c], (rx * t1 + ry * t2 - (rim.y + turning)) * dt, 80 * (1 + blur) * (double)dt));
+}
+
+static void disc_disc(void) {
+  struct bench *it = bench_create(false);
+  int touching = 0;
+  for (unsigned seed = 1; seed <= 8; seed++) {
+    bench_fill(it, seed);
+    nb_pass_disc_disc[NB_APPROACH_SLIP].run[NB_PLAIN](&it->model, &it->view);
+    for (int c = 0; c < N; c++) {
+      const struct nb_vec y = it->position[2 * c + 1], u = it->velocity[2 * c + 1], rim = it->rim[2 * c + 1];
+      compare(it, c, (long double[]){y.x, y.y}, (long double[]){u.x, u.y}, rim.x, rim.y);
+      touching += it->f[NB_OVERLAP][c] > 0;
+    }
+  }
+  CU_ASSERT(touching > 2 * N && touching < 8 * N);
+  free(it);
+}
+
+static void disc_wall(void) {
+  struct bench *it = bench_create(true);
+  int inside = 0, first = 0, second = 0;
+  for (unsigned seed = 1; seed <= 8; seed++) {
+    bench_fill(it, seed);
+    nb_pass_disc_wall[NB_APPROACH_SLIP].run[NB_PLAIN](&it->model, &it->view);
+    for (int c = 0; c < N; c++) {
+      const struct nb_vec x = it->position[2 * c], p = it->point[c], along = it->along[c], u = it->wall_velocity[c];
+      long double h = ((long double)x.x - p.x) * along.x + ((long double)x.y - p.y) * along.y;
+      first += h < it->h1[c], second += h > it->h2[c], inside += h > it->h1[c] && h < it->h2[c];
+      h = h < it->h1[c] ? it->h1[c] : h > it->h2[c] ? it->h2[c] : h;
+      compare(it, c, (long double[]){p.x + h * along.x, p.y + h * along.y}, (long double[]){u.x, u.y}, 0, 0);
+    }
+  }
+  CU_ASSERT(inside > N && first > N && second > N);
+  free(it);
+}
+
+/* A form that finds out less answers the same about the rest, and every instruction set the same as plain. */
+static void forms_agree(void) {
+  for (int wall = 0; wall < 2; wall++) {
+    struct bench *all = bench_create(wall), *some = bench_create(wall);
+    const struct nb_pass *passes = wall ? nb_pass_disc_wall : nb_pass_disc_disc;
+    bench_fill(all, 9), bench_fill(some, 9);
+    passes[NB_APPROACH_SLIP].run[NB_PLAIN](&all->model, &all->view);
+    for (int approach = 0; approach <= NB_APPROACH_SLIP; approach++) {
+      passes[approach].run[NB_PLAIN](&some->model, &some->view);
+      for (int c = 0; c < N; c++) {
+        CU_ASSERT(some->f[NB_OVERLAP][c] == all->f[NB_OVERLAP][c] && some->f[NB_EX][c] == all->f[NB_EX][c]);
+        CU_ASSERT(some->f[NB_EY][c] == all->f[NB_EY][c]);
+        CU_ASSERT(some->f[NB_CLOSING][c] == (approach >= NB_APPROACH_CLOSING ? all->f[NB_CLOSING][c] : 0));
+        CU_ASSERT(some->f[NB_SLIP][c] == (approach >= NB_APPROACH_SLIP ? all->f[NB_SLIP][c] : 0));
+      }
+    }
+    free(all), free(some);
+  }
+}
+
+/* Disc 1 west of disc 2: e is east, t is south (t clockwise of e). What moves along t, or turns so that its rim does the opposite of
+ * t at the contact, slips as the paper says. */
+static void signs_of_slip(void) {
+  struct bench *it = bench_create(false);
+  it->view.n = 4;
+  it->model.previous_step = 1;
+  for (int c = 0; c < 4; c++) {
+    it->a[c] = 2 * c, it->b[c] = 2 * c + 1;
+    it->position[2 * c + 1] = vec(2, 0);
+    it->rim[2 * c] = vec(1, 0), it->rim[2 * c + 1] = vec(1, 0);
+  }
+  it->velocity[0] = vec(0, -3); /* disc 1 moves south: along t */
+  it->velocity[3] = vec(0, 3);  /* disc 2 moves north: the same */
+  it->rim[4].y = 5;             /* disc 1 turns counterclockwise: its rim goes north at the contact */
+  it->rim[7].y = 5;             /* disc 2 turns counterclockwise: its rim goes south there */
+  nb_pass_disc_disc[NB_APPROACH_SLIP].run[NB_PLAIN](&it->model, &it->view);
+  CU_ASSERT(it->f[NB_SLIP][0] == 3 && it->f[NB_SLIP][1] == 3);
+  CU_ASSERT(it->f[NB_SLIP][2] == -5 && it->f[NB_SLIP][3] == -5);
+  free(it);
+}
+
+void suite_kinematics(void) {
+  CU_pSuite suite = CU_add_suite("kinematics", NULL, NULL);
+  CU_add_test(suite, "disc and disc", disc_disc);
+  CU_add_test(suite, "disc and wall, inside and at both ends", disc_wall);
+  CU_add_test(suite, "forms that find out less agree", forms_agree);
+  CU_add_test(suite, "signs of slip", signs_of_slip);
+}

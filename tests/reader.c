@@ -1,0 +1,293 @@
+/* The reader: numbers and units, pages and their blocks, names for values, and the scene that a page says. What it
+ * answers to wrong pages is tested by tests/bad.sh.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L /* mkstemp */
+#endif
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../src/reader.h"
+#include "suites.h"
+
+/* A page made of a text, and one run of it. */
+struct read {
+  struct nb_page page;
+  struct nb_scene scene;
+  struct nb_mistakes mistakes;
+  size_t runs;
+  enum nb_status status;
+};
+
+static struct read read_bytes(const char *bytes, size_t size, size_t run, nb_settings settings) {
+  struct read read = {.status = NB_BAD_USE};
+  char path[] = "/tmp/nineball-reader-XXXXXX";
+  int file = mkstemp(path);
+  CU_ASSERT_FATAL(file >= 0);
+  CU_ASSERT_EQUAL_FATAL(write(file, bytes, size), (ssize_t)size);
+  close(file);
+  if (nb_page_read(&read.page, path, &read.mistakes) == NB_OK) {
+    read.runs = nb_scene_runs(&read.page, settings, &read.mistakes);
+    read.status = nb_scene_read(&read.scene, &read.page, run, settings, &read.mistakes);
+  }
+  unlink(path);
+  return read;
+}
+
+static struct read read_scene(const char *statements, size_t run, nb_settings settings) {
+  char text[8192];
+  int size = snprintf(text, sizeof text, "```scene\n%s\n```\n", statements);
+  CU_ASSERT_FATAL(size > 0 && (size_t)size < sizeof text);
+  return read_bytes(text, (size_t)size, run, settings);
+}
+
+static void done(struct read *read) {
+  nb_scene_free(&read->scene);
+  nb_page_free(&read->page);
+  nb_mistakes_free(&read->mistakes);
+}
+
+static bool says(const struct read *read, const char *what) {
+  return read->mistakes.text && strstr(read->mistakes.text, what);
+}
+
+#define ROCK "material rock density 2000 kg/m3 kn 3 kN/m ks 1 kN/m friction 0.5\n"
+
+static void units(void) {
+  static const struct {
+    const char *number, *unit;
+    double si;
+  } all[] = {
+      {"0.3", "mm", 0.0003},    {"7", "um", 7e-6},
+      {"1.1", "nm", 1.1e-9},    {"2.54", "cm", 0.0254},
+      {"0.7", "km", 700},       {"3", "ms", 0.003},
+      {"0.1", "us", 1e-7},      {"9", "ns", 9e-9},
+      {"0.12", "mm/s", 1.2e-4}, {"3.3", "N/mm", 3300},
+      {"1.35", "GN/m", 1.35e9}, {"2.7", "g/cm3", 2700},
+      {"1.5e3", "kN", 1.5e6},   {"88", "uN", 8.8e-5},
+      {"0.2", "1/ms", 200},     {"4", "rad/s", 4},
+      {"0.1", "%", 0.001},      {"10", "ppm", 1e-5},
+      {"70", "GPa", 7e10},      {"6", "N.m", 6},
+      {"5", "nJ", 5e-9},        {"180", "deg", 3.14159265358979323846},
+  };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    const struct nb_unit *unit = nb_unit_find(all[i].unit);
+    double value = NAN;
+    CU_ASSERT_PTR_NOT_NULL_FATAL(unit);
+    CU_ASSERT_EQUAL(nb_number_read(&value, all[i].number, unit->shift), NB_READ);
+    CU_ASSERT_EQUAL(value * unit->factor, all[i].si); /* to the last bit */
+  }
+  enum nb_unit_kind kind = NB_UNIT_LENGTH;
+  CU_ASSERT(nb_unit_kind_of(&kind, "1") && kind == NB_UNIT_NUMBER);
+  CU_ASSERT(nb_unit_kind_of(&kind, "N") && kind == NB_UNIT_FORCE);
+  CU_ASSERT_FALSE(nb_unit_kind_of(&kind, "kN")); /* is no SI unit */
+  CU_ASSERT_PTR_NULL(nb_unit_find("1"));         /* is a number */
+}
+
+static void numbers(void) {
+  static const char *const none[] = {"",    "+",   ".",   "-.",   "0x5",   "inf", "-inf", "nan",   "1e",
+                                     "1e+", "1,5", "5mm", "1e5x", "1.2.3", " 1",  "1 ",   "1e1.5", "--1"};
+  double value;
+  for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+    CU_ASSERT_EQUAL(nb_number_read(&value, none[i], 0), NB_NO_NUMBER);
+  CU_ASSERT(nb_number_read(&value, "-1.5e3", 0) == NB_READ && value == -1500);
+  CU_ASSERT(nb_number_read(&value, "+.5", 0) == NB_READ && value == 0.5);
+  CU_ASSERT(nb_number_read(&value, "5.", 0) == NB_READ && value == 5);
+  CU_ASSERT(nb_number_read(&value, "2E-2", 3) == NB_READ && value == 20);
+  CU_ASSERT(nb_number_read(&value, "0e-999999999999999999999", 0) == NB_READ && value == 0);
+  CU_ASSERT_EQUAL(nb_number_read(&value, "1e308", 3), NB_TOO_LARGE);
+  CU_ASSERT_EQUAL(nb_number_read(&value, "-1e999999999999999999999", 0), NB_TOO_LARGE);
+  CU_ASSERT_EQUAL(nb_number_read(&value, "1e-400", 0), NB_TOO_SMALL);
+}
+
+static void blocks(void) {
+  static const char text[] =
+      "\xEF\xBB\xBF# Nine discs\n## Not this\n~~~~ scene\none\n```\n~~~~\n````text\n```scene\n```\n````\n"
+      "   ```expect\ntwo\n   ```` \n    ```scene\nprose ```scene\n";
+  static const unsigned char kinds[] = {0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0};
+  struct read read = read_bytes(text, sizeof text - 1, 0, NULL);
+  CU_ASSERT_EQUAL_FATAL(read.page.line_count, sizeof kinds);
+  CU_ASSERT_EQUAL(memcmp(read.page.kind_of, kinds, sizeof kinds), 0);
+  CU_ASSERT_STRING_EQUAL(read.page.title, "Nine discs");
+  CU_ASSERT_EQUAL(strncmp(read.page.name, "nineball-reader-", 16), 0);
+  CU_ASSERT_EQUAL(nb_page_fence(&read.page, NB_BLOCK_EXPECT), 11);
+  done(&read);
+}
+
+static void hash(void) { /* the test vectors of Fowler, Noll and Vo */
+  struct read a = read_bytes("a", 1, 0, NULL), foobar = read_bytes("foobar", 6, 0, NULL);
+  CU_ASSERT_EQUAL(a.page.hash, 0xaf63dc4c8601ec8cULL);
+  CU_ASSERT_EQUAL(foobar.page.hash, 0x85944171f73967e8ULL);
+  done(&a);
+  done(&foobar);
+}
+
+static void line_ends(void) {
+  static const char dos[] = "# T\r\n```scene\r\n"
+                            "units none\r\nmaterial rock density 1\r\ndisc 0 0 radius 1 rock\r\n"
+                            "step 1\r\nstage go\r\ncycles 3\r\n```\r\n# no line end";
+  struct read read = read_bytes(dos, sizeof dos - 1, 0, NULL);
+  CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
+  CU_ASSERT_STRING_EQUAL(read.page.title, "T");
+  CU_ASSERT_STRING_EQUAL(read.page.lines[9], "# no line end");
+  CU_ASSERT_STRING_EQUAL(read.scene.materials[0].name, "rock");
+  CU_ASSERT(read.scene.unitless);
+  done(&read);
+}
+
+static void product(void) {
+  static const char good[] = "sweep R 1 mm 2 mm\nsweep c 10 20 30\nlet law linear\nnormal $law\n" ROCK
+                             "disc -$R 0 m radius $R rock\nstep 1 us\nstage go\ncycles $c\n";
+  for (size_t run = 0; run < 6; run++) { /* the last sweep is the fastest */
+    struct read read = read_scene(good, run, NULL);
+    CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
+    CU_ASSERT_EQUAL(read.runs, 6);
+    CU_ASSERT_EQUAL(read.scene.bodies[0].radius, run < 3 ? 0.001 : 0.002);
+    CU_ASSERT_EQUAL(read.scene.bodies[0].x, -read.scene.bodies[0].radius);
+    CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 10 * (run % 3 + 1));
+    CU_ASSERT_EQUAL_FATAL(read.scene.binding_count, 3);
+    CU_ASSERT_STRING_EQUAL(read.scene.bindings[0].text, run < 3 ? "1 mm" : "2 mm");
+    CU_ASSERT(read.scene.bindings[0].swept && !read.scene.bindings[2].swept);
+    done(&read);
+  }
+}
+
+static void tuples(void) {
+  static const char text[] =
+      "sweep v with n  0.12 m/s 40  0.04 m/s 120\n" ROCK "disc 0 m 0 m radius 1 mm rock velocity $v $v\n"
+      "step 1 us\nstage go\ncycles $n\n";
+  for (size_t run = 0; run < 2; run++) {
+    struct read read = read_scene(text, run, NULL);
+    CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
+    CU_ASSERT_EQUAL(read.runs, 2);
+    CU_ASSERT_EQUAL(read.scene.bodies[0].vy, run ? 0.04 : 0.12);
+    CU_ASSERT_EQUAL(read.scene.stages[0].cycles, run ? 120 : 40);
+    done(&read);
+  }
+}
+
+static void settings(void) {
+  static const char text[] =
+      "sweep v with n  1 m/s 40  2 m/s 120\nlet R 1 mm\nshear none\n" ROCK
+      "disc 0 m 0 m radius $R rock velocity $v $v\nstep 1 us\nstage go\ncycles $n\nstage on\nstep 2 us\ncycles 1\n";
+  const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm", "shear=linear", "step=0.1 of critical", NULL};
+  struct read read = read_scene(text, 1, some);
+  CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
+  CU_ASSERT_EQUAL(read.runs, 2); /* n still has two values */
+  CU_ASSERT_EQUAL(read.scene.bodies[0].vx, 7);
+  CU_ASSERT_EQUAL(read.scene.bodies[0].radius, 0.003); /* the last one holds */
+  CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 120);
+  CU_ASSERT_FALSE(read.scene.bindings[0].swept);
+  CU_ASSERT_STRING_EQUAL(read.scene.shear, "linear");
+  CU_ASSERT(read.scene.stages[1].step.kind == NB_STEP_CRITICAL && read.scene.stages[1].step.value == 0.1);
+  done(&read);
+  const char *const all[] = {"v=7 m/s", "n=5", NULL};
+  read = read_scene(text, 0, all);
+  CU_ASSERT_EQUAL(read.runs, 1);
+  done(&read);
+  const char *const wrong[] = {"r=1 mm", NULL};
+  read = read_scene(text, 0, wrong);
+  CU_ASSERT(says(&read, "--set: error: ") && says(&read, "      | r=1 mm\n      | ^\n  hint: did you mean `R`?"));
+  CU_ASSERT_EQUAL(read.runs, 0);
+  done(&read);
+}
+
+static void columns(void) {
+  struct nb_binding value = {.name = "R", .text = "50 mm"};
+  char line[] = "disc\t-$R \xC3\xBC $R# $R", *lines[] = {line}, path[] = "p";
+  unsigned char kinds[] = {1};
+  struct nb_mistakes mistakes = {0};
+  struct nb_page page = {.path = path, .lines = lines, .line_count = 1, .kind_of = kinds};
+  struct nb_reader *reader = calloc(1, sizeof *reader);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(reader);
+  reader->page = &page;
+  reader->mistakes = &mistakes;
+  reader->bindings = &value;
+  reader->binding_count = 1;
+  CU_ASSERT(nb_line_read(reader, 1));
+  static const struct {
+    const char *text;
+    int column, length;
+  } wanted[] = {{"disc", 1, 4}, {"-50", 6, 3}, {"mm", 6, 3}, {"\xC3\xBC", 10, 1}, {"50", 12, 2}, {"mm", 12, 2}};
+  CU_ASSERT_EQUAL_FATAL(reader->count, sizeof wanted / sizeof *wanted);
+  for (size_t i = 0; i < reader->count; i++) {
+    CU_ASSERT_STRING_EQUAL(reader->tokens[i].text, wanted[i].text);
+    CU_ASSERT_EQUAL(reader->tokens[i].column, wanted[i].column);
+    CU_ASSERT_EQUAL(reader->tokens[i].length, wanted[i].length);
+  }
+  CU_ASSERT_EQUAL(mistakes.count, 0);
+  free(reader);
+}
+
+static void order(void) { /* of mistakes: that of the page, whatever order they were found in, and each once */
+  char one[] = "one", two[] = "two", *lines[] = {one, two}, path[] = "p";
+  unsigned char kinds[] = {1, 1};
+  struct nb_mistakes mistakes = {0};
+  struct nb_page page = {.path = path, .lines = lines, .line_count = 2, .kind_of = kinds};
+  nb_mistake(&mistakes, &page, 2, 1, 1, NULL, "c");
+  nb_mistake(&mistakes, &page, 1, 2, 2, "h", "b");
+  nb_mistake(&mistakes, &page, 1, 1, 1, NULL, "a");
+  nb_mistake(&mistakes, &page, 1, 2, 2, "h", "b");
+  CU_ASSERT_EQUAL(mistakes.count, 3);
+  CU_ASSERT_STRING_EQUAL(mistakes.text, "p:1:1: error: a\n    1 | one\n      | ^\n"
+                                        "p:1:2: error: b\n    1 | one\n      |  ^~\n  hint: h\n"
+                                        "p:2:1: error: c\n    2 | two\n      | ^\n");
+  for (int i = 1; i <= 1100; i++)
+    nb_mistake(&mistakes, &page, 2, i, 1, NULL, "d");
+  CU_ASSERT_EQUAL(mistakes.count, 1001);
+  nb_mistakes_free(&mistakes);
+}
+
+static void caps(void) {
+  size_t size = NB_PAGE_MAX + 1;
+  char *large = malloc(size);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(large);
+  memset(large, '\n', size);
+  struct read read = read_bytes(large, size, 0, NULL);
+  CU_ASSERT(says(&read, "expected a page of at most 4194304 bytes"));
+  done(&read);
+  memset(large, 'x', NB_LINE_MAX + 1);
+  read = read_bytes(large, NB_LINE_MAX, 0, NULL);
+  CU_ASSERT_FALSE(says(&read, "bytes in a line"));
+  done(&read);
+  read = read_bytes(large, NB_LINE_MAX + 1, 0, NULL);
+  CU_ASSERT(says(&read, "expected at most 4096 bytes in a line, found 4097"));
+  done(&read);
+  free(large);
+}
+
+static void table(void) {
+  char syntax[512];
+  for (const struct nb_keyword *row = nb_keywords(); row->apply; row++) {
+    size_t length = strlen(row->help);
+    int count = 0;
+    CU_ASSERT(length > 0 && row->help[length - 1] == '.');
+    for (const struct nb_argument *a = row->arguments; a->count; a++, count++)
+      CU_ASSERT(a->help[0] && a->slot >= 0 && a->slot + a->count <= NB_SLOTS);
+    CU_ASSERT(count < 32); /* they are bits of reader->given */
+    nb_keyword_syntax(syntax, sizeof syntax, row);
+    CU_ASSERT_EQUAL(strncmp(syntax, row->word, strlen(row->word)), 0);
+    if (strcmp(row->word, "sphere") == 0)
+      CU_ASSERT_STRING_EQUAL(syntax, "sphere X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}");
+  }
+}
+
+void suite_reader(void) {
+  CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
+  CU_add_test(suite, "units are exact powers of ten", units);
+  CU_add_test(suite, "numbers are read whole", numbers);
+  CU_add_test(suite, "blocks of a page", blocks);
+  CU_add_test(suite, "hash of a page", hash);
+  CU_add_test(suite, "lines end as on DOS", line_ends);
+  CU_add_test(suite, "sweeps make the product", product);
+  CU_add_test(suite, "a sweep of several names", tuples);
+  CU_add_test(suite, "--set", settings);
+  CU_add_test(suite, "columns after $NAME", columns);
+  CU_add_test(suite, "mistakes in line order", order);
+  CU_add_test(suite, "caps", caps);
+  CU_add_test(suite, "the table of keywords", table);
+}

@@ -1,0 +1,79 @@
+/* What every reference shares: it keeps what it knows, is found by its name, and refuses what it cannot judge.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "refs_scenes.h"
+#include "suites.h"
+
+static const double kn = 1.35e9;
+
+static void what_cannot_be_judged_is_refused(void) {
+  struct refs_scene it;
+  refs_nine_discs(&it, kn, 2, 40, 400);
+  it.stages[1].damping.contact_kind = NB_CONTACT_BETA;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "damping"));
+  struct nb_known known = refs_known("nine_discs_statics", &it); /* at rest damping does not matter */
+  known_free(&known);
+  refs_nine_discs(&it, kn, 2, 40, 400);
+  it.stages[1].step.value = 0.05;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "step"));
+  refs_nine_discs(&it, kn, 2, 40, 400);
+  it.stages[0].step.value = it.stages[1].step.value = 0.3; /* the fastest mode's limit is 0.267 */
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "too long"));
+  refs_nine_discs(&it, kn, 2, 40, 400);
+  for (size_t i = 0; i < 4; i++)
+    it.motions[i].vx *= -1, it.motions[i].vy *= -1;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "opens"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "opens"));
+  it.materials[0].cohesion = 1;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "cohesion"));
+  refs_nine_discs(&it, kn, 2, 40, 400);
+  it.bodies[4].x += 0.01;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "just touch"));
+  refs_nine_discs(&it, kn, 2, 40, 400);
+  strcpy(it.scene.normal, "hertz");
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "hertz"));
+}
+
+static double twice(const void *data, double x) { return 2 * x + *(const double *)data; }
+
+static void known_keeps_what_it_is_told(void) {
+  struct nb_known known = {0};
+  struct nb_error error = {0};
+  char name[16];
+  for (int i = 0; i < 100; i++) {
+    snprintf(name, sizeof name, "C.%d", i);
+    known_value(&known, i, name);
+  }
+  double *data = malloc(sizeof *data);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(data);
+  *data = 1;
+  known_curve(&known, "C.normal", "time", twice, data);
+  for (int i = 0; i < 100; i++) {
+    snprintf(name, sizeof name, "C.%d", i);
+    CU_ASSERT_EQUAL(refs_value(&known, name), i);
+  }
+  CU_ASSERT_PTR_NULL(known_find(&known, "C.100"));
+  const struct nb_known_curve *curve = known_find_curve(&known, "C.normal", "time");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
+  CU_ASSERT_EQUAL(curve->at(curve->data, 3), 7);
+  CU_ASSERT_PTR_NULL(known_find_curve(&known, "C.normal", "cycle"));
+  CU_ASSERT_EQUAL(known_full(&known, &error), NB_OK);
+  known_curve(&known, "C.shear", "time", twice, NULL); /* a curve whose data could not be made */
+  CU_ASSERT_EQUAL(known_full(&known, &error), NB_BROKEN);
+  known_free(&known);
+  CU_ASSERT_EQUAL(known.value_count, 0);
+  for (const struct nb_reference *const *it = nb_references(); *it; it++)
+    CU_ASSERT_PTR_EQUAL(nb_reference_find((*it)->name), *it);
+  CU_ASSERT_PTR_NULL(nb_reference_find("nine_disks"));
+}
+
+void suite_refs(void) {
+  CU_pSuite suite = CU_add_suite("refs", NULL, NULL);
+  CU_add_test(suite, "what a reference knows is kept", known_keeps_what_it_is_told);
+  CU_add_test(suite, "what cannot be judged is refused", what_cannot_be_judged_is_refused);
+}

@@ -1,0 +1,42 @@
+/* Scenes for the tests of references, built by hand so that no reader of pages is needed.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_REFS_SCENES_H
+#define NB_REFS_SCENES_H
+
+#include "reference.h"
+
+/* Room for what a test changes; scene points into it. Nothing to free. */
+struct refs_scene {
+  struct nb_scene scene;
+  struct nb_material materials[3];
+  struct nb_pair_rule rules[3];
+  struct nb_body bodies[9];
+  struct nb_wall walls[4];
+  struct nb_watch watches[32];
+  struct nb_stage stages[2];
+  struct nb_wall_motion motions[8];
+};
+
+/* Nine discs of R = 50, density 1000, in a box [CS79 figure 5]; walls south, east, north, west close in with 0.12 for
+ * `load` cycles of 0.12 of critical, and stand for `rest`. Watches: C, disc 5 with disc 6; D, disc 1 with disc 2;
+ * S, disc 1 with wall south; M, disc 2 with wall south. kn = 1.35e9. */
+void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned long load, unsigned long rest);
+
+/* Two discs between walls west and east that close in with v for `load` cycles, and stand for `rest`. Disc 1 has
+ * radius 1, disc 2 radius 2; the stiffnesses of A, B, C are `k`, the masses `m`; `step` in s. Watches A, B, C,
+ * and X, Y on the discs. */
+void refs_row(struct refs_scene *it, const double k[3], const double m[2], double v, double step, unsigned long load,
+              unsigned long rest);
+
+/* What a reference knows of a scene; the test fails when it does not answer. known_free it. */
+struct nb_known refs_known(const char *reference, const struct refs_scene *it);
+/* The value; not a number, and the test fails, when it is not known. */
+double refs_value(const struct nb_known *known, const char *name);
+/* What the reference says against the scene; the test fails when it has nothing against it. */
+struct nb_error refs_refused(const char *reference, const struct refs_scene *it);
+
+/* Asserts |a - b| <= share * scale. */
+#define REFS_NEAR(a, b, share, scale) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(scale))
+
+#endif

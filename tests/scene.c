@@ -1,0 +1,168 @@
+/* What a page says, as a scene: bodies, walls, materials, stages, and what holds when it says nothing.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L /* mkstemp */
+#endif
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../src/nineball.h"
+#include "suites.h"
+
+struct read {
+  struct nb_page page;
+  struct nb_scene scene;
+  struct nb_mistakes mistakes;
+};
+
+/* The only run of a page with these statements; the test ends here when there is a mistake. */
+static struct read read_scene(const char *statements) {
+  struct read read = {0};
+  char path[] = "/tmp/nineball-scene-XXXXXX";
+  int descriptor = mkstemp(path);
+  CU_ASSERT_FATAL(descriptor >= 0);
+  FILE *file = fdopen(descriptor, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fprintf(file, "```scene\n%s\n```\n", statements);
+  fclose(file);
+  nb_page_read(&read.page, path, &read.mistakes);
+  nb_scene_read(&read.scene, &read.page, 0, NULL, &read.mistakes);
+  unlink(path);
+  if (read.mistakes.text)
+    printf("# %s", read.mistakes.text);
+  CU_ASSERT_EQUAL_FATAL(read.mistakes.count, 0);
+  return read;
+}
+
+static void done(struct read *read) {
+  nb_scene_free(&read->scene);
+  nb_page_free(&read->page);
+  nb_mistakes_free(&read->mistakes);
+}
+
+#define ROCK "material rock density 2000 kg/m3 kn 3 kN/m ks 1 kN/m friction 0.5\n"
+#define END "step 1 us\nstage go\n cycles 10\n"
+
+static void lattice(void) {
+  struct read read = read_scene(ROCK "disc 9 m 9 m radius 1 m rock\ndiscs lattice 3 by 2 radius 5 mm rock\n"
+                                     "spheres lattice 2 by 2 from 1 m 2 m spacing 3 m radius 1 m rock\n" END);
+  const struct nb_body *bodies = read.scene.bodies;
+  CU_ASSERT_EQUAL_FATAL(read.scene.body_count, 11);
+  static const double x[] = {5, 15, 25, 5, 15, 25}, y[] = {5, 5, 5, 15, 15, 15}; /* mm */
+  for (size_t i = 0; i < 6; i++) {
+    CU_ASSERT_DOUBLE_EQUAL(bodies[i + 1].x, x[i] / 1000, 1e-17);
+    CU_ASSERT_DOUBLE_EQUAL(bodies[i + 1].y, y[i] / 1000, 1e-17);
+    CU_ASSERT(bodies[i + 1].shape == NB_DISC && bodies[i + 1].radius == 0.005 && bodies[i + 1].line == 4);
+  }
+  CU_ASSERT(bodies[7].x == 1 && bodies[7].y == 2 && bodies[8].x == 4 && bodies[8].y == 2);
+  CU_ASSERT(bodies[9].x == 1 && bodies[9].y == 5 && bodies[10].shape == NB_SPHERE);
+  done(&read);
+}
+
+static void bodies(void) {
+  struct read read =
+      read_scene(ROCK "material air\nsphere 1 m 2 m rock fixed spin -3 rad/s velocity 4 m/s 5 mm/s radius 6 cm\n"
+                      "disc 0 m 0 m radius 1 m air fixed\ndisc 5 m 5 m radius 1 m rock\n" END);
+  const struct nb_body *body = &read.scene.bodies[0];
+  CU_ASSERT(body->x == 1 && body->y == 2 && body->radius == 0.06 && body->vx == 4 && body->vy == 0.005);
+  CU_ASSERT(body->spin == -3 && body->fixed && body->shape == NB_SPHERE && body->material == 0);
+  CU_ASSERT(read.scene.bodies[1].fixed && read.scene.bodies[1].material == 1);
+  CU_ASSERT(!read.scene.bodies[2].fixed && read.scene.bodies[2].vx == 0 && read.scene.bodies[2].spin == 0);
+  CU_ASSERT_DOUBLE_EQUAL(nb_body_mass(&read.scene, body), 4.0 / 3 * acos(-1) * 2.16e-4 * 2000, 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(nb_body_inertia(&read.scene, body), 0.4 * 0.0036 * nb_body_mass(&read.scene, body), 1e-17);
+  body = &read.scene.bodies[2];
+  CU_ASSERT_DOUBLE_EQUAL(nb_body_mass(&read.scene, body), 2000 * acos(-1), 1e-11);
+  CU_ASSERT_DOUBLE_EQUAL(nb_body_inertia(&read.scene, body), 1000 * acos(-1), 1e-11);
+  done(&read);
+}
+
+static void walls(void) {
+  struct read read =
+      read_scene(ROCK "box 1 m 2 m to 5 m 4 m rock\nwall ramp 0 m 0 m to 3 m 4 m rock velocity 1 m/s 2 m/s\n"
+                      "disc 3 m 3 m radius 1 m rock\n" END);
+  static const struct nb_wall wanted[] = {
+      {.name = "south", .x = 3, .y = 2, .ex = 1, .h2 = 2, .iny = 1},
+      {.name = "east", .x = 5, .y = 3, .ey = 1, .h2 = 1, .inx = -1},
+      {.name = "north", .x = 3, .y = 4, .ex = -1, .h2 = 2, .iny = -1},
+      {.name = "west", .x = 1, .y = 3, .ey = -1, .h2 = 1, .inx = 1},
+      {.name = "ramp", .x = 1.5, .y = 2, .ex = 0.6, .ey = 0.8, .h2 = 2.5, .vx = 1, .vy = 2},
+  };
+  CU_ASSERT_EQUAL_FATAL(read.scene.wall_count, 5);
+  for (size_t i = 0; i < 5; i++) {
+    const struct nb_wall *w = &read.scene.walls[i], *v = &wanted[i];
+    CU_ASSERT_STRING_EQUAL(w->name, v->name);
+    CU_ASSERT(w->x == v->x && w->y == v->y && w->ex == v->ex && w->ey == v->ey && w->vx == v->vx && w->vy == v->vy);
+    CU_ASSERT(w->h1 == -v->h2 && w->h2 == v->h2 && w->inx == v->inx && w->iny == v->iny);
+  }
+  done(&read);
+}
+
+static void pairs(void) {
+  struct read read = read_scene(ROCK "material clay kn 6 kN/m ks 1 kN/m friction 0.25 cohesion 2 N\nmaterial air\n"
+                                     "pair air rock friction 0 kn 7 N/m\ndisc 0 m 0 m radius 1 m rock\n" END);
+  struct nb_pair like = nb_scene_pair(&read.scene, 0, 0), unlike = nb_scene_pair(&read.scene, 0, 1);
+  struct nb_pair ruled = nb_scene_pair(&read.scene, 0, 2), soft = nb_scene_pair(&read.scene, 1, 2);
+  CU_ASSERT(like.kn == 3000 && like.ks == 1000 && like.friction == 0.5 && like.cohesion == 0);
+  CU_ASSERT(unlike.kn == 4000 && unlike.ks == 1000 && unlike.friction == 0.25 && unlike.cohesion == 0);
+  CU_ASSERT(ruled.kn == 7 && ruled.ks == 0 && ruled.friction == 0);
+  CU_ASSERT(soft.kn == 0 && nb_scene_pair(&read.scene, 2, 2).kn == 0); /* and not 0/0 */
+  done(&read);
+}
+
+static void defaults(void) {
+  struct read read = read_scene(ROCK "disc 0 m 0 m radius 1 m rock\n" END);
+  const struct nb_stage *stage = &read.scene.stages[0];
+  CU_ASSERT_STRING_EQUAL(read.scene.normal, "linear");
+  CU_ASSERT_STRING_EQUAL(read.scene.shear, "none");
+  CU_ASSERT(!read.scene.unitless && read.scene.column_count == 0 && read.scene.materials[0].cohesion == 0);
+  CU_ASSERT(stage->record == 1 && !stage->snapshot && stage->cycles == 10 && stage->condition_count == 0);
+  CU_ASSERT(stage->damping.contact_kind == NB_CONTACT_UNDAMPED && stage->damping.global_kind == NB_GLOBAL_UNDAMPED);
+  CU_ASSERT(stage->step.kind == NB_STEP_TIME && stage->step.value == 1e-6 && stage->motion_count == 0);
+  done(&read);
+}
+
+static void stages(void) {
+  struct read read = read_scene(
+      ROCK
+      "box 0 m 0 m to 9 m 9 m rock\nwall mid 1 m 1 m to 2 m 1 m rock\ndiscs lattice 2 by 1 radius 1 m rock\n"
+      "record time C.normal\nwatch C disc 1 with disc 2\nstep 0.1 of critical\ndamping contact-ratio 5 %\n"
+      "damping con1 0.99 reading all\nstage a\nwalls inward 2 m/s\nwall east velocity 3 m/s 4 m/s\ncycles 7\nstage b\n"
+      "step 2 us\ndamping global 3 1/s\nwalls stop\nrecord every 5 cycles\nsnapshot\n"
+      "until C.normal above 2 kN and time below 3 ms at most 99 cycles\nstage c\n"
+      "damping contact-beta 1 us\nrecord none\ncycles 1\nstage d\ndamping none\ncycles 1\n");
+  const struct nb_stage *a = &read.scene.stages[0], *b = a + 1, *c = b + 1, *d = c + 1;
+  static const double v[4][2] = {{0, 2}, {3, 4}, {0, -2}, {2, 0}};
+  CU_ASSERT_EQUAL_FATAL(read.scene.stage_count, 4);
+  CU_ASSERT_EQUAL_FATAL(a->motion_count, 4); /* mid is no wall of the box */
+  for (int i = 0; i < 4; i++)
+    CU_ASSERT(a->motions[i].wall == i && a->motions[i].vx == v[i][0] && a->motions[i].vy == v[i][1]);
+  CU_ASSERT(a->step.kind == NB_STEP_CRITICAL && a->step.value == 0.1 && a->damping.contact == 0.05 && a->cycles == 7);
+  CU_ASSERT(a->damping.global_kind == NB_GLOBAL_CON1_ALL && a->damping.global == 0.99);
+  CU_ASSERT(b->motion_count == 5 && b->motions[1].vx == 0 && b->record == 5 && b->snapshot && b->cycles == 99);
+  CU_ASSERT(b->step.kind == NB_STEP_TIME && b->damping.contact_kind == NB_CONTACT_RATIO);
+  CU_ASSERT(b->damping.global_kind == NB_GLOBAL_ALPHA && b->damping.global == 3);
+  CU_ASSERT_EQUAL_FATAL(b->condition_count, 2);
+  CU_ASSERT(b->conditions[0].relation == NB_ABOVE && b->conditions[0].value == 2000);
+  CU_ASSERT(b->conditions[1].relation == NB_BELOW && b->conditions[1].value == 0.003);
+  CU_ASSERT(c->step.value == 2e-6 && c->record == 0 && c->damping.contact_kind == NB_CONTACT_BETA);
+  CU_ASSERT(c->damping.contact == 1e-6 && c->damping.global_kind == NB_GLOBAL_ALPHA); /* as the stage before */
+  CU_ASSERT(d->damping.contact_kind == NB_CONTACT_UNDAMPED && d->damping.global_kind == NB_GLOBAL_UNDAMPED);
+  CU_ASSERT(read.scene.step.kind == NB_STEP_CRITICAL && read.scene.column_count == 2);
+  CU_ASSERT_STRING_EQUAL(read.scene.columns[1].name, "C.normal"); /* though C was named below */
+  CU_ASSERT(read.scene.columns[1].quantity.watch == 0 && read.scene.watches[0].b == 1);
+  done(&read);
+}
+
+void suite_scene(void) {
+  CU_pSuite suite = CU_add_suite("scene", NULL, NULL);
+  CU_add_test(suite, "a lattice is numbered from the south-west", lattice);
+  CU_add_test(suite, "bodies, their mass and inertia", bodies);
+  CU_add_test(suite, "walls and boxes", walls);
+  CU_add_test(suite, "pairs of materials", pairs);
+  CU_add_test(suite, "defaults", defaults);
+  CU_add_test(suite, "stages inherit", stages);
+}

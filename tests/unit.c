@@ -1,0 +1,41 @@
+/* Runs the CUnit suites and says it in TAP: one line for every test, `ok 3 - suite: test`; the assertions that failed
+ * go before it as `# file:line: condition`. A test that crashes leaves lines short of the plan, which is a failure too.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "suites.h"
+
+#include <CUnit/CUnit.h>
+#include <CUnit/TestRun.h>
+#include <stdio.h>
+
+static void suite_cannot_start(const CU_pSuite suite) {
+  printf("not ok - %s: the suite cannot be set up\n", suite->pName);
+}
+
+static void test_done(const CU_pTest test, const CU_pSuite suite, const CU_pFailureRecord failures) {
+  for (const CU_FailureRecord *failure = failures; failure; failure = failure->pNext)
+    printf("# %s:%u: %s\n", failure->strFileName, failure->uiLineNumber, failure->strCondition);
+  printf("%s %u - %s: %s\n", failures ? "not ok" : "ok", CU_get_number_of_tests_run(), suite->pName, test->pName);
+}
+
+int main(void) {
+  setvbuf(stdout, NULL, _IOLBF, 0); /* what was said before a crash is not lost */
+  if (CU_initialize_registry() != CUE_SUCCESS) {
+    printf("Bail out! %s\n", CU_get_error_msg());
+    return 1;
+  }
+#define NB_SUITE(name) suite_##name();
+#include "suites-register.h"
+#undef NB_SUITE
+  if (CU_get_error() != CUE_SUCCESS) {
+    printf("Bail out! a suite could not be registered: %s\n", CU_get_error_msg());
+    return 1;
+  }
+  printf("1..%u\n", CU_get_registry()->uiNumberOfTests);
+  CU_set_suite_init_failure_handler(suite_cannot_start);
+  CU_set_test_complete_handler(test_done);
+  CU_run_all_tests();
+  const unsigned failed = CU_get_number_of_tests_failed() + CU_get_number_of_suites_failed();
+  CU_cleanup_registry();
+  return failed ? 1 : 0;
+}

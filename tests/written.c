@@ -1,0 +1,98 @@
+/* Scenes that a test writes.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L /* mkstemp */
+#endif
+#include "written.h"
+
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../src/model.h"
+
+void words_add(struct words *words, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  const int more = vsnprintf(NULL, 0, format, arguments);
+  va_end(arguments);
+  words->text = realloc(words->text, words->length + (size_t)more + 1);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(words->text);
+  va_start(arguments, format);
+  vsnprintf(words->text + words->length, (size_t)more + 1, format, arguments);
+  va_end(arguments);
+  words->length += (size_t)more;
+}
+
+void written_scene(struct written *written, struct words *words) {
+  char path[] = "/tmp/nineball-written-XXXXXX";
+  struct nb_mistakes mistakes = {0};
+  const int descriptor = mkstemp(path);
+  CU_ASSERT_FATAL(descriptor >= 0);
+  FILE *file = fdopen(descriptor, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fprintf(file, "```scene\n%s\n```\n", words->text);
+  fclose(file);
+  free(words->text);
+  *words = (struct words){0};
+  *written = (struct written){0};
+  nb_page_read(&written->page, path, &mistakes);
+  nb_scene_read(&written->scene, &written->page, 0, NULL, &mistakes);
+  unlink(path);
+  if (mistakes.text)
+    printf("# %s", mistakes.text);
+  CU_ASSERT_EQUAL_FATAL(mistakes.count, 0);
+  nb_mistakes_free(&mistakes);
+}
+
+void written_free(struct written *written) {
+  nb_scene_free(&written->scene);
+  nb_page_free(&written->page);
+}
+
+struct nb_model *written_model(const struct written *written, const struct nb_options *options) {
+  struct nb_error error = {0};
+  struct nb_model *model = nb_model_create(&written->scene, options, &error);
+  if (!model)
+    printf("# %s\n", error.text);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(model);
+  return model;
+}
+
+void written_cycles(struct nb_model *model, int count) {
+  struct nb_error error = {0};
+  for (int k = 0; k < count; k++)
+    CU_ASSERT_EQUAL_FATAL(nb_cycle(model, &error), NB_OK);
+}
+
+double written_now(const struct nb_model *model, const char *name) {
+  const struct nb_scene *scene = model->scene;
+  for (size_t c = 0; c < scene->column_count; c++)
+    if (strcmp(scene->columns[c].name, name) == 0)
+      return nb_quantity_value(scene->columns[c].quantity, model);
+  printf("# not recorded: %s\n", name);
+  CU_FAIL("a quantity is not recorded");
+  return NAN;
+}
+
+void written_run(struct nb_result *result, const struct written *written, const struct nb_options *options) {
+  struct nb_error error = {0};
+  const enum nb_status status = nb_run(result, &written->scene, options, NULL, &error);
+  if (status)
+    printf("# %s\n", error.text);
+  CU_ASSERT_EQUAL_FATAL(status, NB_OK);
+}
+
+double written_last(const struct nb_result *result, const char *name) {
+  const struct nb_table *table = &result->table;
+  for (size_t c = 0; c < table->column_count && table->row_count; c++)
+    if (strcmp(table->names[c], name) == 0)
+      return table->values[(table->row_count - 1) * table->column_count + c];
+  printf("# not recorded: %s\n", name);
+  CU_FAIL("a quantity is not recorded");
+  return NAN;
+}
