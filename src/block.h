@@ -54,10 +54,13 @@ typedef void nb_run_pass(const struct nb_model *model, const struct nb_view *vie
 #define NB_FORM_OF(name, isa, target)                                                                                  \
   target static void name##_##isa(const struct nb_model *model, const struct nb_view *view) { name(model, view); }
 #if defined __x86_64__ && defined __GNUC__
+#define NB_X86 1
+#define NB_TARGET_AVX2 __attribute__((target("avx2")))
+#define NB_TARGET_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
 #define NB_FORMS(name)                                                                                                 \
   NB_FORM_OF(name, plain, )                                                                                            \
-  NB_FORM_OF(name, avx2, __attribute__((target("avx2"))))                                                              \
-  NB_FORM_OF(name, avx512, __attribute__((target("avx512f,avx512dq,avx512vl"))))
+  NB_FORM_OF(name, avx2, NB_TARGET_AVX2)                                                                               \
+  NB_FORM_OF(name, avx512, NB_TARGET_AVX512)
 #define NB_FORMS_LIST(name)                                                                                            \
   { name##_plain, name##_avx2, name##_avx512 }
 #else

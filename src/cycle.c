@@ -35,51 +35,26 @@ void nb_forces(struct nb_model *model) {
   model->updates += model->contacts.count;
 }
 
-static enum nb_status motion(struct nb_model *model, struct nb_error *error) {
+/* Answers how many bodies and walls have gone too far for the list of contacts. */
+static int motion(struct nb_model *model) {
   const int threads = model->threads;
-  struct nb_moved moved[NB_THREADS];
-  nb_motion_walls(model);
+  int out = nb_motion_walls(model);
   if (threads == 1)
-    nb_motion_part(model, 0, 1, &moved[0]);
-  else {
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (int part = 0; part < threads; part++)
-      nb_motion_part(model, part, threads, &moved[part]);
-  }
-  double fastest = 0;
-  size_t lost = model->bodies.count;
-  for (int part = 0; part < threads; part++) {
-    fastest = moved[part].fastest > fastest ? moved[part].fastest : fastest;
-    lost = moved[part].lost < lost ? moved[part].lost : lost;
-  }
-  if (lost < model->bodies.count) {
-    const int number = model->bodies.number[lost];
-    return nb_error_set(
-        error, NB_BROKEN,
-        "body %d (line %d) is nowhere: its position is not a number after cycle %lu, at %g s; a step below the stable "
-        "one (now %g s, critical %g s) or a smaller velocity would keep it",
-        number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, model->critical);
-  }
-  const struct nb_walls *walls = &model->walls;
-  for (size_t w = 0; w < walls->count; w++) {
-    const double square = vec_dot(walls->velocity[w], walls->velocity[w]);
-    fastest = square > fastest ? square : fastest;
-  }
-  model->moved += sqrt(fastest) * model->step;
-  return NB_OK;
+    return out + nb_motion_part(model, 0, 1);
+#pragma omp parallel for num_threads(threads) schedule(static, 1) reduction(+ : out)
+  for (int part = 0; part < threads; part++)
+    out += nb_motion_part(model, part, threads);
+  return out;
 }
 
 enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
-  const enum nb_status status = motion(model, error);
-  if (status)
-    return status;
+  const int out = motion(model);
   model->cycle++;
   model->stage_cycle++;
   model->time = model->stage_time + (double)model->stage_cycle * model->step;
   model->previous_step = model->step;
-  const enum nb_status near = nb_near(model, error);
-  if (near)
-    return near;
+  if (out && nb_near(model, error))
+    return error->status;
   nb_forces(model);
   return NB_OK;
 }

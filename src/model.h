@@ -91,7 +91,6 @@ struct nb_model {
       drag;      /* the field that holds the shear force which bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
   bool dashpots; /* some stage has contact damping */
   double skin;   /* m: pairs closer than this are listed [R89 TOL] */
-  double moved;  /* bound on what any body or wall moved since the last search, m */
   double step, previous_step; /* dt of the step ahead, and of the one behind (0 at the start), s */
   double critical;            /* 2 sqrt(m/k), s */
   struct nb_damping damping;
@@ -115,7 +114,7 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error);
 /* names.c: fields that some column or condition of the scene reads */
 unsigned nb_fields_watched(const struct nb_scene *scene);
 
-/* near.c: searches if something moved far enough since the last search, or if there was none */
+/* near.c: makes the list of contacts anew; an error when a body is nowhere */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
 
 /* contacts.c */
@@ -127,12 +126,9 @@ double nb_step_critical(const struct nb_model *model);
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error);
 
 /* motion.c */
-struct nb_moved {
-  double fastest; /* square of the largest speed, m2/s2 */
-  size_t lost;    /* first slot whose position is not a number; the number of bodies when there is none */
-};
-void nb_motion_part(struct nb_model *model, int part, int parts, struct nb_moved *moved);
-void nb_motion_walls(struct nb_model *model);
+/* Both answer how many bodies or walls are farther from where the last search found them than half the skin, or nowhere. */
+int nb_motion_part(struct nb_model *model, int part, int parts);
+int nb_motion_walls(struct nb_model *model);
 struct nb_force {
   struct nb_vec force; /* N */
   double moment;       /* N m, counterclockwise */

@@ -100,43 +100,107 @@ struct nb_state nb_velocity_now(const struct nb_model *model, size_t slot) {
   return (struct nb_state){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
 }
 
-/* Bodies of one thread; answers the square of the largest speed, and in `lost` the first slot that is not a number. The
- * pointers are copied to where no store through one of them can be thought to change another. */
-static double move_bodies(struct nb_model *model, size_t from, size_t to, size_t *lost) {
-  const struct nb_bodies bodies = model->bodies;
-  const struct felt felt = felt_by(model);
-  const struct factors f = factors(model, kick_time(model));
-  const double time = kick_time(model), dt = model->step;
-  double fastest = 0;
-  for (size_t i = from; i < to; i++) {
-    const struct nb_state next = kicked(&bodies, &felt, i, f, time);
-    const struct nb_vec x = vec_add(bodies.position[i], vec_scale(dt, next.velocity));
-    double sum = x.x + x.y;
-    bodies.velocity[i] = next.velocity;
-    bodies.position[i] = x;
-    if (bodies.spin) {
-      bodies.spin[i] = next.spin;
-      bodies.angle[i] += next.spin * dt;
-      bodies.rim[i].y = next.spin * bodies.rim[i].x;
-      sum += bodies.angle[i];
-    }
-    const double square = vec_dot(next.velocity, next.velocity);
-    fastest = square > fastest ? square : fastest;
-    if (!(sum - sum == 0) && i < *lost)
-      *lost = i; /* infinity less itself is not a number either */
+/* The sums of a block of bodies, which stay in the first-level cache. */
+enum { BODIES = 256 };
+struct sums {
+  struct nb_vec force[BODIES];
+  double moment[BODIES];
+};
+
+static void sum_up(struct sums *sums, const struct felt *felt, const struct nb_vec *rim, size_t from, size_t n) {
+  for (size_t k = 0; k < n; k++) {
+    const struct nb_force sum = force_on(felt, from + k, rim[from + k].x);
+    sums->force[k] = sum.force;
+    sums->moment[k] = sum.moment;
   }
-  return fastest;
 }
 
-void nb_motion_part(struct nb_model *model, int part, int parts, struct nb_moved *moved) {
+/* What one thread needs for its bodies. */
+struct part {
+  struct nb_bodies bodies; /* a copy: no store through one pointer can be thought to change another */
+  struct factors factors;
+  double time, step, reach; /* of the kick and of the drift, s; how far a body may go without a new search, m */
+};
+
+/* Kick and drift, 22, 22a, and what fixed bodies do: they go on as they go, no force and no damping reaches them. Answers how
+ * many are out of reach of the last search, or nowhere: what is not a number is within no reach. */
+static inline NB_FORM int drift(const struct part *part, const struct sums *sums, size_t from, size_t n) {
+  const double *mass = part->bodies.inverse_mass + from;
+  const struct nb_vec *searched = part->bodies.searched + from;
+  struct nb_vec *velocity = part->bodies.velocity + from, *position = part->bodies.position + from;
+  const double dt = part->step, push = part->factors.push * part->time, reach = part->reach * part->reach;
+  int out = 0;
+  for (size_t k = 0; k < n; k++) {
+    const double keep = mass[k] > 0 ? part->factors.keep : 1;
+    const nb_both v = keep * vec_both(&velocity[k]) + (push * mass[k]) * vec_both(&sums->force[k]);
+    const nb_both x = vec_both(&position[k]) + dt * v, way = x - vec_both(&searched[k]), square = way * way;
+    vec_put(&velocity[k], v);
+    vec_put(&position[k], x);
+    out += !(square[0] + square[1] <= reach);
+  }
+  return out;
+}
+
+/* The same for turning, 23, 23a. */
+static inline NB_FORM void turn(const struct part *part, const struct sums *sums, size_t from, size_t n) {
+  const double *inertia = part->bodies.inverse_inertia + from;
+  double *spin = part->bodies.spin + from, *angle = part->bodies.angle + from;
+  struct nb_vec *rim = part->bodies.rim + from;
+  const double dt = part->step, push = part->factors.push * part->time;
+  NB_WIDE
+  for (size_t k = 0; k < n; k++) {
+    const double keep = inertia[k] > 0 ? part->factors.keep : 1;
+    const double w = keep * spin[k] + push * inertia[k] * sums->moment[k];
+    spin[k] = w;
+    angle[k] += w * dt;
+    rim[k].y = w * rim[k].x;
+  }
+}
+
+static inline NB_FORM int move(const struct part *part, const struct felt *felt, size_t from, size_t to) {
+  int out = 0;
+  for (; from < to; from += BODIES) {
+    const size_t n = to - from < BODIES ? to - from : BODIES;
+    struct sums sums;
+    sum_up(&sums, felt, part->bodies.rim, from, n);
+    out += drift(part, &sums, from, n);
+    if (part->bodies.spin)
+      turn(part, &sums, from, n);
+  }
+  return out;
+}
+
+static int move_plain(const struct part *part, const struct felt *felt, size_t from, size_t to) {
+  return move(part, felt, from, to);
+}
+#ifdef NB_X86
+NB_TARGET_AVX2 static int move_avx2(const struct part *part, const struct felt *felt, size_t from, size_t to) {
+  return move(part, felt, from, to);
+}
+NB_TARGET_AVX512 static int move_avx512(const struct part *part, const struct felt *felt, size_t from, size_t to) {
+  return move(part, felt, from, to);
+}
+static int (*const moves[NB_ISAS])(const struct part *, const struct felt *, size_t, size_t) = {move_plain, move_avx2,
+                                                                                                move_avx512};
+#else
+static int (*const moves[NB_ISAS])(const struct part *, const struct felt *, size_t, size_t) = {move_plain, move_plain,
+                                                                                                move_plain};
+#endif
+
+int nb_motion_part(struct nb_model *model, int part, int parts) {
   const size_t n = model->bodies.count;
-  moved->lost = n;
-  moved->fastest =
-      move_bodies(model, n * (size_t)part / (size_t)parts, n * ((size_t)part + 1) / (size_t)parts, &moved->lost);
+  const struct felt felt = felt_by(model);
+  const struct part mine = {model->bodies, factors(model, kick_time(model)), kick_time(model), model->step,
+                            model->skin / 2};
+  return moves[model->isa](&mine, &felt, n * (size_t)part / (size_t)parts, n * ((size_t)part + 1) / (size_t)parts);
 }
 
-void nb_motion_walls(struct nb_model *model) {
+int nb_motion_walls(struct nb_model *model) {
   struct nb_walls *walls = &model->walls;
-  for (size_t w = 0; w < walls->count; w++)
+  int out = 0;
+  for (size_t w = 0; w < walls->count; w++) {
     walls->point[w] = vec_add(walls->point[w], vec_scale(model->step, walls->velocity[w]));
+    out += !(vec_length(vec_sub(walls->point[w], walls->searched[w])) <= model->skin / 2);
+  }
+  return out;
 }

@@ -1,8 +1,8 @@
 /* Which pairs can touch.                                             [CS79; R89 4.3.1, TOL]
  *
- * All pairs closer than the skin are listed, touching or not. Until bodies have moved so far that a pair which is not
- * listed could touch, no search is needed: twice the way that the fastest has gone since the last one must stay below the
- * skin. A scene in which nothing travels is searched once, when it is made.
+ * All pairs closer than the skin are listed, touching or not. As long as no body and no wall is farther than half the skin
+ * from where it was then, a pair that is not listed cannot touch. A scene in which nothing travels is searched once, when it
+ * is made.
  *
  * Bodies are put into square cells as wide as the largest disc and the skin; a cell is found by a hash of its whole-number
  * co-ordinates, so a scene may lie anywhere and have no edge. A contact that was listed before keeps its memory.
@@ -32,6 +32,12 @@ static void cells_free(struct cells *cells) {
   free(cells->cx), free(cells->cy), free(cells->first), free(cells->member);
 }
 
+/* Farther out than whole numbers go in a double, the last cell takes all: they are still in order, and compared by distance. */
+static int64_t cell_at(double widths) {
+  const double last = 9007199254740992;
+  return (int64_t)(widths < -last ? -last : widths > last ? last : floor(widths));
+}
+
 static bool cells_fill(struct cells *cells, const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   const size_t n = bodies->count;
@@ -47,8 +53,8 @@ static bool cells_fill(struct cells *cells, const struct nb_model *model) {
   if (!cells->cx || !cells->cy || !cells->first || !cells->member)
     return false;
   for (size_t i = 0; i < n; i++) {
-    cells->cx[i] = (int64_t)floor(bodies->position[i].x / cells->width);
-    cells->cy[i] = (int64_t)floor(bodies->position[i].y / cells->width);
+    cells->cx[i] = cell_at(bodies->position[i].x / cells->width);
+    cells->cy[i] = cell_at(bodies->position[i].y / cells->width);
     cells->first[bucket_of(cells, cells->cx[i], cells->cy[i]) + 2]++;
   }
   for (size_t b = 2; b < buckets + 2; b++)
@@ -162,23 +168,24 @@ static bool pairs_find(struct nb_near_pairs *pairs, const struct nb_model *model
   return pairs->list != NULL;
 }
 
-/* The farthest that any body or wall is from where it was at the last search: `moved` only adds up paths. */
-static double farthest(const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
-  const struct nb_walls *walls = &model->walls;
-  double most = 0;
-  for (size_t i = 0; i < bodies->count; i++) {
-    const double way = vec_length(vec_sub(bodies->position[i], bodies->searched[i]));
-    most = way > most ? way : most;
+/* The first body whose position is not a number: infinity less itself is none either. */
+static enum nb_status find_lost(const struct nb_model *model, struct nb_error *error) {
+  for (size_t k = 0; k < model->bodies.count; k++) {
+    const struct nb_vec x = model->bodies.position[model->bodies.slot[k]];
+    if (x.x - x.x == 0 && x.y - x.y == 0)
+      continue;
+    return nb_error_set(
+        error, NB_BROKEN,
+        "body %zu (line %d) is nowhere: its position is not a number after cycle %lu, at %g s; the step is %g s, the "
+        "critical one %g s: try a smaller step",
+        k + 1, model->scene->bodies[k].line, model->cycle, model->time, model->step, model->critical);
   }
-  for (size_t w = 0; w < walls->count; w++) {
-    const double way = vec_length(vec_sub(walls->point[w], walls->searched[w]));
-    most = way > most ? way : most;
-  }
-  return most;
+  return NB_OK;
 }
 
-static enum nb_status search(struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
+  if (find_lost(model, error))
+    return error->status;
   struct nb_near_pairs pairs = {0};
   struct cells cells = {0};
   const bool found = cells_fill(&cells, model) && pairs_find(&pairs, model, &cells);
@@ -189,17 +196,6 @@ static enum nb_status search(struct nb_model *model, struct nb_error *error) {
     return nb_error_set(error, NB_BROKEN, "out of memory while searching for contacts");
   memcpy(model->bodies.searched, model->bodies.position, model->bodies.count * sizeof(struct nb_vec));
   memcpy(model->walls.searched, model->walls.point, model->walls.count * sizeof(struct nb_vec));
-  model->moved = 0;
   model->searches++;
   return nb_plan_views(model, error);
-}
-
-enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
-  if (model->searches && 2 * model->moved < model->skin)
-    return NB_OK;
-  if (model->searches)
-    model->moved = farthest(model);
-  if (model->searches && 2 * model->moved < model->skin)
-    return NB_OK;
-  return search(model, error);
 }

@@ -32,27 +32,29 @@ mkdir "$tree"
 for entry in setup autogen.sh configure.ac Makefile.am README.md HACKING.md NEWS COPYING .ci .clang-format src cases tests docs plots \
   m4 build-aux configure Makefile.in aclocal.m4 config.h.in; do
   test ! -e "$entry" || echo "$entry"
-done | tar -c -f - -T - --exclude='*.o' --exclude='.deps' --exclude='.dirstamp' | tar -x -f - -C "$tree" >"$work/said" 2>&1
+done | tar -c -f - --exclude='*.o' --exclude=.deps --exclude=.dirstamp -T - | tar -x -f - -C "$tree" >"$work/said" 2>&1
 chmod -R u+w "$tree"
 test -f "$tree/Makefile.am"
 result $? "the tree is copied"
 
-awk '/^## / { example = /^## A worked example/ } example' HACKING.md >"$work/example.md"
+sed -n '/^## A worked example/,$p' HACKING.md >"$work/example.md"
 awk -v into="$tree" -f tests/fences.awk "$work/example.md" >"$work/lists" && test -s "$work/lists"
 result $? "the example's files are written"
 
 # `LIST LINE`: the line goes behind `LIST = \`.
 while read -r list line; do
-  sed -i "/^$list = \\\\\$/a\\  $line" "$tree/Makefile.am"
-  grep -q "^  ${line%% *}" "$tree/Makefile.am" || echo "$list is not in Makefile.am"
-done <"$work/lists" >"$work/said"
+  list=$list line=$line awk '
+    { print }
+    $0 == ENVIRON["list"] " = \\" { print "  " ENVIRON["line"]; found = 1 }
+    END { if (!found) print "there is no list " ENVIRON["list"] >"/dev/stderr" }' "$tree/Makefile.am" >"$work/Makefile.am"
+  cat "$work/Makefile.am" >"$tree/Makefile.am"
+done <"$work/lists" 2>"$work/said"
 test ! -s "$work/said"
 result $? "its lines are in the lists"
 
 cd "$tree" || exit 1
 {
-  if test -f configure; then automake; else ./autogen.sh; fi &&
-    mkdir -p build && cd build && ../configure CFLAGS=-O1
+  if test -f configure; then automake; else ./autogen.sh; fi && mkdir build && (cd build && ../configure CFLAGS=-O1)
 } >"$work/said" 2>&1
 result $? "configure"
 

@@ -25,8 +25,8 @@ struct bench {
 static struct bench *bench_create(bool wall) {
   struct bench *it = calloc(1, sizeof *it);
   CU_ASSERT_PTR_NOT_NULL_FATAL(it);
-  it->model.bodies = (struct nb_bodies){
-      .count = 2 * N, .position = it->position, .velocity = it->velocity, .rim = it->rim};
+  it->model.bodies =
+      (struct nb_bodies){.count = 2 * N, .position = it->position, .velocity = it->velocity, .rim = it->rim};
   it->model.walls = (struct nb_walls){
       .count = N, .point = it->point, .along = it->along, .h1 = it->h1, .h2 = it->h2, .velocity = it->wall_velocity};
   it->pairing.wall = wall;
@@ -104,7 +104,7 @@ static void disc_wall(void) {
     for (int c = 0; c < N; c++) {
       const struct nb_vec x = it->position[2 * c], p = it->point[c], along = it->along[c], u = it->wall_velocity[c];
       long double h = ((long double)x.x - p.x) * along.x + ((long double)x.y - p.y) * along.y;
-      first += h < it->h1[c], second += h > it->h2[c], inside += h > it->h1[c] && h < it->h2[c];
+      first += h<it->h1[c], second += h> it->h2[c], inside += h > it->h1[c] && h < it->h2[c];
       h = h < it->h1[c] ? it->h1[c] : h > it->h2[c] ? it->h2[c] : h;
       compare(it, c, (long double[]){p.x + h * along.x, p.y + h * along.y}, (long double[]){u.x, u.y}, 0, 0);
     }

@@ -39,6 +39,12 @@ static void contact_go(struct contact *it, double overlap, double slip) {
   it->overlap = overlap;
   if (it->shear)
     it->s = it->shear->shear(it->pair, it->n, slip, it->shear_memory);
+  if (overlap > 0)
+    return;
+  for (int m = 0; m < it->normal->memory; m++) /* what is remembered ends with the contact, as law_batch.h sees to */
+    it->normal_memory[m] = 0;
+  for (int m = 0; it->shear && m < it->shear->memory; m++)
+    it->shear_memory[m] = 0;
 }
 
 /* Along a straight line of n steps; answers the work done on the contact, by the mean of the forces at both ends of a step. */
@@ -74,13 +80,13 @@ static void every_law(bool shears, void (*test)(struct contact it, struct chance
         continue;
       const unsigned before = CU_get_number_of_failures();
       struct chance chance = chance_begin(1);
-      for (int k = 0; k < PAIRS; k++, tried++)
+      for (int k = 0; k < PAIRS && CU_get_number_of_failures() == before; k++, tried++) /* one failure says it */
         test(contact_of(*normal, shears ? *shear : NULL, pair_by(&chance)), &chance);
       if (CU_get_number_of_failures() > before)
         printf("# by law normal %s%s%s\n", (*normal)->name, shears ? " with shear " : "", shears ? (*shear)->name : "");
     }
   }
-  CU_ASSERT(tried >= PAIRS);
+  CU_ASSERT(tried > 0);
 }
 
 /* ---- one contact ---- */
@@ -133,7 +139,8 @@ static void shear_stiffness_is_the_slope(struct contact it, struct chance *chanc
 
 static void shear_stays_below_its_limit(struct contact it, struct chance *chance) {
   for (int k = 0; k < 50; k++) {
-    contact_go(&it, chance_scale(chance, 1e-9, 1e-3), chance_between(chance, -1, 1) * chance_scale(chance, 1e-12, 1e-2));
+    contact_go(&it, chance_scale(chance, 1e-9, 1e-3),
+               chance_between(chance, -1, 1) * chance_scale(chance, 1e-12, 1e-2));
     const double limit = it.pair.friction * it.n.force + it.pair.cohesion;
     CU_ASSERT(fabs(it.s.force) <= limit * (1 + 2 * DBL_EPSILON));
     CU_ASSERT(it.s.sliding == 0 || it.s.sliding == 1);

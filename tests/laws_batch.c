@@ -72,7 +72,8 @@ static void by_block(const struct nb_law *law, const struct nb_pairing *pairing,
 static bool runs_here(enum nb_isa isa) {
 #if defined __x86_64__ && defined __GNUC__
   if (isa == NB_AVX512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
   if (isa == NB_AVX2)
     return __builtin_cpu_supports("avx2");
 #endif
@@ -86,7 +87,8 @@ static void same_bits(void) {
   struct chance chance = chance_begin(2);
   for (const struct nb_law *const *law = nb_laws(); *law; law++)
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
-      const struct nb_pairing pairing = {.values = {.kn = 1e5, .ks = 7e4, .friction = 0.4, .cohesion = k % 2 ? 1e-3 : 0}};
+      const struct nb_pairing pairing = {
+          .values = {.kn = 1e5, .ks = 7e4, .friction = 0.4, .cohesion = k % 2 ? 1e-3 : 0}};
       fill(&given, &chance);
       wanted = given;
       by_hand(*law, &pairing.values, &wanted, sizes[k]);

@@ -15,13 +15,14 @@
 #include "law.h"
 
 static inline struct nb_shear shear_linear(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
-  const double limit = n.stiffness > 0 ? n.force * p.friction + p.cohesion : 0;
-  const double trial = m[0] + p.ks * slip;
+  const bool touching = n.stiffness > 0;
+  const double limit = touching ? n.force * p.friction + p.cohesion : 0;
+  const double trial = touching ? m[0] + p.ks * slip : 0; /* what does not touch does not slide either */
   const double size = fabs(trial);
   m[0] = copysign(size > limit ? limit : size, trial);
   return (struct nb_shear){
       .force = m[0],
-      .stiffness = n.stiffness > 0 ? p.ks : 0,
+      .stiffness = touching ? p.ks : 0,
       .sliding = size > limit ? 1 : 0,
   };
 }

@@ -1,0 +1,160 @@
+/* Contact dashpots: their coefficients, what they are added to and what they must not enter. [CS79 24-28; R89 4.3, 4.13]
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* Two discs of unlike size and density, the first moving on the second; `more` may add to each of the statements. */
+static struct nb_model *two_discs(struct written *it, const char *damping, const char *second, double friction) {
+  struct words page = {0};
+  words_add(
+      &page,
+      "units none\nmaterial a density 3 kn 400 ks 250 friction %g\nmaterial b density 5 kn 400 ks 250 friction %g\n"
+      "shear linear\ndisc 0 0 radius 1 a velocity 0.5 0.25 spin 0.5\n%s\ndamping %s\nstep 0.001\n",
+      friction, friction, second, damping);
+  words_add(&page,
+            "watch A disc 1\nwatch B disc 2\nwatch C disc 1 with disc 2\nrecord A.vx.half A.vy.half A.spin.half "
+            "B.vx.half B.vy.half B.spin.half A.x A.y B.x B.y A.fx A.fy C.normal C.shear C.sliding C.dashpot.normal "
+            "C.dashpot.shear\nstage s\ncycles 100\n");
+  written_scene(it, &page);
+  return written_model(it, NULL);
+}
+
+/* dn/dt and ds/dt of C over the step behind, [CS79 14, 15]. */
+static void rates(const struct nb_model *model, double *closing, double *slip) {
+  const double dx = written_now(model, "B.x") - written_now(model, "A.x"),
+               dy = written_now(model, "B.y") - written_now(model, "A.y");
+  const double e1 = dx / hypot(dx, dy), e2 = dy / hypot(dx, dy);
+  const double vx = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
+  const double vy = written_now(model, "A.vy.half") - written_now(model, "B.vy.half");
+  *closing = vx * e1 + vy * e2;
+  *slip = vx * e2 - vy * e1 - (written_now(model, "A.spin.half") + 2 * written_now(model, "B.spin.half"));
+}
+
+static void coefficients(void) {
+  const double a = pi * 3, b = pi * 4 * 5, critical = 2 * sqrt(a / 400);
+  static const char free_[] = "disc 2.9 0.5 radius 2 b spin 0.25", fixed[] = "disc 2.9 0.5 radius 2 b spin 0.25 fixed";
+  const struct {
+    const char *damping, *second;
+    double normal, shear; /* c, N s/m */
+  } kinds[] = {
+      {"contact-beta 0.02", free_, 0.02 * 400, 0.02 * 250},
+      {"contact-fraction 0.3", free_, 0.3 * 400 * critical / 2, 0.3 * 250 * critical / 2},
+      {"contact-ratio 0.1", free_, 0.2 * sqrt(a * b / (a + b) * 400), 0.2 * sqrt(a * b / (a + b) * 250)},
+      {"contact-ratio 0.1", fixed, 0.2 * sqrt(a * 400), 0.2 * sqrt(a * 250)}, /* what is fixed weighs without end */
+  };
+  for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++) {
+    struct written it;
+    struct nb_model *model = two_discs(&it, kinds[n].damping, kinds[n].second, 10);
+    CU_ASSERT_EQUAL(written_now(model, "C.dashpot.normal"), 0); /* nothing has moved yet */
+    for (int cycle = 0; cycle < 20; cycle++) {
+      double closing, slip;
+      written_cycles(model, 1);
+      rates(model, &closing, &slip);
+      CU_ASSERT(fabs(closing) > 0.1 && fabs(slip) > 0.1);
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), kinds[n].normal * closing, 1e-12);
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), kinds[n].shear * slip, 1e-12);
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* On a wall M* is the disc's mass: [R89 4.6] with nothing for 1/M_wall. */
+static void a_wall_weighs_without_end(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 3 kn 400\ndisc 0 0 radius 1 m velocity 0.5 0\nwall w 0.9 -9 to 0.9 9 m\n"
+            "damping contact-ratio 0.1\nstep 0.001\nwatch A disc 1\nwatch C disc 1 with wall w\n"
+            "record A.vx.half C.dashpot.normal\nstage s\ncycles 9\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  written_cycles(model, 3);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"),
+                         0.2 * sqrt(pi * 3 * 400) * written_now(model, "A.vx.half"), 1e-12);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* While discs part quickly the dashpot pulls more than the spring pushes, and what is felt is their sum. */
+static void what_is_felt_may_pull(void) {
+  struct written it;
+  struct nb_model *model = two_discs(&it, "contact-beta 1", "disc 2.99 0 radius 2 b velocity 3 0.25", 0);
+  written_cycles(model, 1);
+  const double elastic = written_now(model, "C.normal"), damped = elastic + written_now(model, "C.dashpot.normal");
+  CU_ASSERT(elastic > 0 && damped < 0);
+  const double dx = written_now(model, "B.x") - written_now(model, "A.x"),
+               dy = written_now(model, "B.y") - written_now(model, "A.y");
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fx"), -damped * dx / hypot(dx, dy), 1e-9);
+  CU_ASSERT(written_now(model, "A.fx") > 0);
+  written_cycles(model, 99);
+  CU_ASSERT_EQUAL(written_now(model, "C.normal"), 0);
+  CU_ASSERT_EQUAL(written_now(model, "C.dashpot.normal"), 0); /* and ends with the contact */
+  CU_ASSERT_EQUAL(written_now(model, "A.fx"), 0);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* The limit is of the elastic F_n alone, and a contact that slides has no shear dashpot. [CS79, Damping] */
+static void sliding(void) {
+  struct written it;
+  struct nb_model *model = two_discs(&it, "contact-beta 0.05", "disc 2.9 0.5 radius 2 b spin 9", 0.01);
+  int slid = 0;
+  for (int cycle = 0; cycle < 20; cycle++) {
+    written_cycles(model, 1);
+    if (written_now(model, "C.sliding") == 0)
+      continue;
+    slid++;
+    CU_ASSERT(fabs(written_now(model, "C.dashpot.normal")) > 1); /* so it could be told apart */
+    CU_ASSERT_DOUBLE_EQUAL(fabs(written_now(model, "C.shear")), 0.01 * written_now(model, "C.normal"), 1e-12);
+    CU_ASSERT_EQUAL(written_now(model, "C.dashpot.shear"), 0);
+  }
+  CU_ASSERT(slid > 10);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* A disc on a wall, parted when nothing overlaps any more, though the dashpot pulls before: half a period of the damped swing,
+ * e = exp(-pi beta/sqrt(1 - beta^2)). Meeting, parting and the dashpot's half step are each late by up to a step, which costs up to
+ * c dt/m = 2 beta w dt of the velocity. */
+static void restitution(void) {
+  const double m = pi * 3, w = sqrt(400 / m);
+  static const double betas[] = {0.02, 0.1, 0.3};
+  for (int n = 0; n < 6; n++) {
+    const double beta = betas[n % 3], dt = (n < 3 ? 0.02 : 0.002) / w;
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(
+        &page,
+        "units none\nmaterial m density 3 kn 400\ndisc 0 0 radius 1 m velocity 0.25 0\nwall w 1.01 -9 to 1.01 9 m\n"
+        "damping contact-ratio %g\nstep %.17g\nwatch D disc 1\nwatch C disc 1 with wall w\nrecord D.vx C.overlap\n"
+        "stage in\nrecord none\nuntil C.overlap above 0 at most 100000 cycles\nstage out\nrecord every 100000 cycles\n"
+        "until C.overlap below 1e-300 at most 100000 cycles\n",
+        beta, dt);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const double known = exp(-pi * beta / sqrt(1 - beta * beta)), seen = -written_last(&result, "D.vx") / 0.25;
+    if (!(fabs(seen / known - 1) <= 3 * 2 * beta * w * dt))
+      printf("# e = %g, known %g, at beta = %g\n", seen, known, beta);
+    CU_ASSERT(fabs(seen / known - 1) <= 3 * 2 * beta * w * dt);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+void suite_damping(void) {
+  CU_pSuite suite = CU_add_suite("damping", NULL, NULL);
+  CU_add_test(suite, "coefficients of the three conventions", coefficients);
+  CU_add_test(suite, "a wall weighs without end", a_wall_weighs_without_end);
+  CU_add_test(suite, "what is felt may pull", what_is_felt_may_pull);
+  CU_add_test(suite, "sliding: limit of the elastic force, no shear dashpot", sliding);
+  CU_add_test(suite, "restitution of a disc on a wall", restitution);
+}

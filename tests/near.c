@@ -1,0 +1,174 @@
+/* Which pairs can touch, against all pairs; and what must not depend on when they were looked for.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <string.h>
+
+#include "../src/model.h"
+#include "chance.h"
+#include "suites.h"
+#include "written.h"
+
+enum { DISCS = 300 };
+
+/* Discs of unlike sizes and two materials around a place far from the origin, which move, rub and hit a ramp and each other. */
+static void cloud(struct written *it, double x, double y, double speed, unsigned seed) {
+  struct words page = {0};
+  struct chance chance = chance_begin(seed);
+  words_add(
+      &page,
+      "units none\nmaterial a density 1 kn 100 ks 80 friction 0.4\nmaterial b density 2 kn 300 ks 100 friction 0.2\n"
+      "shear linear\nstep 1e-4\nwall ramp %.17g %.17g to %.17g %.17g b velocity %.17g 0\n",
+      x - 5, y - 5, x + 20, y + 2, speed);
+  for (int k = 0; k < DISCS; k++)
+    words_add(&page, "disc %.17g %.17g radius %.17g %s velocity %.17g %.17g spin %.17g%s\n",
+              x + chance_between(&chance, 0, 20), y + chance_between(&chance, 0, 20), chance_scale(&chance, 0.2, 1.2),
+              k % 3 ? "a" : "b", chance_between(&chance, -speed, speed), chance_between(&chance, -speed, speed),
+              chance_between(&chance, -9, 9), k % 20 == 7 ? " fixed" : "");
+  words_add(
+      &page,
+      "watch A disc 1\nwatch B disc 200\nrecord A.x A.y A.angle A.vx A.moment B.x B.y B.angle B.fx energy.kinetic "
+      "contacts\nstage s\ncycles 300\n");
+  written_scene(it, &page);
+}
+
+/* The gap between the outlines of two bodies, or of a body and a wall. */
+static double gap(const struct nb_model *model, size_t i, size_t j, bool wall) {
+  const struct nb_vec x = model->bodies.position[i];
+  if (!wall)
+    return vec_length(vec_sub(model->bodies.position[j], x)) - model->bodies.rim[i].x - model->bodies.rim[j].x;
+  const struct nb_vec p = model->walls.point[j], along = model->walls.along[j];
+  const double s = fmin(fmax(vec_dot(vec_sub(x, p), along), model->walls.h1[j]), model->walls.h2[j]);
+  return vec_length(vec_sub(vec_add(p, vec_scale(s, along)), x)) - model->bodies.rim[i].x;
+}
+
+/* Every pair closer than `within` is listed, once, with its smaller number first and under its own materials; no pair of fixed ones. */
+static size_t compare(const struct nb_model *model, double within) {
+  const struct nb_bodies *bodies = &model->bodies;
+  size_t wanted = 0;
+  for (size_t i = 0; i < bodies->count; i++) {
+    for (size_t j = 0; j < bodies->count; j++) {
+      if (bodies->number[j] <= bodies->number[i] || !(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
+        continue;
+      const long c = nb_contacts_find(model, (int)i, (int)j, false);
+      if (gap(model, i, j, false) >= within)
+        continue;
+      wanted++;
+      CU_ASSERT_FATAL(c >= 0);
+      const struct nb_pairing *pairing = &model->pairings[model->contacts.pairing[c]];
+      const int a = bodies->material[i], b = bodies->material[j];
+      CU_ASSERT(model->contacts.a[c] == (int)i && model->contacts.b[c] == (int)j);
+      CU_ASSERT(!pairing->wall && pairing->a == (a < b ? a : b) && pairing->b == (a < b ? b : a));
+    }
+    for (size_t w = 0; w < model->walls.count && bodies->inverse_mass[i] > 0; w++)
+      if (gap(model, i, w, true) < within) {
+        wanted++;
+        CU_ASSERT(nb_contacts_find(model, (int)i, (int)w, true) >= 0);
+      }
+  }
+  return wanted;
+}
+
+static void all_pairs_are_found(void) {
+  static const double places[][2] = {{0, 0}, {-10, -10}, {1e6, -3e5}, {-4e8, 7e8}};
+  for (unsigned p = 0; p < 4; p++)
+    for (int shuffle = 0; shuffle < 2; shuffle++) {
+      struct written it;
+      cloud(&it, places[p][0], places[p][1], 1, p + 1);
+      struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
+      const size_t wanted = compare(model, model->skin);
+      CU_ASSERT(wanted > DISCS / 2 && wanted == model->contacts.count); /* those, and no others */
+      nb_model_free(model);
+      written_free(&it);
+    }
+}
+
+/* The list may be old, but whatever touches is on it, at each of many cycles between and after searches. */
+static void whatever_touches_is_listed(void) {
+  struct written it;
+  cloud(&it, 1e3, -1e3, 20, 5);
+  struct nb_model *model = written_model(&it, NULL);
+  for (int cycle = 0; cycle < 120; cycle++) {
+    written_cycles(model, 1);
+    CU_ASSERT(compare(model, 0) > DISCS / 2);
+  }
+  CU_ASSERT(model->searches > 3 && model->searches < 100);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* ---- the same bits ---- */
+
+/* All that has come of a model, in the order of numbers; frees it. */
+static void outcome(struct nb_model *model, double state[DISCS][8]) {
+  for (size_t k = 0; k < DISCS; k++) {
+    const size_t i = (size_t)model->bodies.slot[k];
+    const struct nb_force force = nb_force_on(model, i);
+    const double values[8] = {model->bodies.position[i].x,
+                              model->bodies.position[i].y,
+                              model->bodies.angle[i],
+                              model->bodies.velocity[i].x,
+                              model->bodies.velocity[i].y,
+                              force.force.x,
+                              force.force.y,
+                              force.moment};
+    memcpy(state[k], values, sizeof values);
+  }
+  nb_model_free(model);
+}
+
+static double wanted[DISCS][8], seen[DISCS][8];
+
+/* A wide skin is searched seldom, a narrow one at nearly every cycle: what contacts remember must come through every search. */
+static void the_skin_changes_no_bit(void) {
+  static const double skins[] = {0.1, 1e-3, 3};
+  unsigned long long searches[3];
+  struct written it;
+  cloud(&it, 50, 50, 5, 6);
+  for (int s = 0; s < 3; s++) {
+    struct nb_error error;
+    struct nb_model *model = written_model(&it, NULL);
+    model->skin = skins[s];
+    CU_ASSERT_EQUAL_FATAL(nb_near(model, &error), NB_OK);
+    nb_forces(model);
+    written_cycles(model, 300);
+    searches[s] = model->searches;
+    outcome(model, s ? seen : wanted);
+    if (s)
+      CU_ASSERT(memcmp(seen, wanted, sizeof seen) == 0);
+  }
+  CU_ASSERT(searches[1] > 4 * searches[0] && searches[0] > searches[2]);
+  written_free(&it);
+}
+
+static void storage_threads_and_instructions_change_no_bit(void) {
+  static const struct nb_options all[] = {
+      {.threads = 1, .isa = "plain"}, {.threads = 1, .shuffle = true}, {.threads = 2}, {.threads = 7, .shuffle = true},
+      {.threads = 1, .isa = "avx2"},  {.threads = 2, .isa = "avx512"}, {.threads = 0},
+  };
+  struct written it;
+  cloud(&it, -70, 30, 5, 7);
+  for (size_t o = 0; o < sizeof all / sizeof *all; o++) {
+    struct nb_error error;
+    struct nb_model *model = nb_model_create(&it.scene, &all[o], &error);
+    if (!model) { /* then for its instruction set alone, which this machine lacks */
+      CU_ASSERT(o > 0 && all[o].isa && strstr(error.text, all[o].isa));
+      continue;
+    }
+    written_cycles(model, 300);
+    outcome(model, o ? seen : wanted);
+    if (o && memcmp(seen, wanted, sizeof seen) != 0) {
+      printf("# options %zu\n", o);
+      CU_FAIL("other bits");
+    }
+  }
+  written_free(&it);
+}
+
+void suite_near(void) {
+  CU_pSuite suite = CU_add_suite("near", NULL, NULL);
+  CU_add_test(suite, "all pairs are found, and no others", all_pairs_are_found);
+  CU_add_test(suite, "whatever touches is listed", whatever_touches_is_listed);
+  CU_add_test(suite, "the skin changes no bit", the_skin_changes_no_bit);
+  CU_add_test(suite, "storage, threads and instructions change no bit", storage_threads_and_instructions_change_no_bit);
+}

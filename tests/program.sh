@@ -1,0 +1,255 @@
+#!/bin/sh
+# The program as a user meets it: its exit status, what it says where, and what it leaves behind. TAP. $NINEBALL is the program,
+# ./nineball by default; $srcdir is where tests/pages lies.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+nineball=${NINEBALL:-./nineball}
+case $nineball in
+/*) ;;
+*) nineball=$(pwd)/$nineball ;;
+esac
+pages=$(cd "${srcdir:-.}/tests/pages" && pwd) || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+n=0
+
+# verdict TEXT: of the commands just done, whose complaints are in ./why.
+verdict() {
+  n=$((n + 1))
+  if test -s why; then
+    echo "not ok $n - $1"
+    sed 's/^/# /' why out said
+  else
+    echo "ok $n - $1"
+  fi
+  rm -f why
+}
+
+# run STATUS ARGUMENT ...: the program must end with this status; out and said are what it said.
+run() {
+  wanted=$1
+  shift
+  "$nineball" "$@" >out 2>said </dev/null
+  status=$?
+  test $status -eq "$wanted" || echo "status $status, wanted $wanted: nineball $*" >>why
+}
+out() { grep -qF -e "$1" out || echo "not on standard output: $1" >>why; }
+said() { grep -qF -e "$1" said || echo "not on standard error: $1" >>why; }
+quiet() { test ! -s "$1" || echo "something is on $1" >>why; }
+there() { test -s "$1" || echo "missing or empty: $1" >>why; }
+absent() { test ! -e "$1" || echo "left behind: $1" >>why; }
+# column NAME FILE: its values, one a line.
+column() { awk -F '\t' -v name="$1" '/^#/ { next } !c { for (k = 1; k <= NF; k++) if ($k == name) c = k; next } { print $c }' "$2"; }
+
+# ---- status ----
+run 0 check "$pages/passes.md"
+out '1 of 1 checks passed'
+quiet said
+absent passes.out
+verdict 'a page that passes: 0, and nothing is written'
+
+run 1 check "$pages/fails.md"
+out 'FAIL  D.x stated 1.6'
+out 'pass  time stated 1'
+out '1 of 2 checks passed'
+verdict 'a check that fails: 1'
+
+run 1 run "$pages/fails.md" -o fails
+there fails/table.tsv
+run 1 check "$pages/passes.md" "$pages/fails.md" "$pages/swept.md"
+out '1 of 2 checks passed'
+out 'D.x rises with v'
+verdict 'the worst status of several pages, and all of them are done'
+
+run 2 run "$pages/mistaken.md" -o mistaken
+said "$pages/mistaken.md:6:16: error: expected"
+said 'did you mean `radius`?'
+quiet out
+absent mistaken
+verdict 'a page with a mistake: 2, with its place, and nothing is written'
+
+run 3 check "$pages/nowhere.md"
+said 'body 2 (line 9) is nowhere'
+said 'after cycle 1, at 0.125 s'
+run 3 run "$pages/nowhere.md" -o nowhere
+absent nowhere
+verdict 'physics that breaks: 3, naming body, line and moment'
+
+run 3 check "$pages/never-ends.md"
+said 'stage `wait` (line 10) did not end within 20 cycles: D.x is 5 and should be above 6'
+verdict 'a stage that never ends: 3, saying what it waits for'
+
+run 2 check "$pages/asks-nothing.md"
+said 'nothing is expected'
+run 0 run "$pages/asks-nothing.md"
+there asks-nothing.out/table.tsv
+verdict 'no page passes by asking nothing, though it can be run'
+
+run 1 check --tap "$pages/fails.md"
+out '1..2'
+out 'not ok 1 - D.x stated 1.6'
+out 'ok 2 - time stated 1'
+run 2 check --tap "$pages/mistaken.md"
+out 'not ok 1'
+verdict 'TAP'
+
+# ---- the command line ----
+run 2
+said 'usage: nineball COMMAND'
+quiet out
+run 2 chek "$pages/passes.md"
+said 'there is no command `chek`'
+said 'did you mean `check`?'
+run 2 frobnicate
+said 'there is no command `frobnicate`; nineball --help tells'
+run 2 check
+said '`nineball check` wants the name of a page'
+verdict 'no command, an unknown one, one without a page'
+
+run 2 check "$work/none.md"
+said "$work/none.md"
+said 'No such file'
+run 2 run "$work"
+said "$work"
+verdict 'a page that is not there, a folder for a page'
+
+run 2 check --frobnicate "$pages/passes.md"
+said 'nineball --help tells'
+run 2 check --threads many "$pages/passes.md"
+said 'found `many`'
+run 2 check --threads 0 "$pages/passes.md"
+said '--threads wants'
+run 2 check --isa mmx "$pages/passes.md"
+said 'instruction set `mmx`'
+run 2 check --set v "$pages/passes.md"
+said '--set wants NAME=VALUE, found `v`'
+run 2 run -o both "$pages/passes.md" "$pages/swept.md"
+said 'one page at a time'
+absent both
+verdict 'options that are wrong'
+
+run 0 --version
+grep -Eqx 'nineball [0-9]+\.[0-9]+\.[0-9]+' out || echo 'no version' >>why
+out 'GPL-3.0-or-later'
+run 0 --help
+for word in run check figure report explain laws list --set --threads --isa 'exit status'; do out "$word"; done
+run 0 check --help
+out 'usage: nineball COMMAND'
+run 0 --help scene
+for word in 'discs lattice' 'stage' 'WATCH.NAME' 'rises with'; do out "$word"; done
+verdict '--version and --help'
+
+run 0 laws
+out 'normal  linear'
+out 'shear   linear'
+out '[CS79 17-19]'
+run 0 list
+out 'nine_discs'
+out 'energy.kinetic'
+verdict 'laws and list'
+
+run 0 explain "$pages/same-bits.md"
+out 'run friction=0'
+out 'run friction=0.4'
+out 'disc-disc, overlap, closing and slip'
+out 'shear linear                             line 13'
+out '0.05 of it'
+out '1500 cycles'
+absent same-bits.out
+verdict 'explain'
+
+# ---- what a run leaves ----
+run 0 run "$pages/passes.md"
+out 'tables are in passes.out'
+for file in table values verdict; do there passes.out/$file.tsv; done
+test "$(column D.x/- passes.out/table.tsv | tail -n 1)" = 1.5 || echo 'D.x does not end at 1.5' >>why
+test "$(column time/- passes.out/table.tsv | wc -l)" -eq 9 || echo 'not 9 rows' >>why
+run 0 run "$pages/passes.md" -o one/two/three
+there one/two/three/table.tsv
+verdict 'tables, in the default folder and in one that is made'
+
+run 1 run "$pages/passes.md" -o set --set v=0.25
+test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.25 || echo '--set v=0.25 does not hold' >>why
+run 0 run "$pages/passes.md" -o set --set 'step=0.0625' --set v=1
+test "$(column step/- set/table.tsv | tail -n 1)" = 0.0625 || echo '--set step does not hold' >>why
+test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.5 || echo 'two --set do not hold' >>why
+run 0 explain "$pages/same-bits.md" --set shear=none
+out 'normal linear'
+grep -q 'shear linear' out && echo '--set shear=none does not hold' >>why
+run 2 explain "$pages/passes.md" --set shear=liner
+said 'did you mean `linear`?'
+run 2 run "$pages/passes.md" --set w=1
+said '`w`'
+verdict '--set: a value, the step, a law, what does not exist'
+
+run 0 run "$pages/swept.md" -o swept
+test "$(column v/- swept/table.tsv | sort -u | wc -l)" -eq 3 || echo 'no column v' >>why
+test "$(column D.x/- swept/table.tsv | wc -l)" -eq 27 || echo 'not 3 runs of 9 rows' >>why
+run 2 check "$pages/swept.md" --set v=1
+run 0 run "$pages/passes.md" -o again --set v=0.5
+cmp -s again/table.tsv passes.out/table.tsv || echo 'the same value gives another table' >>why
+verdict 'sweeps'
+
+# ---- what goes wrong while writing ----
+: >file
+run 2 run "$pages/passes.md" -o file/under
+said 'cannot make the folder file/under: Not a directory'
+run 2 run "$pages/passes.md" -o file
+said 'cannot make the folder file'
+verdict 'a folder that cannot be made'
+
+run 0 run "$pages/passes.md" -o kept
+cp kept/table.tsv before
+(
+  trap '' XFSZ # too large a file is then an error like a full disk, not the end
+  ulimit -f 0
+  "$nineball" run "$pages/passes.md" --set v=1 -o kept 2>&1 >/dev/null
+  echo "status $?"
+) | cat >said
+said 'cannot write kept/table.tsv'
+said 'status 2'
+cmp -s kept/table.tsv before || echo 'the old table is not whole' >>why
+test "$(ls kept)" = "$(ls passes.out)" || echo "left behind: $(ls kept)" >>why
+verdict 'a disk that is full: 2, and the old tables stay'
+
+if test -w /dev/full; then
+  "$nineball" list >/dev/full 2>said
+  test $? -eq 2 || echo 'the status is not 2' >>why
+  said 'the output could not be written'
+  "$nineball" check "$pages/passes.md" >/dev/full 2>said
+  test $? -eq 2 || echo 'the status of check is not 2' >>why
+  verdict 'standard output on a full disk: 2'
+else
+  n=$((n + 1))
+  echo "ok $n - standard output on a full disk # SKIP there is no /dev/full"
+fi
+
+{
+  sleep 0.2
+  trap '' PIPE
+  "$nineball" list 2>said
+  echo $? >status
+} | :
+test "$(cat status)" -eq 2 || echo "status $(cat status), wanted 2" >>why
+said 'the output could not be written'
+"$nineball" list >&- 2>said
+test $? -eq 2 || echo 'closed standard output: the status is not 2' >>why
+verdict 'a pipe that nobody reads, a closed standard output: 2'
+
+# ---- figures ----
+path=$PATH
+PATH=$work/nothing
+run 2 figure "$pages/passes.md" -o drawn
+PATH=$path
+said 'gnuplot cannot be run'
+said 'gnuplot-nox'
+there drawn/passes.gp
+verdict 'no gnuplot: said, and its package named'
+
+run 0 figure "$pages/swept.md" -o drawn
+out 'has no block of kind `gnuplot`'
+verdict 'a page without a figure'
+
+echo "1..$n"

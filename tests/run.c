@@ -1,0 +1,155 @@
+/* A scene from its first stage to its last: what is recorded when, what lasts from stage to stage, and how a run ends badly.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "suites.h"
+#include "written.h"
+
+#define SCENE                                                                                                          \
+  "units none\nmaterial m density 1 kn 100\nstep 0.25\nbox 0 0 to 8 8 m\ndisc 4 4 radius 1 m\nwatch W wall west\n"     \
+  "watch D disc 1\nwatch C disc 1 with wall west\nrecord cycle time W.x\n"
+
+static void rows_come_when_they_are_asked_for(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, SCENE "stage a\nrecord every 4 cycles\ncycles 10\nstage b\nrecord none\ncycles 3\nstage c\n"
+                         "step 0.5\ncycles 2\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  /* The start, every fourth cycle and the last of a; none of b; both of c. */
+  static const double cycle[] = {0, 4, 8, 10, 14, 15}, time[] = {0, 1, 2, 2.5, 3.75, 4.25};
+  static const int stage[] = {0, 0, 0, 0, 2, 2};
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 6);
+  for (size_t r = 0; r < 6; r++) {
+    CU_ASSERT(result.table.values[3 * r] == cycle[r] && result.table.values[3 * r + 1] == time[r]);
+    CU_ASSERT(result.table.cycle[r] == cycle[r] && result.table.time[r] == time[r] &&
+              result.table.stage[r] == stage[r]);
+  }
+  CU_ASSERT(result.cycles == 15 && result.stage_cycles[0] == 10 && result.stage_cycles[1] == 3 &&
+            result.stage_cycles[2] == 2);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+static void walls_go_on_until_told_otherwise(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            SCENE "stage a\nwalls inward 0.5\ncycles 2\nstage b\ncycles 2\nstage c\nwalls stop\ncycles 2\nstage d\n"
+                  "wall west velocity -1 0\ncycles 2\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  static const double x[] = {0, 0.125, 0.25, 0.375, 0.5, 0.5, 0.5, 0.25, 0};
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 9);
+  for (size_t r = 0; r < 9; r++)
+    CU_ASSERT_EQUAL(result.table.values[3 * r + 2], x[r]);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+static void a_stage_ends_when_all_conditions_hold(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, SCENE "stage a\nrecord every 100 cycles\nuntil time above 1 and cycle above 2 at most 50 cycles\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(result.cycles, 5); /* time is 1 at cycle 4, and above it at 5 */
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 2);
+  CU_ASSERT_EQUAL(result.table.cycle[1], 5); /* the last one, though not the hundredth */
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* Runs what must break; the words that say so. */
+static struct nb_error broken(const char *statements, size_t *rows) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  struct nb_error error = {0};
+  words_add(&page, "%s", statements);
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), NB_BROKEN);
+  CU_ASSERT_EQUAL(error.status, NB_BROKEN);
+  *rows = result.table.row_count;
+  nb_result_free(&result);
+  written_free(&it);
+  return error;
+}
+
+static void says(const struct nb_error *error, const char *words) {
+  if (!strstr(error->text, words))
+    printf("# `%s` is not in: %s\n", words, error->text);
+  CU_ASSERT_PTR_NOT_NULL(strstr(error->text, words));
+}
+
+static void a_stage_that_never_ends(void) {
+  size_t rows;
+  const struct nb_error error =
+      broken(SCENE "stage a\ncycles 1\nstage slow\nuntil time above 100 and cycle above 2 at most 7 cycles\n", &rows);
+  says(&error, "stage `slow`");
+  says(&error, "7 cycles");
+  says(&error, "time is 2 and should be above 100");
+  CU_ASSERT_EQUAL(rows, 9); /* what was seen until then is kept */
+}
+
+/* Two bodies at one place have no direction between them; one too fast is beyond all numbers. */
+static void a_body_that_is_nowhere(void) {
+  size_t rows;
+  struct nb_error error = broken("units none\nmaterial m density 1 kn 100\ndisc 9 9 radius 1 m\ndisc 1 1 radius 1 m\n"
+                                 "disc 1 1 radius 1 m\nstep 1\nwatch D disc 1\nrecord D.x\nstage a\ncycles 9\n",
+                                 &rows);
+  says(&error, "body 2 (line 5)");
+  says(&error, "after cycle 1");
+  says(&error, "0.354491"); /* 2 sqrt(m/k) */
+  CU_ASSERT_EQUAL(rows, 1); /* the start */
+  error = broken(
+      "units none\nmaterial m density 1 kn 100\ndisc 9 9 radius 1 m\ndisc 0 0 radius 1 m velocity 0.5e308 0\nstep 1\n"
+      "watch D disc 1\nrecord D.x\nstage a\ncycles 9\n",
+      &rows);
+  says(&error, "body 2 (line 5)");
+  says(&error, "after cycle 4, at 4 s");
+  CU_ASSERT_EQUAL(rows, 4);
+}
+
+static void a_snapshot_holds_what_touches(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 100\nstep 1e-6\nwall floor -9 0 to 9 0 m\ndisc 0 0.9 radius 1 m\n"
+            "disc 0 2.9 radius 1.2 m\ndisc 8 5 radius 1 m\nstage a\nsnapshot\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.snapshot_count, 1);
+  const struct nb_table *contacts = &result.snapshots[0].contacts;
+  CU_ASSERT(result.snapshots[0].bodies.row_count == 3 && result.snapshots[0].walls.row_count == 1);
+  CU_ASSERT_EQUAL_FATAL(contacts->row_count, 2);
+  for (size_t r = 0; r < 2; r++) {
+    const double *values = contacts->values + r * contacts->column_count;
+    const bool floor = values[2] == 1;
+    CU_ASSERT(values[0] == 1 && values[1] == (floor ? 0 : 2));
+    /* Half-way between the outlines: 0 and -0.1 on the floor, 1.9 and 1.7 between the discs. */
+    CU_ASSERT_DOUBLE_EQUAL(values[3], 0, 1e-6);
+    CU_ASSERT_DOUBLE_EQUAL(values[4], floor ? -0.05 : 1.8, 1e-6);
+    CU_ASSERT_DOUBLE_EQUAL(values[10], floor ? 10 : 20, 1e-6);  /* normal */
+    CU_ASSERT_DOUBLE_EQUAL(values[14], floor ? 10 : -20, 1e-6); /* fy on the first */
+  }
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+void suite_run(void) {
+  CU_pSuite suite = CU_add_suite("run", NULL, NULL);
+  CU_add_test(suite, "rows come when they are asked for", rows_come_when_they_are_asked_for);
+  CU_add_test(suite, "walls go on until told otherwise", walls_go_on_until_told_otherwise);
+  CU_add_test(suite, "a stage ends when all conditions hold", a_stage_ends_when_all_conditions_hold);
+  CU_add_test(suite, "a stage that never ends", a_stage_that_never_ends);
+  CU_add_test(suite, "a body that is nowhere", a_body_that_is_nowhere);
+  CU_add_test(suite, "a snapshot holds what touches", a_snapshot_holds_what_touches);
+}

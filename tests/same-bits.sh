@@ -1,0 +1,55 @@
+#!/bin/sh
+# The same table, byte by byte, whatever the number of threads and the instruction set. TAP. $NINEBALL is the program,
+# ./nineball by default; $srcdir is where tests/pages lies.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+nineball=${NINEBALL:-./nineball}
+page=${srcdir:-.}/tests/pages/same-bits.md
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+
+# All files that a run leaves, under one name each, as one text.
+run() {
+  folder=$work/$1
+  shift
+  "$nineball" run "$page" -o "$folder" "$@" >"$work/out" 2>"$work/said" || return
+  for file in "$folder"/*.tsv; do
+    echo "== ${file##*/}"
+    cat "$file"
+  done >"$folder.all"
+}
+
+set -- '--threads 1 --isa plain' '--threads 2 --isa plain' '--threads 1 --isa avx2' '--threads 2 --isa avx2' \
+  '--threads 1 --isa avx512' '--threads 2 --isa avx512' '--threads 7' ''
+echo "1..$(($# + 1))"
+
+rows=0
+if run first --threads 1 --isa plain; then
+  rows=$(grep -c '[0-9]	rest	' "$work/first/table.tsv")
+fi
+# 10 rows of the last stage, of each of two runs; in the second a disc slides along a wall.
+if test "$rows" -eq 20 && cut -f 28 "$work/first/table.tsv" | grep -qx 1; then
+  echo "ok 1 - the page runs"
+else
+  echo "not ok 1 - the page runs"
+  sed 's/^/# /' "$work/said"
+fi
+
+n=1
+for options in "$@"; do
+  n=$((n + 1))
+  if run "$n" $options; then
+    if cmp "$work/first.all" "$work/$n.all" >"$work/said" 2>&1; then
+      echo "ok $n - ${options:-as by default}"
+    else
+      echo "not ok $n - ${options:-as by default}"
+      sed 's/^/# /' "$work/said"
+    fi
+  elif grep -q 'this machine does not run' "$work/said"; then
+    echo "ok $n - $options # SKIP not on this machine"
+  else
+    echo "not ok $n - $options"
+    sed 's/^/# /' "$work/said"
+  fi
+done
