@@ -6,6 +6,8 @@
 #include "save.h"
 #include "tables.h"
 
+enum { MANY = 20 }; /* so many checks are folded away, unless one failed */
+
 static void text(FILE *out, const char *words) {
   for (; *words; words++)
     switch (*words) {
@@ -61,7 +63,10 @@ static void write_page(FILE *out, const struct nb_report_line *line) {
   if (line->drawn)
     fprintf(out, "<p><img src=\"%s/%s.svg\" alt=\"figure of %s\"></p>\n", line->name, line->name, line->name);
   if (line->checks)
-    fputs("<table><tr><th></th><th>expected</th><th>seen</th></tr>\n", out);
+    fprintf(out,
+            "<details%s><summary>%zu checks, %zu "
+            "failed</summary>\n<table><tr><th></th><th>expected</th><th>seen</th></tr>\n",
+            line->checks < MANY || line->failed ? " open" : "", line->checks, line->failed);
   for (size_t k = 0; k < line->checks; k++) {
     const struct nb_check *check = &line->verdicts[k];
     fprintf(out, "<tr><td class=\"%s\">%s</td><td>", check->passed ? "pass" : "fail", check->passed ? "pass" : "FAIL");
@@ -71,7 +76,7 @@ static void write_page(FILE *out, const struct nb_report_line *line) {
     fputs("</td></tr>\n", out);
   }
   if (line->checks)
-    fputs("</table>\n", out);
+    fputs("</table></details>\n", out);
   if (line->status <= NB_FAILED)
     fprintf(out,
             "<p>Files: <a href=\"%s/table.tsv\">table</a>, <a href=\"%s/values.tsv\">values</a>, <a "

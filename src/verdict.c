@@ -33,13 +33,14 @@ static void __attribute__((format(printf, 3, 4))) say(struct nb_check *check, bo
 static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double seen, double known,
                     double peak, const char *unit, const char *from) {
   const double off = fabs(seen - known);
+  const char *gap = unit[0] ? " " : "";
   if (tolerance->kind == NB_ABSOLUTE) {
-    say(check, off <= tolerance->value, "seen %.12g %s, %s %.12g, off by %.3g", seen, unit, from, known, off);
+    say(check, off <= tolerance->value, "seen %.12g%s%s, %s %.12g, off by %.3g", seen, gap, unit, from, known, off);
     return;
   }
   const double scale = tolerance->kind == NB_OF_PEAK ? peak : fabs(known);
-  say(check, off <= tolerance->value * scale, "seen %.12g %s, %s %.12g, off by %.3g %%%s", seen, unit, from, known,
-      scale > 0 ? 100 * off / scale : 0, tolerance->kind == NB_OF_PEAK ? " of peak" : "");
+  say(check, off <= tolerance->value * scale, "seen %.12g%s%s, %s %.12g, off by %.3g %%%s", seen, gap, unit, from,
+      known, scale > 0 ? 100 * off / scale : 0, tolerance->kind == NB_OF_PEAK ? " of peak" : "");
 }
 
 static const char *unit_of(const struct nb_page_run *run, const char *unit) {
