@@ -14,6 +14,8 @@ if sh docs/equations.sh . >"$work/now" 2>"$work/said"; then
 else
   echo "not ok 1 - every tag can be read"
   sed 's/^/# /' "$work/said"
+  echo "Bail out! there is no table to compare"
+  exit 1
 fi
 if diff -u docs/EQUATIONS.md "$work/now" >"$work/said"; then
   echo "ok 2 - docs/EQUATIONS.md is up to date"

@@ -10,7 +10,7 @@
 
 #define SCENE                                                                                                          \
   "units none\nmaterial m density 1 kn 100\nstep 0.25\nbox 0 0 to 8 8 m\ndisc 4 4 radius 1 m\nwatch W wall west\n"     \
-  "watch D disc 1\nwatch C disc 1 with wall west\nrecord cycle time W.x\n"
+  "watch D disc 1\nwatch C disc 1 with wall west\nrecord cycle time W.x W.y\n"
 
 static void rows_come_when_they_are_asked_for(void) {
   struct words page = {0};
@@ -25,7 +25,7 @@ static void rows_come_when_they_are_asked_for(void) {
   static const int stage[] = {0, 0, 0, 0, 2, 2};
   CU_ASSERT_EQUAL_FATAL(result.table.row_count, 6);
   for (size_t r = 0; r < 6; r++) {
-    CU_ASSERT(result.table.values[3 * r] == cycle[r] && result.table.values[3 * r + 1] == time[r]);
+    CU_ASSERT(result.table.values[4 * r] == cycle[r] && result.table.values[4 * r + 1] == time[r]);
     CU_ASSERT(result.table.cycle[r] == cycle[r] && result.table.time[r] == time[r] &&
               result.table.stage[r] == stage[r]);
   }
@@ -41,13 +41,13 @@ static void walls_go_on_until_told_otherwise(void) {
   struct nb_result result;
   words_add(&page,
             SCENE "stage a\nwalls inward 0.5\ncycles 2\nstage b\ncycles 2\nstage c\nwalls stop\ncycles 2\nstage d\n"
-                  "wall west velocity -1 0\ncycles 2\n");
+                  "wall west velocity -1 3\ncycles 2\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  static const double x[] = {0, 0.125, 0.25, 0.375, 0.5, 0.5, 0.5, 0.25, 0};
+  static const double x[] = {0, 0.125, 0.25, 0.375, 0.5, 0.5, 0.5, 0.25, 0}, y[] = {4, 4, 4, 4, 4, 4, 4, 4.75, 5.5};
   CU_ASSERT_EQUAL_FATAL(result.table.row_count, 9);
   for (size_t r = 0; r < 9; r++)
-    CU_ASSERT_EQUAL(result.table.values[3 * r + 2], x[r]);
+    CU_ASSERT(result.table.values[4 * r + 2] == x[r] && result.table.values[4 * r + 3] == y[r]);
   nb_result_free(&result);
   written_free(&it);
 }
