@@ -200,18 +200,17 @@ run 2 run "$pages/passes.md" -o file
 said 'cannot make the folder file'
 verdict 'a folder that cannot be made'
 
-run 0 run "$pages/passes.md" -o kept
-cp kept/table.tsv before
+run 0 run "$pages/same-bits.md" -o kept
+cp -r kept before
 (
   trap '' XFSZ # too large a file is then an error like a full disk, not the end
-  ulimit -f 0
-  "$nineball" run "$pages/passes.md" --set v=1 -o kept 2>&1 >/dev/null
+  ulimit -f 8  # 4 KiB: room for the beginning of a table, and for what a library of threads wants
+  "$nineball" run "$pages/same-bits.md" --set friction=0.1 -o kept 2>&1 >/dev/null
   echo "status $?"
 ) | cat >said
 said 'cannot write kept/table.tsv'
 said 'status 2'
-cmp -s kept/table.tsv before || echo 'the old table is not whole' >>why
-test "$(ls kept)" = "$(ls passes.out)" || echo "left behind: $(ls kept)" >>why
+diff -r before kept >>why
 verdict 'a disk that is full: 2, and the old tables stay'
 
 if test -w /dev/full; then
