@@ -1,4 +1,5 @@
-/* Contact dashpots: their coefficients, what they are added to and what they must not enter. [CS79 24-28; R89 4.3, 4.13]
+/* Contact dashpots: their coefficients, what they are added to and what they must not enter.
+ * [CS79 24-28; R89 4.3, 4.13]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -121,9 +122,9 @@ static void sliding(void) {
   written_free(&it);
 }
 
-/* A disc on a wall, parted when nothing overlaps any more, though the dashpot pulls before: half a period of the damped swing,
- * e = exp(-pi beta/sqrt(1 - beta^2)). Meeting, parting and the dashpot's half step are each late by up to a step, which costs up to
- * c dt/m = 2 beta w dt of the velocity. */
+/* A disc on a wall, parted when nothing overlaps any more, though the dashpot pulls before: half a period of the damped
+ * swing, e = exp(-pi beta/sqrt(1 - beta^2)). Meeting, parting and the dashpot's half step are each late by up to a
+ * step, which costs up to c dt/m = 2 beta w dt of the velocity. */
 static void restitution(void) {
   const double m = pi * 3, w = sqrt(400 / m);
   static const double betas[] = {0.02, 0.1, 0.3};

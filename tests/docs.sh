@@ -1,5 +1,5 @@
 #!/bin/sh
-# The documents are true: links lead somewhere, the table of cases lists the pages there are, and every command that is
+# The documents are true: links lead somewhere, and every command that is
 # shown can be given and ends as the text says. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # A command must end with status 0, or with the one its comment names: `nineball check mine.md  # exit status 1`. Those
@@ -32,13 +32,6 @@ result() {
   fi
 }
 
-# The words of a list of Makefile.am, one a line.
-words() {
-  awk -v list="$1" '
-    $1 == list && $2 == "=" { inside = 1; $1 = $2 = "" }
-    inside { more = sub(/\\$/, ""); for (i = 1; i <= NF; i++) if ($i != "") print $i; inside = more }' Makefile.am
-}
-
 # ---- links ----
 
 for document in $documents; do
@@ -49,13 +42,6 @@ for document in $documents; do
 done >"$work/said"
 test ! -s "$work/said"
 result $? "links between documents"
-
-# ---- cases/README.md ----
-
-{ words PAGES; words PAGES_LONG; } | sed 's|^cases/||' | sort >"$work/pages"
-sed -n 's/^| \[[^]]*\](\([a-z0-9-]*\.md\)).*/\1/p' cases/README.md | sort >"$work/listed"
-sort "$work/pages" "$work/pages" | diff - "$work/listed" >"$work/said"
-result $? "each of the two tables of cases/README.md lists the pages of Makefile.am"
 
 # ---- commands ----
 

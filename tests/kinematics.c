@@ -133,8 +133,8 @@ static void forms_agree(void) {
   }
 }
 
-/* Disc 1 west of disc 2: e is east, t is south (t clockwise of e). What moves along t, or turns so that its rim does the opposite of
- * t at the contact, slips as the paper says. */
+/* Disc 1 west of disc 2: e is east, t is south (t clockwise of e). What moves along t, or turns so that its rim does
+ * the opposite of t at the contact, slips as the paper says. */
 static void signs_of_slip(void) {
   struct bench *it = bench_create(false);
   it->view.n = 4;

@@ -1,6 +1,7 @@
 /* The contract of a law, held by every one in the register: nothing here knows a law by name.
  *
- * Each test goes over all laws and over many pairs and paths drawn by chance; a shear law is tried on top of every normal law.
+ * Each test goes over all laws and over many pairs and paths drawn by chance; a shear law is tried on top of
+ * every normal law.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -47,7 +48,8 @@ static void contact_go(struct contact *it, double overlap, double slip) {
     it->shear_memory[m] = 0;
 }
 
-/* Along a straight line of n steps; answers the work done on the contact, by the mean of the forces at both ends of a step. */
+/* Along a straight line of n steps; answers the work done on the contact, by the mean of the forces at both ends of a
+ * step. */
 static double contact_lead(struct contact *it, double overlap, double slip, int n) {
   const double from = it->overlap;
   double work = 0;
@@ -110,7 +112,8 @@ static void pushes_and_never_pulls(struct contact it, struct chance *chance) {
   }
 }
 
-/* A force is known to an epsilon of it, so a difference over 2h to F epsilon/h; the step is far too short for curvature to count. */
+/* A force is known to an epsilon of it, so a difference over 2h to F epsilon/h; the step is far too short for curvature
+ * to count. */
 static void stiffness_is_the_slope(struct contact it, struct chance *chance) {
   const double overlap = chance_scale(chance, 1e-9, 1e-3), h = ldexp(overlap, -17);
   contact_lead(&it, overlap - h, 0, 16);
@@ -178,8 +181,8 @@ struct corner {
   double overlap, slip; /* to this overlap, on by this slip */
 };
 
-/* Three times around, from a contact that carries no shear. Steps are finite, so the work is off by something that falls with them:
- * what it changes by when there are twice as many is taken for it, four times over. */
+/* Three times around, from a contact that carries no shear. Steps are finite, so the work is off by something that
+ * falls with them: what it changes by when there are twice as many is taken for it, four times over. */
 static void go_around(const struct contact *at, const struct corner *corners, int count) {
   struct contact coarse = *at, fine = *at;
   double work = 0, finer = 0, scale = 0;

@@ -1,5 +1,6 @@
-/* The forms of a law that go over a block of contacts: the same bits as the law itself, one contact at a time, whatever the
- * instruction set and the number of contacts; nothing is written past the end; memory ends with the contact.
+/* The forms of a law that go over a block of contacts: the same bits as the law itself, one contact at a time,
+ * whatever the instruction set and the number of contacts; nothing is written past the end;
+ * memory ends with the contact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

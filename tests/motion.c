@@ -50,8 +50,8 @@ static void free_flight_is_exact(void) {
   written_free(&it);
 }
 
-/* x_N = x_0 cos(phi N) + v_0 dt sin(phi N)/sin(phi), sin(phi/2) = w dt/2: the first kick lasts half a step, or the first term would
- * be another. The velocity now is the central difference of the positions. */
+/* x_N = x_0 cos(phi N) + v_0 dt sin(phi N)/sin(phi), sin(phi/2) = w dt/2: the first kick lasts half a step, or the
+ * first term would be another. The velocity now is the central difference of the positions. */
 static void one_mass_on_a_spring(void) {
   static const double start[][2] = {{0.05, 0}, {0, 0.4}, {-0.03, 0.2}};
   for (size_t s = 0; s < sizeof start / sizeof *start; s++)
@@ -145,8 +145,9 @@ static void spin_is_damped_as_the_velocity_is(void) {
   }
 }
 
-/* Three stages with steps dt, dt/3, dt/2 against the motion in continuous time: halving all steps leaves a quarter of the error,
- * in position and in velocity, damped or not. A first kick of a whole step, or one of the new step only, would leave a half. */
+/* Three stages with steps dt, dt/3, dt/2 against the motion in continuous time: halving all steps leaves a quarter of
+ * the error, in position and in velocity, damped or not. A first kick of a whole step, or one of the new step only,
+ * would leave a half. */
 static void unlike_steps_keep_the_second_order(void) {
   for (int damped = 0; damped < 2; damped++) {
     const double rate = damped ? 2 : 0, w = omega(), turn = sqrt(w * w - rate * rate / 4), end = 6;

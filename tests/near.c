@@ -11,7 +11,8 @@
 
 enum { DISCS = 300 };
 
-/* Discs of unlike sizes and two materials around a place far from the origin, which move, rub and hit a ramp and each other. */
+/* Discs of unlike sizes and two materials around a place far from the origin, which move, rub and hit a ramp and each
+ * other. */
 static void cloud(struct written *it, double x, double y, double speed, unsigned seed) {
   struct words page = {0};
   struct chance chance = chance_begin(seed);
@@ -42,7 +43,8 @@ static double gap(const struct nb_model *model, size_t i, size_t j, bool wall) {
   return vec_length(vec_sub(vec_add(p, vec_scale(s, along)), x)) - model->bodies.rim[i].x;
 }
 
-/* Every pair closer than `within` is listed, once, with its smaller number first and under its own materials; no pair of fixed ones. */
+/* Every pair closer than `within` is listed, once, with its smaller number first and under its own materials; no pair
+ * of fixed ones. */
 static size_t compare(const struct nb_model *model, double within) {
   const struct nb_bodies *bodies = &model->bodies;
   size_t wanted = 0;
@@ -119,7 +121,8 @@ static void outcome(struct nb_model *model, double state[DISCS][8]) {
 
 static double wanted[DISCS][8], seen[DISCS][8];
 
-/* A wide skin is searched seldom, a narrow one at nearly every cycle: what contacts remember must come through every search. */
+/* A wide skin is searched seldom, a narrow one at nearly every cycle: what contacts remember must come through every
+ * search. */
 static void the_skin_changes_no_bit(void) {
   static const double skins[] = {0.1, 1e-3, 3};
   unsigned long long searches[3];

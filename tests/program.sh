@@ -1,6 +1,6 @@
 #!/bin/sh
-# The program as a user meets it: its exit status, what it says where, and what it leaves behind. TAP. $NINEBALL is the program,
-# ./nineball by default; $srcdir is where tests/pages lies.
+# The program as a user meets it: its exit status, what it says where, and what it leaves behind. TAP.
+# $NINEBALL is the program, ./nineball by default; $srcdir is where tests/pages lies.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -41,7 +41,12 @@ quiet() { test ! -s "$1" || echo "something is on $1" >>why; }
 there() { test -s "$1" || echo "missing or empty: $1" >>why; }
 absent() { test ! -e "$1" || echo "left behind: $1" >>why; }
 # column NAME FILE: its values, one a line.
-column() { awk -F '\t' -v name="$1" '/^#/ { next } !c { for (k = 1; k <= NF; k++) if ($k == name) c = k; next } { print $c }' "$2"; }
+column() {
+  awk -F '\t' -v name="$1" '
+    /^#/ { next }
+    !c { for (k = 1; k <= NF; k++) if ($k == name) c = k; next }
+    { print $c }' "$2"
+}
 
 # ---- status ----
 run 0 check "$pages/passes.md"

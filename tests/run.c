@@ -1,4 +1,5 @@
-/* A scene from its first stage to its last: what is recorded when, what lasts from stage to stage, and how a run ends badly.
+/* A scene from its first stage to its last: what is recorded when, what lasts from stage to stage, and how a run
+ * ends badly.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -8,7 +8,8 @@
 #include "suites.h"
 #include "written.h"
 
-/* F on x is -(F_n e + F_s t), on y the opposite; both moments are F_s R counterclockwise. [CS79, The force-displacement law] */
+/* F on x is -(F_n e + F_s t), on y the opposite; both moments are F_s R counterclockwise. [CS79, The force-displacement
+ * law] */
 static void forces_on_a_pair(void) {
   struct words page = {0};
   struct written it;
