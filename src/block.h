@@ -18,16 +18,18 @@ enum nb_field {
   NB_CLOSING, /* dn, approach over the last step, m [CS79 14] */
   NB_SLIP,    /* ds, tangential displacement over the last step, m [CS79 15] */
   NB_EX,
-  NB_EY,              /* e, unit vector from the first body to the second [CS79 9] */
-  NB_NORMAL,          /* F_n >= 0, elastic, N */
-  NB_STIFFNESS,       /* dF_n/d(alpha), N/m; 0 where nothing touches */
-  NB_RADIUS,          /* a, of the contact circle, m; 0 for laws that know none */
-  NB_SHEAR,           /* F_s, elastic, on the first body along -t, N */
-  NB_SHEAR_STIFFNESS, /* dF_s/ds, N/m; 0 where nothing touches */
-  NB_SLIDING,         /* 1 where F_s is at its limit [CS79 19], else 0 */
-  NB_PUSH,            /* F_n + D_n, N: what is felt; may pull while damped */
-  NB_DRAG,            /* F_s + D_s, N */
-  NB_MASS,            /* M*, reduced mass, kg [R89 4.6] */
+  NB_EY,                     /* e, unit vector from the first body to the second [CS79 9] */
+  NB_NORMAL,                 /* F_n >= 0, elastic, N */
+  NB_STIFFNESS,              /* dF_n/d(alpha), N/m; 0 where nothing touches */
+  NB_RADIUS,                 /* a, of the contact circle, m; 0 for laws that know none */
+  NB_SHEAR,                  /* F_s, elastic, on the first body along -t, N */
+  NB_SHEAR_STIFFNESS,        /* dF_s/ds, N/m; 0 where nothing touches */
+  NB_SLIDING,                /* 1 where F_s is at its limit [CS79 19], else 0 */
+  NB_PUSH,                   /* F_n + D_n, N: what is felt; may pull while damped */
+  NB_DRAG,                   /* F_s + D_s, N */
+  NB_MASS,                   /* M*, reduced mass, kg [R89 4.6] */
+  NB_SHEAR_BEFORE,           /* F_s a step ago, N, for the energy balance alone; */
+  NB_SHEAR_STIFFNESS_BEFORE, /* its stiffness then, N/m */
   NB_FIELDS
 };
 

@@ -24,9 +24,6 @@ enum nb_status nb_command_explain(const struct nb_use *use);
 enum nb_status nb_command_laws(const struct nb_use *use);
 enum nb_status nb_command_list(const struct nb_use *use);
 
-/* help.c: the words and units of a page, from the table that reads them. */
-void nb_help_language(FILE *out);
-
 /* print.c: verdicts and progress on the terminal */
 struct nb_outcome;
 void nb_print_verdict(const struct nb_outcome *outcome);

@@ -6,6 +6,14 @@
 
 #include "near.h"
 
+/* What the energy balance compares with the step before. */
+static void carry_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+  static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
+  for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
+    if (now->kept[fields[f]] && old->kept[fields[f]])
+      now->kept[fields[f]][c] = old->kept[fields[f]][o];
+}
+
 /* The old and the new list are in the same order: one walk along both finds what stays. */
 static void carry_memory(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
   size_t o = 0;
@@ -18,10 +26,14 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
         break;
       if (order < 0)
         continue;
+      if (now->muted && old->muted)
+        now->muted[c] = old->muted[o];
+      if (model->balance)
+        carry_fields(now, c, old, o);
       for (int m = 0; m < NB_MEMORY; m++) {
-        if (now->normal_memory[m])
+        if (now->normal_memory[m] && old->normal_memory[m])
           now->normal_memory[m][c] = old->normal_memory[m][o];
-        if (now->shear_memory[m])
+        if (now->shear_memory[m] && old->shear_memory[m])
           now->shear_memory[m][c] = old->shear_memory[m][o];
       }
     }
@@ -29,7 +41,7 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
 }
 
 void nb_contacts_free(struct nb_contacts *contacts) {
-  free(contacts->a), free(contacts->b), free(contacts->pairing), free(contacts->force);
+  free(contacts->a), free(contacts->b), free(contacts->pairing), free(contacts->muted), free(contacts->force);
   for (int f = 0; f < NB_FIELDS; f++)
     free(contacts->kept[f]);
   for (int m = 0; m < NB_MEMORY; m++)
@@ -43,6 +55,8 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
   contacts->a = nb_array(n, sizeof(int)), contacts->b = nb_array(n, sizeof(int));
   contacts->pairing = nb_array(n, sizeof(int)), contacts->force = nb_array(n, sizeof *contacts->force);
   bool made = contacts->a && contacts->b && contacts->pairing && contacts->force;
+  if (model->joined)
+    made = (contacts->muted = nb_array(n, sizeof(int))) && made;
   for (int f = 0; f < NB_FIELDS; f++)
     if (model->kept & NB_BIT(f))
       made = (contacts->kept[f] = nb_array(n, sizeof(double))) && made;
@@ -123,6 +137,9 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs
   carry_memory(model, &model->contacts, &now);
   nb_contacts_free(&model->contacts);
   model->contacts = now;
+  model->wall_contacts = 0;
+  while (model->wall_contacts < now.count && !model->pairings[now.pairing[model->wall_contacts]].wall)
+    model->wall_contacts++;
   return incidence_renew(model);
 }
 

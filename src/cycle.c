@@ -9,7 +9,7 @@
  * in fixed parts; every contact and every body is worked out by one of them alone, so their number changes no bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "model.h"
+#include "energy.h"
 
 static void forces_of_block(const struct nb_model *model, const struct nb_view *view) {
   const struct nb_pairing *pairing = view->pairing;
@@ -24,7 +24,9 @@ static void forces_part(const struct nb_model *model, int part, int parts) {
 }
 
 void nb_forces(struct nb_model *model) {
-  const int threads = model->threads;
+  const int threads = model->busy;
+  if (model->joint_count)
+    nb_joints_settle(model);
   if (threads == 1)
     forces_part(model, 0, 1);
   else {
@@ -37,7 +39,7 @@ void nb_forces(struct nb_model *model) {
 
 /* Answers how many bodies and walls have gone too far for the list of contacts. */
 static int motion(struct nb_model *model) {
-  const int threads = model->threads;
+  const int threads = model->busy;
   int out = nb_motion_walls(model);
   if (threads == 1)
     return out + nb_motion_part(model, 0, 1);
@@ -47,14 +49,37 @@ static int motion(struct nb_model *model) {
   return out;
 }
 
+static enum nb_status change(struct nb_model *model, bool *searched, struct nb_error *error) {
+  if (model->balance)
+    nb_balance_change(model, true);
+  const enum nb_status status = nb_stage_change(model, searched, error);
+  if (model->balance && !status)
+    nb_balance_change(model, false);
+  return status;
+}
+
 enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
+  if (model->driven)
+    nb_stage_drive(model);
+  if (model->balance)
+    nb_balance_before(model);
   const int out = motion(model);
+  if (model->balance)
+    nb_balance_kick(model);
   model->cycle++;
   model->stage_cycle++;
   model->time = model->stage_time + (double)model->stage_cycle * model->step;
   model->previous_step = model->step;
-  if (out && nb_near(model, error))
+  bool searched = false;
+  if (model->changing && change(model, &searched, error))
+    return error->status;
+  const bool search = out && !searched;
+  if (search ? nb_near(model, error) : model->pressed && nb_walls_crossed(model, false, error))
+    return error->status;
+  if ((out || searched || model->cycle % NB_WATCH_CYCLES == 0) && nb_stable_watch(model, error))
     return error->status;
   nb_forces(model);
+  if (model->balance)
+    nb_balance_forces(model);
   return NB_OK;
 }

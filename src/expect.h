@@ -17,14 +17,16 @@ struct nb_measure {
   size_t column;                /* of the table */
   const char *unit;
   enum nb_reducer reducer;
-  double at; /* cycle or s */
-  int stage; /* -1: the last one that has rows */
+  double at;     /* cycle or s */
+  int stage;     /* -1: the last one that has rows */
+  bool vanishes; /* a residual: known to be 0 by what it is, without a reference */
 };
 
-enum nb_tolerance_kind { NB_ABSOLUTE, NB_RELATIVE, NB_OF_PEAK };
+enum nb_tolerance_kind { NB_ABSOLUTE, NB_RELATIVE, NB_OF_PEAK, NB_OF_MEASURE };
 struct nb_tolerance {
   enum nb_tolerance_kind kind;
-  double value; /* SI, or a share */
+  double value;         /* SI, or a share */
+  struct nb_measure of; /* NB_OF_MEASURE: of this, in the same run */
   char text[NB_NAME_SIZE];
 };
 
@@ -36,7 +38,8 @@ enum nb_expectation_kind {
   NB_MORE,
   NB_RISES, /* from each value of a sweep to the next */
   NB_FALLS,
-  NB_SAME /* for all values of a sweep */
+  NB_SAME, /* for all values of a sweep */
+  NB_ORDER /* the error goes with this power of the swept value */
 };
 
 struct nb_expectation {
@@ -46,7 +49,7 @@ struct nb_expectation {
       other; /* NB_LESS, NB_MORE: the other one; NB_STATED with `has_scale`: what the number is a share of */
   bool has_scale;
   struct nb_tolerance tolerance;
-  double stated;                /* SI */
+  double stated;                /* SI; NB_ORDER: the power */
   char source[NB_NAME_SIZE];    /* "[CS79 figure 6]" */
   char along[2 * NB_NAME_SIZE]; /* NB_ALONG: `time`, `cycle`; NB_RISES, NB_FALLS, NB_SAME: the swept name */
   size_t along_column;

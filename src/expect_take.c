@@ -5,16 +5,6 @@
 
 #include <string.h>
 
-static const struct {
-  const char *word;
-  enum nb_reducer reducer;
-} reducers[] = {
-    {"last", NB_LAST},          {"max", NB_MAX}, {"min", NB_MIN}, {"mean", NB_MEAN}, {"amplitude", NB_AMPLITUDE},
-    {"frequency", NB_FREQUENCY}};
-
-static const char *const endings[] = {"within", "stated", "below", "above", "rises",
-                                      "falls",  "same",   "along", "in",    "at"};
-
 static void append(struct nb_measure *measure, const char *format, const char *word) {
   const size_t length = strlen(measure->label);
   snprintf(measure->label + length, sizeof measure->label - length, format, word);
@@ -87,23 +77,29 @@ static bool take_moment(struct nb_reader *reader, struct nb_measure *measure) {
 }
 
 /* A word that is no reducer, and nothing that may follow one. */
-static bool unknown_reducer(struct nb_reader *reader) {
-  char hint[NB_HINT_SIZE];
+static bool unknown_reducer(struct nb_reader *reader, bool reduced) {
+  char hint[NB_HINT_SIZE], words[256] = "";
   const struct nb_token *token = nb_token_peek(reader);
-  if (!token)
+  if (!token || strcmp(token->text, "in") == 0)
     return false;
   struct nb_guess guess = nb_guess_begin(token->text);
-  for (size_t k = 0; k < sizeof endings / sizeof *endings; k++) {
-    if (strcmp(endings[k], token->text) == 0)
+  for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
+    if (strcmp(row->word, token->text) == 0)
       return false;
-    nb_guess_offer(&guess, endings[k]);
+    nb_guess_offer(&guess, row->word);
+    const size_t length = strlen(words);
+    snprintf(words + length, sizeof words - length, "%s`%s`", length ? ", " : "", row->word);
   }
-  for (size_t k = 0; k < sizeof reducers / sizeof *reducers; k++)
-    nb_guess_offer(&guess, reducers[k].word);
+  nb_guess_offer(&guess, "in");
+  if (reduced) {
+    nb_expected(reader, nb_guess_hint(&guess, hint), "`in`, or what is expected (%s)", words);
+    return true;
+  }
+  nb_guess_offer(&guess, "at");
+  for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
+    nb_guess_offer(&guess, row->word);
   nb_expected(reader, nb_guess_hint(&guess, hint),
-              "`max`, `min`, `mean`, `last`, `amplitude`, `frequency`, `at`, `in`, or what is expected (`within`, "
-              "`along`, `stated`, "
-              "`below`, `above`, `rises`, `falls`, `same`)");
+              "`max`, `min`, `mean`, `last`, `amplitude`, `frequency`, `at`, `in`, or what is expected (%s)", words);
   return true;
 }
 
@@ -113,39 +109,43 @@ bool nb_take_measure(struct nb_reader *reader, const struct nb_scene *scene, str
   if (!token || !nb_find_column(reader, scene, token, &measure->column))
     return false;
   measure->unit = nb_quantity_unit(scene->columns[measure->column].quantity);
+  measure->vanishes = nb_quantity_vanishes(scene->columns[measure->column].quantity);
   append(measure, "%s", token->text);
   bool reduced = false;
-  for (size_t k = 0; k < sizeof reducers / sizeof *reducers && !reduced; k++) {
-    reduced = nb_token_skip(reader, reducers[k].word);
+  for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word && !reduced; row++) {
+    reduced = nb_token_skip(reader, row->word);
     if (!reduced)
       continue;
-    measure->reducer = reducers[k].reducer;
+    measure->reducer = row->reducer;
     if (measure->reducer != NB_LAST)
-      append(measure, " %s", reducers[k].word);
+      append(measure, " %s", row->word);
     if (measure->reducer == NB_FREQUENCY)
       measure->unit = "1/s";
   }
   if (!reduced && nb_token_skip(reader, "at"))
     return take_moment(reader, measure) && nb_take_stage(reader, scene, measure);
-  return !(unknown_reducer(reader)) && nb_take_stage(reader, scene, measure);
+  return !unknown_reducer(reader, reduced) && nb_take_stage(reader, scene, measure);
 }
 
 /* `within 0.1 %`, `within 2 nm`, `within 1e-12`, `within 0.5 % of peak` */
-bool nb_take_tolerance(struct nb_reader *reader, const char *unit, struct nb_tolerance *tolerance) {
+bool nb_take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
+                       struct nb_tolerance *tolerance) {
   if (!nb_take_word(reader, "within"))
     return false;
   const size_t from = reader->next;
   const struct nb_token *number = nb_token_peek(reader);
-  const bool share =
-      number && from + 1 < reader->count && (strcmp(number[1].text, "%") == 0 || strcmp(number[1].text, "ppm") == 0);
+  const bool share = number && from + 1 < reader->count &&
+                     (strcmp(number[1].text, "%") == 0 || strcmp(number[1].text, "ppm") == 0 ||
+                      (scene && strcmp(number[1].text, "of") == 0));
   if (share) {
     if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_NOT_NEGATIVE, &tolerance->value))
       return false;
     tolerance->kind = NB_RELATIVE;
     if (nb_token_skip(reader, "of")) {
-      if (!nb_take_word(reader, "peak"))
+      const bool of_measure = scene && !nb_token_is(reader, "peak");
+      if (of_measure ? !nb_take_measure(reader, scene, &tolerance->of) : !nb_take_word(reader, "peak"))
         return false;
-      tolerance->kind = NB_OF_PEAK;
+      tolerance->kind = of_measure ? NB_OF_MEASURE : NB_OF_PEAK;
     }
   } else {
     if (!nb_take_in(reader, unit, &tolerance->value))

@@ -4,7 +4,8 @@
 #include <string.h>
 #include <time.h>
 
-#include "model.h"
+#include "balance.h"
+#include "explain.h"
 
 static const char *const isa_names[] = {"plain", "avx2", "avx512"};
 
@@ -15,15 +16,25 @@ static size_t bits(unsigned set) {
   return count;
 }
 
+/* Whether there are two to meet: a lone body has no pair of its own material. */
+static bool can_meet(const struct nb_scene *scene, const struct nb_pairing *pairing) {
+  size_t bodies = 0;
+  for (size_t k = 0; k < scene->body_count; k++)
+    bodies += scene->bodies[k].material == pairing->a;
+  return pairing->wall || pairing->a != pairing->b || bodies > 1;
+}
+
 static void explain_pairing(FILE *out, const struct nb_model *model, const struct nb_pairing *pairing) {
   const struct nb_scene *scene = model->scene;
   size_t contacts = 0;
+  if (!can_meet(scene, pairing))
+    return;
   for (size_t c = 0; c < model->contacts.count; c++)
     contacts += &model->pairings[model->contacts.pairing[c]] == pairing;
   fprintf(out, "  %s with %s%s: %zu near; k_n %g, k_s %g, tan(phi) %g, c %g\n", scene->materials[pairing->a].name,
           pairing->wall ? "wall of " : "", scene->materials[pairing->b].name, contacts, pairing->values.kn,
           pairing->values.ks, pairing->values.friction, pairing->values.cohesion);
-  for (int p = 0; p < pairing->pass_count && contacts; p++) {
+  for (int p = 0; p < pairing->pass_count; p++) {
     const struct nb_planned *planned = &pairing->passes[p];
     fprintf(out, "    %-40s", planned->name);
     if (planned->line)
@@ -44,7 +55,7 @@ static void explain_memory(FILE *out, const struct nb_model *model) {
   fprintf(out, "memory\n  %zu bytes a body%s, %zu a contact (%zu fields kept, %zu remembered by laws)\n", per_body,
           bodies->spin ? "" : " (no spin)", per_contact, bits(model->kept) + 2, memory);
   fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->view_count, NB_BLOCK,
-          isa_names[model->isa], model->threads, model->threads == 1 ? "" : "s");
+          isa_names[model->isa], model->busy, model->busy == 1 ? "" : "s");
 }
 
 static void explain_step(FILE *out, const struct nb_model *model) {
@@ -53,7 +64,19 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   fprintf(out, "step\n  %g%s", model->step, unit);
   if (step->line)
     fprintf(out, ", line %d", step->line);
-  fprintf(out, "; critical 2 sqrt(m/k) = %g%s, so %g of it\n", model->critical, unit, model->step / model->critical);
+  fputc('\n', out);
+  const struct nb_safe safe = nb_safe_step(model);
+  char what[3 * NB_NAME_SIZE];
+  nb_safe_words(what, sizeof what, model, &safe);
+  fprintf(out, "  critical, 2 sqrt(m/k): %g%s; the step is %g of it, the safe one %g of it\n", model->critical, unit,
+          model->step / model->critical, safe.step / model->critical);
+  fprintf(out, "  safe: %g%s; the step is %g of it; set by %s%s%s\n", safe.step, unit, model->step / safe.step, what,
+          model->contacts.count ? "" : ", as if they met: nothing is near",
+          model->step <= safe.step ? ""
+          : model->allow_unstable  ? "; allowed to be unstable"
+                                   : "; ABOVE it: the run will stop at once");
+  fprintf(out, "  contact, the shortest there can be: %g%s; the step is %g of it\n", nb_step_contact(model), unit,
+          model->step / nb_step_contact(model));
 }
 
 static double now(void) {
@@ -80,6 +103,8 @@ static double seconds_a_cycle(const struct nb_scene *scene, int threads) {
 static void explain_stages(FILE *out, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   unsigned long cycles = 0;
+  struct nb_properties now = {0};
+  const bool known = nb_properties_create(&now, scene);
   fprintf(out, "stages\n");
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -89,8 +114,11 @@ static void explain_stages(FILE *out, const struct nb_model *model) {
     if (stage->snapshot)
       fprintf(out, ", snapshot at its end");
     fprintf(out, " (line %d)\n", stage->line);
+    if (known)
+      nb_explain_changes(out, model, stage, &now);
     cycles += stage->cycles;
   }
+  nb_properties_free(&now);
   const double each = seconds_a_cycle(scene, model->threads);
   fprintf(out, "cost\n  %lu cycles, %.3g s (%.3g us a cycle, measured just now)\n", cycles, each * (double)cycles,
           1e6 * each);
@@ -98,12 +126,19 @@ static void explain_stages(FILE *out, const struct nb_model *model) {
 
 void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model) {
   fprintf(out, "bodies\n  %zu free or fixed, %zu walls\n", scene->body_count, scene->wall_count);
-  fprintf(out, "contacts\n  %zu pairs near (closer than %g), searched again when something has moved %g\n",
-          model->contacts.count, model->skin, model->skin / 2);
+  if (model->skin < INFINITY)
+    fprintf(out, "contacts\n  %zu pairs near (closer than %g), searched again when something has moved %g\n",
+            model->contacts.count, model->skin, model->skin / 2);
+  else
+    fprintf(out, "contacts\n  none, and no search: nothing is free to touch anything\n");
+  nb_explain_gravity(out, &scene->gravity, scene->unitless ? "" : " m/s2");
   fprintf(out, "passes of the force half, for each pairing of materials\n");
   for (size_t p = 0; p < model->pairing_count; p++)
     explain_pairing(out, model, &model->pairings[p]);
   explain_memory(out, model);
+  if (model->balance)
+    fprintf(out, "balances\n  %s%s%s, summed up every cycle by one thread\n", model->balance->works ? "work" : "",
+            model->balance->works && model->balance->energies ? " and " : "", model->balance->energies ? "energy" : "");
   explain_step(out, model);
   explain_stages(out, model);
 }

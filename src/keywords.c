@@ -144,6 +144,7 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
 }
 
 static const char *where_words(unsigned where) {
+  where &= ~(unsigned)NB_IN_RAMP;
   if (where == NB_IN_SCENE)
     return "before the first `stage`";
   if (where == NB_IN_STAGE)
@@ -155,13 +156,15 @@ static const char *where_words(unsigned where) {
 static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struct nb_keyword *table, unsigned here) {
   static const char *const places[] = {[NB_IN_SCENE] = "a statement of the scene",
                                        [NB_IN_STAGE] = "a statement of a stage",
-                                       [NB_IN_EXPECT] = "an expectation"};
-  char hint[NB_HINT_SIZE] = "the first word may be: ";
+                                       [NB_IN_EXPECT] = "an expectation",
+                                       [NB_IN_RAMP] = "something that can ramp"};
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "the %s word may be: ", here == NB_IN_RAMP ? "next" : "first");
   const struct nb_token *verb = nb_token_peek(reader);
   struct nb_guess guess = nb_guess_begin(verb->text);
   const struct nb_keyword *meant = NULL;
   for (const struct nb_keyword *row = table; row->apply; row++) {
-    if (row->word && strcmp(row->word, verb->text) == 0) {
+    if (here != NB_IN_RAMP && row->word && strcmp(row->word, verb->text) == 0) {
       snprintf(hint, sizeof hint, "`%s` belongs %s", row->word, where_words(row->where));
       nb_expected(reader, hint, "%s", places[here]);
       return row;

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "guess.h"
+#include "manual.h"
 
 static const struct {
   const char *name;
@@ -24,6 +25,17 @@ static const struct {
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
+static const struct nb_help_row option_rows[] = {
+    {"-o, --output FOLDER", "where files go (default: NAME.out; report: report)"},
+    {"--set NAME=VALUE", "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
+    {"--threads N", "at most so many (default 1); the results do not depend on it"},
+    {"--isa NAME", "plain, avx2 or avx512 (default: the widest); nor on this"},
+    {"--tap", "verdicts in the form that `make check` reads"},
+    {"-h, --help", "this; all words of pages: nineball --help scene; one of them: nineball --help disc"},
+    {"--version", "version and licence"},
+    {NULL, NULL},
+};
+
 static void print_help(FILE *out) {
   fputs("nineball: discs and spheres in the plane, by the distinct element method; every page marks itself\n\n"
         "usage: nineball COMMAND …\n\n",
@@ -33,16 +45,34 @@ static void print_help(FILE *out) {
     snprintf(call, sizeof call, "%s %s", commands[k].name, commands[k].arguments);
     fprintf(out, "  %-28s %s\n", call, commands[k].help);
   }
-  fputs("\n"
-        "  -o, --output FOLDER     where files go (default: NAME.out; report: report)\n"
-        "      --set NAME=VALUE    instead of the page's `let` or `sweep` NAME; also normal, shear, step\n"
-        "      --threads N         at most so many (default 1); the results do not depend on it\n"
-        "      --isa NAME          plain, avx2 or avx512 (default: the widest); nor on this\n"
-        "      --tap               verdicts in the form that `make check` reads\n"
-        "  -h, --help              this; with a page's words and units: nineball --help scene\n"
-        "      --version           version and licence\n\n"
-        "exit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 the physics broke\n",
-        out);
+  fputc('\n', out);
+  for (const struct nb_help_row *row = option_rows; row->term; row++)
+    fprintf(out, "  %s%-*s %s\n", row->term[1] == '-' ? "    " : "", row->term[1] == '-' ? 19 : 23, row->term,
+            row->help);
+  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 the physics broke\n", out);
+}
+
+/* `nineball --help WORD`. */
+static enum nb_status print_help_of(const char *word) {
+  char near[2 * NB_NAME_SIZE];
+  struct nb_help_row rows[COMMANDS + 1] = {{NULL, NULL}};
+  char calls[COMMANDS][64];
+  for (int k = 0; k < COMMANDS; k++) {
+    snprintf(calls[k], sizeof calls[k], "%s %s", commands[k].name, commands[k].arguments);
+    rows[k] = (struct nb_help_row){calls[k], commands[k].help};
+  }
+  if (strcmp(word, "scene") == 0)
+    nb_manual_language(stdout, &nb_manner_text, false);
+  else if (strcmp(word, "language-md") == 0)
+    nb_manual_md(stdout);
+  else if (strcmp(word, "man") == 0)
+    nb_manual_man(stdout, rows, option_rows);
+  else if (!nb_manual_word(stdout, word, near)) {
+    fprintf(stderr, "nineball: no page knows the word `%s`%s%s%s; nineball --help scene names them all\n", word,
+            near[0] ? "; did you mean `" : "", near, near[0] ? "`?" : "");
+    return NB_BAD_USE;
+  }
+  return NB_OK;
 }
 
 static void print_version(void) {
@@ -113,10 +143,17 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words, 
   return NB_OK;
 }
 
-static int find_command(const char *word) {
+static int command_of(const char *word) {
   for (int k = 0; k < COMMANDS; k++)
     if (strcmp(commands[k].name, word) == 0)
       return k;
+  return -1;
+}
+
+static int find_command(const char *word) {
+  const int command = command_of(word);
+  if (command >= 0)
+    return command;
   char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(word);
   for (int k = 0; k < COMMANDS; k++)
@@ -135,8 +172,8 @@ int main(int count, char **words) {
   bool done = false;
   enum nb_status status = read_options(&use, count, words, &done);
   if (!status && done) {
-    if (optind < count && strcmp(words[optind], "scene") == 0)
-      nb_help_language(stdout);
+    if (optind < count && command_of(words[optind]) < 0)
+      status = print_help_of(words[optind]);
     else
       print_help(stdout);
   } else if (!status && optind >= count) {

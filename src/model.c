@@ -1,9 +1,8 @@
 /* From the scene to what runs: bodies, walls, pairings of materials, the plan, the first search, the forces at time 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "model.h"
+#include "energy.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #ifdef _OPENMP
@@ -11,17 +10,6 @@
 #endif
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
-
-void *nb_array(size_t count, size_t size) {
-  const size_t line = 64; /* a cache line, and the widest load */
-  if (size && count > (SIZE_MAX - line) / size)
-    return NULL;
-  const size_t bytes = (count * size + line) / line * line; /* never nothing */
-  void *array = aligned_alloc(line, bytes);
-  if (array)
-    memset(array, 0, bytes);
-  return array;
-}
 
 /* Every second body from the front, then the others from the back: an order that no search or sum could expect. */
 static size_t slot_of(size_t index, size_t count, bool shuffle) {
@@ -75,18 +63,23 @@ static bool make_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, 
 
 static bool make_walls(struct nb_walls *walls, const struct nb_scene *scene) {
   const size_t n = walls->count = scene->wall_count;
-  struct nb_vec **vectors[] = {&walls->point, &walls->along, &walls->velocity, &walls->searched};
-  bool made = (walls->h1 = nb_array(n, sizeof(double))) != NULL;
-  made = (walls->h2 = nb_array(n, sizeof(double))) && made;
+  struct nb_vec **vectors[] = {&walls->pivot, &walls->point, &walls->along, &walls->velocity, &walls->turn};
+  double **numbers[] = {&walls->h0, &walls->h1, &walls->h2, &walls->spin, &walls->angle};
+  bool made = (walls->searched = nb_array(2 * n, sizeof(struct nb_vec))) != NULL;
   for (size_t k = 0; k < COUNT(vectors); k++)
     made = (*vectors[k] = nb_array(n, sizeof(struct nb_vec))) && made;
+  for (size_t k = 0; k < COUNT(numbers); k++)
+    made = (*numbers[k] = nb_array(n, sizeof(double))) && made;
   if (!made)
     return false;
   for (size_t w = 0; w < n; w++) {
     const struct nb_wall *wall = &scene->walls[w];
-    walls->point[w] = vec(wall->x, wall->y), walls->along[w] = vec(wall->ex, wall->ey);
-    walls->h1[w] = wall->h1, walls->h2[w] = wall->h2;
+    walls->pivot[w] = vec(wall->x, wall->y), walls->along[w] = vec(wall->ex, wall->ey);
+    walls->point[w] = vec_add(walls->pivot[w], vec_scale(-wall->h0, vec_clockwise(walls->along[w])));
+    walls->h0[w] = wall->h0, walls->h1[w] = wall->h1, walls->h2[w] = wall->h2;
     walls->velocity[w] = vec(wall->vx, wall->vy);
+    walls->spin[w] = wall->spin;
+    walls->turn[w] = vec(0, wall->spin);
   }
   return true;
 }
@@ -109,19 +102,24 @@ static bool make_pairings(struct nb_model *model) {
           if (!on_body[a] || !(wall ? on_wall[b] : on_body[b]))
             continue;
           model->pairings[model->pairing_count++] =
-              (struct nb_pairing){.values = nb_scene_pair(scene, a, b), .a = a, .b = b, .wall = wall};
+              (struct nb_pairing){.values = nb_properties_pair(&model->properties, a, b), .a = a, .b = b, .wall = wall};
         }
   }
   free(on_body), free(on_wall);
   return made;
 }
 
-/* A tenth of the mean radius: wide enough that a search is rare, narrow enough that a listed pair mostly touches. */
-static double default_skin(const struct nb_bodies *bodies) {
+/* A tenth of the mean radius, unless the page says another: wide enough that a search is rare, narrow enough that a listed pair
+ * mostly touches. Infinite where nothing is free to touch anything: then there is nothing to search for. */
+static double skin_of(const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
   double sum = 0;
+  bool free = false;
   for (size_t i = 0; i < bodies->count; i++)
-    sum += bodies->rim[i].x;
-  return 0.1 * sum / (double)bodies->count;
+    sum += bodies->rim[i].x, free = free || bodies->inverse_mass[i] > 0;
+  if (!free || bodies->count + model->walls.count < 2)
+    return INFINITY;
+  return model->scene->skin > 0 ? model->scene->skin : 0.1 * sum / (double)bodies->count;
 }
 
 static enum nb_isa widest_isa(void) {
@@ -164,19 +162,23 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   if (status)
     return status;
   if (!make_bodies(&model->bodies, scene, options && options->shuffle) || !make_walls(&model->walls, scene) ||
-      !make_pairings(model))
+      !nb_properties_create(&model->properties, scene) || !make_pairings(model) ||
+      !(model->loads = nb_array(scene->body_count, sizeof *model->loads)))
     return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
-  model->skin = default_skin(&model->bodies);
+  model->skin = skin_of(model);
   model->critical = nb_step_critical(model);
   model->damping = scene->damping;
-  status = nb_step_set(model, &scene->step, error);
-  if (!status)
-    status = nb_plan(model, error);
+  model->gravity = vec(scene->gravity.x, scene->gravity.y);
+  model->allow_unstable = scene->allow_unstable;
+  status = nb_plan(model, error);
   if (!status)
     status = nb_near(model, error);
+  model->safe = status ? 0 : nb_safe_step(model).step;
+  if (!status)
+    status = nb_step_set(model, &scene->step, error);
   if (!status)
     nb_forces(model);
-  return status;
+  return status ? status : nb_balance_create(model, error);
 }
 
 struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_options *options,
@@ -212,13 +214,22 @@ void nb_model_free(struct nb_model *model) {
                    b->inverse_inertia,
                    b->material,
                    b->searched,
+                   w->pivot,
                    w->point,
                    w->along,
+                   w->h0,
                    w->h1,
                    w->h2,
                    w->velocity,
+                   w->spin,
+                   w->turn,
+                   w->angle,
                    w->searched,
+                   model->joints,
                    model->pairings,
+                   model->properties_from,
+                   model->loads,
+                   model->walls_from,
                    model->incidence.first,
                    model->incidence.middle,
                    model->incidence.entry,
@@ -226,6 +237,8 @@ void nb_model_free(struct nb_model *model) {
                    model->scratch};
   for (size_t k = 0; k < COUNT(owned); k++)
     free(owned[k]);
+  nb_properties_free(&model->properties);
   nb_contacts_free(&model->contacts);
+  nb_balance_free(model->balance);
   free(model);
 }

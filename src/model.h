@@ -28,11 +28,31 @@ struct nb_bodies {
 
 struct nb_walls {
   size_t count;
-  struct nb_vec *point;    /* P, m */
+  struct nb_vec *pivot;    /* P, m [CS79 figure 4] */
+  struct nb_vec *point;    /* the point of the wall's line that is nearest to P: P itself, unless h0 is not 0; m */
   struct nb_vec *along;    /* unit vector along the wall */
-  double *h1, *h2;         /* its ends, P + h1 along and P + h2 along, m */
-  struct nb_vec *velocity; /* over the step behind; over the one ahead once a stage has begun, m/s */
-  struct nb_vec *searched; /* P at the last search */
+  double *h0, *h1, *h2;    /* point = P + h0 left of along; its ends are point + h1 along and point + h2 along, m */
+  struct nb_vec *velocity; /* of P over the step behind; over the one ahead once a stage has begun, m/s */
+  double *spin;            /* about P, counterclockwise, as old as the velocity, rad/s */
+  struct nb_vec *turn;     /* (1 - cos phi)/dt and sin phi/dt, phi the angle of the step behind, 1/s */
+  double *angle;           /* turned since the start, rad */
+  struct nb_vec *searched; /* two for each wall: its ends at the last search */
+};
+
+/* Velocity of the wall where it meets a body: how far its point that is at q now has come over the step behind, by the step;
+ * m/s. A body's velocity at the half step is the same of its centre, so the two are of one time. */
+static inline struct nb_vec nb_wall_velocity(const struct nb_walls *walls, int wall, struct nb_vec q) {
+  const struct nb_vec arm = vec_sub(q, walls->pivot[wall]), turn = walls->turn[wall];
+  return vec_add(walls->velocity[wall], vec(turn.x * arm.x - turn.y * arm.y, turn.y * arm.x + turn.x * arm.y));
+}
+static inline struct nb_vec nb_wall_end(const struct nb_walls *walls, int wall, int end) {
+  return vec_add(walls->point[wall], vec_scale(end ? walls->h2[wall] : walls->h1[wall], walls->along[wall]));
+}
+
+/* How a body or a wall moves. */
+struct nb_state {
+  struct nb_vec velocity;
+  double spin;
 };
 
 /* A pass of the force half, for each instruction set. */
@@ -40,7 +60,7 @@ struct nb_pass {
   const char *name;
   nb_run_pass *run[NB_ISAS];
 };
-enum { NB_PASSES = 5, NB_THREADS = 256 };
+enum { NB_PASSES = 6, NB_THREADS = 256, NB_THREAD_SHARE = 128 };
 
 /* Contacts between two materials, or between a material and a wall's: their constants and the passes they need. */
 struct nb_pairing {
@@ -54,6 +74,8 @@ struct nb_pairing {
     int line; /* of the page that asked for it; 0: it follows from the rest */
   } passes[NB_PASSES];
   int pass_count;
+  struct nb_pair coming;             /* values at the next forces, */
+  const struct nb_law *coming_shear; /* and the law that they ask for: for stable.c */
 };
 
 /* Every pair that is near: touching, or closer than the skin. Sorted by pairing, then number of a, then of b. */
@@ -61,6 +83,7 @@ struct nb_contacts {
   size_t count;
   int *a, *b;              /* slots; a has the smaller number; b a wall's index where the pairing is with walls */
   int *pairing;            /* index */
+  int *muted;              /* 1 where another wall's contact with this body stands for it (joints.c); NULL: nowhere */
   struct nb_vec *force;    /* on the first body, dashpots included, N */
   double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
   double *normal_memory[NB_MEMORY], *shear_memory[NB_MEMORY];
@@ -73,9 +96,17 @@ struct nb_incidence {
   int *entry;     /* contact */
 };
 
+/* Materials and pairs as they are now; stages change them. */
+struct nb_properties {
+  struct nb_material *materials; /* as the scene's; */
+  struct nb_pair_rule *rules;    /* the scene's and those that stages have added */
+  size_t rule_count;
+};
+
 struct nb_model {
   const struct nb_scene *scene;
-  int threads;
+  int threads; /* there may be */
+  int busy;    /* threads that work on as many contacts as there are now, NB_THREAD_SHARE each or more */
   enum nb_isa isa;
   struct nb_bodies bodies;
   struct nb_walls walls;
@@ -89,29 +120,51 @@ struct nb_model {
   unsigned kept;   /* set of fields that are kept */
   enum nb_field
       drag;      /* the field that holds the shear force which bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
+  bool joined;   /* two walls have a common end */
+  bool pressed;  /* at the last search some centre was within the skin of a wall: it may cross it before the next one */
   bool dashpots; /* some stage has contact damping */
-  double skin;   /* m: pairs closer than this are listed [R89 TOL] */
+  size_t wall_contacts;    /* the first contact with a wall: they are the last ones of the list */
+  struct nb_joint *joints; /* where a disc may touch a common end of two walls before the next search */
+  size_t joint_count, joint_capacity;
+  double
+      skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can ever touch, nothing is searched */
   double step, previous_step; /* dt of the step ahead, and of the one behind (0 at the start), s */
   double critical;            /* 2 sqrt(m/k), s */
+  double safe;                /* largest step sure to be stable as this stage began, s */
+  struct nb_load *loads;      /* per slot, room for stable.c */
+  bool allow_unstable;        /* the step is not watched now */
   struct nb_damping damping;
+  struct nb_vec gravity; /* over the kick to come, m/s2 */
+  struct nb_properties properties;
+  const struct nb_stage *stage;    /* the one that runs, NULL before the first */
+  bool changing, driven;           /* it still changes properties or gravity; it ramps velocities of walls */
+  struct nb_pair *properties_from; /* per change, wall motion, and of gravity: what it was when the stage began */
+  struct nb_state *walls_from;
+  struct nb_vec gravity_from;
   unsigned long cycle;
   double time;       /* of cycle 0 of this stage plus its steps, s */
   double stage_time; /* at its begin, s */
   unsigned long stage_cycle;
-  unsigned long long updates, searches;
+  unsigned long long updates, searches,
+      candidates;             /* candidates: pairs of bodies whose distance a search has measured */
+  struct nb_balance *balance; /* energy.h; NULL: no column and no condition asks for one */
 };
 
 /* How much a geometry pass has to find out. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_CLOSING, NB_APPROACH_SLIP };
 
-/* alloc.c: zeroed and aligned for wide loads; NULL only when memory is out. Freed by free(). */
+/* array.c: zeroed and aligned for wide loads; NULL only when memory is out. Freed by free(). */
 void *nb_array(size_t count, size_t size);
 
 /* plan.c: which passes each pairing needs, and which fields are kept; then the blocks, after each search */
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error);
 enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error);
+bool nb_plan_stands(const struct nb_model *model); /* whether it is still the one that the pairings' values ask for */
 
-/* names.c: fields that some column or condition of the scene reads */
+/* names.c: fields that some column or condition of the scene reads, and what else is to be kept for it: */
+#define NB_ASKS_WORK (1u << 29)   /* the work balance, energy.h */
+#define NB_ASKS_ENERGY (1u << 30) /* the energy balance */
+#define NB_ASKS_STORED (1u << 31) /* energies that only a law with stored energy has */
 unsigned nb_fields_watched(const struct nb_scene *scene);
 
 /* near.c: makes the list of contacts anew; an error when a body is nowhere */
@@ -121,28 +174,76 @@ enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
 void nb_contacts_free(struct nb_contacts *contacts);
 
+/* properties.c */
+bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene); /* as at time 0 */
+void nb_properties_free(struct nb_properties *now);
+struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_a, int material_b);
+/* What is now of the material or the pair that a change is about. */
+struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change);
+/* Makes what the change is about `share` (0 to 1) of its way from `from`. */
+void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from, double share);
+
+/* stage.c */
+enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
+void nb_stage_drive(struct nb_model *model); /* before the motion: velocities of walls over the step to come */
+/* After it: properties and gravity at the time that has been reached. *searched: contacts have been looked for anew. */
+enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb_error *error);
+
+/* stable.c */
+struct nb_load {
+  double kn, ks, cn, cs; /* sums over a body's contacts: k_n, k_s R^2, and the same of dashpots */
+};
+/* The largest step that is sure to be stable with the contacts and the damping of now, and which contact sets it. */
+struct nb_safe {
+  double step;                      /* s; infinite when nothing can vibrate */
+  int a, b;                         /* slots, b a wall where the pairing is with walls; b or both -1: nothing is near */
+  bool turning;                     /* its shear and spin set it, not its normal motion */
+  const struct nb_pairing *pairing; /* of that contact */
+};
+struct nb_safe nb_safe_step(const struct nb_model *model);
+/* "turning of body 5 at wall east" */
+void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe);
+/* NB_BROKEN when the step is above that, unless the page allows it. */
+enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
+enum nb_status nb_stable_watch(const struct nb_model *model, struct nb_error *error);
+
 /* step.c */
+double nb_step_contact(const struct nb_model *model); /* duration of the shortest contact there can be, s */
 double nb_step_critical(const struct nb_model *model);
+/* Slots of the lightest bodies of the two materials of a pairing; -1 where there is none, or the second is a wall. */
+void nb_step_lightest(const struct nb_model *model, const struct nb_pairing *pairing, int lightest[2]);
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error);
 
 /* motion.c */
 /* Both answer how many bodies or walls are farther from where the last search found them than half the skin, or nowhere. */
 int nb_motion_part(struct nb_model *model, int part, int parts);
-int nb_motion_walls(struct nb_model *model);
+int nb_motion_walls(struct nb_model *model);    /* walls.c */
+void nb_motion_reverse(struct nb_model *model); /* bodies go back the way they came; once the step ahead is known */
 struct nb_force {
   struct nb_vec force; /* N */
   double moment;       /* N m, counterclockwise */
 };
 struct nb_force nb_force_on(const struct nb_model *model, size_t slot); /* sum over its contacts, N, N m */
-struct nb_state {
-  struct nb_vec velocity;
-  double spin;
-};
 struct nb_state nb_velocity_now(const struct nb_model *model,
                                 size_t slot); /* at t_N: mean of the half steps [CS79 31] */
 
+/* walls.c */
+void nb_walls_searched(struct nb_walls *walls); /* remembers where their ends are now */
+/* NB_BROKEN when the centre of a body has crossed a wall in the step behind: of the pairs listed, or of all there are. */
+enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
+
+/* joints.c */
+struct nb_joint {
+  int c, d;       /* contacts of one body with two walls */
+  int at_c, at_d; /* which end of each wall is their common one, 0 or 1 */
+};
+bool nb_joints_meet(const struct nb_scene *scene); /* two walls have a common end */
+bool nb_joints_find(struct nb_model *model);       /* after a search; false: no memory */
+void nb_joints_settle(struct nb_model *model);     /* before the forces: which contacts are muted now */
+
 /* passes */
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
+extern const struct nb_pass nb_pass_joints;
 extern const struct nb_pass nb_pass_dashpots;
 extern const struct nb_pass nb_pass_resolve[2]; /* without and with shear */
 /* What a contact's dashpots are: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */

@@ -3,7 +3,7 @@
  *   v_(N+1/2) = v_(N-1/2) + (sum F / m)_N dt,    x_(N+1) = x_N + v_(N+1/2) dt            22, 22a
  *   w_(N+1/2) = w_(N-1/2) + (sum M / I)_N dt,    theta_(N+1) = theta_N + w_(N+1/2) dt    23, 23a
  *
- * With global damping the old velocity is multiplied by `keep`, the force by `push`:
+ * Gravity adds m g to sum F. With global damping the old velocity is multiplied by `keep`, the force by `push`:
  *
  *   C = alpha m        keep = (1 - alpha dt/2)/(1 + alpha dt/2),   push = 1/(1 + alpha dt/2)     34-36
  *   CON1, as CS79      keep = CON1/(2 - CON1),   push = 1/(2 - CON1)       the same with alpha dt/2 = 1 - CON1
@@ -76,13 +76,17 @@ struct nb_force nb_force_on(const struct nb_model *model, size_t slot) {
   return force_on(&felt, slot, model->bodies.rim[slot].x);
 }
 
+static inline bool pulls(struct nb_vec gravity) { return gravity.x != 0 || gravity.y != 0; }
+
 /* What is fixed goes on as it goes: no force and no damping reaches it. */
 static inline struct nb_state kicked(const struct nb_bodies *bodies, const struct felt *felt, size_t slot,
-                                     struct factors f, double time) {
+                                     struct factors f, double time, struct nb_vec gravity) {
   const struct nb_state before = {bodies->velocity[slot], bodies->spin ? bodies->spin[slot] : 0};
   if (!(bodies->inverse_mass[slot] > 0))
     return before;
-  const struct nb_force sum = force_on(felt, slot, bodies->rim[slot].x);
+  struct nb_force sum = force_on(felt, slot, bodies->rim[slot].x);
+  if (pulls(gravity))
+    sum.force = vec_add(sum.force, vec_scale(bodies->mass[slot], gravity));
   const double linear = f.push * time * bodies->inverse_mass[slot];
   const double turning = f.push * time * bodies->inverse_inertia[slot];
   return (struct nb_state){vec_add(vec_scale(f.keep, before.velocity), vec_scale(linear, sum.force)),
@@ -96,8 +100,24 @@ struct nb_state nb_velocity_now(const struct nb_model *model, size_t slot) {
   if (!(dt > 0))
     return before; /* the start: a page's velocities are those of time 0 */
   const struct felt felt = felt_by(model);
-  const struct nb_state next = kicked(bodies, &felt, slot, factors(model, dt), dt);
+  const struct nb_state next = kicked(bodies, &felt, slot, factors(model, dt), dt, model->gravity);
   return (struct nb_state){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
+}
+
+/* A kick by the forces at t_N makes v_(N+1/2) of v_(N-1/2). For it to make -v_(N-1/2), which leads back to x_(N-1), the velocity
+ * behind must become -v_(N+1/2). At the start there is none behind: the velocities are those of time 0. */
+void nb_motion_reverse(struct nb_model *model) {
+  struct nb_bodies *bodies = &model->bodies;
+  const struct felt felt = felt_by(model);
+  const double time = kick_time(model);
+  for (size_t i = 0; i < bodies->count; i++) {
+    struct nb_state v = {bodies->velocity[i], bodies->spin ? bodies->spin[i] : 0};
+    if (model->previous_step > 0)
+      v = kicked(bodies, &felt, i, factors(model, time), time, model->gravity);
+    bodies->velocity[i] = vec_scale(-1, v.velocity);
+    if (bodies->spin)
+      bodies->spin[i] = -v.spin; /* the next motion makes the speed of the rim of it */
+  }
 }
 
 /* The sums of a block of bodies, which stay in the first-level cache. */
@@ -115,10 +135,17 @@ static void sum_up(struct sums *sums, const struct felt *felt, const struct nb_v
   }
 }
 
+/* m g, when there is any [CS79, Motion]. */
+static void add_weight(struct sums *sums, const double *mass, struct nb_vec gravity, size_t n) {
+  for (size_t k = 0; k < n; k++)
+    sums->force[k] = vec_add(sums->force[k], vec_scale(mass[k], gravity));
+}
+
 /* What one thread needs for its bodies. */
 struct part {
   struct nb_bodies bodies; /* a copy: no store through one pointer can be thought to change another */
   struct factors factors;
+  struct nb_vec gravity;    /* m/s2 */
   double time, step, reach; /* of the kick and of the drift, s; how far a body may go without a new search, m */
 };
 
@@ -163,6 +190,8 @@ static inline NB_FORM int move(const struct part *part, const struct felt *felt,
     const size_t n = to - from < BODIES ? to - from : BODIES;
     struct sums sums;
     sum_up(&sums, felt, part->bodies.rim, from, n);
+    if (pulls(part->gravity))
+      add_weight(&sums, part->bodies.mass + from, part->gravity, n);
     out += drift(part, &sums, from, n);
     if (part->bodies.spin)
       turn(part, &sums, from, n);
@@ -190,17 +219,7 @@ static int (*const moves[NB_ISAS])(const struct part *, const struct felt *, siz
 int nb_motion_part(struct nb_model *model, int part, int parts) {
   const size_t n = model->bodies.count;
   const struct felt felt = felt_by(model);
-  const struct part mine = {model->bodies, factors(model, kick_time(model)), kick_time(model), model->step,
-                            model->skin / 2};
+  const struct part mine = {
+      model->bodies, factors(model, kick_time(model)), model->gravity, kick_time(model), model->step, model->skin / 2};
   return moves[model->isa](&mine, &felt, n * (size_t)part / (size_t)parts, n * ((size_t)part + 1) / (size_t)parts);
-}
-
-int nb_motion_walls(struct nb_model *model) {
-  struct nb_walls *walls = &model->walls;
-  int out = 0;
-  for (size_t w = 0; w < walls->count; w++) {
-    walls->point[w] = vec_add(walls->point[w], vec_scale(model->step, walls->velocity[w]));
-    out += !(vec_length(vec_sub(walls->point[w], walls->searched[w])) <= model->skin / 2);
-  }
-  return out;
 }

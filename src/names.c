@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "energy.h"
 #include "guess.h"
-#include "model.h"
 
 struct nb_quantity_kind {
   const char *name;
@@ -33,6 +33,14 @@ static double step(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
   return model->step;
 }
+static double critical(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  return model->critical;
+}
+static double safe(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  return nb_safe_step(model).step;
+}
 static double touching(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
   double count = 0;
@@ -40,25 +48,15 @@ static double touching(const struct nb_model *model, const struct nb_watch *watc
     count += model->contacts.kept[NB_OVERLAP][c] > 0;
   return count;
 }
-static double kinetic(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
-  double sum = 0;
-  for (size_t k = 0; k < model->bodies.count; k++) { /* in the order of numbers */
-    const size_t i = (size_t)model->bodies.slot[k];
-    if (!(model->bodies.inverse_mass[i] > 0))
-      continue;
-    const struct nb_state v = nb_velocity_now(model, i);
-    sum += (model->bodies.mass[i] * vec_dot(v.velocity, v.velocity) + model->bodies.inertia[i] * (v.spin * v.spin)) / 2;
-  }
-  return sum;
-}
-
-/* Largest force sum on a free body over largest contact force: dF/F of [CS79 tables 1-3]; 0 while nothing touches. */
+/* Largest force sum on a free body, weight included, over largest contact force: dF/F of [CS79 tables 1-3]; 0 while nothing
+ * touches. */
 static double unbalance(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
   double sum = 0, contact = 0;
   for (size_t i = 0; i < model->bodies.count; i++) {
-    const double size = model->bodies.inverse_mass[i] > 0 ? vec_length(nb_force_on(model, i).force) : 0;
+    const struct nb_vec weight = vec_scale(model->bodies.mass[i], model->gravity);
+    const double size =
+        model->bodies.inverse_mass[i] > 0 ? vec_length(vec_add(nb_force_on(model, i).force, weight)) : 0;
     sum = size > sum ? size : sum;
   }
   for (size_t c = 0; c < model->contacts.count; c++) {
@@ -67,6 +65,30 @@ static double unbalance(const struct nb_model *model, const struct nb_watch *wat
   }
   return contact > 0 ? sum / contact : 0;
 }
+
+#define OF_SCENE(function, expression)                                                                                 \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
+    (void)watch;                                                                                                       \
+    return expression;                                                                                                 \
+  }
+OF_SCENE(kinetic, nb_energy_kinetic(model))
+OF_SCENE(stored, nb_energy_stored(model))
+OF_SCENE(frictional, nb_balance_term(model, NB_TERM_FRICTIONAL))
+OF_SCENE(sheared, nb_balance_term(model, NB_TERM_SHEAR))
+OF_SCENE(damped, nb_balance_term(model, NB_TERM_DAMPED))
+OF_SCENE(by_walls, nb_balance_term(model, NB_TERM_WALLS))
+OF_SCENE(by_gravity, nb_balance_term(model, NB_TERM_GRAVITY))
+OF_SCENE(changed, nb_balance_term(model, NB_TERM_CHANGED))
+OF_SCENE(energy_residual, nb_balance_energy_residual(model))
+OF_SCENE(work_residual, nb_balance_work_residual(model))
+OF_SCENE(momentum_x, nb_momentum(model).x)
+OF_SCENE(momentum_y, nb_momentum(model).y)
+OF_SCENE(momentum_angular, nb_momentum_angular(model))
+enum { STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_RADIUS) };
+#define BALANCE                                                                                                        \
+  (STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_PUSH) | NB_BIT(NB_SLIP) | NB_BIT(NB_SHEAR) | NB_BIT(NB_DRAG) |   \
+   NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) |     \
+   NB_ASKS_ENERGY)
 
 /* ---- a body ---- */
 
@@ -110,10 +132,16 @@ static double wall_fy(const struct nb_model *model, const struct nb_watch *watch
   return force_on_wall(model, watch->a).y;
 }
 static double wall_x(const struct nb_model *model, const struct nb_watch *watch) {
-  return model->walls.point[watch->a].x;
+  return model->walls.pivot[watch->a].x;
 }
 static double wall_y(const struct nb_model *model, const struct nb_watch *watch) {
-  return model->walls.point[watch->a].y;
+  return model->walls.pivot[watch->a].y;
+}
+static double wall_angle(const struct nb_model *model, const struct nb_watch *watch) {
+  return model->walls.angle[watch->a];
+}
+static double wall_spin(const struct nb_model *model, const struct nb_watch *watch) {
+  return model->walls.spin[watch->a];
 }
 
 /* ---- a pair: 0 while it is not near ---- */
@@ -139,10 +167,32 @@ static const struct nb_quantity_kind kinds[] = {
     {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
     {"time", 0, "s", 0, time_, "time since the start"},
     {"step", 0, "s", 0, step, "the time step"},
+    {"step.critical", 0, "s", 0, critical, "2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion]"},
+    {"step.safe", 0, "s", 0, safe, "the largest step sure to be stable with the contacts and the damping of now"},
     {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching, "how many contacts touch"},
     {"unbalance", 0, "1", 0, unbalance,
      "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]"},
     {"energy.kinetic", 0, "J", 0, kinetic, "of all bodies that are free, spin included"},
+    {"energy.stored", 0, "J", STORED | NB_ASKS_STORED, stored, "in all springs, from the laws' state functions"},
+    {"energy.frictional", 0, "J", BALANCE | NB_ASKS_STORED, frictional,
+     "lost since the start where contacts slide: shear force times sliding displacement"},
+    {"energy.shear", 0, "J", BALANCE, sheared,
+     "work done against shear forces since the start; for laws without stored energy"},
+    {"energy.damped", 0, "J", BALANCE, damped, "lost in dashpots and by global damping since the start"},
+    {"energy.walls", 0, "J", BALANCE, by_walls,
+     "supplied since the start by walls and by fixed bodies that move: their force times their velocity"},
+    {"energy.gravity", 0, "J", BALANCE, by_gravity, "supplied by gravity since the start"},
+    {"energy.changed", 0, "J", BALANCE, changed,
+     "put in by stages: bodies stopped or turned round, loaded springs made stiffer or softer"},
+    {"energy.residual", 0, "J", BALANCE, energy_residual,
+     "kinetic, stored, frictional and damped energy less what there was at first and was supplied: the error of the "
+     "step"},
+    {"work.residual", 0, "J", NB_ASKS_WORK, work_residual,
+     "kinetic energy at the half step less what there was at first and the work of all forces: rounding"},
+    {"momentum.x", 0, "kg.m/s", 0, momentum_x, "of all bodies that are free"},
+    {"momentum.y", 0, "kg.m/s", 0, momentum_y, "of all bodies that are free"},
+    {"momentum.angular", 0, "kg.m2/s", 0, momentum_angular,
+     "of all bodies that are free, about the origin, counterclockwise"},
     {"x", BODY, "m", 0, body_x, "position of the centre"},
     {"y", BODY, "m", 0, body_y, "position of the centre"},
     {"angle", BODY, "rad", 0, body_angle, "how far it has turned, counterclockwise"},
@@ -157,6 +207,8 @@ static const struct nb_quantity_kind kinds[] = {
     {"moment", BODY, "N.m", 0, body_moment, "sum of the moments of the contact forces, counterclockwise"},
     {"x", WALL, "m", 0, wall_x, "position of the wall's point P"},
     {"y", WALL, "m", 0, wall_y, "position of the wall's point P"},
+    {"angle", WALL, "rad", 0, wall_angle, "how far it has turned, counterclockwise"},
+    {"spin", WALL, "rad/s", 0, wall_spin, "angular velocity over the step behind"},
     {"fx", WALL, "N", 0, wall_fx, "force of the bodies on the wall"},
     {"fy", WALL, "N", 0, wall_fy, "force of the bodies on the wall"},
     {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "how far the outlines overlap"},
@@ -179,25 +231,40 @@ static const char *full_name(const struct nb_quantity_kind *kind, const struct n
   return text;
 }
 
+/* The row of a quantity of watch w, -1: of the whole scene, by the name behind the dot. */
+static const struct nb_quantity_kind *row_of(const struct nb_scene *scene, int w, const char *name) {
+  const unsigned watches = w < 0 ? 0 : 1u << scene->watches[w].kind;
+  for (int k = 0; k < KINDS; k++)
+    if ((w < 0 ? !kinds[k].watches : kinds[k].watches & watches) && strcmp(kinds[k].name, name) == 0)
+      return &kinds[k];
+  return NULL;
+}
+
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint) {
+  *quantity = (struct nb_quantity){row_of(scene, -1, text), -1};
+  const size_t length = strcspn(text, "."); /* a watch's name has no dot */
+  for (int w = 0; w < (int)scene->watch_count && !quantity->kind && text[length]; w++)
+    if (strncmp(scene->watches[w].name, text, length) == 0 && !scene->watches[w].name[length])
+      *quantity = (struct nb_quantity){row_of(scene, w, text + length + 1), w};
+  if (quantity->kind || !hint)
+    return quantity->kind != NULL;
+
   char name[3 * NB_NAME_SIZE];
   struct nb_guess guess = nb_guess_begin(text);
   for (int w = -1; w < (int)scene->watch_count; w++)
-    for (int k = 0; k < KINDS; k++) {
-      if (!*full_name(&kinds[k], scene, w, name, sizeof name))
-        continue;
-      if (strcmp(name, text) == 0) {
-        *quantity = (struct nb_quantity){&kinds[k], w};
-        return true;
-      }
-      nb_guess_offer(&guess, name);
-    }
-  if (hint)
-    snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
+    for (int k = 0; k < KINDS; k++)
+      if (*full_name(&kinds[k], scene, w, name, sizeof name))
+        nb_guess_offer(&guess, name);
+  snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return false;
 }
 
 const char *nb_quantity_unit(struct nb_quantity quantity) { return quantity.kind->unit; }
+
+bool nb_quantity_vanishes(struct nb_quantity quantity) {
+  const char *end = strrchr(quantity.kind->name, '.');
+  return end && strcmp(end, ".residual") == 0;
+}
 
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
   return quantity.kind->value(model, quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch]);

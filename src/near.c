@@ -2,10 +2,13 @@
  *
  * All pairs closer than the skin are listed, touching or not. As long as no body and no wall is farther than half the skin
  * from where it was then, a pair that is not listed cannot touch. A scene in which nothing travels is searched once, when it
- * is made.
+ * is made; one in which nothing is free to touch anything has an infinite skin and is never searched.
  *
- * Bodies are put into square cells as wide as the largest disc and the skin; a cell is found by a hash of its whole-number
- * co-ordinates, so a scene may lie anywhere and have no edge. A contact that was listed before keeps its memory.
+ * Bodies are put into square cells; a cell is found by a hash of its whole-number co-ordinates, so a scene may lie anywhere and
+ * have no edge. There are levels of cells, each half as wide as the one before: a body lives on the finest level whose cells
+ * are as wide as it is and the skin. So a few large bodies among many small ones cost the small ones nothing: a body looks at
+ * the nine cells around it on its own level, and on those of larger bodies, as far as there are any. Scenes of a few bodies
+ * have no cells. A contact that was listed before keeps its memory.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdint.h>
@@ -14,22 +17,30 @@
 
 #include "near.h"
 
+enum {
+  LEVELS = 24,
+  FEW = 16
+}; /* radii from 1 to 2^-23: the last level takes all that are smaller; bodies without cells */
+
 struct cells {
-  double width;
-  size_t mask;      /* buckets - 1, a power of two less one */
-  int64_t *cx, *cy; /* per slot: its cell */
-  size_t *first;    /* per bucket: first of its bodies in `member` */
-  int *member;      /* slots, bucket by bucket, in the order of their numbers */
+  double width[LEVELS];
+  size_t count[LEVELS]; /* bodies on each level */
+  size_t mask;          /* buckets - 1, a power of two less one */
+  int *level;           /* per slot */
+  int64_t *cx, *cy;     /* per slot: its cell on its level */
+  size_t *first;        /* per bucket: first of its bodies in `member` */
+  int *member;          /* slots, bucket by bucket, in the order of their numbers */
 };
 
-static size_t bucket_of(const struct cells *cells, int64_t cx, int64_t cy) {
-  uint64_t h = (uint64_t)cx * 0x9e3779b97f4a7c15u ^ ((uint64_t)cy * 0xc2b2ae3d27d4eb4fu);
+static size_t bucket_of(const struct cells *cells, int level, int64_t cx, int64_t cy) {
+  uint64_t h =
+      (uint64_t)cx * 0x9e3779b97f4a7c15u ^ (uint64_t)cy * 0xc2b2ae3d27d4eb4fu ^ (uint64_t)level * 0x165667b19e3779f9u;
   h ^= h >> 29;
   return (size_t)h & cells->mask;
 }
 
 static void cells_free(struct cells *cells) {
-  free(cells->cx), free(cells->cy), free(cells->first), free(cells->member);
+  free(cells->level), free(cells->cx), free(cells->cy), free(cells->first), free(cells->member);
 }
 
 /* Farther out than whole numbers go in a double, the last cell takes all: they are still in order, and compared by distance. */
@@ -38,30 +49,44 @@ static int64_t cell_at(double widths) {
   return (int64_t)(widths < -last ? -last : widths > last ? last : floor(widths));
 }
 
+static void choose_levels(struct cells *cells, const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  double largest = 0;
+  for (size_t i = 0; i < bodies->count; i++)
+    largest = bodies->rim[i].x > largest ? bodies->rim[i].x : largest;
+  for (int l = 0; l < LEVELS; l++)
+    cells->width[l] = l ? cells->width[l - 1] / 2 : 2 * largest + model->skin;
+  for (size_t i = 0; i < bodies->count; i++) {
+    int level = 0;
+    while (level + 1 < LEVELS && cells->width[level + 1] >= 2 * bodies->rim[i].x + model->skin)
+      level++;
+    cells->level[i] = level;
+    cells->count[level]++;
+  }
+}
+
 static bool cells_fill(struct cells *cells, const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   const size_t n = bodies->count;
-  double largest = 0;
-  for (size_t i = 0; i < n; i++)
-    largest = bodies->rim[i].x > largest ? bodies->rim[i].x : largest;
   size_t buckets = 16;
   while (buckets < 2 * n)
     buckets *= 2;
-  *cells = (struct cells){.width = 2 * largest + model->skin, .mask = buckets - 1};
+  *cells = (struct cells){.mask = buckets - 1, .level = nb_array(n, sizeof *cells->level)};
   cells->cx = nb_array(n, sizeof *cells->cx), cells->cy = nb_array(n, sizeof *cells->cy);
   cells->first = nb_array(buckets + 2, sizeof *cells->first), cells->member = nb_array(n, sizeof *cells->member);
-  if (!cells->cx || !cells->cy || !cells->first || !cells->member)
+  if (!cells->level || !cells->cx || !cells->cy || !cells->first || !cells->member)
     return false;
+  choose_levels(cells, model);
   for (size_t i = 0; i < n; i++) {
-    cells->cx[i] = cell_at(bodies->position[i].x / cells->width);
-    cells->cy[i] = cell_at(bodies->position[i].y / cells->width);
-    cells->first[bucket_of(cells, cells->cx[i], cells->cy[i]) + 2]++;
+    cells->cx[i] = cell_at(bodies->position[i].x / cells->width[cells->level[i]]);
+    cells->cy[i] = cell_at(bodies->position[i].y / cells->width[cells->level[i]]);
+    cells->first[bucket_of(cells, cells->level[i], cells->cx[i], cells->cy[i]) + 2]++;
   }
   for (size_t b = 2; b < buckets + 2; b++)
     cells->first[b] += cells->first[b - 1];
   for (size_t k = 0; k < n; k++) { /* in the order of numbers */
     const int i = bodies->slot[k];
-    cells->member[cells->first[bucket_of(cells, cells->cx[i], cells->cy[i]) + 1]++] = i;
+    cells->member[cells->first[bucket_of(cells, cells->level[i], cells->cx[i], cells->cy[i]) + 1]++] = i;
   }
   return true;
 }
@@ -88,27 +113,51 @@ static int pairing_of(const struct nb_model *model, int material_a, int material
   return -1;
 }
 
-/* The bodies of one cell that are near body i and have a larger number, put in the order of their numbers. */
-static bool near_in_cell(struct nb_near_pairs *pairs, const struct nb_model *model, const struct cells *cells, int i,
-                         int64_t cx, int64_t cy) {
+/* Bodies i and j are listed when they are near, the one with the smaller number first. */
+static bool near_pair(struct nb_near_pairs *pairs, struct nb_model *model, int i, int j) {
   const struct nb_bodies *bodies = &model->bodies;
-  const size_t bucket = bucket_of(cells, cx, cy);
+  const struct nb_vec apart = vec_sub(bodies->position[j], bodies->position[i]);
+  model->candidates++;
+  if (!(vec_length(apart) < bodies->rim[i].x + bodies->rim[j].x + model->skin))
+    return true;
+  if (!(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
+    return true; /* both are fixed */
+  const int a = bodies->number[i] < bodies->number[j] ? i : j, b = a == i ? j : i;
+  return pairs_add(pairs, a, b, pairing_of(model, bodies->material[a], bodies->material[b], false));
+}
+
+/* The bodies of one cell on a level: all of them when they are larger than i, those with larger numbers on its own. */
+static bool near_in_cell(struct nb_near_pairs *pairs, struct nb_model *model, const struct cells *cells, int i,
+                         int level, int64_t cx, int64_t cy) {
+  const int *number = model->bodies.number;
+  const size_t bucket = bucket_of(cells, level, cx, cy);
   for (size_t k = cells->first[bucket]; k < cells->first[bucket + 1]; k++) {
     const int j = cells->member[k];
-    if (cells->cx[j] != cx || cells->cy[j] != cy || bodies->number[j] <= bodies->number[i])
+    if (cells->cx[j] != cx || cells->cy[j] != cy || cells->level[j] != level)
       continue;
-    const struct nb_vec apart = vec_sub(bodies->position[j], bodies->position[i]);
-    if (!(vec_length(apart) < bodies->rim[i].x + bodies->rim[j].x + model->skin))
+    if (level == cells->level[i] && number[j] <= number[i])
       continue;
-    if (!(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
-      continue; /* both are fixed */
-    if (!pairs_add(pairs, i, j, pairing_of(model, bodies->material[i], bodies->material[j], false)))
+    if (!near_pair(pairs, model, i, j))
       return false;
   }
   return true;
 }
 
-static bool near_walls(struct nb_near_pairs *pairs, const struct nb_model *model, int i) {
+static bool near_in_cells(struct nb_near_pairs *pairs, struct nb_model *model, const struct cells *cells, int i) {
+  for (int level = cells->level[i]; level >= 0; level--) {
+    if (!cells->count[level])
+      continue;
+    const int64_t cx = cell_at(model->bodies.position[i].x / cells->width[level]);
+    const int64_t cy = cell_at(model->bodies.position[i].y / cells->width[level]);
+    for (int64_t dy = -1; dy <= 1; dy++)
+      for (int64_t dx = -1; dx <= 1; dx++)
+        if (!near_in_cell(pairs, model, cells, i, level, cx + dx, cy + dy))
+          return false;
+  }
+  return true;
+}
+
+static bool near_walls(struct nb_near_pairs *pairs, struct nb_model *model, int i) {
   const struct nb_walls *walls = &model->walls;
   const struct nb_bodies *bodies = &model->bodies;
   for (size_t w = 0; w < walls->count; w++) {
@@ -118,6 +167,7 @@ static bool near_walls(struct nb_near_pairs *pairs, const struct nb_model *model
     const struct nb_vec apart = vec_sub(from_p, vec_scale(on, walls->along[w]));
     if (!(vec_length(apart) < bodies->rim[i].x + model->skin) || !(bodies->inverse_mass[i] > 0))
       continue;
+    model->pressed = model->pressed || !(vec_length(apart) > model->skin);
     if (!pairs_add(pairs, i, (int)w, pairing_of(model, bodies->material[i], model->scene->walls[w].material, true)))
       return false;
   }
@@ -135,37 +185,54 @@ int nb_near_order(const struct nb_model *model, struct nb_near_pair p, struct nb
   return (model->pairings[p.pairing].wall ? p.b < q.b : number[p.b] < number[q.b]) ? -1 : 1;
 }
 
-/* All near pairs: body by body in the order of numbers, the few of each put in order, then stably by pairing. */
-static bool pairs_find(struct nb_near_pairs *pairs, const struct nb_model *model, const struct cells *cells) {
-  struct nb_near_pairs found = {0};
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const int i = model->bodies.slot[k];
-    const size_t from = found.count;
-    bool room = true;
-    for (int64_t dy = -1; dy <= 1; dy++)
-      for (int64_t dx = -1; dx <= 1; dx++)
-        room = room && near_in_cell(&found, model, cells, i, cells->cx[i] + dx, cells->cy[i] + dy);
-    room = room && near_walls(&found, model, i);
-    if (!room) {
-      free(found.list);
-      return false;
-    }
-    for (size_t p = from + 1; p < found.count; p++) {
-      const struct nb_near_pair it = found.list[p];
-      size_t q = p;
-      for (; q > from && nb_near_order(model, it, found.list[q - 1]) < 0; q--)
-        found.list[q] = found.list[q - 1];
-      found.list[q] = it;
-    }
+static bool pairs_find(struct nb_near_pairs *found, struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const int n = (int)bodies->count;
+  struct cells cells = {0};
+  bool room = n <= FEW || cells_fill(&cells, model);
+  for (int k = 0; k < n && room; k++) {
+    const int i = bodies->slot[k];
+    if (n > FEW)
+      room = near_in_cells(found, model, &cells, i);
+    for (int l = k + 1; l < n && n <= FEW && room; l++)
+      room = near_pair(found, model, i, bodies->slot[l]);
+    room = room && near_walls(found, model, i);
   }
-  pairs->list = malloc((found.count + 1) * sizeof *pairs->list);
-  if (pairs->list)
-    for (int p = 0; p < (int)model->pairing_count; p++)
-      for (size_t k = 0; k < found.count; k++)
-        if (found.list[k].pairing == p)
-          pairs->list[pairs->count++] = found.list[k];
-  free(found.list);
-  return pairs->list != NULL;
+  cells_free(&cells);
+  return room;
+}
+
+/* In order: counted out by the number of the first body, the few of each one by insertion, then stably by pairing. */
+static bool pairs_sort(struct nb_near_pairs *pairs, const struct nb_model *model) {
+  const size_t n = pairs->count, bodies = model->bodies.count;
+  const int *number = model->bodies.number;
+  struct nb_near_pair *found = pairs->list, *sorted = nb_array(n, sizeof *sorted);
+  size_t *first = nb_array(bodies + 2, sizeof *first);
+  if (sorted && first) {
+    for (size_t p = 0; p < n; p++)
+      first[number[found[p].a] + 1]++;
+    for (size_t k = 1; k < bodies + 2; k++)
+      first[k] += first[k - 1];
+    for (size_t p = 0; p < n; p++) {
+      const size_t from = first[number[found[p].a]]++;
+      sorted[from] = found[p];
+    }
+    for (size_t p = 1; p < n; p++) {
+      const struct nb_near_pair it = sorted[p];
+      size_t q = p;
+      for (; q > 0 && sorted[q - 1].a == it.a && nb_near_order(model, it, sorted[q - 1]) < 0; q--)
+        sorted[q] = sorted[q - 1];
+      sorted[q] = it;
+    }
+    size_t count = 0;
+    for (int pairing = 0; pairing < (int)model->pairing_count; pairing++)
+      for (size_t p = 0; p < n; p++)
+        if (sorted[p].pairing == pairing)
+          found[count++] = sorted[p];
+  }
+  const bool done = sorted && first;
+  free(sorted), free(first);
+  return done;
 }
 
 /* The first body whose position is not a number: infinity less itself is none either. */
@@ -184,18 +251,18 @@ static enum nb_status find_lost(const struct nb_model *model, struct nb_error *e
 }
 
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
-  if (find_lost(model, error))
+  if (find_lost(model, error) || nb_walls_crossed(model, true, error))
     return error->status;
   struct nb_near_pairs pairs = {0};
-  struct cells cells = {0};
-  const bool found = cells_fill(&cells, model) && pairs_find(&pairs, model, &cells);
-  cells_free(&cells);
-  const bool made = found && nb_contacts_renew(model, &pairs);
+  const bool searching = model->skin < INFINITY;
+  model->pressed = false;
+  const bool found = !searching || (pairs_find(&pairs, model) && pairs_sort(&pairs, model));
+  const bool made = found && nb_contacts_renew(model, &pairs) && nb_joints_find(model);
   free(pairs.list);
   if (!made)
     return nb_error_set(error, NB_BROKEN, "out of memory while searching for contacts");
   memcpy(model->bodies.searched, model->bodies.position, model->bodies.count * sizeof(struct nb_vec));
-  memcpy(model->walls.searched, model->walls.point, model->walls.count * sizeof(struct nb_vec));
-  model->searches++;
+  nb_walls_searched(&model->walls);
+  model->searches += searching;
   return nb_plan_views(model, error);
 }

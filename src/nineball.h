@@ -74,6 +74,7 @@ struct nb_quantity {
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint);
 const char *nb_quantity_unit(struct nb_quantity quantity);                           /* "N", "m", "1" */
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model); /* SI */
+bool nb_quantity_vanishes(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
 /* Row by row all there are, for the manual; false past the last one. `of`: what such a quantity belongs to. */
 bool nb_quantity_row(size_t row, const char **name, const char **unit, const char **of, const char **help);
 
@@ -117,8 +118,10 @@ struct nb_wall {
   double x, y;     /* P, m */
   double ex, ey;   /* e, of length 1 */
   double h1, h2;   /* m */
+  double h0;       /* m: its line lies so far from P, along e turned counterclockwise; 0 for those of [CS79 figure 4] */
   double inx, iny; /* unit normal that points into the box that made it; 0, 0 when it is no box's wall */
   double vx, vy;   /* of P at time 0, m/s */
+  double spin;     /* about P at time 0, rad/s, counterclockwise */
   int material;
   int line;
 };
@@ -147,8 +150,10 @@ struct nb_damping {
 };
 
 enum nb_step_kind {
-  NB_STEP_TIME,    /* value in s */
-  NB_STEP_CRITICAL /* value times 2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion] */
+  NB_STEP_TIME,     /* value in s */
+  NB_STEP_CRITICAL, /* value times 2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion] */
+  NB_STEP_SAFE,     /* value times what is sure to be stable as the stage begins, see src/stable.c */
+  NB_STEP_CONTACT   /* value times the duration of the shortest contact there can be, see src/step.c */
 };
 struct nb_step {
   enum nb_step_kind kind;
@@ -165,10 +170,27 @@ struct nb_watch {
   int line;
 };
 
+/* `gravity GX GY`: the same acceleration on all bodies that are free. */
+struct nb_gravity {
+  double x, y; /* m/s2 */
+  bool ramp;   /* reached at the end of the stage, along a straight line */
+  int line;    /* of the page; 0: not said here */
+};
+
+/* `material` or `pair` in a stage: what holds from there on. NAN where nothing is said: it stays as it is. */
+struct nb_change {
+  int a, b;                          /* materials; b is -1 where the change is of material a itself, not of the pair */
+  double kn, ks, friction, cohesion; /* as in struct nb_material */
+  bool ramp;                         /* reached at the end of the stage, along a straight line */
+  int line;
+};
+
 /* What happens to a wall when a stage begins. It lasts until another stage says otherwise. */
 struct nb_wall_motion {
   int wall;      /* index */
-  double vx, vy; /* m/s */
+  double vx, vy; /* of P, m/s */
+  double spin;   /* about P, rad/s */
+  bool ramp;     /* reached at the end of the stage, along a straight line */
   int line;
 };
 
@@ -185,12 +207,18 @@ struct nb_stage {
   char name[NB_NAME_SIZE];
   struct nb_wall_motion *motions; /* owned by the scene */
   size_t motion_count;
+  struct nb_change *changes; /* of materials and pairs; owned by the scene */
+  size_t change_count;
+  struct nb_gravity gravity;       /* line 0: as before */
+  bool still;                      /* it begins with all bodies at rest */
+  bool reverse;                    /* it begins with all velocities turned round, of walls too */
   struct nb_condition *conditions; /* all must hold; owned by the scene */
   size_t condition_count;
   unsigned long cycles;      /* how many; with conditions: at most, and reaching it is a failure */
   unsigned long record;      /* a row every so many cycles, 0: none */
   bool snapshot;             /* keep bodies, walls and contacts as they are at its end */
   struct nb_step step;       /* as the scene's, unless the stage says otherwise */
+  bool allow_unstable;       /* the step is not watched in this stage */
   struct nb_damping damping; /* as the stage before, unless this one says otherwise */
   int line;
 };
@@ -224,7 +252,10 @@ struct nb_scene {
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* laws, by the names of their files: `linear`, `none` */
   int normal_line, shear_line;
   struct nb_damping damping;
+  struct nb_gravity gravity; /* at time 0 */
   struct nb_step step;
+  bool allow_unstable; /* the step is not watched in any stage */
+  double skin;         /* m: pairs closer than this are listed [R89 TOL]; 0: not said, a tenth of the mean radius */
   struct nb_watch *watches;
   size_t watch_count;
   struct nb_column *columns;
@@ -245,8 +276,8 @@ enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page,
                              struct nb_mistakes *mistakes);
 void nb_scene_free(struct nb_scene *scene);
 
-/* What two materials make of a contact: the harmonic mean 2ab/(a+b) of the stiffnesses (which is k between like ones), the
- * smaller friction and cohesion [CS79 19], and what the page's `pair` says over both. */
+/* What two materials make of a contact at time 0: the harmonic mean 2ab/(a+b) of the stiffnesses (which is k between like
+ * ones), the smaller friction and cohesion [CS79 19], and what the page's `pair` says over both. */
 struct nb_pair {
   double kn, ks;   /* N/m */
   double friction; /* 1 */

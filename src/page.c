@@ -92,10 +92,10 @@ static void check_text(struct nb_page *page, size_t line, char *text, size_t len
                "expected text, found the byte 0x%02X (shown as `?`)", byte);
 }
 
-static bool cut_lines(struct nb_page *page, char *bytes, size_t size, struct nb_mistakes *mistakes) {
+static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
   size_t at = size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0; /* a byte order mark is no text */
   while (at < size) {
-    char *end = memchr(bytes + at, '\n', size - at);
+    const char *end = memchr(bytes + at, '\n', size - at);
     size_t length = end ? (size_t)(end - bytes) - at : size - at, next = at + length + 1;
     if (length > 0 && bytes[at + length - 1] == '\r')
       length--;
@@ -210,9 +210,10 @@ static void name_page(struct nb_page *page, struct nb_mistakes *mistakes) {
   page->name[length] = '\0';
 }
 
-enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
+enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
+                                  struct nb_mistakes *mistakes) {
   memset(page, 0, sizeof *page);
-  size_t before = mistakes->count, size = 0;
+  size_t before = mistakes->count;
   page->path = malloc(strlen(path) + 1);
   if (page->path)
     strcpy(page->path, path);
@@ -220,7 +221,6 @@ enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mi
     return mistakes->count++, NB_BAD_USE;
   name_page(page, mistakes);
 
-  char *bytes = slurp(path, &size);
   if (!bytes) {
     nb_mistake(mistakes, page, 0, 0, 0, NULL, "cannot be read: %s", strerror(errno));
   } else if (size > NB_PAGE_MAX) {
@@ -233,9 +233,16 @@ enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mi
     else
       nb_mistake(mistakes, page, 0, 0, 0, NULL, "there is not enough memory to read this page");
   }
-  free(bytes);
   if (mistakes->count == before)
     return NB_OK;
   nb_page_free(page);
   return NB_BAD_USE;
+}
+
+enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
+  size_t size = 0;
+  char *bytes = slurp(path, &size);
+  const enum nb_status status = nb_page_read_bytes(page, path, bytes, size, mistakes);
+  free(bytes);
+  return status;
 }

@@ -24,12 +24,15 @@ static int first_damped_line(const struct nb_scene *scene) {
   return 0;
 }
 
+static bool rubs(const struct nb_pairing *pairing) {
+  return pairing->values.friction > 0 || pairing->values.cohesion > 0;
+}
+
 static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, const struct nb_law *normal,
                          const struct nb_law *shear) {
   const struct nb_scene *scene = model->scene;
-  const bool rubs = pairing->values.friction > 0 || pairing->values.cohesion > 0;
   pairing->normal = normal;
-  pairing->shear = rubs && strcmp(shear->name, "none") != 0 ? shear : NULL;
+  pairing->shear = rubs(pairing) && strcmp(shear->name, "none") != 0 ? shear : NULL;
   pairing->pass_count = 0;
   const bool closing = model->dashpots || (normal->needs & NB_BIT(NB_CLOSING));
   const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
@@ -37,6 +40,8 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
   const struct nb_pass *resolve = &nb_pass_resolve[pairing->shear != NULL];
   const enum nb_isa isa = model->isa;
   add(pairing, geometry->run[isa], 0, "", geometry->name);
+  if (pairing->wall && model->joined)
+    add(pairing, nb_pass_joints.run[isa], 0, "", nb_pass_joints.name);
   add(pairing, normal->run[isa], scene->normal_line, "normal ", normal->name);
   if (pairing->shear)
     add(pairing, shear->run[isa], scene->shear_line, "shear ", shear->name);
@@ -51,9 +56,10 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   if (!normal || !shear)
     return nb_error_set(error, NB_BAD_USE, "there is no law `%s %s`", normal ? "shear" : "normal",
                         normal ? scene->shear : scene->normal);
+  model->joined = nb_joints_meet(scene);
   model->dashpots = first_damped_line(scene) > 0;
   model->drag = model->dashpots ? NB_DRAG : NB_SHEAR;
-  model->kept = nb_fields_watched(scene);
+  model->kept = nb_fields_watched(scene) & (NB_BIT(NB_FIELDS) - 1);
   bool shears = false;
   for (size_t p = 0; p < model->pairing_count; p++) {
     plan_pairing(model, &model->pairings[p], normal, shear);
@@ -61,6 +67,8 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   }
   if (shears)
     model->kept |= NB_BIT(model->drag);
+  else
+    model->kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
   if (!model->dashpots) { /* then what is felt is what the laws say: one field for both */
     if (model->kept & NB_BIT(NB_PUSH))
       model->kept = (model->kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);
@@ -70,6 +78,14 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   free(model->scratch);
   model->scratch = nb_array((size_t)model->threads * NB_FIELDS * NB_BLOCK, sizeof(double));
   return model->scratch ? NB_OK : nb_error_set(error, NB_BROKEN, "out of memory while planning");
+}
+
+bool nb_plan_stands(const struct nb_model *model) {
+  const bool none = strcmp(model->scene->shear, "none") == 0;
+  for (size_t p = 0; p < model->pairing_count; p++)
+    if (!none && rubs(&model->pairings[p]) != (model->pairings[p].shear != NULL))
+      return false;
+  return true;
 }
 
 static struct nb_view view_of(const struct nb_model *model, size_t from, size_t to, double *scratch) {
@@ -93,6 +109,8 @@ static struct nb_view view_of(const struct nb_model *model, size_t from, size_t 
 /* Runs of one pairing, cut into blocks. Thread `t` of T works on views n t/T to n (t+1)/T, each thread in scratch of its own. */
 enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
   const struct nb_contacts *contacts = &model->contacts;
+  const size_t share = contacts->count / NB_THREAD_SHARE; /* a thread with less to do waits longer than it works */
+  model->busy = share < 1 ? 1 : share < (size_t)model->threads ? (int)share : model->threads;
   size_t most = contacts->count / NB_BLOCK + model->pairing_count + 1;
   free(model->views);
   model->views = nb_array(most, sizeof *model->views);
@@ -108,7 +126,7 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
   start[n] = contacts->count;
   for (size_t v = 0; v < n; v++) {
     size_t thread = 0;
-    while (n * (thread + 1) / (size_t)model->threads <= v)
+    while (n * (thread + 1) / (size_t)model->busy <= v)
       thread++;
     model->views[v] = view_of(model, start[v], start[v + 1], model->scratch + thread * NB_FIELDS * NB_BLOCK);
   }

@@ -17,7 +17,9 @@ enum {
   NB_TOKENS_MAX = 256,      /* tokens in a line */
   NB_RUNS_MAX = 10000,      /* of a page */
   NB_BODIES_MAX = 10000000, /* of a scene */
-  NB_SLOTS = 24,            /* values that a row of a table may ask for */
+  NB_NAMED_MAX = 2000,      /* of each sort of thing with a name: they are looked up one by one */
+  NB_MATERIALS_MAX = 200,   /* as every one may meet every other */
+  NB_SLOTS = 48,            /* values that a row of a table may ask for */
   NB_PAGE_MAX = 4 << 20     /* bytes in a page */
 };
 
@@ -75,6 +77,8 @@ bool nb_is_name(const char *text); /* a letter, then letters, digits, _ and -; s
 
 enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_SHARE }; /* all, > 0, >= 0, 0 to 1 */
 
+/* " above 0", ", 0 or more", " from 0 to 1", or nothing. */
+const char *nb_range_words(enum nb_range range);
 /* Each takes what it names from the line, or says what it expected and answers false. */
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
 bool nb_take_in(struct nb_reader *reader, const char *si_unit,
@@ -88,7 +92,7 @@ const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what);
 /* ---- keywords.c: whole statements ---- */
 
 /* Where a statement may stand; a set. */
-enum { NB_IN_SCENE = 1, NB_IN_STAGE = 2, NB_IN_EXPECT = 4 };
+enum { NB_IN_SCENE = 1, NB_IN_STAGE = 2, NB_IN_EXPECT = 4, NB_IN_RAMP = 8 /* behind the word `ramp` */ };
 
 enum nb_argument_kind {
   NB_ARGUMENT_NUMBER, /* of `unit` and within `range` */
@@ -129,6 +133,7 @@ struct nb_keyword {
    * gave. */
   void (*apply)(struct nb_reader *reader, const struct nb_record *record, void *subject);
   const char *help;
+  const char *example; /* lines of a page; those of all rows, in their order, are the page docs/LANGUAGE.md */
 };
 
 /* Reads the statement in reader->tokens by its row in a table (which ends in a row without apply). `here` is one of
@@ -143,6 +148,10 @@ const struct nb_keyword *nb_keywords(void);
 
 size_t nb_page_fence(const struct nb_page *page,
                      enum nb_block_kind kind); /* line of the fence of the first such block, 0: none */
+
+/* A page from memory, under this path; without bytes it could not be read, and errno says why. */
+enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
+                                  struct nb_mistakes *mistakes);
 
 /* ---- arrays that grow ---- */
 

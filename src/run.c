@@ -63,23 +63,11 @@ static enum nb_status never_ended(const struct nb_stage *stage, const struct nb_
                       stage->line, stage->cycles, text);
 }
 
-static enum nb_status begin_stage(struct run *run, const struct nb_stage *stage, struct nb_error *error) {
-  struct nb_model *model = run->model;
-  model->stage_time = model->time;
-  model->stage_cycle = 0;
-  model->damping = stage->damping;
-  for (size_t k = 0; k < stage->motion_count; k++) {
-    const struct nb_wall_motion *motion = &stage->motions[k];
-    model->walls.velocity[motion->wall] = vec(motion->vx, motion->vy);
-  }
-  return nb_step_set(model, &stage->step, error);
-}
-
 static enum nb_status run_stage(struct run *run, int index, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   struct nb_model *model = run->model;
   struct nb_result *result = run->result;
-  enum nb_status status = begin_stage(run, stage, error);
+  enum nb_status status = nb_stage_begin(model, stage, error);
   bool ended = false;
   while (!status && !ended) {
     status = nb_cycle(model, error);

@@ -15,9 +15,17 @@ void nb_no_memory(struct nb_reader *reader) {
   nb_token_mistake(reader, &reader->tokens[0], NULL, "there is not enough memory for this");
 }
 
+bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what) {
+  if (count < (size_t)most)
+    return false;
+  nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d %s, with this there are more", most, what);
+  return true;
+}
+
 void nb_scene_free(struct nb_scene *scene) {
   for (size_t i = 0; i < scene->stage_count; i++) {
     free(scene->stages[i].motions);
+    free(scene->stages[i].changes);
     free(scene->stages[i].conditions);
   }
   free(scene->materials);
@@ -119,6 +127,7 @@ static void check_whole(struct nb_scene_reading *reading) {
     return;
   }
   find_columns(reading);
+  nb_ramps_check(reading);
   if (scene->body_count == 0 && !reading->bodies_unsure)
     say_of_scene(reading, "`disc`, `sphere`, `discs` and `spheres` make them",
                  "expected a scene with bodies, found none");
@@ -145,7 +154,7 @@ static void check_step(struct nb_scene_reading *reading) {
       missing = false;
   }
   if (missing)
-    say_of_scene(reading, "`step TIME` or `step F of critical`", "expected a scene with a `step`, found none");
+    say_of_scene(reading, "`step TIME` or `step F of safe`", "expected a scene with a `step`, found none");
 }
 
 /* The settings as lines of a page that is no file. False: no memory. */
@@ -167,12 +176,18 @@ static bool keep_settings(struct nb_scene_reading *reading, nb_settings settings
 }
 
 static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
+  const size_t before = mistakes->count;
   struct nb_scene *scene = reading->scene;
   survey(reading, mistakes);
   read_lines(reading);
   check_whole(reading);
   if (nb_page_fence(reading->reader.page, NB_BLOCK_SCENE))
     check_step(reading);
+  if (!nb_scene_place(scene, &reading->place) && mistakes->count == before) {
+    nb_line_read(&reading->reader, (size_t)reading->place.line);
+    nb_token_mistake(&reading->reader, &reading->reader.tokens[0], NULL,
+                     "expected a place that a double can hold, this one is too far away");
+  }
   scene->unitless = reading->reader.unitless;
   if (!scene->normal[0])
     strcpy(scene->normal, "linear");

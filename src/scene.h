@@ -6,7 +6,9 @@
  *   scene_world.c   materials, laws, walls
  *   scene_bodies.c  bodies and watches
  *   scene_step.c    step and damping
- *   scene_stages.c  stages and what they do; what is recorded
+ *   scene_stages.c  stages, walls in them, how they end; what is recorded
+ *   scene_changes.c what else changes in them: materials, gravity; ramps
+ *   scene_place.c   the whole scene mirrored, turned, shifted
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SCENE_H
@@ -38,7 +40,11 @@ enum {
   AT_COHESION,
   AT_INWARD,
   AT_STOP,
-  AT_CYCLES
+  AT_CYCLES,
+  AT_ANGLE,
+  AT_ABOUT_X,
+  AT_ABOUT_Y,
+  AT_SKIN
 };
 
 /* A column asked for by `record`, until all watches are known. */
@@ -46,6 +52,14 @@ struct nb_asked {
   char name[2 * NB_NAME_SIZE];
   size_t line;
   int column, length;
+};
+
+/* `place`: first mirrored, then turned, then shifted. */
+struct nb_place {
+  double flip_x, flip_y; /* 1, or -1: mirrored; 0, 0: no such statement */
+  double cosine, sine;   /* of the angle that the scene is turned by, counterclockwise */
+  double x, y;           /* m */
+  int line;
 };
 
 struct nb_scene_reading {
@@ -62,6 +76,7 @@ struct nb_scene_reading {
 
   unsigned here; /* NB_IN_SCENE, from the first `stage` on NB_IN_STAGE */
   int units_line;
+  struct nb_place place;
   bool bodies_unsure;     /* a statement about bodies was wrong: numbers of bodies cannot be checked */
   struct nb_asked *asked; /* owned */
   size_t asked_count;
@@ -73,6 +88,8 @@ void nb_not_known(struct nb_reader *reader, const struct nb_token *token, const 
 int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 struct nb_stage *nb_stage_now(const struct nb_scene *scene); /* the stage that statements belong to; NULL: the scene */
+/* Says so when a scene has as many of them already as it may. */
+bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what);
 /* Array growth that failed. */
 void nb_no_memory(struct nb_reader *reader);
 /* The last --set of that name: its line among the settings; 0: none. */
@@ -83,6 +100,10 @@ void nb_settings_read(struct nb_scene_reading *reading);
 size_t nb_runs(const struct nb_scene_reading *reading);
 /* A quantity by its name; false with a message in place when there is none, unless an earlier mistake explains that. */
 bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked);
+/* A ramp wants a stage whose length is known. */
+void nb_ramps_check(struct nb_scene_reading *reading);
+/* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
+bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place); /* false: something is too far away */
 /* Adds bodies row by row from the south-west; false when there is no memory. */
 struct nb_lattice {
   size_t nx, ny;
@@ -102,8 +123,11 @@ NB_APPLY(nb_apply_body); /* variant: enum nb_shape, here and below */
 NB_APPLY(nb_apply_lattice);
 NB_APPLY(nb_apply_box);
 NB_APPLY(nb_apply_wall);
+NB_APPLY(nb_apply_skin);
+NB_APPLY(nb_apply_place);
 NB_APPLY(nb_apply_watch);
 NB_APPLY(nb_apply_step);
+NB_APPLY(nb_apply_allow);
 NB_APPLY(nb_apply_damping);
 NB_APPLY(nb_apply_columns);
 NB_APPLY(nb_apply_stage);
@@ -113,5 +137,9 @@ NB_APPLY(nb_apply_cycles);
 NB_APPLY(nb_apply_until);
 NB_APPLY(nb_apply_record);
 NB_APPLY(nb_apply_snapshot);
+NB_APPLY(nb_apply_gravity);
+NB_APPLY(nb_apply_change); /* in a stage; variant 0: material, 1: pair */
+NB_APPLY(nb_apply_still);  /* variant 1: reverse */
+NB_APPLY(nb_apply_ramp);
 
 #endif

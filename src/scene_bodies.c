@@ -130,6 +130,8 @@ NB_APPLY(nb_apply_watch) {
                        scene->watches[i].line);
       return;
     }
+  if (nb_too_many(reader, scene->watch_count, NB_NAMED_MAX, "watches"))
+    return;
   struct nb_watch *watches = nb_room(scene->watches, scene->watch_count, 1, sizeof *watches);
   if (!watches) {
     nb_no_memory(reader);

@@ -26,6 +26,8 @@ NB_APPLY(nb_apply_stage) {
     if (name && strcmp(scene->stages[i].name, name->text) == 0)
       nb_token_mistake(reader, name, NULL, "there is a stage `%s` already, on line %d", name->text,
                        scene->stages[i].line);
+  if (nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "stages"))
+    return;
   struct nb_stage *stages = nb_room(scene->stages, scene->stage_count, 1, sizeof *stages);
   if (!stages) {
     nb_no_memory(reader);
@@ -36,11 +38,21 @@ NB_APPLY(nb_apply_stage) {
   reading->here = NB_IN_STAGE;
 }
 
+/* What the page has told a wall to do so far. */
+static struct nb_wall_motion wall_so_far(const struct nb_scene *scene, size_t wall) {
+  const struct nb_wall *it = &scene->walls[wall];
+  for (size_t s = scene->stage_count; s > 0; s--)
+    for (size_t i = 0; i < scene->stages[s - 1].motion_count; i++)
+      if (scene->stages[s - 1].motions[i].wall == (int)wall)
+        return scene->stages[s - 1].motions[i];
+  return (struct nb_wall_motion){.wall = (int)wall, .vx = it->vx, .vy = it->vy, .spin = it->spin};
+}
+
 /* A second motion of the same wall in a stage takes the place of the first: `walls inward 1 mm/s`, but one of them
  * stands. */
-static void move_wall(struct nb_scene *scene, struct nb_reader *reader, size_t wall, double vx, double vy) {
+static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct nb_wall_motion motion) {
   struct nb_stage *stage = nb_stage_now(scene);
-  struct nb_wall_motion motion = {(int)wall, vx, vy, (int)reader->line};
+  motion.line = (int)reader->line, motion.ramp = false;
   for (size_t i = 0; i < stage->motion_count; i++) {
     if (stage->motions[i].wall != motion.wall)
       continue;
@@ -73,9 +85,11 @@ NB_APPLY(nb_apply_walls) {
     bool of_box = wall->inx != 0 || wall->iny != 0;
     if (inward->token && !of_box)
       continue;
-    /* + 0.0 makes the -0 of a product a plain 0 */
-    move_wall(scene, reader, i, stop->token ? 0 : wall->inx * inward->number + 0.0,
-              stop->token ? 0 : wall->iny * inward->number + 0.0);
+    struct nb_wall_motion motion = wall_so_far(scene, i);
+    motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* which makes the -0 of a product a plain 0 */
+    motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
+    motion.spin = stop->token ? 0 : motion.spin;
+    move_wall(scene, reader, motion);
     moved++;
   }
   if (moved == 0)
@@ -85,9 +99,20 @@ NB_APPLY(nb_apply_walls) {
 
 NB_APPLY(nb_apply_wall_motion) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  int wall = nb_wall_of(scene, reader, record->value[AT_NAME].token);
-  if (wall >= 0)
-    move_wall(scene, reader, (size_t)wall, record->value[AT_VX].number, record->value[AT_VY].number);
+  const struct nb_value *value = record->value;
+  int wall = nb_wall_of(scene, reader, value[AT_NAME].token);
+  if (wall < 0)
+    return;
+  if (!value[AT_VX].token && !value[AT_SPIN].token) {
+    nb_expected(reader, NULL, "`velocity VX VY`, `spin W` or both");
+    return;
+  }
+  struct nb_wall_motion motion = wall_so_far(scene, (size_t)wall);
+  if (value[AT_VX].token)
+    motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number;
+  if (value[AT_SPIN].token)
+    motion.spin = value[AT_SPIN].number;
+  move_wall(scene, reader, motion);
 }
 
 /* A stage lasts once: `cycles` or one `until`. The wrong statement counts, so that the stage is not said to have
@@ -173,16 +198,20 @@ NB_APPLY(nb_apply_columns) {
     struct nb_asked one;
     if (!take_asked(reader, &one))
       return;
+    if (nb_too_many(reader, reading->asked_count, NB_NAMED_MAX, "columns"))
+      return;
     struct nb_asked *asked = nb_room(reading->asked, reading->asked_count, 1, sizeof *asked);
     if (!asked) {
       nb_no_memory(reader);
       return;
     }
     reading->asked = asked;
-    for (size_t i = 0; i < reading->asked_count; i++)
-      if (strcmp(asked[i].name, one.name) == 0)
-        nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL, "`%s` is recorded already, by line %zu",
-                         one.name, asked[i].line);
+    size_t i = 0;
+    while (i < reading->asked_count && strcmp(asked[i].name, one.name) != 0)
+      i++;
+    if (i < reading->asked_count)
+      nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL, "`%s` is recorded already, by line %zu",
+                       one.name, asked[i].line);
     asked[reading->asked_count++] = one;
   } while (nb_token_peek(reader));
 }

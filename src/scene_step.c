@@ -10,7 +10,27 @@ static void said_twice(struct nb_reader *reader, int line) {
                    line);
 }
 
-/* TIME, or F of critical. */
+/* What a step may be a share of. */
+static bool take_share_of(struct nb_reader *reader, enum nb_step_kind *kind) {
+  static const struct {
+    const char *word;
+    enum nb_step_kind kind;
+  } steps[] = {{"critical", NB_STEP_CRITICAL}, {"safe", NB_STEP_SAFE}, {"contact", NB_STEP_CONTACT}};
+  const struct nb_token *token = nb_token_peek(reader);
+  char hint[NB_HINT_SIZE];
+  struct nb_guess guess = nb_guess_begin(token ? token->text : "");
+  for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+    if (nb_token_skip(reader, steps[i].word)) {
+      *kind = steps[i].kind;
+      return true;
+    }
+    nb_guess_offer(&guess, steps[i].word);
+  }
+  nb_expected(reader, nb_guess_hint(&guess, hint), "`critical`, `safe` or `contact`");
+  return false;
+}
+
+/* TIME, or F of critical, safe or contact. */
 NB_APPLY(nb_apply_step) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_stage_now(reading->scene);
@@ -21,7 +41,7 @@ NB_APPLY(nb_apply_step) {
   (void)record;
   if (!nb_take_number(reader, share ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value))
     return;
-  if (share && (!nb_take_word(reader, "of") || !nb_take_word(reader, "critical")))
+  if (share && (!nb_take_word(reader, "of") || !take_share_of(reader, &step.kind)))
     return;
   if (nb_token_peek(reader))
     return; /* which the engine says */
@@ -34,6 +54,26 @@ NB_APPLY(nb_apply_step) {
   else if (reading->step_set)
     step.kind = here->kind, step.value = here->value; /* said and checked, but overridden */
   *here = step;
+}
+
+/* `allow unstable`: in the scene for all stages, in a stage for this one. */
+NB_APPLY(nb_apply_allow) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  (void)record;
+  if (!nb_take_word(reader, "unstable"))
+    return;
+  if (stage)
+    stage->allow_unstable = true;
+  else
+    scene->allow_unstable = true;
+}
+
+NB_APPLY(nb_apply_skin) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  if (scene->skin > 0)
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "`skin` is said twice");
+  scene->skin = record->value[AT_SKIN].number;
 }
 
 /* The word after `con1 X reading`. */

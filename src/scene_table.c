@@ -43,6 +43,22 @@ static const struct nb_argument pair[] = {
   CONTACT("2ab/(a+b)", "2ab/(a+b)", "the smaller one", "the smaller one"),
   END
 };
+static const struct nb_argument material_change[] = {
+  WORD("NAME", AT_NAME, "the name of a material"),
+  CONTACT("as it was", "as it was", "as it was", "as it was"),
+  END
+};
+static const struct nb_argument pair_change[] = {
+  WORD("MATERIAL", AT_NAME, "the name of a material"),
+  WORD("MATERIAL", AT_NAME2, "the name of a material"),
+  CONTACT("as it was", "as it was", "as it was", "as it was"),
+  END
+};
+static const struct nb_argument gravity[] = {
+  VALUE("GX", NB_UNIT_ACCELERATION, NB_ANY, AT_X, "Acceleration to the east."),
+  VALUE("GY", NB_UNIT_ACCELERATION, NB_ANY, AT_Y, "Acceleration to the north."),
+  END
+};
 static const struct nb_argument body[] = {
   VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
   VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
@@ -75,7 +91,17 @@ static const struct nb_argument wall[] = {
   VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "First end, to the north."),
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "Second end."),
   MATERIAL,
+  CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_ABOUT_X, 2, "its middle",
+         "The point P that it turns about and whose velocity is given [CS79 figure 4]; it need not be on the wall."),
   VELOCITY("0 0"),
+  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity about P, counterclockwise."),
+  END
+};
+static const struct nb_argument skin[] = {VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "How near."), END};
+static const struct nb_argument place[] = {
+  {"mirror", "none|x|y", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_NAME, 1, "none", "`none`, `x` or `y`"},
+  CLAUSE("turn", "ANGLE", NB_UNIT_ANGLE, NB_ANY, AT_ANGLE, 1, "0", "Counterclockwise; quarters of a turn are exact."),
+  CLAUSE("shift", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "0 0", "To the east and to the north."),
   END
 };
 static const struct nb_argument watch[] = {NAME(AT_NAME, "a name for what is watched"), END};
@@ -86,68 +112,130 @@ static const struct nb_argument walls[] = {
   FLAG("stop", AT_STOP, "none", "All walls stand still."),
   END
 };
-static const struct nb_argument wall_motion[] = {WORD("NAME", AT_NAME, "the name of a wall"), VELOCITY(NULL), END};
+static const struct nb_argument wall_motion[] = {
+  WORD("NAME", AT_NAME, "the name of a wall"),
+  VELOCITY("as before"),
+  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "as before", "Angular velocity about P, counterclockwise."),
+  END
+};
 static const struct nb_argument cycles[] = {COUNT(NULL, "N", AT_CYCLES, "a number of cycles"), END};
 
 static const struct nb_keyword table[] = {
   {"units", NB_IN_SCENE, units, NULL, 0, false, nb_apply_units,
    "Whether numbers carry units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
-   "whole page."},
+   "whole page.",
+   "units     si"},
   {"let", NB_IN_SCENE, name_of_value, "VALUE", 0, true, nb_apply_let,
    "Gives a name to a value, a word or a number and its unit. $NAME stands for it below; --set NAME=VALUE "
-   "overrides it."},
+   "overrides it.",
+   "let       grip 0.3"},
   {"sweep", NB_IN_SCENE, name_of_value, "{with NAME …} VALUE …", 0, true, nb_apply_sweep,
    "Gives a name several values in turn, one run each; several names take their values together. Several sweeps make "
-   "the product, the last one fastest."},
+   "the product, the last one fastest.",
+   "sweep     speed 0.1 m/s 0.2 m/s"},
   {"material", NB_IN_SCENE, material, NULL, 0, true, nb_apply_material,
    "What bodies and walls are made of: the stiffness, friction and cohesion of a contact between two of the same "
-   "material."},
+   "material.",
+   "material  steel  density 7.8 g/cm3  kn 10 MN/m  ks 8 MN/m  friction $grip\nmaterial  glass  density 2.5 g/cm3  kn 5 MN/m   ks 4 MN/m  friction 0.2"},
   {"pair", NB_IN_SCENE, pair, NULL, 0, false, nb_apply_pair,
    "What holds between two materials where the rule does not: harmonic mean of stiffnesses, smaller friction and "
-   "cohesion."},
+   "cohesion.",
+   "pair      steel glass  friction 0.1"},
   {"normal", NB_IN_SCENE, law, NULL, 0, false, nb_apply_law,
-   "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it."},
+   "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it.",
+   "normal    linear"},
   {"shear", NB_IN_SCENE, law, NULL, 1, false, nb_apply_law,
-   "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it."},
+   "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it.",
+   "shear     linear"},
   {"damping", NB_IN_SCENE | NB_IN_STAGE, nothing,
    "contact-beta TIME | contact-fraction X | contact-ratio X | global RATE | con1 X reading cs79|velocity|all | none",
    0, false, nb_apply_damping,
    "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all bodies [CS79 34] [R89 6.5.1], one statement for each; "
-   "default none. In a stage: from this stage on."},
+   "default none. In a stage: from this stage on.",
+   "damping   contact-ratio 0.1\ndamping   global 2 1/s"},
+  {"gravity", NB_IN_SCENE | NB_IN_STAGE | NB_IN_RAMP, gravity, NULL, 0, false, nb_apply_gravity,
+   "The same acceleration on all bodies that are free; default none. In a stage: from this stage on.",
+   "gravity   0 m/s2 -9.81 m/s2"},
   {"disc", NB_IN_SCENE, body, NULL, NB_DISC, true, nb_apply_body,
-   "One disc, a cylinder 1 m thick; it gets the next number."},
+   "One disc, a cylinder 1 m thick; it gets the next number.",
+   "disc      35.02 mm 60 mm  radius 5 mm  steel  velocity -$speed 0 m/s  spin -3 rad/s"},
   {"sphere", NB_IN_SCENE, body, NULL, NB_SPHERE, true, nb_apply_body,
-   "One sphere, which moves in the plane; it gets the next number."},
+   "One sphere, which moves in the plane; it gets the next number.",
+   "sphere    25 mm 60 mm  radius 5 mm  glass"},
   {"discs", NB_IN_SCENE, lattice, NULL, NB_DISC, true, nb_apply_lattice,
-   "Discs in a square lattice, numbered row by row from the south-west: to the east, then the next row to the north."},
+   "Discs in a square lattice, numbered row by row from the south-west: to the east, then the next row to the north.",
+   "discs     lattice 3 by 2  from 15 mm 15 mm  radius 5 mm  spacing 12 mm  glass"},
   {"spheres", NB_IN_SCENE, lattice, NULL, NB_SPHERE, true, nb_apply_lattice,
-   "Spheres in a square lattice, numbered as `discs`."},
-  {"box", NB_IN_SCENE, box, NULL, 0, true, nb_apply_box, "Four walls named south, east, north and west."},
+   "Spheres in a square lattice, numbered as `discs`.",
+   "spheres   lattice 2 by 1  from 15 mm 40 mm  radius 5 mm  steel"},
+  {"box", NB_IN_SCENE, box, NULL, 0, true, nb_apply_box, "Four walls named south, east, north and west.",
+   "box       0 mm 0 mm to 80 mm 80 mm  steel"},
   {"wall", NB_IN_SCENE, wall, NULL, 0, true, nb_apply_wall,
-   "A straight wall between two ends; it pushes on both sides."},
+   "A straight wall between two ends; it pushes on both sides.",
+   "wall      shelf  10 mm 48 mm to 60 mm 48 mm  glass"},
+  {"skin", NB_IN_SCENE, skin, NULL, 0, false, nb_apply_skin,
+   "Pairs closer than this are listed as contacts that may come to touch [R89 TOL], and looked for again when something "
+   "has moved half of it; default a tenth of the mean radius. No result depends on it.",
+   "skin      0.5 mm"},
   {"watch", NB_IN_SCENE, watch,
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME", 0, true, nb_apply_watch,
-   "Names a body, a contact or a wall, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`."},
-  {"step", NB_IN_SCENE | NB_IN_STAGE, nothing, "TIME | F of critical", 0, false, nb_apply_step,
-   "How long a cycle is: a time, or a share of 2 sqrt(m/k) [CS79, Motion]; no default. In a stage: from this stage "
-   "on. --set step=... overrides it everywhere."},
+   "Names a body, a contact or a wall, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`.",
+   "watch     A  disc 1\nwatch     C  disc 1 with sphere 2\nwatch     F  sphere 9 with wall shelf\nwatch     S  wall shelf"},
+  {"place", NB_IN_SCENE, place, NULL, 0, false, nb_apply_place,
+   "Moves the whole scene, as it is at the end of the page: positions, velocities, walls and what they do in stages. "
+   "First it is mirrored, then turned about the origin, then shifted. The physics stays the same, the directions that "
+   "are recorded do not.",
+   "place     mirror none  turn 0 deg  shift 0.5 m 0 m"},
+  {"step", NB_IN_SCENE | NB_IN_STAGE, nothing, "TIME | F of safe | F of critical | F of contact", 0, false, nb_apply_step,
+   "How long a cycle is: a time, or a share of what is sure to be stable as a stage begins, of 2 sqrt(m/k) [CS79, "
+   "Motion], or of the duration of the shortest contact there can be; no default. In a stage: from this stage on. "
+   "--set step=... overrides it everywhere.",
+   "step      0.1 of critical"},
+  {"allow", NB_IN_SCENE | NB_IN_STAGE, nothing, "unstable", 0, false, nb_apply_allow,
+   "Lets a run go on whose step is above what is sure to be stable; else it stops there. In a stage: in this one only.",
+   "allow     unstable"},
   {"record", NB_IN_SCENE, nothing, "QUANTITY …", 0, false, nb_apply_columns,
-   "The columns of the table, in this order."},
+   "The columns of the table, in this order.",
+   "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
   {"stage", NB_IN_SCENE | NB_IN_STAGE, stage, NULL, 0, true, nb_apply_stage,
-   "Begins a stage; the statements below belong to it, until the next one."},
-  {"walls", NB_IN_STAGE, walls, NULL, 0, false, nb_apply_walls,
-   "How all walls move from the beginning of this stage on: one of the two."},
-  {"wall", NB_IN_STAGE, wall_motion, NULL, 0, false, nb_apply_wall_motion,
-   "How one wall moves from the beginning of this stage on."},
-  {"cycles", NB_IN_STAGE, cycles, NULL, 0, true, nb_apply_cycles, "How many cycles the stage lasts."},
+   "Begins a stage; the statements below belong to it, until the next one.",
+   "stage     strike"},
+  {"walls", NB_IN_STAGE | NB_IN_RAMP, walls, NULL, 0, false, nb_apply_walls,
+   "How all walls move from the beginning of this stage on: one of the two.",
+   "  walls   inward 1 mm/s"},
+  {"wall", NB_IN_STAGE | NB_IN_RAMP, wall_motion, NULL, 0, false, nb_apply_wall_motion,
+   "How one wall moves from the beginning of this stage on: the velocity of its point P, its spin about P, or both.",
+   "  wall    shelf  velocity 0 m/s -2 mm/s  spin 0.1 rad/s"},
+  {"material", NB_IN_STAGE | NB_IN_RAMP, material_change, NULL, 0, false, nb_apply_change,
+   "What a material is from this stage on; what is not said stays as it was.",
+   "  material glass  friction 0.4"},
+  {"pair", NB_IN_STAGE | NB_IN_RAMP, pair_change, NULL, 1, false, nb_apply_change,
+   "What holds between two materials from this stage on, whatever the rule says; what is not said stays as it was.",
+   "  pair    steel glass  cohesion 1 N"},
+  {"ramp", NB_IN_STAGE, nothing, "wall … | walls … | material … | pair … | gravity …", 0, false, nb_apply_ramp,
+   "What follows does not jump but goes along a straight line, from what it is to what is said, over the cycles of the "
+   "stage.",
+   "  ramp    material steel  friction 0.5"},
+  {"cycles", NB_IN_STAGE, cycles, NULL, 0, true, nb_apply_cycles, "How many cycles the stage lasts.",
+   "  cycles  400"},
   {"until", NB_IN_STAGE, nothing,
    "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} at most N cycles", 0, true,
-   nb_apply_until, "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure."},
+   nb_apply_until, "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure.",
+   "stage     part\n  until   C.overlap below 1 nm and time above 1 ms  at most 10000 cycles"},
   {"record", NB_IN_STAGE, nothing, "every N cycles | none", 0, false, nb_apply_record,
-   "How often a row is added to the table; default every 1 cycle."},
+   "How often a row is added to the table; default every 1 cycle.",
+   "  record  every 10 cycles"},
   {"snapshot", NB_IN_STAGE, nothing, NULL, 0, false, nb_apply_snapshot,
-   "Keeps bodies, walls and contacts as they are at the end of the stage."},
-  {NULL, 0, NULL, NULL, 0, false, NULL, NULL},
+   "Keeps bodies, walls and contacts as they are at the end of the stage.",
+   "  snapshot"},
+  {"still", NB_IN_STAGE, nothing, NULL, 0, false, nb_apply_still,
+   "All bodies stop at the beginning of this stage; walls do not.",
+   "stage     halt\n  still\n  cycles  10"},
+  {"reverse", NB_IN_STAGE, nothing, NULL, 1, false, nb_apply_still,
+   "All velocities and spins turn round at the beginning of this stage, those of walls too: what has no friction and no "
+   "damping goes back the way it came.",
+   "stage     back\n  reverse\n  cycles  10"},
+  {NULL, 0, NULL, NULL, 0, false, NULL, NULL, NULL},
 };
 
 /* clang-format on */

@@ -60,6 +60,8 @@ static void bind(struct nb_scene_reading *reading, struct nb_reader *reader, con
       nb_token_mistake(reader, name, NULL, "the name `%s` already has a value", name->text);
       return;
     }
+  if (nb_too_many(reader, scene->binding_count, NB_NAMED_MAX, "names for values"))
+    return;
   struct nb_binding *bindings = nb_room(scene->bindings, scene->binding_count, 1, sizeof *bindings);
   if (!bindings) {
     nb_no_memory(reader);

@@ -66,6 +66,8 @@ NB_APPLY(nb_apply_material) {
                      scene->materials[same].line);
     return;
   }
+  if (nb_too_many(reader, scene->material_count, NB_MATERIALS_MAX, "materials"))
+    return;
   struct nb_material *materials = nb_room(scene->materials, scene->material_count, 1, sizeof *materials);
   if (!materials) {
     nb_no_memory(reader);
@@ -154,8 +156,12 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
     return;
   }
   double length = hypot(x1 - wall.x, y1 - wall.y);
-  if (!reader->bad && !(length > 0 && isfinite(length)))
+  if (!reader->bad && !isfinite(length))
+    nb_token_mistake(reader, place, NULL, "expected a wall whose length a double can hold, this one is too long");
+  else if (!reader->bad && !isnormal(length)) /* the direction of a shorter one would not have length 1 */
     nb_token_mistake(reader, place, NULL, "expected a wall with two ends, the ends of this one are the same point");
+  if (nb_too_many(reader, scene->wall_count, NB_NAMED_MAX, "walls"))
+    return;
   struct nb_wall *walls = nb_room(scene->walls, scene->wall_count, 1, sizeof *walls);
   if (!walls) {
     nb_no_memory(reader);
@@ -173,6 +179,17 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
   walls[scene->wall_count++] = wall;
 }
 
+/* Moves P from the middle of the wall to x, y; a point that is on the wall's line but for rounding counts as on it. */
+static void turn_about(struct nb_wall *wall, double x, double y) {
+  const double dx = wall->x - x, dy = wall->y - y, along = dx * wall->ex + dy * wall->ey;
+  const double left = dy * wall->ex - dx * wall->ey;
+  wall->h0 = fabs(left) > 1e-12 * (wall->h2 + hypot(dx, dy)) ? left : 0;
+  wall->h1 += along;
+  wall->h2 += along;
+  wall->x = x;
+  wall->y = y;
+}
+
 NB_APPLY(nb_apply_wall) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
@@ -182,7 +199,11 @@ NB_APPLY(nb_apply_wall) {
   struct nb_wall wall = {
       .x = value[AT_X].number, .y = value[AT_Y].number, .vx = value[AT_VX].number, .vy = value[AT_VY].number};
   wall.material = reader->bad ? -1 : nb_material_of(scene, reader, value[AT_MATERIAL].token);
+  wall.spin = value[AT_SPIN].number;
+  const size_t before = scene->wall_count;
   add_wall(scene, reader, name, name->text, wall, value[AT_X1].number, value[AT_Y1].number);
+  if (value[AT_ABOUT_X].token && scene->wall_count > before)
+    turn_about(&scene->walls[before], value[AT_ABOUT_X].number, value[AT_ABOUT_Y].number);
 }
 
 /* Counterclockwise from the south-west corner, so that the inside is to the left of e. */

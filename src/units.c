@@ -27,6 +27,7 @@ static const struct nb_unit table[] = {
   {NB_UNIT_TIME, "ns", -9, 1},
   {NB_UNIT_VELOCITY, "m/s", 0, 1},   {NB_UNIT_VELOCITY, "mm/s", -3, 1}, {NB_UNIT_VELOCITY, "cm/s", -2, 1},
   {NB_UNIT_VELOCITY, "um/s", -6, 1},
+  {NB_UNIT_ACCELERATION, "m/s2", 0, 1}, {NB_UNIT_ACCELERATION, "mm/s2", -3, 1},
   {NB_UNIT_STIFFNESS, "N/m", 0, 1},  {NB_UNIT_STIFFNESS, "kN/m", 3, 1}, {NB_UNIT_STIFFNESS, "MN/m", 6, 1},
   {NB_UNIT_STIFFNESS, "GN/m", 9, 1}, {NB_UNIT_STIFFNESS, "N/mm", 3, 1},
   {NB_UNIT_DENSITY, "kg/m3", 0, 1},  {NB_UNIT_DENSITY, "g/cm3", 3, 1},  {NB_UNIT_DENSITY, "Mg/m3", 3, 1},
@@ -56,11 +57,13 @@ const struct nb_unit *nb_unit_find(const char *name) {
 
 const char *nb_unit_kind_name(enum nb_unit_kind kind) {
   static const char *const names[NB_UNIT_KINDS] = {
-      [NB_UNIT_NUMBER] = "a number",     [NB_UNIT_LENGTH] = "a length",       [NB_UNIT_TIME] = "a time",
-      [NB_UNIT_VELOCITY] = "a velocity", [NB_UNIT_STIFFNESS] = "a stiffness", [NB_UNIT_DENSITY] = "a density",
-      [NB_UNIT_FORCE] = "a force",       [NB_UNIT_RATE] = "a rate",           [NB_UNIT_SPIN] = "a spin",
-      [NB_UNIT_ANGLE] = "an angle",      [NB_UNIT_ENERGY] = "an energy",      [NB_UNIT_MOMENT] = "a moment",
-      [NB_UNIT_PRESSURE] = "a pressure",
+      [NB_UNIT_NUMBER] = "a number",       [NB_UNIT_LENGTH] = "a length",
+      [NB_UNIT_TIME] = "a time",           [NB_UNIT_VELOCITY] = "a velocity",
+      [NB_UNIT_STIFFNESS] = "a stiffness", [NB_UNIT_DENSITY] = "a density",
+      [NB_UNIT_FORCE] = "a force",         [NB_UNIT_RATE] = "a rate",
+      [NB_UNIT_SPIN] = "a spin",           [NB_UNIT_ANGLE] = "an angle",
+      [NB_UNIT_ENERGY] = "an energy",      [NB_UNIT_MOMENT] = "a moment",
+      [NB_UNIT_PRESSURE] = "a pressure",   [NB_UNIT_ACCELERATION] = "an acceleration",
   };
   return names[kind];
 }

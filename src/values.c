@@ -8,7 +8,7 @@
 
 #include "reader.h"
 
-static const char *range_words(enum nb_range range) {
+const char *nb_range_words(enum nb_range range) {
   static const char *const words[] = {
       [NB_ANY] = "", [NB_POSITIVE] = " above 0", [NB_NOT_NEGATIVE] = ", 0 or more", [NB_SHARE] = " from 0 to 1"};
   return words[range];
@@ -171,7 +171,7 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
     *value *= known->factor;
   }
   if (!within(*value, range)) {
-    snprintf(what, sizeof what, "%s%s", nb_unit_kind_name(kind), range_words(range));
+    snprintf(what, sizeof what, "%s%s", nb_unit_kind_name(kind), nb_range_words(range));
     return refuse(reader, number, matches ? unit : NULL, NULL, what);
   }
   reader->next += matches ? 2 : 1;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "outcome.h"
+#include "verdict.h"
 
 static struct nb_check *new_check(struct nb_outcome *outcome) {
   const size_t n = outcome->check_count;
@@ -21,7 +21,7 @@ static struct nb_check *new_check(struct nb_outcome *outcome) {
   return &outcome->checks[n];
 }
 
-static void __attribute__((format(printf, 3, 4))) say(struct nb_check *check, bool passed, const char *format, ...) {
+void nb_check_say(struct nb_check *check, bool passed, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(check->words, sizeof check->words, format, arguments);
@@ -31,16 +31,37 @@ static void __attribute__((format(printf, 3, 4))) say(struct nb_check *check, bo
 
 /* Off by so much, of at most so much; a value that is no number passes nothing. */
 static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double seen, double known,
-                    double peak, const char *unit, const char *from) {
+                    double whole, const char *unit, const char *from) {
   const double off = fabs(seen - known);
   const char *gap = unit[0] ? " " : "";
   if (tolerance->kind == NB_ABSOLUTE) {
-    say(check, off <= tolerance->value, "seen %.12g%s%s, %s %.12g, off by %.3g", seen, gap, unit, from, known, off);
+    nb_check_say(check, off <= tolerance->value, "seen %.12g%s%s, %s %.12g, off by %.3g", seen, gap, unit, from, known,
+                 off);
     return;
   }
-  const double scale = tolerance->kind == NB_OF_PEAK ? peak : fabs(known);
-  say(check, off <= tolerance->value * scale, "seen %.12g%s%s, %s %.12g, off by %.3g %%%s", seen, gap, unit, from,
-      known, scale > 0 ? 100 * off / scale : 0, tolerance->kind == NB_OF_PEAK ? " of peak" : "");
+  const double scale = fabs(tolerance->kind == NB_RELATIVE ? known : whole);
+  const char *of = tolerance->kind == NB_OF_PEAK ? " of peak" : tolerance->kind == NB_OF_MEASURE ? " of " : "";
+  nb_check_say(check, off <= tolerance->value * scale, "seen %.12g%s%s, %s %.12g, off by %.3g %%%s%s", seen, gap, unit,
+               from, known, scale > 0 ? 100 * off / scale : 0, of,
+               tolerance->kind == NB_OF_MEASURE ? tolerance->of.label : "");
+}
+
+/* What a share is of, when that is a peak or another measure; false with words when it cannot be formed. */
+static bool find_whole(double *whole, struct nb_check *check, const struct nb_page_run *run,
+                       const struct nb_tolerance *tolerance) {
+  struct nb_error error;
+  const bool seen =
+      tolerance->kind != NB_OF_MEASURE || nb_measure_seen(whole, &tolerance->of, &run->result.table, &error);
+  if (!seen)
+    nb_check_say(check, false, "%s", error.text);
+  return seen;
+}
+
+/* Of the reference, or 0 for a residual. */
+const double *nb_check_known(const struct nb_page_run *run, const struct nb_measure *measure) {
+  static const double nothing = 0;
+  const double *known = nb_measure_known(measure, &run->scene, &run->known);
+  return known || !measure->vanishes ? known : &nothing;
 }
 
 static const char *unit_of(const struct nb_page_run *run, const char *unit) {
@@ -50,13 +71,14 @@ static const char *unit_of(const struct nb_page_run *run, const char *unit) {
 static void check_within(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   struct nb_error error;
   double seen;
-  const double *known = nb_measure_known(&e->measure, &run->scene, &run->known);
+  const double *known = nb_check_known(run, &e->measure);
+  double whole = known ? fabs(*known) : 0;
   if (!known)
-    say(check, false, "the reference does not know `%s`", e->measure.label);
+    nb_check_say(check, false, "the reference does not know `%s`", e->measure.label);
   else if (!nb_measure_seen(&seen, &e->measure, &run->result.table, &error))
-    say(check, false, "%s", error.text);
-  else
-    compare(check, &e->tolerance, seen, *known, fabs(*known), unit_of(run, e->measure.unit), "known");
+    nb_check_say(check, false, "%s", error.text);
+  else if (find_whole(&whole, check, run, &e->tolerance))
+    compare(check, &e->tolerance, seen, *known, whole, unit_of(run, e->measure.unit), "known");
 }
 
 static void check_along(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
@@ -66,8 +88,8 @@ static void check_along(struct nb_check *check, const struct nb_page_run *run, c
   size_t from, to;
   nb_measure_rows(&e->measure, table, &from, &to);
   if (!curve || from == to) {
-    say(check, false, curve ? "no rows were recorded" : "the reference knows no curve of `%s` along `%s`", quantity,
-        e->along);
+    nb_check_say(check, false, curve ? "no rows were recorded" : "the reference knows no curve of `%s` along `%s`",
+                 quantity, e->along);
     return;
   }
   double peak = 0, worst = -1;
@@ -81,6 +103,8 @@ static void check_along(struct nb_check *check, const struct nb_page_run *run, c
       worst = share, where = r;
   }
   const double *row = table->values + where * table->column_count;
+  if (!find_whole(&peak, check, run, &e->tolerance))
+    return;
   compare(check, &e->tolerance, row[e->measure.column], curve->at(curve->data, row[e->along_column]), peak,
           unit_of(run, e->measure.unit), "known");
   const size_t length = strlen(check->words);
@@ -90,13 +114,13 @@ static void check_along(struct nb_check *check, const struct nb_page_run *run, c
 
 static void check_stated(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   struct nb_error error;
-  double seen, scale = 1;
+  double seen, scale = 1, whole = fabs(e->stated);
   if (!nb_measure_seen(&seen, &e->measure, &run->result.table, &error) ||
       (e->has_scale && !nb_measure_seen(&scale, &e->other, &run->result.table, &error)))
-    say(check, false, "%s", error.text);
-  else
-    compare(check, &e->tolerance, seen / scale, e->stated, fabs(e->stated),
-            e->has_scale ? "" : unit_of(run, e->measure.unit), "stated");
+    nb_check_say(check, false, "%s", error.text);
+  else if (find_whole(&whole, check, run, &e->tolerance))
+    compare(check, &e->tolerance, seen / scale, e->stated, whole, e->has_scale ? "" : unit_of(run, e->measure.unit),
+            "stated");
 }
 
 static void check_order(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
@@ -104,63 +128,9 @@ static void check_order(struct nb_check *check, const struct nb_page_run *run, c
   double seen, other;
   if (!nb_measure_seen(&seen, &e->measure, &run->result.table, &error) ||
       !nb_measure_seen(&other, &e->other, &run->result.table, &error))
-    say(check, false, "%s", error.text);
+    nb_check_say(check, false, "%s", error.text);
   else
-    say(check, e->kind == NB_LESS ? seen < other : seen > other, "seen %.12g and %.12g", seen, other);
-}
-
-/* ---- expectations over a sweep ---- */
-
-static const struct nb_binding *binding_of(const struct nb_page_run *run, const char *name) {
-  for (size_t k = 0; k < run->scene.binding_count; k++)
-    if (strcmp(run->scene.bindings[k].name, name) == 0)
-      return &run->scene.bindings[k];
-  return NULL;
-}
-
-/* Whether two runs differ in nothing but `name`, and in what goes with it in the same sweep. */
-static bool same_but(const struct nb_page_run *a, const struct nb_page_run *b, const char *name) {
-  const int sweep = binding_of(a, name)->sweep;
-  for (size_t k = 0; k < a->scene.binding_count; k++)
-    if (a->scene.bindings[k].sweep != sweep && strcmp(a->scene.bindings[k].text, b->scene.bindings[k].text) != 0)
-      return false;
-  return true;
-}
-
-static void check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
-  const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
-  double smallest = INFINITY, largest = -INFINITY, before = NAN, sum = 0, count = 0;
-  bool ordered = true;
-  check->words[0] = 0;
-  for (size_t r = first; r < outcome->run_count; r++) {
-    struct nb_error error;
-    double seen;
-    if (!same_but(&outcome->runs[first], &outcome->runs[r], e->along))
-      continue;
-    if (!nb_measure_seen(&seen, &outcome->runs[r].expectations.list[index].measure, &outcome->runs[r].result.table,
-                         &error)) {
-      say(check, false, "%s", error.text);
-      return;
-    }
-    if (count > 0)
-      ordered = ordered && (e->kind == NB_RISES ? seen > before : seen < before);
-    smallest = seen < smallest ? seen : smallest, largest = seen > largest ? seen : largest;
-    sum += seen, count++, before = seen;
-    const size_t length = strlen(check->words);
-    snprintf(check->words + length, sizeof check->words - length, "%s%.6g at %s", count > 1 ? ", " : "seen ", seen,
-             binding_of(&outcome->runs[r], e->along)->text);
-  }
-  const double spread = largest - smallest, scale = e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(sum / count);
-  check->passed = count > 1 && (e->kind == NB_SAME ? spread <= e->tolerance.value * scale : ordered);
-}
-
-/* A group of runs that differ in the swept name only is judged once, at its first run; one that --set has left a single value
- * has nothing to be judged by. */
-static bool leads(const struct nb_outcome *outcome, size_t run, const char *name) {
-  for (size_t r = 0; r < run; r++)
-    if (same_but(&outcome->runs[r], &outcome->runs[run], name))
-      return false;
-  return binding_of(&outcome->runs[run], name)->swept;
+    nb_check_say(check, e->kind == NB_LESS ? seen < other : seen > other, "seen %.12g and %.12g", seen, other);
 }
 
 static void label(struct nb_check *check, const struct nb_outcome *outcome, const struct nb_page_run *run,
@@ -174,7 +144,7 @@ static void label(struct nb_check *check, const struct nb_outcome *outcome, cons
   while (n > 0 && text[n - 1] == ' ')
     n--;
   text[n] = 0;
-  const bool whole = e->kind == NB_RISES || e->kind == NB_FALLS || e->kind == NB_SAME;
+  const bool whole = nb_over_sweep(e->kind);
   snprintf(check->label, sizeof check->label, "%s%s%s%s", text, run->label[0] && !whole ? " (" : "",
            whole ? "" : run->label, run->label[0] && !whole ? ")" : "");
   check->line = e->line;
@@ -201,7 +171,10 @@ static void judge(struct nb_check *check, const struct nb_outcome *outcome, size
   case NB_RISES:
   case NB_FALLS:
   case NB_SAME:
-    check_sweep(check, outcome, r, index);
+    nb_check_sweep(check, outcome, r, index);
+    break;
+  case NB_ORDER:
+    nb_check_slope(check, outcome, r, index);
     break;
   }
 }
@@ -211,7 +184,7 @@ enum nb_status nb_verdict(struct nb_outcome *outcome) {
     const struct nb_expectations *expectations = &outcome->runs[r].expectations;
     for (size_t k = 0; k < expectations->count; k++) {
       const struct nb_expectation *e = &expectations->list[k];
-      if ((e->kind == NB_RISES || e->kind == NB_FALLS || e->kind == NB_SAME) && !leads(outcome, r, e->along))
+      if (nb_over_sweep(e->kind) && !nb_sweep_leads(outcome, r, e->along))
         continue;
       struct nb_check *check = new_check(outcome);
       if (!check)

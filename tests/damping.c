@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../src/model.h"
 #include "suites.h"
 #include "written.h"
 
@@ -62,6 +63,11 @@ static void coefficients(void) {
       CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), kinds[n].normal * closing, 1e-12);
       CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), kinds[n].shear * slip, 1e-12);
     }
+    const double felt = written_now(model, "C.dashpot.normal"), dragged = written_now(model, "C.dashpot.shear");
+    model->step *= 3; /* a rate is over the step behind, whatever comes next */
+    nb_forces(model);
+    CU_ASSERT(written_now(model, "C.dashpot.normal") == felt);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), dragged, 1e-12);
     nb_model_free(model);
     written_free(&it);
   }
@@ -151,10 +157,30 @@ static void restitution(void) {
   }
 }
 
+/* The plan has the pass for the whole run; in a stage that is not damped it adds nothing. */
+static void a_stage_without_dashpots(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(
+      &page,
+      "units none\nmaterial m density 3 kn 400 ks 250 friction 9\nshear linear\ndisc 0 0 radius 1 m velocity 0.5 0.25\n"
+      "disc 2.9 0.5 radius 2 m\nstep 0.001\nwatch C disc 1 with disc 2\nrecord C.dashpot.normal C.dashpot.shear\n"
+      "stage free\ncycles 9\nstage damped\ndamping contact-beta 0.02\ncycles 9\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 19);
+  for (size_t value = 0; value < 2 * 19; value++)
+    CU_ASSERT(value < 2 * 10 ? result.table.values[value] == 0 : fabs(result.table.values[value]) > 0.1);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_damping(void) {
   CU_pSuite suite = CU_add_suite("damping", NULL, NULL);
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
   CU_add_test(suite, "a wall weighs without end", a_wall_weighs_without_end);
+  CU_add_test(suite, "a stage without dashpots", a_stage_without_dashpots);
   CU_add_test(suite, "what is felt may pull", what_is_felt_may_pull);
   CU_add_test(suite, "sliding: limit of the elastic force, no shear dashpot", sliding);
   CU_add_test(suite, "restitution of a disc on a wall", restitution);

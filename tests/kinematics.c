@@ -14,7 +14,7 @@ enum { N = NB_BLOCK };
 struct bench {
   struct nb_model model;
   struct nb_vec position[2 * N], velocity[2 * N], rim[2 * N];
-  struct nb_vec point[N], along[N], wall_velocity[N];
+  struct nb_vec pivot[N], point[N], along[N], wall_velocity[N], wall_turn[N];
   double h1[N], h2[N];
   int a[N], b[N];
   _Alignas(64) double f[NB_FIELDS][N];
@@ -27,8 +27,14 @@ static struct bench *bench_create(bool wall) {
   CU_ASSERT_PTR_NOT_NULL_FATAL(it);
   it->model.bodies =
       (struct nb_bodies){.count = 2 * N, .position = it->position, .velocity = it->velocity, .rim = it->rim};
-  it->model.walls = (struct nb_walls){
-      .count = N, .point = it->point, .along = it->along, .h1 = it->h1, .h2 = it->h2, .velocity = it->wall_velocity};
+  it->model.walls = (struct nb_walls){.count = N,
+                                      .pivot = it->pivot,
+                                      .point = it->point,
+                                      .along = it->along,
+                                      .h1 = it->h1,
+                                      .h2 = it->h2,
+                                      .velocity = it->wall_velocity,
+                                      .turn = it->wall_turn};
   it->pairing.wall = wall;
   it->view = (struct nb_view){.n = N, .a = it->a, .b = it->b, .pairing = &it->pairing};
   for (int f = 0; f < NB_FIELDS; f++)
@@ -57,6 +63,8 @@ static void bench_fill(struct bench *it, unsigned seed) {
     const double length = it->rim[2 * c].x, where = chance_between(&chance, -2, 2) * length;
     it->h1[c] = -length, it->h2[c] = chance_between(&chance, 0.2, 1) * length;
     it->point[c] = vec_add(it->position[2 * c + 1], vec_scale(where, it->along[c]));
+    it->pivot[c] = vec_add(it->point[c], vec_scale(chance_between(&chance, -2, 2), vec_clockwise(it->along[c])));
+    it->wall_turn[c] = vec(c % 3 ? chance_between(&chance, 0, 1) : 0, c % 3 ? chance_between(&chance, -3, 3) : 0);
   }
 }
 
@@ -106,7 +114,11 @@ static void disc_wall(void) {
       long double h = ((long double)x.x - p.x) * along.x + ((long double)x.y - p.y) * along.y;
       first += h<it->h1[c], second += h> it->h2[c], inside += h > it->h1[c] && h < it->h2[c];
       h = h < it->h1[c] ? it->h1[c] : h > it->h2[c] ? it->h2[c] : h;
-      compare(it, c, (long double[]){p.x + h * along.x, p.y + h * along.y}, (long double[]){u.x, u.y}, 0, 0);
+      const struct nb_vec turn = it->wall_turn[c];
+      const long double q[2] = {p.x + h * along.x, p.y + h * along.y};
+      const long double arm[2] = {q[0] - it->pivot[c].x, q[1] - it->pivot[c].y};
+      const long double turning[2] = {turn.x * arm[0] - turn.y * arm[1], turn.y * arm[0] + turn.x * arm[1]};
+      compare(it, c, q, (long double[]){u.x + turning[0], u.y + turning[1]}, 0, 0);
     }
   }
   CU_ASSERT(inside > N && first > N && second > N);
@@ -154,10 +166,34 @@ static void signs_of_slip(void) {
   free(it);
 }
 
+/* F = -(F_n e + F_s t), with a shear force and where there is none. [CS79, The force-displacement law] */
+static void force_in_components(void) {
+  static struct nb_vec force[N];
+  struct bench *it = bench_create(false);
+  struct chance chance = chance_begin(10);
+  it->view.force = force;
+  for (int shear = 0; shear < 2; shear++) {
+    for (int c = 0; c < N; c++) {
+      const double turn = chance_between(&chance, 0, 6.283);
+      it->f[NB_EX][c] = cos(turn), it->f[NB_EY][c] = sin(turn);
+      it->f[NB_PUSH][c] = chance_between(&chance, -9, 9);
+      it->f[NB_DRAG][c] = shear ? chance_between(&chance, -9, 9) : NAN; /* nobody may read it then */
+    }
+    nb_pass_resolve[shear].run[NB_PLAIN](&it->model, &it->view);
+    for (int c = 0; c < N; c++) {
+      const long double e1 = it->f[NB_EX][c], e2 = it->f[NB_EY][c], fn = it->f[NB_PUSH][c];
+      const long double fs = shear ? it->f[NB_DRAG][c] : 0;
+      CU_ASSERT(near(force[c].x, -(fn * e1 + fs * e2), 9) && near(force[c].y, -(fn * e2 - fs * e1), 9));
+    }
+  }
+  free(it);
+}
+
 void suite_kinematics(void) {
   CU_pSuite suite = CU_add_suite("kinematics", NULL, NULL);
   CU_add_test(suite, "disc and disc", disc_disc);
   CU_add_test(suite, "disc and wall, inside and at both ends", disc_wall);
   CU_add_test(suite, "forms that find out less agree", forms_agree);
   CU_add_test(suite, "signs of slip", signs_of_slip);
+  CU_add_test(suite, "force in components", force_in_components);
 }

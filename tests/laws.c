@@ -1,7 +1,6 @@
 /* The contract of a law, held by every one in the register: nothing here knows a law by name.
  *
- * Each test goes over all laws and over many pairs and paths drawn by chance; a shear law is tried on top of
- * every normal law.
+ * Each test goes over all laws, and many pairs and paths drawn by chance; a shear law on top of every normal law.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,7 +10,6 @@
 #include "../src/laws/law.h"
 #include "chance.h"
 #include "suites.h"
-
 enum { PAIRS = 200 };
 static const double untouched = -12345.678; /* in the slots of memory that a law does not have */
 
@@ -48,8 +46,7 @@ static void contact_go(struct contact *it, double overlap, double slip) {
     it->shear_memory[m] = 0;
 }
 
-/* Along a straight line of n steps; answers the work done on the contact, by the mean of the forces at both ends of a
- * step. */
+/* Along a straight line of n steps; answers the work done on the contact, by the mean force of each step. */
 static double contact_lead(struct contact *it, double overlap, double slip, int n) {
   const double from = it->overlap;
   double work = 0;
@@ -64,8 +61,8 @@ static double contact_lead(struct contact *it, double overlap, double slip, int 
 }
 
 static struct nb_pair pair_by(struct chance *chance) {
-  struct nb_pair pair = {.kn = chance_scale(chance, 1e3, 1e10)};
-  pair.ks = pair.kn * chance_between(chance, 0.2, 1.5);
+  struct nb_pair pair = {.kn = chance_scale(chance, 1e-6, 1e10)};
+  pair.ks = chance_between(chance, 0, 1) < 0.1 ? 0 : pair.kn * chance_between(chance, 0.2, 1.5);
   pair.friction = chance_between(chance, 0, 1) < 0.2 ? 0 : chance_between(chance, 0.05, 1);
   pair.cohesion = chance_between(chance, 0, 1) < 0.7 ? 0 : pair.kn * chance_scale(chance, 1e-9, 1e-4);
   return pair;
@@ -91,6 +88,13 @@ static void every_law(bool shears, void (*test)(struct contact it, struct chance
   CU_ASSERT(tried > 0);
 }
 
+static double stored(const struct contact *it) {
+  double sum = it->normal->stored(it->pair, it->n, it->normal_memory);
+  if (it->shear)
+    sum += it->shear->stored(it->pair, it->n, it->shear_memory);
+  return sum;
+}
+
 /* ---- one contact ---- */
 
 static void nothing_at_zero_overlap(struct contact it, struct chance *chance) {
@@ -98,6 +102,10 @@ static void nothing_at_zero_overlap(struct contact it, struct chance *chance) {
     contact_go(&it, 0, chance_between(chance, -1e-4, 1e-4));
     CU_ASSERT(it.n.force == 0 && it.n.stiffness == 0 && it.n.radius == 0);
     CU_ASSERT(it.s.force == 0 && it.s.stiffness == 0 && it.s.sliding == 0);
+    if (it.normal->stored)
+      CU_ASSERT_EQUAL(it.normal->stored(it.pair, it.n, it.normal_memory), 0);
+    if (it.shear->stored)
+      CU_ASSERT_EQUAL(it.shear->stored(it.pair, it.n, it.shear_memory), 0);
     contact_lead(&it, chance_scale(chance, 1e-9, 1e-4), chance_between(chance, -1e-5, 1e-5), 3);
   }
 }
@@ -164,6 +172,24 @@ static void mirrored_slip_gives_the_mirrored_force(struct contact it, struct cha
   }
 }
 
+/* A law has no size of its own: what is softer by a power of two, in stiffness and cohesion, feels less by just that. */
+static void forces_scale_with_the_stiffnesses(struct contact it, struct chance *chance) {
+  const double share = ldexp(1, -60);
+  struct contact soft = it;
+  soft.pair.kn *= share, soft.pair.ks *= share, soft.pair.cohesion *= share;
+  for (int k = 0; k < 20; k++) {
+    const double overlap = chance_scale(chance, 1e-9, 1e-3);
+    const double slip = chance_between(chance, -1, 1) * chance_scale(chance, 1e-12, 1e-3);
+    contact_go(&it, overlap, slip);
+    contact_go(&soft, overlap, slip);
+    CU_ASSERT(soft.n.force == share * it.n.force && soft.n.stiffness == share * it.n.stiffness);
+    CU_ASSERT(soft.s.force == share * it.s.force && soft.s.stiffness == share * it.s.stiffness);
+    CU_ASSERT(soft.s.sliding == it.s.sliding);
+    if (it.normal->stored && it.shear->stored)
+      CU_ASSERT_EQUAL(stored(&soft), share * stored(&it));
+  }
+}
+
 static void memory_that_is_not_the_laws_own_is_left_alone(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++)
     contact_go(&it, k % 7 == 6 ? 0 : chance_scale(chance, 1e-9, 1e-3), chance_between(chance, -1e-4, 1e-4));
@@ -212,13 +238,6 @@ static void closed_paths_give_no_energy(struct contact it, struct chance *chance
   go_around(&it, (struct corner[]){{0, reach}, {low, -reach}}, 2);
 }
 
-static double stored(const struct contact *it) {
-  double sum = it->normal->stored(it->pair, it->n, it->normal_memory);
-  if (it->shear)
-    sum += it->shear->stored(it->pair, it->n, it->shear_memory);
-  return sum;
-}
-
 /* From step to step: never more than the work put in, and all of it while nothing slides. */
 static void stored_energy_is_the_work(struct contact it, struct chance *chance) {
   if (!it.normal->stored || (it.shear && !it.shear->stored))
@@ -259,6 +278,7 @@ OF_SHEAR(nothing_at_zero_overlap)
 OF_SHEAR(shear_stiffness_is_the_slope)
 OF_SHEAR(shear_stays_below_its_limit)
 OF_SHEAR(mirrored_slip_gives_the_mirrored_force)
+OF_SHEAR(forces_scale_with_the_stiffnesses)
 OF_SHEAR(memory_that_is_not_the_laws_own_is_left_alone)
 OF_SHEAR(closed_paths_give_no_energy)
 OF_SHEAR(stored_energy_is_the_work)
@@ -273,6 +293,7 @@ void suite_laws(void) {
   CU_add_test(suite, "shear: stiffness is the slope", shear_shear_stiffness_is_the_slope);
   CU_add_test(suite, "shear: stays below its limit", shear_shear_stays_below_its_limit);
   CU_add_test(suite, "shear: mirrored slip, mirrored force", shear_mirrored_slip_gives_the_mirrored_force);
+  CU_add_test(suite, "shear: forces scale with the stiffnesses", shear_forces_scale_with_the_stiffnesses);
   CU_add_test(suite, "shear: closed paths give no energy", shear_closed_paths_give_no_energy);
   CU_add_test(suite, "shear: stored energy is the work", shear_stored_energy_is_the_work);
   CU_add_test(suite, "memory not declared is left alone", shear_memory_that_is_not_the_laws_own_is_left_alone);

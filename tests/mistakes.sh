@@ -1,6 +1,8 @@
 #!/bin/sh
-# Every page in tests/bad must be refused with exactly the messages that its block `mistake` holds, and status 2.
-# TAP. $NINEBALL is the program, ./nineball by default; $srcdir is where tests/bad lies.
+# Every page in tests/bad must be refused with exactly the messages that its block `mistake` holds, and status 2. Behind the
+# word `mistake` may stand options that it is read with. Then pages at the limits of what may be said, made here. And every
+# message that the sources of the reader hold must have been heard: a new one asks for its page.
+# TAP. $NINEBALL is the program, ./nineball by default; $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -13,19 +15,138 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "${srcdir:-.}" || exit 1
 
-set -- tests/bad/*.md
-echo "1..$#"
 n=0
-for page in "$@"; do
+# result STATUS NAME: one line of TAP; why stands in $work/why.
+result() {
   n=$((n + 1))
-  tr -d '\r' <"$page" | sed -n '/^```mistake$/,/^```$/{/^```/!p;}' >"$work/wanted"
-  "$nineball" explain "$page" >"$work/out" 2>"$work/said"
-  status=$?
-  if test -s "$work/wanted" && test $status -eq 2 && cmp -s "$work/wanted" "$work/said"; then
-    echo "ok $n - $page"
+  if [ "$1" -eq 0 ]; then
+    echo "ok $n - $2"
   else
-    echo "not ok $n - $page"
-    echo "# status $status, wanted 2; lines wanted (-) and said (+):"
-    diff -u "$work/wanted" "$work/said" | sed 's/^/# /'
+    echo "not ok $n - $2"
+    sed 's/^/# /' "$work/why"
   fi
+}
+
+# ---- a page for every mistake ----
+
+: >"$work/heard"
+for page in tests/bad/*.md; do
+  tr -d '\r' <"$page" | sed -n '/^```mistake/,/^```$/{/^```/!p;}' >"$work/wanted"
+  options=$(tr -d '\r' <"$page" | sed -n 's/^```mistake//p')
+  eval "\"\$nineball\" explain $options \"\$page\"" >"$work/out" 2>"$work/said"
+  status=$?
+  cat "$work/said" >>"$work/heard"
+  echo "status $status, wanted 2; lines wanted (-) and said (+):" >"$work/why"
+  diff -u "$work/wanted" "$work/said" >>"$work/why" && test -s "$work/wanted" && test $status -eq 2
+  result $? "$page"
 done
+
+# ---- limits: the largest page that is read, and the smallest that is not ----
+
+# page LINE: a right page with this line among its statements, on standard output.
+page() {
+  printf '```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m\n%s\ndisc 0 m 0 m radius 1 m rock\nstep 1 us\n' "$1"
+  printf 'record time\nstage go\n cycles 10\n```\n'
+}
+# many N TEXT: the text so often.
+many() { awk -v n="$1" -v text="$2" 'BEGIN { for (k = 0; k < n; k++) printf "%s", text }'; }
+
+# limit NAME TEXT: $work/right.md must be read; $work/wrong.md must not, and the text be said of it.
+limit() {
+  "$nineball" explain "$work/right.md" >"$work/out" 2>"$work/why" &&
+    ! "$nineball" explain "$work/wrong.md" >"$work/out" 2>"$work/said" && grep -qF -e "$2" "$work/said"
+  status=$?
+  cut -c1-200 "$work/said" | head -n 20 >>"$work/why"
+  cat "$work/said" >>"$work/heard"
+  result $status "$1"
+}
+
+page "# $(many 4094 x)" >"$work/right.md"
+page "# $(many 4095 x)" >"$work/wrong.md"
+limit 'bytes in a line' 'expected at most 4096 bytes in a line, found 4097'
+
+page "let a 1 # $(many 300 'x ')" >"$work/right.md"
+page "sweep a $(many 254 '1 ')" >"$work/wrong.md"
+limit 'words in a line' 'expected at most 255 words in a line, found more'
+
+page "sweep a$(awk 'BEGIN { for (k = 1; k < 16; k++) printf " with a%d", k }') $(many 16 '1 ')" >"$work/right.md"
+page "sweep a$(awk 'BEGIN { for (k = 1; k < 17; k++) printf " with a%d", k }') $(many 17 '1 ')" >"$work/wrong.md"
+limit 'names in a sweep' 'expected at most 16 names in a sweep'
+
+page "let $(many 63 a) 1" >"$work/right.md"
+page "let $(many 64 a) 1" >"$work/wrong.md"
+limit 'letters in a name' 'less than 64 in all'
+
+page "let a $(many 63 a)" >"$work/right.md"
+page "let a $(many 64 a)" >"$work/wrong.md"
+limit 'letters in a value' 'expected a value shorter than 64 bytes'
+
+page "record A.$(many 10 a)" | sed 's/^record A.*/record step/' >"$work/right.md"
+page "record A.$(many 130 a)" >"$work/wrong.md"
+limit 'letters in a quantity' 'expected a name shorter than 128 bytes'
+
+# numbered N LINE: the line so often, with @ replaced by 1, 2, ...
+numbered() { awk -v n="$1" -v line="$2" 'BEGIN { for (k = 1; k <= n; k++) { l = line; gsub("@", k, l); print l } }'; }
+# counted MOST WHAT LINE: so many such lines may be, and no more.
+counted() {
+  page "$(numbered "$1" "$3")" >"$work/right.md"
+  page "$(numbered $(($1 + 1)) "$3")" >"$work/wrong.md"
+  limit "$2" "expected at most ${4:-$1} $2, with this there are more"
+}
+counted 2000 'names for values' 'let a@ 1'
+counted 199 'materials' 'material m@' 200 # and the one that is there
+counted 2000 'walls' 'wall w@ @ m 9 m to @ m 10 m rock'
+
+{ page '' && many 65536 "$(many 63 x)
+"; } | head -c 4194304 >"$work/right.md"
+{ cat "$work/right.md" && echo x; } >"$work/wrong.md"
+limit 'bytes in a page' 'expected a page of at most 4194304 bytes'
+
+page '' >"$work/right.md"
+page "$(many 1200 'frobnicate
+')" >"$work/wrong.md"
+limit 'mistakes of a page' 'more than 1000 mistakes: the others are left unsaid'
+test "$(grep -c ': error: ' "$work/said")" -eq 1001
+result $? 'and no more of them are said'
+
+page '' >"$work/$(many 63 n).md"
+cp "$work/$(many 63 n).md" "$work/right.md"
+page '' >"$work/$(many 64 n).md"
+"$nineball" explain "$work/$(many 63 n).md" >"$work/out" 2>"$work/why" &&
+  ! "$nineball" explain "$work/$(many 64 n).md" 2>>"$work/heard"
+result $? 'letters in the name of a file'
+tail -n 1 "$work/heard" >"$work/why"
+grep -q 'expected a file name shorter than 64 bytes' "$work/heard"
+result $? 'and it is said'
+
+"$nineball" explain "$work/none.md" 2>>"$work/heard"
+tail -n 1 "$work/heard" >"$work/why"
+grep -q 'none.md: error: cannot be read: ' "$work/heard"
+result $? 'a page that is not there'
+
+# ---- every message has been heard ----
+
+# What cannot be brought about here: memory that runs out; and what the program itself says of a --set without `=`.
+unheard='^there is not enough memory|^expected NAME=VALUE'
+
+# A text of the sources as a pattern: % and what belongs to it stands for anything.
+as_pattern() {
+  sed -e 's/%[-+ 0#]*[0-9]*\(\.[0-9*]*\)*[lzh]*[a-zA-Z]/\n/g' -e 's/%%/%/g' -e 's/\\n//g' |
+    sed -e 's/[][\\.*^$+?(){}|/]/\\&/g' | awk 'NR > 1 { printf ".*" } { printf "%s", $0 } END { print "" }'
+}
+
+for source in $(grep -lE '"(reader|scene|expect_take)\.h"' src/*.c | grep -v manual); do
+  awk -f tests/messages.awk "$source" | grep '[a-z]' | while IFS='	' read -r line text; do
+    bare=$(echo "$text" | sed 's/%[-+ 0#]*[0-9]*\(\.[0-9*]*\)*[lzh]*[a-zA-Z]//g')
+    case $bare in
+    *[a-z]*) ;;
+    *) continue ;;
+    esac
+    echo "$text" | grep -qE "$unheard" && continue
+    pattern=$(printf '%s\n' "$text" | as_pattern)
+    grep -qE -e "$pattern" "$work/heard" || echo "no page in tests/bad brings about: $source:$line: $text"
+  done >"$work/why"
+  test ! -s "$work/why"
+  result $? "every message of $source has its page"
+done
+echo "1..$n"

@@ -19,7 +19,8 @@ static void cloud(struct written *it, double x, double y, double speed, unsigned
   words_add(
       &page,
       "units none\nmaterial a density 1 kn 100 ks 80 friction 0.4\nmaterial b density 2 kn 300 ks 100 friction 0.2\n"
-      "shear linear\nstep 1e-4\nwall ramp %.17g %.17g to %.17g %.17g b velocity %.17g 0\n",
+      "material c kn 1 ks 90 friction 0.3\npair a c kn 1e5\npair b c kn 1e5\n" /* too hard to be gone through */
+      "shear linear\nstep 1e-4\nwall ramp %.17g %.17g to %.17g %.17g c velocity %.17g 0\n",
       x - 5, y - 5, x + 20, y + 2, speed);
   for (int k = 0; k < DISCS; k++)
     words_add(&page, "disc %.17g %.17g radius %.17g %s velocity %.17g %.17g spin %.17g%s\n",
@@ -99,6 +100,70 @@ static void whatever_touches_is_listed(void) {
   written_free(&it);
 }
 
+/* Five large discs in a sea of small ones, radii from 30 to 0.01: all pairs are found, and few are measured. With cells as wide as
+ * the largest disc, every small one would be measured against hundreds. */
+static void unlike_sizes(void) {
+  enum { SMALL = 1500 };
+  struct words page = {0};
+  struct chance chance = chance_begin(11);
+  struct written it;
+  words_add(&page, "units none\nmaterial a density 1 kn 100\nstep 1e-6\nskin 0.02\n");
+  for (int k = 0; k < 5; k++)
+    words_add(&page, "disc %d %d radius %d a\n", 20 * k, 15 * k * k - 9 * k, k == 2 ? 30 : 12);
+  for (int k = 0; k < SMALL; k++)
+    words_add(&page, "disc %.17g %.17g radius %.17g a\n", chance_between(&chance, 0, 60),
+              chance_between(&chance, 0, 60), chance_scale(&chance, 0.01, 1));
+  words_add(&page, "disc 25 25 radius 0.4 a\nrecord cycle\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  for (int shuffle = 0; shuffle < 2; shuffle++) {
+    struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
+    CU_ASSERT_EQUAL(model->skin, 0.02);
+    const size_t wanted = compare(model, model->skin);
+    CU_ASSERT(wanted > SMALL / 2 && wanted == model->contacts.count);
+    /* five large ones measure every small one at most; the others their own neighbourhood */
+    if (!(model->candidates < 5 * SMALL + 12 * wanted))
+      printf("# %llu candidates for %zu pairs\n", model->candidates, wanted);
+    CU_ASSERT(model->candidates < 5 * SMALL + 12 * wanted);
+    nb_model_free(model);
+  }
+  written_free(&it);
+}
+
+static unsigned long long searches_of(const char *statements, unsigned long long *candidates) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 10\nstep 0.01\n%s\nwatch D disc 1\nrecord D.x D.y\nstage s\n"
+            "cycles 400\n",
+            statements);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  written_cycles(model, 400);
+  const unsigned long long searches = model->searches;
+  *candidates = model->candidates;
+  nb_model_free(model);
+  written_free(&it);
+  return searches;
+}
+
+/* One body alone, or none that is free, can touch nothing. Two that stay where they are are searched once, without cells. */
+static void nothing_is_searched_for_nothing(void) {
+  unsigned long long candidates;
+  CU_ASSERT_EQUAL(searches_of("disc 0 0 radius 1 m velocity 9 9", &candidates), 0);
+  CU_ASSERT_EQUAL(searches_of("disc 0 0 radius 1 m velocity 9 9 fixed\ndisc 5 0 radius 1 m fixed\nwall w 0 9 to 9 9 m",
+                              &candidates),
+                  0);
+  CU_ASSERT_EQUAL(candidates, 0);
+  CU_ASSERT_EQUAL(searches_of("disc 0 0 radius 1 m\ndisc 2.01 0 radius 1 m", &candidates), 1);
+  CU_ASSERT_EQUAL(candidates, 1);
+  CU_ASSERT(searches_of("disc 0 0 radius 1 m velocity 1 0\nwall w 9 9 to 9 -9 m", &candidates) > 10);
+  CU_ASSERT_EQUAL(candidates, 0);
+  const unsigned long long wide =
+      searches_of("skin 8\ndisc 0 0 radius 1 m velocity 1 0\nwall w 9 9 to 9 -9 m", &candidates);
+  CU_ASSERT_EQUAL(wide, 1);
+  CU_ASSERT(searches_of("disc 0 0 radius 1 m\nwall w 9 9 to 9 -9 m spin 1", &candidates) > 100);
+}
+
 /* ---- the same bits ---- */
 
 /* All that has come of a model, in the order of numbers; frees it. */
@@ -172,6 +237,8 @@ void suite_near(void) {
   CU_pSuite suite = CU_add_suite("near", NULL, NULL);
   CU_add_test(suite, "all pairs are found, and no others", all_pairs_are_found);
   CU_add_test(suite, "whatever touches is listed", whatever_touches_is_listed);
+  CU_add_test(suite, "a few large discs among many small ones", unlike_sizes);
+  CU_add_test(suite, "nothing is searched for nothing", nothing_is_searched_for_nothing);
   CU_add_test(suite, "the skin changes no bit", the_skin_changes_no_bit);
   CU_add_test(suite, "storage, threads and instructions change no bit", storage_threads_and_instructions_change_no_bit);
 }

@@ -1,12 +1,15 @@
 /* Runs the CUnit suites and says it in TAP: one line for every test, `ok 3 - suite: test`; the assertions that failed
  * go before it as `# file:line: condition`. A test that crashes leaves lines short of the plan, which is a failure too.
  *
+ * With names of suites as arguments, only those: `tests/unit motion damping`.
+ *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "suites.h"
 
 #include <CUnit/CUnit.h>
 #include <CUnit/TestRun.h>
 #include <stdio.h>
+#include <string.h>
 
 static void suite_cannot_start(const CU_pSuite suite) {
   printf("not ok - %s: the suite cannot be set up\n", suite->pName);
@@ -18,7 +21,21 @@ static void test_done(const CU_pTest test, const CU_pSuite suite, const CU_pFail
   printf("%s %u - %s: %s\n", failures ? "not ok" : "ok", CU_get_number_of_tests_run(), suite->pName, test->pName);
 }
 
-int main(void) {
+/* All suites, or those that are named; answers how many tests they have. */
+static unsigned choose(int count, char *names[]) {
+  unsigned tests = 0;
+  CU_set_fail_on_inactive(CU_FALSE);
+  for (CU_pSuite suite = CU_get_registry()->pSuite; suite; suite = suite->pNext) {
+    CU_BOOL wanted = count == 0;
+    for (int k = 0; k < count; k++)
+      wanted = wanted || strcmp(suite->pName, names[k]) == 0;
+    CU_set_suite_active(suite, wanted);
+    tests += wanted ? suite->uiNumberOfTests : 0;
+  }
+  return tests;
+}
+
+int main(int argc, char *argv[]) {
   setvbuf(stdout, NULL, _IOLBF, 0); /* what was said before a crash is not lost */
   if (CU_initialize_registry() != CUE_SUCCESS) {
     printf("Bail out! %s\n", CU_get_error_msg());
@@ -31,7 +48,7 @@ int main(void) {
     printf("Bail out! a suite could not be registered: %s\n", CU_get_error_msg());
     return 1;
   }
-  printf("1..%u\n", CU_get_registry()->uiNumberOfTests);
+  printf("1..%u\n", choose(argc - 1, argv + 1));
   CU_set_suite_init_failure_handler(suite_cannot_start);
   CU_set_test_complete_handler(test_done);
   CU_run_all_tests();

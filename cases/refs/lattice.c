@@ -14,7 +14,8 @@ static const double touch = 1e-9;
 
 /* Where a body's centre stands against a wall: the unit vector to the wall and the gap to it. */
 static struct nb_vec toward_wall(const struct nb_body *body, const struct nb_wall *wall, double *gap) {
-  struct nb_vec e = vec(wall->ex, wall->ey), p = vec(body->x - wall->x, body->y - wall->y);
+  struct nb_vec e = vec(wall->ex, wall->ey), left = vec(-wall->ey, wall->ex);
+  struct nb_vec p = vec_sub(vec(body->x - wall->x, body->y - wall->y), vec_scale(wall->h0, left));
   double along = fmin(fmax(vec_dot(p, e), wall->h1), wall->h2);
   struct nb_vec way = vec_sub(vec_scale(along, e), p);
   double length = vec_length(way);
@@ -36,23 +37,30 @@ static int touches(double gap, double radius, double reach) {
   return gap > 2 * reach ? 0 : -1;
 }
 
-static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene *scene, int a, int b, bool wall,
-                                  struct nb_error *error) {
+/* The contact that body a and body or wall b would have, and the gap between them. */
+static struct lattice_contact meeting(const struct nb_scene *scene, int a, int b, bool wall, double *gap) {
   const struct nb_body *body = &scene->bodies[a];
   struct nb_vec e;
-  double gap;
   int other;
   if (wall) {
-    e = toward_wall(body, &scene->walls[b], &gap);
+    e = toward_wall(body, &scene->walls[b], gap);
     other = scene->walls[b].material;
   } else {
     struct nb_vec way = vec(scene->bodies[b].x - body->x, scene->bodies[b].y - body->y);
     double distance = vec_length(way);
     e = vec_scale(1 / distance, way);
-    gap = distance - body->radius - scene->bodies[b].radius;
+    *gap = distance - body->radius - scene->bodies[b].radius;
     other = scene->bodies[b].material;
   }
-  int answer = touches(gap, body->radius, lattice->reach);
+  return (struct lattice_contact){
+      .a = a, .b = b, .wall = wall, .ex = e.x, .ey = e.y, .pair = springs_of(scene, body->material, other)};
+}
+
+static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene *scene, int a, int b, bool wall,
+                                  struct nb_error *error) {
+  double gap;
+  struct lattice_contact contact = meeting(scene, a, b, wall, &gap);
+  int answer = touches(gap, scene->bodies[a].radius, lattice->reach);
   if (answer == 0)
     return NB_OK;
   if (answer < 0)
@@ -60,8 +68,7 @@ static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene
                         "this reference is for bodies that just touch: body %d and %s %d are %g apart, within the "
                         "walls' way",
                         a + 1, wall ? "wall" : "body", b + 1, gap);
-  lattice->contacts[lattice->contact_count++] = (struct lattice_contact){
-      .a = a, .b = b, .wall = wall, .ex = e.x, .ey = e.y, .pair = springs_of(scene, body->material, other)};
+  lattice->contacts[lattice->contact_count++] = contact;
   return NB_OK;
 }
 
@@ -98,14 +105,20 @@ static void fill_stretch(struct lattice *lattice, const struct nb_scene *scene, 
   gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 2, -body->radius / lazy);
 }
 
-static void fill_push(struct lattice *lattice, size_t c) {
+static void fill_push(struct lattice *lattice, const struct nb_scene *scene, size_t c) {
   const struct lattice_contact *contact = &lattice->contacts[c];
+  const struct nb_wall *wall = &scene->walls[contact->b];
+  const struct nb_body *body = &scene->bodies[contact->a];
   struct nb_vec e = vec(contact->ex, contact->ey), t = vec_clockwise(e);
-  size_t x = 2 * (size_t)contact->b;
+  struct nb_vec arm = vec(body->x + body->radius * e.x - wall->x, body->y + body->radius * e.y - wall->y);
+  struct nb_vec turn = vec(-arm.y, arm.x);
+  size_t x = LATTICE_WALL * (size_t)contact->b;
   gsl_matrix_set(lattice->push, 2 * c, x, -e.x);
   gsl_matrix_set(lattice->push, 2 * c, x + 1, -e.y);
   gsl_matrix_set(lattice->push, 2 * c + 1, x, -t.x);
   gsl_matrix_set(lattice->push, 2 * c + 1, x + 1, -t.y);
+  gsl_matrix_set(lattice->push, 2 * c, x + 2, -vec_dot(turn, e));
+  gsl_matrix_set(lattice->push, 2 * c + 1, x + 2, -vec_dot(turn, t));
 }
 
 static enum nb_status starts_at_rest(const struct nb_scene *scene, struct nb_error *error) {
@@ -117,7 +130,38 @@ static enum nb_status starts_at_rest(const struct nb_scene *scene, struct nb_err
       return nb_error_set(error, NB_BAD_USE, "this reference is for bodies at rest at first; body %zu moves", i + 1);
   if (scene->wall_count == 0)
     return nb_error_set(error, NB_BAD_USE, "this reference is for walls that move");
+  bool pulls = scene->gravity.x != 0 || scene->gravity.y != 0, ramps = false, changes = false;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    pulls = pulls || stage->gravity.line > 0;
+    changes = changes || stage->change_count > 0 || stage->still || stage->reverse;
+    for (size_t m = 0; m < stage->motion_count; m++)
+      ramps = ramps || stage->motions[m].ramp;
+  }
+  if (pulls || ramps || changes)
+    return nb_error_set(error, NB_BAD_USE, "this reference is for a scene without %s",
+                        pulls   ? "gravity"
+                        : ramps ? "ramps"
+                                : "changes of materials, `still` and `reverse`");
   return NB_OK;
+}
+
+/* The matrices, once the contacts are known. */
+static void fill(struct lattice *lattice, const struct nb_scene *scene) {
+  lattice->stretch = gsl_matrix_calloc(2 * lattice->contact_count, lattice->freedom_count);
+  if (scene->wall_count > 0)
+    lattice->push = gsl_matrix_calloc(2 * lattice->contact_count, LATTICE_WALL * scene->wall_count);
+  lattice->springs = gsl_vector_calloc(2 * lattice->contact_count);
+  for (size_t c = 0; c < lattice->contact_count; c++) {
+    const struct lattice_contact *contact = &lattice->contacts[c];
+    fill_stretch(lattice, scene, c, contact->a, 1);
+    if (contact->wall)
+      fill_push(lattice, scene, c);
+    else
+      fill_stretch(lattice, scene, c, contact->b, -1);
+    gsl_vector_set(lattice->springs, 2 * c, contact->pair.kn);
+    gsl_vector_set(lattice->springs, 2 * c + 1, contact->pair.ks);
+  }
 }
 
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
@@ -131,19 +175,31 @@ enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *sce
     lattice_free(lattice);
     return status;
   }
-  lattice->stretch = gsl_matrix_calloc(2 * lattice->contact_count, lattice->freedom_count);
-  lattice->push = gsl_matrix_calloc(2 * lattice->contact_count, 2 * scene->wall_count);
-  lattice->springs = gsl_vector_calloc(2 * lattice->contact_count);
-  for (size_t c = 0; c < lattice->contact_count; c++) {
-    const struct lattice_contact *contact = &lattice->contacts[c];
-    fill_stretch(lattice, scene, c, contact->a, 1);
-    if (contact->wall)
-      fill_push(lattice, c);
-    else
-      fill_stretch(lattice, scene, c, contact->b, -1);
-    gsl_vector_set(lattice->springs, 2 * c, contact->pair.kn);
-    gsl_vector_set(lattice->springs, 2 * c + 1, contact->pair.ks);
+  fill(lattice, scene);
+  return NB_OK;
+}
+
+enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scene, double reach,
+                            struct nb_error *error) {
+  size_t n = scene->body_count, most = n * (n + scene->wall_count);
+  *lattice = (struct lattice){.freedom_count = 3 * n};
+  lattice->contacts = calloc(most + 1, sizeof *lattice->contacts);
+  if (!lattice->contacts)
+    return nb_error_set(error, NB_BROKEN, "out of memory for %zu contacts", most);
+  for (size_t a = 0; a < n; a++)
+    for (size_t b = a + 1; b < n + scene->wall_count; b++) {
+      bool wall = b >= n;
+      double gap;
+      struct lattice_contact contact = meeting(scene, (int)a, (int)(wall ? b - n : b), wall, &gap);
+      bool held = scene->bodies[a].fixed && (wall || scene->bodies[b].fixed);
+      if (gap < reach && !held)
+        lattice->contacts[lattice->contact_count++] = contact;
+    }
+  if (lattice->contact_count == 0) {
+    lattice_free(lattice);
+    return nb_error_set(error, NB_BAD_USE, "this reference is for bodies that touch; nothing touches here");
   }
+  fill(lattice, scene);
   return NB_OK;
 }
 

@@ -8,6 +8,8 @@
  * and F_n = k_n n, F_s = k_s s. At a wall b has no spin and its displacement is given. Exchanging a and b changes
  * neither n nor s.
  *
+ * A wall's point there goes with P and, when the wall turns by a about P, by a times its arm turned counterclockwise.
+ *
  * With u all freedoms and w all wall displacements: (n, s) = stretch u + push w, the forces are S (n, s) with S the
  * springs, and  M u'' = - stretch' S (stretch u + push w).  Freedoms are kept in units of 1/sqrt(mass), so that M = 1:
  * the columns of `stretch` are divided by sqrt(m), sqrt(I).
@@ -21,6 +23,8 @@
 
 #include "reference.h"
 
+enum { LATTICE_WALL = 3 }; /* numbers for each wall: P's way to the east and to the north, and the turn about P */
+
 struct lattice_contact {
   int a;               /* body index */
   int b;               /* body index, or wall index */
@@ -29,7 +33,7 @@ struct lattice_contact {
   struct nb_pair pair; /* ks = 0 where the scene lets no shear force arise */
 };
 
-/* At `cycle` the velocities of the walls change by these, x and y of each in turn, m/s. */
+/* At `cycle` the velocities of the walls change by these, x, y and spin of each in turn, m/s and rad/s. */
 struct lattice_turn {
   unsigned long cycle;
   gsl_vector *change;
@@ -40,13 +44,14 @@ struct lattice {
   struct lattice_contact *contacts;
   size_t contact_count;
   gsl_matrix *stretch; /* 2 contact_count x freedom_count; row 2c: overlap of contact c, row 2c + 1: its slip */
-  gsl_matrix *push;    /* 2 contact_count x 2 wall_count */
+  gsl_matrix *push;    /* 2 contact_count x LATTICE_WALL wall_count; NULL without walls */
   gsl_vector *springs; /* k_n, k_s of each contact in turn, N/m */
   struct lattice_turn *turns;
   size_t turn_count;
-  gsl_vector **travel; /* per stage: how far each wall has come by the stage's end, x and y of each in turn, m */
+  gsl_vector *
+      *travel; /* per stage: how far each wall has come by the stage's end: x, y and angle of each in turn, m, rad */
   size_t stage_count;
-  double reach;           /* the longest way any wall goes, m */
+  double reach;           /* the longest way any end of a wall goes, m */
   double step;            /* s; of the first stage */
   bool one_step;          /* all stages have that step */
   unsigned long undamped; /* cycles from the start in which nothing is damped */
@@ -55,6 +60,9 @@ struct lattice {
 
 /* NB_BAD_USE and an error in words when the scene is no such network. */
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error);
+/* The network of all pairs whose gap is smaller than `reach`, m, whatever the scene does: contacts, stretch, push, springs. */
+enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scene, double reach,
+                            struct nb_error *error);
 void lattice_free(struct lattice *lattice);
 
 /* The contact that a watch looks at; -1 when the watch is none of a contact, or nothing touches there. */

@@ -40,7 +40,7 @@ static bool sort_contacts(struct lattice_row *row) {
 /* How far a wall's way w, x and y of each wall in turn, leads toward the bodies at contact A or C. */
 static double inward(const struct lattice_row *row, size_t place, const gsl_vector *way) {
   const struct lattice_contact *contact = &row->lattice.contacts[row->contact[place]];
-  size_t x = 2 * (size_t)contact->b;
+  size_t x = LATTICE_WALL * (size_t)contact->b;
   return -contact->ex * gsl_vector_get(way, x) - contact->ey * gsl_vector_get(way, x + 1);
 }
 

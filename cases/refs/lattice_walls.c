@@ -12,6 +12,8 @@
 static double step_length(const struct nb_scene *scene, const struct nb_step *step) {
   if (step->kind == NB_STEP_TIME)
     return step->value;
+  if (step->kind != NB_STEP_CRITICAL)
+    return NAN; /* what the program finds out as it runs no reference is told */
   double lightest = INFINITY, stiffest = 0;
   for (size_t i = 0; i < scene->body_count; i++) {
     const struct nb_body *body = &scene->bodies[i];
@@ -31,16 +33,18 @@ static bool damped(const struct nb_damping *damping) {
 
 static void wall_velocities(gsl_vector *velocity, const struct nb_scene *scene) {
   for (size_t i = 0; i < scene->wall_count; i++) {
-    gsl_vector_set(velocity, 2 * i, scene->walls[i].vx);
-    gsl_vector_set(velocity, 2 * i + 1, scene->walls[i].vy);
+    gsl_vector_set(velocity, LATTICE_WALL * i, scene->walls[i].vx);
+    gsl_vector_set(velocity, LATTICE_WALL * i + 1, scene->walls[i].vy);
+    gsl_vector_set(velocity, LATTICE_WALL * i + 2, scene->walls[i].spin);
   }
 }
 
 static void stage_motions(gsl_vector *velocity, const struct nb_stage *stage) {
   for (size_t i = 0; i < stage->motion_count; i++) {
     const struct nb_wall_motion *motion = &stage->motions[i];
-    gsl_vector_set(velocity, 2 * (size_t)motion->wall, motion->vx);
-    gsl_vector_set(velocity, 2 * (size_t)motion->wall + 1, motion->vy);
+    gsl_vector_set(velocity, LATTICE_WALL * (size_t)motion->wall, motion->vx);
+    gsl_vector_set(velocity, LATTICE_WALL * (size_t)motion->wall + 1, motion->vy);
+    gsl_vector_set(velocity, LATTICE_WALL * (size_t)motion->wall + 2, motion->spin);
   }
 }
 
@@ -59,8 +63,9 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
   lattice->travel = calloc(scene->stage_count, sizeof *lattice->travel);
   if (!lattice->turns || !lattice->travel)
     return nb_error_set(error, NB_BROKEN, "out of memory for the stages");
-  gsl_vector *before = gsl_vector_calloc(2 * scene->wall_count), *now = gsl_vector_calloc(2 * scene->wall_count);
-  gsl_vector *travel = gsl_vector_calloc(2 * scene->wall_count);
+  gsl_vector *before = gsl_vector_calloc(LATTICE_WALL * scene->wall_count),
+             *now = gsl_vector_calloc(LATTICE_WALL * scene->wall_count);
+  gsl_vector *travel = gsl_vector_calloc(LATTICE_WALL * scene->wall_count);
   lattice->step = step_length(scene, &scene->stages[0].step);
   lattice->one_step = true;
   bool still_undamped = true;
@@ -69,6 +74,10 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
   for (size_t i = 0; i < scene->stage_count; i++) {
     const struct nb_stage *stage = &scene->stages[i];
     stage_motions(now, stage);
+    for (size_t j = 0; j < stage->motion_count; j++)
+      if (stage->motions[j].ramp)
+        status = nb_error_set(error, NB_BAD_USE,
+                              "this reference is for walls whose velocities jump; stage %s ramps them", stage->name);
     note_turn(lattice, before, now, lattice->cycles);
     gsl_vector_memcpy(before, now);
     if (stage->condition_count > 0 && !gsl_vector_isnull(now))
@@ -77,6 +86,9 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
                             "happens",
                             stage->name);
     double step = step_length(scene, &stage->step);
+    if (isnan(step))
+      status = nb_error_set(error, NB_BAD_USE,
+                            "this reference must know the step: say it as a time or as a share of critical");
     if (step != lattice->step)
       lattice->one_step = false;
     if (damped(&stage->damping))
@@ -87,7 +99,9 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
     for (size_t j = 0; j < now->size; j++) {
       double way = (double)stage->cycles * step * gsl_vector_get(now, j);
       gsl_vector_set(travel, j, gsl_vector_get(travel, j) + way);
-      lattice->reach = fmax(lattice->reach, fabs(gsl_vector_get(travel, j)));
+      const struct nb_wall *wall = &scene->walls[j / LATTICE_WALL];
+      double arm = j % LATTICE_WALL < 2 ? 1 : hypot(wall->h0, fmax(fabs(wall->h1), fabs(wall->h2)));
+      lattice->reach = fmax(lattice->reach, arm * fabs(gsl_vector_get(travel, j)));
     }
     lattice->travel[i] = gsl_vector_alloc(travel->size);
     gsl_vector_memcpy(lattice->travel[i], travel);
@@ -100,7 +114,7 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
 }
 
 size_t lattice_standing(const struct lattice *lattice, const struct nb_scene *scene) {
-  gsl_vector *velocity = gsl_vector_calloc(2 * scene->wall_count);
+  gsl_vector *velocity = gsl_vector_calloc(LATTICE_WALL * scene->wall_count);
   for (size_t i = 0; i < lattice->turn_count; i++)
     gsl_vector_add(velocity, lattice->turns[i].change);
   double left = fmax(gsl_vector_max(velocity), -gsl_vector_min(velocity)) * lattice->step;

@@ -16,7 +16,7 @@
 
 static inline struct nb_shear shear_linear(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
   const bool touching = n.stiffness > 0;
-  const double limit = touching ? n.force * p.friction + p.cohesion : 0;
+  const double limit = n.force * p.friction + p.cohesion;
   const double trial = touching ? m[0] + p.ks * slip : 0; /* what does not touch does not slide either */
   const double size = fabs(trial);
   m[0] = copysign(size > limit ? limit : size, trial);

@@ -26,11 +26,8 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model) {
   return (struct nb_dashpot){0};
 }
 
-/* Reduced mass of two bodies; a wall's and a fixed body's mass is infinite [R89 4.6]. */
-static inline double reduced_mass(double inverse_a, double inverse_b) {
-  const double sum = inverse_a + inverse_b;
-  return sum > 0 ? 1 / sum : 0;
-}
+/* Reduced mass of two bodies; a wall's and a fixed body's mass is infinite [R89 4.6]. One is free: others are not listed. */
+static inline double reduced_mass(double inverse_a, double inverse_b) { return 1 / (inverse_a + inverse_b); }
 
 static inline NB_FORM void dashpots(const struct nb_model *model, const struct nb_view *view) {
   const struct nb_dashpot pot = nb_dashpot(model);

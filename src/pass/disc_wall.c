@@ -1,7 +1,7 @@
 /* Geometry of a disc and a wall.                                     [CS79 figure 1, figure 4]
  *
  * The wall is the segment from P + h1 e_w to P + h2 e_w; the disc meets its nearest point Q, inside the segment or one of
- * its ends. With D = |Q - x| the contact is a disc's with a point that moves with the wall:
+ * its ends, which moves with v_Q = v_P + (dalpha/dt) x (Q - P). With D = |Q - x| the contact is a disc's with that point:
  *
  *   e = (Q - x)/D,   alpha = R - D,   dn = (v - v_Q).e dt,   ds = ((v - v_Q).t - w R) dt        [CS79 12-15, R_y = 0]
  *
@@ -22,14 +22,15 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
     const double s = vec_dot(vec_sub(position[i], walls->point[w]), along);
     const double past_first = s > walls->h1[w] ? s : walls->h1[w];
     const double on = past_first < walls->h2[w] ? past_first : walls->h2[w];
-    const struct nb_vec apart = vec_sub(vec_add(walls->point[w], vec_scale(on, along)), position[i]);
+    const struct nb_vec q = vec_add(walls->point[w], vec_scale(on, along));
+    const struct nb_vec apart = vec_sub(q, position[i]);
     const double distance = vec_length(apart);
     const double alpha = rim[i].x - distance;
     const struct nb_vec e = vec_scale(1 / distance, apart);
     overlap[c] = alpha > 0 ? alpha : 0;
     ex[c] = e.x;
     ey[c] = e.y;
-    const struct nb_vec v = vec_sub(velocity[i], walls->velocity[w]);
+    const struct nb_vec v = vec_sub(velocity[i], nb_wall_velocity(walls, w, q));
     if (approach >= NB_APPROACH_CLOSING)
       closing[c] = vec_dot(v, e) * dt;
     if (approach >= NB_APPROACH_SLIP)

@@ -1,0 +1,243 @@
+/* Reference: a straight row of N equal bodies between two walls that stand still, every contact pressed alike, some
+ * struck along the row: normal modes in closed form, in the steps of the calculation cycle.
+ *
+ * With u_l how far body l is from rest, u_0 = u_(N+1) = 0 at the walls, m u_l'' = k (u_(l-1) - 2 u_l + u_(l+1)):
+ *
+ *   u_l = sum over j of  sin(q l) s_j,    q = j pi/(N + 1),    omega = 2 sqrt(k/m) sin(q/2)
+ *
+ * The cycle [CS79 22, 22a] from s = 0 with the velocity v makes of each, exactly,
+ *
+ *   s_n = v dt sin(n phi)/sin(phi),   sin(phi/2) = omega dt/2                      a little faster than omega, or
+ *   s_n = v dt (-1)^(n-1) sinh(n g)/sinh(g),   cosh(g/2) = omega dt/2              which grows: the step is too long
+ *
+ * Known of a watched contact NAME:   NAME.normal along cycle, time
+ *                                    NAME.normal mean, frequency    when one mode alone moves
+ * of a watched body NAME:            NAME.x, NAME.vx.half along cycle, time
+ * time in STAGE, of a stage that waits for such a curve to rise above a value.
+ * step.safe, of equal springs and masses in a row: 2/omega with omega^2 = 4 k/m, for N > 1.
+ * Exact as long as no contact opens, which is not looked at: the straight row of linear springs is linear.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+static const double pi = 3.14159265358979323846;
+
+struct chain {
+  size_t n;         /* bodies */
+  double m, k;      /* kg, N/m */
+  double overlap;   /* of every contact at rest, m */
+  double step;      /* s */
+  double *velocity; /* of mode j = 1 to n at time 0, m/s; owned */
+};
+
+/* What is seen: rest + sum over modes of shape s_n, or of shape (s_n - s_(n-1))/dt. One allocation, a curve's data. */
+struct tune {
+  double rest, step, unit; /* unit: what a cycle is on the axis, 1 or the step */
+  bool speed;
+  size_t count;
+  struct note {
+    double size; /* shape v dt */
+    double half; /* omega dt/2 */
+  } notes[];
+};
+
+static double note_at(struct note note, double n) {
+  if (note.half < 1) {
+    const double phase = 2 * asin(note.half);
+    return note.size * sin(n * phase) / sin(phase);
+  }
+  const double growth = 2 * acosh(note.half), sign = fmod(n, 2) != 0 ? 1 : -1;
+  return note.size * sign * (growth > 0 ? sinh(n * growth) / sinh(growth) : n);
+}
+
+static double tune_at(const void *data, double x) {
+  const struct tune *tune = data;
+  const double n = round(x / tune->unit);
+  double sum = 0;
+  for (size_t j = 0; j < tune->count; j++)
+    sum += tune->speed ? (note_at(tune->notes[j], n) - note_at(tune->notes[j], n - 1)) / tune->step
+                       : note_at(tune->notes[j], n);
+  return tune->rest + sum;
+}
+
+static double omega(const struct chain *chain, size_t j) {
+  return 2 * sqrt(chain->k / chain->m) * sin(pi * (double)j / (2 * (double)(chain->n + 1)));
+}
+
+/* sin(q l), body l counted from 1; 0 at the walls. */
+static double shape(const struct chain *chain, size_t j, size_t l) {
+  return l == 0 || l == chain->n + 1 ? 0 : sin(pi * (double)(j * l) / (double)(chain->n + 1));
+}
+
+/* factor (u_a - u_b), b = a: factor u_a. */
+static void tell(struct nb_known *known, const struct chain *chain, const char *name, double rest, double factor,
+                 size_t a, size_t b, bool speed) {
+  for (int axis = 0; axis < 2; axis++) {
+    struct tune *tune = calloc(1, sizeof *tune + chain->n * sizeof tune->notes[0]);
+    if (tune) {
+      *tune = (struct tune){
+          .rest = rest, .step = chain->step, .unit = axis ? chain->step : 1, .speed = speed, .count = chain->n};
+      for (size_t j = 1; j <= chain->n; j++) {
+        const double way = shape(chain, j, a) - (b == a ? 0 : shape(chain, j, b));
+        tune->notes[j - 1] =
+            (struct note){factor * way * chain->velocity[j - 1] * chain->step, omega(chain, j) * chain->step / 2};
+      }
+    }
+    known_curve(known, name, axis ? "time" : "cycle", tune_at, tune);
+  }
+}
+
+/* The one mode that moves; 0 when several do. */
+static size_t only_mode(const struct chain *chain) {
+  size_t found = 0;
+  double largest = 0;
+  for (size_t j = 0; j < chain->n; j++)
+    largest = fmax(largest, fabs(chain->velocity[j]));
+  for (size_t j = 0; j < chain->n; j++)
+    if (fabs(chain->velocity[j]) > 1e-12 * largest) {
+      if (found)
+        return 0;
+      found = j + 1;
+    }
+  return found;
+}
+
+static void tell_contact(struct nb_known *known, const struct chain *chain, const char *watch, size_t a, size_t b) {
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%s.normal", watch);
+  tell(known, chain, name, chain->k * chain->overlap, chain->k, a, b, false);
+  const size_t mode = only_mode(chain);
+  const double half = mode ? omega(chain, mode) * chain->step / 2 : 1;
+  if (!(half < 1))
+    return;
+  snprintf(name, sizeof name, "%s.normal frequency", watch);
+  known_value(known, asin(half) / (pi * chain->step), name);
+  snprintf(name, sizeof name, "%s.normal mean", watch);
+  known_value(known, chain->k * chain->overlap, name);
+}
+
+/* When a stage ends that waits for the speed of one watched body to rise above a value: `time in STAGE`. */
+static void tell_ends(struct nb_known *known, const struct nb_scene *scene, const struct chain *chain) {
+  double n = 0;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    char name[3 * NB_NAME_SIZE];
+    const double begin = n;
+    if (stage->condition_count == 0) {
+      n += (double)stage->cycles;
+      continue;
+    }
+    const struct nb_condition *until = &stage->conditions[0];
+    const struct nb_known_curve *speed = known_find_curve(known, until->name, "cycle");
+    if (stage->condition_count > 1 || until->relation != NB_ABOVE || !speed)
+      return;
+    do
+      n++;
+    while (n < begin + (double)stage->cycles && !(speed->at(speed->data, n) > until->value));
+    snprintf(name, sizeof name, "time in %s", stage->name);
+    known_value(known, n * chain->step, name);
+  }
+}
+
+static enum nb_status tell_watches(struct nb_known *known, const struct nb_scene *scene, const struct chain *chain,
+                                   struct nb_error *error) {
+  if (chain->n > 1)
+    known_value(known, sqrt(chain->m / chain->k), "step.safe");
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    const size_t a = (size_t)watch->a + 1, b = (size_t)watch->b + 1;
+    char name[3 * NB_NAME_SIZE];
+    if (watch->kind == NB_WATCH_BODY) {
+      snprintf(name, sizeof name, "%s.x", watch->name);
+      tell(known, chain, name, scene->bodies[watch->a].x, 1, a, a, false);
+      snprintf(name, sizeof name, "%s.vx.half", watch->name);
+      tell(known, chain, name, 0, 1, a, a, true);
+    } else if (watch->kind == NB_WATCH_BODY_BODY && (a + 1 == b || b + 1 == a)) {
+      tell_contact(known, chain, watch->name, a < b ? a : b, a < b ? b : a);
+    } else if (watch->kind ==
+               NB_WATCH_BODY_WALL) { /* the wall stands: the overlap is u_1 toward the first, u_N the last */
+      const bool first = scene->walls[watch->b].x < scene->bodies[watch->a].x;
+      if (a == (first ? 1 : chain->n))
+        tell_contact(known, chain, watch->name, first ? 0 : a, first ? a : chain->n + 1);
+    }
+  }
+  tell_ends(known, scene, chain);
+  return known_full(known, error);
+}
+
+static enum nb_status unfit(struct nb_error *error, const char *what) {
+  return nb_error_set(error, NB_BAD_USE, "reference chain is for %s", what);
+}
+
+/* Overlaps of all contacts, the same; bodies numbered from west to east. */
+static bool pressed_alike(struct chain *chain, const struct nb_scene *scene) {
+  const double radius = scene->bodies[0].radius;
+  const struct nb_wall *west = &scene->walls[0], *east = &scene->walls[1];
+  if (west->x > east->x)
+    west = &scene->walls[1], east = &scene->walls[0];
+  chain->overlap = west->x + radius - scene->bodies[0].x;
+  for (size_t l = 0; l < chain->n; l++) {
+    const double next = l + 1 < chain->n ? scene->bodies[l + 1].x - radius : east->x;
+    if (fabs(scene->bodies[l].x + radius - next - chain->overlap) > 1e-9 * radius)
+      return false;
+  }
+  return chain->overlap > 0 && west->ex == 0 && east->ex == 0;
+}
+
+static enum nb_status fit(struct chain *chain, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_step *step = &scene->stages[0].step;
+  const struct nb_body *first = &scene->bodies[0];
+  if (scene->wall_count != 2 || strcmp(scene->normal, "linear"))
+    return unfit(error, "linear springs between two walls");
+  for (size_t l = 0; l < chain->n; l++) {
+    const struct nb_body *body = &scene->bodies[l];
+    if (body->y != first->y || body->vy != 0 || body->spin != 0 || body->fixed || body->radius != first->radius ||
+        body->material != first->material || body->shape != first->shape)
+      return unfit(error, "a straight row of equal bodies that move along it");
+  }
+  for (size_t w = 0; w < 2; w++)
+    if (scene->walls[w].vx != 0 || scene->walls[w].vy != 0 ||
+        nb_scene_pair(scene, first->material, scene->walls[w].material).kn != chain->k)
+      return unfit(error, "walls that stand, as stiff as the bodies");
+  if (!pressed_alike(chain, scene))
+    return unfit(error, "a row from the west to the east, in which every contact is pressed alike");
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    if (stage->damping.contact_kind || stage->damping.global_kind || stage->motion_count > 0 ||
+        stage->step.kind != step->kind || stage->step.value != step->value)
+      return unfit(error, "one step, without damping, and walls that stand");
+  }
+  if (step->kind != NB_STEP_TIME && step->kind != NB_STEP_CRITICAL)
+    return unfit(error, "a step that is a time or a share of critical");
+  chain->step = step->kind == NB_STEP_TIME ? step->value : step->value * 2 * sqrt(chain->m / chain->k);
+  return NB_OK;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_body *first = &scene->bodies[0];
+  struct chain chain = {.n = scene->body_count, .m = nb_body_mass(scene, first)};
+  chain.k = nb_scene_pair(scene, first->material, first->material).kn;
+  if (fit(&chain, scene, error))
+    return error->status;
+  chain.velocity = calloc(chain.n, sizeof *chain.velocity);
+  if (!chain.velocity)
+    return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", chain.n);
+  for (size_t j = 1; j <= chain.n; j++)
+    for (size_t l = 1; l <= chain.n; l++)
+      chain.velocity[j - 1] += 2 * shape(&chain, j, l) * scene->bodies[l - 1].vx / (double)(chain.n + 1);
+  const enum nb_status status = tell_watches(known, scene, &chain, error);
+  free(chain.velocity);
+  return status;
+}
+
+const struct nb_reference reference_chain = {
+    .name = "chain",
+    .title =
+        "equal bodies in a row between two walls: normal modes in closed form, in the steps of the calculation cycle",
+    .source = "[CS79 22, 22a]",
+    .know = know,
+};

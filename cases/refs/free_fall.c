@@ -1,0 +1,134 @@
+/* Reference: a body that falls on a wall with a spring and a dashpot, and bounces: piecewise closed form.
+ *
+ * u is the height of the centre above the place where the body just touches, v its rate, t from the piece's beginning.
+ *
+ *   flight    u = u0 + v0 t - g t^2/2                                            until u = 0
+ *   contact   m u'' = -m g - k u - c u',  w^2 = k/m,  b = c/(2 m),  w'^2 = w^2 - b^2
+ *             u = -g/w^2 + e^(-b t) (A cos w't + B sin w't),   A = g/w^2,  B = (v0 + b A)/w'
+ *             until u = 0 again
+ *
+ * The dashpot acts, and may pull, as long as the outlines overlap, as the simulator's does. The moment of leaving is found by
+ * bisection between the lowest point and the next highest one; when that one is below 0, the body never leaves.
+ *
+ * Known, where NAME watches the body and C its contact: NAME.y and NAME.vy along time, C.overlap max.
+ * Exact in continuous time. A run finds the beginning of a contact within a step, and there the dashpot's force jumps: of first
+ * order in the step with a dashpot, of second without.
+ *
+ * Source   [MFiX DEM-01], elementary.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "single.h"
+
+enum { PIECES = 256 };
+
+struct piece {
+  double begin, u0, v0; /* s, m, m/s */
+  bool touching;
+};
+
+struct fall {
+  double g, w, b, damped; /* m/s2, 1/s; w' */
+  double radius, floor;   /* m */
+  struct piece pieces[PIECES];
+  int count;
+};
+
+static void move(const struct fall *f, const struct piece *piece, double t, double *u, double *v) {
+  if (!piece->touching) {
+    *u = piece->u0 + piece->v0 * t - f->g * t * t / 2;
+    *v = piece->v0 - f->g * t;
+    return;
+  }
+  const double sag = f->g / (f->w * f->w), a = sag + piece->u0, b = (piece->v0 + f->b * a) / f->damped;
+  const double c = cos(f->damped * t), s = sin(f->damped * t), fade = exp(-f->b * t);
+  *u = -sag + fade * (a * c + b * s);
+  *v = fade * ((f->damped * b - f->b * a) * c - (f->damped * a + f->b * b) * s);
+}
+
+/* The first moment after `from` at which u' is 0: the derivative's zeros are half a period apart. */
+static double lowest(const struct fall *f, const struct piece *piece) {
+  const double sag = f->g / (f->w * f->w), a = sag + piece->u0, b = (piece->v0 + f->b * a) / f->damped;
+  const double angle = atan2(f->damped * b - f->b * a, f->damped * a + f->b * b);
+  const double pi = 3.14159265358979323846;
+  return (angle > 0 ? angle : angle + pi) / f->damped;
+}
+
+/* How long a piece lasts; INFINITY: for ever. */
+static double duration(const struct fall *f, const struct piece *piece) {
+  if (!piece->touching)
+    return f->g > 0 ? (piece->v0 + sqrt(piece->v0 * piece->v0 + 2 * f->g * piece->u0)) / f->g : INFINITY;
+  double low = lowest(f, piece), high = low + 3.14159265358979323846 / f->damped, u, v;
+  move(f, piece, high, &u, &v);
+  if (!(u > 0))
+    return INFINITY;
+  for (int n = 0; n < 200; n++) {
+    const double middle = low + (high - low) / 2;
+    move(f, piece, middle, &u, &v);
+    *(u > 0 ? &high : &low) = middle;
+  }
+  return high;
+}
+
+static void fall_on(struct fall *f, double height) {
+  struct piece *piece = &f->pieces[0];
+  *piece = (struct piece){.u0 = height};
+  f->count = 1;
+  for (double last = duration(f, piece); isfinite(last) && f->count < PIECES; last = duration(f, piece)) {
+    struct piece next = {.begin = piece->begin + last, .touching = !piece->touching};
+    double u;
+    move(f, piece, last, &u, &next.v0);
+    piece = &f->pieces[f->count++];
+    *piece = next;
+  }
+}
+
+static void at(const struct fall *f, double t, double *u, double *v) {
+  int k = 0;
+  while (k + 1 < f->count && f->pieces[k + 1].begin <= t)
+    k++;
+  move(f, &f->pieces[k], t - f->pieces[k].begin, u, v);
+}
+
+static double y_at(const void *data, double t) {
+  const struct fall *f = data;
+  double u, v;
+  at(f, t, &u, &v);
+  return f->floor + f->radius + u;
+}
+
+static double vy_at(const void *data, double t) {
+  double u, v;
+  at(data, t, &u, &v);
+  return v;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct single body;
+  if (single_of(&body, scene, error) || single_changes(scene, false, error))
+    return error->status;
+  if (scene->gravity.x != 0 || scene->bodies[0].vx != 0 || scene->bodies[0].vy != 0 || body.height < body.radius)
+    return nb_error_set(error, NB_BAD_USE, "free_fall is for a body dropped straight down, from rest, above the wall");
+  const double w = sqrt(body.pair.kn / body.m), b = body.cn / (2 * body.m);
+  if (!(b < w))
+    return nb_error_set(error, NB_BAD_USE, "free_fall is for less than critical damping");
+  struct fall fall = {.g = body.gravity_n, .w = w, .b = b, .damped = sqrt(w * w - b * b), .radius = body.radius};
+  fall.floor = scene->walls[0].y;
+  fall_on(&fall, body.height - body.radius);
+  single_curve(known, body.body, "y", y_at, &fall, sizeof fall);
+  single_curve(known, body.body, "vy", vy_at, &fall, sizeof fall);
+  if (fall.count > 1) {
+    double u, v;
+    move(&fall, &fall.pieces[1], lowest(&fall, &fall.pieces[1]), &u, &v);
+    single_tell(known, body.contact, "overlap max", NULL, -u);
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_free_fall = {
+    .name = "free_fall",
+    .title = "fall, bounce on a spring and a dashpot, flight: piecewise closed form",
+    .source = "[MFiX DEM-01]",
+    .know = know,
+};

@@ -1,0 +1,126 @@
+/* Reference: a body on a plane that is tilted: it rolls, or slides and turns. Rigid.
+ *
+ * Along the plane acts the acceleration p, into it n; q = m R^2/I. Friction F makes m v' = m p - F and R w' = -q F/m, so
+ *
+ *   rolling   F = m p/(1 + q),   v' = p q/(1 + q)      as long as F <= mu m n, that is p <= (1 + q) mu n:
+ *                                                      tan of the angle at most 3 mu for a disc, 7/2 mu for a sphere
+ *   sliding   F = mu m n,        v' = p - mu n,   R w' = -q mu n
+ *
+ * p and n go along straight lines while a stage ramps gravity, and stay otherwise: velocities are the areas under them.
+ *
+ * Known, where NAME watches the body: NAME.vx and NAME.spin along time, and at the end of every stage.
+ * Rigid: with springs the speed lags by the spring's growing stretch, F'/k_s, and swings about it when the tilting ends;
+ * a dashpot takes that out.
+ *
+ * Source   elementary.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "single.h"
+
+enum { STAGES = 32 };
+
+struct plane {
+  double q, mu, radius;
+  int count;
+  double begin[STAGES + 1];          /* s */
+  double p[STAGES][2], n[STAGES][2]; /* at the begin and at the end of each stage, m/s2 */
+};
+
+/* Area under p and n from the begin of a stage to `share` of it, as times of its length. */
+static double area(const double ends[2], double share) { return share * (ends[0] + (ends[1] - ends[0]) * share / 2); }
+
+/* Where in a stage p exceeds (1 + q) mu n: share of its length; 1: nowhere. */
+static double slides_from(const struct plane *f, int s) {
+  const double first = f->p[s][0] - (1 + f->q) * f->mu * f->n[s][0],
+               last = f->p[s][1] - (1 + f->q) * f->mu * f->n[s][1];
+  if (first > 0)
+    return 0;
+  return last > 0 ? first / (first - last) : 1;
+}
+
+static void velocities(const struct plane *f, double t, double *v, double *spin) {
+  double w = 0;
+  *v = 0;
+  for (int s = 0; s < f->count && t > f->begin[s]; s++) {
+    const double length = f->begin[s + 1] - f->begin[s];
+    const double share = t < f->begin[s + 1] ? (t - f->begin[s]) / length : 1, slides = slides_from(f, s);
+    const double rolls = share < slides ? share : slides;
+    const double down = length * (area(f->p[s], share) - area(f->p[s], rolls));
+    const double grip = f->mu * length * (area(f->n[s], share) - area(f->n[s], rolls));
+    const double rolled = length * area(f->p[s], rolls) * f->q / (1 + f->q);
+    *v += rolled + down - grip;
+    w -= (rolled + f->q * grip) / f->radius;
+  }
+  *spin = w;
+}
+
+static double vx_at(const void *data, double t) {
+  double v, spin;
+  velocities(data, t, &v, &spin);
+  return v;
+}
+static double spin_at(const void *data, double t) {
+  double v, spin;
+  velocities(data, t, &v, &spin);
+  return spin;
+}
+
+/* Once it slides it must go on sliding: a body that would roll again is not for this reference. */
+static bool goes_on(const struct plane *f) {
+  bool slides = false;
+  for (int s = 0; s < f->count; s++) {
+    if (slides && slides_from(f, s) > 0)
+      return false;
+    slides = slides || slides_from(f, s) < 1;
+    if (slides && !(f->p[s][1] > (1 + f->q) * f->mu * f->n[s][1]))
+      return false;
+  }
+  return true;
+}
+
+static bool read_stages(struct plane *f, const struct nb_scene *scene, double step) {
+  double p = scene->gravity.x, n = -scene->gravity.y;
+  if (scene->stage_count > STAGES)
+    return false;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    const bool changes = stage->gravity.line > 0, ramps = stage->gravity.ramp;
+    if (stage->condition_count > 0)
+      return false;
+    f->p[s][1] = changes ? stage->gravity.x : p, f->n[s][1] = changes ? -stage->gravity.y : n;
+    f->p[s][0] = ramps ? p : f->p[s][1], f->n[s][0] = ramps ? n : f->n[s][1];
+    p = f->p[s][1], n = f->n[s][1];
+    f->begin[s + 1] = f->begin[s] + step * (double)stage->cycles;
+    f->count = (int)s + 1;
+  }
+  return true;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct single body;
+  if (single_of(&body, scene, error) || single_changes(scene, true, error))
+    return error->status;
+  struct plane plane = {.q = body.q, .mu = body.pair.friction, .radius = body.radius};
+  const struct nb_body *it = &scene->bodies[0];
+  if (it->vx != 0 || it->vy != 0 || it->spin != 0 || body.pair.cohesion > 0 || !read_stages(&plane, scene, body.step) ||
+      !goes_on(&plane))
+    return nb_error_set(error, NB_BAD_USE,
+                        "incline is for a body at rest at first, without cohesion, in stages of `cycles N` that tilt "
+                        "the plane one way");
+  for (int s = 0; s < plane.count; s++) {
+    single_tell(known, body.body, "vx", scene->stages[s].name, vx_at(&plane, plane.begin[s + 1]));
+    single_tell(known, body.body, "spin", scene->stages[s].name, spin_at(&plane, plane.begin[s + 1]));
+  }
+  single_curve(known, body.body, "vx", vx_at, &plane, sizeof plane);
+  single_curve(known, body.body, "spin", spin_at, &plane, sizeof plane);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_incline = {
+    .name = "incline",
+    .title = "a body on a plane that is tilted: rolling, or sliding and turning",
+    .source = "-",
+    .know = know,
+};

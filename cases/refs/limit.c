@@ -1,0 +1,231 @@
+/* The largest step that the calculation cycle stands on a network of springs and dashpots.
+ *
+ * One cycle without loads [CS79 20-23a, 26-28], with w = v dt and the freedoms scaled so that all masses are 1:
+ *
+ *   w <- keep w - push (dt^2 K u + dt C w),    u <- u + w
+ *
+ * The dashpot acts on the velocity of the half step behind. This is a matrix, and the step is too long when it has an
+ * eigenvalue outside the unit circle. At the limit that eigenvalue is -1, where u changes sign every cycle; put into
+ * the two lines, that is  det(dt^2 K + 2 dt C - 2 (1 + keep)/push) = 0.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "limit.h"
+
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+
+/* An eigenvalue 1 that is there twice, of what nothing holds, comes out as 1 + sqrt(rounding). */
+static const double grows = 1e-6;
+
+static double reduced_mass(const struct nb_scene *scene, const struct lattice_contact *contact) {
+  const struct nb_body *a = &scene->bodies[contact->a];
+  double inverse = a->fixed ? 0 : 1 / nb_body_mass(scene, a);
+  if (!contact->wall && !scene->bodies[contact->b].fixed)
+    inverse += 1 / nb_body_mass(scene, &scene->bodies[contact->b]);
+  return 1 / inverse;
+}
+
+static double critical_step(const struct nb_scene *scene) {
+  double lightest = INFINITY, stiffest = 0;
+  for (size_t i = 0; i < scene->body_count; i++) {
+    const struct nb_body *body = &scene->bodies[i];
+    if (!body->fixed)
+      lightest = fmin(lightest, nb_body_mass(scene, body));
+    for (size_t j = 0; j < scene->body_count; j++)
+      stiffest = fmax(stiffest, nb_scene_pair(scene, body->material, scene->bodies[j].material).kn);
+    for (size_t j = 0; j < scene->wall_count; j++)
+      stiffest = fmax(stiffest, nb_scene_pair(scene, body->material, scene->walls[j].material).kn);
+  }
+  return 2 * sqrt(lightest / stiffest);
+}
+
+/* c of a spring k, as the four words of the page language mean it. */
+static double dashpot(const struct nb_damping *damping, double k, double mass, double critical) {
+  switch (damping->contact_kind) {
+  case NB_CONTACT_BETA:
+    return damping->contact * k; /* [CS79 28] */
+  case NB_CONTACT_FRACTION:
+    return damping->contact * k * critical / 2; /* [R89 4.3, 4.4] */
+  case NB_CONTACT_RATIO:
+    return damping->contact * 2 * sqrt(mass * k); /* [R89 4.13] */
+  case NB_CONTACT_UNDAMPED:
+    break;
+  }
+  return 0;
+}
+
+/* CS79's alpha is left out: (1 - h)/(1 + h) and 1/(1 + h), h = alpha dt/2, make 2 (1 + keep)/push = 4 whatever h is. */
+static void global(struct limit *limit, const struct nb_damping *damping) {
+  const double g = damping->global;
+  limit->keep = limit->push = 1;
+  if (damping->global_kind == NB_GLOBAL_CON1_CS79)
+    limit->keep = g / (2 - g), limit->push = 1 / (2 - g);
+  if (damping->global_kind == NB_GLOBAL_CON1_VELOCITY)
+    limit->keep = g;
+  if (damping->global_kind == NB_GLOBAL_CON1_ALL)
+    limit->keep = limit->push = g;
+}
+
+enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, const struct nb_damping *damping,
+                           double reach, struct nb_error *error) {
+  *limit = (struct limit){0};
+  if (lattice_near(&limit->lattice, scene, reach, error))
+    return error->status;
+  const struct lattice *lattice = &limit->lattice;
+  limit->critical = critical_step(scene);
+  limit->dashpots = gsl_vector_alloc(2 * lattice->contact_count);
+  for (size_t r = 0; r < 2 * lattice->contact_count; r++) {
+    double k = gsl_vector_get(lattice->springs, r), mass = reduced_mass(scene, &lattice->contacts[r / 2]);
+    gsl_vector_set(limit->dashpots, r, dashpot(damping, k, mass, limit->critical));
+  }
+  global(limit, damping);
+  if (limit->push > 0 && gsl_vector_max(lattice->springs) > 0)
+    return NB_OK;
+  limit_free(limit);
+  return nb_error_set(error, NB_BAD_USE, "nothing vibrates here, so no step is too long");
+}
+
+void limit_free(struct limit *limit) {
+  gsl_vector_free(limit->dashpots);
+  lattice_free(&limit->lattice);
+  *limit = (struct limit){0};
+}
+
+/* stretch' (a springs + b dashpots) stretch */
+static gsl_matrix *mixed(const struct limit *limit, double a, double b) {
+  const gsl_matrix *stretch = limit->lattice.stretch;
+  gsl_matrix *pulled = gsl_matrix_alloc(stretch->size1, stretch->size2);
+  gsl_matrix *sum = gsl_matrix_alloc(stretch->size2, stretch->size2);
+  gsl_matrix_memcpy(pulled, stretch);
+  for (size_t r = 0; r < stretch->size1; r++) {
+    gsl_vector_view row = gsl_matrix_row(pulled, r);
+    gsl_vector_scale(&row.vector,
+                     a * gsl_vector_get(limit->lattice.springs, r) + b * gsl_vector_get(limit->dashpots, r));
+  }
+  gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, stretch, pulled, 0, sum);
+  gsl_matrix_free(pulled);
+  return sum;
+}
+
+/* Destroys the matrix. */
+static double largest_eigenvalue(gsl_matrix *matrix) {
+  gsl_vector *values = gsl_vector_alloc(matrix->size1);
+  gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(matrix->size1);
+  gsl_eigen_symm(matrix, values, work);
+  double largest = gsl_vector_max(values);
+  gsl_eigen_symm_free(work);
+  gsl_vector_free(values);
+  return largest;
+}
+
+double limit_radius(const struct limit *limit, double step) {
+  size_t n = limit->lattice.freedom_count;
+  gsl_matrix *cycle = gsl_matrix_calloc(2 * n, 2 * n);
+  gsl_matrix *k = mixed(limit, limit->push * step * step, 0), *c = mixed(limit, 0, limit->push * step);
+  for (size_t i = 0; i < n; i++) {
+    gsl_matrix_set(cycle, i, i, 1);
+    for (size_t j = 0; j < n; j++) {
+      double from_u = -gsl_matrix_get(k, i, j), from_w = (i == j ? limit->keep : 0) - gsl_matrix_get(c, i, j);
+      gsl_matrix_set(cycle, n + i, j, from_u);
+      gsl_matrix_set(cycle, n + i, n + j, from_w);
+      gsl_matrix_set(cycle, i, j, gsl_matrix_get(cycle, i, j) + from_u);
+      gsl_matrix_set(cycle, i, n + j, from_w);
+    }
+  }
+  gsl_vector_complex *values = gsl_vector_complex_alloc(2 * n);
+  gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(2 * n);
+  gsl_eigen_nonsymm(cycle, values, work);
+  double radius = 0;
+  for (size_t i = 0; i < 2 * n; i++)
+    radius = fmax(radius, gsl_complex_abs(gsl_vector_complex_get(values, i)));
+  gsl_eigen_nonsymm_free(work);
+  gsl_vector_complex_free(values);
+  gsl_matrix_free(cycle), gsl_matrix_free(k), gsl_matrix_free(c);
+  return radius;
+}
+
+/* The largest step that `stands`, by halving: some half of `critical` does, and longer ones stop to. */
+static double halve(const struct limit *limit, bool (*stands)(const struct limit *, const struct nb_scene *, double),
+                    const struct nb_scene *scene, int times) {
+  double high = limit->critical, low;
+  while (stands(limit, scene, high))
+    high *= 2;
+  for (low = high / 2; !stands(limit, scene, low); low /= 2)
+    high = low;
+  for (int i = 0; i < times; i++) {
+    double middle = (low + high) / 2;
+    *(stands(limit, scene, middle) ? &low : &high) = middle;
+  }
+  return low;
+}
+
+static bool cycle_stands(const struct limit *limit, const struct nb_scene *scene, double step) {
+  (void)scene;
+  return limit_radius(limit, step) <= 1 + grows;
+}
+
+static bool modes_stand(const struct limit *limit, const struct nb_scene *scene, double step) {
+  (void)scene;
+  gsl_matrix *sum = mixed(limit, step * step, 2 * step);
+  double largest = largest_eigenvalue(sum);
+  gsl_matrix_free(sum);
+  return largest <= 2 * (1 + limit->keep) / limit->push;
+}
+
+double limit_of_cycle(const struct limit *limit) { return halve(limit, cycle_stands, NULL, 24); }
+double limit_of_modes(const struct limit *limit) { return halve(limit, modes_stand, NULL, 50); }
+
+/* Sum over the contacts of body `index` of what row `2c + which` does in a step, times R^2 for the tangential one. */
+static double load(const struct limit *limit, const struct nb_scene *scene, int index, int which, double step) {
+  const struct lattice *lattice = &limit->lattice;
+  double sum = 0, radius = scene->bodies[index].radius;
+  for (size_t c = 0; c < lattice->contact_count; c++) {
+    const struct lattice_contact *contact = &lattice->contacts[c];
+    size_t row = 2 * c + (size_t)which;
+    if (contact->a == index || (!contact->wall && contact->b == index))
+      sum += gsl_vector_get(lattice->springs, row) * step + 2 * gsl_vector_get(limit->dashpots, row);
+  }
+  return sum * step * (which ? radius * radius : 1);
+}
+
+/* One contact with its shares of mass: its rows of `stretch`, every freedom divided by the root of its share. */
+static double part_eigenvalue(const struct limit *limit, const struct nb_scene *scene, size_t c, double step) {
+  const struct lattice *lattice = &limit->lattice;
+  const struct lattice_contact *contact = &lattice->contacts[c];
+  gsl_matrix *part = gsl_matrix_calloc(6, 6);
+  int bodies[2] = {contact->a, contact->wall ? -1 : contact->b};
+  double row[2][6] = {{0}}, hard[2];
+  for (int which = 0; which < 2; which++) {
+    size_t r = 2 * c + (size_t)which;
+    hard[which] = step * (gsl_vector_get(lattice->springs, r) * step + 2 * gsl_vector_get(limit->dashpots, r));
+  }
+  for (int side = 0; side < 2; side++)
+    for (int freedom = 0; freedom < 3 && bodies[side] >= 0; freedom++) {
+      double radius = scene->bodies[bodies[side]].radius;
+      double own = freedom < 2 ? hard[0] : hard[1] * radius * radius;
+      double share = own / load(limit, scene, bodies[side], freedom < 2 ? 0 : 1, step);
+      for (int which = 0; which < 2 && own > 0; which++)
+        row[which][3 * side + freedom] =
+            gsl_matrix_get(lattice->stretch, 2 * c + (size_t)which, 3 * (size_t)bodies[side] + (size_t)freedom) /
+            sqrt(share);
+    }
+  for (size_t i = 0; i < 6; i++)
+    for (size_t j = 0; j < 6; j++)
+      gsl_matrix_set(part, i, j, hard[0] * row[0][i] * row[0][j] + hard[1] * row[1][i] * row[1][j]);
+  double largest = largest_eigenvalue(part);
+  gsl_matrix_free(part);
+  return largest;
+}
+
+static bool parts_stand(const struct limit *limit, const struct nb_scene *scene, double step) {
+  double largest = 0;
+  for (size_t c = 0; c < limit->lattice.contact_count; c++)
+    largest = fmax(largest, part_eigenvalue(limit, scene, c, step));
+  return largest <= 2 * (1 + limit->keep) / limit->push;
+}
+
+double limit_of_parts(const struct limit *limit, const struct nb_scene *scene) {
+  return halve(limit, parts_stand, scene, 48);
+}

@@ -1,0 +1,51 @@
+/* Reference: free bodies that only touch each other keep their momentum.
+ *
+ *   p = sum m v         whatever the laws and the dashpots at contacts are: forces come in opposite pairs
+ *   L = sum (m x x v + I w), about the origin, without shear forces only: with them CS79's moments F_s R add overlap
+ *   times F_s to it
+ *
+ * Known at any moment: momentum.x, momentum.y and, without friction, momentum.angular; each with max and min as well.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "reference.h"
+
+static void tell(struct nb_known *known, const char *what, double value) {
+  static const char *const reducers[] = {"", " max", " min", " mean"};
+  for (size_t k = 0; k < sizeof reducers / sizeof *reducers; k++) {
+    char text[3 * NB_NAME_SIZE];
+    snprintf(text, sizeof text, "momentum.%s%s", what, reducers[k]);
+    known_value(known, value, text);
+  }
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  double x = 0, y = 0, angular = 0;
+  bool alone = scene->wall_count == 0 && !scene->gravity.line && !scene->damping.global_kind;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    alone = alone && !stage->gravity.line && !stage->damping.global_kind && !stage->still && !stage->reverse;
+  }
+  for (size_t k = 0; k < scene->body_count; k++) {
+    const struct nb_body *body = &scene->bodies[k];
+    const double m = nb_body_mass(scene, body);
+    alone = alone && !body->fixed;
+    x += m * body->vx, y += m * body->vy;
+    angular += m * (body->x * body->vy - body->y * body->vx) + nb_body_inertia(scene, body) * body->spin;
+  }
+  if (!alone)
+    return nb_error_set(error, NB_BAD_USE,
+                        "momentum wants free bodies alone: no wall, nothing fixed, no gravity, no global damping");
+  tell(known, "x", x), tell(known, "y", y);
+  if (strcmp(scene->shear, "none") == 0)
+    tell(known, "angular", angular);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_momentum = {
+    .name = "momentum",
+    .title = "free bodies keep their momentum; without shear forces their angular momentum too",
+    .source = "[CS79 20-23]",
+    .know = know,
+};

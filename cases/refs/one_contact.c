@@ -1,0 +1,245 @@
+/* Reference: two bodies, or a body and a wall, with one contact that does not slide: the equations of motion by GSL.
+ *
+ *   m x'' = -+(P e + Q t),   I w' = Q R,   v = v_1 - v_2                                    [CS79 8-15, 20-23]
+ *   P = k_n alpha + c_n (v.e),   Q = F_s + c_s s',   F_s' = k_s s',   s' = v.t - R_1 w_1 - R_2 w_2
+ *   c = beta k,  or  beta 2 sqrt(M* k)                                                      [CS79 26-28] [R89 4.13]
+ *
+ * in continuous time, with the eighth-order method of Prince and Dormand at 1e-13. Nothing of the time steps is in it,
+ * except the end: known is the state after all cycles of all stages, so that a run's difference from it is the error of
+ * its step.
+ *
+ * Known at the end, for a watch of a body x, y, angle, vx, vy, spin; of the contact overlap, normal, shear; and
+ *   energy.kinetic, energy.stored, momentum.x, momentum.y, momentum.angular
+ *   energy.residual   dt/2 Int F_s (v.t)(v.e)/D dt, the first order of what the balance leaves: [CS79 15] takes t at
+ *                     the end of the step, the forces act at its two ends, and t turns with (v.t)/D
+ *
+ * The contact may open, but not with its shear spring bent: that moment would have to be known too.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <string.h>
+
+#include "reference.h"
+
+/* The unknowns: six of each body, the spring, and the integral. */
+enum { X, Y, VX, VY, ANGLE, SPIN, SECOND, SHEAR = 2 * SECOND, TURNED, UNKNOWNS };
+enum { LOOKS = 1000 }; /* moments at which the limit of friction is looked at */
+
+struct pair {
+  double mass[2], inertia[2], radius[2]; /* infinite for what is held; 0 radius for a wall */
+  const struct nb_wall *wall;            /* NULL: two bodies */
+  struct nb_pair values;
+  double cn, cs; /* N s/m */
+  bool shears;
+};
+
+/* Of the contact in a state. */
+struct touch {
+  double ex, ey, tx, ty, distance, overlap; /* m */
+  double closing, along, slip;              /* v.e, v.t, s', m/s */
+};
+
+static struct touch touch(const struct pair *pair, const double y[]) {
+  double ax = y[SECOND + X] - y[X], ay = y[SECOND + Y] - y[Y];
+  if (pair->wall) { /* the foot of the perpendicular; wall motion is in the second body's place */
+    const double s = ax * pair->wall->ex + ay * pair->wall->ey;
+    ax -= s * pair->wall->ex, ay -= s * pair->wall->ey;
+  }
+  struct touch at = {.distance = hypot(ax, ay)};
+  at.ex = ax / at.distance, at.ey = ay / at.distance, at.tx = at.ey, at.ty = -at.ex;
+  at.overlap = pair->radius[0] + pair->radius[1] - at.distance;
+  const double vx = y[VX] - y[SECOND + VX], vy = y[VY] - y[SECOND + VY];
+  at.closing = vx * at.ex + vy * at.ey, at.along = vx * at.tx + vy * at.ty;
+  at.slip = at.along - pair->radius[0] * y[SPIN] - pair->radius[1] * y[SECOND + SPIN];
+  return at;
+}
+
+static int slope(double time, const double y[], double dydt[], void *data) {
+  const struct pair *pair = data;
+  const struct touch at = touch(pair, y);
+  const bool touching = at.overlap > 0;
+  const double push = touching ? pair->values.kn * at.overlap + pair->cn * at.closing : 0;
+  const double drag = touching && pair->shears ? y[SHEAR] + pair->cs * at.slip : 0;
+  (void)time;
+  for (int k = 0; k < 2; k++) {
+    const double *b = y + k * SECOND, sign = k ? 1 : -1;
+    double *d = dydt + k * SECOND;
+    d[X] = b[VX], d[Y] = b[VY], d[ANGLE] = b[SPIN];
+    d[VX] = sign * (push * at.ex + drag * at.tx) / pair->mass[k];
+    d[VY] = sign * (push * at.ey + drag * at.ty) / pair->mass[k];
+    d[SPIN] = drag * pair->radius[k] / pair->inertia[k];
+  }
+  dydt[SHEAR] = touching && pair->shears ? pair->values.ks * at.slip : 0;
+  dydt[TURNED] = touching && !pair->wall ? y[SHEAR] * at.along * at.closing / at.distance : 0;
+  return GSL_SUCCESS;
+}
+
+static enum nb_status refuse(struct nb_error *error, const char *why) {
+  return nb_error_set(error, NB_BAD_USE, "one_contact %s", why);
+}
+
+static void put_body(struct pair *pair, double y[], const struct nb_scene *scene, int k) {
+  const struct nb_body *body = &scene->bodies[k];
+  y += k * SECOND;
+  y[X] = body->x, y[Y] = body->y, y[VX] = body->vx, y[VY] = body->vy, y[SPIN] = body->spin;
+  pair->mass[k] = body->fixed ? INFINITY : nb_body_mass(scene, body);
+  pair->inertia[k] = body->fixed ? INFINITY : nb_body_inertia(scene, body);
+  pair->radius[k] = body->radius;
+}
+
+/* How long all stages last, s; 0 when that cannot be said. */
+static double duration(const struct nb_scene *scene) {
+  double time = 0;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    if (stage->condition_count || stage->motion_count || stage->change_count || stage->reverse || stage->still ||
+        stage->gravity.line || stage->step.kind != NB_STEP_TIME || stage->step.value != scene->step.value ||
+        stage->damping.contact_kind != scene->damping.contact_kind || stage->damping.contact != scene->damping.contact)
+      return 0;
+    time += (double)stage->cycles * stage->step.value;
+  }
+  return time;
+}
+
+static enum nb_status build(struct pair *pair, double y[], const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_damping *damping = &scene->damping;
+  memset(y, 0, UNKNOWNS * sizeof *y);
+  *pair = (struct pair){.mass = {0, INFINITY}, .inertia = {0, INFINITY}};
+  if (scene->body_count + scene->wall_count != 2 || scene->body_count < 1)
+    return refuse(error, "wants two bodies, or a body and a wall");
+  if (strcmp(scene->normal, "linear") != 0)
+    return refuse(error, "wants `normal linear`");
+  if (!(duration(scene) > 0) || scene->gravity.line || damping->global_kind)
+    return refuse(error,
+                  "wants one step, a time, stages of so many cycles that change nothing, no gravity and no global "
+                  "damping");
+  for (int k = 0; k < (int)scene->body_count; k++)
+    put_body(pair, y, scene, k);
+  const int a = scene->bodies[0].material;
+  if (scene->wall_count) {
+    const struct nb_wall *wall = pair->wall = &scene->walls[0];
+    y[SECOND + X] = wall->x, y[SECOND + Y] = wall->y, y[SECOND + VX] = wall->vx, y[SECOND + VY] = wall->vy;
+    if (wall->spin != 0 || wall->h0 != 0)
+      return refuse(error, "wants a wall that does not turn, given by its ends");
+  }
+  pair->values = nb_scene_pair(scene, a, pair->wall ? pair->wall->material : scene->bodies[1].material);
+  pair->shears = strcmp(scene->shear, "none") != 0 && (pair->values.friction > 0 || pair->values.cohesion > 0);
+  const double reduced = 1 / (1 / pair->mass[0] + 1 / pair->mass[1]);
+  switch (damping->contact_kind) {
+  case NB_CONTACT_BETA:
+    pair->cn = damping->contact * pair->values.kn, pair->cs = damping->contact * pair->values.ks;
+    break;
+  case NB_CONTACT_RATIO:
+    pair->cn = 2 * damping->contact * sqrt(reduced * pair->values.kn);
+    pair->cs = 2 * damping->contact * sqrt(reduced * pair->values.ks);
+    break;
+  case NB_CONTACT_FRACTION:
+    return refuse(error, "wants `contact-beta` or `contact-ratio`");
+  case NB_CONTACT_UNDAMPED:
+    break;
+  }
+  return NB_OK;
+}
+
+/* Whether the contact slides, parts with its spring bent, or has left the wall. */
+static enum nb_status look(const struct pair *pair, const double y[], struct nb_error *error) {
+  const struct touch at = touch(pair, y);
+  if (at.overlap > 0 && fabs(y[SHEAR]) > pair->values.kn * at.overlap * pair->values.friction + pair->values.cohesion)
+    return refuse(error, "judges no contact that slides");
+  if (!(at.overlap > 0) && y[SHEAR] != 0)
+    return refuse(error, "judges no contact that parts with its shear spring bent: end the page before");
+  const struct nb_wall *wall = pair->wall;
+  const double s = wall ? (y[X] - y[SECOND + X]) * wall->ex + (y[Y] - y[SECOND + Y]) * wall->ey : 0;
+  if (wall && !(s > wall->h1 && s < wall->h2))
+    return refuse(error, "wants a wall as long as the body's way");
+  return NB_OK;
+}
+
+static enum nb_status solve(struct pair *pair, double y[], double end, struct nb_error *error) {
+  const double mass = pair->mass[0] < pair->mass[1] ? pair->mass[0] : pair->mass[1];
+  const double beat = sqrt(mass / (pair->values.kn + pair->values.ks)), radius = pair->radius[0];
+  double fastest = radius / beat * 1e-6, scale[UNKNOWNS];
+  for (int k = 0; k < 2; k++)
+    fastest = fmax(fastest, hypot(y[k * SECOND + VX], y[k * SECOND + VY]) + fabs(y[k * SECOND + SPIN]) * radius);
+  for (int k = 0; k < 2; k++) { /* what a digit of each is worth */
+    double *s = scale + k * SECOND;
+    s[X] = s[Y] = beat * fastest, s[VX] = s[VY] = fastest, s[ANGLE] = beat * fastest / radius,
+    s[SPIN] = fastest / radius;
+  }
+  scale[SHEAR] = mass / beat * fastest, scale[TURNED] = mass * fastest * fastest * fastest / radius;
+  gsl_odeiv2_system system = {slope, NULL, UNKNOWNS, pair};
+  gsl_odeiv2_driver *driver =
+      gsl_odeiv2_driver_alloc_scaled_new(&system, gsl_odeiv2_step_rk8pd, beat / 100, 1e-13, 0, 1, 0, scale);
+  if (!driver)
+    return nb_error_set(error, NB_BROKEN, "out of memory for the equations of motion");
+  gsl_odeiv2_driver_set_hmax(driver, beat / 5);
+  enum nb_status status = look(pair, y, error);
+  double time = 0;
+  for (int k = 1; k <= LOOKS && !status; k++) {
+    if (gsl_odeiv2_driver_apply(driver, &time, end * k / LOOKS, y) != GSL_SUCCESS)
+      status = nb_error_set(error, NB_BROKEN, "the equations of motion could not be solved beyond %g s", time);
+    else
+      status = look(pair, y, error);
+  }
+  gsl_odeiv2_driver_free(driver);
+  return status;
+}
+
+static void tell(struct nb_known *known, const char *watch, const char *what, double value) {
+  char text[3 * NB_NAME_SIZE];
+  snprintf(text, sizeof text, "%s.%s", watch, what);
+  known_value(known, value, text);
+}
+
+static void tell_sums(struct nb_known *known, const struct pair *pair, const double y[], double step) {
+  const struct touch at = touch(pair, y);
+  double kinetic = 0, px = 0, py = 0, angular = 0;
+  for (int k = 0; k < 2; k++) {
+    const double *b = y + k * SECOND, m = pair->mass[k];
+    if (isinf(m))
+      continue;
+    kinetic += (m * (b[VX] * b[VX] + b[VY] * b[VY]) + pair->inertia[k] * b[SPIN] * b[SPIN]) / 2;
+    px += m * b[VX], py += m * b[VY];
+    angular += m * (b[X] * b[VY] - b[Y] * b[VX]) + pair->inertia[k] * b[SPIN];
+  }
+  const double normal = at.overlap > 0 ? pair->values.kn * at.overlap * at.overlap / 2 : 0;
+  known_value(known, kinetic, "energy.kinetic");
+  known_value(known, normal + (pair->values.ks > 0 ? y[SHEAR] * y[SHEAR] / (2 * pair->values.ks) : 0), "energy.stored");
+  known_value(known, step / 2 * y[TURNED], "energy.residual");
+  known_value(known, px, "momentum.x"), known_value(known, py, "momentum.y");
+  known_value(known, angular, "momentum.angular");
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  static const char *const of_body[] = {"x", "y", "vx", "vy", "angle", "spin"}; /* in the order of the unknowns */
+  struct pair pair;
+  double y[UNKNOWNS];
+  enum nb_status status = build(&pair, y, scene, error);
+  if (!status)
+    status = solve(&pair, y, duration(scene), error);
+  if (status)
+    return status;
+  const struct touch at = touch(&pair, y);
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    if (watch->kind == NB_WATCH_BODY)
+      for (int k = 0; k < SECOND; k++)
+        tell(known, watch->name, of_body[k], y[watch->a * SECOND + k]);
+    if (watch->kind != NB_WATCH_BODY_BODY && watch->kind != NB_WATCH_BODY_WALL)
+      continue;
+    tell(known, watch->name, "overlap", fmax(at.overlap, 0));
+    tell(known, watch->name, "normal", pair.values.kn * fmax(at.overlap, 0));
+    tell(known, watch->name, "shear", y[SHEAR]);
+  }
+  tell_sums(known, &pair, y, scene->step.value);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_one_contact = {
+    .name = "one_contact",
+    .title = "one contact that does not slide: the equations of motion in continuous time, by GSL at 1e-13",
+    .source = "[CS79 8-23, 26-28] [R89 4.13]",
+    .know = know,
+};

@@ -1,0 +1,100 @@
+/* One body on one straight wall at rest: read from the scene.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "single.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* c of a dashpot beside a spring k on a mass m, by the page's word [CS79 28; R89 4.3, 4.13]. */
+static double dashpot(const struct nb_damping *damping, double k, double m, double critical) {
+  switch (damping->contact_kind) {
+  case NB_CONTACT_BETA:
+    return damping->contact * k;
+  case NB_CONTACT_FRACTION:
+    return damping->contact * k * critical / 2;
+  case NB_CONTACT_RATIO:
+    return damping->contact * 2 * sqrt(m * k);
+  case NB_CONTACT_UNDAMPED:
+    break;
+  }
+  return 0;
+}
+
+static enum nb_status refuse(struct nb_error *error, const char *what) {
+  return nb_error_set(error, NB_BAD_USE, "this reference is for %s", what);
+}
+
+enum nb_status single_of(struct single *single, const struct nb_scene *scene, struct nb_error *error) {
+  if (scene->body_count != 1 || scene->wall_count != 1 || scene->bodies[0].fixed)
+    return refuse(error, "one free body and one wall");
+  const struct nb_body *body = &scene->bodies[0];
+  const struct nb_wall *wall = &scene->walls[0];
+  if (strcmp(scene->normal, "linear") != 0)
+    return refuse(error, "`normal linear`");
+  if (fabs(wall->ey) > 0 || wall->vx != 0 || wall->vy != 0 || !(body->y > wall->y))
+    return refuse(error, "a wall at rest along x, below the body");
+  if (scene->damping.global_kind)
+    return refuse(error, "a body that nothing damps but its contact");
+  const double m = nb_body_mass(scene, body);
+  const struct nb_pair pair = nb_scene_pair(scene, body->material, wall->material);
+  const double critical = 2 * sqrt(m / pair.kn);
+  *single = (struct single){
+      .m = m,
+      .q = m * body->radius * body->radius / nb_body_inertia(scene, body),
+      .radius = body->radius,
+      .pair = pair,
+      .height = body->y - wall->y,
+      .gravity_n = -scene->gravity.y,
+      .cn = dashpot(&scene->damping, pair.kn, m, critical),
+      .cs = dashpot(&scene->damping, pair.ks, m, critical),
+  };
+  if (scene->step.kind == NB_STEP_TIME)
+    single->step = scene->step.value;
+  else if (scene->step.kind == NB_STEP_CRITICAL)
+    single->step = scene->step.value * critical;
+  else
+    return refuse(error, "a step that is a time or a share of the critical one");
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    if (scene->watches[w].kind == NB_WATCH_BODY)
+      single->body = scene->watches[w].name;
+    if (scene->watches[w].kind == NB_WATCH_BODY_WALL)
+      single->contact = scene->watches[w].name;
+  }
+  return NB_OK;
+}
+
+enum nb_status single_changes(const struct nb_scene *scene, bool gravity_may, struct nb_error *error) {
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    const bool damps = stage->damping.contact_kind != scene->damping.contact_kind ||
+                       stage->damping.contact != scene->damping.contact || stage->damping.global_kind;
+    const bool steps = stage->step.kind != scene->step.kind || stage->step.value != scene->step.value;
+    if (stage->motion_count > 0 || stage->change_count > 0 || stage->still || stage->reverse || damps || steps ||
+        (stage->gravity.line && !gravity_may))
+      return nb_error_set(error, NB_BAD_USE, "this reference is for a scene that stage `%s` does not change",
+                          stage->name);
+  }
+  return NB_OK;
+}
+
+void single_tell(struct nb_known *known, const char *watch, const char *what, const char *stage, double value) {
+  char name[3 * NB_NAME_SIZE];
+  if (!watch)
+    return;
+  snprintf(name, sizeof name, "%s.%s%s%s", watch, what, stage ? " in " : "", stage ? stage : "");
+  known_value(known, value, name);
+}
+
+void single_curve(struct nb_known *known, const char *watch, const char *what, double (*at)(const void *data, double t),
+                  const void *data, size_t size) {
+  char name[2 * NB_NAME_SIZE];
+  if (!watch)
+    return;
+  snprintf(name, sizeof name, "%s.%s", watch, what);
+  void *copy = malloc(size);
+  if (copy)
+    memcpy(copy, data, size);
+  known_curve(known, name, "time", at, copy);
+}

@@ -1,0 +1,142 @@
+/* Reference: a body set down on a floor with speed and without spin slides, and then rolls: exact, springs included.
+ *
+ * With q = m R^2/I (2 for a disc, 5/2 for a sphere), v the speed and s' = v + R w the slip at the floor, friction F slows the one
+ * and makes the other: m v' = -F, R w' = -q F/m. So s'' = -(1 + q) F/m, and at every moment
+ *
+ *   v = (s' + q u0)/(1 + q),     x = (s + q u0 t)/(1 + q)
+ *
+ * whatever F is. Rigid: F = mu m g until s' = 0 at t_s = u0/((1 + q) mu g), from then on v = q u0/(1 + q): 2/3, 5/7 of u0.
+ * With springs, w_s^2 = (1 + q) k_s/m, b = (1 + q) c_s/(2 m), d_m = mu m g/k_s:
+ *
+ *   grip    s = u0 e^(-b t) sin(w't)/w'                              until s = d_m
+ *   slide   s' falls by (1 + q) mu g a second                         until s' = 0
+ *   roll    the spring is still stretched by d_m and lets go: it swings, d = d_m e^(-b t) (cos w't + (b/w') sin w't), s' = d'
+ *
+ * Known, where NAME watches the body: NAME.vx, NAME.spin, NAME.x along time; `time in STAGE`, NAME.x in STAGE for the stage that
+ * ends when the contact no longer slides; NAME.vx in STAGE after it, when the swing has died out.
+ *
+ * Source   [MFiX DEM-04] for the rigid body; the springs are elementary.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "single.h"
+
+struct slide {
+  double u0, q, radius, x0; /* m/s, 1, m, m */
+  double b, damped;         /* 1/s */
+  double limit;             /* d_m, m */
+  double brake;             /* (1 + q) mu g, m/s2 */
+  double grip, slide;       /* when they end, s */
+  double slip;              /* s' when sliding begins, m/s */
+};
+
+static double gripped(const struct slide *f, double t, double *rate) {
+  const double fade = f->u0 * exp(-f->b * t) / f->damped, s = sin(f->damped * t), c = cos(f->damped * t);
+  *rate = fade * (f->damped * c - f->b * s);
+  return fade * s;
+}
+
+/* s and s' at time t. */
+static double slipped(const struct slide *f, double t, double *rate) {
+  if (t <= f->grip)
+    return gripped(f, t, rate);
+  const double slid = f->slide - f->grip, end = f->limit + f->slip * slid - f->brake * slid * slid / 2;
+  if (t <= f->slide) {
+    t -= f->grip;
+    *rate = f->slip - f->brake * t;
+    return f->limit + f->slip * t - f->brake * t * t / 2;
+  }
+  t -= f->slide;
+  const double fade = f->limit * exp(-f->b * t), s = sin(f->damped * t), c = cos(f->damped * t);
+  *rate = -fade * (f->damped + f->b * f->b / f->damped) * s;
+  return end - f->limit + fade * (c + f->b / f->damped * s);
+}
+
+static double vx_at(const void *data, double t) {
+  const struct slide *f = data;
+  double rate;
+  slipped(f, t, &rate);
+  return (rate + f->q * f->u0) / (1 + f->q);
+}
+static double spin_at(const void *data, double t) {
+  const struct slide *f = data;
+  return -f->q * (f->u0 - vx_at(f, t)) / f->radius;
+}
+static double x_at(const void *data, double t) {
+  const struct slide *f = data;
+  double rate;
+  const double s = slipped(f, t, &rate);
+  return f->x0 + (s + f->q * f->u0 * t) / (1 + f->q);
+}
+
+/* When the spring reaches its limit: before s' is 0, or the body never slides. */
+static bool find_grip(struct slide *f) {
+  double low = 0, high = atan2(f->damped, f->b) / f->damped, rate;
+  if (gripped(f, high, &rate) < f->limit)
+    return false;
+  for (int n = 0; n < 200; n++) {
+    const double middle = low + (high - low) / 2;
+    *(gripped(f, middle, &rate) < f->limit ? &low : &high) = middle;
+  }
+  f->grip = high;
+  gripped(f, high, &f->slip);
+  f->slide = f->grip + f->slip / f->brake;
+  return true;
+}
+
+static void tell(struct nb_known *known, const struct nb_scene *scene, const struct single *body,
+                 const struct slide *f) {
+  bool slid = false;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    char name[3 * NB_NAME_SIZE];
+    if (slid)
+      single_tell(known, body->body, "vx", stage->name, f->q * f->u0 / (1 + f->q));
+    if (slid || stage->condition_count != 1 || stage->conditions[0].relation != NB_BELOW)
+      continue;
+    slid = true;
+    snprintf(name, sizeof name, "time in %s", stage->name);
+    known_value(known, f->slide, name);
+    single_tell(known, body->body, "x", stage->name, x_at(f, f->slide));
+  }
+  single_curve(known, body->body, "vx", vx_at, f, sizeof *f);
+  single_curve(known, body->body, "spin", spin_at, f, sizeof *f);
+  single_curve(known, body->body, "x", x_at, f, sizeof *f);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct single body;
+  if (single_of(&body, scene, error) || single_changes(scene, false, error))
+    return error->status;
+  const double weight = body.m * body.gravity_n, push = body.pair.kn * (body.radius - body.height);
+  const double u0 = scene->bodies[0].vx;
+  if (scene->gravity.x != 0 || scene->bodies[0].vy != 0 || scene->bodies[0].spin != 0 || !(u0 > 0) ||
+      !(fabs(push - weight) < 1e-4 * weight))
+    return nb_error_set(error, NB_BAD_USE,
+                        "slide_to_roll is for a body that lies on the floor with its weight, %g, and moves along it "
+                        "without spin; the floor pushes %g",
+                        weight, push);
+  const double b = (1 + body.q) * body.cs / (2 * body.m), square = (1 + body.q) * body.pair.ks / body.m - b * b;
+  struct slide slide = {
+      .u0 = u0,
+      .q = body.q,
+      .radius = body.radius,
+      .x0 = scene->bodies[0].x,
+      .b = b,
+      .damped = sqrt(square),
+      .limit = (weight * body.pair.friction + body.pair.cohesion) / body.pair.ks,
+      .brake = (1 + body.q) * (body.pair.friction * body.gravity_n + body.pair.cohesion / body.m),
+  };
+  if (!(square > 0) || !find_grip(&slide))
+    return nb_error_set(error, NB_BAD_USE, "slide_to_roll is for a body that swings and slides; this one does not");
+  tell(known, scene, &body, &slide);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_slide_to_roll = {
+    .name = "slide_to_roll",
+    .title = "a body that slides until it rolls: friction, spring and dashpot in closed form",
+    .source = "[MFiX DEM-04]",
+    .know = know,
+};

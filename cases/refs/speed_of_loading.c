@@ -1,0 +1,63 @@
+/* Reference: how far nine discs without friction are from equilibrium while four walls close in evenly, with global damping.
+ *
+ * Along each axis the middle disc of a row stays where it is, and the outer one follows its wall. With x its way in, v t the
+ * wall's, and the damping alpha of all bodies:
+ *
+ *   m x'' + alpha m x' + 2 k x = k v t
+ *
+ * What the walls have set going dies out as e^(-alpha t/2); what stays moves evenly:
+ *
+ *   x' = v/2,    x = v t/2 - alpha m v/(4 k)
+ *
+ * so the force left on an outer disc is alpha m v/2 along an axis, on a corner disc sqrt(2) of it; the largest contact force is
+ * the wall's, k (v t - x). Their ratio, dF/F of [CS79 table 1], is
+ *
+ *   unbalance = (alpha m v/sqrt(2)) / (k v t/2 + alpha m v/4) = sqrt(2) alpha m v/(k d + alpha m v/2),     d = v t
+ *
+ * at the same d proportional to the speed, as long as that is small: [CS79, Speed of loading]. Linear: overlap over radius is
+ * neglected, which does not matter here, where all contacts lie along the axes.
+ *
+ * Known: `unbalance in STAGE`, the first stage; it wants e^(-alpha t/2) to be small.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "reference.h"
+
+static enum nb_status refuse(struct nb_error *error) {
+  return nb_error_set(
+      error, NB_BAD_USE,
+      "speed_of_loading is for nine equal discs without friction, three by three in a box that closes in "
+      "evenly from the first stage on, with `damping global` only");
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  if (scene->body_count != 9 || scene->wall_count != 4 || scene->damping.global_kind != NB_GLOBAL_ALPHA ||
+      scene->damping.contact_kind || scene->gravity.line || scene->stages[0].condition_count > 0 ||
+      scene->stages[0].motion_count != 4 || strcmp(scene->normal, "linear") != 0)
+    return refuse(error);
+  const struct nb_pair pair = nb_scene_pair(scene, scene->bodies[0].material, scene->walls[0].material);
+  const double m = nb_body_mass(scene, &scene->bodies[0]), critical = 2 * sqrt(m / pair.kn);
+  const double v = hypot(scene->stages[0].motions[0].vx, scene->stages[0].motions[0].vy);
+  for (int k = 0; k < 4; k++)
+    if (scene->stages[0].motions[k].ramp || hypot(scene->stages[0].motions[k].vx, scene->stages[0].motions[k].vy) != v)
+      return refuse(error);
+  if ((pair.friction > 0 || pair.cohesion > 0) && strcmp(scene->shear, "none") != 0)
+    return refuse(error);
+  const double step = scene->step.value * (scene->step.kind == NB_STEP_CRITICAL ? critical : 1);
+  const double t = step * (double)scene->stages[0].cycles, alpha = scene->damping.global;
+  if (!(alpha * t > 20))
+    return nb_error_set(error, NB_BAD_USE, "speed_of_loading is for alpha t above 20; here it is %g", alpha * t);
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "unbalance in %s", scene->stages[0].name);
+  known_value(known, sqrt(2) * alpha * m * v / (pair.kn * v * t + alpha * m * v / 2), name);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_speed_of_loading = {
+    .name = "speed_of_loading",
+    .title = "how far from equilibrium evenly loaded discs are: in proportion to the speed",
+    .source = "[CS79, Speed of loading]",
+    .know = know,
+};

@@ -1,0 +1,47 @@
+/* Reference: the largest steps of a scene whose bodies touch.
+ *
+ * Known, of all pairs that touch, damped as in the first stage:
+ *   step.critical   2 sqrt(m/k) of the lightest free body and the stiffest pair of materials            [CS79, Motion]
+ *   step.safe       every contact by itself with its share of the masses, its six freedoms and their largest
+ *                   eigenvalue
+ *   step max        the largest step that the calculation cycle stands: what a page's own largest step is compared
+ *                   with. The cycle as a matrix, its largest eigenvalue, halving until it leaves the circle: 1e-6
+ *
+ * The first two are exact. All three are for contacts that stay and do not slip, and that do not turn.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "limit.h"
+
+/* Outlines closer than this share of the radius touch: a page writes centres in decimals. */
+static const double touch = 1e-9;
+
+static bool alike(const struct nb_damping *a, const struct nb_damping *b) {
+  return a->contact_kind == b->contact_kind && a->contact == b->contact && a->global_kind == b->global_kind &&
+         a->global == b->global;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_damping *damping = &scene->stages[0].damping;
+  for (size_t s = 1; s < scene->stage_count; s++)
+    if (!alike(damping, &scene->stages[s].damping))
+      return nb_error_set(error, NB_BAD_USE, "reference step_limit is for one damping in all stages");
+  if (strcmp(scene->normal, "linear") || (strcmp(scene->shear, "linear") && strcmp(scene->shear, "none")))
+    return nb_error_set(error, NB_BAD_USE, "reference step_limit is for linear springs");
+  struct limit limit;
+  if (limit_build(&limit, scene, damping, touch * scene->bodies[0].radius, error))
+    return error->status;
+  known_value(known, limit.critical, "step.critical");
+  known_value(known, limit_of_parts(&limit, scene), "step.safe");
+  known_value(known, limit_of_cycle(&limit), "step max");
+  limit_free(&limit);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_step_limit = {
+    .name = "step_limit",
+    .title = "the longest step that touching bodies stand: eigenvalues of the calculation cycle",
+    .source = "[CS79 20-23a, 26-28]",
+    .know = know,
+};

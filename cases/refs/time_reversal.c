@@ -1,0 +1,59 @@
+/* Reference: what goes forward, turns round and goes back as long arrives where it began, with opposite velocities.
+ *
+ * True of the continuous motion without friction and damping, and of the leapfrog scheme, which is symmetric in
+ * time: only rounding is left. The scene needs one stage with `reverse`, as many cycles before it as from it on, and
+ * one step.
+ *
+ * Known at the end, for every watch of a body: x, y, angle, and vx, vy, spin with the opposite sign.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "reference.h"
+
+static void tell(struct nb_known *known, const char *watch, const char *what, double value) {
+  char text[3 * NB_NAME_SIZE];
+  snprintf(text, sizeof text, "%s.%s", watch, what);
+  known_value(known, value, text);
+}
+
+static bool goes_back(const struct nb_scene *scene) {
+  unsigned long cycles[2] = {0, 0};
+  int turns = 0;
+  bool plain = strcmp(scene->shear, "none") == 0;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    turns += stage->reverse;
+    cycles[turns > 0] += stage->cycles;
+    plain = plain && !stage->damping.contact_kind && !stage->damping.global_kind && !stage->condition_count &&
+            !stage->change_count && !stage->still && !stage->gravity.line && (!stage->motion_count || s == 0) &&
+            stage->step.kind == scene->step.kind && stage->step.value == scene->step.value;
+  }
+  return plain && turns == 1 && cycles[0] == cycles[1];
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  if (!goes_back(scene))
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "time_reversal wants one `reverse`, as many cycles before it as after it, one step, no friction, "
+        "no damping, and nothing that changes but walls in the first stage");
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    if (watch->kind != NB_WATCH_BODY)
+      continue;
+    const struct nb_body *body = &scene->bodies[watch->a];
+    tell(known, watch->name, "x", body->x), tell(known, watch->name, "y", body->y);
+    tell(known, watch->name, "angle", 0);
+    tell(known, watch->name, "vx", -body->vx), tell(known, watch->name, "vy", -body->vy);
+    tell(known, watch->name, "spin", -body->spin);
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_time_reversal = {
+    .name = "time_reversal",
+    .title = "forward, turned round and back: the scene as it began, with opposite velocities",
+    .source = "-",
+    .know = know,
+};

@@ -1,0 +1,133 @@
+/* Reference: a body that rolls along a wall which turns about a fixed point  [CS79 figure 4].
+ *
+ * In the frame of the wall the body is at s along it and at n to its left, from P. It stays as far from the wall's line
+ * as it is; sigma = 1 where it is to the left of it, else -1; W is the wall's angular velocity. Centrifugal and
+ * Coriolis force and the wall's N and F (on the body, along the wall) balance its acceleration:
+ *
+ *   m (s'' - W^2 s) = F              m (2 W s' - W^2 n) = sigma N
+ *   it rolls:  s' + sigma R (w - W) = 0,     I w' = sigma R F      so     s'' = W^2 s / (1 + I/(m R^2))
+ *
+ *   s = s_0 cosh(q t),   q = W / sqrt(1 + I/(m R^2)),   F = -(I/R^2) s'',   w = W - sigma s'/R
+ *
+ * q/W is sqrt(2/3) for a disc and sqrt(5/7) for a sphere. What is left out is the overlap, of the order of N/k_n beside s_0.
+ *
+ * Known, along time:  NAME.x  .y  .spin of the watched body;  NAME.normal  .shear of its contact with the wall.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+enum wanted { X, Y, SPIN, NORMAL, SHEAR, WANTED };
+
+struct rolling {
+  double px, py, ex, ey;     /* P and e at time 0 */
+  double w, q, s0, n, sigma; /* rad/s, 1/s, m, m, 1 */
+  double radius, mass, inertia;
+  enum wanted wanted;
+};
+
+static double at(const void *data, double t) {
+  const struct rolling *it = data;
+  const double s = it->s0 * cosh(it->q * t), ds = it->s0 * it->q * sinh(it->q * t), dds = it->q * it->q * s;
+  const double c = cos(it->w * t), b = sin(it->w * t);
+  const double ex = c * it->ex - b * it->ey, ey = b * it->ex + c * it->ey;
+  const double all[WANTED] = {
+      [X] = it->px + s * ex - it->n * ey,
+      [Y] = it->py + s * ey + it->n * ex,
+      [SPIN] = it->w - it->sigma * ds / it->radius,
+      [NORMAL] = it->sigma * it->mass * (2 * it->w * ds - it->w * it->w * it->n),
+      [SHEAR] = -it->sigma * it->inertia / (it->radius * it->radius) * dds, /* on the body along -t, t = -sigma e */
+  };
+  return all[it->wanted];
+}
+
+/* Whether the body starts as a point of the turning wall would move, and nothing disturbs it. */
+static const char *wrong(const struct nb_scene *scene, const struct rolling *it) {
+  const struct nb_body *body = &scene->bodies[0];
+  const struct nb_wall *wall = &scene->walls[0];
+  const double speed = fabs(it->w) * hypot(body->x - it->px, body->y - it->py);
+  const double off = hypot(body->vx + it->w * (body->y - it->py), body->vy - it->w * (body->x - it->px));
+  if (wall->vx != 0 || wall->vy != 0 || !(fabs(it->w) > 0))
+    return "a wall that turns about a fixed point";
+  if (!(off <= 1e-9 * speed) || body->spin != it->w || body->fixed)
+    return "a free body that turns with the wall at first";
+  if (!(fabs(fabs(it->n - wall->h0) - it->radius) <= 1e-9 * it->radius))
+    return "a body that just touches the wall";
+  if (scene->gravity.line || scene->damping.global_kind || strcmp(scene->shear, "none") == 0)
+    return "friction, and neither gravity nor global damping";
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].motion_count || scene->stages[s].change_count || scene->stages[s].gravity.line ||
+        scene->stages[s].damping.global_kind)
+      return "stages that change nothing";
+  return NULL;
+}
+
+/* Friction must hold it and the wall must be long enough until the scene ends. */
+static const char *ends(const struct nb_scene *scene, const struct rolling *it, double friction) {
+  double end = 0;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    if (scene->stages[s].condition_count || scene->stages[s].step.kind != NB_STEP_TIME)
+      return "stages of `cycles`, and a step that is a time";
+    end += (double)scene->stages[s].cycles * scene->stages[s].step.value;
+  }
+  struct rolling shear = *it, normal = *it;
+  shear.wanted = SHEAR, normal.wanted = NORMAL;
+  for (int k = 0; k <= 1000; k++) {
+    const double t = end * k / 1000, s = it->s0 * cosh(it->q * t);
+    if (!(fabs(at(&shear, t)) < friction * at(&normal, t)))
+      return "friction that holds the body, pressed by its wall, to the end";
+    if (!(s > scene->walls[0].h1 && s < scene->walls[0].h2))
+      return "a wall long enough to roll on to the end";
+  }
+  return NULL;
+}
+
+static void tell(struct nb_known *known, const struct rolling *it, const char *watch, const char *what,
+                 enum wanted wanted) {
+  char name[2 * NB_NAME_SIZE];
+  struct rolling *data = malloc(sizeof *data);
+  if (data) {
+    *data = *it;
+    data->wanted = wanted;
+  }
+  snprintf(name, sizeof name, "%.60s.%s", watch, what);
+  known_curve(known, name, "time", at, data);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  if (scene->body_count != 1 || scene->wall_count != 1)
+    return nb_error_set(error, NB_BAD_USE, "turning_wall wants one body and one wall");
+  const struct nb_body *body = &scene->bodies[0];
+  const struct nb_wall *wall = &scene->walls[0];
+  const double dx = body->x - wall->x, dy = body->y - wall->y;
+  struct rolling it = {
+      .px = wall->x, .py = wall->y, .ex = wall->ex, .ey = wall->ey, .w = wall->spin, .radius = body->radius};
+  it.mass = nb_body_mass(scene, body), it.inertia = nb_body_inertia(scene, body);
+  it.s0 = dx * wall->ex + dy * wall->ey, it.n = dy * wall->ex - dx * wall->ey;
+  it.sigma = it.n > wall->h0 ? 1 : -1;
+  it.q = it.w / sqrt(1 + it.inertia / (it.mass * it.radius * it.radius));
+  const char *why = wrong(scene, &it);
+  if (!why)
+    why = ends(scene, &it, nb_scene_pair(scene, body->material, wall->material).friction);
+  if (why)
+    return nb_error_set(error, NB_BAD_USE, "turning_wall wants %s", why);
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    if (watch->kind == NB_WATCH_BODY)
+      tell(known, &it, watch->name, "x", X), tell(known, &it, watch->name, "y", Y),
+          tell(known, &it, watch->name, "spin", SPIN);
+    if (watch->kind == NB_WATCH_BODY_WALL)
+      tell(known, &it, watch->name, "normal", NORMAL), tell(known, &it, watch->name, "shear", SHEAR);
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_turning_wall = {
+    .name = "turning_wall",
+    .title = "a body that rolls along a turning wall: its motion in the frame of the wall",
+    .source = "[CS79 figure 4]",
+    .know = know,
+};

@@ -1,0 +1,281 @@
+/* The two balances of a run: what has been done since the start, each term from its own definition.
+ *
+ * work      K_(N-1/2) - K_0 = sum over kicks of all forces' work. A kick changes a body's velocity from v- to v+ by
+ *           the impulse J = F tau and what global damping takes, so its kinetic energy by J.(v- + v+)/2: force times
+ *           the way at the mean of the half-step velocities. That holds for any step, the half first kick too
+ *           (tau = dt/2, v- = v_0); the residual is rounding.
+ *
+ * energy    K + U - (K + U)_0 + frictional + damped - walls - gravity - changed, all at t_N. U is a state function
+ *           (energy.c). Forces that depend on velocity or are given act at t_N, at the velocity of t_N, over the kick
+ *           around it; what slides does so over the step from t_N to t_(N+1), at the mean of the two forces:
+ *
+ *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of global damping, over kicks      [CS79 26-36]
+ *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks
+ *             gravity     m g.v tau  over kicks
+ *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or part with their spring bent, over steps
+ *             shear       F_s ds  over steps
+ *
+ *           The residual is the error of the integration. A kick reaches half a step beyond t_N: a term that is
+ *           asked for at t_N has only the half behind it in it (tail).
+ *
+ * A shear law without stored energy has its shear work in the residual where the others have U_s and frictional.
+ * Sums run over bodies in the order of numbers and over contacts in theirs, by one thread, and carry what rounding
+ * cuts off (Neumaier 1974): the same bits on any number of threads.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "balance.h"
+
+/* ---- set up ---- */
+
+/* The first law of the scene that stores no energy; NULL: all do. */
+static const struct nb_law *not_stored(const struct nb_model *model, bool normal) {
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    const struct nb_law *law = normal ? model->pairings[p].normal : model->pairings[p].shear;
+    if (law && !law->stored)
+      return law;
+  }
+  return NULL;
+}
+
+enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
+  const unsigned asked = nb_fields_watched(model->scene);
+  const struct nb_law *normal = not_stored(model, true), *shear = not_stored(model, false);
+  if (asked & NB_ASKS_STORED && (normal || shear))
+    return nb_error_set(error, NB_BAD_USE,
+                        "`%s %s` has no stored energy: record `energy.shear`, not `energy.stored` and "
+                        "`energy.frictional`",
+                        normal ? "normal" : "shear", normal ? normal->name : shear->name);
+  if (asked & NB_ASKS_ENERGY && normal)
+    return nb_error_set(error, NB_BAD_USE, "`normal %s` has no stored energy, so energies do not balance",
+                        normal->name);
+  if (!(asked & (NB_ASKS_WORK | NB_ASKS_ENERGY)))
+    return NB_OK;
+  const size_t bodies = model->bodies.count, walls = model->walls.count, pairings = model->pairing_count;
+  struct nb_balance *b = model->balance = calloc(1, sizeof *b);
+  if (b) {
+    b->works = asked & NB_ASKS_WORK, b->energies = asked & NB_ASKS_ENERGY;
+    b->before = nb_array(bodies, sizeof *b->before), b->now = nb_array(bodies, sizeof *b->now);
+    b->position = nb_array(bodies, sizeof *b->position), b->pivot = nb_array(walls, sizeof *b->pivot);
+    b->wall_velocity = nb_array(walls, sizeof *b->wall_velocity), b->wall_spin = nb_array(walls, sizeof(double));
+    b->values = nb_array(pairings, sizeof *b->values);
+  }
+  if (!b || !b->before || !b->now || !b->position || !b->pivot || !b->wall_velocity || !b->wall_spin || !b->values)
+    return nb_error_set(error, NB_BROKEN, "out of memory for the balances");
+  b->kinetic = nb_energy_kinetic_half(model);
+  if (b->energies)
+    b->level = nb_energy_kinetic(model) + nb_energy_stored(model);
+  return NB_OK;
+}
+
+void nb_balance_free(struct nb_balance *b) {
+  if (!b)
+    return;
+  free(b->before), free(b->now), free(b->position), free(b->pivot), free(b->wall_velocity), free(b->wall_spin);
+  free(b->values), free(b);
+}
+
+/* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */
+
+/* Part of a kick: `behind` seconds before t_N and `ahead` seconds after it. Positions and velocities as they were. */
+struct kick {
+  const struct nb_vec *position, *pivot;
+  const struct nb_state *now;
+  double behind, ahead;
+};
+
+static struct nb_vec wall_way(const struct nb_model *model, const struct kick *kick, int w, struct nb_vec q) {
+  const struct nb_balance *b = model->balance;
+  const struct nb_vec arm = vec_sub(q, kick->pivot[w]), turned = vec(-arm.y, arm.x);
+  const struct nb_vec was = vec_add(b->wall_velocity[w], vec_scale(b->wall_spin[w], turned));
+  const struct nb_vec is = vec_add(model->walls.velocity[w], vec_scale(model->walls.spin[w], turned));
+  return vec_add(vec_scale(kick->behind, was), vec_scale(kick->ahead, is));
+}
+
+/* Dashpots and walls. */
+static void contacts_do(struct nb_sum terms[], const struct nb_model *model, const struct kick *kick) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const double time = kick->behind + kick->ahead;
+  for (size_t c = 0; c < contacts->count; c++) {
+    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+    if ((!model->dashpots && !pairing->wall) || !(contacts->kept[NB_OVERLAP][c] > 0))
+      continue;
+    const int i = contacts->a[c], j = contacts->b[c];
+    const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
+    const double radius = model->bodies.rim[i].x;
+    struct nb_vec way = vec_scale(time, kick->now[i].velocity);
+    double rolled = time * kick->now[i].spin * radius;
+    if (pairing->wall) {
+      const double reach = radius - contacts->kept[NB_OVERLAP][c];
+      const struct nb_vec wall = wall_way(model, kick, j, vec_add(kick->position[i], vec_scale(reach, e)));
+      nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(contacts->force[c], wall));
+      way = vec_sub(way, wall);
+    } else {
+      way = vec_sub(way, vec_scale(time, kick->now[j].velocity));
+      rolled += time * kick->now[j].spin * model->bodies.rim[j].x;
+    }
+    if (!model->dashpots)
+      continue;
+    nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_PUSH][c] - contacts->kept[NB_NORMAL][c]) * vec_dot(way, e));
+    if (pairing->shear)
+      nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_DRAG][c] - contacts->kept[NB_SHEAR][c]) *
+                                             (vec_dot(way, vec_clockwise(e)) - rolled));
+  }
+}
+
+static struct nb_state velocity(const struct nb_bodies *bodies, size_t i) {
+  return (struct nb_state){bodies->velocity[i], bodies->spin ? bodies->spin[i] : 0};
+}
+
+/* What global damping gives a body in one kick, against its motion: shares of m v-, of m v+, and of the forces'
+ * impulse. */
+static struct nb_state damping_impulse(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state is,
+                                       struct nb_force force, double time) {
+  const double g = model->damping.global, m = model->bodies.mass[i], inertia = model->bodies.inertia[i];
+  double old = 0, new = 0, pushed = 0;
+  switch (model->damping.global_kind) {
+  case NB_GLOBAL_ALPHA: /* C = alpha m on the mean velocity [CS79 34] */
+    old = new = g *time / 2;
+    break;
+  case NB_GLOBAL_CON1_CS79: /* alpha dt/2 = 1 - CON1 */
+    old = new = 1 - g;
+    break;
+  case NB_GLOBAL_CON1_VELOCITY:
+    old = 1 - g;
+    break;
+  case NB_GLOBAL_CON1_ALL:
+    old = pushed = 1 - g;
+    break;
+  case NB_GLOBAL_UNDAMPED:
+    break;
+  }
+  const struct nb_vec linear = vec_scale(m, vec_add(vec_scale(old, was.velocity), vec_scale(new, is.velocity)));
+  return (struct nb_state){vec_scale(-1, vec_add(linear, vec_scale(pushed * time, force.force))),
+                           -(inertia * (old * was.spin + new *is.spin) + pushed * time * force.moment)};
+}
+
+/* What global damping takes in such a kick, with its mean velocity. */
+static double damped(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state mean,
+                     struct nb_force force, double time) {
+  const struct nb_state is = {vec_sub(vec_scale(2, mean.velocity), was.velocity), 2 * mean.spin - was.spin};
+  const struct nb_state taken = damping_impulse(model, i, was, is, force, time);
+  return -(vec_dot(taken.velocity, mean.velocity) + taken.spin * mean.spin);
+}
+
+/* Bodies, in a kick that lasts `time` and of which `share` is counted, at the velocities of t_N. */
+static void bodies_do(struct nb_sum terms[], const struct nb_model *model, double time, double share) {
+  const struct nb_bodies *bodies = &model->bodies;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    const struct nb_state was = model->balance->before[i], now = model->balance->now[i];
+    struct nb_force force = nb_force_on(model, i);
+    if (!(bodies->inverse_mass[i] > 0)) {
+      const double held = vec_dot(force.force, now.velocity) + force.moment * now.spin;
+      nb_sum_add(&terms[NB_TERM_WALLS], -share * time * held);
+      continue;
+    }
+    const struct nb_vec weight = vec_scale(bodies->mass[i], model->gravity);
+    force.force = vec_add(force.force, weight);
+    nb_sum_add(&terms[NB_TERM_GRAVITY], share * time * vec_dot(weight, now.velocity));
+    nb_sum_add(&terms[NB_TERM_DAMPED], share * damped(model, i, was, now, force, time));
+  }
+}
+
+/* All forces on free bodies, at the mean of the velocities before and after the kick. */
+static void work_do(struct nb_sum *work, const struct nb_model *model, double time) {
+  const struct nb_bodies *bodies = &model->bodies;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    if (!(bodies->inverse_mass[i] > 0))
+      continue;
+    const struct nb_state was = model->balance->before[i], is = velocity(bodies, i);
+    const struct nb_state mean = {vec_scale(0.5, vec_add(was.velocity, is.velocity)), (was.spin + is.spin) / 2};
+    struct nb_force force = nb_force_on(model, i);
+    force.force = vec_add(force.force, vec_scale(bodies->mass[i], model->gravity));
+    nb_sum_add(work, time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
+    nb_sum_add(work, -damped(model, i, was, mean, force, time));
+  }
+}
+
+void nb_balance_before(struct nb_model *model) {
+  struct nb_balance *b = model->balance;
+  for (size_t i = 0; i < model->bodies.count; i++) {
+    b->before[i] = velocity(&model->bodies, i), b->position[i] = model->bodies.position[i];
+    if (b->energies)
+      b->now[i] = nb_velocity_now(model, i);
+  }
+  memcpy(b->pivot, model->walls.pivot, model->walls.count * sizeof *b->pivot);
+}
+
+void nb_balance_kick(struct nb_model *model) {
+  struct nb_balance *b = model->balance;
+  const struct kick kick = {b->position, b->pivot, b->now, model->previous_step / 2, model->step / 2};
+  work_do(&b->work, model, kick.behind + kick.ahead);
+  if (!b->energies)
+    return;
+  bodies_do(b->terms, model, kick.behind + kick.ahead, 1);
+  contacts_do(b->terms, model, &kick);
+  memcpy(b->wall_velocity, model->walls.velocity, model->walls.count * sizeof *b->wall_velocity);
+  memcpy(b->wall_spin, model->walls.spin, model->walls.count * sizeof *b->wall_spin);
+}
+
+/* The half of the kick around t_N that lies behind it, as it will be when nothing else happens. */
+static void tail(struct nb_sum terms[], const struct nb_model *model) {
+  struct nb_balance *b = model->balance;
+  const struct kick kick = {model->bodies.position, model->walls.pivot, b->now, model->previous_step / 2, 0};
+  if (!(kick.behind > 0))
+    return;
+  for (size_t i = 0; i < model->bodies.count; i++)
+    b->before[i] = velocity(&model->bodies, i), b->now[i] = nb_velocity_now(model, i);
+  bodies_do(terms, model, model->previous_step, 0.5);
+  contacts_do(terms, model, &kick);
+}
+
+/* ---- what is read ---- */
+
+double nb_balance_term(const struct nb_model *model, enum nb_term term) {
+  const struct nb_balance *b = model->balance;
+  struct nb_sum now[NB_TERMS];
+  memcpy(now, b->terms, sizeof now);
+  tail(now, model);
+  return now[term].sum + now[term].rest;
+}
+
+double nb_balance_work_residual(const struct nb_model *model) {
+  struct nb_sum sum = model->balance->work;
+  nb_sum_add(&sum, model->balance->kinetic);
+  nb_sum_add(&sum, -nb_energy_kinetic_half(model));
+  return -(sum.sum + sum.rest);
+}
+
+double nb_balance_energy_residual(const struct nb_model *model) {
+  static const double sign[NB_TERMS] = {[NB_TERM_DAMPED] = 1,     [NB_TERM_WALLS] = -1,   [NB_TERM_GRAVITY] = -1,
+                                        [NB_TERM_FRICTIONAL] = 1, [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1};
+  struct nb_sum now[NB_TERMS], sum = {0};
+  memcpy(now, model->balance->terms, sizeof now);
+  tail(now, model);
+  nb_sum_add(&sum, nb_energy_kinetic(model));
+  nb_sum_add(&sum, nb_energy_stored(model));
+  nb_sum_add(&sum, -model->balance->level);
+  for (int t = 0; t < NB_TERMS; t++)
+    nb_sum_add(&sum, sign[t] * now[t].sum), nb_sum_add(&sum, sign[t] * now[t].rest);
+  return sum.sum + sum.rest;
+}
+
+/* ---- jumps: `still`, `reverse` ---- */
+
+/* Kinetic energy that is there or gone without a force is put in from outside; what was read before is read after. */
+void nb_balance_jump(struct nb_model *model, bool before) {
+  struct nb_balance *b = model->balance;
+  const double sign = before ? -1 : 1;
+  b->kinetic += sign * nb_energy_kinetic_half(model);
+  if (!b->energies)
+    return;
+  struct nb_sum behind[NB_TERMS] = {{0}};
+  tail(behind, model);
+  for (int t = 0; t < NB_TERMS; t++)
+    nb_sum_add(&b->terms[t], -sign * behind[t].sum);
+  nb_sum_add(&b->terms[NB_TERM_CHANGED], sign * nb_energy_kinetic(model));
+}

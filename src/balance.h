@@ -1,0 +1,31 @@
+/* The two balances, inside: shared by balance.c and balance_steps.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_BALANCE_H
+#define NB_BALANCE_H
+
+#include "energy.h"
+
+/* A sum that carries what rounding cuts off (Neumaier 1974). */
+struct nb_sum {
+  double sum, rest;
+};
+static inline void nb_sum_add(struct nb_sum *to, double value) {
+  const double sum = to->sum + value;
+  to->rest += fabs(to->sum) >= fabs(value) ? (to->sum - sum) + value : (value - sum) + to->sum;
+  to->sum = sum;
+}
+
+struct nb_balance {
+  bool works, energies;
+  struct nb_state *before, *now;        /* per slot: velocities before the kick; those of t_N */
+  struct nb_vec *position;              /* per slot: at t_N, m */
+  struct nb_vec *pivot, *wall_velocity; /* per wall: P at t_N, m; velocity over the step that ended there, m/s */
+  double *wall_spin;                    /* likewise, rad/s */
+  struct nb_pair *values;               /* per pairing: what its laws were given at t_N; */
+  bool changed;                         /* and some of that is something else now */
+  double kinetic, level;                /* K_0; K + U at time 0: what the sums are counted from, J */
+  struct nb_sum work, terms[NB_TERMS];  /* J */
+};
+
+#endif

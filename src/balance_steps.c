@@ -1,0 +1,103 @@
+/* The terms of the energy balance that belong to steps: what slides, and springs that are changed under load.
+ *
+ *   shear       (F_s' + F_s)/2 ds                             from t_N to t_(N+1), primes at its end
+ *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: slip less what the spring took of it
+ *
+ * A contact whose outlines part loses what its spring still held: F_s' = 0, and it slides by that as well. Without
+ * sliding the bracket is 0 but for rounding, and nothing is added.
+ *
+ * When a stage changes k_n or k_s, springs under load gain U_n(new) - U_n(old) at the same overlap and
+ * U_s(new) - U_s(old) at the same force. The force of the step is the mean of an old and a new one, so the normal gain
+ * is the mean of those at the two ends; the shear spring is new for the whole step.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "balance.h"
+
+static double field(const struct nb_model *model, enum nb_field which, size_t c) {
+  return model->contacts.kept[which] ? model->contacts.kept[which][c] : 0;
+}
+
+static void slide(struct nb_balance *b, const struct nb_model *model, size_t c) {
+  const struct nb_law *law = model->pairings[model->contacts.pairing[c]].shear;
+  const double was = field(model, NB_SHEAR_BEFORE, c), stiff_was = field(model, NB_SHEAR_STIFFNESS_BEFORE, c);
+  const double is = law ? field(model, NB_SHEAR, c) : 0, stiff = law ? field(model, NB_SHEAR_STIFFNESS, c) : 0;
+  model->contacts.kept[NB_SHEAR_BEFORE][c] = is, model->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c] = stiff;
+  if (!law || (was == 0 && is == 0))
+    return;
+  const double slip = field(model, NB_SLIP, c), mean = (was + is) / 2;
+  nb_sum_add(&b->terms[NB_TERM_SHEAR], mean * slip);
+  if (!law->stored)
+    nb_sum_add(&b->terms[NB_TERM_UNSTORED], mean * slip);
+  else if (!(stiff > 0)) /* parted */
+    nb_sum_add(&b->terms[NB_TERM_FRICTIONAL], mean * (slip + was / stiff_was));
+  else if (field(model, NB_SLIDING, c) > 0)
+    nb_sum_add(&b->terms[NB_TERM_FRICTIONAL], mean * (slip - (is - was) / stiff));
+}
+
+/* U_n, or U_s, of contact c with its law given `values`. */
+static double stored(const struct nb_model *model, size_t c, struct nb_pair values, bool normal) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+  double mn[NB_MEMORY] = {0}, ms[NB_MEMORY] = {0};
+  if (!(contacts->kept[NB_OVERLAP][c] > 0))
+    return 0;
+  for (int m = 0; m < NB_MEMORY; m++) {
+    mn[m] = contacts->normal_memory[m] ? contacts->normal_memory[m][c] : 0;
+    ms[m] = contacts->shear_memory[m] ? contacts->shear_memory[m][c] : 0;
+  }
+  const struct nb_normal n = pairing->normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, mn);
+  if (normal)
+    return pairing->normal->stored ? pairing->normal->stored(values, n, mn) : 0;
+  return pairing->shear && pairing->shear->stored ? pairing->shear->stored(values, n, ms) : 0;
+}
+
+static bool same(struct nb_pair a, struct nb_pair b) {
+  return a.kn == b.kn && a.ks == b.ks && a.friction == b.friction && a.cohesion == b.cohesion;
+}
+
+/* What the springs of overlaps have gained by the change, at the overlaps that contacts have now. */
+static double gained(const struct nb_model *model) {
+  struct nb_sum sum = {0};
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    const int p = model->contacts.pairing[c];
+    const struct nb_pair old = model->balance->values[p], new = model->pairings[p].values;
+    if (!same(old, new))
+      nb_sum_add(&sum, stored(model, c, new, true) - stored(model, c, old, true));
+  }
+  return sum.sum + sum.rest;
+}
+
+/* What the shear springs hold: less when their stiffness rises, and nothing when a stage takes friction away. */
+static double bent(const struct nb_model *model) {
+  struct nb_sum sum = {0};
+  for (size_t c = 0; c < model->contacts.count; c++)
+    nb_sum_add(&sum, stored(model, c, model->pairings[model->contacts.pairing[c]].values, false));
+  return sum.sum + sum.rest;
+}
+
+void nb_balance_change(struct nb_model *model, bool before) {
+  struct nb_balance *b = model->balance;
+  if (!b->energies)
+    return;
+  nb_sum_add(&b->terms[NB_TERM_CHANGED], before ? -bent(model) : bent(model));
+  if (before)
+    for (size_t p = 0; p < model->pairing_count; p++)
+      b->values[p] = model->pairings[p].values;
+  else
+    nb_sum_add(&b->terms[NB_TERM_CHANGED], gained(model) / 2);
+  b->changed = !before;
+}
+
+void nb_balance_forces(struct nb_model *model) {
+  struct nb_balance *b = model->balance;
+  if (!b->energies)
+    return;
+  if (model->contacts.kept[NB_SHEAR_BEFORE])
+    for (size_t c = 0; c < model->contacts.count; c++)
+      slide(b, model, c);
+  if (b->changed)
+    nb_sum_add(&b->terms[NB_TERM_CHANGED], gained(model) / 2);
+  b->changed = false;
+}

@@ -1,0 +1,83 @@
+/* What bodies and contacts have at a moment: energy and momentum.
+ *
+ *   K = sum (m v^2 + I w^2)/2                   v, w those of t_N, the mean of the two half steps [CS79 31]
+ *   U = sum (U_n + U_s)                         the laws' state functions: F_n^2/2k_n and F_s^2/2k_s for springs
+ *   p = sum m v,   L = sum (m x x v + I w)      about the origin
+ *
+ * Sums run in the order of numbers, over bodies that are free.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "energy.h"
+
+static double kinetic_of(const struct nb_bodies *bodies, size_t i, struct nb_state v) {
+  return (bodies->mass[i] * vec_dot(v.velocity, v.velocity) + bodies->inertia[i] * (v.spin * v.spin)) / 2;
+}
+
+double nb_energy_kinetic(const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  double sum = 0;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    if (bodies->inverse_mass[i] > 0)
+      sum += kinetic_of(bodies, i, nb_velocity_now(model, i));
+  }
+  return sum;
+}
+
+double nb_energy_kinetic_half(const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  double sum = 0;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    if (bodies->inverse_mass[i] > 0)
+      sum += kinetic_of(bodies, i, (struct nb_state){bodies->velocity[i], bodies->spin ? bodies->spin[i] : 0});
+  }
+  return sum;
+}
+
+double nb_energy_stored(const struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  double sum = 0;
+  for (size_t c = 0; c < contacts->count; c++) {
+    if (!(contacts->kept[NB_OVERLAP][c] > 0))
+      continue;
+    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+    const struct nb_normal n = {contacts->kept[NB_NORMAL][c], contacts->kept[NB_STIFFNESS][c],
+                                contacts->kept[NB_RADIUS][c]};
+    double mn[NB_MEMORY] = {0}, ms[NB_MEMORY] = {0};
+    for (int m = 0; m < NB_MEMORY; m++) {
+      mn[m] = contacts->normal_memory[m] ? contacts->normal_memory[m][c] : 0;
+      ms[m] = contacts->shear_memory[m] ? contacts->shear_memory[m][c] : 0;
+    }
+    if (pairing->normal->stored)
+      sum += pairing->normal->stored(pairing->values, n, mn);
+    if (pairing->shear && pairing->shear->stored)
+      sum += pairing->shear->stored(pairing->values, n, ms);
+  }
+  return sum;
+}
+
+struct nb_vec nb_momentum(const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  struct nb_vec sum = vec(0, 0);
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    if (bodies->inverse_mass[i] > 0)
+      sum = vec_add(sum, vec_scale(bodies->mass[i], nb_velocity_now(model, i).velocity));
+  }
+  return sum;
+}
+
+double nb_momentum_angular(const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  double sum = 0;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    if (!(bodies->inverse_mass[i] > 0))
+      continue;
+    const struct nb_state v = nb_velocity_now(model, i);
+    const struct nb_vec x = bodies->position[i];
+    sum += bodies->mass[i] * (x.x * v.velocity.y - x.y * v.velocity.x) + bodies->inertia[i] * v.spin;
+  }
+  return sum;
+}

@@ -1,0 +1,14 @@
+/* Between explain.c and explain_changes.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_EXPLAIN_H
+#define NB_EXPLAIN_H
+
+#include "model.h"
+
+void nb_explain_gravity(FILE *out, const struct nb_gravity *gravity, const char *unit); /* nothing where none is said */
+/* What the stage changes, beginning from what is `now`, which is moved on to its end. */
+void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
+                        struct nb_properties *now);
+
+#endif

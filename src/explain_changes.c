@@ -1,0 +1,66 @@
+/* What a stage changes, in words: which values, and whether shear is switched on or off by it.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "explain.h"
+
+static void value(FILE *out, const char *word, double to) {
+  if (!isnan(to))
+    fprintf(out, " %s %g", word, to);
+}
+
+static void explain_change(FILE *out, const struct nb_scene *scene, const struct nb_change *change) {
+  fprintf(out, "    %s%s", change->ramp ? "ramp " : "", change->b < 0 ? "material " : "pair ");
+  fprintf(out, "%s%s%s", scene->materials[change->a].name, change->b < 0 ? "" : " ",
+          change->b < 0 ? "" : scene->materials[change->b].name);
+  value(out, "kn", change->kn), value(out, "ks", change->ks);
+  value(out, "friction", change->friction), value(out, "cohesion", change->cohesion);
+  fprintf(out, " (line %d)\n", change->line);
+}
+
+static bool rubs(struct nb_pair pair) { return pair.friction > 0 || pair.cohesion > 0; }
+
+/* What the stage leaves behind, and what that does to the plan. */
+static void explain_shear(FILE *out, const struct nb_model *model, const struct nb_properties *before,
+                          const struct nb_properties *after) {
+  const struct nb_scene *scene = model->scene;
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    const struct nb_pairing *pairing = &model->pairings[p];
+    const bool had = rubs(nb_properties_pair(before, pairing->a, pairing->b));
+    const bool has = rubs(nb_properties_pair(after, pairing->a, pairing->b));
+    if (had != has && strcmp(scene->shear, "none") != 0)
+      fprintf(out, "    %s with %s%s: shear %s is switched %s, %s\n", scene->materials[pairing->a].name,
+              pairing->wall ? "wall of " : "", scene->materials[pairing->b].name, scene->shear, has ? "on" : "off",
+              has ? "remembering nothing" : "and forgets");
+  }
+}
+
+void nb_explain_gravity(FILE *out, const struct nb_gravity *gravity, const char *unit) {
+  if (gravity->line)
+    fprintf(out, "%sgravity %g %g%s (line %d)\n", gravity->ramp ? "ramp " : "", gravity->x, gravity->y, unit,
+            gravity->line);
+}
+
+void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
+                        struct nb_properties *now) {
+  struct nb_properties before = {0};
+  if (stage->still)
+    fprintf(out, "    still: all bodies stop\n");
+  if (stage->gravity.line)
+    fprintf(out, "    ");
+  nb_explain_gravity(out, &stage->gravity, model->scene->unitless ? "" : " m/s2");
+  if (stage->change_count == 0 || !nb_properties_create(&before, model->scene)) {
+    nb_properties_free(&before);
+    return;
+  }
+  memcpy(before.materials, now->materials, model->scene->material_count * sizeof *now->materials);
+  memcpy(before.rules, now->rules, now->rule_count * sizeof *now->rules);
+  before.rule_count = now->rule_count;
+  for (size_t k = 0; k < stage->change_count; k++) {
+    explain_change(out, model->scene, &stage->changes[k]);
+    nb_properties_change(now, &stage->changes[k], nb_properties_before(now, &stage->changes[k]), 1);
+  }
+  explain_shear(out, model, &before, now);
+  nb_properties_free(&before);
+}

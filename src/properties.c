@@ -1,0 +1,96 @@
+/* Materials and pairs as they are now: the scene's at time 0, and what stages have made of them since.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "model.h"
+
+/* Two springs in series, each half of the contact: 2ab/(a+b), which is k between like ones. A stiffness of 0 wins. */
+static double series(double a, double b) { return a == b ? a : 2 * a * b / (a + b); }
+
+static bool is_of(const struct nb_pair_rule *rule, int a, int b) {
+  return (rule->a == a && rule->b == b) || (rule->a == b && rule->b == a);
+}
+
+/* The number of `rule` where it says one, else that of the rule for all pairs. */
+static double said(double number, double otherwise) { return isnan(number) ? otherwise : number; }
+
+static struct nb_pair pair_of(const struct nb_material *materials, const struct nb_pair_rule *rules, size_t rule_count,
+                              int material_a, int material_b) {
+  const struct nb_material *a = &materials[material_a], *b = &materials[material_b];
+  struct nb_pair pair = {
+      .kn = series(a->kn, b->kn),
+      .ks = series(a->ks, b->ks),
+      .friction = a->friction < b->friction ? a->friction : b->friction,
+      .cohesion = a->cohesion < b->cohesion ? a->cohesion : b->cohesion,
+  };
+  for (size_t i = 0; i < rule_count; i++) {
+    const struct nb_pair_rule *rule = &rules[i];
+    if (is_of(rule, material_a, material_b))
+      pair = (struct nb_pair){said(rule->kn, pair.kn), said(rule->ks, pair.ks), said(rule->friction, pair.friction),
+                              said(rule->cohesion, pair.cohesion)};
+  }
+  return pair;
+}
+
+struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int material_b) {
+  return pair_of(scene->materials, scene->pair_rules, scene->pair_rule_count, material_a, material_b);
+}
+
+struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_a, int material_b) {
+  return pair_of(now->materials, now->rules, now->rule_count, material_a, material_b);
+}
+
+bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene) {
+  size_t most = scene->pair_rule_count;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    most += scene->stages[s].change_count;
+  now->materials = calloc(scene->material_count + 1, sizeof *now->materials);
+  now->rules = calloc(most + 1, sizeof *now->rules);
+  if (!now->materials || !now->rules)
+    return false;
+  if (scene->material_count > 0)
+    memcpy(now->materials, scene->materials, scene->material_count * sizeof *now->materials);
+  if (scene->pair_rule_count > 0)
+    memcpy(now->rules, scene->pair_rules, scene->pair_rule_count * sizeof *now->rules);
+  now->rule_count = scene->pair_rule_count;
+  return true;
+}
+
+void nb_properties_free(struct nb_properties *now) {
+  free(now->materials), free(now->rules);
+  *now = (struct nb_properties){0};
+}
+
+struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change) {
+  if (change->b >= 0)
+    return nb_properties_pair(now, change->a, change->b);
+  const struct nb_material *material = &now->materials[change->a];
+  return (struct nb_pair){material->kn, material->ks, material->friction, material->cohesion};
+}
+
+/* The rule of a pair, a new one that says nothing yet when there was none; create made room for all that may come. */
+static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
+  for (size_t i = 0; i < now->rule_count; i++)
+    if (is_of(&now->rules[i], a, b))
+      return &now->rules[i];
+  struct nb_pair_rule *rule = &now->rules[now->rule_count++];
+  *rule = (struct nb_pair_rule){.a = a, .b = b, .kn = NAN, .ks = NAN, .friction = NAN, .cohesion = NAN};
+  return rule;
+}
+
+/* `share` of the way; all of it is the very number that the page says. */
+static void go(double *value, double from, double to, double share) {
+  if (!isnan(to))
+    *value = share < 1 ? from + (to - from) * share : to;
+}
+
+void nb_properties_change(struct nb_properties *now, const struct nb_change *to, struct nb_pair from, double share) {
+  struct nb_material *material = &now->materials[to->a];
+  struct nb_pair_rule *rule = to->b >= 0 ? rule_of(now, to->a, to->b) : NULL;
+  go(rule ? &rule->kn : &material->kn, from.kn, to->kn, share);
+  go(rule ? &rule->ks : &material->ks, from.ks, to->ks, share);
+  go(rule ? &rule->friction : &material->friction, from.friction, to->friction, share);
+  go(rule ? &rule->cohesion : &material->cohesion, from.cohesion, to->cohesion, share);
+}

@@ -1,0 +1,262 @@
+/* The largest step that is sure to be stable, and the watch over it as a run goes.
+ *
+ * A free vibration x_n = z^n u of the cycle [CS79 20-36], with the global damping's factors `keep` and `push` of
+ * motion.c, obeys
+ *
+ *   z^2 - (1 + keep) z + keep  +  push dt^2 k z  +  push dt c (z - 1)  =  0,      k = u'K u/u'M u,  c = u'C u/u'M u
+ *
+ * K the springs, C the dashpots, which lag half a step. No z leaves the unit circle as long as, for every u,
+ *
+ *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/push = 4 undamped and with [CS79 34-36]
+ *
+ * and the first to leave it does so at z = -1: velocities that change their sign every cycle. So a dashpot acts as a
+ * spring of 2 c/dt more, and CS79's global damping, which is centred, costs nothing.
+ *
+ * The largest k of a whole network is at most that of its stiffest part when the mass of each body is shared out among
+ * its contacts, in any way: Rayleigh's quotient is a mean of those of the parts. Shared in the ratio of the normal
+ * springs, the moments of inertia in the ratio of k_s R^2, the parts are single contacts in closed form: with
+ *
+ *   S = sum k_n,  Q = sum k_s R^2  over the contacts of a body,      A = S_i/m_i + S_j/m_j      (none of a wall)
+ *   omega^2 = max over contacts of  A  and  (k_s/k_n) A + Q_i/I_i + Q_j/I_j
+ *
+ *   dt = (2/omega) (sqrt(1 + xi^2) - xi),   xi = beta omega/2           for dashpots of beta k
+ *
+ * and for other dashpots the root of the same with k + 2 c/dt in place of k, which one cannot write down.
+ *
+ * Every pair that is listed counts, touching or not, so that the bound holds until the next search whatever closes or
+ * opens; what does not touch counts as if it just did. Left out: that contacts turn, of the order of overlap over
+ * radius; a contact that slides is softer.
+ *
+ * To find it costs four to five cycles' work; a run does so at each stage's begin, after each search, which costs as
+ * much as twenty cycles, and every NB_WATCH_CYCLES.
+ *
+ * Source     the element bound of finite elements (Irons and Treharne 1971).
+ * Range      k_n > 0; laws whose stiffness changes are taken as stiff as they are now.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <float.h>
+#include <string.h>
+
+#include "model.h"
+
+/* A contact's springs, N/m, and dashpots, N s/m. */
+struct stiff {
+  double kn, ks, cn, cs;
+};
+
+/* A stage may have changed properties since the last forces. */
+static void look_ahead(const struct nb_model *model) {
+  const struct nb_law *shear = nb_law_find("shear", model->scene->shear);
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    struct nb_pairing *pairing = &model->pairings[p];
+    pairing->coming = nb_properties_pair(&model->properties, pairing->a, pairing->b);
+    pairing->coming_shear = pairing->coming.friction > 0 || pairing->coming.cohesion > 0 ? shear : NULL;
+  }
+}
+
+static double overlap_of(const struct nb_model *model, size_t c, bool wall) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const int i = model->contacts.a[c], j = model->contacts.b[c];
+  if (!wall)
+    return bodies->rim[i].x + bodies->rim[j].x - vec_length(vec_sub(bodies->position[j], bodies->position[i]));
+  const struct nb_walls *walls = &model->walls;
+  const struct nb_vec from_p = vec_sub(bodies->position[i], walls->point[j]);
+  const double s = vec_dot(from_p, walls->along[j]);
+  const double on = s < walls->h1[j] ? walls->h1[j] : s > walls->h2[j] ? walls->h2[j] : s;
+  return bodies->rim[i].x - vec_length(vec_sub(from_p, vec_scale(on, walls->along[j])));
+}
+
+/* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
+static struct stiff stiff_at(const struct nb_model *model, const struct nb_pairing *pairing, double overlap,
+                             double inverse_mass, double normal_memory[], double shear_memory[]) {
+  const struct nb_normal normal = pairing->normal->normal(pairing->coming, overlap, 0, normal_memory);
+  struct stiff k = {.kn = normal.stiffness};
+  if (pairing->coming_shear)
+    k.ks = pairing->coming_shear->shear(pairing->coming, normal, 0, shear_memory).stiffness;
+  if (!model->dashpots)
+    return k;
+  const struct nb_dashpot pot = nb_dashpot(model);
+  const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
+  k.cn = pot.time * k.kn + pot.ratio * sqrt(mass * k.kn);
+  k.cs = pot.time * k.ks + pot.ratio * sqrt(mass * k.ks);
+  return k;
+}
+
+static double inverse_mass(const struct nb_model *model, size_t c, bool wall) {
+  const double *inverse = model->bodies.inverse_mass;
+  return inverse[model->contacts.a[c]] + (wall ? 0 : inverse[model->contacts.b[c]]);
+}
+
+/* The smallest overlap there is: what a pair that does not touch counts as. */
+static const double just = DBL_MIN;
+
+static struct stiff stiff_of(const struct nb_model *model, size_t c) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+  double normal_memory[NB_MEMORY] = {0}, shear_memory[NB_MEMORY] = {0};
+  for (int m = 0; m < NB_MEMORY; m++) {
+    if (contacts->normal_memory[m])
+      normal_memory[m] = contacts->normal_memory[m][c];
+    if (contacts->shear_memory[m])
+      shear_memory[m] = contacts->shear_memory[m][c];
+  }
+  const double overlap = overlap_of(model, c, pairing->wall);
+  return stiff_at(model, pairing, overlap > just ? overlap : just, inverse_mass(model, c, pairing->wall), normal_memory,
+                  shear_memory);
+}
+
+/* L of the global damping in force. */
+static double limit_of(const struct nb_damping *damping) {
+  if (damping->global_kind == NB_GLOBAL_CON1_VELOCITY)
+    return 2 * (1 + damping->global);
+  if (damping->global_kind == NB_GLOBAL_CON1_ALL)
+    return 2 * (1 + damping->global) / damping->global; /* without end when nothing moves */
+  return 4;
+}
+
+/* A contact with the shares of mass that it has: everything dt^2 k + 2 dt c is made of. */
+struct part {
+  struct stiff own;
+  double a, d; /* A, and the same of the dashpots: 1/s2, 1/s */
+  double q, p; /* Q_i/I_i + Q_j/I_j, and the same of the dashpots */
+};
+
+static double normal_of(const struct part *part, double dt) { return dt * (dt * part->a + 2 * part->d); }
+
+static double shear_of(const struct part *part, double dt) {
+  const struct stiff *k = &part->own;
+  if (!(k->ks > 0))
+    return 0;
+  const double ratio = (dt * k->ks + 2 * k->cs) / (dt * k->kn + 2 * k->cn);
+  return ratio * normal_of(part, dt) + dt * (dt * part->q + 2 * part->p);
+}
+
+static double larger(double a, double b) { return a > b ? a : b; }
+
+/* The largest dt with both below L, and none longer than without dashpots. Both grow with dt. */
+static double root(const struct part *part, double limit) {
+  const double ratio = part->own.ks / part->own.kn;
+  const double square = larger(part->a, part->own.ks > 0 ? ratio * part->a + part->q : 0);
+  double low = 0, high = sqrt(limit / square);
+  if (!(part->own.cn > 0 || part->d > 0 || part->p > 0) || !isfinite(high))
+    return high;
+  for (;;) {
+    const double middle = low + (high - low) / 2;
+    if (!(middle > low && middle < high))
+      return low;
+    if (larger(normal_of(part, middle), shear_of(part, middle)) <= limit)
+      low = middle;
+    else
+      high = middle;
+  }
+}
+
+static void add(struct nb_load *load, const struct stiff *k, double radius) {
+  const double square = radius * radius;
+  load->kn += k->kn, load->cn += k->cn;
+  load->ks += k->ks * square, load->cs += k->cs * square;
+}
+
+/* A body's contribution to its contact. */
+static void share(struct part *part, const struct nb_load *load, double inverse_mass_, double inverse_inertia) {
+  part->a += load->kn * inverse_mass_, part->d += load->cn * inverse_mass_;
+  part->q += load->ks * inverse_inertia, part->p += load->cs * inverse_inertia;
+}
+
+static void smaller(struct nb_safe *safe, const struct part *part, double limit, int a, int b,
+                    const struct nb_pairing *pairing) {
+  const double step = safe->step;
+  /* Most contacts are not the smallest, which is told without looking for a root. */
+  if (isfinite(step) && larger(normal_of(part, step), shear_of(part, step)) <= limit)
+    return;
+  *safe = (struct nb_safe){.step = root(part, limit), .a = a, .b = b, .pairing = pairing};
+  safe->turning = shear_of(part, safe->step) > normal_of(part, safe->step);
+}
+
+/* Nothing is near: the lightest bodies of any two materials, as if one pair of them met. */
+static struct nb_safe alone(const struct nb_model *model, double limit) {
+  const struct nb_bodies *bodies = &model->bodies;
+  struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    const struct nb_pairing *pairing = &model->pairings[p];
+    int lightest[2];
+    nb_step_lightest(model, pairing, lightest);
+    if (lightest[0] < 0 || (!pairing->wall && lightest[1] < 0))
+      continue;
+    double none[2][NB_MEMORY] = {{0}}, inverse = 0;
+    for (int side = 0; side < 2; side++)
+      inverse += lightest[side] < 0 ? 0 : bodies->inverse_mass[lightest[side]];
+    struct part part = {.own = stiff_at(model, pairing, just, inverse, none[0], none[1])};
+    for (int side = 0; side < 2; side++) {
+      const int i = lightest[side];
+      struct nb_load load = {0};
+      if (i < 0)
+        continue;
+      add(&load, &part.own, bodies->rim[i].x);
+      share(&part, &load, bodies->inverse_mass[i], bodies->inverse_inertia[i]);
+    }
+    if (part.own.kn > 0)
+      smaller(&safe, &part, limit, lightest[0], lightest[1], pairing);
+  }
+  return safe;
+}
+
+struct nb_safe nb_safe_step(const struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_bodies *bodies = &model->bodies;
+  const double limit = limit_of(&model->damping);
+  struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
+  look_ahead(model);
+  if (contacts->count == 0)
+    return alone(model, limit);
+  memset(model->loads, 0, bodies->count * sizeof *model->loads);
+  for (size_t c = 0; c < contacts->count; c++) { /* in the order of numbers, whatever the storage */
+    const int i = contacts->a[c], j = contacts->b[c];
+    const struct stiff k = stiff_of(model, c);
+    add(&model->loads[i], &k, bodies->rim[i].x);
+    if (!model->pairings[contacts->pairing[c]].wall)
+      add(&model->loads[j], &k, bodies->rim[j].x);
+  }
+  for (size_t c = 0; c < contacts->count; c++) {
+    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+    const int i = contacts->a[c], j = contacts->b[c];
+    struct part part = {.own = stiff_of(model, c)};
+    share(&part, &model->loads[i], bodies->inverse_mass[i], bodies->inverse_inertia[i]);
+    if (!pairing->wall)
+      share(&part, &model->loads[j], bodies->inverse_mass[j], bodies->inverse_inertia[j]);
+    if (part.own.kn > 0)
+      smaller(&safe, &part, limit, i, j, pairing);
+  }
+  return safe;
+}
+
+void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe) {
+  const int *number = model->bodies.number;
+  const char *how = safe->turning ? "turning" : "normal motion";
+  if (safe->a < 0)
+    snprintf(text, size, "no contact");
+  else if (safe->pairing->wall && safe->b < 0)
+    snprintf(text, size, "%s of body %d at a wall of %s", how, number[safe->a],
+             model->scene->materials[safe->pairing->b].name);
+  else if (safe->pairing->wall)
+    snprintf(text, size, "%s of body %d at wall %s", how, number[safe->a], model->scene->walls[safe->b].name);
+  else
+    snprintf(text, size, "%s of body %d at body %d", how, number[safe->a], number[safe->b]);
+}
+
+enum nb_status nb_stable_watch(const struct nb_model *model, struct nb_error *error) {
+  if (model->allow_unstable || model->contacts.count == 0)
+    return NB_OK;
+  const struct nb_safe safe = nb_safe_step(model);
+  /* A step that is the bound itself is not above it for the rounding of a share of it. */
+  if (model->step <= safe.step * (1 + 4 * DBL_EPSILON))
+    return NB_OK;
+  char what[3 * NB_NAME_SIZE];
+  const int number = model->bodies.number[safe.a];
+  nb_safe_words(what, sizeof what, model, &safe);
+  return nb_error_set(
+      error, NB_BROKEN,
+      "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
+      "is set by %s: take a smaller step (`step 0.8 of safe`), or say `allow unstable`",
+      number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, safe.step, what);
+}

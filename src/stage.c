@@ -1,0 +1,205 @@
+/* What a stage changes: at its begin, or with `ramp` little by little, along a straight line to its last cycle.
+ *
+ * The stage goes from its t_0 to its t_N. A ramp is n/N of its way from the old value to the new one
+ *
+ *   material, pair   in the forces at t_n
+ *   gravity          in the kick around t_n
+ *   wall             (n - 1/2)/N: over the step that ends at t_n, so that the wall's way is exact
+ *
+ * What does not ramp jumps at t_0. The forces at t_0 have been worked out with the old properties by then; the new ones hold
+ * for those at t_1. Half of the kick around t_0 lies before it, so gravity is there the mean of the old and the new one, each
+ * for the time it lasts. `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "energy.h"
+
+static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share) {
+  return vec_add(from, vec_scale(share, vec_sub(to, from)));
+}
+
+/* Bodies stop, those that are fixed too. */
+static void stop_bodies(struct nb_model *model) {
+  struct nb_bodies *bodies = &model->bodies;
+  if (model->balance)
+    nb_balance_jump(model, true);
+  for (size_t i = 0; i < bodies->count; i++) {
+    bodies->velocity[i] = vec(0, 0);
+    bodies->rim[i].y = 0;
+    if (bodies->spin)
+      bodies->spin[i] = 0;
+  }
+  model->previous_step = 0; /* as at time 0: nothing has slipped and nothing approaches */
+  if (model->dashpots)
+    nb_forces(model);
+  if (model->balance)
+    nb_balance_jump(model, false);
+}
+
+/* `reverse`: walls before this stage moves them otherwise, */
+static void turn_walls(struct nb_model *model) {
+  for (size_t w = 0; w < model->walls.count; w++) {
+    model->walls.velocity[w] = vec_scale(-1, model->walls.velocity[w]);
+    model->walls.spin[w] *= -1;
+  }
+}
+
+/* and bodies when its step is known. */
+static void turn_bodies(struct nb_model *model) {
+  if (model->balance)
+    nb_balance_jump(model, true);
+  nb_motion_reverse(model);
+  if (model->balance)
+    nb_balance_jump(model, false);
+}
+
+/* ---- walls ---- */
+
+static void wall_goes(struct nb_walls *walls, const struct nb_wall_motion *to) {
+  walls->velocity[to->wall] = vec(to->vx, to->vy);
+  walls->spin[to->wall] = to->spin;
+}
+
+/* What the stage before has ramped ends at what its page said. */
+static void walls_arrive(struct nb_model *model) {
+  if (!model->stage)
+    return;
+  for (size_t k = 0; k < model->stage->motion_count; k++) {
+    const struct nb_wall_motion *to = &model->stage->motions[k];
+    if (to->ramp)
+      wall_goes(&model->walls, to);
+  }
+}
+
+static bool walls_begin(struct nb_model *model, const struct nb_stage *stage) {
+  model->driven = false;
+  free(model->walls_from);
+  model->walls_from = nb_array(stage->motion_count, sizeof *model->walls_from);
+  if (!model->walls_from)
+    return false;
+  for (size_t k = 0; k < stage->motion_count; k++) {
+    const struct nb_wall_motion *to = &stage->motions[k];
+    model->walls_from[k] = (struct nb_state){model->walls.velocity[to->wall], model->walls.spin[to->wall]};
+    if (!to->ramp)
+      wall_goes(&model->walls, to);
+    model->driven = model->driven || to->ramp;
+  }
+  return true;
+}
+
+void nb_stage_drive(struct nb_model *model) {
+  const struct nb_stage *stage = model->stage;
+  const double share = ((double)model->stage_cycle + 0.5) / (double)stage->cycles;
+  for (size_t k = 0; k < stage->motion_count; k++) {
+    const struct nb_wall_motion *to = &stage->motions[k];
+    const struct nb_state *from = &model->walls_from[k];
+    if (!to->ramp)
+      continue;
+    model->walls.velocity[to->wall] = between(from->velocity, vec(to->vx, to->vy), share);
+    model->walls.spin[to->wall] = from->spin + share * (to->spin - from->spin);
+  }
+}
+
+/* ---- properties ---- */
+
+/* As they are when what ramps has gone `share` of its way. */
+static void properties_go(struct nb_model *model, double share) {
+  for (size_t k = 0; k < model->stage->change_count; k++) {
+    const struct nb_change *to = &model->stage->changes[k];
+    nb_properties_change(&model->properties, to, model->properties_from[k], to->ramp ? share : 1);
+  }
+}
+
+/* The critical step and the safe one must hold from the stage's begin to its end. */
+static bool properties_begin(struct nb_model *model) {
+  const struct nb_stage *stage = model->stage;
+  free(model->properties_from);
+  model->properties_from = nb_array(stage->change_count, sizeof *model->properties_from);
+  if (!model->properties_from)
+    return false;
+  for (size_t k = 0; k < stage->change_count; k++)
+    model->properties_from[k] = nb_properties_before(&model->properties, &stage->changes[k]);
+  properties_go(model, 1);
+  const double last = nb_step_critical(model);
+  properties_go(model, 0);
+  const double first = nb_step_critical(model);
+  model->critical = first < last ? first : last;
+  const double first_safe = nb_safe_step(model).step;
+  properties_go(model, 1);
+  const double last_safe = nb_safe_step(model).step;
+  properties_go(model, 0);
+  model->safe = first_safe < last_safe ? first_safe : last_safe;
+  return true;
+}
+
+/* ---- gravity ---- */
+
+/* Of the kick around the stage's t_0, previous_step/2 lies before it and step/2 after it. */
+static void gravity_begin(struct nb_model *model) {
+  const struct nb_gravity *to = &model->stage->gravity;
+  model->gravity_from = model->gravity;
+  if (!to->line || to->ramp)
+    return;
+  const double before = model->previous_step, after = model->step;
+  model->gravity =
+      vec_scale(1 / (before + after), vec_add(vec_scale(before, model->gravity), vec_scale(after, vec(to->x, to->y))));
+}
+
+/* ---- the stage ---- */
+
+enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+  model->stage_time = model->time;
+  model->stage_cycle = 0;
+  walls_arrive(model);
+  model->stage = stage;
+  if (stage->still)
+    stop_bodies(model);
+  if (stage->reverse)
+    turn_walls(model);
+  model->damping = stage->damping;
+  if (!walls_begin(model, stage) || !properties_begin(model))
+    return nb_error_set(error, NB_BROKEN, "out of memory for stage `%s`", stage->name);
+  const enum nb_status status = nb_step_set(model, &stage->step, error);
+  gravity_begin(model);
+  if (stage->reverse)
+    turn_bodies(model);
+  model->changing = stage->change_count > 0 || stage->gravity.line > 0;
+  model->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
+  return status ? status : nb_stable_watch(model, error);
+}
+
+/* Contacts of a pairing that has lost its shear forget what they remembered of it. */
+static void forget_shear(struct nb_model *model) {
+  for (size_t c = 0; c < model->contacts.count; c++)
+    for (int m = 0; m < NB_MEMORY; m++)
+      if (model->contacts.shear_memory[m] && !model->pairings[model->contacts.pairing[c]].shear)
+        model->contacts.shear_memory[m][c] = 0;
+}
+
+enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb_error *error) {
+  const struct nb_stage *stage = model->stage;
+  const double share = (double)model->stage_cycle / (double)stage->cycles;
+  bool ramps = stage->gravity.ramp;
+  if (stage->gravity.line) {
+    const struct nb_vec to = vec(stage->gravity.x, stage->gravity.y);
+    model->gravity = stage->gravity.ramp && share < 1 ? between(model->gravity_from, to, share) : to;
+  }
+  for (size_t k = 0; k < stage->change_count; k++)
+    ramps = ramps || stage->changes[k].ramp;
+  model->changing = ramps && share < 1;
+  *searched = false;
+  if (stage->change_count == 0)
+    return NB_OK;
+  properties_go(model, share);
+  for (size_t p = 0; p < model->pairing_count; p++)
+    model->pairings[p].values = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b);
+  if (nb_plan_stands(model))
+    return NB_OK;
+  *searched = true; /* the search makes the arrays that the new plan wants, and takes over what laws remember */
+  if (nb_plan(model, error))
+    return error->status;
+  forget_shear(model);
+  return nb_near(model, error);
+}

@@ -1,0 +1,125 @@
+/* How walls move, and what must not happen: that a body goes through one.      [CS79, Input parameters; figure 4]
+ *
+ *   P <- P + v_P dt,    e <- e turned by (dalpha/dt) dt about P
+ *
+ * The turn is exact: e is rotated by the angle and made of length 1 again, so a wall neither grows nor drifts outwards,
+ * however long it turns. What a body feels of it is the velocity of its point Q, v_P + (dalpha/dt) x (Q - P), taken over the
+ * step behind as the velocity of the body is: the way of that point by the step, a chord and not a tangent.
+ *
+ * A wall pushes a disc to the side that its centre is on. A centre that has come to the other side would be pushed on: the
+ * disc is lost, because it was too fast for the step or pressed harder than its radius. That is looked for, in the frame of
+ * the wall, at both ends of the step, for all pairs whenever something has gone so far that contacts are looked for anew.
+ * Before that a body and a wall come nearer by the skin at most; so only where a centre was within the skin of a wall at the
+ * last search are the listed pairs looked at in every cycle.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "model.h"
+
+static struct nb_vec turned(struct nb_vec e, struct nb_vec by) {
+  const double c = by.x, s = by.y;
+  const struct nb_vec to = vec(c * e.x - s * e.y, s * e.x + c * e.y);
+  return vec_scale(1 / vec_length(to), to);
+}
+
+/* Answers how many walls have an end farther from where the last search found it than half the skin. */
+int nb_motion_walls(struct nb_model *model) {
+  struct nb_walls *walls = &model->walls;
+  int out = 0;
+  for (size_t w = 0; w < walls->count; w++) {
+    const double angle = walls->spin[w] * model->step;
+    walls->pivot[w] = vec_add(walls->pivot[w], vec_scale(model->step, walls->velocity[w]));
+    walls->turn[w] = vec(0, 0);
+    if (angle != 0) {
+      const double half = sin(angle / 2);
+      walls->along[w] = turned(walls->along[w], vec(cos(angle), sin(angle)));
+      walls->turn[w] = vec(2 * half * half / model->step, sin(angle) / model->step);
+    }
+    walls->angle[w] += angle;
+    walls->point[w] = vec_add(walls->pivot[w], vec_scale(-walls->h0[w], vec_clockwise(walls->along[w])));
+    bool far = false;
+    for (int end = 0; end < 2; end++)
+      far = far || !(vec_length(vec_sub(nb_wall_end(walls, (int)w, end), walls->searched[2 * w + (size_t)end])) <=
+                     model->skin / 2);
+    out += far;
+  }
+  return out;
+}
+
+void nb_walls_searched(struct nb_walls *walls) {
+  for (size_t w = 0; w < walls->count; w++)
+    for (int end = 0; end < 2; end++)
+      walls->searched[2 * w + (size_t)end] = nb_wall_end(walls, (int)w, end);
+}
+
+/* Where a point stands to a wall: along it, and to the left of it, m. */
+static struct nb_vec seen_from(struct nb_vec x, struct nb_vec pivot, struct nb_vec along, double h0) {
+  const struct nb_vec from_p = vec_sub(x, pivot);
+  return vec(vec_dot(from_p, along), -vec_dot(from_p, vec_clockwise(along)) - h0);
+}
+
+/* False when body i is farther from the line of wall w than it and the wall can have come in a step: nearly always. */
+static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
+  const struct nb_walls *walls = &model->walls;
+  const struct nb_vec x = model->bodies.position[i], v = vec_sub(model->bodies.velocity[i], walls->velocity[w]);
+  const struct nb_vec from_p = vec_sub(x, walls->pivot[w]);
+  const double away = fabs(-vec_dot(from_p, vec_clockwise(walls->along[w])) - walls->h0[w]);
+  const double turn = fabs(walls->spin[w]) * (fabs(from_p.x) + fabs(from_p.y));
+  return !(away > 2 * model->previous_step * (fabs(v.x) + fabs(v.y) + turn));
+}
+
+/* Whether the centre of body i has come from one side of wall w to the other between its ends, or upon it. */
+static bool crossed(const struct nb_model *model, size_t i, size_t w, double *way) {
+  const struct nb_walls *walls = &model->walls;
+  const double dt = model->previous_step, h0 = walls->h0[w];
+  const struct nb_vec x = model->bodies.position[i];
+  const struct nb_vec now = seen_from(x, walls->pivot[w], walls->along[w], h0);
+  const struct nb_vec before = seen_from(
+      vec_sub(x, vec_scale(dt, model->bodies.velocity[i])), vec_sub(walls->pivot[w], vec_scale(dt, walls->velocity[w])),
+      walls->spin[w] != 0 ? turned(walls->along[w], vec(cos(walls->spin[w] * dt), -sin(walls->spin[w] * dt)))
+                          : walls->along[w],
+      h0);
+  *way = vec_length(vec_sub(now, before));
+  if ((before.y > 0 && now.y > 0) || (before.y < 0 && now.y < 0) || (now.y != 0 && before.y == 0))
+    return false;
+  const double share = now.y == 0 ? 1 : before.y / (before.y - now.y);
+  const double at = before.x + share * (now.x - before.x), slack = 1e-12 * (walls->h2[w] - walls->h1[w]);
+  return at >= walls->h1[w] - slack && at <= walls->h2[w] + slack; /* nobody slips through a joint of two walls */
+}
+
+static enum nb_status lost(const struct nb_model *model, size_t i, size_t w, double way, struct nb_error *error) {
+  const struct nb_scene *scene = model->scene;
+  const int number = model->bodies.number[i];
+  const double radius = model->bodies.rim[i].x;
+  if (model->cycle == 0)
+    return nb_error_set(error, NB_BROKEN, "body %d (line %d) has its centre on wall `%s` (line %d): on neither side",
+                        number, scene->bodies[number - 1].line, scene->walls[w].name, scene->walls[w].line);
+  return nb_error_set(error, NB_BROKEN,
+                      "body %d (line %d) has gone through wall `%s` (line %d) in cycle %lu, at %g s: its centre came "
+                      "to the other side. The limit is its radius, %g m; in this step of %g s it moved %g m against "
+                      "the wall: try %s",
+                      number, scene->bodies[number - 1].line, scene->walls[w].name, scene->walls[w].line, model->cycle,
+                      model->time, radius, model->previous_step, way,
+                      way > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");
+}
+
+static enum nb_status check(const struct nb_model *model, size_t i, size_t w, struct nb_error *error) {
+  double way;
+  if (!may_cross(model, i, w) || !(model->bodies.inverse_mass[i] > 0) || !crossed(model, i, w, &way))
+    return NB_OK; /* what is fixed goes through whatever is in its way */
+  return lost(model, i, w, way, error);
+}
+
+enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error) {
+  const struct nb_contacts *contacts = &model->contacts;
+  enum nb_status status = NB_OK;
+  if (all)
+    for (size_t k = 0; k < model->bodies.count && !status; k++)
+      for (size_t w = 0; w < model->walls.count && !status; w++)
+        status = check(model, (size_t)model->bodies.slot[k], w, error);
+  else
+    for (size_t c = model->wall_contacts; c < contacts->count && !status; c++)
+      status = check(model, (size_t)contacts->a[c], (size_t)contacts->b[c], error);
+  return status;
+}

@@ -1,0 +1,248 @@
+/* What stages change: gravity, materials and pairs, `still`, ramps; and what a contact keeps of it.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "suites.h"
+#include "written.h"
+
+/* The last row of one column, after all stages. */
+static double after(const char *statements, const char *column) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\n%s", statements);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double last = written_last(&result, column);
+  nb_result_free(&result);
+  written_free(&it);
+  return last;
+}
+
+static double row_of(const char *statements, const char *column, size_t row) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\n%s", statements);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_FATAL(row < result.table.row_count);
+  result.table.row_count = row + 1;
+  const double value = written_last(&result, column);
+  nb_result_free(&result);
+  written_free(&it);
+  return value;
+}
+
+/* Steps and numbers are powers of two: all of it is exact. */
+#define FLIGHT                                                                                                         \
+  "material m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\ndisc 9 0 radius 1 m fixed velocity 0 1\nwatch D disc " \
+  "1\nwatch F disc 2\nrecord D.x D.y D.vx D.vy D.fy F.y F.vy\nstep 0.25\n"
+
+static void a_body_falls(void) {
+  const char *falls = FLIGHT "gravity 0 -2\nstage a\ncycles 8\n";
+  CU_ASSERT_EQUAL(after(falls, "D.y"), -4); /* -g t^2/2, t = 2 */
+  CU_ASSERT_EQUAL(after(falls, "D.vy"), -4);
+  CU_ASSERT_EQUAL(after(falls, "D.x"), 2);
+  CU_ASSERT_EQUAL(after(falls, "D.fy"), 0); /* the sum of contact forces */
+  CU_ASSERT_EQUAL(after(falls, "F.y"), 2);  /* what is fixed goes on as it goes */
+  CU_ASSERT_EQUAL(after(falls, "F.vy"), 1);
+}
+
+static void gravity_pulls_along_any_axis(void) {
+  static const struct {
+    const char *words;
+    double x, y;
+  } to[] = {{"1 0", 1, 0}, {"0 1", 0, 1}, {"-2 0", -2, 0}, {"0.5 -0.25", 0.5, -0.25}};
+  for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
+    char text[512];
+    snprintf(text, sizeof text, FLIGHT "gravity %s\nstage a\ncycles 8\n", to[k].words);
+    CU_ASSERT_EQUAL(after(text, "D.vx"), 1 + 2 * to[k].x);
+    CU_ASSERT_EQUAL(after(text, "D.vy"), 2 * to[k].y);
+    CU_ASSERT_EQUAL(after(text, "D.y"), 2 * to[k].y);
+  }
+}
+
+/* From a step of 1/4 to one of 1/2, while gravity jumps: what has been gained by then stays exact. */
+static void gravity_jumps(void) {
+  const char *jumps = FLIGHT "gravity 0 -2\nstage a\ncycles 8\nstage b\nstep 0.5\ngravity 2 1\ncycles 4\n";
+  CU_ASSERT_DOUBLE_EQUAL(after(jumps, "D.vy"), -4 + 2, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(after(jumps, "D.y"), -4 - 8 + 2, 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(after(jumps, "D.vx"), 1 + 4, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(after(jumps, "D.x"), 2 + 2 + 4, 1e-14);
+  /* From the first stage on is from time 0 on; without a word it lasts. */
+  CU_ASSERT_EQUAL(after(FLIGHT "stage a\ngravity 0 -2\ncycles 4\nstage b\ncycles 4\n", "D.y"), -4);
+}
+
+/* g = -2 t: v = -t^2, and the trapezoid of a straight line is exact. */
+static void gravity_ramps(void) {
+  const char *ramps = FLIGHT "stage a\nramp gravity 0 -4\ncycles 8\n";
+  CU_ASSERT_DOUBLE_EQUAL(after(ramps, "D.vy"), -4, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(row_of(ramps, "D.vy", 4), -1, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(after(FLIGHT "stage a\nramp gravity 0 -4\ncycles 8\nstage b\ncycles 4\n", "D.vy"), -8, 1e-15);
+}
+
+#define WALL                                                                                                           \
+  "material m density 1 kn 1\ndisc 0 0 radius 1 m\nwall w 5 -1 to 5 1 m velocity 1 0\nwatch W wall w\nwatch D disc "   \
+  "1\nrecord W.x D.x\nstep 0.25\n"
+
+static void a_wall_ramps(void) {
+  CU_ASSERT_EQUAL(after(WALL "stage a\nramp wall w velocity 3 0\ncycles 8\n", "W.x"), 5 + 2 * 2);
+  CU_ASSERT_EQUAL(row_of(WALL "stage a\nramp wall w velocity 3 0\ncycles 8\n", "W.x", 4), 5 + 1.5);
+  CU_ASSERT_EQUAL(after(WALL "stage a\nramp wall w velocity 3 0\ncycles 8\nstage b\ncycles 4\n", "W.x"), 5 + 4 + 3);
+  CU_ASSERT_EQUAL(
+      after(WALL "stage a\nramp wall w velocity 3 0\ncycles 8\nstage b\nramp walls stop\ncycles 8\n", "W.x"),
+      5 + 4 + 3);
+}
+
+/* A disc so heavy that it stays, 1/4 deep in a wall. */
+#define DEEP                                                                                                           \
+  "material m density 1e30 kn 8 ks 4\nmaterial n density 1e30 kn 8 ks 4\ndisc 0 0.75 radius 1 m\nwall w -9 0 to 9 0 "  \
+  "n\ndisc 0 20 radius 1 m\nwall v -9 19.25 to 9 19.25 m\nwatch C disc 1 with wall w\nwatch O disc 2 with wall v\n"    \
+  "record C.normal O.normal\nstep 0.25\n"
+
+static void materials_change(void) {
+  const char *jumps = DEEP "stage a\ncycles 2\nstage b\nmaterial m kn 16\ncycles 2\n";
+  CU_ASSERT_EQUAL(row_of(jumps, "O.normal", 2), 2);
+  CU_ASSERT_EQUAL(row_of(jumps, "O.normal", 3), 4);                              /* from the stage's first forces on */
+  CU_ASSERT_DOUBLE_EQUAL(after(jumps, "C.normal"), 2 * 16 * 8 / 24. / 4, 1e-15); /* two springs in series */
+  const char *ramps = DEEP "stage a\nramp material m kn 24\ncycles 4\nstage b\ncycles 1\n";
+  CU_ASSERT_EQUAL(row_of(ramps, "O.normal", 1), 3);
+  CU_ASSERT_EQUAL(row_of(ramps, "O.normal", 3), 5);
+  CU_ASSERT_EQUAL(row_of(ramps, "O.normal", 4), 6);
+  CU_ASSERT_EQUAL(after(ramps, "O.normal"), 6);
+}
+
+static void pairs_change(void) {
+  const char *jumps = DEEP "stage a\npair m n kn 32\ncycles 2\nstage b\nmaterial m kn 16\ncycles 1\n";
+  CU_ASSERT_EQUAL(row_of(jumps, "C.normal", 1), 8);
+  CU_ASSERT_EQUAL(row_of(jumps, "O.normal", 2), 2);
+  CU_ASSERT_EQUAL(after(jumps, "C.normal"), 8); /* the rule of the pair stands over its materials' */
+  CU_ASSERT_EQUAL(after(jumps, "O.normal"), 4);
+  const char *ramps = DEEP "pair n m kn 16\nstage a\nramp pair m n kn 32\ncycles 4\n";
+  CU_ASSERT_EQUAL(row_of(ramps, "C.normal", 1), 5);
+  CU_ASSERT_EQUAL(after(ramps, "C.normal"), 8);
+}
+
+/* Every body, those that are fixed too; walls go on. The next kick lasts half a step, and no dashpot damps what is gone. */
+static void still_is_a_start_from_rest(void) {
+  const char *falls = FLIGHT "gravity 0 -2\nstage a\ncycles 8\nstage b\nstill\ncycles 4\n";
+  CU_ASSERT_EQUAL(after(falls, "D.y"), -4 - 1);
+  CU_ASSERT_EQUAL(after(falls, "D.vy"), -2);
+  CU_ASSERT_EQUAL(after(falls, "D.x"), 2);
+  CU_ASSERT_EQUAL(after(falls, "F.y"), 2);
+  CU_ASSERT_EQUAL(after(WALL "stage a\ncycles 4\nstage b\nstill\ncycles 4\n", "W.x"), 7);
+  const char *spins =
+      "material m density 1 kn 1 friction 1\nshear linear\ndisc 0 0 radius 1 m spin 3\nstep 1\nwatch D disc "
+      "1\nrecord D.spin D.angle\nstage a\ncycles 2\nstage b\nstill\ncycles 2\n";
+  CU_ASSERT_EQUAL(after(spins, "D.spin"), 0);
+  CU_ASSERT_EQUAL(after(spins, "D.angle"), 6);
+  const char *damped =
+      "material m density 1 kn 8\nwall w -9 0 to 9 0 m\ndisc 0 0.8 radius 1 m velocity 0 -1\nwatch D disc 1\n"
+      "record D.y D.vy.half\nstep 0.0078125\ndamping contact-beta 0.5\nstage a\ncycles 2\nstage b\n"
+      "still\ncycles 1\n";
+  const double y = row_of(damped, "D.y", 2);
+  CU_ASSERT_DOUBLE_EQUAL(after(damped, "D.vy.half"), 8 * (1 - y) / 3.14159265358979323846 * 0.0078125 / 2, 1e-15);
+}
+
+/* A disc that slides on a floor under its weight; its friction in three stages. Another one keeps its friction, so that there
+ * is always a contact that remembers. */
+static struct nb_result slider(struct written *it, const char *a, const char *b, const char *c) {
+  struct words page = {0};
+  struct nb_result result;
+  words_add(
+      &page,
+      "units none\nmaterial m density 1 kn 100 ks 80 friction %s\nshear linear\ngravity 0 -1\ndisc 0 0.98 radius 1 m "
+      "velocity 1 0\nwall floor -9 0 to 99 0 m\nmaterial n density 1 kn 100 ks 80 friction 0.3\ndisc 0 9.98 radius 1 n "
+      "velocity 1 0\n"
+      "wall shelf -9 9 to 99 9 n\nwatch D disc 1\nwatch C disc 1 with wall floor\nstep 0.01\n"
+      "record D.vx D.spin D.moment C.shear\nstage a\ncycles 20\nstage b\nmaterial m friction %s\ncycles 20\n"
+      "stage c\nmaterial m friction %s\ncycles 20\n",
+      a, b, c);
+  written_scene(it, &page);
+  written_run(&result, it, NULL);
+  return result;
+}
+
+/* 0 takes shear out of the plan, 1e-30 leaves it in: nothing else may differ, whenever it is switched. */
+static void friction_switches_shear(void) {
+  static const char *const on[][3] = {{"0", "0.5", "0"}, {"0.5", "0", "0.5"}, {"0", "0", "0.5"}};
+  for (size_t k = 0; k < sizeof on / sizeof *on; k++) {
+    struct written planned, always;
+    const char *small[3];
+    for (int s = 0; s < 3; s++)
+      small[s] = strcmp(on[k][s], "0") == 0 ? "1e-30" : on[k][s];
+    struct nb_result here = slider(&planned, on[k][0], on[k][1], on[k][2]);
+    struct nb_result there = slider(&always, small[0], small[1], small[2]);
+    CU_ASSERT_EQUAL_FATAL(here.table.row_count, 61);
+    double shear = 0;
+    for (size_t n = 0; n < 61 * 4; n++) {
+      CU_ASSERT_DOUBLE_EQUAL(here.table.values[n], there.table.values[n], 1e-14);
+      shear += n % 4 == 3 ? fabs(here.table.values[n]) : 0;
+    }
+    CU_ASSERT(shear > 5);
+    CU_ASSERT_EQUAL(here.table.values[40 * 4 + 3] == 0, strcmp(on[k][1], "0") == 0);
+    nb_result_free(&here), nb_result_free(&there);
+    written_free(&planned), written_free(&always);
+  }
+}
+
+/* Pulled apart, nothing is left of a contact, whatever c is; pressed by nearly nothing it holds c. [CS79 19] */
+static void cohesion_holds_nothing_together(void) {
+#define CLAY(velocity)                                                                                                 \
+  "material m density 1e30 kn 8 ks 4 friction 0.5 cohesion 3\nshear linear\ndisc 0 0.75 radius 1 m\n"                  \
+  "wall w -9 0 to 9 0 m velocity " velocity "\nwatch C disc 1 with wall w\n"                                           \
+  "record C.normal C.shear C.sliding\nstep 0.0625\n"
+  const char *apart = CLAY("8 0") "stage a\ncycles 8\nstage b\nwall w velocity 0 -4\ncycles 4\n";
+  CU_ASSERT_EQUAL(row_of(apart, "C.shear", 8), 0.25 * 8 * 0.5 + 3);
+  CU_ASSERT_EQUAL(row_of(apart, "C.sliding", 8), 1);
+  CU_ASSERT_EQUAL(row_of(apart, "C.shear", 9), 0);
+  CU_ASSERT_EQUAL(after(apart, "C.normal"), 0);
+  CU_ASSERT_EQUAL(after(apart, "C.shear"), 0);
+  const char *grazing = CLAY("8 0") "stage a\ncycles 8\nstage b\nwall w velocity 0 -3.9996\ncycles 1\n";
+  CU_ASSERT_DOUBLE_EQUAL(after(grazing, "C.shear"), 3, 2e-4);
+  CU_ASSERT(after(grazing, "C.normal") > 0);
+}
+
+/* A step that is a share of critical follows the stiffness, and must hold at both ends of a ramp. */
+static void the_step_follows(void) {
+  const char *start = "material m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1 of critical\nrecord step\n";
+  char text[512];
+  const double step = 0.2 * sqrt(3.14159265358979323846);
+  snprintf(text, sizeof text, "%sstage a\nmaterial m kn 16\ncycles 1\n", start);
+  CU_ASSERT_DOUBLE_EQUAL(after(text, "step"), step / 4, 1e-15);
+  snprintf(text, sizeof text, "%sstage a\nramp material m kn 16\ncycles 2\n", start);
+  CU_ASSERT_DOUBLE_EQUAL(row_of(text, "step", 1), step / 4, 1e-15);
+  snprintf(text, sizeof text, "%sstage a\nramp material m kn 0.25\ncycles 2\nstage b\ncycles 1\n", start);
+  CU_ASSERT_DOUBLE_EQUAL(row_of(text, "step", 1), step, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(after(text, "step"), 2 * step, 1e-15);
+}
+
+/* A disc on a floor that bears its weight is in equilibrium; before anything bears it, it is not. */
+static void weight_counts_in_the_balance(void) {
+  const char *rests =
+      "material m density 1 kn 8\ngravity 0 -0.6366197723675814\ndisc 0 0.75 radius 1 m\nwall w -9 0 to 9 "
+      "0 m\nstep 0.01\nrecord unbalance\nstage a\ncycles 4\nstage b\ngravity 0 0\ncycles 1\n";
+  CU_ASSERT_DOUBLE_EQUAL(row_of(rests, "unbalance", 0), 0, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(row_of(rests, "unbalance", 4), 0, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(after(rests, "unbalance"), 1, 1e-13);
+}
+
+void suite_changes(void) {
+  CU_pSuite suite = CU_add_suite("changes", NULL, NULL);
+  CU_add_test(suite, "a body falls", a_body_falls);
+  CU_add_test(suite, "gravity jumps", gravity_jumps);
+  CU_add_test(suite, "gravity pulls along any axis", gravity_pulls_along_any_axis);
+  CU_add_test(suite, "gravity ramps", gravity_ramps);
+  CU_add_test(suite, "a wall ramps", a_wall_ramps);
+  CU_add_test(suite, "materials change", materials_change);
+  CU_add_test(suite, "pairs change", pairs_change);
+  CU_add_test(suite, "still is a start from rest", still_is_a_start_from_rest);
+  CU_add_test(suite, "friction switches shear on and off", friction_switches_shear);
+  CU_add_test(suite, "cohesion holds nothing together", cohesion_holds_nothing_together);
+  CU_add_test(suite, "the step follows", the_step_follows);
+  CU_add_test(suite, "weight counts in the balance", weight_counts_in_the_balance);
+}

@@ -1,0 +1,253 @@
+/* The two balances: every way to give energy to bodies and to take it, each term alone against what is known of it
+ * by hand, and both balances of all of them together. [CS79 20-36]
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/energy.h"
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+#define RECORD                                                                                                         \
+  "record energy.kinetic energy.stored energy.frictional energy.shear energy.damped energy.walls energy.gravity "      \
+  "energy.changed energy.residual work.residual momentum.x momentum.y momentum.angular\n"
+
+/* A box of six discs with everything in it; `format` holds the stages. Answers the largest work residual over the kinetic
+ * energy. */
+static double busy(double *energy, const char *damping, double step, const char *format, int cycles,
+                   const struct nb_options *options) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\n"
+            "box 0 0 to 6 4 m\ndiscs lattice 3 by 2 m radius 0.98 spacing 1.99 from 1 1\n"
+            "disc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin 0.5\ngravity 0.1 -0.4\n%sstep %g\n" RECORD,
+            damping, step);
+  words_add(&page, format, cycles, cycles);
+  written_scene(&it, &page);
+  written_run(&result, &it, options);
+  double worst = 0, kinetic = 0;
+  const struct nb_table *table = &result.table;
+  for (size_t r = 0; r < table->row_count; r++) {
+    const double *row = table->values + r * table->column_count;
+    kinetic = row[0] > kinetic ? row[0] : kinetic;
+    worst = fabs(row[9]) > worst ? fabs(row[9]) : worst;
+  }
+  *energy = fabs(written_last(&result, "energy.residual"));
+  nb_result_free(&result);
+  written_free(&it);
+  return worst / kinetic;
+}
+
+#define PRESS "stage a\nwall west velocity 0.2 0.1\nwall south velocity 0 0.3 spin 0.02\ncycles %d\n"
+
+static void work_closes(void) {
+  static const char *const dampings[] = {
+      "",
+      "damping contact-beta 0.002\n",
+      "damping contact-fraction 0.2\n",
+      "damping contact-ratio 0.1\n",
+      "damping global 0.7\n",
+      "damping con1 0.99 reading cs79\n",
+      "damping con1 0.98 reading velocity\n",
+      "damping con1 0.97 reading all\n",
+      "damping contact-beta 0.002\ndamping con1 0.97 reading all\n",
+  };
+  for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
+    double energy;
+    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\ncycles %d\n", 300, NULL) < 1e-13);
+    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nstep 0.0007\ncycles %d\n", 300, NULL) < 1e-13);
+    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nstill\ngravity 1 0\ncycles %d\n", 300, NULL) < 1e-13);
+    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nreverse\ndamping global 2\ncycles %d\n", 300, NULL) <
+              1e-13);
+    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nramp material m kn 6000 ks 900\ncycles %d\n", 300,
+                   NULL) < 1e-13);
+  }
+}
+
+/* A sixteenth of the step: a residual of second order falls to a 256th, one with some first order in it (contacts
+ * turn, form, part, and lose their friction here) at least to an eighth; a term that is wrong or left out does not
+ * fall at all. */
+static void energy_closes(void) {
+  static const struct {
+    const char *damping, *stages;
+  } kinds[] = {
+      {"", PRESS "stage b\ncycles %d\n"},
+      {"damping contact-beta 0.002\n", PRESS "stage b\ncycles %d\n"},
+      {"damping global 0.7\n", PRESS "stage b\ncycles %d\n"},
+      {"", PRESS "stage b\nstill\ncycles %d\n"},
+      {"", PRESS "stage b\nreverse\ncycles %d\n"},
+      {"", PRESS "stage b\ngravity 1 0\ncycles %d\n"},
+      {"", PRESS "stage b\nramp gravity 1 0\ncycles %d\n"},
+      {"", PRESS "stage b\nramp wall west velocity -0.1 0 spin 0.1\ncycles %d\n"},
+      {"", PRESS "stage b\nramp material m kn 6000 ks 900\ncycles %d\n"},
+      {"", PRESS "stage b\nmaterial m kn 6000 ks 900\ncycles %d\n"},
+      {"", PRESS "stage b\nmaterial m friction 0 cohesion 0\ncycles %d\n"},
+  };
+  for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++) {
+    double coarse, fine;
+    busy(&coarse, kinds[n].damping, 0.0016, kinds[n].stages, 400, NULL);
+    busy(&fine, kinds[n].damping, 0.0001, kinds[n].stages, 6400, NULL);
+    CU_ASSERT(fine < coarse / 8);
+  }
+}
+
+static void same_bits(void) {
+  double first, other;
+  const double one = busy(&first, "damping contact-beta 0.002\n", 0.002, PRESS "stage b\ncycles %d\n", 300, NULL);
+  const struct nb_options options[] = {{.threads = 2}, {.threads = 3, .shuffle = true}, {.threads = 1, .isa = "plain"}};
+  for (size_t n = 0; n < sizeof options / sizeof *options; n++) {
+    CU_ASSERT_EQUAL(busy(&other, "damping contact-beta 0.002\n", 0.002, PRESS "stage b\ncycles %d\n", 300, &options[n]),
+                    one);
+    CU_ASSERT_EQUAL(other, first);
+  }
+}
+
+static struct nb_model *made(struct written *it, const char *text) {
+  struct words page = {0};
+  words_add(&page, "%s", text);
+  written_scene(it, &page);
+  return written_model(it, NULL);
+}
+
+/* Free fall: m g times the way, whatever the step. */
+static void by_gravity(void) {
+  struct written it;
+  struct nb_model *model = made(&it, "units none\nmaterial m density 3\ndisc 0 0 radius 1 m velocity 1 2\n"
+                                     "gravity 0.5 -10\nstep 0.01\nwatch A disc 1\nrecord A.x A.y energy.gravity "
+                                     "energy.kinetic energy.residual\nstage s\ncycles 9\n");
+  const double start = written_now(model, "energy.kinetic");
+  for (int n = 0; n < 50; n++) {
+    written_cycles(model, 1);
+    const double supplied = written_now(model, "energy.gravity");
+    CU_ASSERT_DOUBLE_EQUAL(supplied, 3 * pi * (0.5 * written_now(model, "A.x") - 10 * written_now(model, "A.y")),
+                           1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(supplied, written_now(model, "energy.kinetic") - start, 1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.residual"), 0, 1e-10);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* A fixed disc between two walls: one pushes on it and moves, so it does k v^2 t^2/2, all of it stored, in any
+ * number of steps. */
+static void by_walls_and_stored(void) {
+  struct written it;
+  struct nb_model *model =
+      made(&it, "units none\nmaterial m density 3 kn 400\ndisc 0 1 radius 1 m\n"
+                "disc 0 3 radius 1 m fixed\nwall w -5 0 to 5 0 m velocity 0 0.5\nstep 0.001\n"
+                "record energy.walls energy.stored energy.kinetic momentum.y\nstage s\ncycles 9\n");
+  CU_ASSERT_EQUAL(written_now(model, "energy.walls"), 0);
+  written_cycles(model, 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.stored"), 400 * 0.0005 * 0.0005 / 2, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.walls"), 400 * 0.0005 * 0.0005 / 2, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "momentum.y"), 400 * 0.0005 * 0.0005, 1e-15); /* F dt/2, the kick at t_1 */
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* A fixed disc over a wall that runs along under it: overlap 0.1, so F_n = 40 and the limit 12 is reached at slip
+ * 0.06. */
+#define DRAG                                                                                                           \
+  "units none\nmaterial m density 3 kn 400 ks 200 friction 0.3\nshear linear\ndisc 0 0.9 radius 1 m\n"                 \
+  "material heavy density 1e12 kn 400 ks 200 friction 0.3\ndisc 20 0.9 radius 1 heavy\n"                               \
+  "wall w 10 0 to 90 0 m velocity 1 0\nstep 0.001\n"                                                                   \
+  "watch C disc 2 with wall w\nrecord C.shear C.sliding energy.frictional energy.shear energy.walls energy.stored\n"   \
+  "stage s\ncycles 9\n"
+static void by_friction(void) {
+  struct written it;
+  struct nb_model *model = made(&it, DRAG);
+  const double normal = written_now(model, "energy.stored"); /* of the normal spring, 2 */
+  CU_ASSERT_DOUBLE_EQUAL(normal, 400 * 0.01 / 2, 1e-12);
+  written_cycles(model, 59);
+  CU_ASSERT_EQUAL(written_now(model, "C.sliding"), 0);
+  CU_ASSERT_EQUAL(written_now(model, "energy.frictional"), 0);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.stored") - normal, 200 * 0.059 * 0.059 / 2, 1e-7);
+  written_cycles(model, 101);
+  CU_ASSERT_EQUAL(written_now(model, "C.sliding"), 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.stored") - normal, 12 * 12 / 400., 1e-7);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.frictional"), 12 * 0.1, 1e-7);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.shear"), 12 * 0.1 + 12 * 12 / 400., 1e-7);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.walls"), 12 * 0.1 + 12 * 12 / 400., 1e-7);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* A law without stored energy is refused where that would be needed; where not, its work is. */
+static void a_law_that_stores_nothing(void) {
+  struct written it;
+  struct nb_error error;
+  struct nb_model *model = made(&it, DRAG);
+  struct nb_law loose = *model->pairings[0].shear;
+  loose.stored = NULL;
+  for (size_t p = 0; p < model->pairing_count; p++)
+    model->pairings[p].shear = &loose;
+  nb_balance_free(model->balance);
+  model->balance = NULL;
+  CU_ASSERT_EQUAL(nb_balance_create(model, &error), NB_BAD_USE);
+  CU_ASSERT(strstr(error.text, "shear linear") && strstr(error.text, "energy.shear"));
+  nb_model_free(model);
+  written_free(&it);
+
+  struct words page = {0};
+  words_add(&page, "%.*srecord energy.residual energy.shear\nstage s\ncycles 9\n", (int)(strstr(DRAG, "record") - DRAG),
+            DRAG);
+  written_scene(&it, &page);
+  model = written_model(&it, NULL);
+  for (size_t p = 0; p < model->pairing_count; p++)
+    model->pairings[p].shear = &loose;
+  written_cycles(model, 160);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.shear"), 12 * 0.1 + 12 * 12 / 400., 1e-7);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.residual"), 0, 1e-6);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* What nobody asks for is not there. */
+static void nothing_for_nothing(void) {
+  struct written it;
+  struct nb_model *model = made(&it, "units none\nmaterial m density 3 kn 400 ks 200 friction 0.3\nshear linear\n"
+                                     "disc 0 0 radius 1 m\ndisc 2 0 radius 1 m\nstep 0.001\n"
+                                     "record time energy.kinetic momentum.x\nstage s\ncycles 9\n");
+  CU_ASSERT_PTR_NULL(model->balance);
+  CU_ASSERT_PTR_NULL(model->contacts.kept[NB_SHEAR_BEFORE]);
+  CU_ASSERT_PTR_NULL(model->contacts.kept[NB_SLIP]);
+  CU_ASSERT_EQUAL(model->kept >> NB_FIELDS, 0);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* With spins and centres off the origin; the fixed one does not count. */
+static void momentum(void) {
+  struct written it;
+  struct nb_model *model = made(&it, "units none\nmaterial m density 3\ndisc 1 2 radius 1 m velocity 3 5 spin 7\n"
+                                     "sphere 9 -4 radius 0.5 m velocity -1 2 spin 2\n"
+                                     "disc 30 0 radius 1 m velocity 1 1 spin 1 fixed\nstep 0.01\n"
+                                     "record momentum.x momentum.y momentum.angular\nstage s\ncycles 9\n");
+  const double m = 3 * pi, s = 3 * pi * 4 / 3 * 0.125;
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "momentum.x"), 3 * m - s, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "momentum.y"), 5 * m + 2 * s, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "momentum.angular"),
+                         m * (1 * 5 - 2 * 3) + m / 2 * 7 + s * (9 * 2 - 4) + s * 0.4 * 0.25 * 2, 1e-12);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+void suite_energy(void);
+void suite_energy(void) {
+  CU_pSuite suite = CU_add_suite("energy", NULL, NULL);
+  CU_add_test(suite, "the work of all forces is the kinetic energy", work_closes);
+  CU_add_test(suite, "all terms of energy together", energy_closes);
+  CU_add_test(suite, "the same bits", same_bits);
+  CU_add_test(suite, "supplied by gravity", by_gravity);
+  CU_add_test(suite, "supplied by walls, and stored", by_walls_and_stored);
+  CU_add_test(suite, "lost by friction", by_friction);
+  CU_add_test(suite, "a law that stores nothing", a_law_that_stores_nothing);
+  CU_add_test(suite, "what nobody asks for is not there", nothing_for_nothing);
+  CU_add_test(suite, "momentum", momentum);
+}

@@ -1,0 +1,114 @@
+/* Changes of a page such as a tired hand makes them: a word for another, a line twice, a number much too large, a byte.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "../../src/expect_take.h"
+#include "../../src/reader.h"
+#include "read.h"
+
+/* Vigna, An experimental exploration of Marsaglia's xorshift generators, ACM TOMS 42 (2016) 30. */
+unsigned long long fuzz_chance(unsigned long long *chance) {
+  *chance ^= *chance >> 12;
+  *chance ^= *chance << 25;
+  *chance ^= *chance >> 27;
+  return (*chance * 2685821657736338717ULL) >> 11;
+}
+
+static size_t below(unsigned long long *chance, size_t count) {
+  return count ? (size_t)(fuzz_chance(chance) % count) : 0;
+}
+
+/* Replaces the bytes from `at` to `end` by the text; the page as it was when there is no room. */
+static size_t replace(unsigned char *bytes, size_t size, size_t most, size_t at, size_t end, const char *text,
+                      size_t length) {
+  if (size - (end - at) + length > most)
+    return size;
+  char copy[NB_LINE_MAX + 2];
+  if (length > sizeof copy)
+    length = sizeof copy;
+  memcpy(copy, text, length); /* it may lie in the page itself */
+  memmove(bytes + at + length, bytes + end, size - end);
+  memcpy(bytes + at, copy, length);
+  return size - (end - at) + length;
+}
+
+/* Words that stand in the tables of the reader, and some that no table has. */
+static const char *word(unsigned long long *chance) {
+  static const char *const odd[] = {
+      "0",      "-1",       "1e308",  "1e-320",  "9999999999", "0x10", "nan",      "$a",   "$",
+      "#",      "1",        "2",      "3",       "`",          "```",  "```scene", "~~~",  "```expect",
+      "\n",     "rock",     "%",      "of",      "at",         "most", "1e400",    "\xC3", "\t",
+      "none",   "critical", "with",   "to",      "by",         "{",    "[x]",      "and",  "every",
+      "cycles", "in",       "peak",   "reading", "all",        "load", "C.normal", "C",    "contact-beta",
+      "global", "con1",     "mirror", "turn",    "-$a",        "$a$b", "="};
+  const size_t kind = below(chance, 5);
+  if (kind == 0) {
+    const struct nb_keyword *table = nb_keywords();
+    size_t count = 0;
+    while (table[count].apply)
+      count++;
+    const struct nb_keyword *row = &table[below(chance, count)];
+    size_t fields = 0;
+    while (row->arguments[fields].count)
+      fields++;
+    const char *clause = fields ? row->arguments[below(chance, fields)].word : NULL;
+    return clause && below(chance, 2) ? clause : row->word;
+  }
+  if (kind == 1) {
+    const struct nb_unit *units = nb_units();
+    size_t count = 0;
+    while (units[count].name)
+      count++;
+    return units[below(chance, count)].name;
+  }
+  if (kind == 2) {
+    const struct nb_expectation_row *rows = nb_expectation_rows();
+    size_t count = 0;
+    while (rows[count].word)
+      count++;
+    return rows[below(chance, count)].word;
+  }
+  return odd[below(chance, sizeof odd / sizeof *odd)];
+}
+
+static bool blank(unsigned char c) { return c == ' ' || c == '\n' || c == '\t'; }
+
+/* The word, or the line with its end, that the byte lies in. */
+static void around(const unsigned char *bytes, size_t size, size_t at, bool line, size_t *from, size_t *to) {
+  for (*from = at; *from > 0 && (line ? bytes[*from - 1] != '\n' : !blank(bytes[*from - 1]));)
+    --*from;
+  for (*to = at; *to < size && (line ? bytes[*to] != '\n' : !blank(bytes[*to]));)
+    ++*to;
+  *to += line && *to < size;
+}
+
+size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance) {
+  size_t at = below(chance, size), from, to, other_from, other_to;
+  const size_t kind = below(chance, 9), other = below(chance, size);
+  const bool line = kind == 3 || kind == 4 || kind == 5;
+  around(bytes, size, at, line, &from, &to);
+  around(bytes, size, other, line, &other_from, &other_to);
+  const char *text = word(chance), *copy = (const char *)bytes + other_from;
+  switch (kind) {
+  case 0: /* another word */
+  case 1:
+    return replace(bytes, size, most, from, to, text, strlen(text));
+  case 2: /* one more word */
+    size = replace(bytes, size, most, from, from, " ", 1);
+    return replace(bytes, size, most, from, from, text, strlen(text));
+  case 3: /* a line of this page here, too; or instead */
+    return replace(bytes, size, most, from, from, copy, other_to - other_from);
+  case 4:
+    return replace(bytes, size, most, from, to, copy, other_to - other_from);
+  case 5: /* no line, no word */
+  case 6:
+    return replace(bytes, size, most, from, to, "", 0);
+  case 7: /* a word of this page */
+    return replace(bytes, size, most, from, to, copy, other_to - other_from);
+  default:
+    if (size)
+      bytes[at] = (unsigned char)fuzz_chance(chance);
+    return size;
+  }
+}

@@ -1,0 +1,239 @@
+/* The reader against pages that nobody would write. Whatever the bytes are, it must answer with a scene or with
+ * mistakes, never with both or neither, and with the same again when it is asked again.
+ *
+ *   tests/fuzz/read [PAGE ...]   replays these pages and changes them at random, a few thousand times; TAP
+ *   make fuzz                    the same with libFuzzer (clang), for FUZZ_SECONDS, which looks for new paths
+ *
+ * Without pages: tests/fuzz/corpus, tests/bad and cases below $srcdir. What breaks an invariant is kept in
+ * fuzz-broken.md.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "read.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../../src/expect.h"
+#include "../../src/reader.h"
+
+/* ---- what must hold ---- */
+
+static const unsigned char *now; /* what is being read, for the message of a failure */
+static size_t now_size;
+
+static void hold(bool holds, const char *what) {
+  if (holds)
+    return;
+  FILE *file = fopen("fuzz-broken.md", "wb");
+  if (file) {
+    fwrite(now, 1, now_size, file);
+    fclose(file);
+  }
+  printf("not ok 1 - %s\n# the page is in fuzz-broken.md\n1..1\n", what);
+  fflush(stdout);
+  abort();
+}
+
+static void hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status) {
+  hold((status == NB_OK) == (mistakes->count == 0), "the status says whether there are mistakes");
+  hold((mistakes->text != NULL) == (mistakes->count > 0), "there is a text when there are mistakes");
+  size_t said = 0, length = mistakes->text ? strlen(mistakes->text) : 0;
+  for (const char *c = mistakes->text; c && *c; c = strchr(c, '\n') + 1) {
+    hold(strchr(c, '\n') != NULL, "every line of the messages ends");
+    said += strncmp(c, "fuzz.md:", 8) == 0;
+    for (const char *d = c; *d != '\n'; d++)
+      hold((unsigned char)*d >= 0x20 || *d == '\t', "no control characters in messages");
+  }
+  hold(said == mistakes->count, "every mistake is said once");
+  hold(length < (size_t)4 << 20, "the messages are not without end");
+}
+
+static bool finite_all(const double *values, size_t count) {
+  for (size_t k = 0; k < count; k++)
+    if (!isfinite(values[k]))
+      return false;
+  return true;
+}
+
+static void hold_scene(const struct nb_scene *scene) {
+  hold(scene->body_count > 0 && scene->stage_count > 0, "there are bodies and stages");
+  for (size_t k = 0; k < scene->body_count; k++) {
+    const struct nb_body *body = &scene->bodies[k];
+    const double numbers[] = {body->x, body->y, body->radius, body->vx, body->vy, body->spin};
+    hold(finite_all(numbers, 6) && body->radius > 0, "a body is somewhere and has a size");
+    hold(body->material >= 0 && (size_t)body->material < scene->material_count, "a body has a material");
+  }
+  for (size_t k = 0; k < scene->wall_count; k++) {
+    const struct nb_wall *wall = &scene->walls[k];
+    const double numbers[] = {wall->x, wall->y, wall->ex, wall->ey, wall->h1, wall->h2, wall->vx, wall->vy};
+    hold(finite_all(numbers, 8) && fabs(hypot(wall->ex, wall->ey) - 1) < 1e-12, "a wall has a direction");
+    hold(wall->material >= 0 && (size_t)wall->material < scene->material_count, "a wall has a material");
+  }
+  for (size_t k = 0; k < scene->watch_count; k++) {
+    const struct nb_watch *watch = &scene->watches[k];
+    const size_t first = watch->kind == NB_WATCH_WALL ? scene->wall_count : scene->body_count;
+    const size_t second = watch->kind == NB_WATCH_BODY_WALL ? scene->wall_count : scene->body_count;
+    hold(watch->a >= 0 && (size_t)watch->a < first, "what is watched is there");
+    hold(watch->b < 0 || (size_t)watch->b < second, "and what it is watched with");
+  }
+  for (size_t k = 0; k < scene->column_count; k++)
+    hold(scene->columns[k].quantity.kind && nb_quantity_unit(scene->columns[k].quantity), "a column is a quantity");
+  for (size_t k = 0; k < scene->stage_count; k++)
+    hold(scene->stages[k].cycles > 0, "a stage ends");
+}
+
+static void hold_same(const struct nb_scene *a, const struct nb_scene *b) {
+  hold(a->body_count == b->body_count && a->wall_count == b->wall_count && a->stage_count == b->stage_count &&
+           a->column_count == b->column_count && a->watch_count == b->watch_count &&
+           a->binding_count == b->binding_count && a->material_count == b->material_count,
+       "a page read again has as much of everything");
+  for (size_t k = 0; k < a->body_count; k++) {
+    const struct nb_body *one = &a->bodies[k], *other = &b->bodies[k];
+    hold(one->x == other->x && one->y == other->y && one->radius == other->radius && one->vx == other->vx &&
+             one->material == other->material && one->line == other->line,
+         "a page read again has the same bodies");
+  }
+}
+
+static void hold_empty(const struct nb_scene *scene) {
+  static const struct nb_scene nothing;
+  hold(memcmp(scene, &nothing, sizeof nothing) == 0, "no scene beside mistakes");
+}
+
+/* One run of the page, twice, with what it expects. */
+static void read_run(const struct nb_page *page, size_t run, bool wrong) {
+  struct nb_scene scene, again;
+  struct nb_mistakes mistakes = {0}, same = {0};
+  const enum nb_status status = nb_scene_read(&scene, page, run, NULL, &mistakes);
+  hold_mistakes(&mistakes, status);
+  hold(!wrong || status != NB_OK, "a page that has runs is right");
+  hold(nb_scene_read(&again, page, run, NULL, &same) == status, "a page read again is judged the same");
+  hold(mistakes.count == same.count && (!mistakes.text || strcmp(mistakes.text, same.text) == 0),
+       "a page read again has the same mistakes");
+  if (status == NB_OK) {
+    struct nb_expectations expectations;
+    hold_scene(&scene);
+    hold_same(&scene, &again);
+    const enum nb_status expected = nb_expectations_read(&expectations, page, &scene, &mistakes);
+    hold_mistakes(&mistakes, expected);
+    hold(expected == NB_OK || (!expectations.list && !expectations.count), "no expectations beside mistakes");
+    nb_expectations_free(&expectations);
+  } else {
+    hold_empty(&scene);
+  }
+  nb_mistakes_free(&mistakes), nb_mistakes_free(&same);
+  nb_scene_free(&scene), nb_scene_free(&again);
+}
+
+void fuzz_read(const unsigned char *bytes, size_t size) {
+  struct nb_page page;
+  struct nb_mistakes mistakes = {0};
+  now = bytes, now_size = size;
+  const enum nb_status status = nb_page_read_bytes(&page, "fuzz.md", (const char *)bytes, size, &mistakes);
+  hold_mistakes(&mistakes, status);
+  hold(status == NB_OK || (!page.lines && !page.kind_of), "no page beside mistakes");
+  if (status == NB_OK) {
+    const size_t runs = nb_scene_runs(&page, NULL, &mistakes);
+    hold_mistakes(&mistakes, runs ? NB_OK : NB_BAD_USE);
+    hold(runs <= NB_RUNS_MAX, "no more runs than a page may have");
+    read_run(&page, 0, runs == 0);
+    if (runs > 1)
+      read_run(&page, runs - 1, false);
+  }
+  nb_mistakes_free(&mistakes);
+  nb_page_free(&page);
+}
+
+#ifdef NB_LIBFUZZER
+
+int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size);
+size_t LLVMFuzzerCustomMutator(unsigned char *bytes, size_t size, size_t most, unsigned seed);
+size_t LLVMFuzzerMutate(unsigned char *bytes, size_t size, size_t most);
+
+int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size) {
+  fuzz_read(bytes, size);
+  return 0;
+}
+
+/* Half of the changes are of words, half of bytes as libFuzzer knows them. */
+size_t LLVMFuzzerCustomMutator(unsigned char *bytes, size_t size, size_t most, unsigned seed) {
+  unsigned long long chance = seed * 2654435761ULL + 1;
+  return seed % 2 ? fuzz_change(bytes, size, most, &chance) : LLVMFuzzerMutate(bytes, size, most);
+}
+
+#else
+
+/* ---- the driver ---- */
+
+enum { PAGES_MAX = 1000, LONGEST = 64 << 10, CHANGED = 3000, CHANGES_MAX = 6 };
+
+struct corpus {
+  unsigned char *bytes[PAGES_MAX];
+  size_t size[PAGES_MAX], count;
+};
+
+static void take_file(struct corpus *corpus, const char *path) {
+  FILE *file = fopen(path, "rb");
+  unsigned char *bytes = malloc(LONGEST);
+  if (!file || !bytes || corpus->count == PAGES_MAX) {
+    printf("not ok 1 - %s can be read\n1..1\n", path);
+    exit(1);
+  }
+  corpus->size[corpus->count] = fread(bytes, 1, LONGEST, file);
+  corpus->bytes[corpus->count++] = bytes;
+  fclose(file);
+}
+
+static int by_name(const void *a, const void *b) { return strcmp(a, b); }
+
+/* In the order of names, so that chance finds the same pages on every machine. */
+static void take_folder(struct corpus *corpus, const char *top, const char *folder) {
+  char path[4096], names[PAGES_MAX][256];
+  size_t count = 0;
+  snprintf(path, sizeof path, "%s/%s", top, folder);
+  DIR *directory = opendir(path);
+  for (struct dirent *entry; directory && count < PAGES_MAX && (entry = readdir(directory));)
+    if (entry->d_name[0] != '.' && (strstr(entry->d_name, ".md") || strcmp(folder, "tests/fuzz/corpus") == 0))
+      snprintf(names[count++], sizeof *names, "%s", entry->d_name);
+  if (directory)
+    closedir(directory);
+  qsort(names, count, sizeof *names, by_name);
+  for (size_t k = 0; k < count; k++) {
+    if (snprintf(path, sizeof path, "%s/%s/%.255s", top, folder, names[k]) < (int)sizeof path)
+      take_file(corpus, path);
+  }
+}
+
+int main(int count, char **paths) {
+  static struct corpus corpus;
+  static unsigned char page[LONGEST];
+  const char *top = getenv("srcdir");
+  for (int k = 1; k < count; k++)
+    take_file(&corpus, paths[k]);
+  if (count == 1) {
+    take_folder(&corpus, top ? top : ".", "tests/fuzz/corpus");
+    take_folder(&corpus, top ? top : ".", "tests/bad");
+    take_folder(&corpus, top ? top : ".", "cases");
+  }
+  for (size_t k = 0; k < corpus.count; k++)
+    fuzz_read(corpus.bytes[k], corpus.size[k]);
+  printf("%s 1 - %zu pages\n", corpus.count ? "ok" : "not ok", corpus.count);
+
+  unsigned long long chance = 1;
+  for (int n = 0; n < CHANGED && corpus.count; n++) {
+    const size_t from = (size_t)(fuzz_chance(&chance) % corpus.count);
+    size_t size = corpus.size[from];
+    memcpy(page, corpus.bytes[from], size);
+    for (unsigned long long more = 1 + fuzz_chance(&chance) % CHANGES_MAX; more > 0; more--)
+      size = fuzz_change(page, size, sizeof page, &chance);
+    fuzz_read(page, size);
+  }
+  printf("ok 2 - %d changed pages\n1..2\n", CHANGED);
+  for (size_t k = 0; k < corpus.count; k++)
+    free(corpus.bytes[k]);
+  return corpus.count == 0;
+}
+
+#endif

@@ -1,0 +1,72 @@
+#!/bin/sh
+# The manual is what the program makes of its tables, every word in it has an example, and every example is read and runs.
+# TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+nineball=${NINEBALL:-./nineball}
+case $nineball in
+/*) ;;
+*) nineball=$(pwd)/$nineball ;;
+esac
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "${srcdir:-.}" || exit 1
+language=$work/LANGUAGE.md
+
+n=0
+# result STATUS NAME: one line of TAP; what was said stands in $work/said.
+result() {
+  n=$((n + 1))
+  if [ "$1" -eq 0 ]; then
+    echo "ok $n - $2"
+  else
+    echo "not ok $n - $2"
+    tail -n 40 "$work/said" | sed 's/^/# /'
+  fi
+}
+
+"$nineball" --help language-md >"$language" && diff -u docs/LANGUAGE.md "$language" >"$work/said"
+result $? "docs/LANGUAGE.md is what the program makes; make language renews it"
+"$nineball" --help man >"$work/man" && diff -u docs/nineball.1 "$work/man" >"$work/said"
+result $? "docs/nineball.1 is what the program makes; make language renews it"
+
+# A word's part begins with `### WORD` and goes to the next heading; in one of its blocks a line must begin with the word,
+# or, for what follows a measure, hold it.
+awk '
+  function close_part() { if (word != "" && !shown) print word " has no example" }
+  /^## / { close_part(); word = ""; expect = $2 == "Expectations" }
+  /^### / { close_part(); word = $2; shown = 0; words++ }
+  /^```/ { inside = $0 != "```"; next }
+  inside && ($1 == word || (expect && index(" " $0 " ", " " word " "))) { shown = 1 }
+  END { close_part(); if (words < 20) print "there are " words " words only" }' "$language" >"$work/said"
+test ! -s "$work/said"
+result $? 'every word has an example'
+
+"$nineball" explain "$language" >/dev/null 2>"$work/said"
+result $? 'the examples, one after the other, are a page that is read'
+
+# Its reference is one of another scene: what asks for it is left out.
+awk '/^### / { word = $2 } /^```/ { inside = $0 != "```" }
+  !(inside && !/^```/ && word ~ /^(reference|within|along|order)$/)' "$language" >"$work/runs.md"
+"$nineball" check "$work/runs.md" >"$work/said" 2>&1
+result $? 'and it runs, and what it expects is seen'
+
+sed -n 's/^### //p' "$language" | sort -u | while read -r word; do
+  "$nineball" --help "$word" 2>&1 | grep -q "$word" || echo "nineball --help $word says nothing of it"
+done >"$work/said"
+test ! -s "$work/said"
+result $? 'nineball --help WORD tells of each'
+"$nineball" --help dics >/dev/null 2>"$work/said"
+test $? -eq 2 && grep -q 'did you mean `disc`?' "$work/said"
+result $? 'and of a mistyped one what was meant'
+
+if command -v groff >/dev/null; then
+  groff -man -Tutf8 -ww -z docs/nineball.1 >"$work/said" 2>&1
+  test ! -s "$work/said"
+  result $? 'groff has nothing against the man page'
+else
+  n=$((n + 1))
+  echo "ok $n - groff has nothing against the man page # SKIP groff is missing"
+fi
+echo "1..$n"

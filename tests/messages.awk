@@ -1,0 +1,47 @@
+# The texts that a C file may say to the writer of a page: the string constants, adjacent ones joined, of the statements that call
+# one of the functions below. One a line: LINE TAB TEXT. Escapes are undone where a message could show the difference.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+function statement_ends() {
+  if (calls && count)
+    for (k = 1; k <= count; k++) print line[k] "\t" text[k]
+  calls = count = 0
+  joining = 0
+}
+BEGIN {
+  speaks = "(nb_mistake|nb_token_mistake|nb_expected|nb_not_known|refuse|say_of_scene|nb_take|nb_take_name|snprintf[(](hint|what))[(,]"
+}
+{
+  rest = $0
+  while (rest != "") {
+    if (in_comment) {
+      if (!(at = index(rest, "*/"))) break
+      rest = substr(rest, at + 2)
+      in_comment = 0
+    } else if (match(rest, /^"([^"\\]|\\.)*"/)) {
+      piece = substr(rest, 2, RLENGTH - 2)
+      gsub(/\\"/, "\"", piece)
+      if (joining) text[count] = text[count] piece
+      else { text[++count] = piece; line[count] = FNR }
+      joining = 1
+      rest = substr(rest, RLENGTH + 1)
+    } else if (substr(rest, 1, 2) == "/*") {
+      in_comment = 1
+      rest = substr(rest, 3)
+    } else if (match(rest, /^'([^'\\]|\\.)*'/)) {
+      joining = 0
+      rest = substr(rest, RLENGTH + 1)
+    } else if (match(rest, /^[A-Za-z_0-9]+/)) {
+      word = substr(rest, 1, RLENGTH)
+      after = substr(rest, RLENGTH + 1)
+      if ((word after) ~ "^" speaks) calls = 1
+      joining = 0
+      rest = after
+    } else {
+      c = substr(rest, 1, 1)
+      if (c ~ /[;{}]/) statement_ends()
+      else if (c !~ /[ \t]/) joining = 0
+      rest = substr(rest, 2)
+    }
+  }
+}

@@ -1,0 +1,97 @@
+/* The judge of rows: against the calculation cycle done by hand, disc by disc, and against Bessel's functions.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <gsl/gsl_sf_bessel.h>
+#include <math.h>
+
+#include "refs_scenes.h"
+#include "suites.h"
+#include "written.h"
+
+enum { N = 40 };
+
+static void row(struct written *it, int n, const char *step, const char *more) {
+  struct words page = {0};
+  words_add(&page,
+            "units none\nmaterial m density 0.3183098861837907 kn 1\ndisc 0.75 0 radius 1 m velocity 1e-3 0\n"
+            "discs lattice %d by 1 from 2.5 0 radius 1 spacing 1.75 m\nwall w 0 -1 to 0 1 m\n",
+            n - 1);
+  words_add(&page,
+            "wall e %.17g -1 to %.17g 1 m\nwatch W disc 1 with wall w\nwatch E disc %d with wall e\nwatch D disc 3\n"
+            "watch C disc 3 with disc 2\nstep %s of critical\n%s",
+            1.75 * n - 0.25, 1.75 * n - 0.25, n, step, more);
+  written_scene(it, &page);
+}
+
+static const struct nb_known_curve *curve(const struct nb_known *known, const char *name) {
+  const struct nb_known_curve *found = known_find_curve(known, name, "cycle");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(found);
+  return found;
+}
+
+static void check_cycle(const char *step, double dt) {
+  struct written it;
+  struct refs_scene around;
+  row(&it, 7, step, "stage s\ncycles 100\n");
+  around.scene = it.scene;
+  struct nb_known known = refs_known("chain", &around);
+  const struct nb_known_curve *w = curve(&known, "W.normal"), *e = curve(&known, "E.normal"),
+                              *c = curve(&known, "C.normal");
+  const struct nb_known_curve *x = curve(&known, "D.x"), *v = curve(&known, "D.vx.half");
+  double u[9] = {0}, speed[9] = {0}, worst = 0, size = 0;
+  speed[1] = 1e-3;
+  for (int n = 1; n <= 100; n++) {
+    double now[9];
+    for (int l = 1; l <= 7; l++)
+      speed[l] += dt * (u[l - 1] - 2 * u[l] + u[l + 1]);
+    for (int l = 1; l <= 7; l++)
+      now[l] = u[l] + dt * speed[l];
+    for (int l = 1; l <= 7; l++) {
+      u[l] = now[l];
+      size = fmax(size, fabs(u[l]));
+    }
+    worst = fmax(worst, fabs(w->at(w->data, n) - (0.25 - u[1])));
+    worst = fmax(worst, fabs(e->at(e->data, n) - (0.25 + u[7])));
+    worst = fmax(worst, fabs(c->at(c->data, n) - (0.25 + u[2] - u[3])));
+    worst = fmax(worst, fabs(x->at(x->data, n) - (0.75 + 2 * 1.75 + u[3])));
+    worst = fmax(worst, dt * fabs(v->at(v->data, n) - speed[3]));
+  }
+  CU_ASSERT(worst < 1e-10 * fmax(size, 1e-3));
+  known_free(&known);
+  written_free(&it);
+}
+
+static void modes_are_the_cycle(void) {
+  check_cycle("0.05", 0.1);
+  check_cycle("0.45", 0.9);
+  check_cycle("0.53", 1.06); /* cos(pi/16) dt > 1: one mode grows */
+}
+
+/* Struck at the end that is held: J_(2l-2)(2t) - J_(2l+2)(2t), until something comes back. */
+static void a_blow_is_bessels(void) {
+  struct written it;
+  struct refs_scene around;
+  row(&it, N, "0.001", "stage s\nuntil D.vx.half above 1e-4 at most 5000 cycles\n");
+  around.scene = it.scene;
+  struct nb_known known = refs_known("chain", &around);
+  const struct nb_known_curve *v = curve(&known, "D.vx.half");
+  double worst = 0, first = 0;
+  for (int n = 1; n <= 15000; n += 7) {
+    const double t = 0.002 * (n - 0.5);
+    worst = fmax(worst, fabs(v->at(v->data, n) / 1e-3 - gsl_sf_bessel_Jn(4, 2 * t) + gsl_sf_bessel_Jn(8, 2 * t)));
+  }
+  CU_ASSERT(worst < 1e-5); /* (omega dt)^2/24 of the phase after 15000 cycles */
+  for (int n = 1; first == 0; n++)
+    if (gsl_sf_bessel_Jn(4, 0.004 * (n - 0.5)) - gsl_sf_bessel_Jn(8, 0.004 * (n - 0.5)) > 0.1)
+      first = 0.002 * n;
+  REFS_NEAR(refs_value(&known, "time in s"), first, 1e-12, first);
+  known_free(&known);
+  written_free(&it);
+}
+
+void suite_refs_chain(void) {
+  CU_pSuite suite = CU_add_suite("refs_chain", NULL, NULL);
+  CU_add_test(suite, "modes are the cycle", modes_are_the_cycle);
+  CU_add_test(suite, "a blow is Bessel's", a_blow_is_bessels);
+}

@@ -1,0 +1,205 @@
+/* The safe step, which must never be longer than the longest one that the cycle stands: lattices in closed form, many
+ * networks by chance with every kind of damping.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/model.h"
+#include "chance.h"
+#include "limit.h"
+#include "suites.h"
+#include "written.h"
+
+#define NEAR(a, b, share) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(b))
+
+/* All of one scene: what the program says, and what the judges say. */
+struct told {
+  double safe, critical;      /* the program */
+  double parts, modes, cycle; /* the judges: contact by contact; by theory; by eigenvalues of the cycle, 0: not asked */
+};
+
+static struct told told(struct words *page, bool cycle) {
+  struct written it;
+  struct limit limit;
+  struct nb_error error;
+  words_add(page, "step 1\nallow unstable\nrecord step.safe step.critical\nstage s\ncycles 1\n");
+  written_scene(&it, page);
+  struct nb_model *model = written_model(&it, NULL);
+  struct told answer = {.safe = written_now(model, "step.safe"), .critical = written_now(model, "step.critical")};
+  CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, model->skin, &error), NB_OK);
+  CU_ASSERT_EQUAL(limit.lattice.contact_count, model->contacts.count);
+  answer.parts = limit_of_parts(&limit, &it.scene), answer.modes = limit_of_modes(&limit);
+  if (cycle)
+    answer.cycle = limit_of_cycle(&limit);
+  NEAR(answer.critical, limit.critical, 1e-14);
+  limit_free(&limit);
+  nb_model_free(model);
+  written_free(&it);
+  return answer;
+}
+
+/* What every scene must answer. */
+static void in_order(const struct told *it) {
+  NEAR(it->safe, it->parts, 1e-11);
+  CU_ASSERT(it->safe <= it->modes * (1 + 1e-12));
+  if (it->cycle > 0)
+    NEAR(it->cycle, it->modes, 3e-6); /* |z| = 1 + 1e-6 is called growing */
+}
+
+static void lattices_are_the_closed_forms(void) {
+  static const struct {
+    const char *name, *statements;
+    double safe, limit; /* of critical */
+  } cases[] = {
+      {"a free pair, without shear", "discs lattice 2 by 1 radius 1 smooth\n", 0.7071067811865476, 0.7071067811865476},
+      {"a free pair", "discs lattice 2 by 1 radius 1 rough\n", 0.40824829046386301, 0.40824829046386301},
+      {"a disc between two walls",
+       "discs lattice 1 by 1 radius 1 smooth\nwall w 0 -1 to 0 3 smooth\nwall e 2 -1 to 2 3 smooth\n",
+       0.7071067811865476, 0.7071067811865476},
+      {"nine discs", "box 0 0 to 6 6 rough\ndiscs lattice 3 by 3 radius 1 rough\n", 0.20412414523193151,
+       0.26709262251211030},
+      {"nine discs, without shear", "box 0 0 to 6 6 smooth\ndiscs lattice 3 by 3 radius 1 smooth\n",
+       0.35355339059327379, 0.54119610014619698}, /* three in
+       a row, both ends held: omega^2 = (2 + sqrt 2) k/m */
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    struct words page = {0};
+    words_add(&page,
+              "units none\nshear linear\nmaterial rough density 3 kn 100 ks 100 friction 1\n"
+              "material smooth density 3 kn 100 ks 100\n%s",
+              cases[k].statements);
+    const struct told it = told(&page, true);
+    in_order(&it);
+    NEAR(it.safe / it.critical, cases[k].safe, 1e-13);
+    NEAR(it.modes / it.critical, cases[k].limit, 1e-12);
+  }
+}
+
+/* Nine discs that may not turn: omega^2 = 2 (2 + sqrt 2) k/m, rows and columns at once; spin doubles it. */
+static void turning_costs_thirty_per_cent(void) {
+  struct words page = {0};
+  struct written it;
+  struct limit limit;
+  struct nb_error error;
+  words_add(&page, "units none\nshear linear\nmaterial rough density 3 kn 100 ks 100 friction 1\nbox 0 0 to 6 6 rough\n"
+                   "discs lattice 3 by 3 radius 1 rough\nstep 0.1 of safe\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, 1e-9, &error), NB_OK);
+  NEAR(limit_of_modes(&limit) / limit.critical, 0.267092622512110, 1e-13);
+  for (size_t spin = 2; spin < 27; spin += 3) {
+    gsl_vector_view column = gsl_matrix_column(limit.lattice.stretch, spin);
+    gsl_vector_set_zero(&column.vector);
+  }
+  NEAR(limit_of_modes(&limit) / limit.critical, 1 / sqrt(2 * (2 + sqrt(2))), 1e-13);
+  NEAR(limit_of_cycle(&limit) / limit.critical, 1 / sqrt(2 * (2 + sqrt(2))), 3e-6);
+  limit_free(&limit);
+  written_free(&it);
+}
+
+/* A pair with dashpots of beta k: (2/omega)(sqrt(1 + xi^2) - xi), xi = beta omega/2, omega^2 = 2 k/m [CS79 28]. */
+static void damping_has_its_formula(void) {
+  for (double xi = 0; xi < 2.3; xi += 0.25) {
+    struct words page = {0};
+    const double mass = 3.14159265358979323846 * 3, omega = sqrt(2 * 100 / mass);
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 100\ndiscs lattice 2 by 1 radius 1 m\ndamping contact-beta %.17g\n",
+              2 * xi / omega);
+    const struct told it = told(&page, true);
+    in_order(&it);
+    NEAR(it.safe, 2 / omega * (sqrt(1 + xi * xi) - xi), 1e-12);
+    NEAR(it.modes, it.safe, 1e-12); /* a pair is its own part */
+  }
+}
+
+/* ---- networks by chance ---- */
+
+/* Bodies of unlike size, density and shape about a lattice that is bent, so that some overlap, some are only near, and
+ * some stand apart; some are fixed; four materials of unlike stiffness; walls on two sides or none. */
+static void network(struct words *page, struct chance *chance, size_t nx, size_t ny) {
+  words_add(page, "units none\nshear linear\nskin 0.2\n");
+  for (int m = 0; m < 4; m++) {
+    const double kn = chance_scale(chance, 10, 1e4);
+    words_add(page, "material m%d density %g kn %g ks %g friction %d\n", m, chance_scale(chance, 0.3, 30), kn,
+              kn * chance_scale(chance, 0.05, 3), m != 3);
+  }
+  for (size_t y = 0; y < ny; y++)
+    for (size_t x = 0; x < nx; x++) {
+      const double stray = 0.1, high = (double)y + (x % 2 ? 0.5 : 0);
+      words_add(page, "%s %.17g %.17g radius %.17g m%d%s\n", chance_between(chance, 0, 1) < 0.5 ? "disc" : "sphere",
+                0.9 * (double)x + chance_between(chance, -stray, stray), high + chance_between(chance, -stray, stray),
+                chance_between(chance, 0.35, 0.6), (int)chance_between(chance, 0, 4),
+                chance_between(chance, 0, 1) < 0.1 && x + y > 0 ? " fixed" : "");
+    }
+  if (chance_between(chance, 0, 1) < 0.7)
+    words_add(page, "wall south -1 -0.5 to 9 -0.5 m1\nwall west -0.5 -1 to -0.5 9 m2\n");
+}
+
+/* Up to twice critical; a time for contact-beta, where omega is about that of the stiffest contact. */
+static void damping(struct words *page, struct chance *chance) {
+  const double size = chance_between(chance, 0, 2);
+  switch ((int)chance_between(chance, 0, 4)) {
+  case 1:
+    words_add(page, "damping contact-beta %.17g\n", size * chance_scale(chance, 0.01, 1));
+    break;
+  case 2:
+    words_add(page, "damping contact-fraction %.17g\n", size);
+    break;
+  case 3:
+    words_add(page, "damping contact-ratio %.17g\n", size);
+    break;
+  default:
+    break;
+  }
+  static const char *const readings[] = {"cs79", "velocity", "all"};
+  const int which = (int)chance_between(chance, 0, 5);
+  if (which < 3)
+    words_add(page, "damping con1 %.17g reading %s\n", chance_between(chance, 0.05, 1), readings[which]);
+  else if (which == 3)
+    words_add(page, "damping global %.17g\n", chance_scale(chance, 0.01, 10));
+}
+
+static void by_chance(unsigned seeds, size_t nx, size_t ny, bool cycle, double least) {
+  double sum = 0, lowest = 1;
+  for (unsigned seed = 1; seed <= seeds; seed++) {
+    struct chance chance = chance_begin(seed);
+    struct words page = {0};
+    network(&page, &chance, nx, ny);
+    damping(&page, &chance);
+    const struct told it = told(&page, cycle);
+    in_order(&it);
+    const double share = it.safe / it.modes;
+    sum += share;
+    lowest = share < lowest ? share : lowest;
+  }
+  printf("# %zu by %zu: safe/limit is %.3f in the mean of %u, %.3f at least\n", nx, ny, sum / seeds, seeds, lowest);
+  CU_ASSERT(lowest > least); /* and it is no idle bound */
+}
+
+static void safe_is_safe(void) {
+  by_chance(40, 3, 2, true, 0.3);
+  by_chance(60, 5, 5, false, 0.3);
+}
+
+static void storage_changes_no_bit(void) {
+  struct chance chance = chance_begin(7);
+  struct words page = {0};
+  struct written it;
+  network(&page, &chance, 6, 6);
+  words_add(&page, "damping contact-ratio 0.3\nstep 1 of safe\nrecord step\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL), *other = written_model(&it, &(struct nb_options){.shuffle = true});
+  CU_ASSERT(written_now(model, "step") == written_now(other, "step"));
+  nb_model_free(model), nb_model_free(other);
+  written_free(&it);
+}
+
+void suite_stable(void) {
+  CU_pSuite suite = CU_add_suite("stable", NULL, NULL);
+  CU_add_test(suite, "lattices are the closed forms", lattices_are_the_closed_forms);
+  CU_add_test(suite, "turning costs thirty per cent", turning_costs_thirty_per_cent);
+  CU_add_test(suite, "damping has its formula", damping_has_its_formula);
+  CU_add_test(suite, "safe is safe, by chance", safe_is_safe);
+  CU_add_test(suite, "storage changes no bit", storage_changes_no_bit);
+}

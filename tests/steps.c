@@ -1,0 +1,186 @@
+/* The step of a page as a share of what, and the watch that stops a run whose step is not safe any more.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "suites.h"
+#include "written.h"
+
+#define NEAR(a, b, share) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(b))
+
+/* ---- the step of a page ---- */
+
+#define PAIR "units none\nmaterial m density 0.31830988618379067 kn 8\n" /* a disc of radius 1 has the mass 1 */
+
+static double step_of(const char *statements) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "%srecord step\nstage s\ncycles 1\n", statements);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  const double step = written_now(model, "step");
+  nb_model_free(model);
+  written_free(&it);
+  return step;
+}
+
+static void a_step_is_a_share(void) {
+  /* omega^2 = 2 k/m = 16 */
+  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
+  /* near, though not touching, counts; two that are far apart count as if they met, and so does a wall alone */
+  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 spacing 2.09 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
+  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 spacing 5 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
+  NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 0.5 of safe\n"), sqrt(0.125), 1e-15);
+  /* pi sqrt(M/k): two equal masses, and two of which one is heavy; the lightest two of three; at a wall */
+  const double pi = 3.14159265358979323846;
+  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 spacing 5 m\nstep 0.5 of contact\n"), pi / 8, 1e-15);
+  NEAR(step_of(PAIR "disc 0 0 radius 1 m\ndisc 9 0 radius 3 m\nstep 1 of contact\n"), pi * sqrt(0.9 / 8), 1e-15);
+  NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndiscs lattice 2 by 1 radius 1 m\nstep 1 of contact\n"), pi / 4, 1e-15);
+  NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndiscs lattice 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of contact\n"),
+       pi / 4, 1e-15);
+  NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndisc 0 0 radius 1 m\nstep 1 of contact\n"), pi * sqrt(0.9 / 8), 1e-15);
+  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of contact\n"), pi / 4, 1e-15);
+  NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 1 of contact\n"), pi / sqrt(8), 1e-15);
+  /* a lighter body of another material does not stand for those of the pair */
+  NEAR(step_of(PAIR
+               "material b density 0.01 kn 8\npair m b kn 1e-6\npair b b kn 1e-6\nmaterial s kn 8\npair b s kn 1e-6\n"
+               "disc 0 5 radius 1 m\ndisc 9 5 radius 1 b\nwall w -3 0 to 3 0 s\nstep 1 of contact\n"),
+       pi / sqrt(8), 1e-15);
+  /* nor does one body make a pair of its own */
+  NEAR(
+      step_of(PAIR "material s kn 8\npair m s kn 1e-4\ndisc 0 5 radius 1 m\nwall w -3 0 to 3 0 s\nstep 1 of contact\n"),
+      pi * 100, 1e-15);
+  /* and the critical one, of springs however soft */
+  NEAR(step_of(
+           "units none\nmaterial m density 0.31830988618379067 kn 1e-4\ndisc 0 0 radius 1 m\nstep 0.5 of critical\n"),
+       100., 1e-15);
+  NEAR(step_of("units none\nmaterial m density 0.31830988618379067 kn 1e-4\ndiscs lattice 2 by 1 radius 1 m\nstep 1 of "
+               "contact\n"),
+       pi * sqrt(0.5e4), 1e-15);
+}
+
+/* Springs of no stiffness, or nothing that may move: no share of that is a step. */
+static void a_step_without_end(void) {
+  static const char *const bodies[] = {"kn 0\ndisc 0 0 radius 1 m", "kn 8\ndisc 0 0 radius 1 m fixed"};
+  for (size_t n = 0; n < 2; n++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    words_add(&page, "units none\nmaterial m density 1 %s\nstep 0.1 of critical\nstage s\ncycles 1\n", bodies[n]);
+    written_scene(&it, &page);
+    CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
+    CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "line 5: the step comes out as inf s"));
+    written_free(&it);
+  }
+}
+
+/* ---- the watch ---- */
+
+/* How a run of these statements ends; its cycles, its last words. */
+static enum nb_status ends(const char *statements, unsigned long *cycles, struct nb_error *error) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "%s", statements);
+  written_scene(&it, &page);
+  *error = (struct nb_error){0};
+  const enum nb_status status = nb_run(&result, &it.scene, NULL, NULL, error);
+  *cycles = result.cycles;
+  nb_result_free(&result);
+  written_free(&it);
+  return status;
+}
+
+static void says(const struct nb_error *error, const char *words) {
+  if (!strstr(error->text, words))
+    printf("# `%s` is not in: %s\n", words, error->text);
+  CU_ASSERT_PTR_NOT_NULL(strstr(error->text, words));
+}
+
+/* A third disc comes from 1 away; two that touch stand 0.5, three in a row 2/sqrt(24), 0.408. */
+#define COMING(step, allow)                                                                                            \
+  PAIR "discs lattice 2 by 1 radius 1 m\ndisc 6 1 radius 1 m velocity -0.025 0\nstep " step "\n" allow                 \
+       "record time\nstage s\ncycles 200\n"
+
+static void a_bound_that_is_crossed_stops_the_run(void) {
+  unsigned long cycles;
+  struct nb_error error;
+  CU_ASSERT_EQUAL(ends(COMING("0.45", ""), &cycles, &error), NB_BROKEN);
+  CU_ASSERT(cycles >= 80 && cycles <= 85); /* listed at a gap of 0.1, when something has gone half of that */
+  says(&error, "body 1 (line 4)");
+  says(&error, "normal motion of body 1 at body 2");
+  says(&error, "the step 0.45 s");
+  says(&error, "0.408248 s");
+  char words[64];
+  snprintf(words, sizeof words, "at cycle %lu, %g s", cycles, 0.45 * (double)cycles);
+  says(&error, words);
+  CU_ASSERT_EQUAL(ends(COMING("0.35", ""), &cycles, &error), NB_OK);
+  CU_ASSERT_EQUAL(ends(COMING("0.45", "allow unstable\n"), &cycles, &error), NB_OK);
+  CU_ASSERT_EQUAL(cycles, 200);
+}
+
+static void a_stage_is_looked_at_as_it_begins(void) {
+  unsigned long cycles;
+  struct nb_error error;
+#define STAGES(first, second)                                                                                          \
+  PAIR "discs lattice 2 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\n" first "cycles 3\nstage b\n" second          \
+       "cycles 5\n"
+  CU_ASSERT_EQUAL(ends(STAGES("", ""), &cycles, &error), NB_OK);
+  CU_ASSERT_EQUAL(ends(STAGES("", "step 0.6\n"), &cycles, &error), NB_BROKEN);
+  CU_ASSERT_EQUAL(cycles, 3);
+  CU_ASSERT_EQUAL(ends(STAGES("", "step 0.6\nallow unstable\n"), &cycles, &error), NB_OK);
+  CU_ASSERT_EQUAL(ends(STAGES("step 0.6\nallow unstable\n", ""), &cycles, &error), NB_BROKEN); /* b has that step too */
+  CU_ASSERT_EQUAL(cycles, 3);
+  CU_ASSERT_EQUAL(ends(STAGES("", "damping contact-ratio 0.2\n"), &cycles, &error), NB_OK);
+  CU_ASSERT_EQUAL(ends(STAGES("", "damping contact-ratio 0.3\n"), &cycles, &error), NB_BROKEN);         /* 0.372 */
+  CU_ASSERT_EQUAL(ends(STAGES("", "damping con1 0.2 reading velocity\n"), &cycles, &error), NB_BROKEN); /* 0.387 */
+  CU_ASSERT_EQUAL(ends(STAGES("", "material m kn 20\n"), &cycles, &error), NB_BROKEN);
+  CU_ASSERT_EQUAL(ends(STAGES("", "material m kn 20\nstep 1 of safe\n"), &cycles, &error), NB_OK);
+  CU_ASSERT_EQUAL(ends(STAGES("", "ramp material m kn 20\nstep 1 of safe\n"), &cycles, &error), NB_OK);
+}
+
+/* Nothing is searched here. The stiffness crosses the bound half-way, at 12.5 = 2/0.4^2: the next look finds it. */
+static void it_looks_now_and_then(void) {
+  unsigned long cycles;
+  struct nb_error error;
+  CU_ASSERT_EQUAL(ends(PAIR "discs lattice 2 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\nrecord none\n"
+                            "ramp material m kn 17\ncycles 4000\n",
+                       &cycles, &error),
+                  NB_BROKEN);
+  CU_ASSERT_EQUAL(cycles, 3000);
+}
+
+/* The watch reads, and writes nothing: the same bits with it and without it. */
+static void the_watch_changes_no_bit(void) {
+  double last[2];
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nshear linear\nmaterial m density 1 kn 1000 ks 700 friction 0.3\nbox 0 0 to 8 8 m\n"
+              "discs lattice 3 by 3 radius 1 spacing 2.2 m\ndisc 7 7 radius 0.8 m velocity -1 -0.7\n%s"
+              "step 0.2 of safe\nwatch D disc 10\nrecord D.x\nstage s\nrecord none\ncycles 3000\nstage e\ncycles 1\n",
+              k ? "allow unstable\n" : "");
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT(result.searches > 3);
+    last[k] = written_last(&result, "D.x");
+    nb_result_free(&result);
+    written_free(&it);
+  }
+  CU_ASSERT(last[0] == last[1]);
+}
+
+void suite_steps(void) {
+  CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
+  CU_add_test(suite, "a step is a share", a_step_is_a_share);
+  CU_add_test(suite, "a step without end", a_step_without_end);
+  CU_add_test(suite, "a bound that is crossed stops the run", a_bound_that_is_crossed_stops_the_run);
+  CU_add_test(suite, "a stage is looked at as it begins", a_stage_is_looked_at_as_it_begins);
+  CU_add_test(suite, "it looks now and then", it_looks_now_and_then);
+  CU_add_test(suite, "the watch changes no bit", the_watch_changes_no_bit);
+}

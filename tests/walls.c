@@ -1,0 +1,251 @@
+/* Walls that move, turn and meet [CS79, Input parameters; figure 4], and bodies that come through them.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/model.h"
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* One wall turns about its middle, one about a point far off its line that moves, through 100 stages of unlike spin. */
+static void a_wall_turns_exactly(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.01\ndisc 90 90 radius 1 m\n"
+                   "wall blade -3 0 to 5 0 m spin 2\nwall arm 4 -1 to 4 2 m about -3 -5 velocity 0.25 -0.5 spin -0.75\n"
+                   "watch W wall arm\nrecord W.x W.y W.angle W.spin\nstage s\ncycles 100000\nstage t\nwall arm spin "
+                   "0.5\ncycles 100000\n"
+                   "stage u\nwalls stop\ncycles 10\n");
+  written_scene(&it, &page);
+  CU_ASSERT(it.scene.walls[0].x == 1 && it.scene.walls[0].h1 == -4 && it.scene.walls[0].h0 == 0);
+  CU_ASSERT(it.scene.walls[1].h0 == -7 && it.scene.walls[1].h1 == 4 && it.scene.walls[1].h2 == 7);
+  CU_ASSERT(it.scene.stages[1].motions[0].vx == 0.25 && it.scene.stages[1].motions[0].vy == -0.5); /* as before */
+  CU_ASSERT(it.scene.stages[2].motions[1].spin == 0);
+  struct nb_model *model = written_model(&it, NULL);
+  const struct nb_walls *walls = &model->walls;
+  struct nb_error error;
+  double spin = -0.75, angle = 0;
+  for (int s = 0; s < 2; s++) {
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+    written_cycles(model, 100000);
+    const double t = 1000 * (s + 1);
+    angle += spin * 1000, spin = 0.5;
+    CU_ASSERT_DOUBLE_EQUAL(vec_length(walls->along[0]), 1, 1e-15);
+    CU_ASSERT_DOUBLE_EQUAL(walls->along[0].x, cos(2 * t), 1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(walls->along[0].y, sin(2 * t), 1e-10);
+    CU_ASSERT(walls->point[0].x == 1 && walls->point[0].y == 0);
+    const double x = -3 + 0.25 * t, y = -5 - 0.5 * t; /* its first end, (4, -1), turned about P */
+    const struct nb_vec end = nb_wall_end(walls, 1, 0);
+    CU_ASSERT_DOUBLE_EQUAL(end.x, x + 7 * cos(angle) - 4 * sin(angle), 1e-9);
+    CU_ASSERT_DOUBLE_EQUAL(end.y, y + 7 * sin(angle) + 4 * cos(angle), 1e-9);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "W.x"), x, 1e-8);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "W.angle"), angle, 1e-8);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* Where a wall meets a body its velocity is the way of its point there over the step, however far it turns. */
+static void velocity_of_a_point(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\nstep 0.5\ndisc 90 90 radius 1 m\n"
+            "wall arm 4 -1 to 4 2 m about -3 -5 velocity 0.25 -0.5 spin -0.75\nrecord cycle\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  const struct nb_vec before = nb_wall_end(&model->walls, 0, 1);
+  written_cycles(model, 1);
+  const struct nb_vec after = nb_wall_end(&model->walls, 0, 1), v = nb_wall_velocity(&model->walls, 0, after);
+  CU_ASSERT_DOUBLE_EQUAL((after.x - before.x) / 0.5, v.x, 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL((after.y - before.y) / 0.5, v.y, 1e-14);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* ---- one contact at a common end ---- */
+
+/* A heavy disc rolls on a floor, pressed by gravity: the force on it and its shear, cycle by cycle, on one wall or on two. The
+ * joint is in the middle; `turn` turns the whole scene, so that its co-ordinates are no round numbers. */
+struct rolled {
+  double x[2000], moment[2000], normal[2000], shear[2000], both;
+};
+
+static void roll(struct rolled *seen, const char *floor, const char *skin, double turn) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 4000 ks 3000 friction 0.5\nshear linear\ngravity 0.3 -1\nstep 0.004\n"
+            "%s\ndisc -1 0.999 radius 1 m velocity 0.2 0\nplace turn %.17g\nwatch D disc 1\n%s"
+            "record D.x D.moment contacts\nstage s\ncycles 2000\n",
+            floor, turn, skin);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  seen->both = 0;
+  for (int n = 0; n < 2000; n++) {
+    written_cycles(model, 1);
+    seen->x[n] = written_now(model, "D.x"), seen->moment[n] = written_now(model, "D.moment");
+    seen->both += written_now(model, "contacts") > 1;
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
+static void no_jump_on_a_straight_joint(void) {
+  static struct rolled one, two;
+  static const char *const joined[] = {
+      "wall a -9 0 to 0.5 0 m\nwall b 0.5 0 to 9 0 m", /* and either wall the other way round, and in another order */
+      "wall b 9 0 to 0.5 0 m\nwall a -9 0 to 0.5 0 m",
+      "wall a 0.5 0 to -9 0 m\nwall b 0.5 0 to 9 0 m",
+      "wall a -9 0 to -0.3 0 m\nwall b -0.3 0 to 0.3 0 m\nwall c 0.3 0 to 0.6 0 m\nwall d 0.6 0 to 9 0 m",
+  };
+  for (int t = 0; t < 4; t++) {
+    const double turn = t * 0.6;
+    const char *skin = t == 3 ? "skin 1e-5\n" : ""; /* so that contacts are looked for at every cycle */
+    roll(&one, "wall a -9 0 to 9 0 m", "", turn);
+    CU_ASSERT(one.x[1999] > (t == 0 ? 1.5 : -9));
+    double largest = 0;
+    for (int n = 0; n < 2000; n++)
+      largest = fmax(largest, fabs(one.moment[n]));
+    CU_ASSERT(largest > 0.1);
+    for (size_t j = 0; j < sizeof joined / sizeof *joined; j++) {
+      roll(&two, joined[j], skin, turn);
+      CU_ASSERT(two.both == 0);
+      double off = 0;
+      for (int n = 0; n < 2000; n++)
+        off = fmax(off, fabs(two.moment[n] - one.moment[n]));
+      if (off > 1e-9)
+        printf("# floor %zu turned by %g: off by %g of %g\n", j, turn, off, largest);
+      CU_ASSERT(off < 1e-9);
+    }
+  }
+}
+
+/* The force on a disc at rest at (x, y): how many contacts, and how large. */
+static double push(const char *walls, double x, double y, double *contacts) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 100\nstep 1e-3\n%s\ndisc %.17g %.17g radius 1 m\nwatch D disc 1\n"
+            "record D.fx D.fy contacts\nstage s\ncycles 1\n",
+            walls, x, y);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  const double force = hypot(written_now(model, "D.fx"), written_now(model, "D.fy"));
+  *contacts = written_now(model, "contacts");
+  nb_model_free(model);
+  written_free(&it);
+  return force;
+}
+
+static void one_contact_at_a_corner(void) {
+  const char *corner = "wall a -9 0 to 0 0 m\nwall b 0 0 to 0 -9 m"; /* seen from outside, then from inside */
+  double contacts;
+  for (double angle = -0.1; angle < pi / 2 + 0.1; angle += 0.05) { /* all around it from above to the east: one force */
+    const double x = 0.9 * sin(angle), y = 0.9 * cos(angle);
+    const double alpha = x < 0 ? 1 - y : y < 0 ? 1 - x : 0.1;
+    CU_ASSERT_DOUBLE_EQUAL(push(corner, x, y, &contacts), 100 * alpha, 1e-9);
+    CU_ASSERT_EQUAL(contacts, 1);
+  }
+  CU_ASSERT_DOUBLE_EQUAL(push(corner, -0.9, -0.8, &contacts), 100 * hypot(0.1, 0.2), 1e-9); /* pressed into it: two */
+  CU_ASSERT_EQUAL(contacts, 2);
+  push("wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m\nwall c 0 0 to 0 -9 m", 0, 0.9, &contacts); /* three meet */
+  CU_ASSERT_EQUAL(contacts, 1);
+  push("wall a -9 0 to -1e-10 0 m\nwall b 1e-10 0 to 9 0 m", 0, 0.9, &contacts); /* a crack that rounding might leave */
+  CU_ASSERT_EQUAL(contacts, 1);
+  push("wall a -9 0 to -1e-6 0 m\nwall b 1e-6 0 to 9 0 m", 0, 0.9,
+       &contacts); /* and one that the page means: two edges */
+  CU_ASSERT_EQUAL(contacts, 2);
+  push("wall a -9 0 to 1 0 m", 1.1, 0.9, &contacts); /* a wall and its end */
+  CU_ASSERT_EQUAL(contacts, 1);
+  for (int k = 0; k < 20; k++) { /* far from the origin, where the ends differ by what rounding adds */
+    char walls[256];
+    const double x = 1e8 + 1.7 * k, y = -3e8 - 0.3 * k;
+    snprintf(walls, sizeof walls,
+             "wall a 99999990.3 -300000019.1 to %.17g %.17g m\nwall b %.17g %.17g to 100000085.7 -300000019.3 m", x, y,
+             x, y);
+    push(walls, x, y + 0.9, &contacts);
+    CU_ASSERT_EQUAL(contacts, 1);
+  }
+}
+
+/* No angle is special, not even 1 in one step. */
+static void one_radian(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 9 9 radius 1 m\nwall w -3 0 to 3 0 m spin 1\nstep "
+                   "1\nallow unstable\n"
+                   "stage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  written_cycles(model, 1);
+  CU_ASSERT_DOUBLE_EQUAL(model->walls.along[0].x, cos(1), 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(model->walls.along[0].y, sin(1), 1e-15);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* ---- gone through ---- */
+
+static void through(const char *statements, const char *wanted, long cycle) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(
+      &page,
+      "units none\nmaterial m density 1 kn 10\nstep 0.01\n%s\nwatch D disc 1\nrecord D.x D.y\nallow unstable\nstage s\n"
+      "cycles 1000\n",
+      statements);
+  written_scene(&it, &page);
+  struct nb_model *model = nb_model_create(&it.scene, NULL, &error);
+  enum nb_status status = model ? NB_OK : error.status;
+  if (model)
+    status = nb_stage_begin(model, &it.scene.stages[0], &error);
+  for (int n = 0; n < 1000 && !status; n++)
+    status = nb_cycle(model, &error);
+  if ((status == NB_BROKEN) != (wanted != NULL) || (wanted && !strstr(error.text, wanted)))
+    printf("# %s: status %d, %s\n", statements, status, error.text);
+  CU_ASSERT((status == NB_BROKEN) == (wanted != NULL));
+  CU_ASSERT(!wanted || strstr(error.text, wanted));
+  CU_ASSERT(!model || cycle < 0 || (long)model->cycle == cycle);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+static void nothing_goes_through_in_silence(void) {
+  const char *said = "body 1 (line 5) has gone through wall `w` (line 6)";
+  through("disc 0 10.5 radius 1 m velocity 0 -1000\nwall w -5 0 to 5 0 m", said, 2); /* far away, in one step */
+  through("disc 0 10.5 radius 1 m velocity 0 -1e6\nwall w -5 0 to 5 0 m", said, 1);
+  through("disc 0 3 radius 1 m velocity 0 -30\nwall w -5 0 to 5 0 m", said, -1); /* pressed through */
+  through("disc 0 3.1 radius 1e-3 m velocity 0 -30\nwall w -5 0 to 5 0 m\ndisc 50 50 radius 30 m", said, 11);
+  through("disc 0 3 radius 1 m\nwall w -5 0 to 5 0 m velocity 0 1000", said, 1); /* the wall was too fast */
+  through("disc 0 3 radius 1 m\nwall w -5 0 to 5 0 m spin 2000", said, -1);      /* or turned */
+  through("disc 0 3.1 radius 1e-3 m velocity 0 -30\nwall w -5 0 to 5 0 m about 1 -2\ndisc 50 50 radius 30 m", said, 11);
+  through("disc 0 1e-3 radius 1e-6 m velocity 0 -30\nwall w -5 0 to 5 0 m about 1 -2\ndisc 50 50 radius 30 m", said, 1);
+  /* just beyond, and going away */
+  through("disc 0 -1e-4 radius 1e-6 m velocity 0 -30\nwall w -5 0 to 5 0 m\ndisc 50 50 radius 30 m", NULL, 1000);
+  through("disc 0 -1e-4 radius 1e-6 m\nwall w -5 0 to 5 0 m velocity 0 30\ndisc 50 50 radius 30 m", NULL, 1000);
+  through("disc 90 2 radius 1e-3 m\nwall w -100 0 to 100 0 m spin 5\ndisc 500 500 radius 30 m", said,
+          1); /* a long one */
+  through("disc 0 3 radius 1 m velocity 0 -999\nwall w -5 0 to 0 0 m\nwall v 0 0 to 5 0 m", "has gone through wall", 1);
+  through("disc 0 0 radius 1 m\nwall w -5 0 to 5 0 m", "on neither side", 0);
+  through("disc 0 3 radius 1 m velocity 0 -1\nwall w -5 0 to 5 0 m", NULL, 1000);   /* bounces */
+  through("disc 7 3 radius 1 m velocity 0 -500\nwall w -5 0 to 5 0 m", NULL, 1000); /* past its end */
+  through("disc 0 3 radius 1 m velocity 0 -999 fixed\nwall w -5 0 to 5 0 m", NULL,
+          1000); /* nothing stops what is fixed */
+  through("disc 0 3 radius 1 m velocity 5 -2\nwall w -5 0 to 5 0 m velocity 5 -2 spin 0.01", NULL, 1000);
+}
+
+void suite_walls(void) {
+  CU_pSuite suite = CU_add_suite("walls", NULL, NULL);
+  CU_add_test(suite, "a wall turns exactly", a_wall_turns_exactly);
+  CU_add_test(suite, "one radian", one_radian);
+  CU_add_test(suite, "velocity of a point of a wall", velocity_of_a_point);
+  CU_add_test(suite, "no jump on a straight joint", no_jump_on_a_straight_joint);
+  CU_add_test(suite, "one contact at a corner", one_contact_at_a_corner);
+  CU_add_test(suite, "nothing goes through in silence", nothing_goes_through_in_silence);
+}
