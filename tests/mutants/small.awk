@@ -90,7 +90,7 @@ BEGIN {
       size = RLENGTH
       it = substr(rest, 1, size)
       if (depth == 0) head_of = it ~ /^[;}]$/ ? "" : head_of " " it
-      if (it == "{") { if (depth == 0) { inside = last == ")"; whole_answer = head_of ~ /^ (static |inline |NB_FORM )*(int|bool|size_t|long|unsigned|enum) / } depth++ }
+      if (it == "{") { if (depth == 0) { inside = last == ")"; whole_answer = head_of ~ /^ (static |inline |NB_[A-Z_0-9]+ )*(int|bool|size_t|long|unsigned|enum) / } depth++ }
       if (it == "}") { depth--; if (depth == 0) { inside = 0; head_of = "" } }
       if (inside) token(at, it, substr(rest, size + 1))
       else { before = last; last = it }
