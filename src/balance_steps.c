@@ -40,17 +40,18 @@ static void slide(struct nb_balance *b, const struct nb_model *model, size_t c) 
 static double stored(const struct nb_model *model, size_t c, struct nb_pair values, bool normal) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-  double mn[NB_MEMORY] = {0}, ms[NB_MEMORY] = {0};
+  double mn[NB_MEMORY], room[NB_MEMORY];
   if (!(contacts->kept[NB_OVERLAP][c] > 0))
     return 0;
-  for (int m = 0; m < NB_MEMORY; m++) {
-    mn[m] = contacts->normal_memory[m] ? contacts->normal_memory[m][c] : 0;
-    ms[m] = contacts->shear_memory[m] ? contacts->shear_memory[m][c] : 0;
-  }
-  const struct nb_normal n = pairing->normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, mn);
+  values = nb_contacts_values(model, c, values);
+  memcpy(mn, nb_memory_read(&contacts->normal_memory, c, room), sizeof mn);
+  struct nb_normal n = pairing->normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, mn);
+  n.overlap = contacts->kept[NB_OVERLAP][c];
   if (normal)
     return pairing->normal->stored ? pairing->normal->stored(values, n, mn) : 0;
-  return pairing->shear && pairing->shear->stored ? pairing->shear->stored(values, n, ms) : 0;
+  return pairing->shear && pairing->shear->stored
+             ? pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room))
+             : 0;
 }
 
 static bool same(struct nb_pair a, struct nb_pair b) {

@@ -25,9 +25,13 @@ enum nb_field {
   NB_SHEAR,                  /* F_s, elastic, on the first body along -t, N */
   NB_SHEAR_STIFFNESS,        /* dF_s/ds, N/m; 0 where nothing touches */
   NB_SLIDING,                /* 1 where F_s is at its limit [CS79 19], else 0 */
+  NB_LOST,                   /* lost in the step behind to micro-slip and sliding, by a law that says it, J */
   NB_PUSH,                   /* F_n + D_n, N: what is felt; may pull while damped */
   NB_DRAG,                   /* F_s + D_s, N */
-  NB_MASS,                   /* M*, reduced mass, kg [R89 4.6] */
+  NB_MASS,                   /* M*, reduced mass, kg [R89 4.6]; these three stay what they are while a pair is listed */
+  NB_REDUCED,                /* R*, reduced radius, m [R89 4.8] */
+  NB_SMALLER,                /* the smaller radius of two bodies, or of one at a wall, m */
+  NB_DEEP,                   /* 1 where the overlap is more than a Hertz contact is good for, else 0 */
   NB_SHEAR_BEFORE,           /* F_s a step ago, N, for the energy balance alone; */
   NB_SHEAR_STIFFNESS_BEFORE, /* its stiffness then, N/m */
   NB_FIELDS
@@ -36,7 +40,19 @@ enum nb_field {
 /* A set of fields. */
 #define NB_BIT(field) (1u << (field))
 
-enum { NB_MEMORY = 4 }; /* doubles of memory a law may have */
+/* What never changes while a pair is listed: worked out when it is found, kept if a pass needs it. */
+#define NB_CONSTANTS (NB_BIT(NB_MASS) | NB_BIT(NB_REDUCED) | NB_BIT(NB_SMALLER))
+
+/* What a law remembers of its contacts. Up to four doubles are an array each, so that its loop is wide; a law that remembers
+ * more has a row for each contact, of which the first double is 0 as long as there is nothing to remember: the rest is then
+ * whatever it was. */
+#define NB_MEMORY 4 /* no enum: the preprocessor asks */
+enum { NB_PIECES_MAX = 256, NB_MEMORY_MAX = 8 + 4 * NB_PIECES_MAX };
+struct nb_memory {
+  int doubles;              /* for each contact */
+  double *field[NB_MEMORY]; /* of up to four doubles; else NULL */
+  double *rows;             /* of more; else NULL */
+};
 
 /* Before a loop over a block: its arrays do not overlap, so it can be made wide. */
 #ifdef __clang__
@@ -71,6 +87,12 @@ typedef void nb_run_pass(const struct nb_model *model, const struct nb_view *vie
   { name##_plain, name##_plain, name##_plain }
 #endif
 
+/* The share of the step behind in which a pair touched: all of it, unless it was apart a step ago, when it has overlapped by
+ * less than it has closed. Slip counts while they touch, or the first step would be of first order in a law's slip. */
+static inline double nb_touched(double overlap, double closing) {
+  return overlap > 0 && overlap < closing ? overlap / closing : 1;
+}
+
 struct nb_pairing;
 
 /* What a pass is given. All arrays have n entries, except where the plan has no use for a field: then NULL. */
@@ -79,7 +101,8 @@ struct nb_view {
   const int *a, *b; /* slots of the two bodies; b is a wall's index where the pairing is with walls */
   double *f[NB_FIELDS];
   struct nb_vec *force; /* on the first body, N */
-  double *normal_memory[NB_MEMORY], *shear_memory[NB_MEMORY];
+  struct nb_memory normal_memory, shear_memory;
+  unsigned long *deep; /* how often an overlap was too deep, to be added to */
   const struct nb_pairing *pairing;
 };
 

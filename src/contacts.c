@@ -30,12 +30,8 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
         now->muted[c] = old->muted[o];
       if (model->balance)
         carry_fields(now, c, old, o);
-      for (int m = 0; m < NB_MEMORY; m++) {
-        if (now->normal_memory[m] && old->normal_memory[m])
-          now->normal_memory[m][c] = old->normal_memory[m][o];
-        if (now->shear_memory[m] && old->shear_memory[m])
-          now->shear_memory[m][c] = old->shear_memory[m][o];
-      }
+      nb_memory_copy(&now->normal_memory, c, &old->normal_memory, o);
+      nb_memory_copy(&now->shear_memory, c, &old->shear_memory, o);
     }
   }
 }
@@ -44,8 +40,21 @@ void nb_contacts_free(struct nb_contacts *contacts) {
   free(contacts->a), free(contacts->b), free(contacts->pairing), free(contacts->muted), free(contacts->force);
   for (int f = 0; f < NB_FIELDS; f++)
     free(contacts->kept[f]);
-  for (int m = 0; m < NB_MEMORY; m++)
-    free(contacts->normal_memory[m]), free(contacts->shear_memory[m]);
+  nb_memory_free(&contacts->normal_memory), nb_memory_free(&contacts->shear_memory);
+}
+
+/* Fixed bodies and walls count as of infinite mass, walls as of infinite radius too. One of a pair is free. */
+static void find_constants(struct nb_contacts *contacts, size_t c, const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const int a = contacts->a[c], b = contacts->b[c];
+  const bool wall = model->pairings[contacts->pairing[c]].wall;
+  const double radius = bodies->rim[a].x, other = wall ? INFINITY : bodies->rim[b].x;
+  if (contacts->kept[NB_MASS])
+    contacts->kept[NB_MASS][c] = 1 / (bodies->inverse_mass[a] + (wall ? 0 : bodies->inverse_mass[b]));
+  if (contacts->kept[NB_REDUCED])
+    contacts->kept[NB_REDUCED][c] = wall ? radius : radius * other / (radius + other);
+  if (contacts->kept[NB_SMALLER])
+    contacts->kept[NB_SMALLER][c] = radius < other ? radius : other;
 }
 
 static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
@@ -63,20 +72,18 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
   int normal = 0, shear = 0;
   for (size_t p = 0; p < model->pairing_count; p++) {
     const struct nb_pairing *q = &model->pairings[p];
-    if (q->normal->memory > normal)
-      normal = q->normal->memory;
-    if (q->shear && q->shear->memory > shear)
-      shear = q->shear->memory;
+    const int pairs_normal = nb_law_memory(q->normal, q->values), pairs_shear = nb_law_memory(q->shear, q->values);
+    normal = pairs_normal > normal ? pairs_normal : normal;
+    shear = pairs_shear > shear ? pairs_shear : shear;
   }
-  for (int m = 0; m < normal; m++)
-    made = (contacts->normal_memory[m] = nb_array(n, sizeof(double))) && made;
-  for (int m = 0; m < shear; m++)
-    made = (contacts->shear_memory[m] = nb_array(n, sizeof(double))) && made;
+  made = nb_memory_create(&contacts->normal_memory, normal, n) && made;
+  made = nb_memory_create(&contacts->shear_memory, shear, n) && made;
   if (!made)
     return false;
   for (size_t c = 0; c < n; c++) {
     contacts->a[c] = pairs->list[c].a, contacts->b[c] = pairs->list[c].b;
     contacts->pairing[c] = pairs->list[c].pairing;
+    find_constants(contacts, c, model);
   }
   return true;
 }
@@ -141,6 +148,12 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs
   while (model->wall_contacts < now.count && !model->pairings[now.pairing[model->wall_contacts]].wall)
     model->wall_contacts++;
   return incidence_renew(model);
+}
+
+struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values) {
+  if (model->contacts.kept[NB_REDUCED])
+    values.radius = model->contacts.kept[NB_REDUCED][contact];
+  return values;
 }
 
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {

@@ -43,16 +43,13 @@ double nb_energy_stored(const struct nb_model *model) {
       continue;
     const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
     const struct nb_normal n = {contacts->kept[NB_NORMAL][c], contacts->kept[NB_STIFFNESS][c],
-                                contacts->kept[NB_RADIUS][c]};
-    double mn[NB_MEMORY] = {0}, ms[NB_MEMORY] = {0};
-    for (int m = 0; m < NB_MEMORY; m++) {
-      mn[m] = contacts->normal_memory[m] ? contacts->normal_memory[m][c] : 0;
-      ms[m] = contacts->shear_memory[m] ? contacts->shear_memory[m][c] : 0;
-    }
+                                contacts->kept[NB_RADIUS][c], contacts->kept[NB_OVERLAP][c]};
+    const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
+    double room[NB_MEMORY];
     if (pairing->normal->stored)
-      sum += pairing->normal->stored(pairing->values, n, mn);
+      sum += pairing->normal->stored(values, n, nb_memory_read(&contacts->normal_memory, c, room));
     if (pairing->shear && pairing->shear->stored)
-      sum += pairing->shear->stored(pairing->values, n, ms);
+      sum += pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room));
   }
   return sum;
 }

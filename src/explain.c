@@ -47,9 +47,7 @@ static void explain_pairing(FILE *out, const struct nb_model *model, const struc
 
 static void explain_memory(FILE *out, const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
-  size_t memory = 0;
-  for (int m = 0; m < NB_MEMORY; m++)
-    memory += (model->contacts.normal_memory[m] != NULL) + (model->contacts.shear_memory[m] != NULL);
+  const size_t memory = (size_t)(model->contacts.normal_memory.doubles + model->contacts.shear_memory.doubles);
   const size_t per_body = sizeof(double) * (bodies->spin ? 14 : 12) + 3 * sizeof(int) + 2 * sizeof(size_t);
   const size_t per_contact = sizeof(double) * (2 + bits(model->kept) + memory) + 5 * sizeof(int);
   fprintf(out, "memory\n  %zu bytes a body%s, %zu a contact (%zu fields kept, %zu remembered by laws)\n", per_body,

@@ -129,17 +129,13 @@ static int silent(const struct nb_model *model, const struct nb_joint *joint) {
   return stands_at(model, joint->c, joint->at_c) ? joint->c : -1;
 }
 
-static void hand_over(const struct nb_contacts *contacts, int from, int to) {
-  for (int m = 0; m < NB_MEMORY; m++) {
-    if (contacts->normal_memory[m])
-      contacts->normal_memory[m][to] = contacts->normal_memory[m][from];
-    if (contacts->shear_memory[m])
-      contacts->shear_memory[m][to] = contacts->shear_memory[m][from];
-  }
+static void hand_over(struct nb_contacts *contacts, int from, int to) {
+  nb_memory_copy(&contacts->normal_memory, (size_t)to, &contacts->normal_memory, (size_t)from);
+  nb_memory_copy(&contacts->shear_memory, (size_t)to, &contacts->shear_memory, (size_t)from);
 }
 
 void nb_joints_settle(struct nb_model *model) {
-  const struct nb_contacts *contacts = &model->contacts;
+  struct nb_contacts *contacts = &model->contacts;
   int *muted = contacts->muted;
   for (size_t c = model->wall_contacts; c < contacts->count; c++)
     muted[c] = muted[c] & NOW ? BEFORE : 0;

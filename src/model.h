@@ -86,7 +86,7 @@ struct nb_contacts {
   int *muted;              /* 1 where another wall's contact with this body stands for it (joints.c); NULL: nowhere */
   struct nb_vec *force;    /* on the first body, dashpots included, N */
   double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
-  double *normal_memory[NB_MEMORY], *shear_memory[NB_MEMORY];
+  struct nb_memory normal_memory, shear_memory;
 };
 
 /* For the motion half: which contacts a body has. */
@@ -101,6 +101,7 @@ struct nb_properties {
   struct nb_material *materials; /* as the scene's; */
   struct nb_pair_rule *rules;    /* the scene's and those that stages have added */
   size_t rule_count;
+  double pieces; /* of struct nb_pair; the same for all pairs */
 };
 
 struct nb_model {
@@ -153,6 +154,17 @@ struct nb_model {
 /* How much a geometry pass has to find out. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_CLOSING, NB_APPROACH_SLIP };
 
+/* memory.c */
+bool nb_memory_create(struct nb_memory *memory, int doubles,
+                      size_t contacts); /* nothing remembered; false: no memory */
+void nb_memory_free(struct nb_memory *memory);
+struct nb_memory nb_memory_from(const struct nb_memory *memory,
+                                size_t first); /* that of the contacts from `first` on */
+void nb_memory_copy(struct nb_memory *to, size_t there, const struct nb_memory *from, size_t here); /* of one contact */
+void nb_memory_forget(struct nb_memory *memory, size_t contact);
+/* What a contact's law would be given, in `room` or where it is. */
+const double *nb_memory_read(const struct nb_memory *memory, size_t contact, double room[NB_MEMORY]);
+
 /* array.c: zeroed and aligned for wide loads; NULL only when memory is out. Freed by free(). */
 void *nb_array(size_t count, size_t size);
 
@@ -173,6 +185,8 @@ enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
 /* contacts.c */
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
 void nb_contacts_free(struct nb_contacts *contacts);
+/* What the laws of a contact are given: the constants of its pairing, and those of its own. */
+struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values);
 
 /* properties.c */
 bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene); /* as at time 0 */

@@ -89,6 +89,8 @@ struct nb_material {
   char name[NB_NAME_SIZE];
   double density;  /* kg/m3 */
   double kn, ks;   /* normal and shear stiffness of a contact between like materials, N/m [CS79 16, 17] */
+  double young;    /* E, Pa, of laws for elastic spheres; INFINITY: rigid; 0: not said [R89 4.7] */
+  double poisson;  /* nu, 1; G = E/2(1 + nu) */
   double friction; /* tan phi_mu, 1 [CS79 19] */
   double cohesion; /* c, N [CS79 19] */
   int line;        /* of the page, for messages */
@@ -251,6 +253,7 @@ struct nb_scene {
   size_t wall_count;
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* laws, by the names of their files: `linear`, `none` */
   int normal_line, shear_line;
+  int pieces; /* of a contact's history that the shear law keeps, at most; 0: as many as it likes best */
   struct nb_damping damping;
   struct nb_gravity gravity; /* at time 0 */
   struct nb_step step;
@@ -282,6 +285,10 @@ struct nb_pair {
   double kn, ks;   /* N/m */
   double friction; /* 1 */
   double cohesion; /* N */
+  double young;    /* E* = 1/((1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y), Pa; 0 where a material has none [R89 4.7] */
+  double shear;    /* G* = 1/((2 - nu_x)/G_x + (2 - nu_y)/G_y), Pa [R89 4.8-4.10] */
+  double radius;   /* R* = 1/(1/R_x + 1/R_y), R_y infinite for a wall, m: of one contact, 0 here */
+  double pieces;   /* most pieces of a contact's history that the shear law keeps; 0: it keeps none */
 };
 struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int material_b);
 double nb_body_mass(const struct nb_scene *scene, const struct nb_body *body);    /* kg */

@@ -34,6 +34,10 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
   pairing->normal = normal;
   pairing->shear = rubs(pairing) && strcmp(shear->name, "none") != 0 ? shear : NULL;
   pairing->pass_count = 0;
+  if (normal->elastic)
+    model->kept |= NB_BIT(NB_REDUCED);
+  if (model->dashpots)
+    model->kept |= NB_BIT(NB_MASS);
   const bool closing = model->dashpots || (normal->needs & NB_BIT(NB_CLOSING));
   const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
   const struct nb_pass *geometry = pairing->wall ? &nb_pass_disc_wall[approach] : &nb_pass_disc_disc[approach];
@@ -97,12 +101,8 @@ static struct nb_view view_of(const struct nb_model *model, size_t from, size_t 
     view.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK;
   if (!model->dashpots)
     view.f[NB_PUSH] = view.f[NB_NORMAL], view.f[NB_DRAG] = view.f[NB_SHEAR];
-  for (int m = 0; m < NB_MEMORY; m++) {
-    if (contacts->normal_memory[m])
-      view.normal_memory[m] = contacts->normal_memory[m] + from;
-    if (contacts->shear_memory[m])
-      view.shear_memory[m] = contacts->shear_memory[m] + from;
-  }
+  view.normal_memory = nb_memory_from(&contacts->normal_memory, from);
+  view.shear_memory = nb_memory_from(&contacts->shear_memory, from);
   return view;
 }
 

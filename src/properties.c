@@ -9,6 +9,9 @@
 /* Two springs in series, each half of the contact: 2ab/(a+b), which is k between like ones. A stiffness of 0 wins. */
 static double series(double a, double b) { return a == b ? a : 2 * a * b / (a + b); }
 
+/* (2 - nu)/G, with G = E/2(1 + nu); 1/Pa [R89 4.9, 4.10] */
+static double shear_yield(const struct nb_material *a) { return 2 * (1 + a->poisson) * (2 - a->poisson) / a->young; }
+
 static bool is_of(const struct nb_pair_rule *rule, int a, int b) {
   return (rule->a == a && rule->b == b) || (rule->a == b && rule->b == a);
 }
@@ -25,11 +28,16 @@ static struct nb_pair pair_of(const struct nb_material *materials, const struct 
       .friction = a->friction < b->friction ? a->friction : b->friction,
       .cohesion = a->cohesion < b->cohesion ? a->cohesion : b->cohesion,
   };
+  if (a->young > 0 && b->young > 0) { /* 1/infinity is 0: what is rigid gives nothing */
+    pair.young = 1 / ((1 - a->poisson * a->poisson) / a->young + (1 - b->poisson * b->poisson) / b->young);
+    pair.shear = 1 / (shear_yield(a) + shear_yield(b));
+  }
   for (size_t i = 0; i < rule_count; i++) {
     const struct nb_pair_rule *rule = &rules[i];
-    if (is_of(rule, material_a, material_b))
-      pair = (struct nb_pair){said(rule->kn, pair.kn), said(rule->ks, pair.ks), said(rule->friction, pair.friction),
-                              said(rule->cohesion, pair.cohesion)};
+    if (!is_of(rule, material_a, material_b))
+      continue;
+    pair.kn = said(rule->kn, pair.kn), pair.ks = said(rule->ks, pair.ks);
+    pair.friction = said(rule->friction, pair.friction), pair.cohesion = said(rule->cohesion, pair.cohesion);
   }
   return pair;
 }
@@ -39,7 +47,9 @@ struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int m
 }
 
 struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_a, int material_b) {
-  return pair_of(now->materials, now->rules, now->rule_count, material_a, material_b);
+  struct nb_pair pair = pair_of(now->materials, now->rules, now->rule_count, material_a, material_b);
+  pair.pieces = now->pieces;
+  return pair;
 }
 
 bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene) {
@@ -55,6 +65,9 @@ bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scen
   if (scene->pair_rule_count > 0)
     memcpy(now->rules, scene->pair_rules, scene->pair_rule_count * sizeof *now->rules);
   now->rule_count = scene->pair_rule_count;
+  const struct nb_law *shear = nb_law_find("shear", scene->shear);
+  if (shear && shear->piece > 0)
+    now->pieces = scene->pieces > 0 ? scene->pieces : shear->pieces;
   return true;
 }
 
@@ -67,7 +80,8 @@ struct nb_pair nb_properties_before(const struct nb_properties *now, const struc
   if (change->b >= 0)
     return nb_properties_pair(now, change->a, change->b);
   const struct nb_material *material = &now->materials[change->a];
-  return (struct nb_pair){material->kn, material->ks, material->friction, material->cohesion};
+  return (struct nb_pair){
+      .kn = material->kn, .ks = material->ks, .friction = material->friction, .cohesion = material->cohesion};
 }
 
 /* The rule of a pair, a new one that says nothing yet when there was none; create made room for all that may come. */

@@ -75,7 +75,7 @@ bool nb_is_name(const char *text); /* a letter, then letters, digits, _ and -; s
 
 /* ---- keywords.c: values one by one ---- */
 
-enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_SHARE }; /* all, > 0, >= 0, 0 to 1 */
+enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_SHARE, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
 
 /* " above 0", ", 0 or more", " from 0 to 1", or nothing. */
 const char *nb_range_words(enum nb_range range);

@@ -193,6 +193,8 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     strcpy(scene->normal, "linear");
   if (!scene->shear[0])
     strcpy(scene->shear, "none");
+  if (mistakes->count == before)
+    nb_laws_check(reading);
 }
 
 /* Reads one run, and says how many there are. The scene is empty when there are mistakes. */

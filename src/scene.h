@@ -8,6 +8,7 @@
  *   scene_step.c    step and damping
  *   scene_stages.c  stages, walls in them, how they end; what is recorded
  *   scene_changes.c what else changes in them: materials, gravity; ramps
+ *   scene_laws.c    what laws ask of materials and bodies
  *   scene_place.c   the whole scene mirrored, turned, shifted
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -44,7 +45,11 @@ enum {
   AT_ANGLE,
   AT_ABOUT_X,
   AT_ABOUT_Y,
-  AT_SKIN
+  AT_SKIN,
+  AT_YOUNG,
+  AT_POISSON,
+  AT_RIGID,
+  AT_PIECES
 };
 
 /* A column asked for by `record`, until all watches are known. */
@@ -100,6 +105,8 @@ void nb_settings_read(struct nb_scene_reading *reading);
 size_t nb_runs(const struct nb_scene_reading *reading);
 /* A quantity by its name; false with a message in place when there is none, unless an earlier mistake explains that. */
 bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked);
+/* What the laws ask of materials and bodies. */
+void nb_laws_check(struct nb_scene_reading *reading);
 /* A ramp wants a stage whose length is known. */
 void nb_ramps_check(struct nb_scene_reading *reading);
 /* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */

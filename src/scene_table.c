@@ -30,11 +30,21 @@ static const struct nb_argument nothing[] = {END};
 static const struct nb_argument units[] = {WORD("none|si", AT_NAME, "`none` or `si`"), END};
 static const struct nb_argument name_of_value[] = {NAME(AT_NAME, "a name for the value"), END};
 static const struct nb_argument law[] = {WORD("LAW", AT_NAME, "the name of a law"), END};
+static const struct nb_argument shear_law[] = {
+  WORD("LAW", AT_NAME, "the name of a law"),
+  {"pieces", "K", NB_ARGUMENT_COUNT, NB_UNIT_NUMBER, NB_ANY, AT_PIECES, 1, "as many as the law likes best",
+   "How much of a contact's history is kept, by a law that keeps it."},
+  END
+};
 static const struct nb_argument material[] = {
   NAME(AT_NAME, "a name for the material"),
   CLAUSE("density", "D", NB_UNIT_DENSITY, NB_NOT_NEGATIVE, AT_DENSITY, 1, "0",
          "Mass per volume; a free body needs it."),
   CONTACT("0", "0", "0", "0"),
+  CLAUSE("young", "E", NB_UNIT_PRESSURE, NB_POSITIVE, AT_YOUNG, 1, "none",
+         "Young's modulus, for the laws of elastic spheres [R89 4.7]."),
+  CLAUSE("poisson", "NU", NB_UNIT_NUMBER, NB_HALF, AT_POISSON, 1, "0", "Poisson's ratio, 0 to 0.5."),
+  FLAG("rigid", AT_RIGID, "elastic", "Of infinite Young's modulus: what touches it has all the deformation."),
   END
 };
 static const struct nb_argument pair[] = {
@@ -144,7 +154,7 @@ static const struct nb_keyword table[] = {
   {"normal", NB_IN_SCENE, law, NULL, 0, false, nb_apply_law,
    "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it.",
    "normal    linear"},
-  {"shear", NB_IN_SCENE, law, NULL, 1, false, nb_apply_law,
+  {"shear", NB_IN_SCENE, shear_law, NULL, 1, false, nb_apply_law,
    "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it.",
    "shear     linear"},
   {"damping", NB_IN_SCENE | NB_IN_STAGE, nothing,

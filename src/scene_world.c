@@ -81,8 +81,12 @@ NB_APPLY(nb_apply_material) {
       .ks = value[AT_KS].number,
       .friction = value[AT_FRICTION].number,
       .cohesion = value[AT_COHESION].number,
+      .young = value[AT_RIGID].token ? INFINITY : value[AT_YOUNG].number,
+      .poisson = value[AT_POISSON].number,
       .line = (int)reader->line,
   };
+  if (value[AT_RIGID].token && value[AT_YOUNG].token)
+    nb_token_mistake(reader, value[AT_RIGID].token, NULL, "expected `rigid` or `young`, not both");
   snprintf(material->name, sizeof material->name, "%s", name->text);
 }
 
@@ -136,6 +140,11 @@ NB_APPLY(nb_apply_law) {
     nb_not_known(reader, token, did_you_mean ? did_you_mean : "`nineball laws` lists them", what);
     return;
   }
+  const struct nb_value *pieces = &record->value[AT_PIECES];
+  if (shear && pieces->token && nb_law_find(kind, token->text)->piece == 0)
+    nb_token_mistake(reader, pieces->token, NULL, "`shear %s` keeps no pieces of history", token->text);
+  else if (shear && pieces->token && (pieces->number < 2 || pieces->number > NB_PIECES_MAX))
+    nb_token_mistake(reader, pieces->token, NULL, "expected 2 to %d pieces", NB_PIECES_MAX);
   if (*line && !setting) {
     nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is said twice: first on line %d", kind, *line);
     return;
@@ -143,6 +152,8 @@ NB_APPLY(nb_apply_law) {
   if (*set && !setting)
     return;
   *set = setting;
+  if (shear)
+    scene->pieces = pieces->token ? (int)pieces->number : 0;
   *line = setting ? 0 : (int)reader->line;
   snprintf(shear ? scene->shear : scene->normal, NB_NAME_SIZE, "%s", token->text);
 }

@@ -68,11 +68,14 @@ static double overlap_of(const struct nb_model *model, size_t c, bool wall) {
 
 /* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
 static struct stiff stiff_at(const struct nb_model *model, const struct nb_pairing *pairing, double overlap,
-                             double inverse_mass, double normal_memory[], double shear_memory[]) {
-  const struct nb_normal normal = pairing->normal->normal(pairing->coming, overlap, 0, normal_memory);
+                             double inverse_mass, double radius, double normal_memory[], double shear_memory[]) {
+  struct nb_pair values = pairing->coming;
+  values.radius = radius;
+  struct nb_normal normal = pairing->normal->normal(values, overlap, 0, normal_memory);
+  normal.overlap = overlap;
   struct stiff k = {.kn = normal.stiffness};
   if (pairing->coming_shear)
-    k.ks = pairing->coming_shear->shear(pairing->coming, normal, 0, shear_memory).stiffness;
+    k.ks = pairing->coming_shear->shear(values, normal, 0, shear_memory).stiffness;
   if (!model->dashpots)
     return k;
   const struct nb_dashpot pot = nb_dashpot(model);
@@ -93,16 +96,16 @@ static const double just = DBL_MIN;
 static struct stiff stiff_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-  double normal_memory[NB_MEMORY] = {0}, shear_memory[NB_MEMORY] = {0};
-  for (int m = 0; m < NB_MEMORY; m++) {
-    if (contacts->normal_memory[m])
-      normal_memory[m] = contacts->normal_memory[m][c];
-    if (contacts->shear_memory[m])
-      shear_memory[m] = contacts->shear_memory[m][c];
+  double normal_memory[NB_MEMORY], shear_memory[NB_MEMORY_MAX];
+  for (int shear = 0; shear < 2; shear++) { /* laws write into what they remember, and nothing has happened */
+    const struct nb_memory *memory = shear ? &contacts->shear_memory : &contacts->normal_memory;
+    double room[NB_MEMORY], *to = shear ? shear_memory : normal_memory;
+    const int doubles = memory->doubles > NB_MEMORY ? memory->doubles : NB_MEMORY;
+    memcpy(to, nb_memory_read(memory, c, room), (size_t)doubles * sizeof *to);
   }
   const double overlap = overlap_of(model, c, pairing->wall);
-  return stiff_at(model, pairing, overlap > just ? overlap : just, inverse_mass(model, c, pairing->wall), normal_memory,
-                  shear_memory);
+  return stiff_at(model, pairing, overlap > just ? overlap : just, inverse_mass(model, c, pairing->wall),
+                  nb_contacts_values(model, c, pairing->coming).radius, normal_memory, shear_memory);
 }
 
 /* L of the global damping in force. */
@@ -183,10 +186,13 @@ static struct nb_safe alone(const struct nb_model *model, double limit) {
     nb_step_lightest(model, pairing, lightest);
     if (lightest[0] < 0 || (!pairing->wall && lightest[1] < 0))
       continue;
-    double none[2][NB_MEMORY] = {{0}}, inverse = 0;
+    double normal[NB_MEMORY] = {0}, shear[NB_MEMORY_MAX] = {0}, inverse = 0, curvature = 0;
     for (int side = 0; side < 2; side++)
-      inverse += lightest[side] < 0 ? 0 : bodies->inverse_mass[lightest[side]];
-    struct part part = {.own = stiff_at(model, pairing, just, inverse, none[0], none[1])};
+      if (lightest[side] >= 0) {
+        inverse += bodies->inverse_mass[lightest[side]];
+        curvature += 1 / bodies->rim[lightest[side]].x;
+      }
+    struct part part = {.own = stiff_at(model, pairing, just, inverse, 1 / curvature, normal, shear)};
     for (int side = 0; side < 2; side++) {
       const int i = lightest[side];
       struct nb_load load = {0};

@@ -173,9 +173,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
 /* Contacts of a pairing that has lost its shear forget what they remembered of it. */
 static void forget_shear(struct nb_model *model) {
   for (size_t c = 0; c < model->contacts.count; c++)
-    for (int m = 0; m < NB_MEMORY; m++)
-      if (model->contacts.shear_memory[m] && !model->pairings[model->contacts.pairing[c]].shear)
-        model->contacts.shear_memory[m][c] = 0;
+    if (!model->pairings[model->contacts.pairing[c]].shear)
+      nb_memory_forget(&model->contacts.shear_memory, c);
 }
 
 enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb_error *error) {

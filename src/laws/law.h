@@ -21,23 +21,28 @@ struct nb_normal {
   double force;     /* F_n >= 0, N */
   double stiffness; /* dF_n/d(overlap), N/m; 0 where nothing touches */
   double radius;    /* a of the contact circle, m; 0 for a law that knows none */
+  double overlap;   /* alpha that was given, for shear laws, m; a normal law need not say it */
 };
 
 struct nb_shear {
   double force;     /* F_s, in the sense of the slip that made it, N */
   double stiffness; /* dF_s/d(slip) while sticking, N/m; 0 where nothing touches */
   double sliding;   /* 1 when the force is at its limit, else 0 */
+  double lost;      /* in this step to micro-slip, gross sliding included, J; of a law that declares LOSES */
 };
 
 /* One row of the register; law_batch.h writes it. */
 struct nb_law {
-  const char *kind;          /* "normal" or "shear" */
-  const char *name;          /* "linear" */
-  const char *title;         /* one line for `nineball laws` */
-  const char *source;        /* equation tags */
-  int memory;                /* doubles per contact */
+  const char *kind;   /* "normal" or "shear" */
+  const char *name;   /* "linear" */
+  const char *title;  /* one line for `nineball laws` */
+  const char *source; /* equation tags */
+  int memory, piece,
+      pieces; /* doubles per contact: `memory`, and `piece` more for each of `pieces`, or of as many as a page says */
   unsigned needs;            /* set of fields, besides overlap, normal and its stiffness, that it reads */
+  bool elastic;              /* of elastic spheres: works with E*, G* and R*, not with k_n and k_s */
   bool branching;            /* has loops or calls: its loop is not asked to be wide */
+  bool loses;                /* loses energy before it slides as a whole, and says how much */
   bool gains;                /* may create energy over a closed path, and says so in its file */
   nb_run_pass *run[NB_ISAS]; /* over a block */
   struct nb_normal (*normal)(struct nb_pair, double overlap, double closing,
@@ -45,5 +50,10 @@ struct nb_law {
   struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double slip, double m[]);
   double (*stored)(struct nb_pair, struct nb_normal, const double m[]); /* elastic energy, J; NULL: the law has none */
 };
+
+/* Doubles that it remembers of a contact of such a pair; 0 for no law. */
+static inline int nb_law_memory(const struct nb_law *law, struct nb_pair p) {
+  return law ? law->memory + law->piece * (int)p.pieces : 0;
+}
 
 #endif

@@ -5,10 +5,16 @@
  *   #define SHEAR   or  #define NORMAL      which of the two shapes it has
  *   #define TITLE   "..."                   one line
  *   #define SOURCE  "[CS79 17-19]"          where the equations come from
- *   #define MEMORY  1                       doubles it remembers per contact, up to 4
+ *   #define MEMORY  1                       doubles it remembers per contact
+ *   #define PIECE   4, #define PIECES  16   and so many more for each piece of its history, of which so many (optional)
  *   #define NEEDS   NB_BIT(NB_CLOSING)      fields it reads besides the ones every law is given (optional)
  *   #define STORED  shear_linear_stored     its elastic energy (optional)
+ *   #define ELASTIC                         it is of elastic spheres: p.young, p.shear and p.radius (optional)
+ *   #define LOSES                           it says what micro-slip loses (optional)
  *   #define BRANCHING, #define GAINS        (optional, see law.h)
+ *
+ * A law that remembers more than four doubles finds m[0] = 0 when it remembers nothing, and the rest as it may be; it is not
+ * called where nothing touches.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
@@ -23,6 +29,11 @@
 #ifndef NEEDS
 #define NEEDS 0
 #endif
+#ifndef PIECES
+#define PIECE 0
+#define PIECES 0
+#endif
+#define LAW_ROWS (MEMORY + PIECE * PIECES > NB_MEMORY)
 
 #ifdef NORMAL
 #define LAW_MEMORY view->normal_memory
@@ -32,9 +43,11 @@
 
 static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct nb_view *view) {
   (void)model;
-  const struct nb_pair p = *(const struct nb_pair *)view->pairing; /* a pairing begins with its constants */
+  const struct nb_pair pair = *(const struct nb_pair *)view->pairing; /* a pairing begins with its constants */
   const double *overlap = view->f[NB_OVERLAP];
-  double *const m0 = LAW_MEMORY[0], *const m1 = LAW_MEMORY[1], *const m2 = LAW_MEMORY[2], *const m3 = LAW_MEMORY[3];
+#ifdef ELASTIC
+  const double *reduced = view->f[NB_REDUCED];
+#endif
 #ifdef NORMAL
   const double *closing = view->f[NEEDS & NB_BIT(NB_CLOSING) ? NB_CLOSING : NB_OVERLAP];
   double *force = view->f[NB_NORMAL], *stiffness = view->f[NB_STIFFNESS], *radius = view->f[NB_RADIUS];
@@ -42,24 +55,55 @@ static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct 
   const double *slip = view->f[NB_SLIP], *normal = view->f[NB_NORMAL], *hardness = view->f[NB_STIFFNESS];
   const double *radius = view->f[NB_RADIUS];
   double *force = view->f[NB_SHEAR], *stiffness = view->f[NB_SHEAR_STIFFNESS], *sliding = view->f[NB_SLIDING];
+  double *lost = view->f[NB_LOST];
+#endif
+#if LAW_ROWS
+  double *rows = LAW_MEMORY.rows;
+  const size_t row = (size_t)LAW_MEMORY.doubles;
+#else
+  double *const m0 = LAW_MEMORY.field[0], *const m1 = LAW_MEMORY.field[1];
+  double *const m2 = LAW_MEMORY.field[2], *const m3 = LAW_MEMORY.field[3];
 #endif
 #ifndef BRANCHING
   NB_WIDE
 #endif
   for (size_t c = 0; c < view->n; c++) {
+    struct nb_pair p = pair;
+#ifdef ELASTIC
+    p.radius = reduced[c];
+#endif
+#if LAW_ROWS
+    double *m = rows + c * row;
+#else
     double m[NB_MEMORY];
     m[0] = MEMORY > 0 ? m0[c] : 0, m[1] = MEMORY > 1 ? m1[c] : 0, m[2] = MEMORY > 2 ? m2[c] : 0,
     m[3] = MEMORY > 3 ? m3[c] : 0;
+#endif
+    const bool touching = overlap[c] > 0; /* what is remembered ends with the contact */
+#if LAW_ROWS
+    if (!touching)
+      m[0] = 0;
+#endif
 #ifdef NORMAL
     const struct nb_normal out = LAW(p, overlap[c], closing[c], m);
     radius[c] = out.radius;
 #else
-    const struct nb_shear out = LAW(p, (struct nb_normal){normal[c], hardness[c], radius[c]}, slip[c], m);
+    const struct nb_normal n = {normal[c], hardness[c], radius[c], overlap[c]};
+#if LAW_ROWS
+    const struct nb_shear out = touching ? LAW(p, n, slip[c], m) : (struct nb_shear){0};
+#else
+    const struct nb_shear out = LAW(p, n, slip[c], m);
+#endif
     sliding[c] = out.sliding;
+#ifdef LOSES
+    lost[c] = out.lost;
+#else
+    (void)lost;
+#endif
 #endif
     force[c] = out.force;
     stiffness[c] = out.stiffness;
-    const bool touching = overlap[c] > 0; /* what is remembered ends with the contact */
+#if !LAW_ROWS
     if (MEMORY > 0)
       m0[c] = touching ? m[0] : 0;
     if (MEMORY > 1)
@@ -68,6 +112,7 @@ static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct 
       m2[c] = touching ? m[2] : 0;
     if (MEMORY > 3)
       m3[c] = touching ? m[3] : 0;
+#endif
   }
 }
 
@@ -84,8 +129,14 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
     .name = &LAW_TEXT(LAW)[sizeof "shear_" - 1],
     .shear = LAW,
 #endif
+#ifdef ELASTIC
+    .elastic = true,
+#endif
 #ifdef BRANCHING
     .branching = true,
+#endif
+#ifdef LOSES
+    .loses = true,
 #endif
 #ifdef GAINS
     .gains = true,
@@ -96,6 +147,8 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
     .title = TITLE,
     .source = SOURCE,
     .memory = MEMORY,
+    .piece = PIECE,
+    .pieces = PIECES,
     .needs = NEEDS,
     .run = LAW_LIST(LAW_BLOCK),
 };

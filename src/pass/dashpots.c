@@ -26,23 +26,13 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model) {
   return (struct nb_dashpot){0};
 }
 
-/* Reduced mass of two bodies; a wall's and a fixed body's mass is infinite [R89 4.6]. One is free: others are not listed. */
-static inline double reduced_mass(double inverse_a, double inverse_b) { return 1 / (inverse_a + inverse_b); }
-
 static inline NB_FORM void dashpots(const struct nb_model *model, const struct nb_view *view) {
   const struct nb_dashpot pot = nb_dashpot(model);
   const double *normal = view->f[NB_NORMAL], *stiffness = view->f[NB_STIFFNESS];
   const double *closing = view->f[NB_CLOSING];
-  const double *inverse = model->bodies.inverse_mass;
-  double *mass = view->f[NB_MASS], *push = view->f[NB_PUSH];
+  const double *mass = view->f[NB_MASS];
+  double *push = view->f[NB_PUSH];
   const double rate = model->previous_step > 0 ? 1 / model->previous_step : 0;
-  const bool wall = view->pairing->wall;
-  if (pot.ratio > 0)
-    for (size_t c = 0; c < view->n; c++)
-      mass[c] = reduced_mass(inverse[view->a[c]], wall ? 0 : inverse[view->b[c]]);
-  else
-    for (size_t c = 0; c < view->n; c++)
-      mass[c] = 0;
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
     const double coefficient = pot.time * stiffness[c] + pot.ratio * sqrt(mass[c] * stiffness[c]);

@@ -42,7 +42,7 @@ static inline NB_FORM void disc_disc(const struct nb_model *model, const struct 
     if (approach >= NB_APPROACH_CLOSING)
       closing[c] = vec_dot(here.approach[c], e) * dt;
     if (approach >= NB_APPROACH_SLIP)
-      slip[c] = (vec_dot(here.approach[c], vec_clockwise(e)) - here.rims[c].y) * dt;
+      slip[c] = nb_touched(alpha, closing[c]) * ((vec_dot(here.approach[c], vec_clockwise(e)) - here.rims[c].y) * dt);
   }
 }
 

@@ -34,7 +34,7 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
     if (approach >= NB_APPROACH_CLOSING)
       closing[c] = vec_dot(v, e) * dt;
     if (approach >= NB_APPROACH_SLIP)
-      slip[c] = (vec_dot(v, vec_clockwise(e)) - rim[i].y) * dt;
+      slip[c] = nb_touched(alpha, closing[c]) * ((vec_dot(v, vec_clockwise(e)) - rim[i].y) * dt);
   }
 }
 

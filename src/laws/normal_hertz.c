@@ -1,0 +1,34 @@
+/* Hertz's contact of two elastic spheres:                    N = (4/3) E* R*^(1/2) alpha^(3/2)
+ *
+ *   alpha   overlap of the two outlines, m, >= 0
+ *   a       radius of the contact circle, a^2 = R* alpha, m
+ *   E*, R*  1/E* = (1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y, Pa;  1/R* = 1/R_x + 1/R_y, m
+ *
+ * Source     [R89 3.13]; a from [R89 3.11]; dN/d(alpha) = 2 E* a  [R89 4.12]. The force follows from the overlap alone, so
+ *            nothing drifts; the increments that R89 coded are normal_hertz_increment.
+ * Range      a small beside R*: overlaps below 7 % of the smaller diameter [R89 6.4.3]; smooth elastic spheres.
+ * Remembers  nothing.
+ * Stores     the integral of N, (2/5) N alpha.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "law.h"
+
+static inline struct nb_normal normal_hertz(struct nb_pair p, double overlap, double closing, double m[]) {
+  (void)closing, (void)m;
+  const double a = sqrt(p.radius * overlap), stiffness = 2 * p.young * a;
+  return (struct nb_normal){.force = 2.0 / 3.0 * (stiffness * overlap), .stiffness = stiffness, .radius = a};
+}
+
+static double normal_hertz_stored(struct nb_pair p, struct nb_normal n, const double m[]) {
+  (void)p, (void)m;
+  return 0.4 * (n.force * n.overlap);
+}
+
+#define LAW normal_hertz
+#define NORMAL
+#define ELASTIC
+#define TITLE "elastic spheres, N = (4/3) E* R*^(1/2) overlap^(3/2)"
+#define SOURCE "[R89 3.13]"
+#define MEMORY 0
+#define STORED normal_hertz_stored
+#include "law_batch.h"
