@@ -176,6 +176,8 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   model->safe = status ? 0 : nb_safe_step(model).step;
   if (!status)
     status = nb_step_set(model, &scene->step, error);
+  if (!status && scene->impact.line)
+    nb_impact_begin(model);
   if (!status)
     nb_forces(model);
   return status ? status : nb_balance_create(model, error);

@@ -145,6 +145,7 @@ struct nb_model {
   unsigned long cycle;
   double time;       /* of cycle 0 of this stage plus its steps, s */
   double stage_time; /* at its begin, s */
+  double touch;      /* when what `impact` makes first touches, s */
   unsigned long stage_cycle;
   unsigned long long updates, searches,
       candidates;             /* candidates: pairs of bodies whose distance a search has measured */
@@ -196,6 +197,20 @@ struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_
 struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change);
 /* Makes what the change is about `share` (0 to 1) of its way from `from`. */
 void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from, double share);
+
+/* impact.c */
+struct nb_strike {
+  struct nb_vec point;           /* of what is struck: a body's centre, or the point of a wall that is nearest, m */
+  struct nb_vec normal, tangent; /* unit vectors at first touch: from there to the body; clockwise of it */
+  struct nb_vec arrival;         /* velocity of the body's centre relative to that point, m/s */
+  double rim;                    /* sum of R w, m/s */
+  double normal_v, tangent_v;    /* V_N, and V_T of the contact along the tangent, m/s [R89 5.15] */
+  double mass;                   /* M, reduced, kg */
+  double friction, kappa;        /* mu, and kappa: psi = V_T/(mu kappa V_N), 1 */
+  double peak, duration;         /* N_max, N; T_c, s: of the elastic impact [R89 5.9, 5.12] */
+};
+struct nb_strike nb_impact_strike(const struct nb_scene *scene); /* what the scene says of its impact */
+void nb_impact_begin(struct nb_model *model);                    /* goes back from first touch by `phase` of the step */
 
 /* stage.c */
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);

@@ -9,15 +9,7 @@
 
 #include "energy.h"
 #include "guess.h"
-
-struct nb_quantity_kind {
-  const char *name;
-  unsigned watches; /* set of watch kinds it belongs to; 0: the whole scene */
-  const char *unit;
-  unsigned fields; /* contact fields it reads, to be kept */
-  double (*value)(const struct nb_model *model, const struct nb_watch *watch);
-  const char *help;
-};
+#include "names.h"
 
 /* ---- the whole scene ---- */
 
@@ -220,23 +212,32 @@ static const struct nb_quantity_kind kinds[] = {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
+/* The rows one after the other, those of impact.c behind these; NULL past the last one. */
+static const struct nb_quantity_kind *row(size_t k) {
+  return k < KINDS ? &kinds[k] : nb_impact_kinds[k - KINDS].name ? &nb_impact_kinds[k - KINDS] : NULL;
+}
+
+/* Whether such a quantity is one of watch w, -1: of the whole scene. */
+static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
+  if (w >= 0)
+    return kind->watches & 1u << scene->watches[w].kind;
+  return !kind->watches || (kind->watches == NB_OF_IMPACT && scene->impact.line);
+}
+
 /* Row `kind` as the scene would call it, of watch w: "C.normal", "time". Empty when it does not belong to it. */
 static const char *full_name(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w, char *text,
                              size_t size) {
   text[0] = 0;
-  if (w < 0 && !kind->watches)
-    snprintf(text, size, "%s", kind->name);
-  if (w >= 0 && kind->watches & 1u << scene->watches[w].kind)
-    snprintf(text, size, "%s.%s", scene->watches[w].name, kind->name);
+  if (belongs(kind, scene, w))
+    snprintf(text, size, "%s%s%s", w < 0 ? "" : scene->watches[w].name, w < 0 ? "" : ".", kind->name);
   return text;
 }
 
 /* The row of a quantity of watch w, -1: of the whole scene, by the name behind the dot. */
 static const struct nb_quantity_kind *row_of(const struct nb_scene *scene, int w, const char *name) {
-  const unsigned watches = w < 0 ? 0 : 1u << scene->watches[w].kind;
-  for (int k = 0; k < KINDS; k++)
-    if ((w < 0 ? !kinds[k].watches : kinds[k].watches & watches) && strcmp(kinds[k].name, name) == 0)
-      return &kinds[k];
+  for (size_t k = 0; row(k); k++)
+    if (belongs(row(k), scene, w) && strcmp(row(k)->name, name) == 0)
+      return row(k);
   return NULL;
 }
 
@@ -252,8 +253,8 @@ bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene
   char name[3 * NB_NAME_SIZE];
   struct nb_guess guess = nb_guess_begin(text);
   for (int w = -1; w < (int)scene->watch_count; w++)
-    for (int k = 0; k < KINDS; k++)
-      if (*full_name(&kinds[k], scene, w, name, sizeof name))
+    for (size_t k = 0; row(k); k++)
+      if (*full_name(row(k), scene, w, name, sizeof name))
         nb_guess_offer(&guess, name);
   snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return false;
@@ -285,11 +286,15 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
   return fields;
 }
 
-bool nb_quantity_row(size_t row, const char **name, const char **unit, const char **of, const char **help) {
-  if (row >= KINDS)
+bool nb_quantity_row(size_t k, const char **name, const char **unit, const char **of, const char **help) {
+  if (!row(k))
     return false;
-  const unsigned watches = kinds[row].watches;
-  *name = kinds[row].name, *unit = kinds[row].unit, *help = kinds[row].help;
-  *of = watches == BODY ? "a body" : watches == WALL ? "a wall" : watches == PAIR ? "a pair" : "the scene";
+  const unsigned watches = row(k)->watches;
+  *name = row(k)->name, *unit = row(k)->unit, *help = row(k)->help;
+  *of = watches == BODY           ? "a body"
+        : watches == WALL         ? "a wall"
+        : watches == PAIR         ? "a pair"
+        : watches == NB_OF_IMPACT ? "an impact"
+                                  : "the scene";
   return true;
 }

@@ -187,6 +187,17 @@ struct nb_change {
   int line;
 };
 
+/* `impact`: a sphere flies at what its watch names with it. Reading puts it where it just touches and gives it its velocity;
+ * the run begins the share `phase` of a step before that. */
+struct nb_impact {
+  int watch;    /* the contact; its first body is the one that flies */
+  double speed; /* of its centre relative to what it strikes, m/s */
+  double angle; /* from the normal, rad; NAN: it follows from psi1 */
+  double psi1;  /* Maw's angle of incidence, 1 [R89 5.15]; NAN: it follows from the angle */
+  double phase; /* 0 to 1 */
+  int line;     /* 0: there is no such statement */
+};
+
 /* What happens to a wall when a stage begins. It lasts until another stage says otherwise. */
 struct nb_wall_motion {
   int wall;      /* index */
@@ -261,6 +272,7 @@ struct nb_scene {
   double skin;         /* m: pairs closer than this are listed [R89 TOL]; 0: not said, a tenth of the mean radius */
   struct nb_watch *watches;
   size_t watch_count;
+  struct nb_impact impact;
   struct nb_column *columns;
   size_t column_count;
   struct nb_stage *stages;

@@ -183,6 +183,8 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   check_whole(reading);
   if (nb_page_fence(reading->reader.page, NB_BLOCK_SCENE))
     check_step(reading);
+  if (scene->impact.line && mistakes->count == before)
+    nb_impact_aim(reading);
   if (!nb_scene_place(scene, &reading->place) && mistakes->count == before) {
     nb_line_read(&reading->reader, (size_t)reading->place.line);
     nb_token_mistake(&reading->reader, &reading->reader.tokens[0], NULL,

@@ -5,6 +5,7 @@
  *   scene_values.c  units, let, sweep and --set
  *   scene_world.c   materials, laws, walls
  *   scene_bodies.c  bodies and watches
+ *   scene_impact.c  a sphere that flies at something
  *   scene_step.c    step and damping
  *   scene_stages.c  stages, walls in them, how they end; what is recorded
  *   scene_changes.c what else changes in them: materials, gravity; ramps
@@ -49,7 +50,10 @@ enum {
   AT_YOUNG,
   AT_POISSON,
   AT_RIGID,
-  AT_PIECES
+  AT_PIECES,
+  AT_SPEED,
+  AT_PSI1,
+  AT_PHASE
 };
 
 /* A column asked for by `record`, until all watches are known. */
@@ -107,6 +111,8 @@ size_t nb_runs(const struct nb_scene_reading *reading);
 bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked);
 /* What the laws ask of materials and bodies. */
 void nb_laws_check(struct nb_scene_reading *reading);
+/* Puts what `impact` names where it just touches, and gives it its velocity: materials, pairs and laws must be known. */
+void nb_impact_aim(struct nb_scene_reading *reading);
 /* A ramp wants a stage whose length is known. */
 void nb_ramps_check(struct nb_scene_reading *reading);
 /* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
@@ -133,6 +139,7 @@ NB_APPLY(nb_apply_wall);
 NB_APPLY(nb_apply_skin);
 NB_APPLY(nb_apply_place);
 NB_APPLY(nb_apply_watch);
+NB_APPLY(nb_apply_impact);
 NB_APPLY(nb_apply_step);
 NB_APPLY(nb_apply_allow);
 NB_APPLY(nb_apply_damping);

@@ -115,6 +115,18 @@ static const struct nb_argument place[] = {
   END
 };
 static const struct nb_argument watch[] = {NAME(AT_NAME, "a name for what is watched"), END};
+static const struct nb_argument impact[] = {
+  WORD("WATCH", AT_NAME, "the name of a watched contact"),
+  CLAUSE("speed", "V", NB_UNIT_VELOCITY, NB_POSITIVE, AT_SPEED, 1, NULL,
+         "Of the sphere's centre, relative to what it strikes."),
+  CLAUSE("angle", "A", NB_UNIT_ANGLE, NB_NOT_NEGATIVE, AT_ANGLE, 1, "from `psi1`",
+         "Between that velocity and the normal of the contact, below 90 deg."),
+  CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "from `angle`",
+         "The same as a pure number, V_T/(mu kappa V_N) of the point that will touch, spin included [R89 5.15]: kappa = "
+         "E*/(4 G*), or k_n/k_s of linear springs."),
+  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_SHARE, AT_PHASE, 1, "0", "It first touches when this much of the first step is over."),
+  END
+};
 static const struct nb_argument stage[] = {NAME(AT_NAME, "a name for the stage"), END};
 static const struct nb_argument walls[] = {
   CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "none",
@@ -191,6 +203,11 @@ static const struct nb_keyword table[] = {
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME", 0, true, nb_apply_watch,
    "Names a body, a contact or a wall, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`.",
    "watch     A  disc 1\nwatch     C  disc 1 with sphere 2\nwatch     F  sphere 9 with wall shelf\nwatch     S  wall shelf"},
+  {"impact", NB_IN_SCENE, impact, NULL, 0, false, nb_apply_impact,
+   "Lets the first body of a watched contact strike the other one, or the wall: from the side where the page has put it, "
+   "it is moved until it just touches and flies from there, east when what it strikes lies to the south. Its velocity is replaced, its spin is "
+   "not. Then there are quantities `impact.NAME`.",
+   "impact    F  speed 0.4 m/s  angle 20 deg  phase 0.5"},
   {"place", NB_IN_SCENE, place, NULL, 0, false, nb_apply_place,
    "Moves the whole scene, as it is at the end of the page: positions, velocities, walls and what they do in stages. "
    "First it is mirrored, then turned about the origin, then shifted. The physics stays the same, the directions that "

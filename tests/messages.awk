@@ -9,8 +9,9 @@ function statement_ends() {
   joining = 0
 }
 BEGIN {
-  speaks = "(nb_mistake|nb_token_mistake|nb_expected|nb_not_known|refuse|say_of_scene|nb_take|nb_take_name|snprintf[(](hint|what))[(,]"
+  speaks = "(nb_mistake|nb_token_mistake|nb_expected|nb_not_known|refuse|say_of_scene|say|nb_take|nb_take_name|snprintf[(](hint|what))[(,]"
 }
+/^#/ { next } # an #include is no message
 {
   rest = $0
   while (rest != "") {

@@ -1,0 +1,148 @@
+/* `impact`: the sphere comes as it is told, touches when it is told, and is measured from any side alike.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "../src/model.h"
+#include "suites.h"
+#include "written.h"
+
+#define NEAR(a, b, share) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(b))
+static const double pi = 3.14159265358979323846;
+
+/* A ball of m = 4 pi/3 R^3 rho and q = 5/2 on springs, k_n = 400, k_s = 320, mu = 0.3: kappa = 1.25. */
+#define BALL "units none\nnormal linear\nshear linear\nmaterial m density 0.25 kn 400 ks 320 friction 0.3\n"
+#define RECORD                                                                                                         \
+  "record time B.x B.y B.vx B.vy B.spin C.overlap C.normal C.shear impact.psi1 impact.psi2 impact.angle impact.time "  \
+  "impact.duration impact.restitution impact.normal impact.shear impact.slip impact.energy.normal "                    \
+  "impact.energy.tangential impact.energy.rotational energy.kinetic\nstage s\ncycles 1\n"
+#define ON_FLOOR "sphere 0 3 radius 0.5 m\nwall f -9 0 to 9 0 m\nwatch B sphere 1\nwatch C sphere 1 with wall f\n"
+
+static struct nb_model *made(struct written *it, const char *body, const char *impact) {
+  struct words page = {0};
+  words_add(&page, BALL "%s%s\nstep 0.001\n" RECORD, body, impact);
+  written_scene(it, &page);
+  return written_model(it, NULL);
+}
+
+static void it_comes_as_it_is_told(void) {
+  struct written it;
+  struct nb_model *model = made(&it, ON_FLOOR, "impact C speed 2 angle 0.5 phase 0.25");
+  NEAR(written_now(model, "impact.angle"), 0.5, 1e-15);
+  NEAR(written_now(model, "impact.psi1"), tan(0.5) / (0.3 * 1.25), 1e-14);
+  NEAR(written_now(model, "impact.psi2"), tan(0.5) / (0.3 * 1.25), 1e-14);
+  NEAR(written_now(model, "B.vx"), 2 * sin(0.5), 1e-15);
+  NEAR(written_now(model, "B.vy"), -2 * cos(0.5), 1e-15);
+  NEAR(written_now(model, "B.y"), 0.5 + 0.25e-3 * 2 * cos(0.5), 1e-15);
+  NEAR(written_now(model, "B.x"), -0.25e-3 * 2 * sin(0.5), 1e-12);
+  CU_ASSERT_EQUAL(written_now(model, "impact.slip"), 0);
+  written_cycles(model, 1);
+  NEAR(written_now(model, "C.overlap"), 0.75e-3 * 2 * cos(0.5), 1e-11);
+  NEAR(written_now(model, "impact.slip"), 0.75e-3 * 2 * sin(0.5), 1e-11);
+  NEAR(written_now(model, "impact.duration"), 0.75e-3, 1e-12);
+  nb_model_free(model), written_free(&it);
+}
+
+/* R w counts in psi1, in the sense of the tangent; what is struck may move, and its spin counts too. */
+static void psi1_is_of_the_contact(void) {
+  static const char *const bodies[] = {
+      "sphere 0 3 radius 0.5 m spin 0.8\nwall f -9 0 to 9 0 m\nwatch B sphere 1\nwatch C sphere 1 with wall f\n",
+      "sphere 1 3 radius 0.5 m spin 0.8\nwall f 2 0 to 9 0 m velocity 0.2 -0.1\nwatch B sphere 1\n"
+      "watch C sphere 1 with wall f\n",
+      "sphere 0 3 radius 0.5 m spin 2\nsphere 1 -1 radius 1.5 m velocity 0.3 0.1 spin -0.4\nwatch B sphere 1\n"
+      "watch C sphere 1 with sphere 2\n",
+      "sphere 0 3 radius 1.5 m spin -0.4\nsphere 1 -1 radius 0.5 m velocity 0.3 0.1 spin 2\nwatch B sphere 2\n"
+      "watch C sphere 2 with sphere 1\n"};
+  for (int k = 0; k < 4; k++) {
+    struct written it;
+    struct nb_model *model = made(&it, bodies[k], "impact C speed 2 psi1 1.5 phase 1");
+    const double slope = 1.5 * 0.3 * 1.25, a = written_now(model, "impact.angle");
+    NEAR(written_now(model, "impact.psi1"), 1.5, 1e-14);
+    NEAR(written_now(model, "impact.restitution"), 1., 1e-14);
+    NEAR(2 * sin(a) + 0.4, slope * 2 * cos(a), 1e-14);
+    written_cycles(model, 1);
+    CU_ASSERT(fabs(written_now(model, "C.overlap")) < 1e-6);
+    written_cycles(model, 1);
+    NEAR(written_now(model, "C.overlap"), 1e-3 * 2 * cos(a), 2e-3);
+    nb_model_free(model), written_free(&it);
+  }
+}
+
+/* Gross sliding on springs: N is half a sine, T = mu N, so V_T falls by 2 mu (1 + q) V_N, and all that follows from it. */
+static void it_measures_gross_sliding(void) {
+  static const char *const places[] = {"", "\nplace turn 1.1 shift 3 4", "\nplace mirror x",
+                                       "\nplace mirror y turn 2.5"};
+  static const char *const impacts[] = {"impact C speed 2 angle 1.2", "impact C speed 2 angle 1.2 phase 0.6"};
+  for (int k = 0; k < 8; k++) {
+    char impact[128];
+    struct written it;
+    snprintf(impact, sizeof impact, "%s%s", impacts[k / 4], places[k % 4]);
+    struct nb_model *model = made(&it, ON_FLOOR, impact);
+    const double m = pi / 6 * 0.25, vn = 2 * cos(1.2), vt = 2 * sin(1.2), lasts = pi * sqrt(m / 400);
+    double normal = 0, shear = 0, slipped = 0;
+    while (written_now(model, "impact.time") < 1.1) {
+      written_cycles(model, 1);
+      normal = fmax(normal, written_now(model, "impact.normal"));
+      shear = fmax(shear, written_now(model, "impact.shear"));
+      if (written_now(model, "C.overlap") > 0)
+        slipped = written_now(model, "impact.slip");
+    }
+    NEAR(written_now(model, "impact.time"), (written_now(model, "time") - (k < 4 ? 0 : 0.6e-3)) / lasts, 1e-12);
+    NEAR(normal, 1., 1e-3);
+    NEAR(shear, 1., 1e-3);
+    NEAR(written_now(model, "impact.duration"), lasts, 1e-3);
+    NEAR(written_now(model, "impact.psi2"), written_now(model, "impact.psi1") - 2 * 3.5 / 1.25, 1e-3);
+    const double after = vt - 2 * 0.3 * vn, spin = 2.5 * 2 * 0.3 * vn;
+    NEAR(written_now(model, "impact.restitution"), hypot(vn, after) / 2, 1e-3);
+    NEAR(written_now(model, "impact.energy.normal"), m * vn * vn / 2, 1e-3);
+    NEAR(written_now(model, "impact.energy.tangential"), m * after * after / 2, 1e-3);
+    NEAR(written_now(model, "impact.energy.rotational"), 0.4 * m * spin * spin / 2, 2e-3);
+    /* by symmetry the mean of V_T over the contact is that of its ends */
+    NEAR(slipped, (2 * vt - 2 * 0.3 * 3.5 * vn) / 2 * lasts, 0.1);
+    nb_model_free(model), written_free(&it);
+  }
+}
+
+/* The kinds of energy are those of the bodies where what is struck stands still. */
+static void energies_are_those_of_the_bodies(void) {
+  struct written it;
+  struct nb_model *model = made(&it, ON_FLOOR, "impact C speed 2 angle 0.4");
+  for (int n = 0; n < 20; n++) {
+    written_cycles(model, 1);
+    NEAR(written_now(model, "impact.energy.normal") + written_now(model, "impact.energy.tangential") +
+             written_now(model, "impact.energy.rotational"),
+         written_now(model, "energy.kinetic"), 1e-14);
+  }
+  nb_model_free(model), written_free(&it);
+}
+
+/* Spheres of Hertz: duration and peak by 5.9 and 5.12, kappa by Poisson's ratio. */
+static void elastic_spheres_have_their_own_scale(void) {
+  struct written it;
+  struct words page = {0};
+  words_add(&page, "normal hertz\nshear none\n"
+                   "material m density 7800 kg/m3 young 210 GPa poisson 0.28 friction 0.12 kn 1 N/m ks 9 N/m\n"
+                   "sphere 0 mm 3 mm radius 1 mm m\nwall f -9 mm 0 mm to 9 mm 0 mm m\nwatch B sphere 1\n"
+                   "watch C sphere 1 with wall f\nimpact C speed 0.4 m/s angle 30 deg\nstep 10 ns\n" RECORD);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  NEAR(written_now(model, "impact.psi1"), 2 * 0.72 / (0.12 * 1.72) * tan(pi / 6), 1e-12);
+  double peak = 0;
+  while (written_now(model, "impact.time") < 1.02) {
+    written_cycles(model, 1);
+    peak = fmax(peak, written_now(model, "impact.normal"));
+  }
+  NEAR(peak, 1., 1e-4);
+  NEAR(written_now(model, "impact.duration"), written_now(model, "time") / written_now(model, "impact.time"), 1e-4);
+  nb_model_free(model), written_free(&it);
+}
+
+void suite_impact(void) {
+  CU_pSuite suite = CU_add_suite("impact", NULL, NULL);
+  CU_add_test(suite, "it comes as it is told", it_comes_as_it_is_told);
+  CU_add_test(suite, "psi1 is of the contact", psi1_is_of_the_contact);
+  CU_add_test(suite, "it measures gross sliding", it_measures_gross_sliding);
+  CU_add_test(suite, "energies are those of the bodies", energies_are_those_of_the_bodies);
+  CU_add_test(suite, "elastic spheres have their own scale", elastic_spheres_have_their_own_scale);
+}
