@@ -57,6 +57,70 @@ CS79|36|spin at the next half step, with alpha
 R89|4.3|damped normal force by a share of the critical step
 R89|4.4|damped shear force by the same
 R89|4.6|reduced mass
+R89|3.11|radius of the contact circle, a^2 = R* alpha
+R89|3.13|Hertz: N = (4/3) E* R*^(1/2) alpha^(3/2)
+R89|3.24|front of slip in a contact that is loaded
+R89|3.25|tangential displacement, loading at constant N
+R89|3.28|front of the slip when it is unloaded
+R89|3.40|tangential displacement, unloading at constant N
+R89|3.50|tangential displacement, reloading at constant N
+R89|3.56|contact radius after a change of N
+R89|3.61|front of an increment of slip
+R89|3.64|tangential stiffness while slip goes on, N changing
+R89|3.65|slip that a new ring takes with it
+R89|3.68|loading, N rising
+R89|3.69|theta of loading
+R89|3.70|loading that lags behind its ring
+R89|3.76|theta of unloading
+R89|3.82|theta of reloading
+R89|3.94|tangential stiffness, all cases in one
+R89|3.95|theta, loading
+R89|3.96|theta, unloading
+R89|3.97|theta, reloading
+R89|3.98|theta where the new ring sticks
+R89|4.5|equivalent radius R*
+R89|4.7|equivalent Young's modulus E*
+R89|4.8|equivalent shear modulus G*
+R89|4.9|of the first body
+R89|4.10|of the second body
+R89|4.11|force increment at first touch
+R89|4.12|force increment, dN = 2 E* a dn
+R89|4.14|contact radius from the force
+R89|4.15|increment of the tangential force
+R89|4.16|critical slip ds_c
+R89|4.17|deficit DD
+R89|4.18|deficit DD, N falling
+R89|4.19|damped tangential force
+R89|4.20|T* moves with N
+R89|4.21|T** moves with N
+R89|4.22|theta, THE1 = 1, loading
+R89|4.23|theta, THE1 = 2, unloading
+R89|4.24|theta, THE1 = 3, reloading
+R89|4.25|theta, THE1 = 4, the new ring sticks
+R89|4.26|critical step, normal
+R89|4.27|critical step, shear
+R89|4.28|step as a fraction of it
+R89|4.29|speed of pressure waves
+R89|4.30|speed of shear waves
+R89|4.31|speed of Rayleigh waves
+R89|4.32|Rayleigh's equation
+R89|4.33|step of the Rayleigh wave
+R89|4.34|linear fit of its root
+R89|4.35|stiffness that a body has met
+R89|4.36|way of a body in a step
+R89|4.37|critical step of a body from these
+R89|4.38|change of the force sum
+R89|4.39|size of the force sum
+R89|4.40|FRACC, step over critical step
+R89|5.5|equation of the normal impact
+R89|5.9|largest overlap of a normal impact
+R89|5.10|time against overlap
+R89|5.11|duration of the contact
+R89|5.12|the same in numbers
+R89|5.13|traction by annuli
+R89|5.14|chi
+R89|5.15|psi, angle of incidence made free of size
+R89|5.16|angle of incidence
 R89|4.13|damped normal force by a share of critical damping
 WORDS
 }
@@ -91,22 +155,26 @@ named() {
       }
       if (to ~ /a$/) say(1, key(to), to)
     }
-    function things(thing, text) {
-      split(text, ends, "-")
-      for (i = ends[1]; i <= (2 in ends ? ends[2] : ends[1]); i++) say(2, (thing == "figure" ? "1" : "2") key(i ""), thing " " i)
+    function things(thing, text, ends, count, head, i) { # 5-7, or with their chapter: 5.11-5.13
+      count = split(text, ends, "-")
+      head = ""
+      if (text ~ /\./) { head = ends[1]; sub(/[0-9]+$/, "", head) }
+      sub(/^.*\./, "", ends[1]); sub(/^.*\./, "", ends[count])
+      for (i = ends[1] + 0; i <= ends[count] + 0; i++) say(2, (thing == "figure" ? "1" : "2") key(head i), thing " " head i)
     }
     function item(text) {
       sub(/^ +/, "", text); sub(/ +$/, "", text)
       if (text == "" || text ~ /=/) return
-      if (text ~ /^(figure|table)s? [0-9]+(-[0-9]+)?$/) {
+      if (text ~ /^(figure|table)s? [0-9]+(\.[0-9]+)?(-[0-9]+(\.[0-9]+)?)?$/) {
         thing = text; sub(/s? .*/, "", thing)
-        many = text ~ /s [0-9-]+$/
+        many = text ~ /s [0-9.-]+$/
         sub(/.* /, "", text)
         things(thing, text)
-      } else if (many && text ~ /^[0-9]+(-[0-9]+)?$/) things(thing, text)
+      } else if (many && text ~ /^[0-9]+(\.[0-9]+)?(-[0-9]+(\.[0-9]+)?)?$/) things(thing, text)
       else if (paper == "CS79" && text ~ /^[0-9]+a?(-[0-9]+a?)?$/) range(text)
       else if (paper == "R89" && text ~ /^[0-9]+\.[0-9]+(-[0-9]+\.[0-9]+)?$/) range(text)
       else if (paper == "R89" && text ~ /^[0-9]+\.[0-9]+\.[0-9]+$/) say(2, "0" text, "section " text)
+      else if (paper == "R89" && text ~ /^section [0-9]+\.[0-9]+$/) say(2, "0" substr(text, 9), text)
       else if (text ~ /^[A-Z][A-Za-z -]*$/) say(2, "3" text, "*" text "*")
       else { print "equations.sh: " file ": cannot read `" text "` in " tag >"/dev/stderr"; bad = 1 }
     }
