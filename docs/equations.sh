@@ -66,7 +66,7 @@ R89|3.40|tangential displacement, unloading at constant N
 R89|3.50|tangential displacement, reloading at constant N
 R89|3.56|contact radius after a change of N
 R89|3.61|front of an increment of slip
-R89|3.64|tangential stiffness while slip goes on, N changing
+R89|3.64|stiffness of an increment on the contact with the new N
 R89|3.65|slip that a new ring takes with it
 R89|3.68|loading, N rising
 R89|3.69|theta of loading

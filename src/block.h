@@ -29,7 +29,7 @@ enum nb_field {
   NB_PUSH,                   /* F_n + D_n, N: what is felt; may pull while damped */
   NB_DRAG,                   /* F_s + D_s, N */
   NB_MASS,                   /* M*, reduced mass, kg [R89 4.6]; these three stay what they are while a pair is listed */
-  NB_REDUCED,                /* R*, reduced radius, m [R89 4.8] */
+  NB_REDUCED,                /* R*, reduced radius, m [R89 4.5] */
   NB_SMALLER,                /* the smaller radius of two bodies, or of one at a wall, m */
   NB_DEEP,                   /* 1 where the overlap is more than a Hertz contact is good for, else 0 */
   NB_SHEAR_BEFORE,           /* F_s a step ago, N, for the energy balance alone; */
