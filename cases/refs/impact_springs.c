@@ -1,0 +1,110 @@
+/* The exact contact in an oblique impact, as springs side by side that know nothing of each other.
+ *
+ * A Hertz contact has the same N, T and energy as a row of springs that a parabola is pressed into (Popov and Hess's
+ * reduction): the one at y touches while y^2 < xi, its normal force is proportional to xi - y^2, its deflection u to its
+ * tangential force, and Coulomb's law holds for each alone:
+ *
+ *   du = dd,   |u| <= xi - y^2,   u = 0 while it does not touch,        f = (3/2) Int_0^sqrt(xi) u dy
+ *
+ * No ring, no front, no history is in it, only the state of each spring: Cattaneo's and Mindlin's contact under any path of
+ * xi and d comes out by itself. If both go along straight lines in a step, u = d clipped at its end is exact; one that begins
+ * to touch in the step takes its share of it. Springs at the middles of equal cells; leapfrog in time: second order in both.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "impact_springs.h"
+
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <stdlib.h>
+
+static int accelerate(double t, const double y[], double dydt[], void *data) {
+  (void)t, (void)data;
+  const double xi = y[0] > 0 ? y[0] : 0;
+  dydt[0] = y[1], dydt[1] = -1.25 * xi * sqrt(xi);
+  return 0;
+}
+
+double *impact_approach(int steps) {
+  double *xi = calloc((size_t)steps + 1, sizeof *xi), t = 0, y[2] = {0, 1};
+  gsl_odeiv2_system system = {accelerate, NULL, 2, NULL};
+  gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14, 1e-13);
+  for (int k = 1; xi && driver && 2 * k <= steps; k++) { /* the way out is the way in, backwards */
+    gsl_odeiv2_driver_apply(driver, &t, IMPACT_DURATION * k / steps, y);
+    xi[k] = xi[steps - k] = y[0];
+  }
+  if (driver)
+    gsl_odeiv2_driver_free(driver);
+  return xi;
+}
+
+void impact_path_free(struct impact_path *path) {
+  free(path->xi), free(path->f), free(path->d);
+  *path = (struct impact_path){0};
+}
+
+static double clip(double u, double limit) { return u > limit ? limit : u < -limit ? -limit : u; }
+
+static int touching(double xi, int springs) {
+  const int count = (int)ceil(sqrt(xi) * springs - 0.5);
+  return count < springs ? count : springs;
+}
+
+/* The springs after xi has gone from `from` to `to` and d by `slip`; the sum of their forces. *slipped: of the innermost one, which
+ * is the last to slip, so that it is the sliding of the contact as a whole. Eight sums, so that the compiler makes them wide. */
+static double press(double *u, const double *depth, int springs, double from, double to, double slip, double *slipped) {
+  const int before = touching(from, springs), after = touching(to, springs), stay = before < after ? before : after;
+  double sum[8] = {0}, all = 0;
+  *slipped = stay > 0 ? u[0] + slip - clip(u[0] + slip, to - depth[0]) : 0;
+  int i = 0;
+  for (; i + 8 <= stay; i += 8)
+    for (int k = 0; k < 8; k++)
+      sum[k] += u[i + k] = clip(u[i + k] + slip, to - depth[i + k]);
+  for (; i < after; i++)
+    all += u[i] = clip(i < stay ? u[i] + slip : slip * (to - depth[i]) / (to - from), to - depth[i]);
+  for (; i < before; i++)
+    u[i] = 0;
+  for (int k = 0; k < 8; k++)
+    all += sum[k];
+  return 1.5 * all / springs;
+}
+
+bool impact_springs(struct impact_path *path, double chi, double psi1, int steps) {
+  const int springs = steps;
+  const double dt = IMPACT_DURATION / steps;
+  const size_t n = (size_t)steps + 1;
+  double *u = calloc((size_t)springs, sizeof *u), *depth = calloc((size_t)springs, sizeof *depth);
+  *path = (struct impact_path){
+      .steps = steps, .xi = impact_approach(steps), .f = calloc(n, sizeof(double)), .d = calloc(n, sizeof(double))};
+  const bool made = u && depth && path->xi && path->f && path->d;
+  for (int i = 0; made && i < springs; i++)
+    depth[i] = (i + 0.5) / springs * ((i + 0.5) / springs);
+  double psi = psi1;
+  for (int k = 0; made && k < steps; k++) {
+    double slipped;
+    psi -= 2.5 * chi * path->f[k] * (k ? dt : dt / 2);
+    path->d[k + 1] = path->d[k] + psi * dt;
+    path->f[k + 1] = press(u, depth, springs, path->xi[k], path->xi[k + 1], psi * dt, &slipped);
+    path->slid += slipped * (path->f[k] + path->f[k + 1]) / 2;
+  }
+  path->psi2 = psi; /* f is 0 at the end */
+  free(u), free(depth);
+  return made;
+}
+
+/* (4 b - a)/3, which has no error of second order. */
+static double finer(double coarse, double fine) { return fine + (fine - coarse) / 3; }
+
+bool impact_exact(struct impact_path *path, double chi, double psi1, int steps) {
+  struct impact_path coarse;
+  const bool made = impact_springs(&coarse, chi, psi1, steps / 2) && impact_springs(path, chi, psi1, steps / 2 * 2);
+  if (made) {
+    path->psi2 = finer(coarse.psi2, path->psi2);
+    path->slid = finer(coarse.slid, path->slid);
+    for (int k = 0; k <= coarse.steps; k++) {
+      path->f[2 * k] = finer(coarse.f[k], path->f[2 * k]);
+      path->d[2 * k] = finer(coarse.d[k], path->d[2 * k]);
+    }
+  }
+  impact_path_free(&coarse);
+  return made;
+}

@@ -1,0 +1,39 @@
+/* An oblique impact in pure numbers: what oblique_impact.c and its helpers share.
+ *
+ *   lengths     normal: alpha_max        tangential: mu kappa alpha_max        time: alpha_max/V_N
+ *   forces      normal: N_max            tangential: mu N_max                  kappa = (E* / G*)/4
+ *
+ *   xi'' = -(5/4) xi^(3/2),   xi' = 1 at first                                 approach [R89 5.6]
+ *   psi' = -(5/2) chi f,      psi = d' = V_T/(mu kappa V_N)                     slip of the contact [R89 5.15]
+ *
+ * chi = (1 + m R^2/I)/(2 kappa) [R89 5.14]; with psi1 it is all there is to choose. Hertz: N/N_max = xi^(3/2). What remains is
+ * the law of f = T/(mu N_max).
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_IMPACT_SPRINGS_H
+#define NB_IMPACT_SPRINGS_H
+
+#include <stdbool.h>
+
+#define IMPACT_DURATION 2.9432751843247047 /* of xi > 0: (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) [R89 5.12] */
+
+/* From touch to parting in equal times; steps + 1 entries each. */
+struct impact_path {
+  int steps;
+  double psi2;        /* at the end */
+  double slid;        /* integral of f over the sliding of the contact as a whole */
+  double *xi, *f, *d; /* owned */
+};
+
+/* Approach alone: xi at each of the steps + 1 times; NULL: no memory. By GSL's Runge-Kutta of order 8 to 1e-13. free() it. */
+double *impact_approach(int steps);
+
+/* Either: false when there is no memory; impact_path_free(path) in any case. */
+bool impact_springs(struct impact_path *path, double chi, double psi1, int steps);
+bool impact_law(struct impact_path *path, const char *law, double chi, double psi1, int steps);
+bool impact_law_known(const char *law);
+/* Of the exact contact with its error of second order in the step taken out: from half of the steps and all of them. */
+bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
+void impact_path_free(struct impact_path *path);
+
+#endif

@@ -1,0 +1,177 @@
+/* Reference: a sphere that strikes a wall, or another sphere, at an angle.
+ *
+ * For `shear mindlin_deresiewicz` the exact contact, as independent springs (impact_springs.c); for a simplified law what it comes
+ * to in the limit of small steps (impact_laws.c). In pure numbers the impact has two parameters:
+ *
+ *   psi1 = V_T/(mu kappa V_N)       chi = (1 + m R^2/I)/(2 kappa)       kappa = (E* / G*)/4     [R89 5.14, 5.15]
+ *
+ * and two bodies count as one with 1/M = 1/m_x + 1/m_y. In gross sliding, psi1 >= 4 chi - 1, psi2 = psi1 - 4 chi.
+ * What is lost is what the velocities say: with Lambda = (psi1^2 - psi2^2)/(5 chi) it is N_max mu^2 kappa alpha_max Lambda.
+ *
+ * Known:
+ *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
+ *   energy.frictional, energy.sliding              lost in all, and while the contact slides as a whole, J
+ *   impact.normal, .shear, .slip along impact.time
+ *   NAME.normal max, NAME.overlap max              where NAME watches the contact
+ *
+ * Source   Maw, Barber and Fawcett (1976) for the numbers [R89 5.3.2]; Popov and Hess (2015) for the springs.
+ * Error    psi2 of the exact contact 1e-6, curves 1e-5 (interpolation between 2000 steps); of the other laws 1e-5.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "impact_springs.h"
+#include "reference.h"
+
+enum { STEPS = 2000, LAW_STEPS = 200000 };
+
+/* The pair as the scene says it; in SI. */
+struct pair {
+  double mass, inverse;      /* reduced, kg; 1/m + R^2/I of both, 1/kg */
+  double friction, kappa;    /* 1 */
+  double vn, vt;             /* V_N, and V_T of the contact, m/s */
+  double centre;             /* V_T of the centre, m/s */
+  double depth, force, time; /* alpha_max, m; N_max, N; T_c, s */
+  double rotation;           /* at first, J */
+};
+
+static double share(const struct nb_scene *scene, const struct nb_body *body) {
+  return body->fixed ? 0 : 1 / nb_body_mass(scene, body);
+}
+static double turning(const struct nb_scene *scene, const struct nb_body *body) {
+  return body->fixed ? 0 : body->radius * body->radius / nb_body_inertia(scene, body);
+}
+
+static void read_pair(struct pair *p, const struct nb_scene *scene) {
+  const struct nb_watch *watch = &scene->watches[scene->impact.watch];
+  const struct nb_body *a = &scene->bodies[watch->a];
+  const struct nb_body *b = watch->kind == NB_WATCH_BODY_BODY ? &scene->bodies[watch->b] : NULL;
+  const struct nb_wall *wall = b ? NULL : &scene->walls[watch->b];
+  const struct nb_pair pair = nb_scene_pair(scene, a->material, b ? b->material : wall->material);
+  const double vx = a->vx - (b ? b->vx : wall->vx), vy = a->vy - (b ? b->vy : wall->vy);
+  /* from what is struck to the sphere: the other's centre, or square to the wall on the sphere's side */
+  double nx = b ? a->x - b->x : -wall->ey, ny = b ? a->y - b->y : wall->ex;
+  const double side = b || (a->x - wall->x) * nx + (a->y - wall->y) * ny > 0 ? 1 / hypot(nx, ny) : -1;
+  nx *= side, ny *= side;
+  const double centre = vx * ny - vy * nx, rim = a->spin * a->radius + (b ? b->spin * b->radius : 0);
+  const double radius = b ? 1 / (1 / a->radius + 1 / b->radius) : a->radius;
+  *p = (struct pair){
+      .mass = 1 / (share(scene, a) + (b ? share(scene, b) : 0)),
+      .inverse = share(scene, a) + turning(scene, a) + (b ? share(scene, b) + turning(scene, b) : 0),
+      .friction = pair.friction,
+      .kappa = pair.young / pair.shear / 4,
+      .vn = -(vx * nx + vy * ny),
+      .vt = fabs(centre + rim),
+      .centre = centre + rim < 0 ? -centre : centre,
+      .rotation =
+          (nb_body_inertia(scene, a) * a->spin * a->spin + (b ? nb_body_inertia(scene, b) * b->spin * b->spin : 0)) / 2,
+  };
+  /* [R89 5.5, 5.9]: K alpha^(3/2), and all of the energy in it at alpha_max */
+  const double stiffness = 4. / 3 * sqrt(radius) * pair.young;
+  p->depth = pow(5 * p->mass * p->vn * p->vn / (4 * stiffness), 0.4);
+  p->force = stiffness * pow(p->depth, 1.5);
+  p->time = IMPACT_DURATION * p->depth / p->vn;
+}
+
+static enum nb_status refuse(const struct nb_scene *scene, struct nb_error *error) {
+  const char *wants = NULL;
+  if (!scene->impact.line)
+    wants = "a scene with `impact`";
+  else if (strcmp(scene->normal, "hertz") != 0 || scene->damping.contact_kind || scene->damping.global_kind)
+    wants = "`normal hertz` without damping";
+  else if (scene->gravity.x != 0 || scene->gravity.y != 0)
+    wants = "an impact without gravity";
+  else if (strcmp(scene->shear, "mindlin_deresiewicz") != 0 && !impact_law_known(scene->shear))
+    wants = "a shear law of which it knows the limit of small steps";
+  for (size_t s = 0; s < scene->stage_count && !wants; s++)
+    if (scene->stages[s].change_count || scene->stages[s].motion_count || scene->stages[s].still ||
+        scene->stages[s].reverse || scene->stages[s].damping.contact_kind || scene->stages[s].gravity.line)
+      wants = "a scene that no stage changes";
+  return wants ? nb_error_set(error, NB_BAD_USE, "oblique_impact is for %s", wants) : NB_OK;
+}
+
+/* A curve: equal steps from touch to parting, a straight line behind it. */
+struct curve {
+  int steps;
+  double rate; /* of what comes after parting, for each T_c */
+  double values[];
+};
+
+static double at(const void *data, double x) {
+  const struct curve *c = data;
+  if (x <= 0)
+    return 0;
+  if (x >= 1)
+    return c->values[c->steps] + c->rate * (x - 1);
+  const int k = (int)(x * c->steps);
+  return c->values[k] + (x * c->steps - k) * (c->values[k + 1] - c->values[k]);
+}
+
+static void tell_curve(struct nb_known *known, const char *name, const double *values, int steps, double scale,
+                       double rate) {
+  struct curve *c = malloc(sizeof *c + ((size_t)steps + 1) * sizeof(double));
+  if (c) {
+    *c = (struct curve){.steps = steps, .rate = rate};
+    for (int k = 0; k <= steps; k++)
+      c->values[k] = scale * values[k];
+  }
+  known_curve(known, name, "impact.time", at, c);
+}
+
+static void tell(struct nb_known *known, const struct nb_scene *scene, const struct pair *p, struct impact_path *path,
+                 double chi) {
+  const double slope = p->friction * p->kappa, psi1 = p->vt / (slope * p->vn);
+  const double impulse = (p->vt - path->psi2 * slope * p->vn) / p->inverse; /* of T, N s */
+  const double after = p->centre - impulse / p->mass;
+  const double lost = p->force * p->friction * slope * p->depth,
+               all = (psi1 * psi1 - path->psi2 * path->psi2) / (5 * chi);
+  known_value(known, psi1, "impact.psi1");
+  known_value(known, path->psi2, "impact.psi2");
+  known_value(known, atan2(fabs(p->centre), p->vn), "impact.angle");
+  known_value(known, hypot(p->vn, after) / hypot(p->vn, p->centre), "impact.restitution");
+  known_value(known, p->time, "impact.duration");
+  known_value(known, p->mass * p->vn * p->vn / 2, "impact.energy.normal");
+  known_value(known, p->mass * after * after / 2, "impact.energy.tangential");
+  const double turned = p->rotation + p->mass * (p->centre * p->centre - after * after) / 2 - lost * all;
+  known_value(known, turned, "impact.energy.rotational");
+  known_value(known, lost * all, "energy.frictional");
+  known_value(known, lost * path->slid, "energy.sliding");
+  tell_curve(known, "impact.shear", path->f, path->steps, 1, 0);
+  tell_curve(known, "impact.slip", path->d, path->steps, slope * p->depth, path->psi2 * slope * p->vn * p->time);
+  for (int k = 0; k <= path->steps; k++)
+    path->xi[k] *= sqrt(path->xi[k]); /* N/N_max from here on */
+  tell_curve(known, "impact.normal", path->xi, path->steps, 1, 0);
+  char name[3 * NB_NAME_SIZE];
+  const char *contact = scene->watches[scene->impact.watch].name;
+  snprintf(name, sizeof name, "%s.normal max", contact);
+  known_value(known, p->force, name);
+  snprintf(name, sizeof name, "%s.overlap max", contact);
+  known_value(known, p->depth, name);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  if (refuse(scene, error))
+    return error->status;
+  struct pair p;
+  read_pair(&p, scene);
+  if (!(p.vn > 0) || !(p.friction > 0))
+    return nb_error_set(error, NB_BAD_USE, "oblique_impact is for a contact with friction");
+  struct impact_path path;
+  const double chi = p.inverse * p.mass / (2 * p.kappa), psi1 = p.vt / (p.friction * p.kappa * p.vn);
+  const bool exact = strcmp(scene->shear, "mindlin_deresiewicz") == 0;
+  const bool made =
+      exact ? impact_exact(&path, chi, psi1, STEPS) : impact_law(&path, scene->shear, chi, psi1, LAW_STEPS);
+  if (made)
+    tell(known, scene, &p, &path, chi);
+  impact_path_free(&path);
+  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "a reference ran out of memory");
+}
+
+const struct nb_reference reference_oblique_impact = {
+    .name = "oblique_impact",
+    .title = "an oblique impact: exact contact as independent springs, simplified laws as differential equations",
+    .source = "[R89 5.5-5.15]",
+    .know = know,
+};

@@ -1,0 +1,119 @@
+/* The reference of an oblique impact: it converges, and it has the numbers that are known of Maw's curve.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../cases/refs/impact_springs.h"
+#include "refs_scenes.h"
+#include "suites.h"
+
+/* Solid spheres of nu = 0.28 and 0.30 [R89 5.14, 5.4]. */
+static const double chi28 = 0.72 / 1.72 * 3.5, chi30 = 0.7 / 1.7 * 3.5;
+
+/* psi2 of the exact contact, law NULL, or of a simplified one. */
+static double rebound(const char *law, double chi, double psi1, int steps) {
+  struct impact_path path;
+  CU_ASSERT(law ? impact_law(&path, law, chi, psi1, steps) : impact_exact(&path, chi, psi1, steps));
+  const double psi2 = path.psi2;
+  impact_path_free(&path);
+  return psi2;
+}
+
+/* The time it takes and the way there and back [R89 5.10-5.12]. */
+static void approach_is_hertz(void) {
+  double *xi = impact_approach(1000), most = 0;
+  CU_ASSERT_PTR_NOT_NULL_FATAL(xi);
+  CU_ASSERT(fabs(xi[500] - 1) < 1e-12 && xi[0] == 0 && xi[1000] == 0);
+  /* the second difference is the acceleration at the middle of the step, but for dt^2/12 of its curvature */
+  const double dt = IMPACT_DURATION / 1000;
+  for (int k = 2; k < 999; k++)
+    most = fmax(most, fabs((xi[k + 1] - 2 * xi[k] + xi[k - 1]) / (dt * dt) + 1.25 * pow(xi[k], 1.5)));
+  CU_ASSERT(most < 2e-5);
+  free(xi);
+}
+
+static void springs_converge(void) {
+  static const double psi1[] = {0.02, 0.2, 0.5, 0.9075, 1, 1.2, 2, 2.7, 3.3, 3.6, 4, 4.5, 4.86, 5, 5.86, 8, 20};
+  for (size_t k = 0; k < sizeof psi1 / sizeof *psi1; k++) {
+    CU_ASSERT(fabs(rebound(NULL, chi28, psi1[k], 2000) - rebound(NULL, chi28, psi1[k], 4000)) < 1.5e-6);
+    CU_ASSERT(fabs(rebound(NULL, chi30, psi1[k], 2000) - rebound(NULL, chi30, psi1[k], 4000)) < 1.5e-6);
+  }
+}
+
+/* Where psi2 changes its sign. */
+static double turns(double chi) {
+  double low = 0.6, high = 1.1;
+  for (int n = 0; n < 20; n++) {
+    const double middle = (low + high) / 2;
+    *(rebound(NULL, chi, middle, 1000) > 0 ? &low : &high) = middle;
+  }
+  return low;
+}
+
+static void springs_know_the_curve(void) {
+  CU_ASSERT(fabs(turns(chi28) - 0.9075) < 5e-5);
+  CU_ASSERT(fabs(turns(chi30) - 0.8099) < 5e-5);
+  const double chi[] = {chi28, chi30}, least[] = {-1.49, -1.48};
+  for (int c = 0; c < 2; c++) {
+    double min = 0, where = 0, max = 0;
+    for (double psi1 = 0.1; psi1 < 4.85; psi1 += 0.05) {
+      const double psi2 = rebound(NULL, chi[c], psi1, 500);
+      where = psi2 < min ? psi1 : where, min = fmin(min, psi2), max = fmax(max, psi2);
+    }
+    CU_ASSERT(fabs(min - least[c]) < 0.006 && where > 3.5 && where < 3.8);
+    CU_ASSERT(max > 0.04 && max < 0.07);
+    CU_ASSERT(fabs(rebound(NULL, chi[c], 4 * chi[c] - 1, 2000) + 1) < 1e-6);
+    CU_ASSERT(fabs(rebound(NULL, chi[c], 4 * chi[c], 2000)) < 1e-6);
+    CU_ASSERT(fabs(rebound(NULL, chi[c], 9, 2000) - 9 + 4 * chi[c]) < 1e-6);
+  }
+}
+
+/* Least squares would not do: the largest error of a law in psi2. */
+static double error_of(const char *law) {
+  double most = 0;
+  for (double psi1 = 0.1; psi1 < 6; psi1 += 0.05)
+    most = fmax(most, fabs(rebound(law, chi28, psi1, 4000) - rebound(NULL, chi28, psi1, 400)));
+  return most;
+}
+
+static void simplified_laws_are_off_by_what_is_known(void) {
+  CU_ASSERT(fabs(error_of("mindlin") - 0.49) < 0.005);
+  CU_ASSERT(fabs(error_of("mindlin_scaled") - 0.44) < 0.005);
+  CU_ASSERT_EQUAL(rebound("none", chi28, 0.7, 100), 0.7);
+  CU_ASSERT_FALSE(impact_law_known("mindlin_deresiewicz"));
+  CU_ASSERT(fabs(rebound("mindlin", chi28, 8, 20000) - 8 + 4 * chi28) < 1e-5);
+  for (double psi1 = 0.3; psi1 < 6; psi1 += 0.3) /* the limit of small steps has been reached */
+    CU_ASSERT(fabs(rebound("mindlin", chi28, psi1, 200000) - rebound("mindlin", chi28, psi1, 100000)) < 1e-5);
+}
+
+/* All that is lost, (psi1^2 - psi2^2)/(5 chi), is sliding where the contact slides throughout; else some of it. */
+static void sliding_is_part_of_what_is_lost(void) {
+  for (double psi1 = 0.25; psi1 < 8; psi1 += 0.25) {
+    struct impact_path path;
+    CU_ASSERT(impact_exact(&path, chi28, psi1, 2000));
+    const double lost = (psi1 * psi1 - path.psi2 * path.psi2) / (5 * chi28);
+    CU_ASSERT(path.slid > 0 && path.slid < lost * (1 + 1e-6));
+    if (psi1 > 4 * chi28 - 1)
+      CU_ASSERT(fabs(path.slid - lost) < 1e-5 * lost);
+    impact_path_free(&path);
+  }
+}
+
+static void only_impacts_are_judged(void) {
+  struct refs_scene it;
+  refs_nine_discs(&it, 1e9, 2, 40, 400);
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("oblique_impact", &it).text, "impact"));
+}
+
+void suite_refs_impact(void) {
+  CU_pSuite suite = CU_add_suite("refs_impact", NULL, NULL);
+  CU_add_test(suite, "approach is Hertz's", approach_is_hertz);
+  CU_add_test(suite, "springs converge", springs_converge);
+  CU_add_test(suite, "springs know Maw's curve", springs_know_the_curve);
+  CU_add_test(suite, "simplified laws are off by what is known", simplified_laws_are_off_by_what_is_known);
+  CU_add_test(suite, "sliding is part of what is lost", sliding_is_part_of_what_is_lost);
+  CU_add_test(suite, "only impacts are judged", only_impacts_are_judged);
+}
