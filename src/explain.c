@@ -56,25 +56,52 @@ static void explain_memory(FILE *out, const struct nb_model *model) {
           isa_names[model->isa], model->busy, model->busy == 1 ? "" : "s");
 }
 
-static void explain_step(FILE *out, const struct nb_model *model) {
-  const struct nb_step *step = &model->scene->step;
-  const char *unit = model->scene->unitless ? "" : " s";
-  fprintf(out, "step\n  %g%s", model->step, unit);
-  if (step->line)
-    fprintf(out, ", line %d", step->line);
-  fputc('\n', out);
+static void explain_safe(FILE *out, const struct nb_model *model, const char *unit) {
   const struct nb_safe safe = nb_safe_step(model);
   char what[3 * NB_NAME_SIZE];
   nb_safe_words(what, sizeof what, model, &safe);
-  fprintf(out, "  critical, 2 sqrt(m/k): %g%s; the step is %g of it, the safe one %g of it\n", model->critical, unit,
-          model->step / model->critical, safe.step / model->critical);
   fprintf(out, "  safe: %g%s; the step is %g of it; set by %s%s%s\n", safe.step, unit, model->step / safe.step, what,
           model->contacts.count ? "" : ", as if they met: nothing is near",
           model->step <= safe.step ? ""
           : model->allow_unstable  ? "; allowed to be unstable"
                                    : "; ABOVE it: the run will stop at once");
-  fprintf(out, "  contact, the shortest there can be: %g%s; the step is %g of it\n", nb_step_contact(model), unit,
-          model->step / nb_step_contact(model));
+}
+
+static void explain_meeting(FILE *out, const struct nb_model *model, const char *unit) {
+  const struct nb_meeting meeting = nb_meeting_shortest(model);
+  if (meeting.a < 0) {
+    fprintf(out, "  contact: nothing approaches\n");
+    return;
+  }
+  fprintf(out, "  contact, Hertz: %g%s, %.3g steps; body %d meets ", meeting.duration, unit,
+          meeting.duration / model->step, model->bodies.number[meeting.a]);
+  if (meeting.wall)
+    fprintf(out, "wall %s", model->scene->walls[meeting.b].name);
+  else
+    fprintf(out, "body %d", model->bodies.number[meeting.b]);
+  fprintf(out, " at %g%s\n", meeting.speed, model->scene->unitless ? "" : " m/s");
+}
+
+static void explain_step(FILE *out, const struct nb_model *model) {
+  const struct nb_step *step = &model->scene->stages[0].step;
+  const char *unit = model->scene->unitless ? "" : " s";
+  fprintf(out, "step\n  %g%s", model->step, unit);
+  if (step->line)
+    fprintf(out, ", line %d", step->line);
+  fputc('\n', out);
+  const double contact = nb_step_contact(model);
+  if (!nb_step_elastic(model))
+    fprintf(out, "  critical, 2 sqrt(m/k): %g%s; the step is %g of it, the safe one %g of it\n", model->critical, unit,
+            model->step / model->critical, nb_safe_step(model).step / model->critical);
+  if (nb_step_elastic(model) && !nb_step_pressed(model))
+    fprintf(out, "  safe: not known, elastic spheres that are not pressed have no stiffness\n");
+  else
+    explain_safe(out, model, unit);
+  if (!nb_step_elastic(model))
+    fprintf(out, "  contact, the shortest there can be: %g%s; the step is %g of it\n", contact, unit,
+            model->step / contact);
+  else
+    explain_meeting(out, model, unit);
 }
 
 static double now(void) {

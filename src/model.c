@@ -170,12 +170,13 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
   model->allow_unstable = scene->allow_unstable;
+  model->step_line = -1;
   status = nb_plan(model, error);
   if (!status)
     status = nb_near(model, error);
   model->safe = status ? 0 : nb_safe_step(model).step;
   if (!status)
-    status = nb_step_set(model, &scene->step, error);
+    status = nb_step_set(model, &scene->stages[0].step, error);
   if (!status && scene->impact.line)
     nb_impact_begin(model);
   if (!status)

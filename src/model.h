@@ -130,6 +130,7 @@ struct nb_model {
   double
       skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can ever touch, nothing is searched */
   double step, previous_step; /* dt of the step ahead, and of the one behind (0 at the start), s */
+  int step_line;              /* of the statement that says how long a step is; -1: none has been worked out yet */
   double critical;            /* 2 sqrt(m/k), s */
   double safe;                /* largest step sure to be stable as this stage began, s */
   struct nb_load *loads;      /* per slot, room for stable.c */
@@ -230,13 +231,25 @@ struct nb_safe {
   const struct nb_pairing *pairing; /* of that contact */
 };
 struct nb_safe nb_safe_step(const struct nb_model *model);
+double nb_overlap(const struct nb_model *model,
+                  size_t contact); /* of positions as they are; < 0 where they are apart, m */
 /* "turning of body 5 at wall east" */
 void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe);
 /* NB_BROKEN when the step is above that, unless the page allows it. */
 enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
 enum nb_status nb_stable_watch(const struct nb_model *model, struct nb_error *error);
 
+/* meet.c: of elastic spheres, what meets for the shortest time when all go straight on */
+struct nb_meeting {
+  double duration, speed; /* s; infinite when nothing meets; closing at touch, m/s */
+  int a, b;               /* slots, b a wall where */
+  bool wall;
+};
+struct nb_meeting nb_meeting_shortest(const struct nb_model *model);
+
 /* step.c */
+bool nb_step_elastic(const struct nb_model *model);   /* the normal law is one of elastic spheres */
+bool nb_step_pressed(const struct nb_model *model);   /* some of them are, by more than rounding */
 double nb_step_contact(const struct nb_model *model); /* duration of the shortest contact there can be, s */
 double nb_step_critical(const struct nb_model *model);
 /* Slots of the lightest bodies of the two materials of a pairing; -1 where there is none, or the second is a wall. */

@@ -161,6 +161,7 @@ struct nb_step {
   enum nb_step_kind kind;
   double value;
   int line;
+  bool set; /* by --set: it holds from the start on, whatever the page says */
 };
 
 /* Something a page looks at, under a name of its own. */

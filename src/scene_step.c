@@ -30,19 +30,28 @@ static bool take_share_of(struct nb_reader *reader, enum nb_step_kind *kind) {
   return false;
 }
 
-/* TIME, or F of critical, safe or contact. */
+static bool follows(const struct nb_reader *reader, const char *word) {
+  return reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, word) == 0;
+}
+
+/* TIME, F of something, or N per contact. */
 NB_APPLY(nb_apply_step) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_stage_now(reading->scene);
   struct nb_step *here = stage ? &stage->step : &reading->scene->step;
-  bool share = reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, "of") == 0;
+  bool share = follows(reader, "of"), per = follows(reader, "per");
   bool setting = reader == &reading->setting;
-  struct nb_step step = {share ? NB_STEP_CRITICAL : NB_STEP_TIME, 0, setting ? 0 : (int)reader->line};
+  struct nb_step step = {.kind = NB_STEP_TIME, .line = setting ? 0 : (int)reader->line, .set = setting};
   (void)record;
-  if (!nb_take_number(reader, share ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value))
+  if (!nb_take_number(reader, share || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value))
     return;
   if (share && (!nb_take_word(reader, "of") || !take_share_of(reader, &step.kind)))
     return;
+  if (per) {
+    if (!nb_take_word(reader, "per") || !nb_take_word(reader, "contact"))
+      return;
+    step.kind = NB_STEP_CONTACT, step.value = 1 / step.value;
+  }
   if (nb_token_peek(reader))
     return; /* which the engine says */
   if (!setting && here->line > (stage ? stage->line : 0)) {
@@ -52,7 +61,7 @@ NB_APPLY(nb_apply_step) {
   if (setting)
     reading->step_set = true;
   else if (reading->step_set)
-    step.kind = here->kind, step.value = here->value; /* said and checked, but overridden */
+    step.kind = here->kind, step.value = here->value, step.set = true; /* said and checked, but overridden */
   *here = step;
 }
 

@@ -54,7 +54,8 @@ static void look_ahead(const struct nb_model *model) {
   }
 }
 
-static double overlap_of(const struct nb_model *model, size_t c, bool wall) {
+double nb_overlap(const struct nb_model *model, size_t c) {
+  const bool wall = model->pairings[model->contacts.pairing[c]].wall;
   const struct nb_bodies *bodies = &model->bodies;
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   if (!wall)
@@ -103,7 +104,7 @@ static struct stiff stiff_of(const struct nb_model *model, size_t c) {
     const int doubles = memory->doubles > NB_MEMORY ? memory->doubles : NB_MEMORY;
     memcpy(to, nb_memory_read(memory, c, room), (size_t)doubles * sizeof *to);
   }
-  const double overlap = overlap_of(model, c, pairing->wall);
+  const double overlap = nb_overlap(model, c);
   return stiff_at(model, pairing, overlap > just ? overlap : just, inverse_mass(model, c, pairing->wall),
                   nb_contacts_values(model, c, pairing->coming).radius, normal_memory, shear_memory);
 }

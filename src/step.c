@@ -4,9 +4,14 @@
  *              with the smallest mass that is free to move and the largest normal stiffness between materials of the
  *              scene: the limit of one mass on one spring; a body between several contacts has less
  *   safe       what is sure to be stable with the contacts and the damping of the stage's begin, see stable.c
- *   contact    pi sqrt(M/k_n), how long two bodies stay together that meet head-on without damping: half a swing of
- *              their reduced mass M = m_x m_y/(m_x + m_y) on the spring; of any two materials the lightest bodies, and
- *              of those pairs the one that parts first: the shortest contact there can be, whichever comes first
+ *   contact    how long two bodies stay together that meet head-on without damping, the shortest there can be:
+ *              linear springs   pi sqrt(M/k_n), half a swing of the reduced mass M = m_x m_y/(m_x + m_y) on the spring; of
+ *                               any two materials the lightest bodies, and of those pairs the one that parts first
+ *              elastic spheres  Hertz's 2.943 alpha_max/v, which goes with the speed: of all pairs that would meet if
+ *                               everything went straight on as the stage begins whose step it is, see meet.c
+ *
+ * Elastic spheres have no stiffness while they do not touch. So none is critical, and only what is pressed tells what is
+ * safe. Their contact's duration is that of the stage that says it; later stages keep the step, whatever moves by then.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -38,6 +43,8 @@ void nb_step_lightest(const struct nb_model *model, const struct nb_pairing *pai
 }
 
 double nb_step_contact(const struct nb_model *model) {
+  if (nb_step_elastic(model))
+    return nb_meeting_shortest(model).duration;
   const double *inverse = model->bodies.inverse_mass;
   double square = 0; /* the largest k_n/M */
   for (size_t p = 0; p < model->pairing_count; p++) {
@@ -53,8 +60,46 @@ double nb_step_contact(const struct nb_model *model) {
   return pi / sqrt(square);
 }
 
+bool nb_step_elastic(const struct nb_model *model) {
+  return model->pairing_count > 0 && model->pairings[0].normal->elastic;
+}
+
+/* The longest that elastic spheres may overlap by rounding, as a share of the radius: it makes no stiffness to speak of. */
+static const double pressed = 1e-9;
+
+bool nb_step_pressed(const struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  for (size_t c = 0; c < contacts->count; c++)
+    if (nb_overlap(model, c) > pressed * model->bodies.rim[contacts->a[c]].x)
+      return true;
+  return false;
+}
+
+/* What is wrong with such a step for elastic spheres; NULL: nothing. */
+static const char *refused(const struct nb_model *model, enum nb_step_kind kind, double unit) {
+  if (!nb_step_elastic(model))
+    return NULL;
+  if (kind == NB_STEP_CRITICAL)
+    return "elastic spheres have no critical step: their stiffness grows with the load";
+  if (kind == NB_STEP_SAFE && !nb_step_pressed(model))
+    return "what is safe follows from the stiffness of contacts, and elastic spheres that are not pressed have none";
+  if (kind == NB_STEP_CONTACT && !(unit < INFINITY))
+    return "nothing approaches anything, so there is no contact to last";
+  return NULL;
+}
+
+/* "line 7", or where else it stands. */
+static const char *place_of(char *text, size_t size, const struct nb_step *step) {
+  snprintf(text, size, step->line ? "line %d" : "--set", step->line);
+  return text;
+}
+
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error) {
+  const int line = step->set ? 0 : step->line;
+  char place[NB_NAME_SIZE];
   double unit = 1;
+  if (step->kind == NB_STEP_CONTACT && nb_step_elastic(model) && line == model->step_line)
+    return NB_OK;
   switch (step->kind) {
   case NB_STEP_TIME:
     break;
@@ -68,10 +113,15 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
     unit = nb_step_contact(model);
     break;
   }
+  const char *why = refused(model, step->kind, unit);
+  if (why)
+    return nb_error_set(error, NB_BAD_USE, "%s: %s: say a time%s", place_of(place, sizeof place, step), why,
+                        step->kind == NB_STEP_CONTACT ? "" : ", or `N per contact`");
   model->step = step->value * unit;
+  model->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step))
     return nb_error_set(error, NB_BAD_USE,
-                        "line %d: the step comes out as %g s: a share of a step needs a free mass and a stiffness",
-                        step->line, model->step);
+                        "%s: the step comes out as %g s: a share of a step needs a free mass and a stiffness",
+                        place_of(place, sizeof place, step), model->step);
   return NB_OK;
 }

@@ -61,6 +61,62 @@ static void a_step_is_a_share(void) {
        pi * sqrt(0.5e4), 1e-15);
 }
 
+/* ---- elastic spheres: how long they stay together goes with their speed ---- */
+
+/* E* = 1/2 of two unlike rigid and E = 1/2, nu = 0; of like ones E/2. A sphere of radius 1 has the mass 1. */
+#define SPHERES                                                                                                        \
+  "units none\nnormal hertz\nmaterial m density 0.238732414637843 young 1 poisson 0\nmaterial r density "              \
+  "0.238732414637843 rigid\nmaterial w density 0.238732414637843 young 0.5 poisson 0\n"
+
+static double hertz(double young, double radius, double mass, double speed) {
+  const double pi = 3.14159265358979323846, beta = sqrt(pi) * tgamma(0.4) / tgamma(0.9);
+  return 0.8 * beta * pow(15 * mass * speed * speed / (16 * young * sqrt(radius)), 0.4) / speed;
+}
+
+static void a_contact_of_spheres(void) {
+  NEAR(hertz(1, 1, 1, 1) * pow(16. / 15, 0.4), 2.9432751843247047, 1e-15);
+  /* two that fly at each other, one at a wall, a wall at one, in its first stage and before */
+  NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.2 0\nsphere 5 0 radius 1 m velocity -0.1 0\nstep 0.1 of "
+                       "contact\n"),
+       0.1 * hertz(0.5, 0.5, 0.5, 0.3), 1e-14);
+  NEAR(step_of(SPHERES "sphere 0 3 radius 1 m velocity 2 -0.1\nwall w -90 0 to 90 0 r\nstep 20 per contact\n"),
+       hertz(1, 1, 1, 0.1) / 20, 1e-14);
+  NEAR(step_of(SPHERES "sphere 0 -3 radius 1 m velocity 2 0.1\nwall w -90 0 to 90 0 r\nstep 20 per contact\n"),
+       hertz(1, 1, 1, 0.1) / 20, 1e-14);
+  NEAR(step_of(SPHERES "sphere 0 3 radius 1 m\nwall w -90 0 to 90 0 r velocity 0 0.1\nstep 20 per contact\n"),
+       hertz(1, 1, 1, 0.1) / 20, 1e-14);
+  NEAR(step_of(SPHERES "sphere 3 1.5 radius 1 m\nwall w -90 0 to 90 0 r spin 0.1\nstep 20 per contact\n"),
+       hertz(1, 1, 1, 0.3) / 20, 1e-14);
+  /* at an end of a wall, as at a point; what flies past it meets nothing, and what it leaves behind neither */
+  const double bent = 0.2 * sqrt(1 - 0.36);
+  NEAR(step_of(SPHERES "sphere 0.6 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nstep 1 of contact\n"),
+       hertz(1, 1, 1, bent), 1e-14);
+  NEAR(step_of(SPHERES "sphere -9.6 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nstep 1 of contact\n"),
+       hertz(1, 1, 1, bent), 1e-14);
+  NEAR(step_of(SPHERES "sphere 1.1 5 radius 1 m velocity 0 -0.2\nwall w -9 0 to 0 0 r\nwall v -9 9 to 9 9 r\n"
+                       "sphere 5 8.2 radius 0.1 m velocity 0 0.001\nstep 1 of contact\n"),
+       hertz(1, 0.1, 0.001, 0.001), 1e-14);
+  /* askew: they close along their centres when they touch, both ways round; the next one would be missed */
+  NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 0.8 radius 1 m\nstep 1 of contact\n"),
+       hertz(0.5, 0.5, 0.5, 0.3 * sqrt(1 - 0.16)), 1e-14);
+  NEAR(step_of(SPHERES "sphere 5 -0.8 radius 1 m\nsphere 0 0 radius 1 m velocity 0.3 0\nsphere 5 9 radius 1 m velocity "
+                       "-9 0\nstep 1 of contact\n"),
+       hertz(0.5, 0.5, 0.5, 0.3 * sqrt(1 - 0.16)), 1e-14);
+  /* what touches already, at a wall and at each other: as fast as it closes now */
+  NEAR(step_of(SPHERES "sphere 0 0.99 radius 1 m velocity 4 -0.1\nwall w -9 0 to 9 0 r\nstep 1 of contact\n"),
+       hertz(1, 1, 1, 0.1), 1e-14);
+  NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 0.5 0\nsphere 1.2 1.59 radius 1 m\nstep 1 of contact\n"),
+       hertz(0.5, 0.5, 0.5, 0.5 * 1.2 / hypot(1.2, 1.59)), 1e-14);
+  /* of several the shortest: small, hard, fast ones; what is fixed weighs without end; two that are fixed do not count */
+  NEAR(step_of(SPHERES "sphere 0 0 radius 1 m velocity 1 0\nsphere 5 0 radius 1 m\nsphere 0 9 radius 0.5 m velocity 1 "
+                       "0\nsphere 5 9 radius 0.5 m\nstep 1 of contact\n"),
+       hertz(0.5, 0.25, 0.0625, 1), 1e-14);
+  NEAR(step_of(SPHERES
+               "sphere 0 0 radius 1 m velocity 1 0\nsphere 5 0 radius 3 w fixed\nsphere 0 9 radius 0.1 r velocity "
+               "9 0 fixed\nsphere 5 9 radius 0.1 m fixed\nstep 1 of contact\n"),
+       hertz(1. / 3, 0.75, 1, 1), 1e-14);
+}
+
 /* Springs of no stiffness, or nothing that may move: no share of that is a step. */
 static void a_step_without_end(void) {
   static const char *const bodies[] = {"kn 0\ndisc 0 0 radius 1 m", "kn 8\ndisc 0 0 radius 1 m fixed"};
@@ -75,6 +131,56 @@ static void a_step_without_end(void) {
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "line 5: the step comes out as inf s"));
     written_free(&it);
   }
+}
+
+static void no_step_for_spheres(void) {
+  static const struct {
+    const char *statements, *words;
+  } pages[] = {
+      {"sphere 0 3 radius 1 m\nsphere 9 3 radius 1 m velocity 1 0\nstep 1 of contact\n", "line 9: nothing approaches"},
+      {"gravity 0 -9\nsphere 0 3 radius 1 m\nwall w -9 0 to 9 0 r\nstep 9 per contact\n",
+       "line 10: nothing approaches"},
+      {"sphere 0 3 radius 1 m\nstep 0.1 of safe\n", "line 8: what is safe follows from the stiffness"},
+      {"spheres lattice 3 by 1 radius 1 m\nstep 0.1 of safe\n",
+       "elastic spheres that are not pressed have none: say a time"},
+      {"spheres lattice 2 by 1 radius 1 spacing 1.9 m\nstep 0.1 of critical\n",
+       "line 8: elastic spheres have no critical step"},
+  };
+  for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    words_add(&page, "%s%sstage s\ncycles 1\n", SPHERES, pages[n].statements);
+    written_scene(&it, &page);
+    CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
+    CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
+    if (!strstr(error.text, pages[n].words))
+      printf("# `%s` is not in: %s\n", pages[n].words, error.text);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, pages[n].words));
+    written_free(&it);
+  }
+  /* pressed, they have one: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
+  NEAR(step_of(SPHERES "spheres lattice 2 by 1 radius 1 spacing 1.9 m\nstep 0.5 of safe\n"), sqrt(0.5 / sqrt(0.05)),
+       1e-14);
+}
+
+/* A stage that says nothing keeps the step, though nothing approaches any more; one that says it again looks again. */
+static void the_step_of_a_contact_stays(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "%swall w -9 0 to 9 0 r\nsphere 0 1.1 radius 1 m velocity 0 -1\nstep 40 per contact\nrecord step\n"
+            "stage hit\ncycles 1\nstage off\nreverse\nrecord none\ncycles 3\nstage slow\nwall w velocity 0 3\nstep 40 "
+            "per contact\ncycles 1\n",
+            SPHERES);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(result.table.row_count, 3);
+  for (size_t row = 0; row < result.table.row_count; row++)
+    NEAR(result.table.values[row], hertz(1, 1, 1, row == 2 ? 2 : 1) / 40, 1e-14);
+  nb_result_free(&result);
+  written_free(&it);
 }
 
 /* ---- the watch ---- */
@@ -178,6 +284,9 @@ static void the_watch_changes_no_bit(void) {
 void suite_steps(void) {
   CU_pSuite suite = CU_add_suite("steps", NULL, NULL);
   CU_add_test(suite, "a step is a share", a_step_is_a_share);
+  CU_add_test(suite, "a contact of spheres", a_contact_of_spheres);
+  CU_add_test(suite, "no step for spheres", no_step_for_spheres);
+  CU_add_test(suite, "the step of a contact stays", the_step_of_a_contact_stays);
   CU_add_test(suite, "a step without end", a_step_without_end);
   CU_add_test(suite, "a bound that is crossed stops the run", a_bound_that_is_crossed_stops_the_run);
   CU_add_test(suite, "a stage is looked at as it begins", a_stage_is_looked_at_as_it_begins);
