@@ -80,7 +80,7 @@ const struct nb_keyword *nb_expect_keywords(void) { return table; }
 
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes) {
-  const size_t before = mistakes->count;
+  const size_t before = mistakes->made;
   *expectations = (struct nb_expectations){0};
   struct reading reading = {expectations, scene};
   struct nb_reader *reader = calloc(1, sizeof *reader);
@@ -88,22 +88,26 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
     nb_mistake(mistakes, page, 0, 0, 0, NULL, "there is not enough memory to read this page");
     return NB_BAD_USE;
   }
-  reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
+  reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless, reader->unsure = scene->unsure;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
+  bool sought = true; /* a wrong line of two words was meant to name a reference: an expectation has three or more */
   for (size_t line = 1; line <= page->line_count; line++)
-    if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line))
+    if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
       nb_statement_read(reader, table, NB_IN_EXPECT, &reading);
-  for (size_t k = 0; k < expectations->count; k++) {
+      sought = sought && !(reader->bad && reader->count == 2);
+    }
+  for (size_t k = 0; k < expectations->count && sought && !expectations->reference; k++) {
     const enum nb_expectation_kind kind = expectations->list[k].kind;
     const bool judged = kind == NB_WITHIN || kind == NB_ALONG || kind == NB_ORDER;
-    if (judged && !expectations->list[k].measure.vanishes && !expectations->reference && mistakes->count == before) {
+    if (judged && !expectations->list[k].measure.vanishes) {
       nb_line_read(reader, (size_t)expectations->list[k].line);
       nb_token_mistake(reader, &reader->tokens[0], "put `reference NAME` before it; `nineball list` names them",
                        "expected a `reference` in this page, found none to compare with");
+      sought = false;
     }
   }
   free(reader);
-  if (mistakes->count == before)
+  if (mistakes->made == before)
     return NB_OK;
   nb_expectations_free(expectations);
   return NB_BAD_USE;

@@ -15,7 +15,7 @@ enum nb_reducer { NB_LAST, NB_MAX, NB_MIN, NB_MEAN, NB_AMPLITUDE, NB_FREQUENCY, 
 struct nb_measure {
   char label[3 * NB_NAME_SIZE]; /* as references know it: quantity, reducer, stage */
   size_t column;                /* of the table */
-  const char *unit;
+  const char *unit;             /* NULL: unknown, as a mistake of the scene leaves it */
   enum nb_reducer reducer;
   double at;     /* cycle or s */
   int stage;     /* -1: the last one that has rows */
@@ -63,7 +63,8 @@ struct nb_expectations {
   size_t count;
 };
 
-/* The expect blocks of the page, for one run. Empty when there are mistakes. A page may have none. */
+/* The expect blocks of the page, for one run. Empty when there are mistakes. A page may have none. The scene may be one that
+ * has mistakes: what they leave unknown is not asked about. */
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes);
 void nb_expectations_free(struct nb_expectations *expectations);

@@ -38,6 +38,8 @@ static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, s
     }
     nb_guess_offer(&guess, binding->name);
   }
+  if (token->hollow || scene->unsure & NB_UNSURE_VALUES)
+    return true;
   nb_token_mistake(reader, token, nb_guess_hint(&guess, hint), "expected the name of a `sweep`, found `%s`",
                    token->text);
   reader->next = reader->count;
@@ -69,7 +71,8 @@ static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, 
 static bool take_along(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   reader->next++;
   const struct nb_token *token = nb_take(reader, "a quantity that the scene records");
-  if (!token || !nb_find_column(reader, scene, token, &expectation->along_column))
+  struct nb_quantity quantity;
+  if (!token || !nb_find_column(reader, scene, token, &expectation->along_column, &quantity))
     return false;
   snprintf(expectation->along, sizeof expectation->along, "%s", token->text);
   return nb_take_stage(reader, scene, &expectation->measure) &&

@@ -10,16 +10,30 @@ static void append(struct nb_measure *measure, const char *format, const char *w
   snprintf(measure->label + length, sizeof measure->label - length, format, word);
 }
 
+/* Whether a mistake of the scene may be why nothing of that name is known. */
+static bool explained(const struct nb_scene *scene, const char *name) {
+  const size_t length = strcspn(name, ".");
+  if (nb_watch_unsure(scene, name))
+    return true;
+  for (size_t w = 0; w < scene->watch_count; w++)
+    if (strncmp(scene->watches[w].name, name, length) == 0 && !scene->watches[w].name[length])
+      return false;
+  return name[length] && scene->unsure & NB_UNSURE_WATCHES;
+}
+
 bool nb_find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
-                    size_t *column) {
+                    size_t *column, struct nb_quantity *quantity) {
   for (size_t c = 0; c < scene->column_count; c++)
     if (strcmp(scene->columns[c].name, token->text) == 0) {
-      *column = c;
+      *column = c, *quantity = scene->columns[c].quantity;
       return true;
     }
-  struct nb_quantity quantity;
   char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE];
-  if (nb_quantity_find(&quantity, scene, token->text, nearest))
+  const bool known = nb_quantity_find(quantity, scene, token->text, nearest);
+  *column = 0;
+  if (token->hollow || (known ? scene->unsure & NB_UNSURE_COLUMNS : explained(scene, token->text)))
+    return true;
+  if (known)
     snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
   else if (nearest[0])
     snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
@@ -40,7 +54,7 @@ bool nb_take_stage(struct nb_reader *reader, const struct nb_scene *scene, struc
   for (size_t s = 0; s < scene->stage_count; s++)
     if (strcmp(scene->stages[s].name, token->text) == 0)
       measure->stage = (int)s;
-  if (measure->stage < 0) {
+  if (measure->stage < 0 && !token->hollow && !(scene->unsure & NB_UNSURE_STAGES)) {
     char hint[NB_HINT_SIZE];
     struct nb_guess guess = nb_guess_begin(token->text);
     for (size_t s = 0; s < scene->stage_count; s++)
@@ -106,10 +120,11 @@ static bool unknown_reducer(struct nb_reader *reader, bool reduced) {
 bool nb_take_measure(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   const struct nb_token *token = nb_take(reader, "a quantity that the scene records");
   *measure = (struct nb_measure){.stage = -1};
-  if (!token || !nb_find_column(reader, scene, token, &measure->column))
+  struct nb_quantity quantity;
+  if (!token || !nb_find_column(reader, scene, token, &measure->column, &quantity))
     return false;
-  measure->unit = nb_quantity_unit(scene->columns[measure->column].quantity);
-  measure->vanishes = nb_quantity_vanishes(scene->columns[measure->column].quantity);
+  measure->unit = quantity.kind ? nb_quantity_unit(quantity) : NULL;
+  measure->vanishes = !quantity.kind || nb_quantity_vanishes(quantity);
   append(measure, "%s", token->text);
   bool reduced = false;
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word && !reduced; row++) {

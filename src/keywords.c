@@ -187,8 +187,11 @@ void nb_statement_read(struct nb_reader *reader, const struct nb_keyword *table,
   struct nb_record record = {0};
   const struct nb_keyword *keyword = NULL, *fallback = NULL;
   reader->next = 0;
-  if (reader->tokens[0].hollow)
+  reader->meant = NULL;
+  if (reader->tokens[0].hollow) {
+    reader->bad = true;
     return;
+  }
   for (const struct nb_keyword *row = table; row->apply && !keyword; row++) {
     if (!(row->where & here))
       continue;
@@ -203,6 +206,7 @@ void nb_statement_read(struct nb_reader *reader, const struct nb_keyword *table,
     keyword = wrong_verb(reader, table, here);
     reader->muted = true; /* read on as what was meant, for the names that it defines */
   }
+  reader->meant = keyword;
   if (!keyword)
     return;
 

@@ -114,15 +114,21 @@ static size_t place_of(const struct nb_mistakes *mistakes, const char *path, siz
   return at;
 }
 
+/* Whether the very same was said before, in the same place. */
+static bool is_said(const struct nb_mistakes *mistakes, const char *path, size_t line, int column,
+                    const struct text *message) {
+  for (size_t i = place_of(mistakes, path, line, column);
+       i-- > 0 && mistakes->places[i].line == line && mistakes->places[i].column == column;)
+    if (strncmp(mistakes->text + mistakes->places[i].start, message->at, message->length) == 0)
+      return true;
+  return false;
+}
+
 static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, int column,
                    const struct text *message) {
   size_t count = mistakes->count, at = place_of(mistakes, path, line, column);
   size_t end = mistakes->text ? strlen(mistakes->text) : 0;
   size_t start = at < count ? mistakes->places[at].start : end;
-  for (size_t i = at; i-- > 0 && mistakes->places[i].line == line && mistakes->places[i].column == column;)
-    if (strncmp(mistakes->text + mistakes->places[i].start, message->at, message->length) == 0)
-      return;
-
   struct nb_mistake_place *places = nb_room(mistakes->places, count, 1, sizeof *places);
   if (places)
     mistakes->places = places;
@@ -143,32 +149,33 @@ static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, 
 
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) {
+  mistakes->made++;
   if (mistakes->count > MISTAKES_MAX)
     return;
   struct text message = {calloc(1, 1), 0};
   bool in_file = page->kind_of != NULL;
-  if (mistakes->count == MISTAKES_MAX) {
-    line = page->line_count + 1;
-    add(&message, "%s: error: more than %d mistakes: the others are left unsaid\n", page->path, MISTAKES_MAX);
-  } else {
-    if (line && in_file)
-      add(&message, "%s:%zu:%d: error: ", page->path, line, column);
-    else
-      add(&message, "%s: error: ", page->path);
-    va_list list;
-    va_start(list, format);
-    add_list(&message, format, list);
-    va_end(list);
-    add(&message, "\n");
-    if (line && line <= page->line_count)
-      add_line(&message, page->lines[line - 1], in_file ? line : 0, column, length);
-    if (hint && hint[0])
-      add(&message, "  hint: %s\n", hint);
-  }
-  if (message.at)
-    insert(mistakes, page->path, line, column, &message);
+  if (line && in_file)
+    add(&message, "%s:%zu:%d: error: ", page->path, line, column);
   else
+    add(&message, "%s: error: ", page->path);
+  va_list list;
+  va_start(list, format);
+  add_list(&message, format, list);
+  va_end(list);
+  add(&message, "\n");
+  if (line && line <= page->line_count)
+    add_line(&message, page->lines[line - 1], in_file ? line : 0, column, length);
+  if (hint && hint[0])
+    add(&message, "  hint: %s\n", hint);
+  bool said = message.at && is_said(mistakes, page->path, line, column, &message);
+  if (message.at && !said && mistakes->count == MISTAKES_MAX) {
+    line = page->line_count + 1, message.length = 0;
+    add(&message, "%s: error: more than %d mistakes: the others are left unsaid\n", page->path, MISTAKES_MAX);
+  }
+  if (!message.at)
     mistakes->count++; /* no memory even for the message: the page must still not pass */
+  else if (!said)
+    insert(mistakes, page->path, line, column, &message);
   free(message.at);
 }
 

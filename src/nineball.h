@@ -38,7 +38,8 @@ enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const
 
 struct nb_mistakes {
   char *text;                      /* the messages, ready to print; NULL while there are none; owned here */
-  size_t count;                    /* how many */
+  size_t count;                    /* how many that differ */
+  size_t made;                     /* how many times one was made, the same one again too */
   struct nb_mistake_place *places; /* where in the text each one begins: mistakes.c's own; owned here */
 };
 void nb_mistakes_free(struct nb_mistakes *mistakes);
@@ -250,6 +251,16 @@ struct nb_binding {
   int sweep; /* which `sweep` of the page it comes from, though --set may have left it one value; -1: a `let` */
 };
 
+/* What the mistakes of a page leave unknown; a set. What is in it is not asked about. */
+enum nb_unsure {
+  NB_UNSURE_UNITS = 1,   /* whether there are units */
+  NB_UNSURE_VALUES = 2,  /* which names `let` and `sweep` give */
+  NB_UNSURE_WATCHES = 4, /* which names `watch` gives, or what they are of */
+  NB_UNSURE_COLUMNS = 8, /* what is recorded */
+  NB_UNSURE_STAGES = 16, /* which stages there are */
+  NB_UNSURE_ALL = 31
+};
+
 /* One run of a page: every name resolved, every number SI. Filled by nb_scene_read, constant from there on;
  * references read the same structure. Owns everything its pointers reach. */
 struct nb_scene {
@@ -280,14 +291,16 @@ struct nb_scene {
   size_t stage_count;
   struct nb_binding *bindings;
   size_t binding_count;
+  unsigned unsure; /* set of enum nb_unsure, of what mistakes leave unknown */
 };
 
 /* `--set NAME=VALUE`, as often as wanted: NULL-terminated array of such texts, or NULL for none. */
 typedef const char *const *nb_settings;
 
-/* How many runs the sweeps of a page make: the product of their lengths; 0 when the page has mistakes. */
+/* How many runs the sweeps of a page make: the product of their lengths; 1 when those are wrong or too long. */
 size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes);
-/* Reads run 0 <= run < runs. All mistakes of the page are said at once; scene is empty when there are any. */
+/* Reads run 0 <= run < runs. All mistakes of its scene blocks are said at once. When there are any the scene holds what could
+ * be read: enough to read on, not to run; free it in any case. */
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                              struct nb_mistakes *mistakes);
 void nb_scene_free(struct nb_scene *scene);

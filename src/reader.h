@@ -47,6 +47,7 @@ struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
   bool unitless;                     /* `units none` */
+  unsigned unsure;                   /* set of enum nb_unsure: what is in it any word will do for */
   const struct nb_binding *bindings; /* what $NAME stands for; one with an empty text is hollow */
   size_t binding_count;
 
@@ -56,6 +57,7 @@ struct nb_reader {
   bool bad;                         /* a mistake was made in this statement */
   bool muted;                       /* and what follows from it would only be noise */
   const struct nb_keyword *keyword; /* its row while the fields of the row are read, else NULL */
+  const struct nb_keyword *meant;   /* the row it was read by, as it stands or as it was probably meant; NULL: none */
   unsigned given;                   /* set of the fields that have been read */
   char store[NB_LINE_MAX + NB_TOKENS_MAX * (2 * NB_NAME_SIZE + 2)]; /* the texts of the tokens */
 };
@@ -81,8 +83,8 @@ enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_SHARE, NB_HALF }; /* al
 const char *nb_range_words(enum nb_range range);
 /* Each takes what it names from the line, or says what it expected and answers false. */
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
-bool nb_take_in(struct nb_reader *reader, const char *si_unit,
-                double *value); /* in a unit of that kind: "N", "1", "kg.m/s" */
+/* In a unit of that kind: "N", "1", "kg.m/s"; NULL: of a kind that a mistake leaves unknown. */
+bool nb_take_in(struct nb_reader *reader, const char *si_unit, double *value);
 bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value);
 bool nb_take_word(struct nb_reader *reader, const char *word); /* exactly that */
 const struct nb_token *nb_take(struct nb_reader *reader,
@@ -143,6 +145,11 @@ void nb_statement_read(struct nb_reader *reader, const struct nb_keyword *table,
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword);
 /* The statements of scene blocks, for --help and the manual. */
 const struct nb_keyword *nb_keywords(void);
+
+/* ---- scene.c ---- */
+
+/* Whether the name begins with that of a watch that was itself a mistake: then nothing can be said of it. */
+bool nb_watch_unsure(const struct nb_scene *scene, const char *name);
 
 /* ---- page.c ---- */
 

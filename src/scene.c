@@ -39,8 +39,7 @@ void nb_scene_free(struct nb_scene *scene) {
   memset(scene, 0, sizeof *scene);
 }
 
-/* Quantities of a watch that was itself a mistake are not asked about. */
-static bool explained(const struct nb_scene *scene, const char *name) {
+bool nb_watch_unsure(const struct nb_scene *scene, const char *name) {
   size_t length = strcspn(name, ".");
   for (size_t i = 0; i < scene->watch_count; i++) {
     const struct nb_watch *watch = &scene->watches[i];
@@ -52,7 +51,7 @@ static bool explained(const struct nb_scene *scene, const char *name) {
 
 bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked) {
   char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE] = "";
-  if (explained(reading->scene, asked->name))
+  if (nb_watch_unsure(reading->scene, asked->name))
     return false;
   if (nb_quantity_find(quantity, reading->scene, asked->name, nearest))
     return true;
@@ -72,6 +71,27 @@ static void say_of_scene(struct nb_scene_reading *reading, const char *hint, con
              what);
 }
 
+/* What a statement that was wrong leaves unknown. Of one that gives a name, and has it, that is known. */
+static unsigned unsure_after(const struct nb_reader *reader) {
+  static const struct {
+    const char *word;
+    bool names;
+    unsigned unsure;
+  } rows[] = {{"units", false, NB_UNSURE_UNITS},    {"let", true, NB_UNSURE_VALUES},
+              {"sweep", true, NB_UNSURE_VALUES},    {"watch", true, NB_UNSURE_WATCHES},
+              {"impact", false, NB_UNSURE_WATCHES}, {"record", false, NB_UNSURE_COLUMNS},
+              {"stage", true, NB_UNSURE_STAGES}};
+  const struct nb_token *name = reader->count > 1 ? &reader->tokens[1] : NULL;
+  const bool several = reader->count > 2 && strcmp(reader->tokens[2].text, "with") == 0;
+  const bool named = name && !name->hollow && nb_is_name(name->text) && !several;
+  if (!reader->meant)
+    return NB_UNSURE_ALL;
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    if (strcmp(rows[k].word, reader->meant->word) == 0)
+      return rows[k].names && named ? 0 : rows[k].unsure;
+  return 0;
+}
+
 static void read_lines(struct nb_scene_reading *reading) {
   struct nb_reader *reader = &reading->reader;
   const struct nb_page *page = reader->page;
@@ -80,8 +100,11 @@ static void read_lines(struct nb_scene_reading *reading) {
       continue;
     const char *verb = reader->tokens[0].text;
     bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
-    if (value || !reading->survey)
-      nb_statement_read(reader, nb_keywords(), reading->here, reading);
+    if (!value && reading->survey)
+      continue;
+    nb_statement_read(reader, nb_keywords(), reading->here, reading);
+    if (reader->bad && !reading->survey)
+      reader->unsure |= unsure_after(reader);
   }
 }
 
@@ -112,9 +135,9 @@ static void find_columns(struct nb_scene_reading *reading) {
   for (size_t i = 0; i < reading->asked_count; i++) {
     struct nb_column *column = &scene->columns[i];
     memcpy(column->name, reading->asked[i].name, sizeof column->name);
-    if (nb_asked_find(reading, &column->quantity, &reading->asked[i]))
-      scene->column_count++;
+    nb_asked_find(reading, &column->quantity, &reading->asked[i]);
   }
+  scene->column_count = reading->asked_count;
 }
 
 /* What only the end of the page can tell. */
@@ -176,36 +199,37 @@ static bool keep_settings(struct nb_scene_reading *reading, nb_settings settings
 }
 
 static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
-  const size_t before = mistakes->count;
+  const size_t before = mistakes->made;
   struct nb_scene *scene = reading->scene;
   survey(reading, mistakes);
   read_lines(reading);
   check_whole(reading);
   if (nb_page_fence(reading->reader.page, NB_BLOCK_SCENE))
     check_step(reading);
-  if (scene->impact.line && mistakes->count == before)
+  if (scene->impact.line && mistakes->made == before)
     nb_impact_aim(reading);
-  if (!nb_scene_place(scene, &reading->place) && mistakes->count == before) {
+  if (!nb_scene_place(scene, &reading->place) && mistakes->made == before) {
     nb_line_read(&reading->reader, (size_t)reading->place.line);
     nb_token_mistake(&reading->reader, &reading->reader.tokens[0], NULL,
                      "expected a place that a double can hold, this one is too far away");
   }
   scene->unitless = reading->reader.unitless;
+  scene->unsure = nb_page_fence(reading->reader.page, NB_BLOCK_SCENE) ? reading->reader.unsure : NB_UNSURE_ALL;
   if (!scene->normal[0])
     strcpy(scene->normal, "linear");
   if (!scene->shear[0])
     strcpy(scene->shear, "none");
-  if (mistakes->count == before)
+  if (mistakes->made == before)
     nb_laws_check(reading);
 }
 
-/* Reads one run, and says how many there are. The scene is empty when there are mistakes. */
+/* Reads one run, and says how many there are. */
 static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                                struct nb_mistakes *mistakes, size_t *runs) {
-  size_t before = mistakes->count;
+  size_t before = mistakes->made;
   *scene = (struct nb_scene){.page = page};
   struct nb_scene_reading *reading = calloc(1, sizeof *reading);
-  *runs = 0;
+  *runs = 1;
   if (reading && keep_settings(reading, settings)) {
     reading->scene = scene;
     reading->run = run;
@@ -225,19 +249,15 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
     free(reading->asked);
     free(reading);
   }
-  if (mistakes->count == before)
-    return NB_OK;
-  nb_scene_free(scene);
-  *runs = 0;
-  return NB_BAD_USE;
+  return mistakes->made == before ? NB_OK : NB_BAD_USE;
 }
 
 size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes) {
   struct nb_scene scene;
   size_t runs;
-  if (read_run(&scene, page, 0, settings, mistakes, &runs) == NB_OK)
-    nb_scene_free(&scene);
-  return runs;
+  read_run(&scene, page, 0, settings, mistakes, &runs);
+  nb_scene_free(&scene);
+  return runs <= NB_RUNS_MAX ? runs : 1;
 }
 
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,

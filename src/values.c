@@ -22,11 +22,18 @@ static bool within(double value, enum nb_range range) {
          (range == NB_SHARE && value >= 0 && value <= 1) || (range == NB_HALF && value >= 0 && value <= 0.5);
 }
 
+/* Whether a mistake leaves open what the unit should be. */
+static bool any_unit(const struct nb_reader *reader, enum nb_unit_kind kind) {
+  return kind != NB_UNIT_NUMBER && reader->unsure & NB_UNSURE_UNITS;
+}
+
 /* "a length and its unit (m, mm, um, nm, cm, km)" */
 static void expectation(char *text, size_t size, const struct nb_reader *reader, enum nb_unit_kind kind) {
   char units[128];
   nb_unit_list(units, sizeof units, kind);
-  if (kind == NB_UNIT_NUMBER)
+  if (any_unit(reader, kind))
+    snprintf(text, size, "a number and its unit");
+  else if (kind == NB_UNIT_NUMBER)
     snprintf(text, size, "a number (bare, or with %% or ppm)");
   else if (reader->unitless)
     snprintf(text, size, "%s as a bare number (the scene says `units none`)", nb_unit_kind_name(kind));
@@ -146,7 +153,8 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
   const struct nb_token *unit = reader->next + 1 < reader->count ? number + 1 : NULL;
   const struct nb_token *behind = reader->next + 2 < reader->count ? number + 2 : NULL;
   const struct nb_unit *known = unit && !unit->hollow ? nb_unit_find(unit->text) : NULL;
-  bool matches = known && known->kind == kind && (kind == NB_UNIT_NUMBER || !reader->unitless);
+  bool any = any_unit(reader, kind);
+  bool matches = known && (any || (known->kind == kind && (kind == NB_UNIT_NUMBER || !reader->unitless)));
   *value = 1;
   if (number && number->hollow) {
     reader->bad = true;
@@ -162,8 +170,8 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
   if (reading != NB_READ)
     return out_of_reach(reader, number, matches ? unit : NULL, reading);
 
-  bool bare = kind == NB_UNIT_NUMBER || reader->unitless;
-  if (!matches && meant_as_unit(reader, unit, behind))
+  bool bare = any || kind == NB_UNIT_NUMBER || reader->unitless;
+  if (!matches && !any && meant_as_unit(reader, unit, behind))
     return refuse(reader, number, unit, unit_hint(hint, reader, number, unit, kind), what);
   if (!matches && !bare)
     return refuse(reader, number, NULL, unit_hint(hint, reader, number, NULL, kind), what);
@@ -181,12 +189,28 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
   return true;
 }
 
+/* With whatever unit stands there, if one does: none of the words that may follow a number has a dot or a slash in it. */
+static bool take_in_any(struct nb_reader *reader, double *value) {
+  const struct nb_token *number = nb_token_peek(reader), *unit = reader->next + 1 < reader->count ? number + 1 : NULL;
+  *value = 1;
+  if (number && number->hollow)
+    reader->bad = true;
+  else if (!is_number(number))
+    return nb_expected(reader, NULL, "a number and its unit"), false;
+  const bool is_unit =
+      unit && unit->text[0] != '[' && !is_number(unit) && (nb_unit_find(unit->text) || strpbrk(unit->text, "./"));
+  reader->next += is_unit ? 2 : 1;
+  return true;
+}
+
 /* A quantity may have a unit that no page writes otherwise, such as kg.m/s: then exactly that one. */
 bool nb_take_in(struct nb_reader *reader, const char *si_unit, double *value) {
   enum nb_unit_kind kind;
+  const struct nb_token *number = nb_token_peek(reader);
+  if (!si_unit || (reader->unsure & NB_UNSURE_UNITS && strcmp(si_unit, "1") != 0))
+    return take_in_any(reader, value);
   if (nb_unit_kind_of(&kind, si_unit))
     return nb_take_number(reader, kind, NB_ANY, value);
-  const struct nb_token *number = nb_token_peek(reader);
   *value = 1;
   if (number && number->hollow) {
     reader->bad = true;

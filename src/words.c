@@ -70,7 +70,7 @@ static bool put_named(struct nb_reader *reader, struct nb_token *token, struct s
   if ((size_t)(after - name) < sizeof text)
     memcpy(text, name, (size_t)(after - name));
   const struct nb_binding *binding = binding_of(reader, name, (size_t)(after - name));
-  if (!binding)
+  if (!binding && !(reader->unsure & NB_UNSURE_VALUES))
     unknown_name(reader, token, text);
   token->hollow = !binding || !binding->text[0];
   if (token->hollow)
