@@ -196,15 +196,15 @@ named() {
     END { exit bad }'
 }
 
-# The rows of one paper and kind, as a table. Equations that have words stand there even when no file has them.
+# The rows of one paper and kind, as a table. Equations of CS79 stand there even when no file has them.
 table() {
   { words | awk -F '|' -v paper="$1" -v kind="$2" '
       function key(text) { split(text, part, "."); return sprintf("%05d%05d%s", part[1], part[2], text ~ /a$/ ? "a" : "0") }
       $1 == paper && kind == 1 { print key($2) "|0|" $2 "|" $3 }'
     echo "$found" | awk -F '|' -v paper="$1" -v kind="$2" '$1 == paper && $2 == kind { print $3 "|1|" $4 "|" $5 }'
-  } | sort -u | awk -F '|' -v kind="$2" '
+  } | sort -u | awk -F '|' -v paper="$1" -v kind="$2" '
     function flush() {
-      if (name == "") return
+      if (name == "" || (paper == "R89" && files == "")) return # of the thesis, what is used
       if (kind == 1) printf "| %s | %s | %s |\n", name, about, files == "" ? "nowhere" : files
       else printf "| %s | %s |\n", name, files
     }
