@@ -96,7 +96,8 @@ static double finer(double coarse, double fine) { return fine + (fine - coarse) 
 
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps) {
   struct impact_path coarse;
-  const bool made = impact_springs(&coarse, chi, psi1, steps / 2) && impact_springs(path, chi, psi1, steps / 2 * 2);
+  bool made = impact_springs(&coarse, chi, psi1, steps / 2);
+  made = impact_springs(path, chi, psi1, steps / 2 * 2) && made;
   if (made) {
     path->psi2 = finer(coarse.psi2, path->psi2);
     path->slid = finer(coarse.slid, path->slid);
