@@ -57,6 +57,21 @@ static void check_elastic(struct nb_scene_reading *reading) {
   check_rigid(reading, on_body, on_wall);
 }
 
+/* The first line that gives something cohesion; 0: none does. */
+static int cohesive_line(const struct nb_scene *scene) {
+  for (size_t m = 0; m < scene->material_count; m++)
+    if (scene->materials[m].cohesion > 0)
+      return scene->materials[m].line;
+  for (size_t r = 0; r < scene->pair_rule_count; r++)
+    if (scene->pair_rules[r].cohesion > 0)
+      return scene->pair_rules[r].line;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t c = 0; c < scene->stages[s].change_count; c++)
+      if (scene->stages[s].changes[c].cohesion > 0)
+        return scene->stages[s].changes[c].line;
+  return 0;
+}
+
 void nb_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
@@ -67,4 +82,7 @@ void nb_laws_check(struct nb_scene_reading *reading) {
   else if (shear->elastic)
     say(reading, scene->shear_line ? scene->shear_line : scene->normal_line, "`normal hertz`",
         "expected a normal law of elastic spheres for `shear %s`", scene->shear);
+  if (shear->cohesionless && cohesive_line(scene) > 0)
+    say(reading, cohesive_line(scene), "its limit is mu N at every point of the contact",
+        "expected no cohesion for `shear %s`", scene->shear);
 }

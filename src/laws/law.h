@@ -42,6 +42,7 @@ struct nb_law {
   unsigned needs;            /* set of fields, besides overlap, normal and its stiffness, that it reads */
   bool elastic;              /* of elastic spheres: works with E*, G* and R*, not with k_n and k_s */
   bool branching;            /* has loops or calls: its loop is not asked to be wide */
+  bool cohesionless;         /* knows no cohesion: a page that gives it some is wrong */
   bool loses;                /* loses energy before it slides as a whole, and says how much */
   bool gains;                /* may create energy over a closed path, and says so in its file */
   nb_run_pass *run[NB_ISAS]; /* over a block */
@@ -49,6 +50,9 @@ struct nb_law {
                              double m[]); /* for the bench and the tests */
   struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double slip, double m[]);
   double (*stored)(struct nb_pair, struct nb_normal, const double m[]); /* elastic energy, J; NULL: the law has none */
+  /* What a contact's history is made of, for the bench: up to p.pieces overlaps x, m, ascending to alpha, and the D of the piece
+   * that ends there, 1. Answers how many; NULL: the law keeps no such thing. */
+  int (*pieces_of)(struct nb_pair, struct nb_normal, const double m[], double x[], double d[]);
 };
 
 /* Doubles that it remembers of a contact of such a pair; 0 for no law. */

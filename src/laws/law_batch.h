@@ -11,6 +11,8 @@
  *   #define STORED  shear_linear_stored     its elastic energy (optional)
  *   #define ELASTIC                         it is of elastic spheres: p.young, p.shear and p.radius (optional)
  *   #define LOSES                           it says what micro-slip loses (optional)
+ *   #define COHESIONLESS                    it knows no cohesion (optional)
+ *   #define PIECES_OF  ..._pieces           tells the pieces of its history (optional)
  *   #define BRANCHING, #define GAINS        (optional, see law.h)
  *
  * A law that remembers more than four doubles finds m[0] = 0 when it remembers nothing, and the rest as it may be; it is not
@@ -134,6 +136,12 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
 #endif
 #ifdef BRANCHING
     .branching = true,
+#endif
+#ifdef COHESIONLESS
+    .cohesionless = true,
+#endif
+#ifdef PIECES_OF
+    .pieces_of = PIECES_OF,
 #endif
 #ifdef LOSES
     .loses = true,
