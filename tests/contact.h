@@ -1,0 +1,113 @@
+/* A contact under test, alone with its laws: what the suites of laws share.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_CONTACT_H
+#define NB_CONTACT_H
+
+#include <CUnit/CUnit.h>
+
+#include "../src/laws/law.h"
+#include "chance.h"
+
+enum { PAIRS = 200, MOST = 8 + 4 * 64 };    /* doubles that a law may remember, here */
+static const double untouched = -12345.678; /* in the slots of memory that a law does not have */
+
+/* A contact under test, with the laws' memory of it. */
+struct contact {
+  const struct nb_law *normal, *shear; /* shear NULL: none */
+  struct nb_pair pair;
+  double overlap;
+  double normal_memory[NB_MEMORY], shear_memory[MOST];
+  struct nb_normal n;
+  struct nb_shear s;
+  double lost; /* in all, by a law that says it, J */
+};
+
+static inline struct contact contact_of(const struct nb_law *normal, const struct nb_law *shear, struct nb_pair pair) {
+  struct contact it = {.normal = normal, .shear = shear, .pair = pair};
+  it.pair.pieces = shear ? shear->pieces : 0;
+  if (shear && shear->cohesionless)
+    it.pair.cohesion = 0;
+  for (int m = 0; m < NB_MEMORY; m++)
+    it.normal_memory[m] = m < normal->memory ? 0 : untouched;
+  for (int m = 0; m < MOST; m++)
+    it.shear_memory[m] = m < nb_law_memory(shear, it.pair) ? 0 : untouched;
+  return it;
+}
+
+/* Over to this overlap, and on by this slip. */
+static inline void contact_go(struct contact *it, double overlap, double slip) {
+  const int remembered = nb_law_memory(it->shear, it->pair);
+  it->n = it->normal->normal(it->pair, overlap, overlap - it->overlap, it->normal_memory);
+  it->n.overlap = it->overlap = overlap;
+  if (it->shear && (overlap > 0 || remembered <= NB_MEMORY))
+    it->s = it->shear->shear(it->pair, it->n, slip, it->shear_memory);
+  else
+    it->s = (struct nb_shear){0};
+  it->lost += it->shear && it->shear->loses ? it->s.lost : 0;
+  if (overlap > 0)
+    return;
+  for (int m = 0; m < it->normal->memory; m++) /* what is remembered ends with the contact, as law_batch.h sees to */
+    it->normal_memory[m] = 0;
+  for (int m = 0; m < remembered; m++)
+    it->shear_memory[m] = m > 0 && remembered > NB_MEMORY ? untouched : 0; /* there the first one tells */
+}
+
+/* Along a straight line of n steps; answers the work done on the contact, by the mean force of each step. */
+static inline double contact_lead(struct contact *it, double overlap, double slip, int n) {
+  const double from = it->overlap;
+  double work = 0;
+  for (int k = 1; k <= n; k++) {
+    const double before = it->overlap;
+    const struct nb_normal was = it->n;
+    const struct nb_shear rubbed = it->s;
+    contact_go(it, k == n ? overlap : from + (overlap - from) * k / n, slip / n);
+    work += (was.force + it->n.force) / 2 * (it->overlap - before) + (rubbed.force + it->s.force) / 2 * (slip / n);
+  }
+  return work;
+}
+
+static inline struct nb_pair pair_by(struct chance *chance) {
+  struct nb_pair pair = {.kn = chance_scale(chance, 1e-6, 1e10)};
+  pair.ks = chance_between(chance, 0, 1) < 0.1 ? 0 : pair.kn * chance_between(chance, 0.2, 1.5);
+  pair.friction = chance_between(chance, 0, 1) < 0.2 ? 0 : chance_between(chance, 0.05, 1);
+  pair.cohesion = chance_between(chance, 0, 1) < 0.7 ? 0 : pair.kn * chance_scale(chance, 1e-9, 1e-4);
+  pair.young = pair.kn * chance_scale(chance, 1e6, 1e9);        /* 1/m: contacts as stiff as k_n, or stiffer */
+  pair.shear = pair.young * chance_between(chance, 0.16, 0.26); /* (1 - nu)/2(2 - nu) of like materials */
+  pair.radius = chance_scale(chance, 1e-5, 1);
+  return pair;
+}
+
+/* Calls `test` for every normal law alone (shear NULL) or with every shear law, many times each. */
+static inline void every_law(bool shears, void (*test)(struct contact it, struct chance *chance)) {
+  int tried = 0;
+  for (const struct nb_law *const *normal = nb_laws(); *normal; normal++) {
+    if (!(*normal)->normal)
+      continue;
+    for (const struct nb_law *const *shear = nb_laws(); *shear; shear++) {
+      if (shears ? !(*shear)->shear || ((*shear)->elastic && !(*normal)->elastic) : *shear != *normal)
+        continue;
+      const unsigned before = CU_get_number_of_failures();
+      struct chance chance = chance_begin(1);
+      for (int k = 0; k < PAIRS && CU_get_number_of_failures() == before; k++, tried++) /* one failure says it */
+        test(contact_of(*normal, shears ? *shear : NULL, pair_by(&chance)), &chance);
+      if (CU_get_number_of_failures() > before)
+        printf("# by law normal %s%s%s\n", (*normal)->name, shears ? " with shear " : "", shears ? (*shear)->name : "");
+    }
+  }
+  CU_ASSERT(tried > 0);
+}
+
+static inline double stored(const struct contact *it) {
+  double sum = it->normal->stored(it->pair, it->n, it->normal_memory);
+  if (it->shear)
+    sum += it->shear->stored(it->pair, it->n, it->shear_memory);
+  return sum;
+}
+
+#define OF_NORMAL(test)                                                                                                \
+  static void normal_##test(void) { every_law(false, test); }
+#define OF_SHEAR(test)                                                                                                 \
+  static void shear_##test(void) { every_law(true, test); }
+
+#endif

@@ -1,0 +1,86 @@
+/* The contract of a law, energy: held by every one in the register, as in laws.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <float.h>
+
+#include "contact.h"
+#include "suites.h"
+
+struct corner {
+  double overlap, slip; /* to this overlap, on by this slip */
+};
+
+/* Three times around, from a contact that carries no shear. Steps are finite, so the work is off by something that
+ * falls with them: what it changes by when there are twice as many is taken for it, four times over. */
+static void go_around(const struct contact *at, const struct corner *corners, int count) {
+  struct contact coarse = *at, fine = *at;
+  double work = 0, finer = 0, scale = 0;
+  for (int round = 0; round < 3; round++) {
+    for (int k = 0; k < count; k++) {
+      const double before = fine.overlap;
+      work += contact_lead(&coarse, corners[k].overlap, corners[k].slip, 128);
+      finer += contact_lead(&fine, corners[k].overlap, corners[k].slip, 256);
+      scale += fine.n.force * (fabs(fine.overlap - before) + fabs(corners[k].slip)) + fabs(finer);
+    }
+    CU_ASSERT(finer >= -4 * fabs(finer - work) - 256 * DBL_EPSILON * scale);
+  }
+}
+
+static void closed_paths_give_no_energy(struct contact it, struct chance *chance) {
+  if (it.normal->gains || (it.shear && it.shear->gains))
+    return;
+  const double low = chance_scale(chance, 1e-8, 1e-4), high = low * chance_between(chance, 1.1, 5);
+  const double reach = low * chance_between(chance, 0.05, 4) * (chance_between(chance, -1, 1) < 0 ? -1 : 1);
+  contact_lead(&it, low, 0, 128);
+  go_around(&it, (struct corner[]){{high, 0}, {low, 0}}, 2);
+  go_around(&it, (struct corner[]){{low, reach}, {low, -reach}}, 2);
+  go_around(&it, (struct corner[]){{low, reach}, {low, -2 * reach}, {low, reach}}, 3);
+  go_around(&it, (struct corner[]){{low, reach}, {high, 0}, {high, -reach}, {low, 0}}, 4);
+  go_around(&it, (struct corner[]){{high, 0}, {high, reach}, {low, 0}, {low, -reach}}, 4);
+  go_around(&it, (struct corner[]){{high, reach}, {low, -reach}}, 2);
+  go_around(&it, (struct corner[]){{0, reach}, {low, -reach}}, 2);
+}
+
+/* From step to step: never more than the work put in, and all of it while nothing slides. A law that says what it loses
+ * stores the rest, sliding or not. */
+static void stored_energy_is_the_work(struct contact it, struct chance *chance) {
+  if (!it.normal->stored || (it.shear && !it.shear->stored))
+    return;
+  contact_lead(&it, chance_scale(chance, 1e-8, 1e-4), 0, 64);
+  int stuck = 0;
+  for (int leg = 0; leg < 40; leg++) {
+    const double to = it.overlap * chance_between(chance, 0.7, 1.4);
+    const double slip = chance_between(chance, -1, 1) * it.overlap * (leg % 2 ? 0.02 : 0.3);
+    struct contact coarse = it;
+    const double before = stored(&it), already = it.lost, work = contact_lead(&coarse, to, slip, 64);
+    bool slid = false;
+    double finer = 0;
+    const double from = it.overlap;
+    for (int k = 1; k <= 128; k++) {
+      finer += contact_lead(&it, from + (to - from) * k / 128, slip / 128, 1);
+      slid = slid || (it.s.sliding > 0 && !it.shear->loses);
+    }
+    const double lost = it.lost - already, less = coarse.lost - already;
+    const double error = 4 * (fabs(finer - work) + fabs(lost - less)) + 1024 * DBL_EPSILON * (before + stored(&it));
+    CU_ASSERT(stored(&it) - before <= finer + error && lost >= -error);
+    if (!slid)
+      CU_ASSERT(fabs(stored(&it) + lost - before - finer) <= error);
+    stuck += !slid;
+  }
+  if (it.shear && it.pair.friction > 0.1)
+    CU_ASSERT(stuck > 0);
+}
+
+OF_NORMAL(closed_paths_give_no_energy)
+OF_NORMAL(stored_energy_is_the_work)
+OF_SHEAR(closed_paths_give_no_energy)
+OF_SHEAR(stored_energy_is_the_work)
+
+void suite_laws_energy(void) {
+  CU_pSuite suite = CU_add_suite("laws_energy", NULL, NULL);
+  CU_add_test(suite, "normal: closed paths give no energy", normal_closed_paths_give_no_energy);
+  CU_add_test(suite, "normal: stored energy is the work", normal_stored_energy_is_the_work);
+  CU_add_test(suite, "shear: closed paths give no energy", shear_closed_paths_give_no_energy);
+  CU_add_test(suite, "shear: stored energy is the work", shear_stored_energy_is_the_work);
+}
