@@ -174,9 +174,11 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
     for (size_t r = 0; r < outcome.run_count && !outcome.status; r++) {
       struct nb_error error;
       const struct nb_page_run *run = &outcome.runs[r];
-      struct nb_model *model = nb_model_create(&run->scene, &use->options, &error);
+      struct nb_model *model = run->scene.path ? NULL : nb_model_create(&run->scene, &use->options, &error);
       printf("%s%s%s%s\n", r ? "\n" : "", outcome.page.name, run->label[0] ? ", run " : "", run->label);
-      if (model) {
+      if (run->scene.path) {
+        nb_explain_bench(stdout, &run->scene);
+      } else if (model) {
         nb_explain(stdout, &run->scene, model);
       } else {
         fprintf(stderr, "nineball: %s\n", error.text);

@@ -12,6 +12,7 @@ struct nb_use {
   size_t page_count;
   const char *folder;    /* NULL: the default */
   const char **settings; /* NULL-terminated */
+  char *follow;          /* the one of --follow, owned; NULL: none */
   struct nb_options options;
   bool tap;
 };

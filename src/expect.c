@@ -91,7 +91,7 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless, reader->unsure = scene->unsure;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
   bool sought = true; /* a wrong line of two words was meant to name a reference: an expectation has three or more */
-  for (size_t line = 1; line <= page->line_count; line++)
+  for (size_t line = 1; line <= page->line_count && !scene->followed; line++)
     if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
       nb_statement_read(reader, table, NB_IN_EXPECT, &reading);
       sought = sought && !(reader->bad && reader->count == 2);

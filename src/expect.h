@@ -11,6 +11,8 @@ struct nb_reference;
 /* From the rows of a stage to one number. */
 enum nb_reducer { NB_LAST, NB_MAX, NB_MIN, NB_MEAN, NB_AMPLITUDE, NB_FREQUENCY, NB_AT_CYCLE, NB_AT_TIME };
 
+enum { NB_STAGE_ALL = -2 };
+
 /* `C.normal mean in rest` */
 struct nb_measure {
   char label[3 * NB_NAME_SIZE]; /* as references know it: quantity, reducer, stage */
@@ -18,7 +20,7 @@ struct nb_measure {
   const char *unit;             /* NULL: unknown, as a mistake of the scene leaves it */
   enum nb_reducer reducer;
   double at;     /* cycle or s */
-  int stage;     /* -1: the last one that has rows */
+  int stage;     /* -1: the last one that has rows; NB_STAGE_ALL: `in all` */
   bool vanishes; /* a residual: known to be 0 by what it is, without a reference */
 };
 

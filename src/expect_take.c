@@ -54,7 +54,9 @@ bool nb_take_stage(struct nb_reader *reader, const struct nb_scene *scene, struc
   for (size_t s = 0; s < scene->stage_count; s++)
     if (strcmp(scene->stages[s].name, token->text) == 0)
       measure->stage = (int)s;
-  if (measure->stage < 0 && !token->hollow && !(scene->unsure & NB_UNSURE_STAGES)) {
+  if (measure->stage < 0 && strcmp(token->text, "all") == 0)
+    measure->stage = NB_STAGE_ALL;
+  if (measure->stage == -1 && !token->hollow && !(scene->unsure & NB_UNSURE_STAGES)) {
     char hint[NB_HINT_SIZE];
     struct nb_guess guess = nb_guess_begin(token->text);
     for (size_t s = 0; s < scene->stage_count; s++)
@@ -68,18 +70,23 @@ bool nb_take_stage(struct nb_reader *reader, const struct nb_scene *scene, struc
   return true;
 }
 
-static bool take_moment(struct nb_reader *reader, struct nb_measure *measure) {
+static bool take_moment(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   char text[NB_NAME_SIZE];
   const struct nb_token *number = nb_token_peek(reader), *unit = number ? number + 1 : NULL;
   const bool cycles = number && reader->next + 1 < reader->count &&
-                      (strcmp(unit->text, "cycles") == 0 || strcmp(unit->text, "cycle") == 0);
+                      (scene->path ? strcmp(unit->text, "steps") == 0 || strcmp(unit->text, "step") == 0
+                                   : strcmp(unit->text, "cycles") == 0 || strcmp(unit->text, "cycle") == 0);
+  if (scene->path && !cycles) {
+    nb_expected(reader, "on the bench there is no time: `at 10 steps`", "a number and `steps`");
+    return false;
+  }
   if (cycles) {
     unsigned long count;
     if (!nb_take_count(reader, 0, 1000000000, &count))
       return false;
     reader->next++;
     measure->reducer = NB_AT_CYCLE, measure->at = (double)count;
-    snprintf(text, sizeof text, "%lu cycles", count);
+    snprintf(text, sizeof text, "%lu %s", count, scene->path ? "steps" : "cycles");
   } else {
     if (!nb_take_number(reader, NB_UNIT_TIME, NB_NOT_NEGATIVE, &measure->at))
       return false;
@@ -138,7 +145,7 @@ bool nb_take_measure(struct nb_reader *reader, const struct nb_scene *scene, str
       measure->unit = "1/s";
   }
   if (!reduced && nb_token_skip(reader, "at"))
-    return take_moment(reader, measure) && nb_take_stage(reader, scene, measure);
+    return take_moment(reader, scene, measure) && nb_take_stage(reader, scene, measure);
   return !unknown_reducer(reader, reduced) && nb_take_stage(reader, scene, measure);
 }
 

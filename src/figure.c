@@ -4,7 +4,7 @@
  *   $table      the rows, for gnuplot's `using 'time/s':'C.normal/N'`; with a sweep $table_1, $table_2, … one a run
  *   $values     one row a run: swept values, measures seen and known
  *   runs        how many; run[i] is "v=0.12"; for one run also each measure by name: C_normal_mean, known_C_normal_mean
- *   $STAGE_bodies, $STAGE_walls, $STAGE_contacts   snapshots, with a sweep …_1, …_2
+ *   $STAGE_bodies, $STAGE_walls, $STAGE_contacts   snapshots, with a sweep …_1, …_2; of a path $LEG_traction, $LEG_pieces
  *   plots       folder of the recipes: load plots.'force-rectangles.gp'
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -57,7 +57,6 @@ static void write_measures(FILE *out, const struct nb_page_run *run) {
 }
 
 static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
-  static const char *const names[] = {"bodies", "walls", "contacts"};
   const struct nb_page_run *run = &outcome->runs[r];
   char number[32] = "";
   if (outcome->run_count > 1)
@@ -67,12 +66,13 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   fputs("EOD\n", out);
   for (size_t k = 0; k < run->result.snapshot_count; k++) {
     const struct nb_snapshot *snapshot = &run->result.snapshots[k];
-    const struct nb_table *tables[] = {&snapshot->bodies, &snapshot->walls, &snapshot->contacts};
-    for (int t = 0; t < 3; t++) {
+    const struct nb_table *table;
+    const char *part;
+    for (int t = 0; nb_snapshot_part(snapshot, t, &part, &table); t++) {
       char stage[NB_NAME_SIZE];
       variable(stage, sizeof stage, "", run->scene.stages[snapshot->stage].name);
-      fprintf(out, "$%s_%s%s << EOD\n", stage, names[t], number);
-      nb_table_write(out, tables[t]);
+      fprintf(out, "$%s_%s%s << EOD\n", stage, part, number);
+      nb_table_write(out, table);
       fputs("EOD\n", out);
     }
   }

@@ -145,6 +145,11 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
 
 static const char *where_words(unsigned where) {
   where &= ~(unsigned)NB_IN_RAMP;
+  if (where == NB_IN_LEG)
+    return "in a leg: below a line `leg NAME …`";
+  if (!(where & ~(unsigned)(NB_IN_PATH | NB_IN_LEG)))
+    return "in a block of kind `path`";
+  where &= ~(unsigned)(NB_IN_PATH | NB_IN_LEG);
   if (where == NB_IN_SCENE)
     return "before the first `stage`";
   if (where == NB_IN_STAGE)
@@ -154,10 +159,10 @@ static const char *where_words(unsigned where) {
 
 /* The verb is unknown, or known but not here. Answers the row that was probably meant, or NULL. */
 static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struct nb_keyword *table, unsigned here) {
-  static const char *const places[] = {[NB_IN_SCENE] = "a statement of the scene",
-                                       [NB_IN_STAGE] = "a statement of a stage",
-                                       [NB_IN_EXPECT] = "an expectation",
-                                       [NB_IN_RAMP] = "something that can ramp"};
+  static const char *const places[] = {
+      [NB_IN_SCENE] = "a statement of the scene", [NB_IN_STAGE] = "a statement of a stage",
+      [NB_IN_EXPECT] = "an expectation",          [NB_IN_RAMP] = "something that can ramp",
+      [NB_IN_PATH] = "a statement of a path",     [NB_IN_LEG] = "a statement of a leg"};
   char hint[NB_HINT_SIZE];
   snprintf(hint, sizeof hint, "the %s word may be: ", here == NB_IN_RAMP ? "next" : "first");
   const struct nb_token *verb = nb_token_peek(reader);

@@ -28,6 +28,7 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 static const struct nb_help_row option_rows[] = {
     {"-o, --output FOLDER", "where files go (default: NAME.out; report: report)"},
     {"--set NAME=VALUE", "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
+    {"--follow FILE", "take a page's contact along a path of your own: columns approach/m and slip/m"},
     {"--threads N", "at most so many (default 1); the results do not depend on it"},
     {"--isa NAME", "plain, avx2 or avx512 (default: the widest); nor on this"},
     {"--tap", "verdicts in the form that `make check` reads"},
@@ -88,11 +89,12 @@ static enum nb_status usage(const char *format, const char *word) {
   return NB_BAD_USE;
 }
 
-enum { OPTION_SET = 256, OPTION_THREADS, OPTION_ISA, OPTION_TAP, OPTION_VERSION };
+enum { OPTION_SET = 256, OPTION_FOLLOW, OPTION_THREADS, OPTION_ISA, OPTION_TAP, OPTION_VERSION };
 
 static const struct option options[] = {
     {"output", required_argument, NULL, 'o'},
     {"set", required_argument, NULL, OPTION_SET},
+    {"follow", required_argument, NULL, OPTION_FOLLOW},
     {"threads", required_argument, NULL, OPTION_THREADS},
     {"isa", required_argument, NULL, OPTION_ISA},
     {"tap", no_argument, NULL, OPTION_TAP},
@@ -116,6 +118,16 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words, 
         return usage("--set wants NAME=VALUE, found `%s`", optarg);
       use->settings[settings++] = optarg;
       break;
+    case OPTION_FOLLOW: {
+      const size_t size = sizeof "follow=" + strlen(optarg);
+      free(use->follow);
+      use->follow = malloc(size);
+      if (!use->follow)
+        return NB_BROKEN;
+      snprintf(use->follow, size, "follow=%s", optarg);
+      use->settings[settings++] = use->follow;
+      break;
+    }
     case OPTION_THREADS: {
       const long threads = strtol(optarg, &end, 10);
       if (*end || end == optarg || threads < 1 || threads > 256)
@@ -188,6 +200,7 @@ int main(int count, char **words) {
                  : commands[command].run(&use);
   }
   free(use.settings);
+  free(use.follow);
   if (fflush(stdout) != 0 || ferror(stdout)) { /* a full disk, a closed pipe */
     fputs("nineball: the output could not be written\n", stderr);
     return NB_BAD_USE;

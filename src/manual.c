@@ -31,15 +31,20 @@ static void statement(FILE *out, const struct nb_manner *manner, const struct nb
   char syntax[512], help[1024];
   nb_keyword_syntax(syntax, sizeof syntax, keyword);
   const bool both = keyword->where & NB_IN_SCENE && keyword->where & NB_IN_STAGE;
-  snprintf(help, sizeof help, "%s%s%s", keyword->help, both ? " In the scene and in stages." : "",
-           keyword->where & NB_IN_RAMP ? " Also behind `ramp`." : "");
+  const bool shared = keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_PATH | NB_IN_LEG);
+  snprintf(help, sizeof help, "%s%s%s%s", keyword->help, both ? " In the scene and in stages." : "",
+           keyword->where & NB_IN_RAMP ? " Also behind `ramp`." : "", shared ? " Also on the bench." : "");
   manner->item(out, keyword->word, syntax, help);
   if (!whole)
     return;
   for (const struct nb_argument *field = keyword->arguments; field->count; field++)
     argument(out, manner, field);
   if (keyword->example)
-    manner->example(out, keyword->where == NB_IN_EXPECT ? "expect" : "scene", keyword->example);
+    manner->example(out,
+                    keyword->where == NB_IN_EXPECT                 ? "expect"
+                    : keyword->where & (NB_IN_SCENE | NB_IN_STAGE) ? "scene"
+                                                                   : "text of a path",
+                    keyword->example);
   manner->end_item(out);
 }
 
@@ -59,8 +64,10 @@ static void measures(FILE *out, const struct nb_manner *manner) {
            "stage, the last one with rows if none is named, become one number. REDUCER:");
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     manner->row(out, row->word, NULL, row->help);
-  manner->row(out, "at N cycles", NULL, "in the row of that cycle, counted from the start of the run");
+  manner->row(out, "at N cycles", NULL,
+              "in the row of that cycle, counted from the start of the run; on the bench `at N steps`");
   manner->row(out, "at TIME", NULL, "at that time, between two rows along a straight line");
+  manner->row(out, "in all", NULL, "the rows of all stages");
   manner->end_list(out);
 }
 
@@ -101,10 +108,11 @@ static void units(FILE *out, const struct nb_manner *manner) {
 static void grammar(FILE *out, const struct nb_manner *manner) {
   char text[1024];
   manner->section(out, "Words");
-  manner->words(
-      out, "A page is Markdown. Its fenced blocks `scene`, `expect` and `gnuplot` are read; the rest is prose, which "
-           "may say anything. Several blocks of a kind are read as one, in their order. A statement is a line: a "
-           "first word, then what it takes, with blanks between; `#` begins a comment.");
+  manner->words(out,
+                "A page is Markdown. Its fenced blocks `scene` or `path`, `expect` and `gnuplot` are read; the rest is "
+                "prose, which "
+                "may say anything. Several blocks of a kind are read as one, in their order. A statement is a line: a "
+                "first word, then what it takes, with blanks between; `#` begins a comment.");
   manner->words(
       out, "Below, CAPITALS stand for what you write there, `{...}` may be left out, and `a|b` is one of the two. "
            "Clauses (a word and its values) come in any order. `$NAME` stands for a value that `let` or `sweep` has "
@@ -129,6 +137,13 @@ void nb_manual_language(FILE *out, const struct nb_manner *manner, bool whole) {
   manner->section(out, "In a stage");
   for (const struct nb_keyword *keyword = nb_keywords(); keyword->apply; keyword++)
     if (keyword->where & NB_IN_STAGE && !(keyword->where & NB_IN_SCENE))
+      statement(out, manner, keyword, whole);
+  manner->section(out, "On the bench");
+  manner->words(out,
+                "A page with a block `path` instead of `scene` takes one contact through approach and slip, or through "
+                "forces: no bodies, no time. Its legs are stages to what is expected: `shear max in load`.");
+  for (const struct nb_keyword *keyword = nb_keywords(); keyword->apply; keyword++)
+    if (keyword->where & (NB_IN_PATH | NB_IN_LEG) && !(keyword->where & (NB_IN_SCENE | NB_IN_STAGE)))
       statement(out, manner, keyword, whole);
   manner->section(out, "Expectations");
   measures(out, manner);

@@ -15,7 +15,7 @@
 void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to) {
   const bool moment = measure->reducer == NB_AT_CYCLE || measure->reducer == NB_AT_TIME;
   *from = 0, *to = table->row_count;
-  if (table->row_count == 0 || (moment && measure->stage < 0))
+  if (table->row_count == 0 || measure->stage == NB_STAGE_ALL || (moment && measure->stage < 0))
     return;
   const int stage = measure->stage < 0 ? table->stage[table->row_count - 1] : measure->stage;
   while (*from < *to && table->stage[*from] != stage)
@@ -112,10 +112,11 @@ bool nb_measure_seen(double *seen, const struct nb_measure *measure, const struc
 const double *nb_measure_known(const struct nb_measure *measure, const struct nb_scene *scene,
                                const struct nb_known *known) {
   const double *value = known_find(known, measure->label);
-  if (value || measure->stage < 0)
+  if (value || measure->stage == -1)
     return value;
   char label[sizeof measure->label];
-  const size_t length = strlen(measure->label), tail = strlen(scene->stages[measure->stage].name) + strlen(" in ");
+  const size_t length = strlen(measure->label),
+               tail = strlen(measure->stage < 0 ? "all" : scene->stages[measure->stage].name) + strlen(" in ");
   memcpy(label, measure->label, sizeof label);
   label[length > tail ? length - tail : 0] = 0;
   return known_find(known, label);

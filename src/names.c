@@ -10,6 +10,7 @@
 #include "energy.h"
 #include "guess.h"
 #include "names.h"
+#include "observe.h"
 
 /* ---- the whole scene ---- */
 
@@ -40,22 +41,9 @@ static double touching(const struct nb_model *model, const struct nb_watch *watc
     count += model->contacts.kept[NB_OVERLAP][c] > 0;
   return count;
 }
-/* Largest force sum on a free body, weight included, over largest contact force: dF/F of [CS79 tables 1-3]; 0 while nothing
- * touches. */
 static double unbalance(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
-  double sum = 0, contact = 0;
-  for (size_t i = 0; i < model->bodies.count; i++) {
-    const struct nb_vec weight = vec_scale(model->bodies.mass[i], model->gravity);
-    const double size =
-        model->bodies.inverse_mass[i] > 0 ? vec_length(vec_add(nb_force_on(model, i).force, weight)) : 0;
-    sum = size > sum ? size : sum;
-  }
-  for (size_t c = 0; c < model->contacts.count; c++) {
-    const double size = vec_length(model->contacts.force[c]);
-    contact = size > contact ? size : contact;
-  }
-  return contact > 0 ? sum / contact : 0;
+  return nb_unbalance(model);
 }
 
 #define OF_SCENE(function, expression)                                                                                 \
@@ -212,13 +200,18 @@ static const struct nb_quantity_kind kinds[] = {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* The rows one after the other, those of impact.c behind these; NULL past the last one. */
+/* The rows one after the other, those of impact.c and of the bench behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
-  return k < KINDS ? &kinds[k] : nb_impact_kinds[k - KINDS].name ? &nb_impact_kinds[k - KINDS] : NULL;
+  size_t impacts = 0;
+  while (nb_impact_kinds[impacts].name)
+    impacts++;
+  return k < KINDS ? &kinds[k] : k < KINDS + impacts ? &nb_impact_kinds[k - KINDS] : nb_bench_row(k - KINDS - impacts);
 }
 
 /* Whether such a quantity is one of watch w, -1: of the whole scene. */
 static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
+  if (scene->path)
+    return kind->watches == NB_OF_BENCH;
   if (w >= 0)
     return kind->watches & 1u << scene->watches[w].kind;
   return !kind->watches || (kind->watches == NB_OF_IMPACT && scene->impact.line);
@@ -295,6 +288,7 @@ bool nb_quantity_row(size_t k, const char **name, const char **unit, const char 
         : watches == WALL         ? "a wall"
         : watches == PAIR         ? "a pair"
         : watches == NB_OF_IMPACT ? "an impact"
+        : watches == NB_OF_BENCH  ? "the contact on the bench"
                                   : "the scene";
   return true;
 }

@@ -8,14 +8,19 @@
 
 struct nb_quantity_kind {
   const char *name;
-  unsigned watches; /* set of watch kinds it belongs to; 0: the whole scene; NB_OF_IMPACT: one with an impact */
+  unsigned
+      watches; /* set of watch kinds it belongs to; 0: the whole scene; NB_OF_IMPACT: one with an impact; or NB_OF_BENCH */
   const char *unit;
-  unsigned fields; /* contact fields it reads, to be kept */
+  unsigned fields; /* contact fields it reads, to be kept; on the bench what it asks of the laws */
   double (*value)(const struct nb_model *model, const struct nb_watch *watch);
   const char *help;
 };
 #define NB_OF_IMPACT (1u << 31)
+#define NB_OF_BENCH (1u << 30) /* of a path's contact */
 
 extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c; the last row has no name */
+
+/* bench_names.c: their values are asked for by nb_quantity_on_bench; NULL past the last one. */
+const struct nb_quantity_kind *nb_bench_row(size_t k);
 
 #endif

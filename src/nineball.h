@@ -46,7 +46,7 @@ void nb_mistakes_free(struct nb_mistakes *mistakes);
 
 /* ---- page.c: a Markdown file and its fenced blocks ---------------------------------------------------------------- */
 
-enum nb_block_kind { NB_BLOCK_SCENE, NB_BLOCK_EXPECT, NB_BLOCK_GNUPLOT, NB_BLOCK_KINDS };
+enum nb_block_kind { NB_BLOCK_SCENE, NB_BLOCK_EXPECT, NB_BLOCK_GNUPLOT, NB_BLOCK_PATH, NB_BLOCK_KINDS };
 
 struct nb_page {
   char *path;              /* as given, for messages; owned */
@@ -63,6 +63,7 @@ void nb_page_free(struct nb_page *page);
 /* ---- names.c: dotted names ---------------------------------------------------------------------------------------- */
 
 struct nb_model;
+struct nb_bench;
 struct nb_scene;
 
 /* A quantity that can be recorded, waited for or expected: `C.normal`, `time`, `energy.kinetic`. */
@@ -73,8 +74,9 @@ struct nb_quantity {
 
 /* Finds `text`; false when the scene has no such name, then `hint` (NB_NAME_SIZE * 2 bytes) holds the nearest one, or is empty. */
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint);
-const char *nb_quantity_unit(struct nb_quantity quantity);                           /* "N", "m", "1" */
-double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model); /* SI */
+const char *nb_quantity_unit(struct nb_quantity quantity);                              /* "N", "m", "1" */
+double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model);    /* SI */
+double nb_quantity_on_bench(struct nb_quantity quantity, const struct nb_bench *bench); /* SI, of a path's contact */
 bool nb_quantity_vanishes(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
 /* Row by row all there are, for the manual; false past the last one. `of`: what such a quantity belongs to. */
 bool nb_quantity_row(size_t row, const char **name, const char **unit, const char **of, const char **help);
@@ -218,6 +220,23 @@ struct nb_condition {
   int line;
 };
 
+/* Where a leg of a path takes one side of the contact: the normal side, or the tangential one. */
+struct nb_aim {
+  bool force;   /* it is the force that goes along a straight line, else overlap or slip */
+  bool by;      /* from where it is, by `value`; else to `value` */
+  double value; /* m or N; by 0: held */
+};
+struct nb_point {
+  double approach, slip; /* m; an approach below 0 is a gap */
+};
+
+/* One leg of a path: what the contact on the bench goes through while a stage of a path page lasts. */
+struct nb_leg {
+  struct nb_aim normal, shear;
+  struct nb_point *points; /* `follow FILE`: instead of the aims, one step to each; owned by the scene */
+  size_t point_count;
+};
+
 struct nb_stage {
   char name[NB_NAME_SIZE];
   struct nb_wall_motion *motions; /* owned by the scene */
@@ -235,6 +254,7 @@ struct nb_stage {
   struct nb_step step;       /* as the scene's, unless the stage says otherwise */
   bool allow_unstable;       /* the step is not watched in this stage */
   struct nb_damping damping; /* as the stage before, unless this one says otherwise */
+  struct nb_leg leg;         /* of a path: `cycles` are its steps */
   int line;
 };
 
@@ -266,6 +286,8 @@ enum nb_unsure {
 struct nb_scene {
   const struct nb_page *page; /* not owned */
   bool unitless;              /* `units none` */
+  bool path;                  /* one contact on a bench: of body 1 with body 2, or with the wall; stages are legs */
+  bool followed;              /* a path of the user's own instead of the page's legs: nothing is expected of it */
   struct nb_material *materials;
   size_t material_count;
   struct nb_pair_rule *pair_rules;
@@ -358,7 +380,11 @@ void nb_table_free(struct nb_table *table);
 struct nb_snapshot {
   int stage; /* index of the stage at whose end it was taken */
   struct nb_table bodies, walls, contacts;
+  struct nb_table traction,
+      pieces; /* of a path's contact: q(r), and D(x) from the edge of each piece to that of the next */
 };
+/* Its tables one by one, those that it has; false past the last. */
+bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table);
 
 struct nb_result {
   struct nb_table table;
@@ -390,5 +416,7 @@ const struct nb_law *const *nb_laws(void);                            /* NULL-te
 
 /* What `nineball explain` prints: the plan, what asked for it, bytes, the step and what sets it. */
 void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model);
+/* The same of a path: the contact, its laws, its legs. */
+void nb_explain_bench(FILE *out, const struct nb_scene *scene);
 
 #endif

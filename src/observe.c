@@ -77,6 +77,21 @@ bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage)
   return true;
 }
 
+double nb_unbalance(const struct nb_model *model) {
+  double sum = 0, contact = 0;
+  for (size_t i = 0; i < model->bodies.count; i++) {
+    const struct nb_vec weight = vec_scale(model->bodies.mass[i], model->gravity);
+    const double size =
+        model->bodies.inverse_mass[i] > 0 ? vec_length(vec_add(nb_force_on(model, i).force, weight)) : 0;
+    sum = size > sum ? size : sum;
+  }
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    const double size = vec_length(model->contacts.force[c]);
+    contact = size > contact ? size : contact;
+  }
+  return contact > 0 ? sum / contact : 0;
+}
+
 /* ---- snapshots ---- */
 
 struct column {
@@ -192,4 +207,16 @@ bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model
 
 void nb_snapshot_free(struct nb_snapshot *snapshot) {
   nb_table_free(&snapshot->bodies), nb_table_free(&snapshot->walls), nb_table_free(&snapshot->contacts);
+  nb_table_free(&snapshot->traction), nb_table_free(&snapshot->pieces);
+}
+
+bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table) {
+  static const char *const names[] = {"bodies", "walls", "contacts", "traction", "pieces"};
+  const struct nb_table *tables[] = {&snapshot->bodies, &snapshot->walls, &snapshot->contacts, &snapshot->traction,
+                                     &snapshot->pieces};
+  const int first = snapshot->bodies.names ? 0 : 3, end = snapshot->bodies.names ? 3 : 5;
+  if (first + part >= end)
+    return false;
+  *name = names[first + part], *table = tables[first + part];
+  return true;
 }

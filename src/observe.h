@@ -12,4 +12,8 @@ bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage)
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage);
 void nb_snapshot_free(struct nb_snapshot *snapshot);
 
+/* Largest force sum on a free body, weight included, over largest contact force: dF/F of [CS79 tables 1-3]; 0 while nothing
+ * touches. */
+double nb_unbalance(const struct nb_model *model);
+
 #endif

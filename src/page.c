@@ -13,7 +13,7 @@
 #include "reader.h"
 
 static const char *const kinds[NB_BLOCK_KINDS] = {
-    [NB_BLOCK_SCENE] = "scene", [NB_BLOCK_EXPECT] = "expect", [NB_BLOCK_GNUPLOT] = "gnuplot"};
+    [NB_BLOCK_SCENE] = "scene", [NB_BLOCK_EXPECT] = "expect", [NB_BLOCK_GNUPLOT] = "gnuplot", [NB_BLOCK_PATH] = "path"};
 
 void nb_page_free(struct nb_page *page) {
   for (size_t i = 0; i < page->line_count; i++)
@@ -152,7 +152,7 @@ static int kind_of_info(const struct nb_page *page, size_t line, const char *inf
   }
   if (guess.distance <= 1)
     nb_mistake(mistakes, page, line, (int)(info - page->lines[line - 1]) + 1, (int)length, nb_guess_hint(&guess, hint),
-               "expected a block of a known kind (scene, expect, gnuplot), found `%s`", word);
+               "expected a block of a known kind (scene, path, expect, gnuplot), found `%s`", word);
   return -1;
 }
 

@@ -94,7 +94,14 @@ const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what);
 /* ---- keywords.c: whole statements ---- */
 
 /* Where a statement may stand; a set. */
-enum { NB_IN_SCENE = 1, NB_IN_STAGE = 2, NB_IN_EXPECT = 4, NB_IN_RAMP = 8 /* behind the word `ramp` */ };
+enum {
+  NB_IN_SCENE = 1,
+  NB_IN_STAGE = 2,
+  NB_IN_EXPECT = 4,
+  NB_IN_RAMP = 8, /* behind the word `ramp` */
+  NB_IN_PATH = 16,
+  NB_IN_LEG = 32
+};
 
 enum nb_argument_kind {
   NB_ARGUMENT_NUMBER, /* of `unit` and within `range` */

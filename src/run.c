@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "bench.h"
 #include "observe.h"
 
 static double now(void) {
@@ -95,6 +96,8 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
 
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error) {
+  if (scene->path)
+    return nb_bench_run(result, scene, progress, error);
   *result = (struct nb_result){0};
   struct run run = {.result = result, .scene = scene, .progress = progress, .began = now()};
   for (size_t s = 0; s < scene->stage_count; s++)

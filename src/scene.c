@@ -27,6 +27,7 @@ void nb_scene_free(struct nb_scene *scene) {
     free(scene->stages[i].motions);
     free(scene->stages[i].changes);
     free(scene->stages[i].conditions);
+    free(scene->stages[i].leg.points);
   }
   free(scene->materials);
   free(scene->pair_rules);
@@ -62,13 +63,13 @@ bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantit
   return false;
 }
 
-/* A mistake of the scene as a whole, shown at the word `scene` of its first fence. */
-static void say_of_scene(struct nb_scene_reading *reading, const char *hint, const char *what) {
+void nb_say_of_scene(struct nb_scene_reading *reading, const char *hint, const char *what) {
   const struct nb_page *page = reading->reader.page;
-  size_t fence = nb_page_fence(page, NB_BLOCK_SCENE);
-  const char *word = fence ? strstr(page->lines[fence - 1], "scene") : NULL;
-  nb_mistake(reading->reader.mistakes, page, fence, word ? (int)(word - page->lines[fence - 1]) + 1 : 1, 5, hint, "%s",
-             what);
+  const char *kind = reading->scene->path ? "path" : "scene";
+  size_t fence = nb_page_fence(page, reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE);
+  const char *word = fence ? strstr(page->lines[fence - 1], kind) : NULL;
+  nb_mistake(reading->reader.mistakes, page, fence, word ? (int)(word - page->lines[fence - 1]) + 1 : 1,
+             (int)strlen(kind), hint, "%s", what);
 }
 
 /* What a statement that was wrong leaves unknown. Of one that gives a name, and has it, that is known. */
@@ -96,7 +97,7 @@ static void read_lines(struct nb_scene_reading *reading) {
   struct nb_reader *reader = &reading->reader;
   const struct nb_page *page = reader->page;
   for (size_t i = 0; i < page->line_count; i++) {
-    if (page->kind_of[i] != 1 + NB_BLOCK_SCENE || !nb_line_read(reader, i + 1))
+    if (page->kind_of[i] != 1 + (reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE) || !nb_line_read(reader, i + 1))
       continue;
     const char *verb = reader->tokens[0].text;
     bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
@@ -129,7 +130,7 @@ static void find_columns(struct nb_scene_reading *reading) {
     return;
   scene->columns = calloc(reading->asked_count, sizeof *scene->columns);
   if (!scene->columns) {
-    say_of_scene(reading, NULL, "there is not enough memory for the columns");
+    nb_say_of_scene(reading, NULL, "there is not enough memory for the columns");
     return;
   }
   for (size_t i = 0; i < reading->asked_count; i++) {
@@ -144,19 +145,26 @@ static void find_columns(struct nb_scene_reading *reading) {
 static void check_whole(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;
-  if (!nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
-    say_of_scene(reading, "begin one with a line of three backticks and the word `scene`",
-                 "expected a block of kind `scene`, found none");
+  if (scene->path && nb_page_fence(reader->page, NB_BLOCK_SCENE))
+    nb_say_of_scene(reading, "a path is one contact on a bench, in a scene bodies move: make two pages of them",
+                    "expected blocks of kind `scene` or `path`, found both");
+  if (!scene->path && !nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
+    nb_say_of_scene(reading, "begin one with a line of three backticks and the word `scene`",
+                    "expected a block of kind `scene`, found none");
     return;
   }
   find_columns(reading);
+  if (scene->path) {
+    nb_path_check(reading);
+    return;
+  }
   nb_ramps_check(reading);
   if (scene->body_count == 0 && !reading->bodies_unsure)
-    say_of_scene(reading, "`disc`, `sphere`, `discs` and `spheres` make them",
-                 "expected a scene with bodies, found none");
+    nb_say_of_scene(reading, "`disc`, `sphere`, `discs` and `spheres` make them",
+                    "expected a scene with bodies, found none");
   if (scene->stage_count == 0)
-    say_of_scene(reading, "begin it with `stage NAME`, and say how long it is with `cycles N`",
-                 "expected a scene with a stage, found none");
+    nb_say_of_scene(reading, "begin it with `stage NAME`, and say how long it is with `cycles N`",
+                    "expected a scene with a stage, found none");
   for (size_t i = 0; i < scene->stage_count; i++) {
     if (scene->stages[i].cycles != 0)
       continue;
@@ -177,7 +185,7 @@ static void check_step(struct nb_scene_reading *reading) {
       missing = false;
   }
   if (missing)
-    say_of_scene(reading, "`step TIME` or `step F of safe`", "expected a scene with a `step`, found none");
+    nb_say_of_scene(reading, "`step TIME` or `step F of safe`", "expected a scene with a `step`, found none");
 }
 
 /* The settings as lines of a page that is no file. False: no memory. */
@@ -204,7 +212,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   survey(reading, mistakes);
   read_lines(reading);
   check_whole(reading);
-  if (nb_page_fence(reading->reader.page, NB_BLOCK_SCENE))
+  if (!scene->path && nb_page_fence(reading->reader.page, NB_BLOCK_SCENE))
     check_step(reading);
   if (scene->impact.line && mistakes->made == before)
     nb_impact_aim(reading);
@@ -221,6 +229,8 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     strcpy(scene->shear, "none");
   if (mistakes->made == before)
     nb_laws_check(reading);
+  if (mistakes->count == before && scene->path)
+    nb_path_laws_check(reading);
 }
 
 /* Reads one run, and says how many there are. */
@@ -233,7 +243,8 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
   if (reading && keep_settings(reading, settings)) {
     reading->scene = scene;
     reading->run = run;
-    reading->here = NB_IN_SCENE;
+    scene->path = nb_page_fence(page, NB_BLOCK_PATH) != 0;
+    reading->here = scene->path ? NB_IN_PATH : NB_IN_SCENE;
     reading->reader.page = page;
     reading->setting.page = &reading->settings;
     read_scene(reading, mistakes);

@@ -11,6 +11,8 @@
  *   scene_changes.c what else changes in them: materials, gravity; ramps
  *   scene_laws.c    what laws ask of materials and bodies
  *   scene_place.c   the whole scene mirrored, turned, shifted
+ *   scene_path.c    of a path: the contact, its legs
+ *   scene_follow.c  a path from a file
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SCENE_H
@@ -89,6 +91,8 @@ struct nb_scene_reading {
   bool bodies_unsure;     /* a statement about bodies was wrong: numbers of bodies cannot be checked */
   struct nb_asked *asked; /* owned */
   size_t asked_count;
+  const char *follow; /* --follow: the name of a file, NULL: none */
+  int contact_line;   /* of a path */
 };
 
 /* "expected WHAT, found `token`" at a token that was read before. */
@@ -113,6 +117,15 @@ bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantit
 void nb_laws_check(struct nb_scene_reading *reading);
 /* Puts what `impact` names where it just touches, and gives it its velocity: materials, pairs and laws must be known. */
 void nb_impact_aim(struct nb_scene_reading *reading);
+/* What a path must have; and where --follow puts its own in the place of the legs. */
+void nb_path_check(struct nb_scene_reading *reading);
+void nb_path_follow(struct nb_scene_reading *reading);
+/* What a path's quantities ask of the laws. */
+void nb_path_laws_check(struct nb_scene_reading *reading);
+/* The points of a file of approach and slip: false when there is a mistake, which has been said. */
+bool nb_follow_read(struct nb_leg *leg, const char *path, bool unitless, struct nb_mistakes *mistakes);
+/* A mistake of the scene as a whole, shown at the word of its first fence. */
+void nb_say_of_scene(struct nb_scene_reading *reading, const char *hint, const char *what);
 /* A ramp wants a stage whose length is known. */
 void nb_ramps_check(struct nb_scene_reading *reading);
 /* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
@@ -155,5 +168,8 @@ NB_APPLY(nb_apply_gravity);
 NB_APPLY(nb_apply_change); /* in a stage; variant 0: material, 1: pair */
 NB_APPLY(nb_apply_still);  /* variant 1: reverse */
 NB_APPLY(nb_apply_ramp);
+NB_APPLY(nb_apply_contact);
+NB_APPLY(nb_apply_leg);
+NB_APPLY(nb_apply_repeat);
 
 #endif

@@ -228,7 +228,8 @@ NB_APPLY(nb_apply_record) {
     }
     if (!nb_take_count(reader, 1, CYCLES_MAX, &every))
       return;
-    if (!nb_token_skip(reader, "cycle") && !nb_take_word(reader, "cycles"))
+    const bool path = ((struct nb_scene_reading *)subject)->scene->path;
+    if (!nb_token_skip(reader, path ? "step" : "cycle") && !nb_take_word(reader, path ? "steps" : "cycles"))
       return;
   }
   if (stage)

@@ -128,6 +128,7 @@ static const struct nb_argument impact[] = {
   END
 };
 static const struct nb_argument stage[] = {NAME(AT_NAME, "a name for the stage"), END};
+static const struct nb_argument leg[] = {NAME(AT_NAME, "a name for the leg"), END};
 static const struct nb_argument walls[] = {
   CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "none",
          "Each wall of the box along its normal to the inside."),
@@ -143,30 +144,30 @@ static const struct nb_argument wall_motion[] = {
 static const struct nb_argument cycles[] = {COUNT(NULL, "N", AT_CYCLES, "a number of cycles"), END};
 
 static const struct nb_keyword table[] = {
-  {"units", NB_IN_SCENE, units, NULL, 0, false, nb_apply_units,
+  {"units", NB_IN_SCENE | NB_IN_PATH, units, NULL, 0, false, nb_apply_units,
    "Whether numbers carry units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
    "whole page.",
    "units     si"},
-  {"let", NB_IN_SCENE, name_of_value, "VALUE", 0, true, nb_apply_let,
+  {"let", NB_IN_SCENE | NB_IN_PATH, name_of_value, "VALUE", 0, true, nb_apply_let,
    "Gives a name to a value, a word or a number and its unit. $NAME stands for it below; --set NAME=VALUE "
    "overrides it.",
    "let       grip 0.3"},
-  {"sweep", NB_IN_SCENE, name_of_value, "{with NAME …} VALUE …", 0, true, nb_apply_sweep,
+  {"sweep", NB_IN_SCENE | NB_IN_PATH, name_of_value, "{with NAME …} VALUE …", 0, true, nb_apply_sweep,
    "Gives a name several values in turn, one run each; several names take their values together. Several sweeps make "
    "the product, the last one fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
-  {"material", NB_IN_SCENE, material, NULL, 0, true, nb_apply_material,
+  {"material", NB_IN_SCENE | NB_IN_PATH, material, NULL, 0, true, nb_apply_material,
    "What bodies and walls are made of: the stiffness, friction and cohesion of a contact between two of the same "
    "material.",
    "material  steel  density 7.8 g/cm3  kn 10 MN/m  ks 8 MN/m  friction $grip\nmaterial  glass  density 2.5 g/cm3  kn 5 MN/m   ks 4 MN/m  friction 0.2"},
-  {"pair", NB_IN_SCENE, pair, NULL, 0, false, nb_apply_pair,
+  {"pair", NB_IN_SCENE | NB_IN_PATH, pair, NULL, 0, false, nb_apply_pair,
    "What holds between two materials where the rule does not: harmonic mean of stiffnesses, smaller friction and "
    "cohesion.",
    "pair      steel glass  friction 0.1"},
-  {"normal", NB_IN_SCENE, law, NULL, 0, false, nb_apply_law,
+  {"normal", NB_IN_SCENE | NB_IN_PATH, law, NULL, 0, false, nb_apply_law,
    "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it.",
    "normal    linear"},
-  {"shear", NB_IN_SCENE, shear_law, NULL, 1, false, nb_apply_law,
+  {"shear", NB_IN_SCENE | NB_IN_PATH, shear_law, NULL, 1, false, nb_apply_law,
    "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it.",
    "shear     linear"},
   {"damping", NB_IN_SCENE | NB_IN_STAGE, nothing,
@@ -222,8 +223,8 @@ static const struct nb_keyword table[] = {
   {"allow", NB_IN_SCENE | NB_IN_STAGE, nothing, "unstable", 0, false, nb_apply_allow,
    "Lets a run go on whose step is above what is sure to be stable; else it stops there. In a stage: in this one only.",
    "allow     unstable"},
-  {"record", NB_IN_SCENE, nothing, "QUANTITY …", 0, false, nb_apply_columns,
-   "The columns of the table, in this order.",
+  {"record", NB_IN_SCENE | NB_IN_PATH, nothing, "QUANTITY …", 0, false, nb_apply_columns,
+   "The columns of the table, in this order; on the bench default step, overlap, slip, normal and shear.",
    "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
   {"stage", NB_IN_SCENE | NB_IN_STAGE, stage, NULL, 0, true, nb_apply_stage,
    "Begins a stage; the statements below belong to it, until the next one.",
@@ -250,11 +251,12 @@ static const struct nb_keyword table[] = {
    "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} at most N cycles", 0, true,
    nb_apply_until, "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure.",
    "stage     part\n  until   C.overlap below 1 nm and time above 1 ms  at most 10000 cycles"},
-  {"record", NB_IN_STAGE, nothing, "every N cycles | none", 0, false, nb_apply_record,
+  {"record", NB_IN_STAGE | NB_IN_LEG, nothing, "every N cycles | none", 0, false, nb_apply_record,
    "How often a row is added to the table; default every 1 cycle.",
    "  record  every 10 cycles"},
-  {"snapshot", NB_IN_STAGE, nothing, NULL, 0, false, nb_apply_snapshot,
-   "Keeps bodies, walls and contacts as they are at the end of the stage.",
+  {"snapshot", NB_IN_STAGE | NB_IN_LEG, nothing, NULL, 0, false, nb_apply_snapshot,
+   "Keeps bodies, walls and contacts as they are at the end of the stage; on the bench the traction over the contact and "
+   "the pieces of its history, which a shear law must keep.",
    "  snapshot"},
   {"still", NB_IN_STAGE, nothing, NULL, 0, false, nb_apply_still,
    "All bodies stop at the beginning of this stage; walls do not.",
@@ -263,6 +265,21 @@ static const struct nb_keyword table[] = {
    "All velocities and spins turn round at the beginning of this stage, those of walls too: what has no friction and no "
    "damping goes back the way it came.",
    "stage     back\n  reverse\n  cycles  10"},
+  {"contact", NB_IN_PATH, nothing, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, true,
+   nb_apply_contact,
+   "The contact on the bench: of two bodies, or of one with a wall. They just touch at first.",
+   "contact   disc 10 mm steel  with wall steel"},
+  {"leg", NB_IN_PATH | NB_IN_LEG, leg, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
+   0, true, nb_apply_leg,
+   "Takes the contact on: the overlap or the normal force, and the slip or the shear force, each along a straight line to "
+   "a value or by a difference; default 100 steps. Overlap and slip stay where they are unless something is said; `hold` "
+   "holds a force instead. `follow` takes it from point to point of a file of tab-separated columns `approach/m` and "
+   "`slip/m`, one step each.",
+   "leg       press  overlap to 10 um  in 5 steps\nleg       load   shear to 15 N  hold normal\n"
+   "leg       back   slip by -2 um  overlap by -1 um  in 1 step"},
+  {"repeat", NB_IN_LEG, nothing, "from LEG N times", 0, false, nb_apply_repeat,
+   "The legs from LEG to the last one once more, so often; they are called LEG-2, LEG-3 and so on.",
+   "repeat    from load 2 times"},
   {NULL, 0, NULL, NULL, 0, false, NULL, NULL, NULL},
 };
 

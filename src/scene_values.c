@@ -247,7 +247,9 @@ void nb_settings_read(struct nb_scene_reading *reading) {
     }
     if (statement && line == nb_setting_find(reading, name)) {
       nb_line_read(reader, line);
-      nb_statement_read(reader, nb_keywords(), NB_IN_SCENE, reading);
+      nb_statement_read(reader, nb_keywords(), reading->here, reading);
+    } else if (equals && strcmp(name, "follow") == 0 && scene->path) {
+      reading->follow = equals + 1;
     } else if (!bound && !statement) {
       nb_mistake(
           reader->mistakes, &reading->settings, line, 1, (int)length, nb_guess_hint(&guess, hint),

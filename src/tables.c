@@ -165,15 +165,15 @@ static enum nb_status save(const char *folder, const char *name, void (*write)(F
 
 static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, const struct nb_snapshot *snapshot,
                                     const char *folder, struct nb_error *error) {
-  const struct nb_table *tables[] = {&snapshot->bodies, &snapshot->walls, &snapshot->contacts};
-  static const char *const names[] = {"bodies", "walls", "contacts"};
   const struct nb_page_run *run = &outcome->runs[r];
-  for (int k = 0; k < 3; k++) {
+  const struct nb_table *table;
+  const char *name;
+  for (int k = 0; nb_snapshot_part(snapshot, k, &name, &table); k++) {
     char path[4096], number[32] = "";
     struct nb_save file;
     if (outcome->run_count > 1)
       snprintf(number, sizeof number, "-%zu", r + 1);
-    if ((size_t)snprintf(path, sizeof path, "%s/%s-%s%s.tsv", folder, run->scene.stages[snapshot->stage].name, names[k],
+    if ((size_t)snprintf(path, sizeof path, "%s/%s-%s%s.tsv", folder, run->scene.stages[snapshot->stage].name, name,
                          number) >= sizeof path)
       return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
     if (nb_save_begin(&file, path, error))
@@ -181,7 +181,7 @@ static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, 
     preamble(file.file, outcome);
     if (run->label[0])
       fprintf(file.file, "# run %s\n", run->label);
-    nb_table_write(file.file, tables[k]);
+    nb_table_write(file.file, table);
     if (nb_save_end(&file, error))
       return error->status;
   }

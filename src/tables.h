@@ -6,7 +6,8 @@
 
 #include "outcome.h"
 
-/* Into the folder: table.tsv, values.tsv, verdict.tsv, and STAGE-bodies.tsv, -walls, -contacts for each snapshot. */
+/* Into the folder: table.tsv, values.tsv, verdict.tsv, and STAGE-bodies.tsv, -walls, -contacts for each snapshot,
+ * of a path LEG-traction.tsv, -pieces. */
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
 
 /* The rows of one run under one head row, known curves beside what was seen of them. */

@@ -1,0 +1,124 @@
+/* The traction over the contact circle, from D(x) of a law that keeps its history in pieces (ERRATA E).
+ *
+ *   p(r; x)  Hertz's pressure at the radius r when the overlap was x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle, Pa
+ *   q(r)     mu times the integral of D(x) dp(r; x): each ring x carries D of what its pressure adds, Pa
+ *   T        mu times the integral of D(x) dN(x), N: the integral of q over the circle
+ *
+ * D is constant over a piece, so its part of q is mu D (p(r; x_i) - p(r; x_(i-1))): the difference of two Hertz pressures, as
+ * in [R89 3.23], [R89 3.35]. Between two edges of pieces q is smooth but for roots at the edges;
+with s = sin ^ 2 its integral * by the midpoint rule is of second order and
+             better.**Copyright(C) 2026 the nineball authors.GPL - 3.0 -
+         or -later.*/
+#include <string.h>
+
+#include "bench.h"
+
+                static const double pi = 3.14159265358979323846;
+
+struct nb_history nb_bench_history(const struct nb_bench *bench) {
+  struct nb_history history = {0};
+  const struct nb_bench_state *now = &bench->now;
+  if (bench->shear->pieces_of && now->n.overlap > 0)
+    history.count = bench->shear->pieces_of(bench->pair, now->n, now->shear_memory, history.x, history.D);
+  return history;
+}
+
+double nb_bench_stick_radius(const struct nb_bench *bench) {
+  const struct nb_history history = nb_bench_history(bench);
+  if (history.count == 0)
+    return 0;
+  int edge = history.count - 1; /* from the edge inwards, as far as all has slipped in one sense */
+  const double sense = history.D[edge];
+  if (fabs(sense) < 1)
+    return sqrt(bench->pair.radius * history.x[edge]);
+  while (edge > 0 && history.D[edge - 1] == sense)
+    edge--;
+  return edge > 0 ? sqrt(bench->pair.radius * history.x[edge - 1]) : 0;
+}
+
+/* p(r; x), Pa */
+static double pressure(struct nb_pair p, double r, double x) {
+  const double square = p.radius * x - r * r;
+  return square > 0 ? 2 * p.young / (pi * p.radius) * sqrt(square) : 0;
+}
+
+double nb_bench_traction(const struct nb_bench *bench, const struct nb_history *history, double r) {
+  double q = 0, inner = 0;
+  for (int i = 0; i < history->count; i++) {
+    const double outer = pressure(bench->pair, r, history->x[i]);
+    q += bench->pair.friction * history->D[i] * (outer - inner);
+    inner = outer;
+  }
+  return q;
+}
+
+/* dA = pi d(r^2), from the centre to the edge of the contact, edge of piece by edge of piece. */
+double nb_bench_traction_force(const struct nb_bench *bench) {
+  enum { POINTS = 200 };
+  const struct nb_history history = nb_bench_history(bench);
+  double sum = 0;
+  for (int i = 0; i < history.count; i++) {
+    const double from = i ? bench->pair.radius * history.x[i - 1] : 0, to = bench->pair.radius * history.x[i];
+    for (int k = 0; k < POINTS; k++) {
+      const double angle = pi / 2 * (k + 0.5) / POINTS, s = sin(angle) * sin(angle);
+      const double square = from + (to - from) * s; /* r^2, denser where the pressures have their roots */
+      sum += nb_bench_traction(bench, &history, sqrt(square)) * pi * (to - from) * sin(2 * angle) * (pi / 2 / POINTS);
+    }
+  }
+  return sum;
+}
+
+/* ---- snapshots ---- */
+
+static bool begin(struct nb_table *table, const struct nb_scene *scene, const char *const names[],
+                  const char *const units[], size_t count) {
+  if (!nb_table_create(table, count))
+    return false;
+  for (size_t c = 0; c < count; c++) {
+    strcpy(table->names[c], names[c]);
+    table->units[c] = scene->unitless ? "-" : units[c];
+  }
+  return true;
+}
+
+/* From the edge of the circle to its centre: pressure, traction, and what friction would allow. */
+static bool see_traction(struct nb_table *table, const struct nb_bench *bench, const struct nb_history *history,
+                         int stage) {
+  enum { POINTS = 400 };
+  static const char *const names[] = {"r", "pressure", "traction", "limit"}, *const units[] = {"m", "Pa", "Pa", "Pa"};
+  const double square = bench->pair.radius * bench->now.n.overlap;
+  if (!begin(table, bench->scene, names, units, 4))
+    return false;
+  for (int k = 0; k <= POINTS; k++) {
+    const double r = sqrt(square) * sin(pi / 2 * k / POINTS), p = pressure(bench->pair, r, bench->now.n.overlap);
+    double *row = nb_table_row(table, stage, (double)bench->step, 0);
+    if (!row)
+      return false;
+    row[0] = r, row[1] = p, row[2] = nb_bench_traction(bench, history, r), row[3] = bench->pair.friction * p;
+  }
+  return true;
+}
+
+/* Two rows for each piece, its inner edge and its outer one, so that a line through them is D(x). */
+static bool see_pieces(struct nb_table *table, const struct nb_bench *bench, const struct nb_history *history,
+                       int stage) {
+  static const char *const names[] = {"x", "r", "D"}, *const units[] = {"m", "m", "1"};
+  if (!begin(table, bench->scene, names, units, 3))
+    return false;
+  for (int k = 0; k < 2 * history->count; k++) {
+    const int i = k / 2;
+    double *row = nb_table_row(table, stage, (double)bench->step, 0);
+    if (!row)
+      return false;
+    row[0] = k % 2 ? history->x[i] : i ? history->x[i - 1] : 0;
+    row[1] = sqrt(bench->pair.radius * row[0]), row[2] = history->D[i];
+  }
+  return true;
+}
+
+bool nb_bench_snapshot(struct nb_snapshot *snapshot, const struct nb_bench *bench, int stage) {
+  const struct nb_history history = nb_bench_history(bench);
+  *snapshot = (struct nb_snapshot){.stage = stage};
+  return see_traction(&snapshot->traction, bench, &history, stage) &&
+         see_pieces(&snapshot->pieces, bench, &history, stage);
+}
