@@ -13,7 +13,7 @@ with s = sin ^ 2 its integral * by the midpoint rule is of second order and
 
 #include "bench.h"
 
-                static const double pi = 3.14159265358979323846;
+static const double pi = 3.14159265358979323846;
 
 struct nb_history nb_bench_history(const struct nb_bench *bench) {
   struct nb_history history = {0};
@@ -23,15 +23,14 @@ struct nb_history nb_bench_history(const struct nb_bench *bench) {
   return history;
 }
 
+/* D of a ring that slipped is 1 or -1 but for the rounding of the law that worked it out. */
+static bool slipped(double D, double sense) { return D * sense > 1 - 1e-9; }
+
 double nb_bench_stick_radius(const struct nb_bench *bench) {
   const struct nb_history history = nb_bench_history(bench);
-  if (history.count == 0)
-    return 0;
-  int edge = history.count - 1; /* from the edge inwards, as far as all has slipped in one sense */
-  const double sense = history.D[edge];
-  if (fabs(sense) < 1)
-    return sqrt(bench->pair.radius * history.x[edge]);
-  while (edge > 0 && history.D[edge - 1] == sense)
+  int edge = history.count; /* from the edge inwards, as far as all has slipped in one sense */
+  const double sense = edge && history.D[edge - 1] < 0 ? -1 : 1;
+  while (edge > 0 && slipped(history.D[edge - 1], sense))
     edge--;
   return edge > 0 ? sqrt(bench->pair.radius * history.x[edge - 1]) : 0;
 }

@@ -143,12 +143,14 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
     }
 }
 
-static const char *where_words(unsigned where) {
+static const char *where_words(unsigned where, unsigned here) {
   where &= ~(unsigned)NB_IN_RAMP;
   if (where == NB_IN_LEG)
     return "in a leg: below a line `leg NAME …`";
   if (!(where & ~(unsigned)(NB_IN_PATH | NB_IN_LEG)))
     return "in a block of kind `path`";
+  if (where & NB_IN_PATH && here == NB_IN_LEG)
+    return "before the first `leg`";
   where &= ~(unsigned)(NB_IN_PATH | NB_IN_LEG);
   if (where == NB_IN_SCENE)
     return "before the first `stage`";
@@ -170,7 +172,7 @@ static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struc
   const struct nb_keyword *meant = NULL;
   for (const struct nb_keyword *row = table; row->apply; row++) {
     if (here != NB_IN_RAMP && row->word && strcmp(row->word, verb->text) == 0) {
-      snprintf(hint, sizeof hint, "`%s` belongs %s", row->word, where_words(row->where));
+      snprintf(hint, sizeof hint, "`%s` belongs %s", row->word, where_words(row->where, here));
       nb_expected(reader, hint, "%s", places[here]);
       return row;
     }

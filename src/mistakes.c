@@ -114,12 +114,11 @@ static size_t place_of(const struct nb_mistakes *mistakes, const char *path, siz
   return at;
 }
 
-/* Whether the very same was said before, in the same place. */
-static bool is_said(const struct nb_mistakes *mistakes, const char *path, size_t line, int column,
-                    const struct text *message) {
-  for (size_t i = place_of(mistakes, path, line, column);
-       i-- > 0 && mistakes->places[i].line == line && mistakes->places[i].column == column;)
-    if (strncmp(mistakes->text + mistakes->places[i].start, message->at, message->length) == 0)
+/* Whether the very same was said before. */
+static bool is_said(const struct nb_mistakes *mistakes, size_t line, int column, const struct text *message) {
+  for (size_t i = 0; i < mistakes->count; i++)
+    if (mistakes->places[i].line == line && mistakes->places[i].column == column &&
+        strncmp(mistakes->text + mistakes->places[i].start, message->at, message->length) == 0)
       return true;
   return false;
 }
@@ -167,7 +166,7 @@ void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t
     add_line(&message, page->lines[line - 1], in_file ? line : 0, column, length);
   if (hint && hint[0])
     add(&message, "  hint: %s\n", hint);
-  bool said = message.at && is_said(mistakes, page->path, line, column, &message);
+  bool said = message.at && is_said(mistakes, line, column, &message);
   if (message.at && !said && mistakes->count == MISTAKES_MAX) {
     line = page->line_count + 1, message.length = 0;
     add(&message, "%s: error: more than %d mistakes: the others are left unsaid\n", page->path, MISTAKES_MAX);

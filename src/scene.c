@@ -78,10 +78,10 @@ static unsigned unsure_after(const struct nb_reader *reader) {
     const char *word;
     bool names;
     unsigned unsure;
-  } rows[] = {{"units", false, NB_UNSURE_UNITS},    {"let", true, NB_UNSURE_VALUES},
-              {"sweep", true, NB_UNSURE_VALUES},    {"watch", true, NB_UNSURE_WATCHES},
-              {"impact", false, NB_UNSURE_WATCHES}, {"record", false, NB_UNSURE_COLUMNS},
-              {"stage", true, NB_UNSURE_STAGES}};
+  } rows[] = {
+      {"units", false, NB_UNSURE_UNITS},  {"let", true, NB_UNSURE_VALUES},      {"sweep", true, NB_UNSURE_VALUES},
+      {"watch", true, NB_UNSURE_WATCHES}, {"impact", false, NB_UNSURE_WATCHES}, {"record", false, NB_UNSURE_COLUMNS},
+      {"stage", true, NB_UNSURE_STAGES},  {"leg", true, NB_UNSURE_STAGES},      {"repeat", false, NB_UNSURE_STAGES}};
   const struct nb_token *name = reader->count > 1 ? &reader->tokens[1] : NULL;
   const bool several = reader->count > 2 && strcmp(reader->tokens[2].text, "with") == 0;
   const bool named = name && !name->hollow && nb_is_name(name->text) && !several;
@@ -222,14 +222,15 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
                      "expected a place that a double can hold, this one is too far away");
   }
   scene->unitless = reading->reader.unitless;
-  scene->unsure = nb_page_fence(reading->reader.page, NB_BLOCK_SCENE) ? reading->reader.unsure : NB_UNSURE_ALL;
+  scene->unsure =
+      scene->path || nb_page_fence(reading->reader.page, NB_BLOCK_SCENE) ? reading->reader.unsure : NB_UNSURE_ALL;
   if (!scene->normal[0])
     strcpy(scene->normal, "linear");
   if (!scene->shear[0])
     strcpy(scene->shear, "none");
   if (mistakes->made == before)
     nb_laws_check(reading);
-  if (mistakes->count == before && scene->path)
+  if (mistakes->made == before && scene->path)
     nb_path_laws_check(reading);
 }
 

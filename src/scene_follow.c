@@ -31,8 +31,11 @@ static bool find_field(struct field *field, const char *line, int index) {
 static void say(struct nb_mistakes *mistakes, const struct nb_page *file, size_t line, struct field field,
                 const char *expected) {
   const int shown = field.length < 80 ? (int)field.length : 80;
-  nb_mistake(mistakes, file, line, field.column, field.length ? (int)field.length : 1, NULL,
-             "expected %s, found `%.*s`", expected, shown, field.at);
+  if (field.length == 0)
+    nb_mistake(mistakes, file, line, field.column, 1, NULL, "expected %s, found nothing", expected);
+  else
+    nb_mistake(mistakes, file, line, field.column, (int)field.length, NULL, "expected %s, found `%.*s`", expected,
+               shown, field.at);
 }
 
 /* One of the two columns. */
@@ -93,7 +96,7 @@ static bool read_number(double *value, const struct nb_page *file, size_t line, 
 bool nb_follow_read(struct nb_leg *leg, const char *path, bool unitless, struct nb_mistakes *mistakes) {
   struct nb_page file;
   struct column columns[2];
-  const size_t before = mistakes->count;
+  const size_t before = mistakes->made;
   bool head = false;
   if (nb_page_read(&file, path, mistakes))
     return false;
@@ -112,10 +115,10 @@ bool nb_follow_read(struct nb_leg *leg, const char *path, bool unitless, struct 
     const bool whole = read_number(&point->approach, &file, line, columns[0], "a number for the approach", mistakes);
     leg->point_count += read_number(&point->slip, &file, line, columns[1], "a number for the slip", mistakes) && whole;
   }
-  if (leg->point_count == 0 && mistakes->count == before)
+  if (leg->point_count == 0 && mistakes->made == before)
     nb_mistake(mistakes, &file, 0, 0, 0, NULL, "expected a head line and rows of numbers below it, found none");
   nb_page_free(&file);
-  return mistakes->count == before;
+  return mistakes->made == before;
 }
 
 void nb_path_follow(struct nb_scene_reading *reading) {

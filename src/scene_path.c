@@ -258,32 +258,22 @@ void nb_path_check(struct nb_scene_reading *reading) {
 
 /* ---- what quantities and snapshots ask of the laws ---- */
 
-/* At the name of the column, or at the word of the leg. */
-static void say_of_law(struct nb_scene_reading *reading, size_t line, const char *name, const char *what,
-                       const struct nb_law *law) {
-  struct nb_reader *reader = &reading->reader;
-  const struct nb_token *token = &reader->tokens[0];
-  if (!nb_line_read(reader, line))
-    return;
-  for (size_t k = 0; k < reader->count; k++)
-    token = strcmp(reader->tokens[k].text, name) == 0 ? &reader->tokens[k] : token;
-  nb_token_mistake(reader, token, "`nineball laws` tells what each law knows",
-                   "expected laws that %s for `%s`, `%s %s` does not", what, name, law->kind, law->name);
+/* At the name of the column. */
+static void say_of_law(struct nb_scene_reading *reading, const struct nb_asked *asked, const struct nb_law *law) {
+  nb_mistake(reading->reader.mistakes, reading->reader.page, asked->line, asked->column, asked->length,
+             "`nineball laws` tells what each law knows", "expected laws that know `%s`, `%s %s` does not", asked->name,
+             law->kind, law->name);
 }
 
 void nb_path_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
-  if (!normal || !shear)
-    return;
-  for (size_t k = 0; k < reading->asked_count; k++) {
-    const struct nb_asked *asked = &reading->asked[k];
+  for (size_t k = 0; k < reading->asked_count && normal && shear; k++) {
     const unsigned asks = scene->columns[k].quantity.kind->fields;
-    if (asks & NB_ASKS_STORE && (!normal->stored || !shear->stored))
-      say_of_law(reading, asked->line, asked->name, "know their stored energy", normal->stored ? shear : normal);
-    if (asks & NB_ASKS_LOSS && !shear->loses)
-      say_of_law(reading, asked->line, asked->name, "say what they lose", shear);
-    if (asks & NB_ASKS_PIECES && !shear->pieces_of)
-      say_of_law(reading, asked->line, asked->name, "keep pieces of history", shear);
+    if (asks & NB_ASKS_STORE && !normal->stored)
+      say_of_law(reading, &reading->asked[k], normal);
+    if ((asks & NB_ASKS_STORE && !shear->stored) || (asks & NB_ASKS_LOSS && !shear->loses) ||
+        (asks & NB_ASKS_PIECES && !shear->pieces_of))
+      say_of_law(reading, &reading->asked[k], shear);
   }
 }

@@ -248,8 +248,11 @@ void nb_settings_read(struct nb_scene_reading *reading) {
     if (statement && line == nb_setting_find(reading, name)) {
       nb_line_read(reader, line);
       nb_statement_read(reader, nb_keywords(), reading->here, reading);
-    } else if (equals && strcmp(name, "follow") == 0 && scene->path) {
+    } else if (equals && strcmp(name, "follow") == 0 && !bound) {
       reading->follow = equals + 1;
+      if (!scene->path)
+        nb_mistake(reader->mistakes, &reading->settings, line, 1, (int)length, "a path is a block of kind `path`",
+                   "expected a page with a path for `follow`, found a scene");
     } else if (!bound && !statement) {
       nb_mistake(
           reader->mistakes, &reading->settings, line, 1, (int)length, nb_guess_hint(&guess, hint),

@@ -97,6 +97,14 @@ counted 2000 'names for values' 'let a@ 1'
 counted 199 'materials' 'material m@' 200 # and the one that is there
 counted 2000 'walls' 'wall w@ @ m 9 m to @ m 10 m rock'
 
+# path LINE: the same of a path.
+path() {
+  printf '```path\nmaterial rock kn 1 MN/m\ncontact disc 1 m rock with wall rock\n%s\n```\n' "$1"
+}
+path "$(numbered 2000 'leg l@ slip by 1 um in 1 step')" >"$work/right.md"
+path "$(numbered 2001 'leg l@ slip by 1 um in 1 step')" >"$work/wrong.md"
+limit 'legs' 'expected at most 2000 legs, with this there are more'
+
 { page '' && many 65536 "$(many 63 x)
 "; } | head -c 4194304 >"$work/right.md"
 { cat "$work/right.md" && echo x; } >"$work/wrong.md"
