@@ -5,10 +5,9 @@
  *   T        mu times the integral of D(x) dN(x), N: the integral of q over the circle
  *
  * D is constant over a piece, so its part of q is mu D (p(r; x_i) - p(r; x_(i-1))): the difference of two Hertz pressures, as
- * in [R89 3.23], [R89 3.35]. Between two edges of pieces q is smooth but for roots at the edges;
-with s = sin ^ 2 its integral * by the midpoint rule is of second order and
-             better.**Copyright(C) 2026 the nineball authors.GPL - 3.0 -
-         or -later.*/
+ * in [R89 3.23, 3.35].
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
 #include "bench.h"
@@ -51,17 +50,18 @@ double nb_bench_traction(const struct nb_bench *bench, const struct nb_history *
   return q;
 }
 
-/* dA = pi d(r^2), from the centre to the edge of the contact, edge of piece by edge of piece. */
+/* dA = pi d(r^2), from the centre to the edge of the contact, piece by piece by Simpson's rule in w: r^2 = to - (to - from) w^2
+ * makes the root at a piece's edge a straight line. */
 double nb_bench_traction_force(const struct nb_bench *bench) {
-  enum { POINTS = 200 };
+  enum { HALVES = 100 };
   const struct nb_history history = nb_bench_history(bench);
   double sum = 0;
   for (int i = 0; i < history.count; i++) {
     const double from = i ? bench->pair.radius * history.x[i - 1] : 0, to = bench->pair.radius * history.x[i];
-    for (int k = 0; k < POINTS; k++) {
-      const double angle = pi / 2 * (k + 0.5) / POINTS, s = sin(angle) * sin(angle);
-      const double square = from + (to - from) * s; /* r^2, denser where the pressures have their roots */
-      sum += nb_bench_traction(bench, &history, sqrt(square)) * pi * (to - from) * sin(2 * angle) * (pi / 2 / POINTS);
+    for (int k = 0; k <= HALVES; k++) {
+      const double w = (double)k / HALVES, r = sqrt(k < HALVES ? to - (to - from) * w * w : from);
+      const double weight = (k == 0 || k == HALVES ? 1 : k % 2 ? 4 : 2) / (3. * HALVES);
+      sum += weight * nb_bench_traction(bench, &history, r) * 2 * pi * (to - from) * w;
     }
   }
   return sum;
