@@ -1,0 +1,165 @@
+/* Two elastic spheres, or a sphere and a wall, that meet head-on: read from the scene.
+ *
+ *   m* = 1/(1/m_1 + 1/m_2),   R* = 1/(1/R_1 + 1/R_2),   K = (4/3) E* R*^(1/2)           a wall: m_2 and R_2 infinite
+ *   alpha* = (5 m* V_N^2/(4 K))^(2/5)                                                    [R89 5.9]
+ *   T_c = 2 (alpha* / V_N) Int_0^1 ds/(1 - s^(5/2))^(1/2) = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) alpha* / V_N
+ *                                                                                        [R89 5.11, 5.12]
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "hertz.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sf_gamma.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+double hertz_time(void) { return 4 * sqrt(M_PI) / 5 * gsl_sf_gamma(0.4) / gsl_sf_gamma(0.9); }
+
+double hertz_young(const struct nb_material *a, const struct nb_material *b) {
+  return 1 / ((1 - a->poisson * a->poisson) / a->young + (1 - b->poisson * b->poisson) / b->young);
+}
+
+double hertz_restitution(double beta) {
+  const double square = 1.2 * beta * beta;
+  return square < 1 ? exp(-M_PI * sqrt(square / (1 - square))) : 0;
+}
+
+double hertz_ratio(double restitution) {
+  const double l = log(restitution);
+  return restitution > 0 ? sqrt(5. / 6) * -l / hypot(M_PI, l) : sqrt(5. / 6);
+}
+
+double hertz_force(const struct hertz *hertz, double overlap) {
+  return overlap > 0 ? hertz->k * overlap * sqrt(overlap) : 0;
+}
+
+static enum nb_status refuse(const char *who, const char *what, struct nb_error *error) {
+  return nb_error_set(error, NB_BAD_USE, "%s is for %s", who, what);
+}
+
+/* One step and one damping all the way, and nothing that moves or changes. */
+static bool steady(const struct nb_scene *scene) {
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    if (stage->motion_count || stage->change_count || stage->reverse || stage->still || stage->gravity.line ||
+        stage->damping.global_kind || stage->damping.contact_kind != scene->damping.contact_kind ||
+        stage->damping.contact != scene->damping.contact)
+      return false;
+  }
+  return !scene->gravity.line && !scene->damping.global_kind;
+}
+
+/* From the first to what it meets: m_2, R_2, and the distance at which they touch; false when they do not meet head-on. */
+static bool meet(struct hertz *hertz, const struct nb_wall *wall) {
+  const struct nb_body *a = hertz->bodies[0], *b = hertz->bodies[1];
+  double x = b ? b->x - a->x : wall->x - a->x, y = b ? b->y - a->y : wall->y - a->y;
+  if (wall) { /* the foot of the perpendicular, which must be on the wall */
+    const double s = -(x * wall->ex + y * wall->ey);
+    if (!(s > wall->h1 && s < wall->h2) || wall->spin != 0 || wall->h0 != 0)
+      return false;
+    x += s * wall->ex, y += s * wall->ey;
+  }
+  const double distance = hypot(x, y);
+  hertz->ex = x / distance, hertz->ey = y / distance;
+  const double vx = a->vx - (b ? b->vx : wall->vx), vy = a->vy - (b ? b->vy : wall->vy), v = hypot(vx, vy);
+  hertz->speed = vx * hertz->ex + vy * hertz->ey;
+  const double gap = distance - a->radius - (b ? b->radius : 0);
+  hertz->begin = gap / hertz->speed;
+  return hertz->speed > 0 && fabs(vx * hertz->ey - vy * hertz->ex) < 1e-12 * v && a->spin == 0 &&
+         (!b || b->spin == 0) && gap > -1e-12 * a->radius;
+}
+
+/* What is left to work out when masses, moduli and speed are known. */
+static void solve(struct hertz *hertz) {
+  hertz->k = 4. / 3 * hertz->young * sqrt(hertz->radius);
+  hertz->depth = pow(5 * hertz->mass * hertz->speed * hertz->speed / (4 * hertz->k), 0.4);
+  hertz->unit = hertz->depth / hertz->speed;
+  hertz->duration = hertz_time() * hertz->unit;
+}
+
+enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const char *who, struct nb_error *error) {
+  if (scene->body_count + scene->wall_count != 2 || scene->body_count < 1 || scene->bodies[0].fixed ||
+      scene->bodies[0].shape != NB_SPHERE)
+    return refuse(who, "a free sphere and what it strikes: another sphere or a wall", error);
+  if (!steady(scene))
+    return refuse(who, "a pair with no gravity and no global damping, which no stage changes", error);
+  const struct nb_body *a = &scene->bodies[0], *b = scene->body_count == 2 ? &scene->bodies[1] : NULL;
+  const struct nb_wall *wall = b ? NULL : &scene->walls[0];
+  *hertz = (struct hertz){.bodies = {a, b}, .scene = scene};
+  hertz->mass = 1 / (1 / nb_body_mass(scene, a) + (b && !b->fixed ? 1 / nb_body_mass(scene, b) : 0));
+  hertz->radius = 1 / (1 / a->radius + (b ? 1 / b->radius : 0));
+  hertz->young = hertz_young(&scene->materials[a->material], &scene->materials[b ? b->material : wall->material]);
+  if (!(hertz->young > 0) || !isfinite(hertz->young) || (b && b->shape != NB_SPHERE))
+    return refuse(who, "elastic spheres, whose materials say `young`", error);
+  if (!meet(hertz, wall))
+    return refuse(who, "bodies without spin that meet head-on and do not overlap at first", error);
+  solve(hertz);
+  hertz->step = scene->step.kind == NB_STEP_CONTACT ? scene->step.value * hertz->duration : scene->step.value;
+  if (scene->step.kind != NB_STEP_TIME && scene->step.kind != NB_STEP_CONTACT)
+    return refuse(who, "a step that is a time or a share of the contact's duration", error);
+  if (scene->impact.line)
+    hertz->begin += scene->impact.phase * hertz->step;
+  if (scene->damping.contact_kind == NB_CONTACT_RATIO)
+    hertz->damping = scene->damping.contact;
+  else if (scene->damping.contact_kind)
+    return refuse(who, "no damping but `contact-ratio`", error);
+  return NB_OK;
+}
+
+static const char *contact_of(const struct hertz *hertz) {
+  for (size_t w = 0; w < hertz->scene->watch_count; w++) {
+    const struct nb_watch *watch = &hertz->scene->watches[w];
+    if (watch->kind == NB_WATCH_BODY_BODY || watch->kind == NB_WATCH_BODY_WALL)
+      return watch->name;
+  }
+  return NULL;
+}
+
+void hertz_tell(struct nb_known *known, const struct hertz *hertz, const char *what, double value) {
+  const char *contact = contact_of(hertz);
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%s.%s", contact ? contact : "", what);
+  if (contact)
+    known_value(known, value, name);
+}
+
+void hertz_curve(struct nb_known *known, const struct hertz *hertz, const char *what,
+                 double (*at)(const void *data, double t), const void *data, size_t size) {
+  const char *contact = contact_of(hertz);
+  char name[2 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%.*s.%s", NB_NAME_SIZE, contact ? contact : "", what);
+  if (!contact)
+    return;
+  void *copy = malloc(size);
+  if (copy)
+    memcpy(copy, data, size);
+  known_curve(known, name, "time", at, copy);
+}
+
+/* Overlap and elastic force, with what stands behind them. */
+static void tell_both(struct nb_known *known, const struct hertz *hertz, const char *behind, const char *stage,
+                      double overlap) {
+  char what[2 * NB_NAME_SIZE];
+  snprintf(what, sizeof what, "overlap%s%s%s", behind, stage ? " in " : "", stage ? stage : "");
+  hertz_tell(known, hertz, what, overlap);
+  snprintf(what, sizeof what, "normal%s%s%s", behind, stage ? " in " : "", stage ? stage : "");
+  hertz_tell(known, hertz, what, hertz_force(hertz, overlap));
+}
+
+void hertz_tell_stages(struct nb_known *known, const struct hertz *hertz,
+                       double (*overlap_at)(const void *data, double t), const void *data, double deepest,
+                       double when) {
+  const struct nb_scene *scene = hertz->scene;
+  double begin = 0;
+  tell_both(known, hertz, " max", NULL, deepest);
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    if (stage->condition_count || stage->step.kind != scene->step.kind || stage->step.value != scene->step.value)
+      return;
+    const double end = begin + (double)stage->cycles * hertz->step;
+    if (begin <= when && when < end)
+      tell_both(known, hertz, " max", stage->name, deepest);
+    tell_both(known, hertz, "", stage->name, overlap_at(data, end));
+    begin = end;
+  }
+}

@@ -1,0 +1,104 @@
+/* Reference: Hertz's impact of two elastic spheres, or of a sphere on a wall: quadrature and its inverse.
+ *
+ *   alpha* = (5 m* V_N^2/(4 K))^(2/5),   N* = K alpha*^(3/2)                                    [R89 5.5, 5.9]
+ *   t = (alpha* / V_N) Int_0^(alpha/alpha*) ds/(1 - s^(5/2))^(1/2),   then the same way back     [R89 5.10]
+ *   T_c = 2.9432751843247047 alpha* / V_N                                                        [R89 5.12]
+ *
+ * The integrand has no bound where the spheres stop. With s^(5/4) = sin(theta) it is
+ *
+ *   t = (4/5) (alpha* / V_N) Int_0^theta theta^(-1/5) (theta/sin(theta))^(1/5) dtheta,     theta up to pi/2,
+ *
+ * a weight and a function without corners: Gauss and Jacobi's rule of twenty points gives it to rounding. alpha(t) is its
+ * root, by Brent's method.
+ *
+ * Known, where C is the watched contact and t_0 the moment of first touch, which the page chooses:
+ *   C.overlap max, C.normal max;   C.overlap and C.normal along time, and in STAGE at its end, where the page says
+ *   its number of cycles
+ *   impact.duration = T_c,  impact.restitution = 1
+ * Exact in continuous time.
+ *
+ * Source   Hertz (1882) in [R89 5.1-5.12].
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_roots.h>
+
+#include "hertz.h"
+
+enum { POINTS = 20 };
+
+struct wanted {
+  const gsl_integration_fixed_workspace *rule; /* on 0 to 1 with the weight x^(-1/5) */
+  double time;                                 /* t V_N/alpha* */
+};
+
+/* t V_N/alpha* of the way in to theta, less the time wanted. */
+static double late(double theta, void *data) {
+  const struct wanted *wanted = data;
+  const double *x = gsl_integration_fixed_nodes(wanted->rule), *w = gsl_integration_fixed_weights(wanted->rule);
+  double sum = 0;
+  for (int k = 0; k < POINTS; k++)
+    sum += w[k] * (theta > 0 ? pow(theta * x[k] / sin(theta * x[k]), 0.2) : 1);
+  return 0.8 * pow(theta, 0.8) * sum - wanted->time;
+}
+
+static double root(struct wanted *wanted) {
+  gsl_function f = {late, wanted};
+  gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+  if (!solver)
+    return NAN;
+  gsl_root_fsolver_set(solver, &f, 0, M_PI / 2);
+  for (int n = 0; n < 100; n++)
+    if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS ||
+        gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver), 1e-15, 1e-15) ==
+            GSL_SUCCESS)
+      break;
+  const double theta = gsl_root_fsolver_root(solver);
+  gsl_root_fsolver_free(solver);
+  return theta;
+}
+
+/* alpha/alpha* at t V_N/alpha* since first touch. */
+static double way_in(double time) {
+  const double whole = hertz_time();
+  struct wanted wanted = {.time = time > whole / 2 ? whole - time : time};
+  if (!(wanted.time > 0))
+    return 0;
+  gsl_integration_fixed_workspace *rule =
+      gsl_integration_fixed_alloc(gsl_integration_fixed_jacobi, POINTS, 0, 1, 0, -0.2);
+  if (!rule)
+    return NAN;
+  wanted.rule = rule;
+  const double theta = late(M_PI / 2, &wanted) > 0 ? root(&wanted) : M_PI / 2;
+  gsl_integration_fixed_free(rule);
+  return pow(sin(theta), 0.8);
+}
+
+static double overlap_at(const void *data, double t) {
+  const struct hertz *hertz = data;
+  return hertz->depth * way_in((t - hertz->begin) / hertz->unit);
+}
+static double normal_at(const void *data, double t) { return hertz_force(data, overlap_at(data, t)); }
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct hertz hertz;
+  if (hertz_of(&hertz, scene, "hertz_impact", error))
+    return error->status;
+  if (hertz.damping > 0)
+    return nb_error_set(error, NB_BAD_USE, "hertz_impact is for a contact without damping; hertz_damped knows it");
+  hertz_curve(known, &hertz, "overlap", overlap_at, &hertz, sizeof hertz);
+  hertz_curve(known, &hertz, "normal", normal_at, &hertz, sizeof hertz);
+  hertz_tell_stages(known, &hertz, overlap_at, &hertz, hertz.depth, hertz.begin + hertz.duration / 2);
+  known_value(known, hertz.duration, "impact.duration");
+  known_value(known, 1, "impact.restitution");
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_hertz_impact = {
+    .name = "hertz_impact",
+    .title = "two elastic spheres, or a sphere and a wall, head-on: alpha(t) by quadrature and its inverse",
+    .source = "[R89 5.5-5.12]",
+    .know = know,
+};

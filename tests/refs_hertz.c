@@ -1,0 +1,184 @@
+/* Hertz's impact: the references against each other, against closed forms, and what they refuse.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sf_gamma.h>
+#include <math.h>
+#include <string.h>
+
+#include "hertz.h"
+#include "refs_scenes.h"
+#include "suites.h"
+
+/* Sphere 1 above comes down on sphere 2, or on a wall, along a line that is not an axis: E, nu, density, R of both, and V. */
+static void meet(struct refs_scene *it, bool wall, double damping) {
+  memset(it, 0, sizeof *it);
+  it->materials[0] = (struct nb_material){.name = "a", .density = 7800, .young = 210e9, .poisson = 0.3};
+  it->materials[1] = (struct nb_material){.name = "b", .density = 2650, .young = 70e9, .poisson = 0.25};
+  const double ex = 0.6, ey = -0.8, gap = 1e-5;
+  it->bodies[0] = (struct nb_body){.shape = NB_SPHERE, .radius = 0.01, .vx = ex, .vy = ey};
+  it->bodies[1] = (struct nb_body){.shape = NB_SPHERE, .radius = 0.012, .material = 1, .vx = -ex, .vy = -ey};
+  it->bodies[1].x = (0.022 + gap) * ex, it->bodies[1].y = (0.022 + gap) * ey;
+  it->walls[0] =
+      (struct nb_wall){.x = (0.01 + gap) * ex, .y = (0.01 + gap) * ey, .ex = -ey, .ey = ex, .h1 = -1, .h2 = 1};
+  it->walls[0].vx = -ex, it->walls[0].vy = -ey, it->walls[0].material = 1;
+  strcpy(it->scene.normal, "hertz"), strcpy(it->scene.shear, "none");
+  it->watches[0] = (struct nb_watch){.name = "C", .kind = wall ? NB_WATCH_BODY_WALL : NB_WATCH_BODY_BODY};
+  it->watches[0].b = wall ? 0 : 1;
+  it->scene.materials = it->materials, it->scene.material_count = 2;
+  it->scene.bodies = it->bodies, it->scene.body_count = wall ? 1 : 2;
+  it->scene.walls = it->walls, it->scene.wall_count = wall ? 1 : 0;
+  it->scene.watches = it->watches, it->scene.watch_count = 1;
+  it->scene.step = (struct nb_step){.kind = NB_STEP_TIME, .value = 1e-7};
+  if (damping > 0)
+    it->scene.damping = (struct nb_damping){.contact_kind = NB_CONTACT_RATIO, .contact = damping};
+  it->stages[0] = (struct nb_stage){.name = "s", .cycles = 300, .step = it->scene.step, .damping = it->scene.damping};
+  it->scene.stages = it->stages, it->scene.stage_count = 1;
+}
+
+static double at(const struct nb_known *known, const char *name, double t) {
+  const struct nb_known_curve *curve = known_find_curve(known, name, "time");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
+  return curve->at(curve->data, t);
+}
+
+/* Written out once more, with the numbers of the scene: m*, R*, E*, alpha*, N*, T_c [R89 5.4, 5.5, 5.9, 5.12]. */
+static void the_numbers_of_the_book(void) {
+  for (int wall = 0; wall < 2; wall++) {
+    struct refs_scene it;
+    meet(&it, wall, 0);
+    struct nb_known known = refs_known("hertz_impact", &it);
+    const double m1 = 4 * M_PI / 3 * 1e-6 * 7800, m2 = 4 * M_PI / 3 * 1.728e-6 * 2650;
+    const double m = wall ? m1 : m1 * m2 / (m1 + m2), r = wall ? 0.01 : 0.01 * 0.012 / 0.022;
+    const double young = 1 / (0.91 / 210e9 + 0.9375 / 70e9);
+    const double depth = pow(15 * m * 4 / (16 * sqrt(r) * young), 0.4);
+    REFS_NEAR(refs_value(&known, "C.overlap max"), depth, 1e-13, depth);
+    REFS_NEAR(refs_value(&known, "C.normal max"), 1.25 * m * 4 / depth, 1e-13, m * 4 / depth);
+    REFS_NEAR(refs_value(&known, "impact.duration"), 2.9432751843247047 * depth / 2, 1e-13, depth);
+    REFS_NEAR(refs_value(&known, "impact.duration"), 2.8682656991953314 * pow(m * m / (r * young * young * 2), 0.2),
+              1e-13, depth);
+    CU_ASSERT_EQUAL(refs_value(&known, "impact.restitution"), 1);
+    known_free(&known);
+  }
+}
+
+/* t(s) is the incomplete beta function: 2 t/T_c = I(s^(5/2); 2/5, 1/2). The gap of 1e-5 m takes 5 us at 2 m/s. */
+static void the_way_in_is_a_beta_function(void) {
+  struct refs_scene it;
+  meet(&it, false, 0);
+  struct nb_known known = refs_known("hertz_impact", &it);
+  const double depth = refs_value(&known, "C.overlap max"), duration = refs_value(&known, "impact.duration");
+  const double begin = 5e-6;
+  for (double s = 0.05; s < 1; s += 0.05) {
+    const double t = duration / 2 * gsl_sf_beta_inc(0.4, 0.5, pow(s, 2.5));
+    REFS_NEAR(at(&known, "C.overlap", begin + t), s * depth, 1e-12, depth);
+    REFS_NEAR(at(&known, "C.overlap", begin + duration - t), s * depth, 1e-12, depth);
+  }
+  REFS_NEAR(at(&known, "C.overlap", begin + duration / 2), depth, 1e-14, depth);
+  CU_ASSERT_EQUAL(at(&known, "C.overlap", begin / 2), 0);
+  CU_ASSERT_EQUAL(at(&known, "C.overlap", begin + 1.001 * duration), 0);
+  REFS_NEAR(refs_value(&known, "C.overlap in s"), at(&known, "C.overlap", 3e-5), 0, 1.);
+  known_free(&known);
+}
+
+/* Without damping the ODE is the quadrature; with damping it gives the closed form of the restitution. */
+static void the_ode_agrees(void) {
+  struct refs_scene it;
+  meet(&it, true, 0);
+  struct nb_known free = refs_known("hertz_impact", &it), ode = refs_known("hertz_damped", &it);
+  static const char *const same[] = {"C.overlap max", "C.normal max", "impact.duration", "impact.restitution"};
+  for (int k = 0; k < 4; k++)
+    REFS_NEAR(refs_value(&free, same[k]), refs_value(&ode, same[k]), 1e-12, refs_value(&free, same[k]));
+  for (double t = 0; t < 1.2e-4; t += 7e-7)
+    REFS_NEAR(at(&free, "C.normal", t), at(&ode, "C.normal", t), 1e-11, refs_value(&free, "C.normal max"));
+  known_free(&free), known_free(&ode);
+  for (double beta = 0.05; beta < 0.9; beta += 0.05) {
+    meet(&it, true, beta);
+    ode = refs_known("hertz_damped", &it);
+    REFS_NEAR(refs_value(&ode, "impact.restitution"), hertz_restitution(beta), 1e-11, 1.);
+    CU_ASSERT(fabs(hertz_ratio(hertz_restitution(beta)) - beta) < 1e-13);
+    known_free(&ode);
+  }
+  meet(&it, true, 1);
+  ode = refs_known("hertz_damped", &it);
+  CU_ASSERT_EQUAL(refs_value(&ode, "impact.restitution"), 0);
+  CU_ASSERT_PTR_NULL(known_find(&ode, "impact.duration"));
+  known_free(&ode);
+}
+
+/* The curve obeys m* alpha'' = -N - D, with D as [R89 4.13] has it. */
+static void the_dashpot_is_the_one_of_the_book(void) {
+  struct refs_scene it;
+  meet(&it, true, 0.3);
+  struct nb_known ode = refs_known("hertz_damped", &it);
+  const double m = 4 * M_PI / 3 * 1e-6 * 7800, young = 1 / (0.91 / 210e9 + 0.9375 / 70e9), h = 2e-8;
+  for (double t = 1e-5; t < 5e-5; t += 5e-6) {
+    const double before = at(&ode, "C.overlap", t - h), here = at(&ode, "C.overlap", t),
+                 after = at(&ode, "C.overlap", t + h);
+    const double pull = at(&ode, "C.dashpot.normal", t), force = at(&ode, "C.normal", t);
+    const double v = (after - before) / (2 * h), a = sqrt(0.01 * here);
+    REFS_NEAR(pull, 0.6 * sqrt(m * 2 * young * a) * v, 1e-5, refs_value(&ode, "C.normal max"));
+    REFS_NEAR(m * (after - 2 * here + before) / (h * h), -force - pull, 1e-4, refs_value(&ode, "C.normal max"));
+  }
+  known_free(&ode);
+}
+
+/* zeta(-3/2, a + 1) = zeta(-3/2, a) - a^(3/2) shows as e over a whole turn of the phase; and its bound, -0.0315 and 0.0241. */
+static void the_phase_comes_round(void) {
+  struct refs_scene it;
+  double first = 0, least = 1, most = 1;
+  for (int k = 0; k <= 64; k++) {
+    meet(&it, true, 0);
+    it.scene.impact = (struct nb_impact){.phase = k / 64., .line = 1};
+    struct nb_known known = refs_known("hertz_phase", &it);
+    const double e = refs_value(&known, "impact.restitution");
+    first = k ? first : e, least = fmin(least, e), most = fmax(most, e);
+    if (k == 64)
+      CU_ASSERT(fabs(e - first) < 1e-9);
+    known_free(&known);
+  }
+  meet(&it, true, 0);
+  struct nb_known known = refs_known("hertz_impact", &it);
+  const double n = refs_value(&known, "impact.duration") / 1e-7;
+  CU_ASSERT(most - least > 0.5 * pow(n, -2.5) && most - least < 2.1 * pow(n, -2.5));
+  known_free(&known);
+}
+
+static void what_is_no_such_impact_is_refused(void) {
+  struct refs_scene it;
+  meet(&it, false, 0.1);
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "without damping"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_phase", &it).text, "without damping"));
+  meet(&it, false, 0);
+  it.bodies[0].vx += 0.01;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "head-on"));
+  meet(&it, false, 0);
+  it.bodies[1].spin = 1;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_damped", &it).text, "spin"));
+  meet(&it, false, 0);
+  it.scene.gravity.line = 3;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "gravity"));
+  meet(&it, false, 0);
+  it.bodies[1].shape = NB_DISC;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "spheres"));
+  meet(&it, false, 0);
+  it.materials[1].young = 0;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "young"));
+  meet(&it, true, 0);
+  it.walls[0].h1 = 0.5;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "head-on"));
+  meet(&it, false, 0);
+  it.scene.damping.contact_kind = it.stages[0].damping.contact_kind = NB_CONTACT_BETA;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_damped", &it).text, "contact-ratio"));
+}
+
+void suite_refs_hertz(void) {
+  CU_pSuite suite = CU_add_suite("refs_hertz", NULL, NULL);
+  CU_add_test(suite, "the numbers of the book", the_numbers_of_the_book);
+  CU_add_test(suite, "the way in is a beta function", the_way_in_is_a_beta_function);
+  CU_add_test(suite, "the ODE agrees with quadrature and closed form", the_ode_agrees);
+  CU_add_test(suite, "the dashpot is the one of the book", the_dashpot_is_the_one_of_the_book);
+  CU_add_test(suite, "the phase comes round", the_phase_comes_round);
+  CU_add_test(suite, "what is no such impact is refused", what_is_no_such_impact_is_refused);
+}
