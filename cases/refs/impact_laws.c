@@ -86,13 +86,8 @@ bool impact_law_known(const char *law) { return find(law) < LAWS; }
 
 static bool run(struct impact_path *path, int which, double chi, double psi1, int steps) {
   const double dt = IMPACT_DURATION / steps;
-  const size_t entries = (size_t)steps + 1;
   struct memory memory = {0};
-  *path = (struct impact_path){.steps = steps,
-                               .xi = impact_approach(steps),
-                               .f = calloc(entries, sizeof(double)),
-                               .d = calloc(entries, sizeof(double))};
-  if (!path->xi || !path->f || !path->d)
+  if (!impact_path_create(path, steps))
     return false;
   double psi = psi1;
   for (int k = 0; k < steps; k++) {
@@ -103,6 +98,7 @@ static bool run(struct impact_path *path, int which, double chi, double psi1, in
     const bool slides = fabs(elastic) > n;
     path->f[k + 1] = slides ? copysign(n, elastic) : elastic;
     path->d[k + 1] = path->d[k] + step.dd;
+    path->slides[k + 1] = slides;
     if (slides)
       path->slid += (f + path->f[k + 1]) / 2 * (elastic - path->f[k + 1]) / (1.5 * step.root);
     forget(&memory, path->f[k + 1], slides);

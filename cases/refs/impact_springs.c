@@ -37,8 +37,18 @@ double *impact_approach(int steps) {
   return xi;
 }
 
+bool impact_path_create(struct impact_path *path, int steps) {
+  const size_t n = (size_t)steps + 1;
+  *path = (struct impact_path){.steps = steps,
+                               .xi = impact_approach(steps),
+                               .f = calloc(n, sizeof(double)),
+                               .d = calloc(n, sizeof(double)),
+                               .slides = calloc(n, sizeof(bool))};
+  return path->xi && path->f && path->d && path->slides;
+}
+
 void impact_path_free(struct impact_path *path) {
-  free(path->xi), free(path->f), free(path->d);
+  free(path->xi), free(path->f), free(path->d), free(path->slides);
   *path = (struct impact_path){0};
 }
 
@@ -71,11 +81,8 @@ static double press(double *u, const double *depth, int springs, double from, do
 bool impact_springs(struct impact_path *path, double chi, double psi1, int steps) {
   const int springs = steps;
   const double dt = IMPACT_DURATION / steps;
-  const size_t n = (size_t)steps + 1;
   double *u = calloc((size_t)springs, sizeof *u), *depth = calloc((size_t)springs, sizeof *depth);
-  *path = (struct impact_path){
-      .steps = steps, .xi = impact_approach(steps), .f = calloc(n, sizeof(double)), .d = calloc(n, sizeof(double))};
-  const bool made = u && depth && path->xi && path->f && path->d;
+  const bool made = impact_path_create(path, steps) && u && depth;
   for (int i = 0; made && i < springs; i++)
     depth[i] = (i + 0.5) / springs * ((i + 0.5) / springs);
   double psi = psi1;
@@ -85,6 +92,7 @@ bool impact_springs(struct impact_path *path, double chi, double psi1, int steps
     path->d[k + 1] = path->d[k] + psi * dt;
     path->f[k + 1] = press(u, depth, springs, path->xi[k], path->xi[k + 1], psi * dt, &slipped);
     path->slid += slipped * (path->f[k] + path->f[k + 1]) / 2;
+    path->slides[k + 1] = fabs(u[0]) >= path->xi[k + 1] - depth[0];
   }
   path->psi2 = psi; /* f is 0 at the end */
   free(u), free(depth);

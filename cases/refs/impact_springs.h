@@ -17,14 +17,17 @@
 
 #define IMPACT_DURATION 2.9432751843247047 /* of xi > 0: (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) [R89 5.12] */
 
-/* From touch to parting in equal times; steps + 1 entries each. */
+/* From touch to parting in equal times; steps + 1 entries each. Owns its arrays. */
 struct impact_path {
   int steps;
-  double psi2;        /* at the end */
-  double slid;        /* integral of f over the sliding of the contact as a whole */
-  double *xi, *f, *d; /* owned */
+  double psi2; /* at the end */
+  double slid; /* integral of f over the sliding of the contact as a whole */
+  double *xi, *f, *d;
+  bool *slides; /* whether the contact slid as a whole at the end of the step before */
 };
 
+/* Nothing yet but xi; false: no memory. */
+bool impact_path_create(struct impact_path *path, int steps);
 /* Approach alone: xi at each of the steps + 1 times; NULL: no memory. By GSL's Runge-Kutta of order 8 to 1e-13. free() it. */
 double *impact_approach(int steps);
 

@@ -12,6 +12,8 @@
  *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
  *   energy.frictional, energy.sliding              lost in all, and while the contact slides as a whole, J
  *   impact.normal, .shear, .slip along impact.time
+ *   impact.time in STAGE                           that ends when the contact begins or ceases to slide, or impact.shear passes
+ *                                                  a value
  *   NAME.normal max, NAME.overlap max              where NAME watches the contact
  *
  * Source   Maw, Barber and Fawcett (1976) for the numbers [R89 5.3.2]; Popov and Hess (2015) for the springs.
@@ -121,6 +123,37 @@ static void tell_curve(struct nb_known *known, const char *name, const double *v
   known_curve(known, name, "impact.time", at, c);
 }
 
+/* The condition `until` of a stage at entry k of the path; those that it cannot tell never hold. */
+static bool holds(const struct nb_condition *condition, const struct impact_path *path, int k) {
+  const char *name = condition->name, *part = strrchr(name, '.');
+  double value = NAN;
+  if (strcmp(name, "impact.time") == 0)
+    value = (double)k / path->steps;
+  else if (strcmp(name, "impact.shear") == 0)
+    value = path->f[k];
+  else if (part && strcmp(part, ".sliding") == 0)
+    value = path->slides[k];
+  else if (part && strcmp(part, ".overlap") == 0)
+    value = path->xi[k];
+  return condition->relation == NB_ABOVE ? value > condition->value : value < condition->value;
+}
+
+/* When the stages end that last until the contact begins to slide, or no longer does, or its force turns round. */
+static void tell_stages(struct nb_known *known, const struct nb_scene *scene, const struct impact_path *path) {
+  int k = 0;
+  for (size_t s = 0; s < scene->stage_count && k < path->steps; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    if (stage->condition_count != 1)
+      return;
+    for (k++; k < path->steps && !holds(&stage->conditions[0], path, k); k++) {
+    }
+    char name[3 * NB_NAME_SIZE];
+    snprintf(name, sizeof name, "impact.time in %s", stage->name);
+    if (k < path->steps)
+      known_value(known, (k - 0.5) / path->steps, name);
+  }
+}
+
 static void tell(struct nb_known *known, const struct nb_scene *scene, const struct pair *p, struct impact_path *path,
                  double chi) {
   const double slope = p->friction * p->kappa, psi1 = p->vt / (slope * p->vn);
@@ -165,7 +198,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const bool made =
       exact ? impact_exact(&path, chi, psi1, STEPS) : impact_law(&path, scene->shear, chi, psi1, LAW_STEPS);
   if (made)
-    tell(known, scene, &p, &path, chi);
+    tell_stages(known, scene, &path), tell(known, scene, &p, &path, chi);
   impact_path_free(&path);
   return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "a reference ran out of memory");
 }
