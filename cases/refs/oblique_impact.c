@@ -12,7 +12,7 @@
  *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
  *   energy.frictional, energy.sliding              lost in all, and while the contact slides as a whole, J
  *   impact.normal, .shear, .slip along impact.time
- *   impact.time in STAGE                           that ends when the contact begins or ceases to slide, or impact.shear passes
+ *   impact.time, .slip in STAGE                         that ends when the contact begins or ceases to slide, or impact.shear passes
  *                                                  a value
  *   NAME.normal max, NAME.overlap max              where NAME watches the contact
  *
@@ -133,13 +133,14 @@ static bool holds(const struct nb_condition *condition, const struct impact_path
     value = path->f[k];
   else if (part && strcmp(part, ".sliding") == 0)
     value = path->slides[k];
-  else if (part && strcmp(part, ".overlap") == 0)
-    value = path->xi[k];
+  else if (strcmp(name, "impact.normal") == 0)
+    value = path->xi[k] * sqrt(path->xi[k]);
   return condition->relation == NB_ABOVE ? value > condition->value : value < condition->value;
 }
 
 /* When the stages end that last until the contact begins to slide, or no longer does, or its force turns round. */
-static void tell_stages(struct nb_known *known, const struct nb_scene *scene, const struct impact_path *path) {
+static void tell_stages(struct nb_known *known, const struct nb_scene *scene, const struct impact_path *path,
+                        double scale) {
   int k = 0;
   for (size_t s = 0; s < scene->stage_count && k < path->steps; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -147,10 +148,13 @@ static void tell_stages(struct nb_known *known, const struct nb_scene *scene, co
       return;
     for (k++; k < path->steps && !holds(&stage->conditions[0], path, k); k++) {
     }
+    if (k >= path->steps)
+      return;
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "impact.time in %s", stage->name);
-    if (k < path->steps)
-      known_value(known, (k - 0.5) / path->steps, name);
+    known_value(known, (k - 0.5) / path->steps, name);
+    snprintf(name, sizeof name, "impact.slip in %s", stage->name);
+    known_value(known, scale * (path->d[k - 1] + path->d[k]) / 2, name);
   }
 }
 
@@ -198,7 +202,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const bool made =
       exact ? impact_exact(&path, chi, psi1, STEPS) : impact_law(&path, scene->shear, chi, psi1, LAW_STEPS);
   if (made)
-    tell_stages(known, scene, &path), tell(known, scene, &p, &path, chi);
+    tell_stages(known, scene, &path, p.friction * p.kappa * p.depth), tell(known, scene, &p, &path, chi);
   impact_path_free(&path);
   return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "a reference ran out of memory");
 }
