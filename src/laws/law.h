@@ -39,12 +39,13 @@ struct nb_law {
   const char *source; /* equation tags */
   int memory, piece,
       pieces; /* doubles per contact: `memory`, and `piece` more for each of `pieces`, or of as many as a page says */
-  unsigned needs;            /* set of fields, besides overlap, normal and its stiffness, that it reads */
-  bool elastic;              /* of elastic spheres: works with E*, G* and R*, not with k_n and k_s */
-  bool branching;            /* has loops or calls: its loop is not asked to be wide */
-  bool cohesionless;         /* knows no cohesion: a page that gives it some is wrong */
-  bool loses;                /* loses energy before it slides as a whole, and says how much */
-  bool gains;                /* may create energy over a closed path, and says so in its file */
+  unsigned needs;    /* set of fields, besides overlap, normal and its stiffness, that it reads */
+  bool elastic;      /* of elastic spheres: works with E*, G* and R*, not with k_n and k_s */
+  bool branching;    /* has loops or calls: its loop is not asked to be wide */
+  bool cohesionless; /* knows no cohesion: a page that gives it some is wrong */
+  bool loses;        /* loses energy before it slides as a whole, and says how much */
+  bool gains;        /* may create energy over a closed path, and says so in its file */
+  bool incremental;  /* adds to the force before: its stiffness is the slope to come; parts before overlap does */
   nb_run_pass *run[NB_ISAS]; /* over a block */
   struct nb_normal (*normal)(struct nb_pair, double overlap, double closing,
                              double m[]); /* for the bench and the tests */

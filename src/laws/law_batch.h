@@ -13,7 +13,7 @@
  *   #define LOSES                           it says what micro-slip loses (optional)
  *   #define COHESIONLESS                    it knows no cohesion (optional)
  *   #define PIECES_OF  ..._pieces           tells the pieces of its history (optional)
- *   #define BRANCHING, #define GAINS        (optional, see law.h)
+ *   #define BRANCHING, GAINS, INCREMENTAL   (optional, see law.h)
  *
  * A law that remembers more than four doubles finds m[0] = 0 when it remembers nothing, and the rest as it may be; it is not
  * called where nothing touches.
@@ -148,6 +148,9 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
 #endif
 #ifdef GAINS
     .gains = true,
+#endif
+#ifdef INCREMENTAL
+    .incremental = true,
 #endif
 #ifdef STORED
     .stored = STORED,

@@ -2,7 +2,7 @@
  *
  *   T = mu Int_0^alpha D dN(x),      delta = mu kappa Int_0^alpha D dx,      -1 <= D(x) <= 1,      kappa = E* / 4 G*
  *
- *   alpha, N  overlap, m, and Hertz's force at it, N(x) = N (x/alpha)^(3/2)
+ *   alpha, N  overlap, m, and Hertz's force at it, N(x) = N (x/alpha)^(3/2); alpha = a^2/R*, what belongs to the force
  *   delta     tangential displacement since nothing slid as a whole, m;  T  the force that it makes, N
  *   D(x)      what the ring that grew at the overlap x carries, 1: a share of its friction; 1 or -1 where it has slipped
  *   mu        the smaller friction of the two materials, 1
@@ -171,11 +171,11 @@ static inline struct leg go_anew(struct piece at[], int pieces, double share, do
 
 static inline struct nb_shear shear_mindlin_deresiewicz(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
   const double kappa = p.young / (4 * p.shear), unit = p.friction * kappa; /* m of slip in a metre of u */
-  const double x = n.overlap, force = x * sqrt(x), limit = p.friction * n.force;
+  const double x = n.radius * n.radius / p.radius, force = x * sqrt(x), limit = p.friction * n.force;
   struct piece *at = (struct piece *)(m + HEAD);
   struct nb_shear out = {.stiffness = 8 * p.shear * n.radius};
-  if (!(unit > 0)) {
-    m[0] = 0, out.sliding = 1;
+  if (!(unit > 0) || !(x > 0)) { /* without friction; let go by a normal law before the outlines part */
+    m[0] = 0, out.sliding = x > 0 ? 1 : 0;
     return out;
   }
   if (m[0] == 0)
@@ -204,7 +204,8 @@ static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_norma
     const double on = at[k].x - at[k - 1].x, d = (at[k].u - at[k - 1].u) / on;
     sum += d * (on * (at[k - 1].t - d * at[k - 1].n) + 0.4 * d * (at[k].x * at[k].n - at[k - 1].x * at[k - 1].n));
   }
-  return m[0] > 0 ? m[1] * friction * (n.force / (n.overlap * sqrt(n.overlap))) * sum : 0;
+  const double x = n.radius * n.radius / p.radius;
+  return m[0] > 0 ? m[1] * friction * (n.force / (x * sqrt(x))) * sum : 0;
 }
 
 /* From inside to outside: where pieces end, m, and their D. */

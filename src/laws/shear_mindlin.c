@@ -1,0 +1,37 @@
+/* Elastic spheres that do not slip but as a whole:        T <- T + 8 G* a ds,  cut at  |T| <= mu N + c
+ *
+ *   ds   slip over this step, m, as in shear_linear.c
+ *   a    radius of the contact circle, m, the one at the end of the step
+ *   G*   1/G* = (2 - nu_x)/G_x + (2 - nu_y)/G_y, Pa [R89 4.8-4.10]
+ *   mu   the smaller friction, 1;  c the smaller cohesion, N
+ *   N    the elastic normal force, without dashpots
+ *
+ * Source     the stiffness of a contact that sticks all over [R89 3.27; 3.94 with theta = 1], and Coulomb's limit for the whole of
+ *            it. In wide use; what it leaves out is the slip that begins at the edge.
+ * Order      exact at constant N. While N changes the radius at the end of the step, not the mean one, makes it first order in
+ *            the step: T is off by half a step of  8 G* Int (da/dt) ds.
+ * Range      as normal_hertz.c.
+ * Remembers  m[0]  T, N.
+ * Gains      T is kept when N falls, as if the part of the circle that is gone still held it: around a closed square in (N, ds),
+ *            up to a2, out by s, down to a1, back by s, the work is  -4 G* (a2 - a1) s^2  (ERRATA E). So it has no stored energy.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "law.h"
+
+static inline struct nb_shear shear_mindlin(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+  const double stiffness = 8 * p.shear * n.radius;
+  const double limit = n.force * p.friction + p.cohesion;
+  const double trial = n.radius > 0 ? m[0] + stiffness * slip : 0;
+  const double size = fabs(trial);
+  m[0] = copysign(size > limit ? limit : size, trial);
+  return (struct nb_shear){.force = m[0], .stiffness = stiffness, .sliding = size > limit ? 1 : 0};
+}
+
+#define LAW shear_mindlin
+#define SHEAR
+#define ELASTIC
+#define TITLE "elastic spheres, no slip but as a whole: T += 8 G* a slip, |T| <= mu N"
+#define SOURCE "[R89 3.27]"
+#define MEMORY 1
+#define GAINS
+#include "law_batch.h"
