@@ -5,7 +5,7 @@
  *           the way at the mean of the half-step velocities. That holds for any step, the half first kick too
  *           (tau = dt/2, v- = v_0); the residual is rounding.
  *
- * energy    K + U - (K + U)_0 + frictional + damped - walls - gravity - changed, all at t_N. U is a state function
+ * energy    K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - changed, all at t_N. U is a state function
  *           (energy.c). Forces that depend on velocity or are given act at t_N, at the velocity of t_N, over the kick
  *           around it; what slides does so over the step from t_N to t_(N+1), at the mean of the two forces:
  *
@@ -251,8 +251,9 @@ double nb_balance_work_residual(const struct nb_model *model) {
 }
 
 double nb_balance_energy_residual(const struct nb_model *model) {
-  static const double sign[NB_TERMS] = {[NB_TERM_DAMPED] = 1,     [NB_TERM_WALLS] = -1,   [NB_TERM_GRAVITY] = -1,
-                                        [NB_TERM_FRICTIONAL] = 1, [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1};
+  static const double sign[NB_TERMS] = {
+      [NB_TERM_DAMPED] = 1,   [NB_TERM_WALLS] = -1,   [NB_TERM_GRAVITY] = -1, [NB_TERM_FRICTIONAL] = 1,
+      [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1, [NB_TERM_REMOVED] = 1};
   struct nb_sum now[NB_TERMS], sum = {0};
   memcpy(now, model->balance->terms, sizeof now);
   tail(now, model);
@@ -264,10 +265,10 @@ double nb_balance_energy_residual(const struct nb_model *model) {
   return sum.sum + sum.rest;
 }
 
-/* ---- jumps: `still`, `reverse` ---- */
+/* ---- jumps: `still`, `reverse`, `remove` ---- */
 
-/* Kinetic energy that is there or gone without a force is put in from outside; what was read before is read after. */
-void nb_balance_jump(struct nb_model *model, bool before) {
+/* Kinetic energy that is there or gone without a force does not count as work; what was read before is read after. */
+void nb_balance_remove(struct nb_model *model, bool before) {
   struct nb_balance *b = model->balance;
   const double sign = before ? -1 : 1;
   b->kinetic += sign * nb_energy_kinetic_half(model);
@@ -277,5 +278,16 @@ void nb_balance_jump(struct nb_model *model, bool before) {
   tail(behind, model);
   for (int t = 0; t < NB_TERMS; t++)
     nb_sum_add(&b->terms[t], -sign * behind[t].sum);
-  nb_sum_add(&b->terms[NB_TERM_CHANGED], sign * nb_energy_kinetic(model));
+}
+
+/* It is put in from outside. */
+void nb_balance_jump(struct nb_model *model, bool before) {
+  nb_balance_remove(model, before);
+  if (model->balance->energies)
+    nb_sum_add(&model->balance->terms[NB_TERM_CHANGED], (before ? -1 : 1) * nb_energy_kinetic(model));
+}
+
+void nb_balance_removed(struct nb_model *model, size_t slot) {
+  if (model->balance->energies)
+    nb_sum_add(&model->balance->terms[NB_TERM_REMOVED], nb_energy_of_body(model, slot));
 }

@@ -93,6 +93,17 @@ static inline double nb_touched(double overlap, double closing) {
   return overlap > 0 && overlap < closing ? overlap / closing : 1;
 }
 
+/* ---- memory.c ---- */
+bool nb_memory_create(struct nb_memory *memory, int doubles,
+                      size_t contacts); /* nothing remembered; false: no memory */
+void nb_memory_free(struct nb_memory *memory);
+struct nb_memory nb_memory_from(const struct nb_memory *memory,
+                                size_t first); /* that of the contacts from `first` on */
+void nb_memory_copy(struct nb_memory *to, size_t there, const struct nb_memory *from, size_t here); /* of one contact */
+void nb_memory_forget(struct nb_memory *memory, size_t contact);
+/* What a contact's law would be given, in `room` or where it is. */
+const double *nb_memory_read(const struct nb_memory *memory, size_t contact, double room[NB_MEMORY]);
+
 struct nb_pairing;
 
 /* What a pass is given. All arrays have n entries, except where the plan has no use for a field: then NULL. */

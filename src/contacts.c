@@ -14,6 +14,13 @@ static void carry_fields(struct nb_contacts *now, size_t c, const struct nb_cont
       now->kept[fields[f]][c] = old->kept[fields[f]][o];
 }
 
+static void carry_all(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+  now->force[c] = old->force[o];
+  for (int f = 0; f < NB_FIELDS; f++)
+    if (now->kept[f])
+      now->kept[f][c] = old->kept[f][o];
+}
+
 /* The old and the new list are in the same order: one walk along both finds what stays. */
 static void carry_memory(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
   size_t o = 0;
@@ -28,7 +35,9 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
         continue;
       if (now->muted && old->muted)
         now->muted[c] = old->muted[o];
-      if (model->balance)
+      if (model->keeping)
+        carry_all(now, c, old, o);
+      else if (model->balance)
         carry_fields(now, c, old, o);
       nb_memory_copy(&now->normal_memory, c, &old->normal_memory, o);
       nb_memory_copy(&now->shear_memory, c, &old->shear_memory, o);

@@ -35,22 +35,35 @@ double nb_energy_kinetic_half(const struct nb_model *model) {
   return sum;
 }
 
-double nb_energy_stored(const struct nb_model *model) {
+/* Adds to a sum what the springs of contact c hold. */
+static void add_stored(double *sum, const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
+  if (!(contacts->kept[NB_OVERLAP][c] > 0))
+    return;
+  const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+  const struct nb_normal n = {contacts->kept[NB_NORMAL][c], contacts->kept[NB_STIFFNESS][c],
+                              contacts->kept[NB_RADIUS][c], contacts->kept[NB_OVERLAP][c]};
+  const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
+  double room[NB_MEMORY];
+  if (pairing->normal->stored)
+    *sum += pairing->normal->stored(values, n, nb_memory_read(&contacts->normal_memory, c, room));
+  if (pairing->shear && pairing->shear->stored)
+    *sum += pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room));
+}
+
+double nb_energy_stored(const struct nb_model *model) {
   double sum = 0;
-  for (size_t c = 0; c < contacts->count; c++) {
-    if (!(contacts->kept[NB_OVERLAP][c] > 0))
-      continue;
-    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    const struct nb_normal n = {contacts->kept[NB_NORMAL][c], contacts->kept[NB_STIFFNESS][c],
-                                contacts->kept[NB_RADIUS][c], contacts->kept[NB_OVERLAP][c]};
-    const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
-    double room[NB_MEMORY];
-    if (pairing->normal->stored)
-      sum += pairing->normal->stored(values, n, nb_memory_read(&contacts->normal_memory, c, room));
-    if (pairing->shear && pairing->shear->stored)
-      sum += pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room));
-  }
+  for (size_t c = 0; c < model->contacts.count; c++)
+    add_stored(&sum, model, c);
+  return sum;
+}
+
+double nb_energy_of_body(const struct nb_model *model, size_t slot) {
+  const struct nb_incidence *incidence = &model->incidence;
+  double sum =
+      model->bodies.inverse_mass[slot] > 0 ? kinetic_of(&model->bodies, slot, nb_velocity_now(model, slot)) : 0;
+  for (size_t k = incidence->first[slot]; k < incidence->first[slot + 1]; k++)
+    add_stored(&sum, model, (size_t)incidence->entry[k]);
   return sum;
 }
 

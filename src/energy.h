@@ -12,7 +12,8 @@ double nb_energy_kinetic(const struct nb_model *model);      /* of free bodies, 
 double nb_energy_kinetic_half(const struct nb_model *model); /* the same with those of the half step behind, J */
 /* In springs, from the laws' state functions; contacts whose law has none are left out. J */
 double nb_energy_stored(const struct nb_model *model);
-struct nb_vec nb_momentum(const struct nb_model *model); /* of free bodies, kg m/s */
+double nb_energy_of_body(const struct nb_model *model, size_t slot); /* its kinetic energy and that of its springs, J */
+struct nb_vec nb_momentum(const struct nb_model *model);             /* of free bodies, kg m/s */
 double
 nb_momentum_angular(const struct nb_model *model); /* of free bodies about the origin, counterclockwise, kg m2/s */
 
@@ -27,6 +28,7 @@ enum nb_term {
   NB_TERM_SHEAR,      /* work against the shear forces of all laws */
   NB_TERM_UNSTORED,   /* the same of laws that have no stored energy only */
   NB_TERM_CHANGED,    /* put in from outside: `still`, `reverse`, springs that a stage has made stiffer or softer */
+  NB_TERM_REMOVED,    /* kinetic energy of bodies that were taken out, and what their springs held */
   NB_TERMS
 };
 
@@ -42,6 +44,8 @@ void nb_balance_change(struct nb_model *model,
                        bool before);                       /* before and after a stage changes properties in a cycle */
 void nb_balance_forces(struct nb_model *model);            /* after the forces */
 void nb_balance_jump(struct nb_model *model, bool before); /* around what makes velocities jump when a stage begins */
+void nb_balance_remove(struct nb_model *model, bool before);  /* around what takes bodies out; */
+void nb_balance_removed(struct nb_model *model, size_t slot); /* each of them, while all is as it was */
 
 double nb_balance_term(const struct nb_model *model, enum nb_term term); /* at t_N, J */
 double nb_balance_work_residual(const struct nb_model *model);           /* at the half step behind, J */

@@ -47,6 +47,13 @@ void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb
   struct nb_properties before = {0};
   if (stage->still)
     fprintf(out, "    still: all bodies stop\n");
+  for (size_t k = 0; k < stage->removal_count; k++) {
+    const struct nb_removal *it = &stage->removals[k];
+    fprintf(out, "    remove body %zu", it->from + 1);
+    if (it->to > it->from)
+      fprintf(out, " to %zu", it->to + 1);
+    fprintf(out, " (line %d)\n", it->line);
+  }
   if (stage->gravity.line)
     fprintf(out, "    ");
   nb_explain_gravity(out, &stage->gravity, model->scene->unitless ? "" : " m/s2");

@@ -27,6 +27,13 @@ static bool has_spin(const struct nb_scene *scene) {
   return false;
 }
 
+static bool takes_out(const struct nb_scene *scene) {
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].removal_count > 0)
+      return true;
+  return false;
+}
+
 static bool make_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, bool shuffle) {
   const size_t n = bodies->count = scene->body_count;
   double **numbers[] = {&bodies->mass, &bodies->inertia, &bodies->inverse_mass, &bodies->inverse_inertia};
@@ -43,6 +50,8 @@ static bool make_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, 
     made = (bodies->spin = nb_array(n, sizeof(double))) && made;
     made = (bodies->angle = nb_array(n, sizeof(double))) && made;
   }
+  if (takes_out(scene))
+    made = (bodies->gone = nb_array(n, sizeof(bool))) && made;
   if (!made)
     return false;
   for (size_t k = 0; k < n; k++) {
@@ -217,6 +226,7 @@ void nb_model_free(struct nb_model *model) {
                    b->inverse_inertia,
                    b->material,
                    b->searched,
+                   b->gone,
                    w->pivot,
                    w->point,
                    w->along,

@@ -24,6 +24,7 @@ struct nb_bodies {
   double *inverse_mass, *inverse_inertia; /* 0 for what is fixed */
   int *material;
   struct nb_vec *searched; /* where they were at the last search */
+  bool *gone;              /* taken out of the scene (remove.c); NULL where no stage takes any out */
 };
 
 struct nb_walls {
@@ -121,6 +122,7 @@ struct nb_model {
   unsigned kept;   /* set of fields that are kept */
   enum nb_field
       drag;      /* the field that holds the shear force which bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
+  bool keeping;  /* no forces follow the search to come: contacts keep those that they have */
   bool joined;   /* two walls have a common end */
   bool pressed;  /* at the last search some centre was within the skin of a wall: it may cross it before the next one */
   bool dashpots; /* some stage has contact damping */
@@ -155,17 +157,6 @@ struct nb_model {
 
 /* How much a geometry pass has to find out. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_CLOSING, NB_APPROACH_SLIP };
-
-/* memory.c */
-bool nb_memory_create(struct nb_memory *memory, int doubles,
-                      size_t contacts); /* nothing remembered; false: no memory */
-void nb_memory_free(struct nb_memory *memory);
-struct nb_memory nb_memory_from(const struct nb_memory *memory,
-                                size_t first); /* that of the contacts from `first` on */
-void nb_memory_copy(struct nb_memory *to, size_t there, const struct nb_memory *from, size_t here); /* of one contact */
-void nb_memory_forget(struct nb_memory *memory, size_t contact);
-/* What a contact's law would be given, in `room` or where it is. */
-const double *nb_memory_read(const struct nb_memory *memory, size_t contact, double room[NB_MEMORY]);
 
 /* array.c: zeroed and aligned for wide loads; NULL only when memory is out. Freed by free(). */
 void *nb_array(size_t count, size_t size);
@@ -219,6 +210,10 @@ void nb_stage_drive(struct nb_model *model); /* before the motion: velocities of
 /* After it: properties and gravity at the time that has been reached. *searched: contacts have been looked for anew. */
 enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb_error *error);
 
+/* remove.c */
+enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
+bool nb_gone(const struct nb_model *model, size_t slot);
+
 /* stable.c */
 struct nb_load {
   double kn, ks, cn, cs; /* sums over a body's contacts: k_n, k_s R^2, and the same of dashpots */
@@ -268,6 +263,9 @@ struct nb_force {
 struct nb_force nb_force_on(const struct nb_model *model, size_t slot); /* sum over its contacts, N, N m */
 struct nb_state nb_velocity_now(const struct nb_model *model,
                                 size_t slot); /* at t_N: mean of the half steps [CS79 31] */
+
+/* Gives a body what a force and a moment that end at t_N have done until then: its velocities at t_N stay what they were. */
+void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */
 void nb_walls_searched(struct nb_walls *walls); /* remembers where their ends are now */

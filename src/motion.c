@@ -104,6 +104,17 @@ struct nb_state nb_velocity_now(const struct nb_model *model, size_t slot) {
   return (struct nb_state){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
 }
 
+/* v_N = (v- + v+)/2 with v+ = keep v- + push (F/m) dt: a force less is made up for by so much more of v-. */
+void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending) {
+  struct nb_bodies *bodies = &model->bodies;
+  const double dt = model->previous_step;
+  const struct factors f = factors(model, dt);
+  const double time = f.push * dt / (1 + f.keep);
+  bodies->velocity[slot] = vec_add(bodies->velocity[slot], vec_scale(time * bodies->inverse_mass[slot], ending.force));
+  if (bodies->spin)
+    bodies->spin[slot] += time * bodies->inverse_inertia[slot] * ending.moment;
+}
+
 /* A kick by the forces at t_N makes v_(N+1/2) of v_(N-1/2). For it to make -v_(N-1/2), which leads back to x_(N-1), the velocity
  * behind must become -v_(N+1/2). At the start there is none behind: the velocities are those of time 0. */
 void nb_motion_reverse(struct nb_model *model) {

@@ -14,26 +14,17 @@
 
 /* ---- the whole scene ---- */
 
-static double cycle(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
-  return (double)model->cycle;
-}
-static double time_(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
-  return model->time;
-}
-static double step(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
-  return model->step;
-}
-static double critical(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
-  return model->critical;
-}
-static double safe(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
-  return nb_safe_step(model).step;
-}
+#define OF_SCENE(function, expression)                                                                                 \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
+    (void)watch;                                                                                                       \
+    return expression;                                                                                                 \
+  }
+OF_SCENE(cycle, (double)model->cycle)
+OF_SCENE(time_, model->time)
+OF_SCENE(step, model->step)
+OF_SCENE(critical, model->critical)
+OF_SCENE(safe, nb_safe_step(model).step)
+
 static double touching(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
   double count = 0;
@@ -46,11 +37,6 @@ static double unbalance(const struct nb_model *model, const struct nb_watch *wat
   return nb_unbalance(model);
 }
 
-#define OF_SCENE(function, expression)                                                                                 \
-  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
-    (void)watch;                                                                                                       \
-    return expression;                                                                                                 \
-  }
 OF_SCENE(kinetic, nb_energy_kinetic(model))
 OF_SCENE(stored, nb_energy_stored(model))
 OF_SCENE(frictional, nb_balance_term(model, NB_TERM_FRICTIONAL))
@@ -59,6 +45,7 @@ OF_SCENE(damped, nb_balance_term(model, NB_TERM_DAMPED))
 OF_SCENE(by_walls, nb_balance_term(model, NB_TERM_WALLS))
 OF_SCENE(by_gravity, nb_balance_term(model, NB_TERM_GRAVITY))
 OF_SCENE(changed, nb_balance_term(model, NB_TERM_CHANGED))
+OF_SCENE(removed, nb_balance_term(model, NB_TERM_REMOVED))
 OF_SCENE(energy_residual, nb_balance_energy_residual(model))
 OF_SCENE(work_residual, nb_balance_work_residual(model))
 OF_SCENE(momentum_x, nb_momentum(model).x)
@@ -164,8 +151,12 @@ static const struct nb_quantity_kind kinds[] = {
     {"energy.gravity", 0, "J", BALANCE, by_gravity, "supplied by gravity since the start"},
     {"energy.changed", 0, "J", BALANCE, changed,
      "put in by stages: bodies stopped or turned round, loaded springs made stiffer or softer"},
+    {"energy.removed", 0, "J", BALANCE, removed,
+     "carried away by bodies that stages have taken out: their kinetic energy and what the springs of their contacts "
+     "held"},
     {"energy.residual", 0, "J", BALANCE, energy_residual,
-     "kinetic, stored, frictional and damped energy less what there was at first and was supplied: the error of the "
+     "kinetic, stored, frictional, damped and removed energy less what there was at first and was supplied: the error "
+     "of the "
      "step"},
     {"work.residual", 0, "J", NB_ASKS_WORK, work_residual,
      "kinetic energy at the half step less what there was at first and the work of all forces: rounding"},

@@ -122,6 +122,8 @@ static bool near_pair(struct nb_near_pairs *pairs, struct nb_model *model, int i
     return true;
   if (!(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
     return true; /* both are fixed */
+  if (nb_gone(model, (size_t)i) || nb_gone(model, (size_t)j))
+    return true;
   const int a = bodies->number[i] < bodies->number[j] ? i : j, b = a == i ? j : i;
   return pairs_add(pairs, a, b, pairing_of(model, bodies->material[a], bodies->material[b], false));
 }

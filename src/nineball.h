@@ -211,6 +211,12 @@ struct nb_wall_motion {
   int line;
 };
 
+/* `remove disc N`: bodies that are taken out when a stage begins. */
+struct nb_removal {
+  size_t from, to; /* indices of the first and the last one */
+  int line;
+};
+
 enum nb_relation { NB_BELOW, NB_ABOVE };
 struct nb_condition {
   char name[2 * NB_NAME_SIZE]; /* as written */
@@ -243,7 +249,9 @@ struct nb_stage {
   size_t motion_count;
   struct nb_change *changes; /* of materials and pairs; owned by the scene */
   size_t change_count;
-  struct nb_gravity gravity;       /* line 0: as before */
+  struct nb_gravity gravity;   /* line 0: as before */
+  struct nb_removal *removals; /* owned by the scene */
+  size_t removal_count;
   bool still;                      /* it begins with all bodies at rest */
   bool reverse;                    /* it begins with all velocities turned round, of walls too */
   struct nb_condition *conditions; /* all must hold; owned by the scene */

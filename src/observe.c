@@ -118,6 +118,8 @@ static bool see_bodies(struct nb_table *table, const struct nb_model *model, int
   const struct nb_bodies *bodies = &model->bodies;
   for (size_t k = 0; k < bodies->count; k++) {
     const size_t i = (size_t)bodies->slot[k];
+    if (nb_gone(model, i))
+      continue;
     const struct nb_state v = nb_velocity_now(model, i);
     const struct nb_force force = nb_force_on(model, i);
     const double values[COUNT(columns)] = {(double)k + 1,

@@ -26,6 +26,7 @@ void nb_scene_free(struct nb_scene *scene) {
   for (size_t i = 0; i < scene->stage_count; i++) {
     free(scene->stages[i].motions);
     free(scene->stages[i].changes);
+    free(scene->stages[i].removals);
     free(scene->stages[i].conditions);
     free(scene->stages[i].leg.points);
   }

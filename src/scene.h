@@ -9,6 +9,7 @@
  *   scene_step.c    step and damping
  *   scene_stages.c  stages, walls in them, how they end; what is recorded
  *   scene_changes.c what else changes in them: materials, gravity; ramps
+ *   scene_remove.c  bodies that stages take out
  *   scene_laws.c    what laws ask of materials and bodies
  *   scene_place.c   the whole scene mirrored, turned, shifted
  *   scene_path.c    of a path: the contact, its legs
@@ -171,5 +172,6 @@ NB_APPLY(nb_apply_ramp);
 NB_APPLY(nb_apply_contact);
 NB_APPLY(nb_apply_leg);
 NB_APPLY(nb_apply_repeat);
+NB_APPLY(nb_apply_remove);
 
 #endif

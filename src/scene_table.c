@@ -261,6 +261,11 @@ static const struct nb_keyword table[] = {
   {"still", NB_IN_STAGE, nothing, NULL, 0, false, nb_apply_still,
    "All bodies stop at the beginning of this stage; walls do not.",
    "stage     halt\n  still\n  cycles  10"},
+  {"remove", NB_IN_STAGE, nothing, "disc N | discs N to M", 0, false, nb_apply_remove,
+   "Takes bodies out of the scene at the beginning of this stage, with what energy they have. They no longer move, touch "
+   "or weigh anything, and no snapshot shows them; the others keep their numbers. Read from then on, a body that is gone "
+   "is where it was last, with all else 0, and its pairs are 0. Spheres are `sphere N`, `spheres N to M`.",
+   "stage     less\n  remove  disc 8\n  cycles  10"},
   {"reverse", NB_IN_STAGE, nothing, NULL, 1, false, nb_apply_still,
    "All velocities and spins turn round at the beginning of this stage, those of walls too: what has no friction and no "
    "damping goes back the way it came.",

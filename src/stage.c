@@ -152,6 +152,8 @@ static void gravity_begin(struct nb_model *model) {
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   model->stage_time = model->time;
   model->stage_cycle = 0;
+  if (stage->removal_count > 0 && nb_remove(model, stage, error))
+    return error->status;
   walls_arrive(model);
   model->stage = stage;
   if (stage->still)

@@ -36,6 +36,8 @@ void nb_step_lightest(const struct nb_model *model, const struct nb_pairing *pai
   for (int side = 0; side < (pairing->wall ? 1 : 2); side++)
     for (size_t k = 0; k < bodies->count; k++) {
       const int i = bodies->slot[k], least = lightest[side];
+      if (nb_gone(model, (size_t)i))
+        continue;
       if (bodies->material[i] == (side ? pairing->b : pairing->a) && i != lightest[0] &&
           (least < 0 || bodies->inverse_mass[i] > bodies->inverse_mass[least]))
         lightest[side] = i;

@@ -65,6 +65,7 @@ static void work_closes(void) {
     CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nstill\ngravity 1 0\ncycles %d\n", 300, NULL) < 1e-13);
     CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nreverse\ndamping global 2\ncycles %d\n", 300, NULL) <
               1e-13);
+    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nremove discs 5 to 7\ncycles %d\n", 300, NULL) < 1e-13);
     CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nramp material m kn 6000 ks 900\ncycles %d\n", 300,
                    NULL) < 1e-13);
   }
@@ -88,6 +89,9 @@ static void energy_closes(void) {
       {"", PRESS "stage b\nramp material m kn 6000 ks 900\ncycles %d\n"},
       {"", PRESS "stage b\nmaterial m kn 6000 ks 900\ncycles %d\n"},
       {"", PRESS "stage b\nmaterial m friction 0 cohesion 0\ncycles %d\n"},
+      {"", PRESS "stage b\nremove discs 4 to 5\ncycles %d\n"},
+      {"damping contact-beta 0.002\n", PRESS "stage b\nremove discs 4 to 5\ncycles %d\n"},
+      {"damping global 0.7\n", PRESS "stage b\nremove discs 5 to 7\ncycles %d\n"},
   };
   for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++) {
     double coarse, fine;
@@ -99,10 +103,12 @@ static void energy_closes(void) {
 
 static void same_bits(void) {
   double first, other;
-  const double one = busy(&first, "damping contact-beta 0.002\n", 0.002, PRESS "stage b\ncycles %d\n", 300, NULL);
+  const double one =
+      busy(&first, "damping contact-beta 0.002\n", 0.002, PRESS "stage b\nremove disc 4\ncycles %d\n", 300, NULL);
   const struct nb_options options[] = {{.threads = 2}, {.threads = 3, .shuffle = true}, {.threads = 1, .isa = "plain"}};
   for (size_t n = 0; n < sizeof options / sizeof *options; n++) {
-    CU_ASSERT_EQUAL(busy(&other, "damping contact-beta 0.002\n", 0.002, PRESS "stage b\ncycles %d\n", 300, &options[n]),
+    CU_ASSERT_EQUAL(busy(&other, "damping contact-beta 0.002\n", 0.002, PRESS "stage b\nremove disc 4\ncycles %d\n",
+                         300, &options[n]),
                     one);
     CU_ASSERT_EQUAL(other, first);
   }

@@ -1,0 +1,143 @@
+/* Reference: bodies that are taken out, and what they were pressed between.
+ *
+ * First all is at rest or flies freely, pressed or not. What is taken out carries away
+ *
+ *   sum m v^2/2 + I w^2/2     its kinetic energy, v and w of the page, since nothing has changed them
+ *   sum k_n alpha^2/2         what the springs of its contacts hold, each spring once; alpha the overlap at time 0, m
+ *
+ * A body that a wall pressed against one that is gone is then a mass m on the wall's spring, alpha from its rest, at rest:
+ *
+ *   x = x_0 + alpha (1 - cos q t),   v = alpha q sin q t,   q = sqrt(k_n/m),   away from the wall, until q t = pi/2
+ *   v = alpha q, and straight on                            from then on
+ *
+ * Known, when NAME watches such a neighbour:
+ *   energy.removed
+ *   NAME.x, NAME.y           along time
+ *   NAME.vx, NAME.vy         at the end
+ * Exact. A run has the error of its step in NAME, none but rounding in energy.removed.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+static const double pi = 3.14159265358979323846;
+
+static double between(const struct nb_body *a, const struct nb_body *b) {
+  return a->radius + b->radius - hypot(a->x - b->x, a->y - b->y);
+}
+
+/* How far the wall is pressed into the body; the unit normal from the wall to it. */
+static double at_wall(const struct nb_body *body, const struct nb_wall *wall, double normal[2]) {
+  const double dx = body->x - wall->x, dy = body->y - wall->y;
+  const double along = fmin(fmax(dx * wall->ex + dy * wall->ey, wall->h1), wall->h2);
+  const double nx = dx - along * wall->ex, ny = dy - along * wall->ey, away = hypot(nx, ny);
+  normal[0] = nx / away, normal[1] = ny / away;
+  return body->radius - away;
+}
+
+/* The stage that takes a body out; the number of stages when none does. */
+static size_t stage_of(const struct nb_scene *scene, size_t body) {
+  size_t s = 0;
+  for (; s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].removal_count; k++)
+      if (scene->stages[s].removals[k].from <= body && body <= scene->stages[s].removals[k].to)
+        return s;
+  return s;
+}
+
+static double spring(double k, double overlap) { return overlap > 0 ? k * overlap * overlap / 2 : 0; }
+
+static double carried_away(const struct nb_scene *scene) {
+  double sum = 0, normal[2];
+  for (size_t i = 0; i < scene->body_count; i++) {
+    const struct nb_body *a = &scene->bodies[i];
+    const bool gone = stage_of(scene, i) < scene->stage_count;
+    for (size_t j = i + 1; j < scene->body_count; j++)
+      if (gone || stage_of(scene, j) < scene->stage_count)
+        sum += spring(nb_scene_pair(scene, a->material, scene->bodies[j].material).kn, between(a, &scene->bodies[j]));
+    if (!gone)
+      continue;
+    sum +=
+        (nb_body_mass(scene, a) * (a->vx * a->vx + a->vy * a->vy) + nb_body_inertia(scene, a) * a->spin * a->spin) / 2;
+    for (size_t w = 0; w < scene->wall_count; w++)
+      sum +=
+          spring(nb_scene_pair(scene, a->material, scene->walls[w].material).kn, at_wall(a, &scene->walls[w], normal));
+  }
+  return sum;
+}
+
+struct swing {
+  double from, along, overlap, q, begin; /* m, component of the normal, m, 1/s, s */
+};
+
+static double place(const void *data, double time) {
+  const struct swing *it = data;
+  const double t = time - it->begin, angle = it->q * t;
+  if (!(t > 0))
+    return it->from;
+  return it->from + it->along * it->overlap * (angle < pi / 2 ? 1 - cos(angle) : 1 + angle - pi / 2);
+}
+
+/* Between one wall and one body that goes, if it is; then how it swings. */
+static bool pressed(struct swing *swing, double normal[2], const struct nb_scene *scene, const struct nb_body *body,
+                    double end) {
+  size_t walls = 0, bodies = 0;
+  *swing = (struct swing){0};
+  for (size_t j = 0; j < scene->body_count; j++)
+    if (&scene->bodies[j] != body && between(body, &scene->bodies[j]) > 0)
+      bodies += stage_of(scene, j) == 1 ? 1 : 2;
+  for (size_t w = 0; w < scene->wall_count; w++) {
+    double away[2];
+    const double overlap = at_wall(body, &scene->walls[w], away);
+    if (!(overlap > 0))
+      continue;
+    walls++, swing->overlap = overlap, normal[0] = away[0], normal[1] = away[1];
+    swing->q = sqrt(nb_scene_pair(scene, body->material, scene->walls[w].material).kn / nb_body_mass(scene, body));
+  }
+  swing->begin = (double)scene->stages[0].cycles * scene->stages[0].step.value;
+  return walls == 1 && bodies == 1 && swing->q * (end - swing->begin) > pi / 2;
+}
+
+static void tell_place(struct nb_known *known, const struct swing *swing, const char *watch, double from, double along,
+                       const char *axis) {
+  char name[2 * NB_NAME_SIZE];
+  struct swing *mine = malloc(sizeof *mine);
+  if (mine)
+    *mine = *swing, mine->from = from, mine->along = along;
+  snprintf(name, sizeof name, "%s.%s", watch, axis);
+  known_curve(known, name, "time", place, mine);
+  snprintf(name, sizeof name, "%s.v%s", watch, axis);
+  known_value(known, along * swing->overlap * swing->q, name);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_stage *stages = scene->stages;
+  if (scene->stage_count != 2 || stages[0].removal_count || stages[0].step.kind != NB_STEP_TIME ||
+      stages[1].step.kind != NB_STEP_TIME || strcmp(scene->normal, "linear") != 0 || scene->gravity.line ||
+      scene->damping.contact_kind || scene->damping.global_kind)
+    return nb_error_set(error, NB_BAD_USE,
+                        "taken_out wants `normal linear`, two stages of which the second takes bodies out, a step that "
+                        "is a time, and neither gravity nor damping");
+  const double end = (double)stages[0].cycles * stages[0].step.value + (double)stages[1].cycles * stages[1].step.value;
+  known_value(known, carried_away(scene), "energy.removed");
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    struct swing swing;
+    double normal[2] = {0, 0};
+    if (watch->kind != NB_WATCH_BODY || !pressed(&swing, normal, scene, &scene->bodies[watch->a], end))
+      continue;
+    tell_place(known, &swing, watch->name, scene->bodies[watch->a].x, normal[0], "x");
+    tell_place(known, &swing, watch->name, scene->bodies[watch->a].y, normal[1], "y");
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_taken_out = {
+    .name = "taken_out",
+    .title = "bodies taken out of a row at rest: energy from the springs, neighbours on their walls' springs",
+    .source = "-",
+    .know = know,
+};

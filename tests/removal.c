@@ -1,0 +1,193 @@
+/* Bodies that a stage takes out: what they carry away, what the others go on with, and that nothing of them is left.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/model.h"
+#include "suites.h"
+#include "written.h"
+
+#define CLOSE(value, wanted, of) CU_ASSERT_DOUBLE_EQUAL(value, wanted, 1e-14 * (of))
+
+/* Six discs that are pressed, sheared and pulled, two of them fixed; then two of them are taken out, which touch each other. */
+#define BUSY                                                                                                           \
+  "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\nbox 0 0 to 6 4 m\n"       \
+  "discs lattice 3 by 2 m radius 0.98 spacing 1.95 from 1 1\ndisc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin "   \
+  "0.5\ngravity 0.1 -0.4\nstep 0.002\nwatch A disc 1\nwatch B disc 2\nwatch C disc 3\nwatch D disc 4\nwatch E disc "   \
+  "5\nwatch P disc 5 with disc 4\nwatch S disc 1 with disc 2\nwatch V disc 7\n"                                        \
+  "record A.vx A.vy A.spin C.vx C.vy C.spin D.vx D.vy D.spin B.x B.y B.angle E.x B.vx B.vy B.spin B.fx B.moment "      \
+  "P.normal P.shear S.normal P.overlap B.vx.half V.vx energy.kinetic energy.stored energy.frictional energy.shear "    \
+  "energy.damped energy.walls energy.gravity energy.changed energy.removed energy.residual work.residual\n"
+
+enum { KEPT = 13, GONE = 23, ALL = 35 };
+static const char *const names[ALL] = {
+    /* as it was */
+    "A.vx", "A.vy", "A.spin", "C.vx", "C.vy", "C.spin", "D.vx", "D.vy", "D.spin", "B.x", "B.y", "B.angle", "E.x",
+    /* 0 */
+    "B.vx", "B.vy", "B.spin", "B.fx", "B.moment", "P.normal", "P.shear", "S.normal", "P.overlap", "B.vx.half",
+    /* and what else there is */
+    "V.vx", "energy.kinetic", "energy.stored", "energy.frictional", "energy.shear", "energy.damped", "energy.walls",
+    "energy.gravity", "energy.changed", "energy.removed", "energy.residual", "work.residual"};
+enum { KINETIC = 24, STORED, FRICTIONAL, CHANGED = 31, REMOVED, RESIDUAL, WORK };
+
+static void see(double values[ALL], const struct nb_model *model) {
+  for (int k = 0; k < ALL; k++)
+    values[k] = written_now(model, names[k]);
+}
+
+static const char *const dampings[] = {"",
+                                       "damping contact-beta 0.002\n",
+                                       "damping global 0.7\n",
+                                       "damping con1 0.98 reading cs79\n",
+                                       "damping con1 0.98 reading velocity\n",
+                                       "damping con1 0.97 reading all\n"};
+
+/* Before the stage and after it has begun: all is read as it was but for what is gone. */
+static void at_the_moment(void) {
+  for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    double before[ALL], after[ALL];
+    words_add(&page,
+              BUSY "%sstage a\nwall west velocity 0.2 0.1\ncycles 300\nstage b\nremove discs 2 to 2\nremove disc 5\n"
+                   "cycles 10\n",
+              dampings[n]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 300);
+    see(before, model);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    see(after, model);
+    for (int k = 0; k < KEPT; k++)
+      CLOSE(after[k], before[k], 1);
+    for (int k = KEPT; k < GONE; k++) {
+      CU_ASSERT_NOT_EQUAL(before[k], 0);
+      CU_ASSERT_EQUAL(after[k], 0);
+    }
+    CU_ASSERT_EQUAL(after[GONE], before[GONE]); /* what is fixed goes on */
+    const double level = before[KINETIC] + before[STORED];
+    for (int k = FRICTIONAL; k <= CHANGED; k++)
+      CLOSE(after[k], before[k], level);
+    CU_ASSERT_EQUAL(before[REMOVED], 0);
+    CU_ASSERT(after[REMOVED] > 0.01 * level);
+    CLOSE(after[REMOVED], level - after[KINETIC] - after[STORED], level);
+    CLOSE(after[RESIDUAL], before[RESIDUAL], level);
+    CLOSE(after[WORK], before[WORK], level);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* What is taken out at time 0 has never been there: the same bits. With 7 bodies and with 37, which are sought in cells. */
+static void never_there(void) {
+  for (int many = 0; many < 2; many++) {
+    double seen[2][4];
+    for (int with = 0; with < 2; with++) {
+      struct words page = {0};
+      struct written it;
+      struct nb_result result;
+      const struct nb_options options = {.threads = 1, .shuffle = with && many};
+      words_add(&page, "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3\nshear linear\nskin 0.1\n"
+                       "box 0 0 to 12 12 m\ngravity 0.1 -0.4\n");
+      words_add(&page, many ? "discs lattice 6 by 6 m radius 0.98 spacing 1.97 from 1 1\n"
+                            : "discs lattice 3 by 2 m radius 0.98 spacing 1.95 from 1 1\n");
+      if (with)
+        words_add(&page, "disc 2.5 4.4 radius 1.7 m spin 3 velocity 0 -1\n");
+      words_add(&page,
+                "watch A disc 2\nwatch S wall south\nrecord A.x A.vy A.angle S.fy energy.removed\nstep 0.002\n"
+                "stage a\n%scycles 300\n",
+                with ? many ? "remove disc 37\n" : "remove disc 7\n" : "");
+      written_scene(&it, &page);
+      written_run(&result, &it, &options);
+      static const char *const columns[] = {"A.x", "A.vy", "A.angle", "S.fy"};
+      for (int k = 0; k < 4; k++)
+        seen[with][k] = written_last(&result, columns[k]);
+      CU_ASSERT_EQUAL(written_last(&result, "energy.removed") > 0, with);
+      nb_result_free(&result);
+      written_free(&it);
+    }
+    for (int k = 0; k < 4; k++)
+      CU_ASSERT_EQUAL(seen[0][k], seen[1][k]);
+  }
+}
+
+/* Through the place of one that is gone, and of one that was fixed there, long after; no snapshot shows them. */
+static void nothing_in_the_way(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\ndisc 10 0 radius 2 m\n"
+                   "disc 20 0 radius 2 m fixed velocity 0 1\ndisc 20 9 radius 1 m\nwatch A disc 1\nwatch C disc 3\n"
+                   "record A.x C.y C.vy\nstep 0.25\nstage a\ncycles 4\nsnapshot\nstage b\nremove discs 2 to 3\n"
+                   "cycles 116\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(written_last(&result, "A.x"), 30);
+  CU_ASSERT_EQUAL(written_last(&result, "C.y"), 1);
+  CU_ASSERT_EQUAL(written_last(&result, "C.vy"), 0);
+  CU_ASSERT_EQUAL_FATAL(result.snapshot_count, 2);
+  CU_ASSERT_EQUAL(result.snapshots[0].bodies.row_count, 4);
+  const struct nb_table *bodies = &result.snapshots[1].bodies;
+  CU_ASSERT_EQUAL_FATAL(bodies->row_count, 2);
+  CU_ASSERT_EQUAL(bodies->values[0], 1);
+  CU_ASSERT_EQUAL(bodies->values[bodies->column_count], 4); /* it keeps its number */
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* Steps as shares of something count what is left; it may go together with the other jumps of a stage. */
+static void with_what_is_left(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 9\nmaterial light density 0.25 kn 9\ndisc 0 0 radius 1 m\n"
+                   "disc 9 0 radius 1 m\ndisc 18 0 radius 0.5 light\nrecord step step.critical energy.removed\n"
+                   "step 0.5 of contact\nstage a\ncycles 1\nstage b\nremove disc 3\nstep 0.5 of contact\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double pi = 3.14159265358979323846;
+  CLOSE(written_last(&result, "step"), 0.5 * pi * sqrt(pi / 2 / 9), 1);
+  CLOSE(written_last(&result, "step.critical"), 2 * sqrt(pi / 9), 1);
+  CU_ASSERT_EQUAL(written_last(&result, "energy.removed"), 0);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+static void with_other_jumps(void) {
+  static const char *const jumps[] = {"still\n", "reverse\n", "gravity 1 0\n", "material m kn 6000 ks 900\n"};
+  for (size_t n = 0; n < sizeof jumps / sizeof *jumps; n++) {
+    double residual[2], work[2], removed[2];
+    for (int fine = 0; fine < 2; fine++) {
+      struct words page = {0};
+      struct written it;
+      struct nb_result result;
+      words_add(&page,
+                BUSY "stage a\nstep %g\nwall west velocity 0.2 0.1\ncycles %d\nstage b\n%sremove disc 5\n"
+                     "cycles %d\n",
+                fine ? 0.0001 : 0.0016, fine ? 6400 : 400, jumps[n], fine ? 6400 : 400);
+      written_scene(&it, &page);
+      written_run(&result, &it, NULL);
+      residual[fine] = fabs(written_last(&result, "energy.residual"));
+      work[fine] = fabs(written_last(&result, "work.residual"));
+      removed[fine] = written_last(&result, "energy.removed");
+      nb_result_free(&result);
+      written_free(&it);
+    }
+    CU_ASSERT(residual[1] < residual[0] / 8);
+    CU_ASSERT(work[0] < 1e-11 && work[1] < 1e-11);
+    CU_ASSERT(removed[0] > 0 && fabs(removed[0] - removed[1]) < 0.01 * removed[1]);
+  }
+}
+
+void suite_removal(void) {
+  CU_pSuite suite = CU_add_suite("removal", NULL, NULL);
+  CU_add_test(suite, "the moment", at_the_moment);
+  CU_add_test(suite, "never there", never_there);
+  CU_add_test(suite, "nothing in the way", nothing_in_the_way);
+  CU_add_test(suite, "what is left", with_what_is_left);
+  CU_add_test(suite, "other jumps", with_other_jumps);
+}
