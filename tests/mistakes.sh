@@ -136,8 +136,6 @@ result $? 'a page that is not there'
 
 # What cannot be brought about here: memory that runs out; and what the program itself says of a --set without `=`.
 unheard='^there is not enough memory|^expected NAME=VALUE'
-# What only laws to come can bring about: no law in the register is of elastic spheres and of shear, or keeps pieces.
-unheard="$unheard"'|^expected 2 to %d pieces|^expected a normal law of elastic spheres'
 
 # A text of the sources as a pattern: % and what belongs to it stands for anything.
 as_pattern() {
