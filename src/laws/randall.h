@@ -1,0 +1,38 @@
+/* What shear_randall.c and shear_randall_literal.c share: the increment and the share of the circle that sticks.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_RANDALL_H
+#define NB_RANDALL_H
+
+#include <stdint.h>
+#include <string.h>
+
+#include "law.h"
+
+/* x^(1/3), within two units of the last place. From + - x / alone, so its bits are the same everywhere; those of the library's
+ * cbrt are not, as it need not round correctly. A guess by the exponent, off by 3 % at most; Halley's step makes of an error
+ * e one of (2/3) e^3. */
+static inline double cube_root(double x) {
+  const double size = fabs(x);
+  uint64_t bits;
+  double y;
+  memcpy(&bits, &size, sizeof bits);
+  bits = bits / 3 + 0x2a9f7893782da1ceu;
+  memcpy(&y, &bits, sizeof y);
+  for (int k = 0; k < 3; k++)
+    y *= (y * y * y + 2 * size) / (2 * (y * y * y) + size);
+  return size > 0 ? copysign(y, x) : 0;
+}
+
+/* theta = c/a, c the front of slip, for which T has changed by `force` since it began to go this way: [R89 4.22] from T = 0,
+ * times 1; [R89 4.23, 4.24] from a reversal, times 2. Forces are those before the step, limit = mu N the one after it. */
+static inline double stuck_share(double force, double times, double rise, double limit) {
+  return cube_root(1 - (force + times * rise) / (times * limit));
+}
+
+/* dT [R89 4.15], which is [R89 3.94]; cdf the sense of the loading, ufl = -1 in unloading, rise = mu dN, push = 8 G* a ds. */
+static inline double increment(double theta, double push, double rise, double cdf, double ufl) {
+  return cdf * (theta * (push * cdf - rise * ufl) + rise * ufl);
+}
+
+#endif

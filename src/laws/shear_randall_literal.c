@@ -1,0 +1,114 @@
+/* R89's law as the text of FORD and THETA has it, so that what is wrong with it can be seen; to compute with, take
+ * shear_randall.c, where the symbols are.
+ *
+ *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL)                         [R89 4.15]
+ *
+ * As it stands: T* and T** are 0 while they have no value, are set after dT has been worked out and are not moved by the dN
+ * of that step; UFL = -1 in re-unloading too; theta of reloading has T*, not T** [R89 4.24], and nothing keeps any theta below
+ * 1; the critical slip has mu twice; DD loses |ds_c| in any step in which N falls [R89 4.18], grows with |ds| in
+ * unloading and never starts anew.
+ *
+ * What cannot be coded as it stands, or is not said:
+ *
+ *   - chapter 3 knows positive forces only. Sliding is |T| > mu N, with the sign of T; slip compared with ds_c + DD is ds CDF.
+ *   - CDF of a contact without T*, T and T**: the sense of ds.
+ *   - Virgin loading is re-established where |T| >= |T*|, by which THETA tells it from reloading; T** goes where T CDF <= T** CDF.
+ *   - theta of a negative number is the negative root, and what comes of it is cut at mu N.
+ *
+ * Source     [R89 4.15-4.25], FORD and THETA.
+ * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and hardly elsewhere.
+ * Remembers  m[0..4]  N of the step before, 0: nothing yet; T, T*, T**, N; DD, m.
+ * Gains      energy, from the first round on: around the square of shear_randall.c 0.0067, then 0.0113 mu N A in each.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "randall.h"
+
+struct history {
+  double n, t, star, star2, deficit;
+};
+
+static inline double sign(double x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
+
+/* Of this contact, which is said to be either in loading (1), unloading (2) or reloading (3): the flag THE1, and UFL. */
+static inline int the1_of(const struct history *h, double cdf, double slip, double *ufl) {
+  const bool on = slip * cdf > 0;
+  *ufl = on ? 1 : -1;
+  if (on)
+    return fabs(h->t) < fabs(h->star) ? 3 : 1;
+  return h->star2 != 0 && h->t * cdf > h->star2 * cdf ? 3 : 2;
+}
+
+static inline double theta(const struct history *h, int the1, double cdf, double rise, double limit) {
+  switch (the1) {
+  case 1:
+    return stuck_share(h->t * cdf, 1, rise, limit); /* 4.22 */
+  case 2:
+    return stuck_share((h->star - h->t) * cdf, 2, rise, limit); /* 4.23 */
+  case 3:
+    return stuck_share((h->t - h->star) * cdf, 2, rise, limit); /* 4.24 */
+  }
+  return 1; /* 4.25 */
+}
+
+/* FORD, from the direction of loading to the test for load reversals; answers dT/ds. */
+static inline double move(struct history *h, double slip, double stiffness, double rise, double limit, double mu,
+                          bool *reversed) {
+  const double cdf = h->star != 0 ? sign(h->star) : h->t != 0 ? sign(h->t) : sign(slip);
+  const double critical = rise / stiffness; /* 4.16 */
+  double ufl;
+  int the1 = the1_of(h, cdf, slip, &ufl);
+  if (rise > 0 && slip * cdf < mu * critical + h->deficit)
+    the1 = 4;
+  const double share = theta(h, the1, cdf, rise, limit), before = h->t;
+  const double dt = increment(share, stiffness * slip, rise, cdf, ufl);
+  if (rise < 0)
+    h->deficit += critical; /* 4.18 */
+  else if (dt * cdf < rise || h->deficit > 0)
+    h->deficit += critical - slip * cdf; /* 4.17 */
+  const bool unloads = slip * cdf < 0 && h->star == 0 && h->star2 == 0;
+  const bool reloads = slip * cdf > 0 && h->star != 0 && h->star2 == 0;
+  if (unloads)
+    h->star = before;
+  if (reloads)
+    h->star2 = before;
+  h->t += dt;
+  *reversed = unloads || reloads;
+  return share * stiffness;
+}
+
+static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+  struct history h = {0};
+  if (m[0] > 0)
+    memcpy(&h, m, sizeof h);
+  const double limit = p.friction * n.force, rise = p.friction * (n.force - h.n);
+  double stiffness = 8 * p.shear * n.radius;
+  bool reversed = false;
+  if (slip != 0 && limit > 0)
+    stiffness = move(&h, slip, stiffness, rise, limit, p.friction, &reversed);
+  const bool slides = limit > 0 ? !(fabs(h.t) <= limit) : slip != 0;
+  if (slides)
+    h.t = copysign(limit, h.t);
+  const double cdf = sign(h.star);
+  if (h.star != 0 && !reversed)
+    h.star += cdf * rise; /* 4.20 */
+  if (h.star2 != 0 && !reversed)
+    h.star2 -= cdf * rise; /* 4.21 */
+  if (h.star != 0 && fabs(h.t) >= fabs(h.star))
+    h.star = h.star2 = 0;
+  if (h.star2 != 0 && h.t * cdf <= h.star2 * cdf)
+    h.star2 = 0;
+  h.n = n.force;
+  memcpy(m, &h, sizeof h);
+  return (struct nb_shear){.force = h.t, .stiffness = stiffness, .sliding = slides};
+}
+
+#define LAW shear_randall_literal
+#define SHEAR
+#define ELASTIC
+#define BRANCHING
+#define COHESIONLESS
+#define GAINS
+#define TITLE "elastic spheres, R89's FORD and THETA as the text stands, for comparison"
+#define SOURCE "[R89 4.15-4.25]"
+#define MEMORY 5
+#include "law_batch.h"

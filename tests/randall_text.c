@@ -1,0 +1,104 @@
+/* R89's FORD and THETA as the text stands, beside the best reading: what differs, as numbers. And what both laws are made of.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <float.h>
+
+#include "../src/laws/randall.h"
+#include "chance.h"
+#include "spheres.h"
+#include "suites.h"
+
+/* theta of the step behind. */
+static double theta_of(const struct contact *it) { return it->s.stiffness / (8 * G * sqrt(R * it->overlap)); }
+
+static void text_as_it_stands(void) {
+  const double a = slope() * deep(N), h = 1e-4 * a;
+  struct contact text = contact_of("randall_literal"), best = contact_of("randall");
+  struct contact *both[] = {&text, &best};
+  for (int k = 0; k < 2; k++) {
+    go(both[k], deep(N), 0);
+    lead(both[k], deep(N), 0.7 * a, 2000);
+  }
+  CU_ASSERT(fabs(text.s.force - best.s.force) == 0); /* virgin loading at constant N is the same */
+  const double t = text.s.force / (mu * N);
+  go(&text, deep(N), -h), go(&best, deep(N), -h);
+  CU_ASSERT(fabs(theta_of(&text) - cbrt(1 + t / 2)) < 1e-12 &&
+            fabs(theta_of(&text) - 1.1234) < 1e-4); /* T* has no value yet */
+  CU_ASSERT_EQUAL(theta_of(&best), 1);
+  for (int k = 0; k < 2; k++) {
+    lead(both[k], deep(N), -0.6 * a, 2000);
+    go(both[k], deep(N), h);
+  }
+  const double back = (text.m[2] - text.m[3]) / (mu * N); /* T* - T** */
+  CU_ASSERT(fabs(theta_of(&text) - cbrt(1 + back / 2)) < 1e-12 &&
+            fabs(theta_of(&text) - 1.1225) < 1e-4); /* T* for T** in 4.24 */
+  CU_ASSERT_EQUAL(theta_of(&best), 1);
+}
+
+/* While N falls 4.18 takes |ds_c| from DD; the contact, which has no ring that sticks, lacks nothing. So much short of
+ * nothing, the next rise of N lets slip begin where the new ring still sticks. */
+static void text_counts_what_falls(void) {
+  struct contact text = contact_of("randall_literal"), best = contact_of("randall");
+  const double a = slope() * deep(N);
+  go(&text, deep(N), 0), go(&best, deep(N), 0);
+  lead(&text, deep(0.8 * N), 0.5 * a, 100), lead(&best, deep(0.8 * N), 0.5 * a, 100);
+  CU_ASSERT(fabs(text.m[4] / a + 0.1383) < 1e-4 && best.m[4] == 0);
+}
+
+/* Up to 2 N, out by `way` times A, down to N and back: the work of T in that round, as a share of mu N A. */
+static double square(struct contact *it, double way) {
+  const double a = slope() * deep(N), before = it->work;
+  lead(it, deep(2 * N), 0, 2000), lead(it, deep(2 * N), way * a, 2000);
+  lead(it, deep(N), 0, 2000), lead(it, deep(N), -way * a, 2000);
+  return (it->work - before) / (mu * N * a);
+}
+
+/* What both declare with GAINS, measured: the best reading gains from the second round on, the text at once. */
+static void energy_from_nothing(void) {
+  struct contact best = contact_of("randall"), text = contact_of("randall_literal");
+  go(&best, deep(N), 0), go(&text, deep(N), 0);
+  CU_ASSERT(fabs(square(&best, 0.2) - 0.0096) < 1e-4 && fabs(square(&best, 0.2) + 0.0074) < 1e-4);
+  CU_ASSERT(fabs(square(&text, 0.2) + 0.0067) < 1e-4 && fabs(square(&text, 0.2) + 0.0113) < 1e-4);
+  struct contact more = contact_of("randall_literal");
+  go(&more, deep(N), 0);
+  CU_ASSERT(square(&more, 0.4) < 0 && fabs(square(&more, 0.4) + 0.0471) < 1e-4);
+}
+
+/* ---- what both are made of ---- */
+
+static void cube_root_is_close(void) {
+  struct chance chance = chance_begin(5);
+  double most = 0;
+  for (int k = 0; k < 100000; k++) {
+    const double x = chance_scale(&chance, k % 2 ? 1e-300 : 1e-3, k % 2 ? 1e300 : 2), y = cbrt(x);
+    most = fmax(most, fabs(cube_root(x) - y) / y);
+    CU_ASSERT(cube_root(-x) == -cube_root(x));
+  }
+  CU_ASSERT(most < 4 * DBL_EPSILON && cube_root(0) == 0 && cube_root(1) == 1 && cube_root(8) == 2);
+}
+
+/* The first touch may be square: with nothing remembered but N, slip begins with all of the circle stuck. */
+static void touching_squarely_is_remembered(void) {
+  static const char *const laws[] = {"randall", "randall_literal"};
+  for (int k = 0; k < 2; k++) {
+    struct contact it = contact_of(laws[k]);
+    for (int j = 1; j < 8; j++)
+      it.m[j] = 1e9; /* what was there: only m[0] = 0 counts */
+    const double a = slope() * deep(N);
+    go(&it, deep(N), 0);
+    CU_ASSERT(it.s.force == 0 && it.s.sliding == 0 && it.m[0] > 0);
+    lead(&it, deep(2 * N), 0, 10);
+    CU_ASSERT_EQUAL(it.s.force, 0);
+    go(&it, deep(2 * N), 1e-6 * a);
+    CU_ASSERT(fabs(it.s.force / (8 * G * sqrt(R * deep(2 * N)) * 1e-6 * a) - 1) < 1e-12);
+  }
+}
+
+void suite_randall_text(void) {
+  CU_pSuite suite = CU_add_suite("randall_text", NULL, NULL);
+  CU_add_test(suite, "theta of first steps", text_as_it_stands);
+  CU_add_test(suite, "DD while N falls", text_counts_what_falls);
+  CU_add_test(suite, "energy from nothing", energy_from_nothing);
+  CU_add_test(suite, "the cube root", cube_root_is_close);
+  CU_add_test(suite, "touching squarely is remembered", touching_squarely_is_remembered);
+}

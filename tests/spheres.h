@@ -1,0 +1,52 @@
+/* A contact of two steel spheres under a shear law alone, Hertz's force given.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_SPHERES_H
+#define NB_SPHERES_H
+
+#include <CUnit/CUnit.h>
+
+#include "../src/laws/law.h"
+
+/* Two steel spheres of 10 mm, 88 N, nu = 0.3 [R89 figure 5.3]; mu only scales what is seen here. */
+static const double E = 210e9 / (2 * 0.91), G = 210e9 / 2.6 / (2 * 1.7), R = 5e-3, N = 88, mu = 0.2;
+
+/* The overlap of a normal force, and the force of an overlap: Hertz's. */
+static inline double deep(double n) { return pow(0.75 * n / (E * sqrt(R)), 2. / 3); }
+static inline double press(double x) { return x > 0 ? 4. / 3 * E * sqrt(R) * x * sqrt(x) : 0; }
+static inline double slope(void) { return mu * E / (4 * G); } /* mu kappa */
+
+/* A leg of a path: to this share of the overlap at N, and slip in units of A = mu kappa alpha at N. */
+struct leg {
+  double alpha, slip;
+};
+
+struct contact {
+  const struct nb_law *law;
+  struct nb_pair pair;
+  double overlap, m[320], work; /* work: of T, by the mean force of each step, J */
+  struct nb_shear s;
+};
+
+static inline struct contact contact_of(const char *law) {
+  struct contact it = {.law = nb_law_find("shear", law), .pair = {.young = E, .shear = G, .radius = R, .friction = mu}};
+  it.pair.pieces = it.law->pieces;
+  CU_ASSERT_FATAL(nb_law_memory(it.law, it.pair) <= (int)(sizeof it.m / sizeof *it.m));
+  return it;
+}
+
+static inline void go(struct contact *it, double overlap, double slip) {
+  const double before = it->s.force;
+  const struct nb_normal n = {press(overlap), 2 * E * sqrt(R * overlap), sqrt(R * overlap), overlap};
+  it->overlap = overlap;
+  it->s = it->law->shear(it->pair, n, slip, it->m);
+  it->work += (before + it->s.force) / 2 * slip;
+}
+
+static inline void lead(struct contact *it, double overlap, double slip, int steps) {
+  const double from = it->overlap;
+  for (int k = 1; k <= steps; k++)
+    go(it, from + (overlap - from) * k / steps, slip / steps);
+}
+
+#endif
