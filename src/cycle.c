@@ -10,6 +10,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
+#include "step.h"
 
 static void forces_of_block(const struct nb_model *model, const struct nb_view *view) {
   const struct nb_pairing *pairing = view->pairing;

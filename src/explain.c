@@ -6,6 +6,7 @@
 
 #include "balance.h"
 #include "explain.h"
+#include "step.h"
 
 static const char *const isa_names[] = {"plain", "avx2", "avx512"};
 
@@ -82,6 +83,14 @@ static void explain_meeting(FILE *out, const struct nb_model *model, const char 
   fprintf(out, " at %g%s\n", meeting.speed, model->scene->unitless ? "" : " m/s");
 }
 
+static void explain_rayleigh(FILE *out, const struct nb_model *model, const char *unit) {
+  const double smallest = nb_step_rayleigh(model, false, false), mean = nb_step_rayleigh(model, false, true);
+  if (smallest < INFINITY)
+    fprintf(out,
+            "  rayleigh, a wave's time half round a sphere: smallest %g%s, mean %g%s; the step is %g and %g of it\n",
+            smallest, unit, mean, unit, model->step / smallest, model->step / mean);
+}
+
 static void explain_step(FILE *out, const struct nb_model *model) {
   const struct nb_step *step = &model->scene->stages[0].step;
   const char *unit = model->scene->unitless ? "" : " s";
@@ -102,6 +111,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
             model->step / contact);
   else
     explain_meeting(out, model, unit);
+  explain_rayleigh(out, model, unit);
 }
 
 static double now(void) {

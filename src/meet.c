@@ -22,7 +22,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
-#include "model.h"
+#include "step.h"
 
 static const double swing = 2.9432751843247047; /* c: written out, since not all libraries round tgamma alike */
 

@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
+#include "step.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -214,43 +214,6 @@ enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb
 enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
 bool nb_gone(const struct nb_model *model, size_t slot);
 
-/* stable.c */
-struct nb_load {
-  double kn, ks, cn, cs; /* sums over a body's contacts: k_n, k_s R^2, and the same of dashpots */
-};
-/* The largest step that is sure to be stable with the contacts and the damping of now, and which contact sets it. */
-struct nb_safe {
-  double step;                      /* s; infinite when nothing can vibrate */
-  int a, b;                         /* slots, b a wall where the pairing is with walls; b or both -1: nothing is near */
-  bool turning;                     /* its shear and spin set it, not its normal motion */
-  const struct nb_pairing *pairing; /* of that contact */
-};
-struct nb_safe nb_safe_step(const struct nb_model *model);
-double nb_overlap(const struct nb_model *model,
-                  size_t contact); /* of positions as they are; < 0 where they are apart, m */
-/* "turning of body 5 at wall east" */
-void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe);
-/* NB_BROKEN when the step is above that, unless the page allows it. */
-enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
-enum nb_status nb_stable_watch(const struct nb_model *model, struct nb_error *error);
-
-/* meet.c: of elastic spheres, what meets for the shortest time when all go straight on */
-struct nb_meeting {
-  double duration, speed; /* s; infinite when nothing meets; closing at touch, m/s */
-  int a, b;               /* slots, b a wall where */
-  bool wall;
-};
-struct nb_meeting nb_meeting_shortest(const struct nb_model *model);
-
-/* step.c */
-bool nb_step_elastic(const struct nb_model *model);   /* the normal law is one of elastic spheres */
-bool nb_step_pressed(const struct nb_model *model);   /* some of them are, by more than rounding */
-double nb_step_contact(const struct nb_model *model); /* duration of the shortest contact there can be, s */
-double nb_step_critical(const struct nb_model *model);
-/* Slots of the lightest bodies of the two materials of a pairing; -1 where there is none, or the second is a wall. */
-void nb_step_lightest(const struct nb_model *model, const struct nb_pairing *pairing, int lightest[2]);
-enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error);
-
 /* motion.c */
 /* Both answer how many bodies or walls are farther from where the last search found them than half the skin, or nowhere. */
 int nb_motion_part(struct nb_model *model, int part, int parts);

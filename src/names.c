@@ -21,9 +21,6 @@
   }
 OF_SCENE(cycle, (double)model->cycle)
 OF_SCENE(time_, model->time)
-OF_SCENE(step, model->step)
-OF_SCENE(critical, model->critical)
-OF_SCENE(safe, nb_safe_step(model).step)
 
 static double touching(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
@@ -133,9 +130,6 @@ enum { BODY = 1 << NB_WATCH_BODY, WALL = 1 << NB_WATCH_WALL, PAIR = 1 << NB_WATC
 static const struct nb_quantity_kind kinds[] = {
     {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
     {"time", 0, "s", 0, time_, "time since the start"},
-    {"step", 0, "s", 0, step, "the time step"},
-    {"step.critical", 0, "s", 0, critical, "2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion]"},
-    {"step.safe", 0, "s", 0, safe, "the largest step sure to be stable with the contacts and the damping of now"},
     {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching, "how many contacts touch"},
     {"unbalance", 0, "1", 0, unbalance,
      "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]"},
@@ -191,12 +185,17 @@ static const struct nb_quantity_kind kinds[] = {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* The rows one after the other, those of impact.c and of the bench behind these; NULL past the last one. */
+/* The rows one after the other, those of other files behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
-  size_t impacts = 0;
-  while (nb_impact_kinds[impacts].name)
-    impacts++;
-  return k < KINDS ? &kinds[k] : k < KINDS + impacts ? &nb_impact_kinds[k - KINDS] : nb_bench_row(k - KINDS - impacts);
+  static const struct nb_quantity_kind *const others[] = {nb_step_kinds, nb_impact_kinds};
+  if (k < KINDS)
+    return &kinds[k];
+  k -= KINDS;
+  for (size_t o = 0; o < sizeof others / sizeof *others; o++)
+    for (const struct nb_quantity_kind *kind = others[o]; kind->name; kind++, k--)
+      if (k == 0)
+        return kind;
+  return nb_bench_row(k);
 }
 
 /* Whether such a quantity is one of watch w, -1: of the whole scene. */

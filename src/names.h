@@ -18,7 +18,9 @@ struct nb_quantity_kind {
 #define NB_OF_IMPACT (1u << 31)
 #define NB_OF_BENCH (1u << 30) /* of a path's contact */
 
-extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c; the last row has no name */
+/* The last row of each has no name. */
+extern const struct nb_quantity_kind nb_step_kinds[];   /* step_kinds.c */
+extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c */
 
 /* bench_names.c: their values are asked for by nb_quantity_on_bench; NULL past the last one. */
 const struct nb_quantity_kind *nb_bench_row(size_t k);

@@ -15,7 +15,13 @@ static bool take_share_of(struct nb_reader *reader, enum nb_step_kind *kind) {
   static const struct {
     const char *word;
     enum nb_step_kind kind;
-  } steps[] = {{"critical", NB_STEP_CRITICAL}, {"safe", NB_STEP_SAFE}, {"contact", NB_STEP_CONTACT}};
+  } steps[] = {{"critical", NB_STEP_CRITICAL},
+               {"safe", NB_STEP_SAFE},
+               {"contact", NB_STEP_CONTACT},
+               {"rayleigh", NB_STEP_RAYLEIGH},
+               {"rayleigh-mean", NB_STEP_RAYLEIGH_MEAN},
+               {"rayleigh-fit", NB_STEP_RAYLEIGH_FIT},
+               {"rayleigh-fit-mean", NB_STEP_RAYLEIGH_FIT_MEAN}};
   const struct nb_token *token = nb_token_peek(reader);
   char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
@@ -26,7 +32,8 @@ static bool take_share_of(struct nb_reader *reader, enum nb_step_kind *kind) {
     }
     nb_guess_offer(&guess, steps[i].word);
   }
-  nb_expected(reader, nb_guess_hint(&guess, hint), "`critical`, `safe` or `contact`");
+  nb_expected(reader, nb_guess_hint(&guess, hint),
+              "`safe`, `contact`, `critical`, `rayleigh`, `rayleigh-mean`, `rayleigh-fit` or `rayleigh-fit-mean`");
   return false;
 }
 

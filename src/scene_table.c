@@ -214,11 +214,12 @@ static const struct nb_keyword table[] = {
    "First it is mirrored, then turned about the origin, then shifted. The physics stays the same, the directions that "
    "are recorded do not.",
    "place     mirror none  turn 0 deg  shift 0.5 m 0 m"},
-  {"step", NB_IN_SCENE | NB_IN_STAGE, nothing, "TIME | F of safe | F of critical | F of contact | N per contact", 0, false, nb_apply_step,
+  {"step", NB_IN_SCENE | NB_IN_STAGE, nothing, "TIME | N per contact | F of contact|safe|critical|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, nb_apply_step,
    "How long a cycle is: a time, or a share of what is sure to be stable as a stage begins, of 2 sqrt(m/k) [CS79, "
    "Motion], or of the duration of the shortest contact there can be; no default. `N per contact` is the N-th part of that. "
    "Elastic spheres meet for Hertz's time, which goes with their speed: of those that would meet if all went straight on "
-   "from there. In a stage: from this stage on. --set step=... overrides it everywhere.",
+   "from there. `rayleigh` is a surface wave's time half round the smallest sphere, `rayleigh-mean` round the mean one, "
+   "with `-fit` by R89's fit of its speed [R89 4.33, 4.34]. In a stage: from this stage on. --set step=... overrides it everywhere.",
    "step      0.1 of critical"},
   {"allow", NB_IN_SCENE | NB_IN_STAGE, nothing, "unstable", 0, false, nb_apply_allow,
    "Lets a run go on whose step is above what is sure to be stable; else it stops there. In a stage: in this one only.",

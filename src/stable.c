@@ -37,7 +37,7 @@
 #include <float.h>
 #include <string.h>
 
-#include "model.h"
+#include "step.h"
 
 /* A contact's springs, N/m, and dashpots, N s/m. */
 struct stiff {
@@ -104,8 +104,8 @@ static struct stiff stiff_of(const struct nb_model *model, size_t c) {
     const int doubles = memory->doubles > NB_MEMORY ? memory->doubles : NB_MEMORY;
     memcpy(to, nb_memory_read(memory, c, room), (size_t)doubles * sizeof *to);
   }
-  const double overlap = nb_overlap(model, c);
-  return stiff_at(model, pairing, overlap > just ? overlap : just, inverse_mass(model, c, pairing->wall),
+  const double overlap = nb_overlap(model, c), least = pairing->normal->elastic ? 0 : just;
+  return stiff_at(model, pairing, overlap > least ? overlap : least, inverse_mass(model, c, pairing->wall),
                   nb_contacts_values(model, c, pairing->coming).radius, normal_memory, shear_memory);
 }
 
@@ -193,6 +193,8 @@ static struct nb_safe alone(const struct nb_model *model, double limit) {
         inverse += bodies->inverse_mass[lightest[side]];
         curvature += 1 / bodies->rim[lightest[side]].x;
       }
+    if (pairing->normal->elastic)
+      continue; /* elastic spheres have no stiffness when they just touch */
     struct part part = {.own = stiff_at(model, pairing, just, inverse, 1 / curvature, normal, shear)};
     for (int side = 0; side < 2; side++) {
       const int i = lightest[side];

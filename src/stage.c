@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "energy.h"
+#include "step.h"
 
 static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share) {
   return vec_add(from, vec_scale(share, vec_sub(to, from)));

@@ -10,11 +10,13 @@
  *              elastic spheres  Hertz's 2.943 alpha_max/v, which goes with the speed: of all pairs that would meet if
  *                               everything went straight on as the stage begins whose step it is, see meet.c
  *
+ *   rayleigh   how long a surface wave takes half round a sphere, see rayleigh.c                   [R89 4.33]
+ *
  * Elastic spheres have no stiffness while they do not touch. So none is critical, and only what is pressed tells what is
  * safe. Their contact's duration is that of the stage that says it; later stages keep the step, whatever moves by then.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "model.h"
+#include "step.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -79,6 +81,8 @@ bool nb_step_pressed(const struct nb_model *model) {
 
 /* What is wrong with such a step for elastic spheres; NULL: nothing. */
 static const char *refused(const struct nb_model *model, enum nb_step_kind kind, double unit) {
+  if (kind >= NB_STEP_RAYLEIGH && !(unit < INFINITY))
+    return "no body that is free has `young`, so there are no waves";
   if (!nb_step_elastic(model))
     return NULL;
   if (kind == NB_STEP_CRITICAL)
@@ -114,11 +118,20 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   case NB_STEP_CONTACT:
     unit = nb_step_contact(model);
     break;
+  case NB_STEP_RAYLEIGH:
+  case NB_STEP_RAYLEIGH_MEAN:
+  case NB_STEP_RAYLEIGH_FIT:
+  case NB_STEP_RAYLEIGH_FIT_MEAN:
+    unit = nb_step_rayleigh(model, step->kind >= NB_STEP_RAYLEIGH_FIT,
+                            step->kind == NB_STEP_RAYLEIGH_MEAN || step->kind == NB_STEP_RAYLEIGH_FIT_MEAN);
+    break;
   }
   const char *why = refused(model, step->kind, unit);
   if (why)
-    return nb_error_set(error, NB_BAD_USE, "%s: %s: say a time%s", place_of(place, sizeof place, step), why,
-                        step->kind == NB_STEP_CONTACT ? "" : ", or `N per contact`");
+    return nb_error_set(error, NB_BAD_USE, "%s: %s: say %s", place_of(place, sizeof place, step), why,
+                        step->kind >= NB_STEP_RAYLEIGH  ? "a time, or `F of safe`"
+                        : step->kind == NB_STEP_CONTACT ? "a time, or `F of rayleigh`"
+                                                        : "`N per contact` or `F of rayleigh`");
   model->step = step->value * unit;
   model->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step))

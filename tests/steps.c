@@ -142,7 +142,7 @@ static void no_step_for_spheres(void) {
        "line 10: nothing approaches"},
       {"sphere 0 3 radius 1 m\nstep 0.1 of safe\n", "line 8: what is safe follows from the stiffness"},
       {"spheres lattice 3 by 1 radius 1 m\nstep 0.1 of safe\n",
-       "elastic spheres that are not pressed have none: say a time"},
+       "elastic spheres that are not pressed have none: say `N per contact`"},
       {"spheres lattice 2 by 1 radius 1 spacing 1.9 m\nstep 0.1 of critical\n",
        "line 8: elastic spheres have no critical step"},
   };

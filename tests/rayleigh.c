@@ -1,0 +1,102 @@
+/* R89's step: the speed of Rayleigh's wave, its fit, and what the step is of several unlike spheres.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/step.h"
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* To the digits that are known of them; the equation of the thesis, the square of Rayleigh's, is 0 there. */
+static void the_root(void) {
+  const struct {
+    double nu, alpha, fit;
+  } known[] = {{0, 0.874032, 0.0029}, {0.25, 0.919402, -0.0022}, {0.5, 0.955313, 0.0030}};
+  for (size_t k = 0; k < 3; k++) {
+    const double alpha = nb_rayleigh_root(known[k].nu);
+    CU_ASSERT(fabs(alpha - known[k].alpha) < 0.5e-6);
+    CU_ASSERT(fabs(nb_rayleigh_fit(known[k].nu) / alpha - 1 - known[k].fit) < 0.5e-4);
+  }
+  for (double nu = 0; nu <= 0.5; nu += 0.01) {
+    const double alpha = nb_rayleigh_root(nu), x = alpha * alpha, q = (1 - 2 * nu) / (2 * (1 - nu));
+    CU_ASSERT(alpha > 0.87 && alpha < 0.96);
+    CU_ASSERT(fabs(pow(2 - x, 4) - 16 * (1 - x) * (1 - x * q)) < 1e-14);
+  }
+}
+
+/* Four steps of a scene: of the smallest and of the mean sphere, exact and by the fit. */
+static void steps_of(const char *statements, double steps[4]) {
+  static const char *const names[] = {"step.rayleigh", "step.rayleigh-mean", "step.rayleigh-fit",
+                                      "step.rayleigh-fit-mean"};
+  for (int k = 0; k < 4; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page, "%sstep 0.5 of %s\nrecord step %s\nstage s\ncycles 1\n", statements, names[k] + strlen("step."),
+              names[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    steps[k] = written_now(model, names[k]);
+    CU_ASSERT(written_now(model, "step") == 0.5 * steps[k]);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+static void the_step_of_steel(void) {
+  double steps[4];
+  steps_of("material m density 7800 kg/m3 young 210 GPa poisson 0.28\nsphere 0 m 0 m radius 1 mm m\n", steps);
+  CU_ASSERT(fabs(steps[2] - 1.050e-6) < 0.5e-9);
+  CU_ASSERT(fabs(steps[0] / steps[2] * nb_rayleigh_root(0.28) / nb_rayleigh_fit(0.28) - 1) < 1e-14);
+  CU_ASSERT(steps[1] == steps[0] && steps[3] == steps[2]);
+  /* Hertz's contact with a wall at 0.4 m/s gets 7.9 of them, with a like sphere 2^(1/5) times less */
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "material m density 7800 kg/m3 young 210 GPa poisson 0.28\nnormal hertz\nsphere 0 m 0 m radius 1 mm "
+                   "m velocity 0.4 m/s 0 m/s\nwall w 3 mm -1 m to 3 mm 1 m m\nstep 1 of rayleigh\nrecord time\n"
+                   "stage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT(fabs(nb_step_contact(model) / nb_step_rayleigh(model, true, true) - 7.9) < 0.05);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* Of unlike ones: the shortest need not be the smallest; means are of R, rho, G and nu; what is fixed or rigid is not counted. */
+static void unlike_spheres(void) {
+  double steps[4];
+  steps_of(
+      "units none\nmaterial a density 2 young 3 poisson 0\nmaterial b density 1 young 30 poisson 0.5\nmaterial r "
+      "density 1 rigid\nsphere 9 0 radius 1 b\nsphere 0 0 radius 0.5 a\nsphere 19 0 radius 0.01 a fixed\nsphere 30 0 "
+      "radius 0.01 r\n",
+      steps);
+  const double shortest = pi * sqrt(1 / 10.), mean = pi * 0.75 * sqrt(1.5 / 5.75);
+  CU_ASSERT(fabs(steps[0] * nb_rayleigh_root(0.5) / shortest - 1) < 1e-14);
+  CU_ASSERT(fabs(steps[1] * nb_rayleigh_root(0.25) / mean - 1) < 1e-14);
+  CU_ASSERT(fabs(steps[2] * nb_rayleigh_fit(0.5) / shortest - 1) < 1e-14);
+  CU_ASSERT(fabs(steps[3] * nb_rayleigh_fit(0.25) / mean - 1) < 1e-14);
+}
+
+static void without_waves(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nsphere 0 0 radius 1 m\nstep 1 of rayleigh-mean\nstage s\n"
+                   "cycles 1\n");
+  written_scene(&it, &page);
+  CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
+  CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "line 5: no body that is free has `young`"));
+  written_free(&it);
+}
+
+void suite_rayleigh(void) {
+  CU_pSuite suite = CU_add_suite("rayleigh", NULL, NULL);
+  CU_add_test(suite, "the root", the_root);
+  CU_add_test(suite, "the step of steel", the_step_of_steel);
+  CU_add_test(suite, "unlike spheres", unlike_spheres);
+  CU_add_test(suite, "without waves", without_waves);
+}
