@@ -108,6 +108,25 @@ static void sliding_is_part_of_what_is_lost(void) {
   }
 }
 
+/* The mean restitution of the speed over angles from 0, for mu = 0.12 [R89 5.4]. At 0 and 90 degrees it is 1. */
+static double average(int by, int to) {
+  const double pi = 3.14159265358979323846, slope = 0.12 * 1.72 / 1.44;
+  double sum = 0;
+  int count = 0;
+  for (int angle = 0; angle <= to; angle += by, count++) {
+    const double vt = tan(angle * pi / 180), psi1 = vt / slope;
+    const double after = vt - (psi1 - rebound(NULL, chi28, psi1, 400)) * slope / 3.5;
+    sum += angle == 90 ? 1 : hypot(1, after) / hypot(1, vt);
+  }
+  return sum / count;
+}
+
+static void restitution_has_a_mean(void) {
+  CU_ASSERT(fabs(average(1, 90) - 0.9371) < 5e-5);
+  CU_ASSERT(fabs(average(5, 85) - 0.9365) < 5e-5);
+  CU_ASSERT(fabs(average(10, 60) - 0.9356) < 5e-5);
+}
+
 static void only_impacts_are_judged(void) {
   struct refs_scene it;
   refs_nine_discs(&it, 1e9, 2, 40, 400);
@@ -121,5 +140,6 @@ void suite_refs_impact(void) {
   CU_add_test(suite, "springs know Maw's curve", springs_know_the_curve);
   CU_add_test(suite, "simplified laws are off by what is known", simplified_laws_are_off_by_what_is_known);
   CU_add_test(suite, "sliding is part of what is lost", sliding_is_part_of_what_is_lost);
+  CU_add_test(suite, "restitution has the mean that pages state", restitution_has_a_mean);
   CU_add_test(suite, "only impacts are judged", only_impacts_are_judged);
 }

@@ -1,0 +1,45 @@
+/* Reference: what the rigid-body theory makes of an oblique impact, as hard-particle codes use it.
+ *
+ *   V_N' = -V_N,   V_T' = V_T - mu (1 + q) 2 V_N   while that is not below 0: sliding throughout      psi2 = psi1 - 4 chi
+ *   V_T' = 0       else: friction stops the contact and nothing throws it back                        psi2 = 0
+ *
+ * V_T of the point that touches, q = m R^2/I. It agrees with an elastic contact where that slides to the end with V_T' >= 0, from
+ * psi1 = 4 chi on [R89 5.3.2]. There the speed comes back in the ratio
+ *
+ *   e^2 = 1 - 2 mu sin(2 theta) + 2 mu^2 (1 + cos(2 theta)),   least e = sqrt(1 + mu^2) - mu at tan(2 theta) = -1/mu
+ *
+ * theta the angle of a sphere without spin: an elastic contact that slides to the end loses neither more nor less, so this holds from
+ * psi1 = 4 chi - 1 on.
+ *
+ * Known: impact.psi2, impact.restitution at the end, of a body that strikes a wall at rest. Exact.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "reference.h"
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  if (!scene->impact.line || scene->body_count != 1 || scene->wall_count != 1 || strcmp(scene->normal, "hertz") != 0 ||
+      scene->damping.contact_kind || scene->damping.global_kind || scene->bodies[0].spin != 0)
+    return nb_error_set(error, NB_BAD_USE,
+                        "rigid_impact is for a body without spin that strikes a wall, `normal hertz` and no damping");
+  const struct nb_body *body = &scene->bodies[0];
+  const struct nb_wall *wall = &scene->walls[0];
+  const struct nb_pair pair = nb_scene_pair(scene, body->material, wall->material);
+  const double q = nb_body_mass(scene, body) * body->radius * body->radius / nb_body_inertia(scene, body);
+  const double vx = body->vx - wall->vx, vy = body->vy - wall->vy;
+  const double vt = fabs(vx * wall->ex + vy * wall->ey), vn = fabs(vx * wall->ey - vy * wall->ex);
+  const double slides = vt - 2 * pair.friction * (1 + q) * vn, after = slides > 0 ? slides : 0;
+  const double centre = vt - (vt - after) / (1 + q);
+  known_value(known, after / (pair.friction * pair.young / (4 * pair.shear) * vn), "impact.psi2");
+  known_value(known, hypot(vn, centre) / hypot(vn, vt), "impact.restitution");
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_rigid_impact = {
+    .name = "rigid_impact",
+    .title = "an oblique impact of rigid bodies: it slides throughout, or sticks for good",
+    .source = "[R89 section 5.3.2]",
+    .know = know,
+};
