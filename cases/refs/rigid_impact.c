@@ -40,6 +40,6 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
 const struct nb_reference reference_rigid_impact = {
     .name = "rigid_impact",
     .title = "an oblique impact of rigid bodies: it slides throughout, or sticks for good",
-    .source = "[R89 section 5.3.2]",
+    .source = "[R89 5.3.2]",
     .know = know,
 };
