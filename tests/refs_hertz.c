@@ -145,6 +145,79 @@ static void the_phase_comes_round(void) {
   known_free(&known);
 }
 
+/* (1/4) B(3/5, 3/2) 2.9432751843247047 = 0.92798, and numbers of runs of the law (ERRATA A): at 400 steps e = 0.9977. */
+static void increments_lose_this_much(void) {
+  struct refs_scene it;
+  meet(&it, true, 0);
+  strcpy(it.scene.normal, "hertz_increment");
+  it.scene.step = (struct nb_step){.kind = NB_STEP_CONTACT, .value = 1. / 400};
+  struct nb_known known = refs_known("hertz_increment", &it);
+  REFS_NEAR(1 - refs_value(&known, "impact.restitution"), 0.92798 / 400, 1e-5, 0.92798 / 400);
+  CU_ASSERT(fabs(refs_value(&known, "impact.restitution") - 0.9977) < 5e-5);
+  known_free(&known);
+  strcpy(it.scene.normal, "hertz");
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_increment", &it).text, "hertz_increment"));
+}
+
+/* Two spheres of different size between two walls that have come nearer by s = 2 (y0 - y). */
+static void a_column(struct refs_scene *it) {
+  memset(it, 0, sizeof *it);
+  it->materials[0] = (struct nb_material){.name = "a", .density = 7800, .young = 210e9, .poisson = 0.3};
+  it->materials[1] = (struct nb_material){.name = "b", .young = INFINITY};
+  it->bodies[0] = (struct nb_body){.shape = NB_SPHERE, .radius = 1, .y = 1};
+  it->bodies[1] = (struct nb_body){.shape = NB_SPHERE, .radius = 3, .y = 5};
+  it->walls[0] = (struct nb_wall){.name = "low", .material = 1, .ex = 1, .vy = 1};
+  it->walls[1] = (struct nb_wall){.name = "high", .material = 1, .ex = 1, .vy = -1, .y = 8};
+  strcpy(it->scene.normal, "hertz"), strcpy(it->scene.shear, "none");
+  it->watches[0] = (struct nb_watch){.name = "L", .kind = NB_WATCH_BODY_WALL, .b = 0};
+  it->watches[1] = (struct nb_watch){.name = "C", .kind = NB_WATCH_BODY_BODY, .b = 1};
+  it->watches[2] = (struct nb_watch){.name = "U", .kind = NB_WATCH_BODY_WALL, .a = 1, .b = 1};
+  it->watches[3] = (struct nb_watch){.name = "H", .kind = NB_WATCH_WALL, .a = 1, .b = -1};
+  it->scene.materials = it->materials, it->scene.material_count = 2;
+  it->scene.bodies = it->bodies, it->scene.body_count = 2;
+  it->scene.walls = it->walls, it->scene.wall_count = 2;
+  it->scene.watches = it->watches, it->scene.watch_count = 4;
+}
+
+static double along(const struct nb_known *known, const char *name, const char *with, double x) {
+  const struct nb_known_curve *curve = known_find_curve(known, name, with);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
+  return curve->at(curve->data, x);
+}
+
+/* Sneddon's integrals are [R89 3.13]; all contacts of a column bear the same, and their overlaps are together s. */
+static void a_column_is_in_equilibrium(void) {
+  static const char *const overlap[] = {"L.overlap", "C.overlap", "U.overlap"};
+  static const char *const normal[] = {"L.normal", "C.normal", "U.normal"};
+  const double radius[] = {1, 0.75, 3}, young[] = {210e9 / 0.91, 210e9 / 0.91 / 2, 210e9 / 0.91};
+  struct refs_scene it;
+  a_column(&it);
+  struct nb_known known = refs_known("hertz_curve", &it);
+  for (double s = 1e-6; s < 1e-2; s *= 10) {
+    double sum = 0;
+    for (int c = 0; c < 3; c++) {
+      const double alpha = along(&known, overlap[c], "H.y", 8 - s / 2),
+                   force = along(&known, normal[c], "H.y", 8 - s / 2);
+      const double hertz = 4. / 3 * young[c] * sqrt(radius[c]) * pow(alpha, 1.5);
+      REFS_NEAR(force, hertz, 1e-12, hertz);
+      REFS_NEAR(along(&known, normal[c], overlap[c], alpha), hertz, 1e-12, hertz);
+      REFS_NEAR(force, along(&known, normal[0], "H.y", 8 - s / 2), 1e-8, force);
+      sum += alpha;
+    }
+    REFS_NEAR(sum, s, 1e-8, s);
+  }
+  CU_ASSERT_EQUAL(along(&known, "C.normal", "H.y", 8.1), 0);
+  known_free(&known);
+  it.bodies[1].x = 0.1;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "one above the other"));
+  a_column(&it);
+  it.walls[1].vy = -2;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "come nearer alike"));
+  a_column(&it);
+  it.walls[1].y = 8.1;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "just touch"));
+}
+
 static void what_is_no_such_impact_is_refused(void) {
   struct refs_scene it;
   meet(&it, false, 0.1);
@@ -180,5 +253,7 @@ void suite_refs_hertz(void) {
   CU_add_test(suite, "the ODE agrees with quadrature and closed form", the_ode_agrees);
   CU_add_test(suite, "the dashpot is the one of the book", the_dashpot_is_the_one_of_the_book);
   CU_add_test(suite, "the phase comes round", the_phase_comes_round);
+  CU_add_test(suite, "increments lose this much", increments_lose_this_much);
+  CU_add_test(suite, "a column is in equilibrium", a_column_is_in_equilibrium);
   CU_add_test(suite, "what is no such impact is refused", what_is_no_such_impact_is_refused);
 }

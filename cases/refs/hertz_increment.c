@@ -1,0 +1,43 @@
+/* Reference: what Hertz's force by increments loses in an impact, to first order in the step.
+ *
+ *   N <- N + 2 E* a dn,   a = (3 N R* / (4 E*))^(1/3) of before the step                             [R89 4.12, 4.14]
+ *
+ * is Euler's rule for dN/d(alpha) = c N^(1/3). Euler's rule follows, to the next order, another equation: with v = |alpha'|
+ *
+ *   dN/d(alpha) = c N^(1/3) -+ (dt v/2) (c^2/3) N^(-1/3)            - on the way in, + on the way out
+ *
+ * and N^(2/3) instead of N makes it one that can be integrated at sight: going in and coming out at the same overlap, N differs by
+ * what v/alpha gathers between them. The area of the loop is the work lost,
+ *
+ *   (K/2) dt Int_0^alpha* alpha^(1/2) v d(alpha),    v = V_N (1 - (alpha/alpha*)^(5/2))^(1/2)
+ *
+ * which is (5/2) dt V_N/alpha* (2/5) B(3/5, 3/2) of m* V_N^2/2, half of that, for e = 1 - half of the share lost:
+ *
+ *   e = 1 - (1/4) B(3/5, 3/2) V_N dt/alpha* = 1 - 0.92798/n,        n = T_c/dt
+ *
+ * Known: impact.restitution. The next order is of 1/n^2. Depth and duration go as log(n)/n and are not known.
+ *
+ * Source   [R89 4.11-4.14]; ERRATA A has numbers.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_sf_gamma.h>
+#include <string.h>
+
+#include "hertz.h"
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct hertz hertz;
+  if (hertz_of(&hertz, scene, "hertz_increment", error))
+    return error->status;
+  if (hertz.damping > 0 || strcmp(scene->normal, "hertz_increment") != 0)
+    return nb_error_set(error, NB_BAD_USE, "hertz_increment is for `normal hertz_increment` without damping");
+  known_value(known, 1 - gsl_sf_beta(0.6, 1.5) * hertz.step / (4 * hertz.unit), "impact.restitution");
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_hertz_increment = {
+    .name = "hertz_increment",
+    .title = "what R89's increments of Hertz's force lose in an impact, to first order in the step",
+    .source = "[R89 4.11-4.14]",
+    .know = know,
+};
