@@ -13,7 +13,7 @@
  *
  * which is (5/2) dt V_N/alpha* (2/5) B(3/5, 3/2) of m* V_N^2/2, half of that, for e = 1 - half of the share lost:
  *
- *   e = 1 - (1/4) B(3/5, 3/2) V_N dt/alpha* = 1 - 0.92798/n,        n = T_c/dt
+ *   e = 1 - (1/4) B(3/5, 3/2) V_N dt/alpha* = 1 - 0.92797/n,        n = T_c/dt
  *
  * Known: impact.restitution. The next order is of 1/n^2. Depth and duration go as log(n)/n and are not known.
  *
