@@ -6,6 +6,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
+#include "../src/model.h"
 #include "chance.h"
 #include "suites.h"
 #include "written.h"
@@ -198,6 +199,23 @@ static void energy_does_not_drift(void) {
   written_free(&it);
 }
 
+/* More bodies than fit into one block of the motion, each of its own mass: all fall alike. */
+static void many_fall(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 1\ngravity 0 -2\nskin 0.1\nstep 0.25\nrecord time\n");
+  for (int i = 0; i < 600; i++)
+    words_add(&page, "disc %d 0 radius %g m\n", 4 * i, 0.5 + 0.002 * i);
+  words_add(&page, "stage s\ncycles 4\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  written_cycles(model, 4);
+  for (int i = 0; i < 600; i++)
+    CU_ASSERT_DOUBLE_EQUAL(model->bodies.position[i].y, -1, 1e-14);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 void suite_motion(void) {
   CU_pSuite suite = CU_add_suite("motion", NULL, NULL);
   CU_add_test(suite, "free flight is exact, and what is fixed goes on", free_flight_is_exact);
@@ -206,4 +224,5 @@ void suite_motion(void) {
   CU_add_test(suite, "spin is damped as the velocity is", spin_is_damped_as_the_velocity_is);
   CU_add_test(suite, "unlike steps keep the second order", unlike_steps_keep_the_second_order);
   CU_add_test(suite, "energy does not drift", energy_does_not_drift);
+  CU_add_test(suite, "many fall", many_fall);
 }

@@ -6,6 +6,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <string.h>
 
 #include "../src/model.h"
 #include "chance.h"
@@ -63,7 +64,68 @@ static void through_or_not(void) {
   written_free(&it);
 }
 
+/* A wall of length 2 along x, from h1 to h1 + 2 about the origin, where numbers near an end are told apart to the last bit; a disc of
+ * radius 1 that is at (x, y) after a step of 1 by (dx, dy). */
+static const char *crossing(struct nb_error *error, double h1, bool fixed, double x, double y, double dx, double dy) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\nstep 1\ndisc 0 9 radius 1 m %s\nwall w -1 0 to 1 0 m\nstage s\n"
+            "cycles 1\n",
+            fixed ? "fixed" : "");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  model->cycle = 1, model->previous_step = 1;
+  model->walls.h1[0] = h1, model->walls.h2[0] = h1 + 2;
+  model->bodies.position[0] = vec(x, y), model->bodies.velocity[0] = vec(dx, dy);
+  *error = (struct nb_error){0};
+  const enum nb_status status = nb_walls_crossed(model, true, error);
+  CU_ASSERT((status == NB_BROKEN) == (error->text[0] != 0));
+  nb_model_free(model);
+  written_free(&it);
+  return error->text;
+}
+static bool crosses(double h1, double x, double y, double dx, double dy) {
+  struct nb_error error;
+  return crossing(&error, h1, false, x, y, dx, dy)[0];
+}
+
+/* Ends are 1e-12 of the wall longer than they are, 2e-12 here, lest something slips through where two walls meet. */
+static void at_an_end(void) {
+  static const double slack = 2e-12;
+  CU_ASSERT(crosses(-2, 0.9995 * slack, -0.25, 0, -0.5));
+  CU_ASSERT_FALSE(crosses(-2, 1.0005 * slack, -0.25, 0, -0.5));
+  CU_ASSERT(crosses(0, -0.9995 * slack, -0.25, 0, -0.5));
+  CU_ASSERT_FALSE(crosses(0, -1.0005 * slack, -0.25, 0, -0.5));
+  CU_ASSERT(crosses(0, 2 + 0.9 * slack, 0.25, 0, 0.5));
+  CU_ASSERT_FALSE(crosses(0, 2 + 1.1 * slack, 0.25, 0, 0.5));
+  CU_ASSERT(crosses(-2, -2 - 0.9 * slack, 0.25, 0, 0.5));
+  CU_ASSERT_FALSE(crosses(-2, -2 - 1.1 * slack, 0.25, 0, 0.5));
+}
+
+/* Who comes upon the line has crossed it, who leaves it has not. */
+static void upon_the_line(void) {
+  CU_ASSERT(crosses(-2, 0, 0, 1, -1));
+  CU_ASSERT_FALSE(crosses(-2, 0.01, 0, 1, -1));
+  CU_ASSERT(crosses(0, 0, 0, -1, 1));
+  CU_ASSERT_FALSE(crosses(-1, 0, 0.5, 0, 0.5));
+  CU_ASSERT_FALSE(crosses(-1, 0, -0.5, 0, -0.5));
+  CU_ASSERT(crosses(-1, 0, 0, 0.5, 0)); /* along it */
+}
+
+/* What is said: the radius, and whether the step or the spring was to blame, by half of it. What is fixed goes through. */
+static void is_told(void) {
+  struct nb_error error;
+  CU_ASSERT_PTR_NOT_NULL(strstr(crossing(&error, -1, false, 0, -0.25, 0, -0.5001), "try a smaller step"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(crossing(&error, -1, false, 0, -0.25, 0, -0.4999), "try a stiffer wall"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "The limit is its radius, 1 m; in this step of 1 s it moved 0.4999 m"));
+  CU_ASSERT_STRING_EQUAL(crossing(&error, -1, true, 0, -0.25, 0, -0.5), "");
+}
+
 void suite_through(void) {
   CU_pSuite suite = CU_add_suite("through", NULL, NULL);
   CU_add_test(suite, "through a wall or not, by chance", through_or_not);
+  CU_add_test(suite, "at an end", at_an_end);
+  CU_add_test(suite, "upon the line", upon_the_line);
+  CU_add_test(suite, "what is told", is_told);
 }
