@@ -45,7 +45,7 @@ struct nb_strike nb_impact_strike(const struct nb_scene *scene) {
   const struct nb_law *law = nb_law_find("normal", scene->normal);
   struct nb_pair pair = nb_scene_pair(scene, body->material, other ? other->material : wall->material);
   pair.radius = other ? body->radius * other->radius / (body->radius + other->radius) : body->radius;
-  pair.young = law && law->elastic ? pair.young : 0;
+  pair.young = law->elastic ? pair.young : 0;
 
   struct nb_strike strike = {.friction = pair.friction};
   const struct nb_vec x = vec(body->x, body->y), v = vec(body->vx, body->vy);

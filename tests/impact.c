@@ -3,8 +3,10 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "../src/model.h"
+#include "../src/reader.h"
 #include "suites.h"
 #include "written.h"
 
@@ -59,13 +61,129 @@ static void psi1_is_of_the_contact(void) {
     struct nb_model *model = made(&it, bodies[k], "impact C speed 2 psi1 1.5 phase 1");
     const double slope = 1.5 * 0.3 * 1.25, a = written_now(model, "impact.angle");
     NEAR(written_now(model, "impact.psi1"), 1.5, 1e-14);
+    NEAR(written_now(model, "impact.psi2"), 1.5, 1e-14);
     NEAR(written_now(model, "impact.restitution"), 1., 1e-14);
     NEAR(2 * sin(a) + 0.4, slope * 2 * cos(a), 1e-14);
     written_cycles(model, 1);
     CU_ASSERT(fabs(written_now(model, "C.overlap")) < 1e-6);
     written_cycles(model, 1);
     NEAR(written_now(model, "C.overlap"), 1e-3 * 2 * cos(a), 2e-3);
+    NEAR(written_now(model, "impact.slip"), 1e-3 * slope * 2 * cos(a), 1e-4);
     nb_model_free(model), written_free(&it);
+  }
+}
+
+/* Unequal spheres of two materials, the second watch of three; and what is fixed weighs infinitely. */
+#define TWO                                                                                                            \
+  "units none\nnormal %s\nmaterial a density 0.25 kn 400 ks 320 friction 0.3 young 0.5 poisson 0.1\n"                  \
+  "material b density 2 kn 100 ks 0.8 friction 0.2 young 7e3 poisson 0.4\n"                                            \
+  "sphere 0 9 radius 0.5 a\nsphere 3 3 radius 0.7 b spin 0.5\nsphere 3 0 radius 1.1 a spin 0.6\n"                        \
+  "watch A sphere 1 with sphere 2\nwatch B sphere 2\nwatch C sphere 2 with sphere 3\nwatch D sphere 3\n"               \
+  "impact C speed 2 psi1 %g\nstep 1e-4\nrecord energy.kinetic impact.energy.normal impact.energy.tangential "          \
+  "impact.energy.rotational impact.angle impact.psi1\nstage s\ncycles 1\n"
+
+static void two_bodies_count_as_one(void) {
+  static const char *const laws[] = {"linear\nshear linear", "hertz\nshear none"};
+  for (int k = 0; k < 4; k++) {
+    struct written it;
+    struct words page = {0};
+    words_add(&page, TWO, laws[k / 2], 0.5);
+    written_scene(&it, &page);
+    it.scene.bodies[2].fixed = k % 2;
+    const double ma = pi * 4 / 3 * 0.7 * 0.7 * 0.7 * 2, mb = pi * 4 / 3 * 1.1 * 1.1 * 1.1 * 0.25;
+    const double m = k % 2 ? ma : ma * mb / (ma + mb), radius = 0.7 * 1.1 / 1.8;
+    const double young = 1 / ((1 - 0.01) / 0.5 + (1 - 0.16) / 7e3);
+    const double shear = 1 / (2 * 1.1 * 1.9 / 0.5 + 2 * 1.4 * 1.6 / 7e3), kn = 160, ks = 2 * 320 * 0.8 / 320.8;
+    const struct nb_strike strike = nb_impact_strike(&it.scene);
+    const double depth = pow(5 * m * strike.normal_v * strike.normal_v / (4 * (4. / 3 * young * sqrt(radius))), 0.4);
+    const bool hertz = k / 2;
+    NEAR(strike.mass, m, 1e-14);
+    NEAR(strike.kappa, hertz ? young / (4 * shear) : kn / ks, 1e-14);
+    NEAR(strike.peak, hertz ? 4. / 3 * young * sqrt(radius) * pow(depth, 1.5) : strike.normal_v * sqrt(m * kn), 1e-13);
+    NEAR(strike.duration, hertz ? 2.9432751843247047 * depth / strike.normal_v : pi * sqrt(m / kn), 1e-13);
+    NEAR(strike.tangent_v, 0.5 * 0.2 * strike.kappa * strike.normal_v, 1e-13);
+    if (k % 2 == 0) {
+      struct nb_model *model = written_model(&it, NULL);
+      const double turning = 0.2 * (ma * 0.49 * 0.25 + mb * 1.21 * 0.36), angle = written_now(model, "impact.angle");
+      NEAR(written_now(model, "impact.energy.rotational"), turning, 1e-13);
+      NEAR(written_now(model, "impact.energy.normal"), m * 4 * cos(angle) * cos(angle) / 2, 1e-13);
+      NEAR(written_now(model, "impact.energy.tangential"), m * 4 * sin(angle) * sin(angle) / 2, 1e-12);
+      nb_model_free(model);
+    }
+    written_free(&it);
+  }
+}
+
+/* The nearest point of a wall: beside it, off the point it turns about, past its ends. */
+static void a_wall_is_struck_where_it_is_nearest(void) {
+  static const struct {
+    const char *wall;
+    double x, y, nx, ny;
+  } walls[] = {{"wall f -9 1.5 to 9 1.5 m", 2, 1.5, 0, 1},
+               {"wall f -9 1.5 to 9 1.5 m about 1 7", 2, 1.5, 0, 1},
+               {"wall f -9 5.5 to 9 5.5 m", 2, 5.5, 0, -1},
+               {"wall f -9 5.5 to 9 5.5 m about 0 1", 2, 5.5, 0, -1},
+               {"wall f -9 0.5 to -1 0.5 m", -1, 0.5, 0.76822127959737585, 0.64018439966447988},
+               {"wall f 5 0.5 to 9 0.5 m", 5, 0.5, -0.76822127959737585, 0.64018439966447988}};
+  for (int k = 0; k < 6; k++) {
+    struct written it;
+    char body[256];
+    snprintf(body, sizeof body, "sphere 2 3 radius 0.5 m\n%s\nwatch B sphere 1\nwatch C sphere 1 with wall f\n",
+             walls[k].wall);
+    struct nb_model *model = made(&it, body, "impact C speed 2 psi1 0");
+    NEAR(written_now(model, "B.x"), walls[k].x + 0.5 * walls[k].nx, 1e-14);
+    NEAR(written_now(model, "B.y"), walls[k].y + 0.5 * walls[k].ny, 1e-14);
+    CU_ASSERT(fabs(written_now(model, "B.vx") + 2 * walls[k].nx) < 1e-14);
+    NEAR(written_now(model, "B.vy"), -2 * walls[k].ny, 1e-14);
+    CU_ASSERT(fabs(written_now(model, "impact.psi1")) < 1e-14);
+    nb_model_free(model), written_free(&it);
+  }
+}
+
+/* Apart, nothing of it changes any more, and far away nothing presses. */
+static void it_is_over_when_they_part(void) {
+  struct written it;
+  struct nb_model *model = made(&it, ON_FLOOR, "impact C speed 2 angle 0.5 phase 0.5");
+  do {
+    NEAR(written_now(model, "impact.duration"), written_now(model, "time") - 0.5e-3, 1e-9);
+    written_cycles(model, 1);
+  } while (written_now(model, "C.overlap") > 0);
+  const double lasts = written_now(model, "impact.duration");
+  CU_ASSERT(lasts < written_now(model, "time") - 0.5e-3 && lasts > written_now(model, "time") - 1.5e-3);
+  for (int n = 0; n < 5; n++) {
+    written_cycles(model, 100);
+    NEAR(written_now(model, "impact.duration"), lasts, 1e-12);
+    CU_ASSERT_EQUAL(written_now(model, "impact.normal"), 0);
+    CU_ASSERT_EQUAL(written_now(model, "impact.shear"), 0);
+  }
+  nb_model_free(model), written_free(&it);
+}
+
+/* Mistakes in the statement are said; on what, tests/bad holds. */
+static void wrong_impacts_are_refused(void) {
+  static const char *const wrong[] = {"impact B speed 2 angle 0.5",
+                                      "impact C speed 2",
+                                      "impact C speed 2 angle 1.6",
+                                      "impact C speed 2 angle 0.5 psi1 1",
+                                      "impact C speed 0.1 psi1 0.5",
+                                      "impact D speed 2 psi1 0.5",
+                                      "impact C speed 1 angle 0\nimpact C speed 2 angle 0"};
+  static const char *const right = "impact C speed 2 psi1 0.5";
+  for (int k = -1; k < 7; k++) {
+    struct words page = {0};
+    struct nb_mistakes mistakes = {0};
+    struct nb_page read = {0};
+    struct nb_scene scene = {0};
+    words_add(&page,
+              "```scene\n" BALL "material ice density 1 kn 400\nsphere 0 3 radius 0.5 m spin 1\nwall f -9 0 to 9 0 m\n"
+              "wall g -9 9 to 9 9 ice\nwatch B sphere 1\nwatch C sphere 1 with wall f\nwatch D sphere 1 with wall g\n"
+              "%s\nstep 0.001\nstage s\ncycles 1\n```\n",
+              k < 0 ? right : wrong[k]);
+    nb_page_read_bytes(&read, "impact.md", page.text, page.length, &mistakes);
+    nb_scene_read(&scene, &read, 0, NULL, &mistakes);
+    CU_ASSERT_EQUAL(mistakes.count, k < 0 ? 0 : 1);
+    nb_mistakes_free(&mistakes), nb_scene_free(&scene), nb_page_free(&read);
+    free(page.text);
   }
 }
 
@@ -142,6 +260,10 @@ void suite_impact(void) {
   CU_pSuite suite = CU_add_suite("impact", NULL, NULL);
   CU_add_test(suite, "it comes as it is told", it_comes_as_it_is_told);
   CU_add_test(suite, "psi1 is of the contact", psi1_is_of_the_contact);
+  CU_add_test(suite, "two bodies count as one", two_bodies_count_as_one);
+  CU_add_test(suite, "a wall is struck where it is nearest", a_wall_is_struck_where_it_is_nearest);
+  CU_add_test(suite, "it is over when they part", it_is_over_when_they_part);
+  CU_add_test(suite, "wrong impacts are refused", wrong_impacts_are_refused);
   CU_add_test(suite, "it measures gross sliding", it_measures_gross_sliding);
   CU_add_test(suite, "energies are those of the bodies", energies_are_those_of_the_bodies);
   CU_add_test(suite, "elastic spheres have their own scale", elastic_spheres_have_their_own_scale);
