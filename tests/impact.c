@@ -77,7 +77,7 @@ static void psi1_is_of_the_contact(void) {
 #define TWO                                                                                                            \
   "units none\nnormal %s\nmaterial a density 0.25 kn 400 ks 320 friction 0.3 young 0.5 poisson 0.1\n"                  \
   "material b density 2 kn 100 ks 0.8 friction 0.2 young 7e3 poisson 0.4\n"                                            \
-  "sphere 0 9 radius 0.5 a\nsphere 3 3 radius 0.7 b spin 0.5\nsphere 3 0 radius 1.1 a spin 0.6\n"                        \
+  "sphere 0 9 radius 0.5 a\nsphere 3 3 radius 0.7 b spin 0.5\nsphere 3 0 radius 1.1 a spin 0.6\n"                      \
   "watch A sphere 1 with sphere 2\nwatch B sphere 2\nwatch C sphere 2 with sphere 3\nwatch D sphere 3\n"               \
   "impact C speed 2 psi1 %g\nstep 1e-4\nrecord energy.kinetic impact.energy.normal impact.energy.tangential "          \
   "impact.energy.rotational impact.angle impact.psi1\nstage s\ncycles 1\n"
