@@ -2,16 +2,10 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
-#include <time.h>
 
 #include "bench.h"
+#include "clock.h"
 #include "observe.h"
-
-static double now(void) {
-  struct timespec t;
-  timespec_get(&t, TIME_UTC);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static bool observe(struct nb_table *table, const struct nb_bench *bench, int stage) {
   double *row = nb_table_row(table, stage, (double)bench->step, 0);
@@ -49,7 +43,7 @@ static enum nb_status run_leg(struct nb_result *result, struct nb_bench *bench, 
 
 enum nb_status nb_bench_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_progress *progress,
                             struct nb_error *error) {
-  const double began = now();
+  const double began = nb_clock();
   double told = began;
   struct nb_bench bench;
   *result = (struct nb_result){0};
@@ -63,13 +57,13 @@ enum nb_status nb_bench_run(struct nb_result *result, const struct nb_scene *sce
     status = nb_error_set(error, NB_BROKEN, "out of memory while recording");
   for (size_t s = 0; s < scene->stage_count && !status; s++) {
     status = run_leg(result, &bench, (int)s, error);
-    if (progress && now() - told > 0.1) {
-      told = now();
+    if (progress && nb_clock() - told > 0.1) {
+      told = nb_clock();
       progress->call(progress->data, scene->stages[s].name, (double)(s + 1) / (double)scene->stage_count, told - began);
     }
   }
   result->cycles = result->updates = bench.step;
-  result->seconds = now() - began;
+  result->seconds = nb_clock() - began;
   nb_bench_free(&bench);
   return status;
 }

@@ -2,9 +2,9 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
-#include <time.h>
 
 #include "balance.h"
+#include "clock.h"
 #include "explain.h"
 #include "step.h"
 
@@ -114,23 +114,17 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   explain_rayleigh(out, model, unit);
 }
 
-static double now(void) {
-  struct timespec t;
-  timespec_get(&t, TIME_UTC);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* Measured, not guessed: some cycles of a model of its own, at rest as the scene begins. */
 static double seconds_a_cycle(const struct nb_scene *scene, int threads) {
   struct nb_error error;
   struct nb_model *trial = nb_model_create(scene, &(struct nb_options){.threads = threads}, &error);
   if (!trial)
     return 0;
-  const double began = now();
+  const double began = nb_clock();
   unsigned long cycles = 0;
-  while (now() - began < 0.02 && !nb_cycle(trial, &error))
+  while (nb_clock() - began < 0.02 && !nb_cycle(trial, &error))
     cycles++;
-  const double seconds = now() - began;
+  const double seconds = nb_clock() - began;
   nb_model_free(trial);
   return cycles ? seconds / (double)cycles : 0;
 }

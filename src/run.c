@@ -3,16 +3,10 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "bench.h"
+#include "clock.h"
 #include "observe.h"
-
-static double now(void) {
-  struct timespec t;
-  timespec_get(&t, TIME_UTC);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 struct run {
   struct nb_result *result;
@@ -33,7 +27,7 @@ static void tell(struct run *run, const struct nb_stage *stage) {
   if (!run->progress || run->until_clock-- > 0)
     return;
   run->until_clock = 100000 / (run->model->contacts.count + 20);
-  const double t = now();
+  const double t = nb_clock();
   if (t - run->told < 0.1)
     return;
   run->told = t;
@@ -99,7 +93,7 @@ enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, co
   if (scene->path)
     return nb_bench_run(result, scene, progress, error);
   *result = (struct nb_result){0};
-  struct run run = {.result = result, .scene = scene, .progress = progress, .began = now()};
+  struct run run = {.result = result, .scene = scene, .progress = progress, .began = nb_clock()};
   for (size_t s = 0; s < scene->stage_count; s++)
     run.planned += scene->stages[s].cycles;
   result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
@@ -116,7 +110,7 @@ enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, co
   result->cycles = run.model->cycle;
   result->updates = run.model->updates;
   result->searches = run.model->searches;
-  result->seconds = now() - run.began;
+  result->seconds = nb_clock() - run.began;
   nb_model_free(run.model);
   return status;
 }

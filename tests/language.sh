@@ -4,27 +4,8 @@
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
-nineball=${NINEBALL:-./nineball}
-case $nineball in
-/*) ;;
-*) nineball=$(pwd)/$nineball ;;
-esac
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "${srcdir:-.}" || exit 1
+. "${srcdir:-.}/tests/tap"
 language=$work/LANGUAGE.md
-
-n=0
-# result STATUS NAME: one line of TAP; what was said stands in $work/said.
-result() {
-  n=$((n + 1))
-  if [ "$1" -eq 0 ]; then
-    echo "ok $n - $2"
-  else
-    echo "not ok $n - $2"
-    tail -n 40 "$work/said" | sed 's/^/# /'
-  fi
-}
 
 "$nineball" --help language-md >"$language" && diff -u docs/LANGUAGE.md "$language" >"$work/said"
 result $? "docs/LANGUAGE.md is what the program makes; make language renews it"

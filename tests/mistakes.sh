@@ -6,26 +6,8 @@
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
-nineball=${NINEBALL:-./nineball}
-case $nineball in
-/*) ;;
-*) nineball=$(pwd)/$nineball ;;
-esac
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "${srcdir:-.}" || exit 1
-
-n=0
-# result STATUS NAME: one line of TAP; why stands in $work/why.
-result() {
-  n=$((n + 1))
-  if [ "$1" -eq 0 ]; then
-    echo "ok $n - $2"
-  else
-    echo "not ok $n - $2"
-    sed 's/^/# /' "$work/why"
-  fi
-}
+. "${srcdir:-.}/tests/tap"
+why=$work/why
 
 # ---- a page for every mistake ----
 
