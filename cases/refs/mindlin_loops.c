@@ -1,0 +1,165 @@
+/* Reference: Mindlin and Deresiewicz's loops under a constant normal force, in closed form.
+ *
+ *   A = 3 mu N/(16 G* a)                                       slip at which the whole contact slides, m
+ *   delta           = A [1 - (1 - T/mu N)^(2/3)]               loading from T = 0                                 [R89 3.25]
+ *   delta* - delta  = 2A [1 - (1 - (T* - T)/2mu N)^(2/3)]      unloading from T*, delta*                          [R89 3.40]
+ *   delta - delta** = 2A [1 - (1 - (T - T**)/2mu N)^(2/3)]     reloading from T**, delta**                        [R89 3.50]
+ *   c/a             = (1 - T/mu N)^(1/3)                       the stuck circle while loading;
+ *                     (1 - |T - T_begin|/2mu N)^(1/3)          on a branch that began by a reversal               [R89 3.24]
+ *
+ * Each reversal begins a branch of the same shape. A branch that comes back to the T at which the one before it began is erased
+ * together with it: the curve goes on as if the loop had not been. So all that counts is a stack of branches.
+ *
+ *   W(t) = (6/5) mu N A [1 - (1 - t)^(5/3) - (5/6) t (1 + (1 - t)^(2/3))]
+ *
+ * is lost while loading to T = t mu N, and twice that on a branch of |T - T_begin| = 2 t mu N: 4 W by a loop, the formula of
+ * Mindlin and Deresiewicz (1953).
+ *
+ * Past A the whole contact slides, and loses mu N of each metre.
+ *
+ * Known at each step along `step`, and at the end of each leg: slip, shear, radius.stick, lost. Rounding alone.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "path.h"
+
+enum { BRANCHES = 1000 };
+
+struct branch {
+  double shear, slip, lost; /* where it begins: T/mu N, delta/A, J/(mu N A) */
+  double sense;             /* 1 or -1: that of its slip */
+  double size;              /* 1: the first loading; 2: any other */
+};
+
+struct loops {
+  double limit, way, radius; /* mu N, N; A, m; a, m */
+  struct branch branches[BRANCHES];
+  int count;
+  double shear, slip, lost; /* now, as in struct branch */
+};
+
+static double slip_of(const struct branch *b, double shear) {
+  return b->slip + b->sense * b->size * (1 - pow(1 - fabs(shear - b->shear) / b->size, 2. / 3));
+}
+
+static double shear_of(const struct branch *b, double slip) {
+  const double rest = 1 - fabs(slip - b->slip) / b->size;
+  return b->shear + b->sense * b->size * (1 - (rest > 0 ? pow(rest, 1.5) : 0));
+}
+
+static double lost_of(const struct branch *b, double shear) {
+  const double t = fmin(fabs(shear - b->shear) / b->size, 1);
+  return b->lost + b->size * 1.2 * (1 - pow(1 - t, 5. / 3) - 5. / 6 * t * (1 + pow(1 - t, 2. / 3)));
+}
+
+/* The branch that leads from now to that force, or to that slip. */
+static struct branch *branch_to(struct loops *loops, double shear, double slip, bool force) {
+  const double sense = (force ? shear > loops->shear : slip > loops->slip) ? 1 : -1;
+  struct branch *top = &loops->branches[loops->count - 1];
+  if (loops->count == 0 || (sense != top->sense && loops->count < BRANCHES)) {
+    top = &loops->branches[loops->count++];
+    *top = (struct branch){loops->shear, loops->slip, loops->lost, sense, loops->count == 1 ? 1 : 2};
+  }
+  /* Two go at once: the one that is on its way back, and the one that it began on. Of the first loading, the way back ends at
+   * the same T with the other sign. */
+  while (loops->count > 1) {
+    struct branch *before = top - 1;
+    const double end = loops->count == 2 ? -top->shear : before->shear;
+    const double end_slip = loops->count == 2 ? 2 * before->slip - top->slip : before->slip;
+    if (!(sense * ((force ? shear : slip) - (force ? end : end_slip)) > 0))
+      break;
+    const double lost = lost_of(top, end);
+    if (loops->count == 2) { /* loading in the other sense, as if it had never been otherwise */
+      *before = (struct branch){0, before->slip, 0, sense, 1};
+      before->lost = lost - lost_of(before, end);
+      loops->count = 1, top = before;
+    } else { /* on along the branch before the two */
+      top -= 2, loops->count -= 2;
+      top->lost += lost - lost_of(top, end);
+    }
+  }
+  return top;
+}
+
+static void go(struct loops *loops, double target, bool force) {
+  if (target == (force ? loops->shear : loops->slip))
+    return;
+  const struct branch *branch = branch_to(loops, target, target, force);
+  const double slides = force ? 0 : fabs(target - branch->slip) - branch->size;
+  loops->shear = force ? target : shear_of(branch, target);
+  loops->slip = force ? slip_of(branch, target) : target;
+  loops->lost = lost_of(branch, loops->shear);
+  if (slides > 0) { /* loaded up to the limit for the first time, from a place that has moved along */
+    const double sense = branch->sense;
+    loops->lost += slides;
+    loops->branches[0] = (struct branch){0, target - sense, 0, sense, 1};
+    loops->branches[0].lost = loops->lost - lost_of(&loops->branches[0], sense);
+    loops->count = 1;
+  }
+}
+
+static double stick(const struct loops *loops) {
+  if (loops->count == 0)
+    return loops->radius;
+  const struct branch *top = &loops->branches[loops->count - 1];
+  return loops->radius * cbrt(fmax(1 - fabs(loops->shear - top->shear) / top->size, 0));
+}
+
+enum { SLIP, SHEAR, STICK, LOST, COLUMNS };
+static const char *const names[COLUMNS] = {"slip", "shear", "radius.stick", "lost"};
+
+/* False: the normal force changes where there is shear. */
+static bool walk_path(struct loops *loops, const struct path_contact *contact, const struct nb_scene *scene,
+                      struct path_column *columns[]) {
+  struct path_walk walk = path_walk(scene);
+  struct path_place now = {0};
+  struct path_aim aim;
+  for (size_t k = 1; path_next(&walk, now, &aim); k++) {
+    const double approach = aim.normal_force ? path_overlap(contact, aim.normal) : aim.normal;
+    if (fabs(approach - now.approach) > 1e-9 * now.approach) {
+      if (loops->count || approach < now.approach)
+        return false;
+      now.approach = approach, now.normal = path_normal(contact, approach);
+      loops->radius = sqrt(contact->radius * approach);
+      loops->limit = contact->friction * now.normal;
+      loops->way = 3 * loops->limit / (16 * contact->shear * loops->radius);
+    }
+    go(loops, aim.shear / (aim.shear_force ? loops->limit : loops->way), aim.shear_force);
+    now.shear = loops->shear * loops->limit, now.slip = loops->slip * loops->way;
+    const double values[COLUMNS] = {now.slip, now.shear, stick(loops), loops->lost * loops->limit * loops->way};
+    for (int c = 0; c < COLUMNS; c++)
+      columns[c]->values[k] = values[c];
+  }
+  return true;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct path_contact contact;
+  struct path_column *columns[COLUMNS];
+  if (path_contact(&contact, scene, "mindlin_loops", error))
+    return error->status;
+  struct loops *loops = calloc(1, sizeof *loops);
+  bool made = loops;
+  for (int c = 0; c < COLUMNS; c++)
+    made = (columns[c] = path_column(scene)) != NULL && made;
+  const bool constant = made && walk_path(loops, &contact, scene, columns);
+  for (int c = 0; c < COLUMNS; c++)
+    if (constant)
+      path_tell(known, scene, names[c], columns[c]);
+    else
+      free(columns[c]);
+  free(loops);
+  if (made && !constant)
+    return nb_error_set(error, NB_BAD_USE,
+                        "mindlin_loops wants a normal force that stays what it is once there is shear");
+  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "mindlin_loops ran out of memory");
+}
+
+const struct nb_reference reference_mindlin_loops = {
+    .name = "mindlin_loops",
+    .title = "loops of two elastic spheres under a constant normal force, any number of reversals, in closed form",
+    .source = "[R89 3.24, 3.25, 3.40, 3.50]",
+    .know = know,
+};
