@@ -17,7 +17,8 @@
  *
  * Past A the whole contact slides, and loses mu N of each metre.
  *
- * Known at each step along `step`, and at the end of each leg: slip, shear, radius.stick, lost. Rounding alone.
+ * Known at each step along `step`, and at the end of each leg: slip, shear, radius.stick, lost, and work.shear,
+ * the integral of T d(delta) in closed form. Rounding alone.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -28,16 +29,16 @@
 enum { BRANCHES = 1000 };
 
 struct branch {
-  double shear, slip, lost; /* where it begins: T/mu N, delta/A, J/(mu N A) */
-  double sense;             /* 1 or -1: that of its slip */
-  double size;              /* 1: the first loading; 2: any other */
+  double shear, slip, lost, work; /* where it begins: T/mu N, delta/A, J/(mu N A) */
+  double sense;                   /* 1 or -1: that of its slip */
+  double size;                    /* 1: the first loading; 2: any other */
 };
 
 struct loops {
   double limit, way, radius; /* mu N, N; A, m; a, m */
   struct branch branches[BRANCHES];
   int count;
-  double shear, slip, lost; /* now, as in struct branch */
+  double shear, slip, lost, work; /* now, as in struct branch */
 };
 
 static double slip_of(const struct branch *b, double shear) {
@@ -54,13 +55,25 @@ static double lost_of(const struct branch *b, double shear) {
   return b->lost + b->size * 1.2 * (1 - pow(1 - t, 5. / 3) - 5. / 6 * t * (1 + pow(1 - t, 2. / 3)));
 }
 
+/* The integral of T d(delta): with u = 1 - |delta - delta_begin|/size, T - T_begin is size (1 - u^(3/2)). */
+static double work_of(const struct branch *b, double shear) {
+  const double u = pow(fmax(1 - fabs(shear - b->shear) / b->size, 0), 2. / 3);
+  return b->work + b->shear * b->sense * b->size * (1 - u) + b->size * b->size * (1 - u - 0.4 * (1 - pow(u, 2.5)));
+}
+
+/* It goes through that force, with that much lost and done. */
+static void join(struct branch *b, double shear, double lost, double work) {
+  b->lost += lost - lost_of(b, shear);
+  b->work += work - work_of(b, shear);
+}
+
 /* The branch that leads from now to that force, or to that slip. */
 static struct branch *branch_to(struct loops *loops, double shear, double slip, bool force) {
   const double sense = (force ? shear > loops->shear : slip > loops->slip) ? 1 : -1;
   struct branch *top = &loops->branches[loops->count - 1];
   if (loops->count == 0 || (sense != top->sense && loops->count < BRANCHES)) {
     top = &loops->branches[loops->count++];
-    *top = (struct branch){loops->shear, loops->slip, loops->lost, sense, loops->count == 1 ? 1 : 2};
+    *top = (struct branch){loops->shear, loops->slip, loops->lost, loops->work, sense, loops->count == 1 ? 1 : 2};
   }
   /* Two go at once: the one that is on its way back, and the one that it began on. Of the first loading, the way back ends at
    * the same T with the other sign. */
@@ -70,15 +83,14 @@ static struct branch *branch_to(struct loops *loops, double shear, double slip, 
     const double end_slip = loops->count == 2 ? 2 * before->slip - top->slip : before->slip;
     if (!(sense * ((force ? shear : slip) - (force ? end : end_slip)) > 0))
       break;
-    const double lost = lost_of(top, end);
+    const double lost = lost_of(top, end), work = work_of(top, end);
     if (loops->count == 2) { /* loading in the other sense, as if it had never been otherwise */
-      *before = (struct branch){0, before->slip, 0, sense, 1};
-      before->lost = lost - lost_of(before, end);
+      *before = (struct branch){0, before->slip, 0, 0, sense, 1};
       loops->count = 1, top = before;
     } else { /* on along the branch before the two */
       top -= 2, loops->count -= 2;
-      top->lost += lost - lost_of(top, end);
     }
+    join(top, end, lost, work);
   }
   return top;
 }
@@ -91,12 +103,13 @@ static void go(struct loops *loops, double target, bool force) {
   loops->shear = force ? target : shear_of(branch, target);
   loops->slip = force ? slip_of(branch, target) : target;
   loops->lost = lost_of(branch, loops->shear);
+  loops->work = work_of(branch, loops->shear);
   if (slides > 0) { /* loaded up to the limit for the first time, from a place that has moved along */
     const double sense = branch->sense;
-    loops->lost += slides;
-    loops->branches[0] = (struct branch){0, target - sense, 0, sense, 1};
-    loops->branches[0].lost = loops->lost - lost_of(&loops->branches[0], sense);
+    loops->lost += slides, loops->work += slides;
+    loops->branches[0] = (struct branch){0, target - sense, 0, 0, sense, 1};
     loops->count = 1;
+    join(&loops->branches[0], sense, loops->lost, loops->work);
   }
 }
 
@@ -107,8 +120,8 @@ static double stick(const struct loops *loops) {
   return loops->radius * cbrt(fmax(1 - fabs(loops->shear - top->shear) / top->size, 0));
 }
 
-enum { SLIP, SHEAR, STICK, LOST, COLUMNS };
-static const char *const names[COLUMNS] = {"slip", "shear", "radius.stick", "lost"};
+enum { SLIP, SHEAR, STICK, LOST, WORK, COLUMNS };
+static const char *const names[COLUMNS] = {"slip", "shear", "radius.stick", "lost", "work.shear"};
 
 /* False: the normal force changes where there is shear. */
 static bool walk_path(struct loops *loops, const struct path_contact *contact, const struct nb_scene *scene,
@@ -128,7 +141,8 @@ static bool walk_path(struct loops *loops, const struct path_contact *contact, c
     }
     go(loops, aim.shear / (aim.shear_force ? loops->limit : loops->way), aim.shear_force);
     now.shear = loops->shear * loops->limit, now.slip = loops->slip * loops->way;
-    const double values[COLUMNS] = {now.slip, now.shear, stick(loops), loops->lost * loops->limit * loops->way};
+    const double joule = loops->limit * loops->way;
+    const double values[COLUMNS] = {now.slip, now.shear, stick(loops), loops->lost * joule, loops->work * joule};
     for (int c = 0; c < COLUMNS; c++)
       columns[c]->values[k] = values[c];
   }

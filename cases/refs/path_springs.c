@@ -12,7 +12,7 @@
  * loses is its friction times the way that it slips, the friction going along a straight line too.
  *
  * Known at each step, as curves along `step`, and as values at the end of each leg:
- *   overlap, slip, normal, shear, stored.shear, lost, work.shear
+ *   overlap, slip, normal, shear, which is traction.force too, stored.shear, lost, work.shear
  * The place where a force is reached is found by halving. work.shear is stored.shear and lost together: the work of the path
  * itself, not of its rows. Error: with n springs T is off by the order of mu N/n^2, 1e-7 of mu N; so are the energies.
  *
@@ -106,8 +106,9 @@ static double deepest(const struct path_contact *contact, const struct nb_scene 
   return most;
 }
 
-enum { OVERLAP, SLIP, NORMAL, SHEAR, STORED, LOST, WORK, COLUMNS };
-static const char *const names[COLUMNS] = {"overlap", "slip", "normal", "shear", "stored.shear", "lost", "work.shear"};
+enum { OVERLAP, SLIP, NORMAL, SHEAR, TRACTION, STORED, LOST, WORK, COLUMNS };
+static const char *const names[COLUMNS] = {"overlap",        "slip",         "normal", "shear",
+                                           "traction.force", "stored.shear", "lost",   "work.shear"};
 
 static void walk_path(struct row *row, double room[], const struct nb_scene *scene, struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);
@@ -117,8 +118,8 @@ static void walk_path(struct row *row, double room[], const struct nb_scene *sce
     const double approach = aim.normal_force ? path_overlap(&row->contact, aim.normal) : aim.normal;
     go(row, approach, aim.shear_force ? seek(row, room, approach, aim.shear) : aim.shear, &now);
     const double energy = stored(row);
-    const double values[COLUMNS] = {approach > 0 ? approach : 0, now.slip, now.normal, now.shear, energy, row->lost,
-                                    energy + row->lost};
+    const double values[COLUMNS] = {
+        approach > 0 ? approach : 0, now.slip, now.normal, now.shear, now.shear, energy, row->lost, energy + row->lost};
     for (int c = 0; c < COLUMNS; c++)
       columns[c]->values[k] = values[c];
   }
