@@ -13,6 +13,8 @@
  *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks
  *             gravity     m g.v tau  over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or part with their spring bent, over steps
+ *                         what a law says that knows micro-slip
+ *             sliding     the part of that in which a contact slides as a whole
  *             shear       F_s ds  over steps
  *
  *           The residual is the error of the integration. A kick reaches half a step beyond t_N: a term that is

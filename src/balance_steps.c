@@ -1,7 +1,9 @@
 /* The terms of the energy balance that belong to steps: what slides, and springs that are changed under load.
  *
  *   shear       (F_s' + F_s)/2 ds                             from t_N to t_(N+1), primes at its end
- *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: slip less what the spring took of it
+ *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: slip less what the spring took of it;
+ *               what the law says that it lost                of a law that knows micro-slip
+ *   sliding     the same of steps at whose end the contact slides as a whole
  *
  * A contact whose outlines part loses what its spring still held: F_s' = 0, and it slides by that as well. Without
  * sliding the bracket is 0 but for rounding, and nothing is added.
@@ -24,16 +26,23 @@ static void slide(struct nb_balance *b, const struct nb_model *model, size_t c) 
   const double was = field(model, NB_SHEAR_BEFORE, c), stiff_was = field(model, NB_SHEAR_STIFFNESS_BEFORE, c);
   const double is = law ? field(model, NB_SHEAR, c) : 0, stiff = law ? field(model, NB_SHEAR_STIFFNESS, c) : 0;
   model->contacts.kept[NB_SHEAR_BEFORE][c] = is, model->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c] = stiff;
-  if (!law || (was == 0 && is == 0))
+  if (!law || (was == 0 && is == 0 && !law->loses))
     return;
   const double slip = field(model, NB_SLIP, c), mean = (was + is) / 2;
+  const bool sliding = field(model, NB_SLIDING, c) > 0;
+  double lost = 0;
   nb_sum_add(&b->terms[NB_TERM_SHEAR], mean * slip);
   if (!law->stored)
     nb_sum_add(&b->terms[NB_TERM_UNSTORED], mean * slip);
+  else if (law->loses)
+    lost = field(model, NB_LOST, c);
   else if (!(stiff > 0)) /* parted */
-    nb_sum_add(&b->terms[NB_TERM_FRICTIONAL], mean * (slip + was / stiff_was));
-  else if (field(model, NB_SLIDING, c) > 0)
-    nb_sum_add(&b->terms[NB_TERM_FRICTIONAL], mean * (slip - (is - was) / stiff));
+    lost = mean * (slip + was / stiff_was);
+  else if (sliding)
+    lost = mean * (slip - (is - was) / stiff);
+  nb_sum_add(&b->terms[NB_TERM_FRICTIONAL], lost);
+  if (sliding)
+    nb_sum_add(&b->terms[NB_TERM_SLIDING], lost);
 }
 
 /* U_n, or U_s, of contact c with its law given `values`. */

@@ -47,7 +47,7 @@ enum nb_field {
  * more has a row for each contact, of which the first double is 0 as long as there is nothing to remember: the rest is then
  * whatever it was. */
 #define NB_MEMORY 4 /* no enum: the preprocessor asks */
-enum { NB_PIECES_MAX = 256, NB_MEMORY_MAX = 12 + 4 * NB_PIECES_MAX };
+enum { NB_PIECES_MAX = 256, NB_MEMORY_MAX = 13 + 5 * NB_PIECES_MAX };
 struct nb_memory {
   int doubles;              /* for each contact */
   double *field[NB_MEMORY]; /* of up to four doubles; else NULL */

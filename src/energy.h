@@ -24,7 +24,8 @@ enum nb_term {
   NB_TERM_DAMPED,     /* dashpot force times relative velocity, and what global damping takes */
   NB_TERM_WALLS,      /* force of walls and of fixed bodies that move, times their velocity */
   NB_TERM_GRAVITY,    /* weight times velocity */
-  NB_TERM_FRICTIONAL, /* shear force times sliding displacement, of laws that store energy */
+  NB_TERM_FRICTIONAL, /* shear force times sliding displacement, or what the law says, of laws that store energy */
+  NB_TERM_SLIDING,    /* of that, what is lost in steps that end with the contact sliding as a whole */
   NB_TERM_SHEAR,      /* work against the shear forces of all laws */
   NB_TERM_UNSTORED,   /* the same of laws that have no stored energy only */
   NB_TERM_CHANGED,    /* put in from outside: `still`, `reverse`, springs that a stage has made stiffer or softer */

@@ -37,6 +37,7 @@ static double unbalance(const struct nb_model *model, const struct nb_watch *wat
 OF_SCENE(kinetic, nb_energy_kinetic(model))
 OF_SCENE(stored, nb_energy_stored(model))
 OF_SCENE(frictional, nb_balance_term(model, NB_TERM_FRICTIONAL))
+OF_SCENE(slid, nb_balance_term(model, NB_TERM_SLIDING))
 OF_SCENE(sheared, nb_balance_term(model, NB_TERM_SHEAR))
 OF_SCENE(damped, nb_balance_term(model, NB_TERM_DAMPED))
 OF_SCENE(by_walls, nb_balance_term(model, NB_TERM_WALLS))
@@ -51,8 +52,8 @@ OF_SCENE(momentum_angular, nb_momentum_angular(model))
 enum { STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_RADIUS) };
 #define BALANCE                                                                                                        \
   (STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_PUSH) | NB_BIT(NB_SLIP) | NB_BIT(NB_SHEAR) | NB_BIT(NB_DRAG) |   \
-   NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) |     \
-   NB_ASKS_ENERGY)
+   NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_LOST) | NB_BIT(NB_SHEAR_BEFORE) |                       \
+   NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_ASKS_ENERGY)
 
 /* ---- a body ---- */
 
@@ -136,7 +137,9 @@ static const struct nb_quantity_kind kinds[] = {
     {"energy.kinetic", 0, "J", 0, kinetic, "of all bodies that are free, spin included"},
     {"energy.stored", 0, "J", STORED | NB_ASKS_STORED, stored, "in all springs, from the laws' state functions"},
     {"energy.frictional", 0, "J", BALANCE | NB_ASKS_STORED, frictional,
-     "lost since the start where contacts slide: shear force times sliding displacement"},
+     "lost since the start where contacts slide: shear force times sliding displacement; micro-slip included"},
+    {"energy.sliding", 0, "J", BALANCE | NB_ASKS_STORED, slid,
+     "the part of it that is lost while a contact slides as a whole; the rest is micro-slip's"},
     {"energy.shear", 0, "J", BALANCE, sheared,
      "work done against shear forces since the start; for laws without stored energy"},
     {"energy.damped", 0, "J", BALANCE, damped, "lost in dashpots and by global damping since the start"},

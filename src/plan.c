@@ -64,15 +64,18 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   model->dashpots = first_damped_line(scene) > 0;
   model->drag = model->dashpots ? NB_DRAG : NB_SHEAR;
   model->kept = nb_fields_watched(scene) & (NB_BIT(NB_FIELDS) - 1);
-  bool shears = false;
+  bool shears = false, loses = false;
   for (size_t p = 0; p < model->pairing_count; p++) {
     plan_pairing(model, &model->pairings[p], normal, shear);
     shears = shears || model->pairings[p].shear;
+    loses = loses || (model->pairings[p].shear && model->pairings[p].shear->loses);
   }
   if (shears)
     model->kept |= NB_BIT(model->drag);
   else
     model->kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
+  if (!loses)
+    model->kept &= ~NB_BIT(NB_LOST);
   if (!model->dashpots) { /* then what is felt is what the laws say: one field for both */
     if (model->kept & NB_BIT(NB_PUSH))
       model->kept = (model->kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);

@@ -9,7 +9,7 @@
 #include "../src/laws/law.h"
 #include "chance.h"
 
-enum { PAIRS = 200, MOST = 8 + 4 * 64 };    /* doubles that a law may remember, here */
+enum { PAIRS = 200, MOST = 16 + 5 * 64 };   /* doubles that a law may remember, here */
 static const double untouched = -12345.678; /* in the slots of memory that a law does not have */
 
 /* A contact under test, with the laws' memory of it. */

@@ -37,7 +37,7 @@ static const struct nb_law *law_number(int k) {
 
 enum { ROOM = NB_BLOCK + 8 }; /* what lies past the block is seen */
 
-enum { MOST = 8 + 4 * 64 }; /* doubles of a law that remembers more than NB_MEMORY */
+enum { MOST = 16 + 5 * 64 }; /* doubles of a law that remembers more than NB_MEMORY */
 
 /* What such a law remembers is made by itself alone. */
 static void row_of_chance(double *row, const struct nb_law *law, struct nb_pair pair, struct chance *chance) {

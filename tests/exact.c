@@ -1,0 +1,280 @@
+/* The exact law of two spheres against closed forms, and against itself done by hand (by_hand.h), which shares no line with it.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/laws/law.h"
+#include "by_hand.h"
+#include "chance.h"
+#include "suites.h"
+
+enum { MOST_PIECES = 256, MEMORY = 13 + 5 * MOST_PIECES };
+
+struct exact {
+  const struct nb_law *law;
+  struct nb_pair pair;
+  struct nb_normal n;
+  struct nb_shear s;
+  double memory[MEMORY];
+  double lost, work; /* J, the work of T alone */
+};
+
+static const struct nb_pair steel = {
+    .friction = 0.3, .young = 112e9, .shear = 23.4e9, .radius = 5e-3, .pieces = 16}; /* nu = 0.28, R = 10 mm */
+
+static struct exact exact_of(struct nb_pair pair) {
+  return (struct exact){.law = nb_law_find("shear", "mindlin_deresiewicz"), .pair = pair};
+}
+
+/* mu kappa: of slip, in a unit of u. */
+static double unit(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
+
+static void exact_go(struct exact *it, double x, double slip) {
+  const double before = it->s.force;
+  it->n = nb_law_find("normal", "hertz")->normal(it->pair, x, 0, NULL);
+  it->n.overlap = x;
+  it->s = it->law->shear(it->pair, it->n, slip, it->memory);
+  it->lost += it->s.lost;
+  it->work += (before + it->s.force) / 2 * slip;
+}
+
+static void exact_lead(struct exact *it, double x, double slip, int n) {
+  const double from = it->n.overlap;
+  for (int k = 1; k <= n; k++)
+    exact_go(it, k == n ? x : from + (x - from) * k / n, slip / n);
+}
+
+static double share(const struct exact *it) { return it->s.force / (it->pair.friction * it->n.force); } /* T/mu N */
+static double stored(const struct exact *it) { return it->law->stored(it->pair, it->n, it->memory); }
+
+/* ---- closed forms ---- */
+
+/* delta = A [1 - (1 - T/mu N)^(2/3)], A = 3 mu N/16 G* a [R89 3.25]; back from T*, and on again from T**, the same curve at twice
+ * its size [R89 3.40, 3.50]. */
+static void mindlins_curves(void) {
+  static const int steps[] = {1, 7, 1000};
+  const double x = 1e-6;
+  for (int k = 0; k < 3; k++) {
+    struct exact it = exact_of(steel);
+    exact_go(&it, x, 0);
+    const double a = 3 * steel.friction * it.n.force / (16 * steel.shear * it.n.radius);
+    exact_lead(&it, x, 0.6 * a, steps[k]);
+    const double first = 1 - pow(1 - 0.6, 1.5);
+    CU_ASSERT_DOUBLE_EQUAL(share(&it), first, 1e-12);
+    exact_lead(&it, x, -0.7 * a, steps[k]);
+    const double second = first - 2 * (1 - pow(1 - 0.7 / 2, 1.5));
+    CU_ASSERT_DOUBLE_EQUAL(share(&it), second, 1e-12);
+    exact_lead(&it, x, 0.3 * a, steps[k]);
+    CU_ASSERT_DOUBLE_EQUAL(share(&it), second + 2 * (1 - pow(1 - 0.3 / 2, 1.5)), 1e-12);
+    exact_lead(&it, x, 0.4 * a, steps[k]); /* back at T*, and over the first curve again */
+    CU_ASSERT_DOUBLE_EQUAL(share(&it), first, 1e-12);
+    exact_lead(&it, x, 0.2 * a, steps[k]);
+    CU_ASSERT_DOUBLE_EQUAL(share(&it), 1 - pow(1 - 0.8, 1.5), 1e-12);
+    CU_ASSERT_EQUAL(it.s.sliding, 0);
+    exact_lead(&it, x, 0.3 * a, steps[k]);
+    CU_ASSERT(share(&it) == 1 && it.s.sliding == 1);
+  }
+}
+
+/* Once around between T* and -T* loses mu N A (0.8 - 4 w^(2/3) + 4 w - 0.8 w^(5/3)), w = 1 - |T* / mu N|, by twice the integral of
+ * the curves above. At constant N the law's sum is exact at any step. A slide by d loses mu N d. */
+static void loops_lose(void) {
+  for (int steps = 1; steps <= 100; steps += 33) {
+    struct exact it = exact_of(steel);
+    exact_go(&it, 1e-6, 0);
+    const double limit = steel.friction * it.n.force, a = 3 * limit / (16 * steel.shear * it.n.radius);
+    exact_lead(&it, 1e-6, 0.6 * a, steps);
+    const double w = pow(0.4, 1.5), before = it.lost, held = stored(&it);
+    exact_lead(&it, 1e-6, -2 * a * (1 - pow(w, 2. / 3)), steps);
+    exact_lead(&it, 1e-6, 2 * a * (1 - pow(w, 2. / 3)), steps);
+    const double loop = limit * a * (0.8 - 4 * pow(w, 2. / 3) + 4 * w - 0.8 * pow(w, 5. / 3));
+    CU_ASSERT_DOUBLE_EQUAL(it.lost - before, loop, 1e-11 * loop);
+    CU_ASSERT_DOUBLE_EQUAL(stored(&it), held, 1e-12 * held);
+    exact_lead(&it, 1e-6, 2 * a, 1);
+    const double slid = it.lost;
+    exact_lead(&it, 1e-6, 3 * a, steps);
+    CU_ASSERT_DOUBLE_EQUAL(it.lost - slid, 3 * a * limit, 1e-12 * 3 * a * limit);
+  }
+}
+
+/* A ring sticks while d(delta) < mu kappa d(alpha): T = (T/N) N along N, both ways, and nothing is lost up or down. */
+static void proportional_loading(void) {
+  struct exact it = exact_of(steel);
+  exact_lead(&it, 2e-6, 0.7 * 2e-6 * unit(steel), 50);
+  CU_ASSERT_DOUBLE_EQUAL(share(&it), 0.7, 1e-12);
+  exact_lead(&it, 1e-6, -0.7 * 1e-6 * unit(steel), 50);
+  CU_ASSERT_DOUBLE_EQUAL(share(&it), 0.7, 1e-12);
+  CU_ASSERT(fabs(it.lost) <= 1e-12 * stored(&it));
+  CU_ASSERT_DOUBLE_EQUAL(stored(&it), 0.4 * 0.7 * share(&it) * steel.friction * it.n.force * 1e-6 * unit(steel),
+                         1e-12 * stored(&it));
+}
+
+/* ---- by hand ---- */
+
+/* The state of pieces, for a path of by_hand.h. */
+static double is_little(const struct by_hand *it) {
+  double least = 1;
+  for (int k = 0; k + 1 < it->count; k++) {
+    const double n0 = pow(by_hand_begin(it, k), 1.5), n1 = pow(it->end[k], 1.5), n2 = pow(it->end[k + 1], 1.5);
+    const double change = fabs(it->d[k] - it->d[k + 1]) * (n1 - n0) * (n2 - n1) / (n2 - n0) / n2;
+    least = change < least && change > 1e-13 ? change : least;
+  }
+  return least;
+}
+
+/* Chance legs of all kinds: N and T up and down, reversals, slides, partings. Any number of steps a leg gives what one does by hand. */
+static void polygons(void) {
+  static struct by_hand hand;
+  static const int steps[] = {1, 7, 1000};
+  struct chance chance = chance_begin(5);
+  int legs = 0, slides = 0, most = 0, kinds[2][2] = {{0}};
+  for (int path = 0; path < 60; path++) {
+    struct exact it[3];
+    for (int k = 0; k < 3; k++)
+      it[k] = exact_of(steel);
+    hand.count = 0;
+    double x = 0, before = 0;
+    for (int leg = 0; leg < 14; leg++) {
+      const double next = leg % 7 == 6 ? x : 1e-6 * chance_between(&chance, 0.3, 2);
+      const double u = chance_between(&chance, -1, 1) * 1e-6 * (leg % 3 ? 0.3 : 1.2);
+      const double wanted = by_hand_go(&hand, next, u);
+      if (is_little(&hand) < 1e-6)
+        break; /* the law would join it, and be off by so much */
+      for (int k = 0; k < 3; k++) {
+        exact_lead(&it[k], next, u * unit(steel), steps[k]);
+        CU_ASSERT_DOUBLE_EQUAL(share(&it[k]), wanted, 1e-12);
+      }
+      CU_ASSERT_EQUAL(it[0].s.sliding, hand.slid > 0);
+      kinds[next > x][fabs(wanted) > fabs(before)]++;
+      legs++, slides += hand.slid > 0, x = next, before = wanted, most = hand.count > most ? hand.count : most;
+    }
+  }
+  CU_ASSERT(legs > 400 && slides > 50 && most > 6);
+  CU_ASSERT(kinds[0][0] > 50 && kinds[0][1] > 50 && kinds[1][0] > 50 && kinds[1][1] > 50);
+}
+
+/* ---- paths longer than its memory ---- */
+
+struct off {
+  double worst, square;
+  int count;
+};
+
+static void off_by(struct off *off, const struct exact *it, double wanted) {
+  const double e = fabs(share(it) - wanted);
+  off->worst = e > off->worst ? e : off->worst, off->square += e * e, off->count++;
+}
+
+/* Overlap and slip of every step by chance, N within a factor of 8. */
+static struct off rough(double pieces) {
+  static struct by_hand hand;
+  struct off off = {0};
+  struct chance chance = chance_begin(6);
+  for (int path = 0; path < 10; path++) {
+    struct exact it = exact_of(steel);
+    it.pair.pieces = pieces, hand.count = 0;
+    for (double k = 0, x = 1e-6; k < 1000; k++) {
+      x *= chance_scale(&chance, 0.9, 1 / 0.9), x = x < 0.5e-6 ? 0.5e-6 : x > 2e-6 ? 2e-6 : x;
+      const double u = chance_between(&chance, -1e-7, 1e-7);
+      exact_go(&it, x, u * unit(steel));
+      off_by(&off, &it, by_hand_go(&hand, x, u));
+    }
+  }
+  return off;
+}
+
+/* Sines, so that every step of a rise is a ring of its own. */
+static struct off smooth(double pieces) {
+  static struct by_hand hand;
+  struct off off = {0};
+  struct chance chance = chance_begin(7);
+  for (int path = 0; path < 10; path++) {
+    struct exact it = exact_of(steel);
+    it.pair.pieces = pieces, hand.count = 0;
+    const double depth = chance_between(&chance, 0.2, 0.6), reach = 1e-6 * chance_between(&chance, 0.1, 1);
+    const double fast = chance_between(&chance, 6, 30), swing = chance_between(&chance, 6, 30);
+    for (double k = 1; k <= 400; k++) {
+      const double x = 1e-6 * (1 - depth * cos(fast * k / 400));
+      const double u = reach * (sin(swing * k / 400) - sin(swing * (k - 1) / 400));
+      exact_go(&it, x, u * unit(steel));
+      off_by(&off, &it, by_hand_go(&hand, x, u));
+    }
+  }
+  return off;
+}
+
+static void pieces_of_memory(void) {
+  static const struct {
+    double pieces, rough, rough_mean, smooth, smooth_mean;
+  } wanted[] = {
+      {2, 0.4, 0.1, 0.4, 0.1},
+      {16, 2e-3, 1e-4, 1e-3, 1e-4},
+      {64, 1e-12, 1e-13, 1e-12, 1e-13},
+  };
+  for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
+    const struct off off[] = {rough(wanted[k].pieces), smooth(wanted[k].pieces)};
+    CU_ASSERT(off[0].worst < wanted[k].rough && sqrt(off[0].square / off[0].count) < wanted[k].rough_mean);
+    CU_ASSERT(off[1].worst < wanted[k].smooth && sqrt(off[1].square / off[1].count) < wanted[k].smooth_mean);
+  }
+}
+
+/* ---- the rest ---- */
+
+/* Less friction under load: the path of the pieces goes anew, and the loss is what it stores less. More: nothing happens. */
+static void friction_changes(void) {
+  const double x = 1e-6;
+  struct exact it = exact_of(steel);
+  exact_go(&it, x, 0);
+  exact_go(&it, x, 0.3 * x * unit(steel));
+  const double held = it.s.force, energy = stored(&it);
+  it.pair.friction = 0.5;
+  exact_go(&it, x, 0);
+  CU_ASSERT_DOUBLE_EQUAL(it.s.force, held, 1e-12 * held);
+  CU_ASSERT_DOUBLE_EQUAL(stored(&it), energy, 1e-12 * energy);
+  it.pair.friction = 0.15; /* the same slip, for half the limit */
+  exact_go(&it, x, 0);
+  CU_ASSERT_DOUBLE_EQUAL(share(&it), 1 - pow(1 - 0.6, 1.5), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(it.s.lost, energy - stored(&it), 1e-12 * energy);
+  it.pair.friction = 0.05;
+  exact_go(&it, x, 0);
+  CU_ASSERT(share(&it) == 1);
+  CU_ASSERT(it.s.lost > 0);
+  it.pair.friction = 0;
+  exact_go(&it, x, 1e-8);
+  CU_ASSERT(it.s.force == 0 && it.s.sliding == 1);
+  it.pair = steel;
+  exact_go(&it, x, 0);
+  CU_ASSERT_EQUAL(it.s.force, 0);
+}
+
+/* What the bench reads: from inside to outside, up to alpha, with the force that they make. */
+static void pieces_are_told(void) {
+  struct exact it = exact_of(steel);
+  double x[16], d[16], force = 0, begin = 0;
+  CU_ASSERT_EQUAL(it.law->pieces_of(it.pair, it.n, it.memory, x, d), 0);
+  exact_go(&it, 1e-6, 0.2e-6 * unit(steel));
+  exact_go(&it, 2e-6, -0.5e-6 * unit(steel));
+  exact_go(&it, 2e-6, 0.1e-6 * unit(steel));
+  const int count = it.law->pieces_of(it.pair, it.n, it.memory, x, d);
+  CU_ASSERT_EQUAL_FATAL(count, 3);
+  CU_ASSERT_DOUBLE_EQUAL(d[0], 0.2, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(d[1], -0.5, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(d[2], 1, 1e-12);
+  for (int k = 0; k < count; k++)
+    force += d[k] * (pow(x[k], 1.5) - pow(begin, 1.5)), begin = x[k];
+  CU_ASSERT_EQUAL(begin, 2e-6);
+  CU_ASSERT_DOUBLE_EQUAL(share(&it), force / pow(begin, 1.5), 1e-12);
+}
+
+void suite_exact(void) {
+  CU_pSuite suite = CU_add_suite("exact", NULL, NULL);
+  CU_add_test(suite, "Mindlin's curves", mindlins_curves);
+  CU_add_test(suite, "loops and slides lose what they must", loops_lose);
+  CU_add_test(suite, "proportional loading is reversible", proportional_loading);
+  CU_add_test(suite, "polygons, by hand, at any step", polygons);
+  CU_add_test(suite, "paths longer than its memory", pieces_of_memory);
+  CU_add_test(suite, "friction changes under load", friction_changes);
+  CU_add_test(suite, "pieces are told", pieces_are_told);
+}
