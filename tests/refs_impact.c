@@ -16,7 +16,7 @@ static const double chi28 = 0.72 / 1.72 * 3.5, chi30 = 0.7 / 1.7 * 3.5;
 /* psi2 of the exact contact, law NULL, or of a simplified one. */
 static double rebound(const char *law, double chi, double psi1, int steps) {
   struct impact_path path;
-  CU_ASSERT(law ? impact_law(&path, law, chi, psi1, steps) : impact_exact(&path, chi, psi1, steps));
+  CU_ASSERT(law ? impact_law(&path, law, 1.5, chi, psi1, steps) : impact_exact(&path, chi, psi1, steps));
   const double psi2 = path.psi2;
   impact_path_free(&path);
   return psi2;
@@ -84,13 +84,14 @@ static void simplified_laws_are_off_by_what_is_known(void) {
   CU_ASSERT(fabs(error_of("mindlin_scaled", 0.1) - 0.44) < 0.005);
   CU_ASSERT(fabs(error_of("randall", 0.1) - 0.15) < 0.002);
   CU_ASSERT(error_of("randall", 3) < 0.001);
+  CU_ASSERT(fabs(error_of("linear", 0.1) - 0.618) < 0.002); /* k_s = 8 G* a at alpha_max */
   CU_ASSERT_EQUAL(rebound("none", chi28, 0.7, 100), 0.7);
   CU_ASSERT_FALSE(impact_law_known("mindlin_deresiewicz"));
   CU_ASSERT(fabs(rebound("mindlin", chi28, 8, 20000) - 8 + 4 * chi28) < 1e-5);
   for (double psi1 = 0.3; psi1 < 6; psi1 += 0.3) /* the limit of small steps has been reached */
-    for (int k = 0; k < 3; k++) {
-      static const char *const laws[] = {"mindlin", "mindlin_scaled", "randall"};
-      const double limit[] = {1e-6, 1e-6, 3e-4};
+    for (int k = 0; k < 4; k++) {
+      static const char *const laws[] = {"linear", "mindlin", "mindlin_scaled", "randall"};
+      const double limit[] = {1e-6, 1e-6, 1e-6, 3e-4};
       CU_ASSERT(fabs(rebound(laws[k], chi28, psi1, 20000) - rebound(laws[k], chi28, psi1, 10000)) < limit[k]);
     }
 }

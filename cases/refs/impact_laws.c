@@ -3,6 +3,7 @@
  *   mindlin          df = (3/2) xi^(1/2) dd                                   dT = 8 G* a d(delta): no slip but as a whole
  *   mindlin_scaled   and besides df = f dxi/(2 xi) while xi falls              T goes with a when N falls
  *   randall          df = (3/2) xi^(1/2) theta dd +- (1 - theta) dn            two reversals remembered [R89 3.94]
+ *   linear           df = k dd                                                dT = k_s d(delta), k = k_s kappa alpha_max/N_max
  *   none             f = 0
  *
  * all with |f| <= n = xi^(3/2), Coulomb's law. In the scale of impact_springs.h, where the step of slip beside which a new ring
@@ -21,6 +22,7 @@
 /* One step: slip dd, approach dxi, and where they lead. */
 struct step {
   double f, dd, dxi, n, dn, root; /* root: xi^(1/2) at its middle */
+  double spring;                  /* k_s kappa alpha_max/N_max */
 };
 
 /* What a law remembers; only `randall` does. */
@@ -32,6 +34,8 @@ struct memory {
 };
 
 static double none(struct step s, struct memory *m) { return (void)m, 0 * s.f; }
+
+static double linear(struct step s, struct memory *m) { return (void)m, s.f + s.spring * s.dd; }
 
 static double mindlin(struct step s, struct memory *m) { return (void)m, s.f + 1.5 * s.root * s.dd; }
 
@@ -72,7 +76,8 @@ static void forget(struct memory *m, double f, bool slides) {
 static const struct {
   const char *name;
   double (*force)(struct step s, struct memory *m);
-} laws[] = {{"none", none}, {"mindlin", mindlin}, {"mindlin_scaled", mindlin_scaled}, {"randall", randall}};
+} laws[] = {
+    {"none", none}, {"linear", linear}, {"mindlin", mindlin}, {"mindlin_scaled", mindlin_scaled}, {"randall", randall}};
 enum { LAWS = sizeof laws / sizeof *laws };
 
 static int find(const char *law) {
@@ -84,7 +89,7 @@ static int find(const char *law) {
 
 bool impact_law_known(const char *law) { return find(law) < LAWS; }
 
-static bool run(struct impact_path *path, int which, double chi, double psi1, int steps) {
+static bool run(struct impact_path *path, int which, double spring, double chi, double psi1, int steps) {
   const double dt = IMPACT_DURATION / steps;
   struct memory memory = {0};
   if (!impact_path_create(path, steps))
@@ -93,14 +98,15 @@ static bool run(struct impact_path *path, int which, double chi, double psi1, in
   for (int k = 0; k < steps; k++) {
     const double from = path->xi[k], to = path->xi[k + 1], f = path->f[k], n = to * sqrt(to);
     psi -= 2.5 * chi * f * (k ? dt : dt / 2);
-    const struct step step = {f, psi * dt, to - from, n, n - from * sqrt(from), sqrt((from + to) / 2)};
+    const struct step step = {f, psi * dt, to - from, n, n - from * sqrt(from), sqrt((from + to) / 2), spring};
     const double elastic = laws[which].force(step, &memory);
     const bool slides = fabs(elastic) > n;
     path->f[k + 1] = slides ? copysign(n, elastic) : elastic;
     path->d[k + 1] = path->d[k] + step.dd;
     path->slides[k + 1] = slides;
     if (slides)
-      path->slid += (f + path->f[k + 1]) / 2 * (elastic - path->f[k + 1]) / (1.5 * step.root);
+      path->slid += (f + path->f[k + 1]) / 2 * (elastic - path->f[k + 1]) /
+                    (laws[which].force == linear ? spring : 1.5 * step.root);
     forget(&memory, path->f[k + 1], slides);
   }
   path->psi2 = psi;
@@ -108,11 +114,11 @@ static bool run(struct impact_path *path, int which, double chi, double psi1, in
 }
 
 /* Twice, for 2 b - a has no error of first order. */
-bool impact_law(struct impact_path *path, const char *law, double chi, double psi1, int steps) {
+bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps) {
   struct impact_path coarse;
   const int which = find(law);
-  bool made = run(&coarse, which, chi, psi1, steps / 2);
-  made = run(path, which, chi, psi1, steps) && made;
+  bool made = run(&coarse, which, spring, chi, psi1, steps / 2);
+  made = run(path, which, spring, chi, psi1, steps) && made;
   path->psi2 += path->psi2 - coarse.psi2;
   path->slid += path->slid - coarse.slid;
   impact_path_free(&coarse);

@@ -34,6 +34,7 @@ enum { STEPS = 2000, LAW_STEPS = 20000 };
 struct pair {
   double mass, inverse;      /* reduced, kg; 1/m + R^2/I of both, 1/kg */
   double friction, kappa;    /* 1 */
+  double spring;             /* k_s, N/m */
   double vn, vt;             /* V_N, and V_T of the contact, m/s */
   double centre;             /* V_T of the centre, m/s */
   double depth, force, time; /* alpha_max, m; N_max, N; T_c, s */
@@ -65,6 +66,7 @@ static void read_pair(struct pair *p, const struct nb_scene *scene) {
       .inverse = share(scene, a) + turning(scene, a) + (b ? share(scene, b) + turning(scene, b) : 0),
       .friction = pair.friction,
       .kappa = pair.young / pair.shear / 4,
+      .spring = pair.ks,
       .vn = -(vx * nx + vy * ny),
       .vt = fabs(centre + rim),
       .centre = centre + rim < 0 ? -centre : centre,
@@ -199,8 +201,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct impact_path path;
   const double chi = p.inverse * p.mass / (2 * p.kappa), psi1 = p.vt / (p.friction * p.kappa * p.vn);
   const bool exact = strcmp(scene->shear, "mindlin_deresiewicz") == 0;
+  const double spring = p.spring * p.kappa * p.depth / p.force;
   const bool made =
-      exact ? impact_exact(&path, chi, psi1, STEPS) : impact_law(&path, scene->shear, chi, psi1, LAW_STEPS);
+      exact ? impact_exact(&path, chi, psi1, STEPS) : impact_law(&path, scene->shear, spring, chi, psi1, LAW_STEPS);
   if (made)
     tell_stages(known, scene, &path, p.friction * p.kappa * p.depth), tell(known, scene, &p, &path, chi);
   impact_path_free(&path);

@@ -15,6 +15,9 @@
  *   - Virgin loading is re-established where |T| >= |T*|, by which THETA tells it from reloading; T** goes where T CDF <= T** CDF.
  *   - theta of a negative number is the negative root, and what comes of it is cut at mu N.
  *
+ * With mu twice in the critical slip a contact that ought to stick slides from first touch on, T = mu N to the last bit of both,
+ * and that bit decides whether dT < mu dN: what comes then differs by a third of psi2 (tests/randall_exact.c).
+ *
  * Source     [R89 4.15-4.25], FORD and THETA.
  * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and hardly elsewhere.
  * Remembers  m[0..4]  N of the step before, 0: nothing yet; T, T*, T**, N; DD, m.
