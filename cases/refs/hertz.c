@@ -123,17 +123,23 @@ void hertz_tell(struct nb_known *known, const struct hertz *hertz, const char *w
     known_value(known, value, name);
 }
 
-void hertz_curve(struct nb_known *known, const struct hertz *hertz, const char *what,
-                 double (*at)(const void *data, double t), const void *data, size_t size) {
+void hertz_curve(struct nb_known *known, const struct hertz *hertz, const char *what, const char *along,
+                 double (*at)(const void *data, double x), const void *data, size_t size) {
   const char *contact = contact_of(hertz);
-  char name[2 * NB_NAME_SIZE];
+  const bool timely = strcmp(along, "time") == 0;
+  char name[2 * NB_NAME_SIZE], column[2 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%.*s.%s", NB_NAME_SIZE, contact ? contact : "", what);
+  snprintf(column, sizeof column, "%.*s%s%s", NB_NAME_SIZE,
+           timely    ? ""
+           : contact ? contact
+                     : "",
+           timely ? "" : ".", along);
   if (!contact)
     return;
   void *copy = malloc(size);
   if (copy)
     memcpy(copy, data, size);
-  known_curve(known, name, "time", at, copy);
+  known_curve(known, name, column, at, copy);
 }
 
 /* Overlap and elastic force, with what stands behind them. */

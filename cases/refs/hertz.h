@@ -46,10 +46,10 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
  * with `max`, of the overlap `deepest` at the time `when` of the run, alone and for the stage that has it, if that is known. */
 void hertz_tell_stages(struct nb_known *known, const struct hertz *hertz,
                        double (*overlap_at)(const void *data, double t), const void *data, double deepest, double when);
-/* C.WHAT for the watch of the contact, nothing when there is none; likewise the curve along time, whose
- * `size` bytes of data are copied. */
+/* C.WHAT for the watch of the contact, nothing when there is none; likewise the curve along `time`, or along C.overlap when
+ * that is what `along` says: `size` bytes of data are copied. */
 void hertz_tell(struct nb_known *known, const struct hertz *hertz, const char *what, double value);
-void hertz_curve(struct nb_known *known, const struct hertz *hertz, const char *what,
-                 double (*at)(const void *data, double t), const void *data, size_t size);
+void hertz_curve(struct nb_known *known, const struct hertz *hertz, const char *what, const char *along,
+                 double (*at)(const void *data, double x), const void *data, size_t size);
 
 #endif

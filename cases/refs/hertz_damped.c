@@ -139,9 +139,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return error->status;
   if (!solve(&impact, hertz->damping))
     return nb_error_set(error, NB_BROKEN, "hertz_damped: the equation of motion could not be solved");
-  hertz_curve(known, hertz, "overlap", overlap_at, &impact, sizeof impact);
-  hertz_curve(known, hertz, "normal", normal_at, &impact, sizeof impact);
-  hertz_curve(known, hertz, "dashpot.normal", dashpot_at, &impact, sizeof impact);
+  hertz_curve(known, hertz, "overlap", "time", overlap_at, &impact, sizeof impact);
+  hertz_curve(known, hertz, "normal", "time", normal_at, &impact, sizeof impact);
+  hertz_curve(known, hertz, "dashpot.normal", "time", dashpot_at, &impact, sizeof impact);
   hertz_tell_stages(known, hertz, overlap_at, &impact, hertz->depth * impact.deepest,
                     hertz->begin + hertz->unit * impact.stopped);
   if (isfinite(impact.end))

@@ -12,7 +12,7 @@
  * root, by Brent's method.
  *
  * Known, where C is the watched contact and t_0 the moment of first touch, which the page chooses:
- *   C.overlap max, C.normal max;   C.overlap and C.normal along time, and in STAGE at its end, where the page says
+ *   C.overlap max, C.normal max;   C.normal along C.overlap;   C.overlap and C.normal along time, and in STAGE at its end, where the page says
  *   its number of cycles
  *   impact.duration = T_c,  impact.restitution = 1
  * Exact in continuous time.
@@ -82,14 +82,17 @@ static double overlap_at(const void *data, double t) {
 }
 static double normal_at(const void *data, double t) { return hertz_force(data, overlap_at(data, t)); }
 
+static double normal_on(const void *data, double overlap) { return hertz_force(data, overlap); }
+
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   struct hertz hertz;
   if (hertz_of(&hertz, scene, "hertz_impact", error))
     return error->status;
   if (hertz.damping > 0)
     return nb_error_set(error, NB_BAD_USE, "hertz_impact is for a contact without damping; hertz_damped knows it");
-  hertz_curve(known, &hertz, "overlap", overlap_at, &hertz, sizeof hertz);
-  hertz_curve(known, &hertz, "normal", normal_at, &hertz, sizeof hertz);
+  hertz_curve(known, &hertz, "overlap", "time", overlap_at, &hertz, sizeof hertz);
+  hertz_curve(known, &hertz, "normal", "time", normal_at, &hertz, sizeof hertz);
+  hertz_curve(known, &hertz, "normal", "overlap", normal_on, &hertz, sizeof hertz);
   hertz_tell_stages(known, &hertz, overlap_at, &hertz, hertz.depth, hertz.begin + hertz.duration / 2);
   known_value(known, hertz.duration, "impact.duration");
   known_value(known, 1, "impact.restitution");
