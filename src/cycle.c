@@ -80,6 +80,8 @@ enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
   if ((out || searched || model->cycle % NB_WATCH_CYCLES == 0) && nb_stable_watch(model, error))
     return error->status;
   nb_forces(model);
+  if (model->deep.counts)
+    nb_deep_look(model);
   if (model->balance)
     nb_balance_forces(model);
   return NB_OK;

@@ -176,6 +176,9 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
       !(model->loads = nb_array(scene->body_count, sizeof *model->loads)))
     return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
   model->skin = skin_of(model);
+  model->smallest = INFINITY;
+  for (size_t k = 0; k < scene->body_count; k++)
+    model->smallest = fmin(model->smallest, scene->bodies[k].radius);
   model->critical = nb_step_critical(model);
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
@@ -190,7 +193,7 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   if (!status && scene->impact.line)
     nb_impact_begin(model);
   if (!status)
-    nb_forces(model);
+    nb_forces(model), nb_deep_look(model);
   return status ? status : nb_balance_create(model, error);
 }
 
@@ -248,7 +251,8 @@ void nb_model_free(struct nb_model *model) {
                    model->incidence.middle,
                    model->incidence.entry,
                    model->views,
-                   model->scratch};
+                   model->scratch,
+                   model->deep.counts};
   for (size_t k = 0; k < COUNT(owned); k++)
     free(owned[k]);
   nb_properties_free(&model->properties);

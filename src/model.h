@@ -61,7 +61,7 @@ struct nb_pass {
   const char *name;
   nb_run_pass *run[NB_ISAS];
 };
-enum { NB_PASSES = 6, NB_THREADS = 256, NB_THREAD_SHARE = 128 };
+enum { NB_PASSES = 7, NB_THREADS = 256, NB_THREAD_SHARE = 128 };
 
 /* Contacts between two materials, or between a material and a wall's: their constants and the passes they need. */
 struct nb_pairing {
@@ -118,6 +118,12 @@ struct nb_model {
   struct nb_incidence incidence;
   struct nb_view *views; /* one per block */
   size_t view_count;
+  double smallest; /* radius of all bodies, m */
+  struct nb_deep {
+    unsigned long *counts;        /* per block since the last search, NB_DEEP_APART apart; NULL: nothing is elastic */
+    unsigned long long count;     /* contact updates too deep until then */
+    char first[3 * NB_NAME_SIZE]; /* the first of them, in words; empty: none yet */
+  } deep;
   double *scratch; /* per thread NB_FIELDS * NB_BLOCK doubles */
   unsigned kept;   /* set of fields that are kept */
   enum nb_field
@@ -247,13 +253,22 @@ void nb_joints_settle(struct nb_model *model);     /* before the forces: which c
 /* passes */
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
 extern const struct nb_pass nb_pass_joints;
-extern const struct nb_pass nb_pass_dashpots;
-extern const struct nb_pass nb_pass_resolve[2]; /* without and with shear */
+extern const struct nb_pass nb_pass_deep;
+extern const struct nb_pass nb_pass_dashpots[2]; /* without and with those that are deep */
+extern const struct nb_pass nb_pass_resolve[2];  /* without and with shear */
 /* What a contact's dashpots are: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */
 struct nb_dashpot {
   double time, ratio;
 };
-struct nb_dashpot nb_dashpot(const struct nb_model *model);
+struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall);
+
+/* deep.c: overlaps that are too deep for elastic spheres */
+enum { NB_DEEP_APART = 8 };                                /* counts of two threads lie in lines of their own */
+double nb_deep_share(const struct nb_model *model);        /* of the smaller diameter: the page's, or 7 % [R89 6.4.3] */
+bool nb_deep_begin(struct nb_model *model, size_t blocks); /* counts anew, after a search; false: no memory */
+void nb_deep_look(struct nb_model *model);                 /* after the forces: which is the first */
+bool nb_deep_is(const struct nb_model *model, size_t contact);
+unsigned long long nb_deep_count(const struct nb_model *model);
 
 /* cycle.c: the force half, for positions as they are */
 void nb_forces(struct nb_model *model);

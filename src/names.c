@@ -34,6 +34,7 @@ static double unbalance(const struct nb_model *model, const struct nb_watch *wat
   return nb_unbalance(model);
 }
 
+OF_SCENE(deep, (double)nb_deep_count(model))
 OF_SCENE(kinetic, nb_energy_kinetic(model))
 OF_SCENE(stored, nb_energy_stored(model))
 OF_SCENE(frictional, nb_balance_term(model, NB_TERM_FRICTIONAL))
@@ -132,6 +133,9 @@ static const struct nb_quantity_kind kinds[] = {
     {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
     {"time", 0, "s", 0, time_, "time since the start"},
     {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching, "how many contacts touch"},
+    {"contacts.deep", 0, "1", 0, deep,
+     "how often a contact of elastic spheres has overlapped by more than 7 % of the smaller diameter, cycle by cycle "
+     "[R89 6.4.3]"},
     {"unbalance", 0, "1", 0, unbalance,
      "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]"},
     {"energy.kinetic", 0, "J", 0, kinetic, "of all bodies that are free, spin included"},

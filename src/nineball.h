@@ -149,10 +149,21 @@ struct nb_damping {
   enum nb_contact_damping contact_kind;
   double contact; /* s or 1 */
   int contact_line;
+  bool walls_apart; /* contacts with walls have their own: */
+  enum nb_contact_damping walls_kind;
+  double walls; /* s or 1 */
+  int walls_line;
+  double
+      deep; /* contacts that overlap by more than this share of the smaller diameter are damped critically; 0: none */
+  int deep_line;
   enum nb_global_damping global_kind;
   double global; /* 1/s or 1 */
   int global_line;
 };
+/* What damps a contact of two bodies, or one with a wall, and how much, s or 1. */
+enum nb_contact_damping nb_damping_at(const struct nb_damping *damping, bool wall, double *value);
+bool nb_damping_alike(const struct nb_damping *a, const struct nb_damping *b);
+bool nb_damping_none(const struct nb_damping *damping); /* neither contacts nor bodies are damped */
 
 enum nb_step_kind {
   NB_STEP_TIME,     /* value in s */
@@ -406,7 +417,9 @@ struct nb_result {
   unsigned long *stage_cycles; /* per stage; owned */
   unsigned long long updates;  /* contact updates: contacts listed, summed over cycles */
   unsigned long long searches; /* for contacts, the first one included */
-  double seconds;              /* of wall clock */
+  unsigned long long deep;     /* contact updates with overlaps above what elastic spheres are good for [R89 6.4.3] */
+  char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "body 1 at body 2, cycle 7, 1e-06 s" */
+  double seconds;                    /* of wall clock */
 };
 
 /* Called about ten times a second while a run goes on, with the share done (0 to 1) and the seconds since its start. */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model.h"
+#include "step.h"
 
 static void add(struct nb_pairing *pairing, nb_run_pass *run, int line, const char *kind, const char *name) {
   struct nb_planned *planned = &pairing->passes[pairing->pass_count++];
@@ -15,13 +15,26 @@ static void add(struct nb_pairing *pairing, nb_run_pass *run, int line, const ch
   snprintf(planned->name, sizeof planned->name, "%s%s", kind, name);
 }
 
+/* The first line that damps contacts; 0: none does. */
+static int damped_line(const struct nb_damping *damping) {
+  return damping->contact_kind                         ? damping->contact_line
+         : damping->walls_apart && damping->walls_kind ? damping->walls_line
+         : damping->deep > 0                           ? damping->deep_line
+                                                       : 0;
+}
+
 static int first_damped_line(const struct nb_scene *scene) {
-  if (scene->damping.contact_kind)
-    return scene->damping.contact_line;
-  for (size_t s = 0; s < scene->stage_count; s++)
-    if (scene->stages[s].damping.contact_kind)
-      return scene->stages[s].damping.contact_line;
-  return 0;
+  int line = damped_line(&scene->damping);
+  for (size_t s = 0; s < scene->stage_count && !line; s++)
+    line = damped_line(&scene->stages[s].damping);
+  return line;
+}
+
+static int first_deep_line(const struct nb_scene *scene) {
+  int line = scene->damping.deep > 0 ? scene->damping.deep_line : 0;
+  for (size_t s = 0; s < scene->stage_count && !line; s++)
+    line = scene->stages[s].damping.deep > 0 ? scene->stages[s].damping.deep_line : 0;
+  return line;
 }
 
 static bool rubs(const struct nb_pairing *pairing) {
@@ -49,8 +62,11 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
   add(pairing, normal->run[isa], scene->normal_line, "normal ", normal->name);
   if (pairing->shear)
     add(pairing, shear->run[isa], scene->shear_line, "shear ", shear->name);
+  if (normal->elastic)
+    add(pairing, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
+  const struct nb_pass *dashpots = &nb_pass_dashpots[first_deep_line(scene) > 0];
   if (model->dashpots)
-    add(pairing, nb_pass_dashpots.run[isa], first_damped_line(scene), "", nb_pass_dashpots.name);
+    add(pairing, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
   add(pairing, resolve->run[isa], 0, "", resolve->name);
 }
 
@@ -127,11 +143,16 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
     if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
       start[n++] = c;
   start[n] = contacts->count;
+  if (nb_step_elastic(model) && !nb_deep_begin(model, n)) {
+    free(start);
+    return nb_error_set(error, NB_BROKEN, "out of memory while planning");
+  }
   for (size_t v = 0; v < n; v++) {
     size_t thread = 0;
     while (n * (thread + 1) / (size_t)model->busy <= v)
       thread++;
     model->views[v] = view_of(model, start[v], start[v + 1], model->scratch + thread * NB_FIELDS * NB_BLOCK);
+    model->views[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_APART : NULL;
   }
   model->view_count = n;
   free(start);

@@ -42,11 +42,28 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
   }
 }
 
+/* Of all runs together, and which one was the first. */
+static void warn_deep(const struct nb_outcome *outcome, const char *path) {
+  unsigned long long count = 0;
+  const struct nb_page_run *first = NULL;
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    count += outcome->runs[r].result.deep;
+    first = first || !outcome->runs[r].result.deep ? first : &outcome->runs[r];
+  }
+  if (first)
+    fprintf(
+        stderr,
+        "%s: warning: contacts overlapped by more than elastic spheres are good for, %llu times a cycle; first %s%s%s "
+        "[R89 6.4.3]\n",
+        path, count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
+}
+
 void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
   if (outcome->mistakes.count)
     fputs(outcome->mistakes.text, stderr);
   else if (outcome->status > NB_FAILED)
     fprintf(stderr, "%s: %s: %s\n", path, outcome->status == NB_BROKEN ? "stopped" : "error", outcome->error.text);
+  warn_deep(outcome, path);
 }
 
 static void progress(void *data, const char *stage, double share, double seconds) {

@@ -110,6 +110,8 @@ enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, co
   result->cycles = run.model->cycle;
   result->updates = run.model->updates;
   result->searches = run.model->searches;
+  result->deep = nb_deep_count(run.model);
+  snprintf(result->deep_first, sizeof result->deep_first, "%s", run.model->deep.first);
   result->seconds = nb_clock() - run.began;
   nb_model_free(run.model);
   return status;

@@ -72,6 +72,19 @@ static int cohesive_line(const struct nb_scene *scene) {
   return 0;
 }
 
+/* The dashpots that such a normal law cannot have. */
+static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping, bool elastic) {
+  if (!elastic && damping->deep > 0)
+    say(reading, damping->deep_line, "`normal hertz`", "expected a normal law of elastic spheres for `%s`",
+        "damping critical");
+  if (elastic && damping->contact_kind == NB_CONTACT_FRACTION)
+    say(reading, damping->contact_line, "elastic spheres have no critical step; `contact-ratio`",
+        "expected no `contact-fraction` for `normal %s`", reading->scene->normal);
+  if (elastic && damping->walls_apart && damping->walls_kind == NB_CONTACT_FRACTION)
+    say(reading, damping->walls_line, "elastic spheres have no critical step; `contact-ratio`",
+        "expected no `contact-fraction` for `normal %s`", reading->scene->normal);
+}
+
 void nb_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
@@ -82,6 +95,12 @@ void nb_laws_check(struct nb_scene_reading *reading) {
   else if (shear->elastic)
     say(reading, scene->shear_line ? scene->shear_line : scene->normal_line, "`normal hertz`",
         "expected a normal law of elastic spheres for `shear %s`", scene->shear);
+  check_damping(reading, &scene->damping, normal->elastic);
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_damping *before = s ? &scene->stages[s - 1].damping : &scene->damping;
+    if (!nb_damping_alike(before, &scene->stages[s].damping)) /* each is said once */
+      check_damping(reading, &scene->stages[s].damping, normal->elastic);
+  }
   if (shear->cohesionless && cohesive_line(scene) > 0)
     say(reading, cohesive_line(scene), "its limit is mu N at every point of the contact",
         "expected no cohesion for `shear %s`", scene->shear);

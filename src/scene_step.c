@@ -126,51 +126,95 @@ static const struct damping_word {
     {"con1", true, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_SHARE},
 };
 
-static const struct damping_word *take_damping_word(struct nb_reader *reader) {
+static const struct damping_word *take_damping_word(struct nb_reader *reader, bool walls) {
   const struct nb_token *token = nb_token_peek(reader);
   char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
   for (size_t i = 0; i < sizeof damping_words / sizeof *damping_words; i++) {
+    if (walls && damping_words[i].global)
+      continue;
     if (nb_token_skip(reader, damping_words[i].word))
       return &damping_words[i];
     nb_guess_offer(&guess, damping_words[i].word);
   }
-  nb_expected(reader, nb_guess_hint(&guess, hint),
-              "`contact-beta`, `contact-fraction`, `contact-ratio`, `global`, `con1` or `none`");
+  if (walls)
+    nb_expected(reader, nb_guess_hint(&guess, hint), "`contact-beta`, `contact-fraction`, `contact-ratio` or `none`");
+  else
+    nb_expected(reader, nb_guess_hint(&guess, hint),
+                "`contact-beta`, `contact-fraction`, `contact-ratio`, `walls`, `critical`, `global`, `con1` or `none`");
   return NULL;
 }
 
-/* One statement for what contacts do and one for all bodies; `none` is both. In a stage each replaces what it
- * inherits. */
+/* What one statement says. */
+struct said {
+  bool all, walls; /* of all contacts; of those with walls alone */
+  bool global, deep;
+  enum nb_contact_damping contact_kind;
+  enum nb_global_damping global_kind;
+  double value;
+};
+
+/* `critical above 7 %`: of the smaller diameter. */
+static bool take_deep(struct nb_reader *reader, struct said *said) {
+  said->deep = true;
+  return nb_take_word(reader, "above") && nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &said->value);
+}
+
+static bool take_damping(struct nb_reader *reader, struct said *said) {
+  said->walls = nb_token_skip(reader, "walls");
+  if (nb_token_skip(reader, "none")) {
+    said->all = said->global = said->deep = !said->walls;
+    return true;
+  }
+  if (!said->walls && nb_token_skip(reader, "critical"))
+    return take_deep(reader, said);
+  const struct damping_word *word = take_damping_word(reader, said->walls);
+  if (!word)
+    return false;
+  said->global = word->global, said->all = !word->global && !said->walls;
+  if (word->global)
+    said->global_kind = (enum nb_global_damping)word->kind;
+  else
+    said->contact_kind = (enum nb_contact_damping)word->kind;
+  return nb_take_number(reader, word->unit, word->range, &said->value) &&
+         (strcmp(word->word, "con1") != 0 || take_reading(reader, &said->global_kind));
+}
+
+/* One statement each for what contacts do, for contacts with walls, for those that are deep, and for all bodies; `none` is
+ * all of them. In a stage each replaces what it inherits. */
 NB_APPLY(nb_apply_damping) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_stage_now(scene);
   struct nb_damping *damping = stage ? &stage->damping : &scene->damping;
-  int line = (int)reader->line, since = stage ? stage->line : 0;
+  const int line = (int)reader->line, since = stage ? stage->line : 0;
+  struct said said = {0};
   (void)record;
-  bool none = nb_token_skip(reader, "none");
-  const struct damping_word *word = none ? NULL : take_damping_word(reader);
-  if (!none && !word)
+  if (!take_damping(reader, &said))
     return;
-  bool global = none || word->global, contact = none || !word->global;
-  if (contact && damping->contact_line > since) {
-    said_twice(reader, damping->contact_line);
-    return;
-  }
-  if (global && damping->global_line > since) {
-    said_twice(reader, damping->global_line);
-    return;
-  }
-
-  double value = 0;
-  enum nb_global_damping global_kind = none ? NB_GLOBAL_UNDAMPED : (enum nb_global_damping)word->kind;
-  enum nb_contact_damping contact_kind = none ? NB_CONTACT_UNDAMPED : (enum nb_contact_damping)word->kind;
-  if (!none && !nb_take_number(reader, word->unit, word->range, &value))
-    return;
-  if (!none && strcmp(word->word, "con1") == 0 && !take_reading(reader, &global_kind))
-    return;
-  if (contact)
-    damping->contact_kind = contact_kind, damping->contact = value, damping->contact_line = line;
-  if (global)
-    damping->global_kind = global_kind, damping->global = value, damping->global_line = line;
+  const struct {
+    bool said;
+    int *line;
+  } parts[] = {{said.all, &damping->contact_line},
+               {said.walls, &damping->walls_line},
+               {said.global, &damping->global_line},
+               {said.deep, &damping->deep_line}};
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+    if (parts[k].said && *parts[k].line > since) {
+      said_twice(reader, *parts[k].line);
+      return;
+    }
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+    if (parts[k].said)
+      *parts[k].line = line;
+  const bool none = said.all && said.global;
+  if (said.all)
+    damping->contact_kind = said.contact_kind, damping->contact = said.value;
+  if (said.walls)
+    damping->walls_apart = true, damping->walls_kind = said.contact_kind, damping->walls = said.value;
+  if (none)
+    damping->walls_apart = false;
+  if (said.global)
+    damping->global_kind = said.global_kind, damping->global = said.value;
+  if (said.deep)
+    damping->deep = said.value;
 }

@@ -171,11 +171,14 @@ static const struct nb_keyword table[] = {
    "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it.",
    "shear     linear"},
   {"damping", NB_IN_SCENE | NB_IN_STAGE, nothing,
-   "contact-beta TIME | contact-fraction X | contact-ratio X | global RATE | con1 X reading cs79|velocity|all | none",
+   "{walls} contact-beta TIME|contact-fraction X|contact-ratio X | walls none | critical above SHARE | global RATE | "
+   "con1 X reading cs79|velocity|all | none",
    0, false, nb_apply_damping,
    "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all bodies [CS79 34] [R89 6.5.1], one statement for each; "
-   "default none. In a stage: from this stage on.",
-   "damping   contact-ratio 0.1\ndamping   global 2 1/s"},
+   "default none. `walls` is for contacts with walls alone, which are damped as all others without it. `critical above`: contacts "
+   "that overlap by more than that share of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
+   "stage on.",
+   "damping   contact-ratio 0.1\ndamping   walls contact-ratio 0.3\ndamping   global 2 1/s"},
   {"gravity", NB_IN_SCENE | NB_IN_STAGE | NB_IN_RAMP, gravity, NULL, 0, false, nb_apply_gravity,
    "The same acceleration on all bodies that are free; default none. In a stage: from this stage on.",
    "gravity   0 m/s2 -9.81 m/s2"},

@@ -69,7 +69,8 @@ double nb_overlap(const struct nb_model *model, size_t c) {
 
 /* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
 static struct stiff stiff_at(const struct nb_model *model, const struct nb_pairing *pairing, double overlap,
-                             double inverse_mass, double radius, double normal_memory[], double shear_memory[]) {
+                             double inverse_mass, double radius, bool deep, double normal_memory[],
+                             double shear_memory[]) {
   struct nb_pair values = pairing->coming;
   values.radius = radius;
   struct nb_normal normal = pairing->normal->normal(values, overlap, 0, normal_memory);
@@ -79,7 +80,7 @@ static struct stiff stiff_at(const struct nb_model *model, const struct nb_pairi
     k.ks = pairing->coming_shear->shear(values, normal, 0, shear_memory).stiffness;
   if (!model->dashpots)
     return k;
-  const struct nb_dashpot pot = nb_dashpot(model);
+  const struct nb_dashpot pot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, pairing->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
   k.cn = pot.time * k.kn + pot.ratio * sqrt(mass * k.kn);
   k.cs = pot.time * k.ks + pot.ratio * sqrt(mass * k.ks);
@@ -106,7 +107,8 @@ static struct stiff stiff_of(const struct nb_model *model, size_t c) {
   }
   const double overlap = nb_overlap(model, c), least = pairing->normal->elastic ? 0 : just;
   return stiff_at(model, pairing, overlap > least ? overlap : least, inverse_mass(model, c, pairing->wall),
-                  nb_contacts_values(model, c, pairing->coming).radius, normal_memory, shear_memory);
+                  nb_contacts_values(model, c, pairing->coming).radius, model->damping.deep > 0 && nb_deep_is(model, c),
+                  normal_memory, shear_memory);
 }
 
 /* L of the global damping in force. */
@@ -195,7 +197,7 @@ static struct nb_safe alone(const struct nb_model *model, double limit) {
       }
     if (pairing->normal->elastic)
       continue; /* elastic spheres have no stiffness when they just touch */
-    struct part part = {.own = stiff_at(model, pairing, just, inverse, 1 / curvature, normal, shear)};
+    struct part part = {.own = stiff_at(model, pairing, just, inverse, 1 / curvature, false, normal, shear)};
     for (int side = 0; side < 2; side++) {
       const int i = lightest[side];
       struct nb_load load = {0};

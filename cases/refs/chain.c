@@ -207,8 +207,8 @@ static enum nb_status fit(struct chain *chain, const struct nb_scene *scene, str
     return unfit(error, "a row from the west to the east, in which every contact is pressed alike");
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    if (stage->damping.contact_kind || stage->damping.global_kind || stage->motion_count > 0 ||
-        stage->step.kind != step->kind || stage->step.value != step->value)
+    if (!nb_damping_none(&stage->damping) || stage->motion_count > 0 || stage->step.kind != step->kind ||
+        stage->step.value != step->value)
       return unfit(error, "one step, without damping, and walls that stand");
   }
   if (step->kind != NB_STEP_TIME && step->kind != NB_STEP_CRITICAL)

@@ -42,8 +42,7 @@ static bool steady(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     if (stage->motion_count || stage->change_count || stage->reverse || stage->still || stage->gravity.line ||
-        stage->damping.global_kind || stage->damping.contact_kind != scene->damping.contact_kind ||
-        stage->damping.contact != scene->damping.contact)
+        stage->damping.global_kind || !nb_damping_alike(&stage->damping, &scene->damping))
       return false;
   }
   return !scene->gravity.line && !scene->damping.global_kind;
@@ -99,9 +98,8 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
     return refuse(who, "a step that is a time or a share of the contact's duration", error);
   if (scene->impact.line)
     hertz->begin += scene->impact.phase * hertz->step;
-  if (scene->damping.contact_kind == NB_CONTACT_RATIO)
-    hertz->damping = scene->damping.contact;
-  else if (scene->damping.contact_kind)
+  const enum nb_contact_damping kind = nb_damping_at(&scene->damping, wall != NULL, &hertz->damping);
+  if (kind && kind != NB_CONTACT_RATIO)
     return refuse(who, "no damping but `contact-ratio`", error);
   return NB_OK;
 }

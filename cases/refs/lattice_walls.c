@@ -27,9 +27,7 @@ static double step_length(const struct nb_scene *scene, const struct nb_step *st
   return step->value * 2 * sqrt(lightest / stiffest);
 }
 
-static bool damped(const struct nb_damping *damping) {
-  return damping->contact_kind != NB_CONTACT_UNDAMPED || damping->global_kind != NB_GLOBAL_UNDAMPED;
-}
+static bool damped(const struct nb_damping *damping) { return !nb_damping_none(damping); }
 
 static void wall_velocities(gsl_vector *velocity, const struct nb_scene *scene) {
   for (size_t i = 0; i < scene->wall_count; i++) {

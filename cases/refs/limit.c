@@ -42,14 +42,15 @@ static double critical_step(const struct nb_scene *scene) {
 }
 
 /* c of a spring k, as the four words of the page language mean it. */
-static double dashpot(const struct nb_damping *damping, double k, double mass, double critical) {
-  switch (damping->contact_kind) {
+static double dashpot(const struct nb_damping *damping, bool wall, double k, double mass, double critical) {
+  double value;
+  switch (nb_damping_at(damping, wall, &value)) {
   case NB_CONTACT_BETA:
-    return damping->contact * k; /* [CS79 28] */
+    return value * k; /* [CS79 28] */
   case NB_CONTACT_FRACTION:
-    return damping->contact * k * critical / 2; /* [R89 4.3, 4.4] */
+    return value * k * critical / 2; /* [R89 4.3, 4.4] */
   case NB_CONTACT_RATIO:
-    return damping->contact * 2 * sqrt(mass * k); /* [R89 4.13] */
+    return value * 2 * sqrt(mass * k); /* [R89 4.13] */
   case NB_CONTACT_UNDAMPED:
     break;
   }
@@ -78,7 +79,7 @@ enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, co
   limit->dashpots = gsl_vector_alloc(2 * lattice->contact_count);
   for (size_t r = 0; r < 2 * lattice->contact_count; r++) {
     double k = gsl_vector_get(lattice->springs, r), mass = reduced_mass(scene, &lattice->contacts[r / 2]);
-    gsl_vector_set(limit->dashpots, r, dashpot(damping, k, mass, limit->critical));
+    gsl_vector_set(limit->dashpots, r, dashpot(damping, lattice->contacts[r / 2].wall, k, mass, limit->critical));
   }
   global(limit, damping);
   if (limit->push > 0 && gsl_vector_max(lattice->springs) > 0)

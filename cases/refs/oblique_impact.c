@@ -84,7 +84,7 @@ static enum nb_status refuse(const struct nb_scene *scene, struct nb_error *erro
   const char *wants = NULL;
   if (!scene->impact.line)
     wants = "a scene with `impact`";
-  else if (strcmp(scene->normal, "hertz") != 0 || scene->damping.contact_kind || scene->damping.global_kind)
+  else if (strcmp(scene->normal, "hertz") != 0 || !nb_damping_none(&scene->damping))
     wants = "`normal hertz` without damping";
   else if (scene->gravity.x != 0 || scene->gravity.y != 0)
     wants = "an impact without gravity";
@@ -92,7 +92,7 @@ static enum nb_status refuse(const struct nb_scene *scene, struct nb_error *erro
     wants = "a shear law of which it knows the limit of small steps";
   for (size_t s = 0; s < scene->stage_count && !wants; s++)
     if (scene->stages[s].change_count || scene->stages[s].motion_count || scene->stages[s].still ||
-        scene->stages[s].reverse || scene->stages[s].damping.contact_kind || scene->stages[s].gravity.line)
+        scene->stages[s].reverse || !nb_damping_none(&scene->stages[s].damping) || scene->stages[s].gravity.line)
       wants = "a scene that no stage changes";
   return wants ? nb_error_set(error, NB_BAD_USE, "oblique_impact is for %s", wants) : NB_OK;
 }

@@ -96,7 +96,7 @@ static double duration(const struct nb_scene *scene) {
     const struct nb_stage *stage = &scene->stages[s];
     if (stage->condition_count || stage->motion_count || stage->change_count || stage->reverse || stage->still ||
         stage->gravity.line || stage->step.kind != NB_STEP_TIME || stage->step.value != scene->step.value ||
-        stage->damping.contact_kind != scene->damping.contact_kind || stage->damping.contact != scene->damping.contact)
+        !nb_damping_alike(&stage->damping, &scene->damping))
       return 0;
     time += (double)stage->cycles * stage->step.value;
   }
@@ -127,13 +127,14 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   pair->values = nb_scene_pair(scene, a, pair->wall ? pair->wall->material : scene->bodies[1].material);
   pair->shears = strcmp(scene->shear, "none") != 0 && (pair->values.friction > 0 || pair->values.cohesion > 0);
   const double reduced = 1 / (1 / pair->mass[0] + 1 / pair->mass[1]);
-  switch (damping->contact_kind) {
+  double value;
+  switch (nb_damping_at(damping, pair->wall != NULL, &value)) {
   case NB_CONTACT_BETA:
-    pair->cn = damping->contact * pair->values.kn, pair->cs = damping->contact * pair->values.ks;
+    pair->cn = value * pair->values.kn, pair->cs = value * pair->values.ks;
     break;
   case NB_CONTACT_RATIO:
-    pair->cn = 2 * damping->contact * sqrt(reduced * pair->values.kn);
-    pair->cs = 2 * damping->contact * sqrt(reduced * pair->values.ks);
+    pair->cn = 2 * value * sqrt(reduced * pair->values.kn);
+    pair->cs = 2 * value * sqrt(reduced * pair->values.ks);
     break;
   case NB_CONTACT_FRACTION:
     return refuse(error, "wants `contact-beta` or `contact-ratio`");

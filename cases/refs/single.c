@@ -9,13 +9,14 @@
 
 /* c of a dashpot beside a spring k on a mass m, by the page's word [CS79 28; R89 4.3, 4.13]. */
 static double dashpot(const struct nb_damping *damping, double k, double m, double critical) {
-  switch (damping->contact_kind) {
+  double value;
+  switch (nb_damping_at(damping, true, &value)) {
   case NB_CONTACT_BETA:
-    return damping->contact * k;
+    return value * k;
   case NB_CONTACT_FRACTION:
-    return damping->contact * k * critical / 2;
+    return value * k * critical / 2;
   case NB_CONTACT_RATIO:
-    return damping->contact * 2 * sqrt(m * k);
+    return value * 2 * sqrt(m * k);
   case NB_CONTACT_UNDAMPED:
     break;
   }
@@ -68,8 +69,7 @@ enum nb_status single_of(struct single *single, const struct nb_scene *scene, st
 enum nb_status single_changes(const struct nb_scene *scene, bool gravity_may, struct nb_error *error) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    const bool damps = stage->damping.contact_kind != scene->damping.contact_kind ||
-                       stage->damping.contact != scene->damping.contact || stage->damping.global_kind;
+    const bool damps = !nb_damping_alike(&stage->damping, &scene->damping) || stage->damping.global_kind;
     const bool steps = stage->step.kind != scene->step.kind || stage->step.value != scene->step.value;
     if (stage->motion_count > 0 || stage->change_count > 0 || stage->still || stage->reverse || damps || steps ||
         (stage->gravity.line && !gravity_may))

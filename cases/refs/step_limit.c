@@ -17,15 +17,10 @@
 /* Outlines closer than this share of the radius touch: a page writes centres in decimals. */
 static const double touch = 1e-9;
 
-static bool alike(const struct nb_damping *a, const struct nb_damping *b) {
-  return a->contact_kind == b->contact_kind && a->contact == b->contact && a->global_kind == b->global_kind &&
-         a->global == b->global;
-}
-
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_damping *damping = &scene->stages[0].damping;
   for (size_t s = 1; s < scene->stage_count; s++)
-    if (!alike(damping, &scene->stages[s].damping))
+    if (!nb_damping_alike(damping, &scene->stages[s].damping))
       return nb_error_set(error, NB_BAD_USE, "reference step_limit is for one damping in all stages");
   if (strcmp(scene->normal, "linear") || (strcmp(scene->shear, "linear") && strcmp(scene->shear, "none")))
     return nb_error_set(error, NB_BAD_USE, "reference step_limit is for linear springs");

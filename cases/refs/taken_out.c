@@ -117,7 +117,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const struct nb_stage *stages = scene->stages;
   if (scene->stage_count != 2 || stages[0].removal_count || stages[0].step.kind != NB_STEP_TIME ||
       stages[1].step.kind != NB_STEP_TIME || strcmp(scene->normal, "linear") != 0 || scene->gravity.line ||
-      scene->damping.contact_kind || scene->damping.global_kind)
+      !nb_damping_none(&scene->damping))
     return nb_error_set(error, NB_BAD_USE,
                         "taken_out wants `normal linear`, two stages of which the second takes bodies out, a step that "
                         "is a time, and neither gravity nor damping");

@@ -25,8 +25,8 @@ static bool goes_back(const struct nb_scene *scene) {
     const struct nb_stage *stage = &scene->stages[s];
     turns += stage->reverse;
     cycles[turns > 0] += stage->cycles;
-    plain = plain && !stage->damping.contact_kind && !stage->damping.global_kind && !stage->condition_count &&
-            !stage->change_count && !stage->still && !stage->gravity.line && (!stage->motion_count || s == 0) &&
+    plain = plain && nb_damping_none(&stage->damping) && !stage->condition_count && !stage->change_count &&
+            !stage->still && !stage->gravity.line && (!stage->motion_count || s == 0) &&
             stage->step.kind == scene->step.kind && stage->step.value == scene->step.value;
   }
   return plain && turns == 1 && cycles[0] == cycles[1];

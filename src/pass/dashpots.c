@@ -3,7 +3,10 @@
  *   D_n = c_n dn/dt,   D_s = c_s ds/dt                                  [CS79 26, 27]
  *   c = beta k                  `contact-beta`, beta a time             [CS79 28]
  *   c = beta k t_c/2            `contact-fraction`: dN beta/(2 FRAC) is this, since dt = FRAC t_c    [R89 4.3, 4.4]
- *   c = beta 2 sqrt(M* k)       `contact-ratio`, a share of critical    [R89 4.13]
+ *   c = beta 2 sqrt(M* k)       `contact-ratio`, a share of critical    [R89 4.13, 4.19]
+ *   c = 2 sqrt(M* k)            in the place of these where a contact is deep and the page says `critical above` [R89 6.4.3]
+ *
+ * k is k_n for c_n, k_s for c_s; between elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.
  *
  * The stiffnesses are the ones that the laws answered this cycle. D_s is off while the contact slides [CS79, Damping]; F_n + D_n
  * may be tensile; the limit of F_s has been taken from F_n alone before this pass.
@@ -11,9 +14,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "../model.h"
 
-struct nb_dashpot nb_dashpot(const struct nb_model *model) {
-  const double beta = model->damping.contact;
-  switch (model->damping.contact_kind) {
+struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
+  double beta;
+  switch (nb_damping_at(&model->damping, wall, &beta)) {
   case NB_CONTACT_BETA:
     return (struct nb_dashpot){.time = beta};
   case NB_CONTACT_FRACTION:
@@ -26,8 +29,14 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model) {
   return (struct nb_dashpot){0};
 }
 
-static inline NB_FORM void dashpots(const struct nb_model *model, const struct nb_view *view) {
-  const struct nb_dashpot pot = nb_dashpot(model);
+static inline NB_FORM double coefficient(struct nb_dashpot pot, double mass, double stiffness, double deep) {
+  const double swing = sqrt(mass * stiffness), own = pot.time * stiffness + pot.ratio * swing;
+  return deep > 0 ? 2 * swing : own;
+}
+
+static inline NB_FORM void damp(const struct nb_model *model, const struct nb_view *view, bool critical) {
+  const struct nb_dashpot pot = nb_dashpot(model, view->pairing->wall);
+  const double *deep = view->f[NB_DEEP];
   const double *normal = view->f[NB_NORMAL], *stiffness = view->f[NB_STIFFNESS];
   const double *closing = view->f[NB_CLOSING];
   const double *mass = view->f[NB_MASS];
@@ -35,8 +44,8 @@ static inline NB_FORM void dashpots(const struct nb_model *model, const struct n
   const double rate = model->previous_step > 0 ? 1 / model->previous_step : 0;
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
-    const double coefficient = pot.time * stiffness[c] + pot.ratio * sqrt(mass[c] * stiffness[c]);
-    push[c] = normal[c] + coefficient * (closing[c] * rate);
+    const double dashpot = coefficient(pot, mass[c], stiffness[c], critical ? deep[c] : 0);
+    push[c] = normal[c] + dashpot * (closing[c] * rate);
   }
   if (!view->pairing->shear)
     return;
@@ -45,11 +54,21 @@ static inline NB_FORM void dashpots(const struct nb_model *model, const struct n
   double *drag = view->f[NB_DRAG];
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
-    const double coefficient = pot.time * shear_stiffness[c] + pot.ratio * sqrt(mass[c] * shear_stiffness[c]);
-    drag[c] = shear[c] + (1 - sliding[c]) * (coefficient * (slip[c] * rate));
+    const double dashpot = coefficient(pot, mass[c], shear_stiffness[c], critical ? deep[c] : 0);
+    drag[c] = shear[c] + (1 - sliding[c]) * (dashpot * (slip[c] * rate));
   }
 }
 
+static inline NB_FORM void dashpots(const struct nb_model *model, const struct nb_view *view) {
+  damp(model, view, false);
+}
+static inline NB_FORM void dashpots_critical(const struct nb_model *model, const struct nb_view *view) {
+  damp(model, view, model->damping.deep > 0);
+}
 NB_FORMS(dashpots)
+NB_FORMS(dashpots_critical)
 
-const struct nb_pass nb_pass_dashpots = {"dashpots", NB_FORMS_LIST(dashpots)};
+const struct nb_pass nb_pass_dashpots[2] = {
+    {"dashpots", NB_FORMS_LIST(dashpots)},
+    {"dashpots, critical where too deep", NB_FORMS_LIST(dashpots_critical)},
+};

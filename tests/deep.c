@@ -1,0 +1,200 @@
+/* Dashpots of elastic spheres and of walls apart; overlaps that are too deep: counted, named, damped critically.
+ * [R89 4.13, 4.19, 6.4.3]
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/step.h"
+#include "suites.h"
+#include "written.h"
+
+#define NEAR(a, b, share) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(b))
+
+static struct nb_model *model_of(struct written *it, const char *first, const char *second) {
+  struct words page = {0};
+  words_add(&page, "units none\n%s%s", first, second);
+  written_scene(it, &page);
+  return written_model(it, NULL);
+}
+
+/* E* = 1/2, G* = 1/8 between like spheres; mass 1. */
+#define SPHERE "material m density 0.238732414637843 young 1 poisson 0 friction 9\nnormal hertz\n"
+#define RECORD                                                                                                         \
+  "watch A sphere 1\nwatch B sphere 2\nwatch C sphere 1 with sphere 2\nrecord A.vx.half B.vx.half A.vy.half "          \
+  "B.vy.half "                                                                                                         \
+  "C.overlap C.dashpot.normal C.dashpot.shear C.sliding contacts.deep\nstage s\ncycles 9\n"
+
+/* c = 2 ratio (M* k)^(1/2), with k = 2 E* a and 8 G* a, a^2 = R* overlap. */
+static void elastic_coefficients(void) {
+  for (int slides = 0; slides < 2; slides++) {
+    struct written it;
+    struct nb_model *model =
+        model_of(&it, SPHERE,
+                 slides ? "shear mindlin\npair m m friction 1e-9\n"
+                          "sphere 0 0 radius 1 m velocity 0.1 0.3\nsphere 1.9 0 radius 1 m\ndamping "
+                          "contact-ratio 0.2\nstep 1e-4\n" RECORD
+                        : "shear mindlin\nsphere 0 0 radius 1 m velocity 0.1 0.3\nsphere 1.9 0 radius 1 m\n"
+                          "damping contact-ratio 0.2\nstep 1e-4\n" RECORD);
+    written_cycles(model, 1);
+    const double a = sqrt(0.5 * written_now(model, "C.overlap"));
+    const double closing = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
+    const double slip = written_now(model, "A.vy.half") - written_now(model, "B.vy.half");
+    NEAR(written_now(model, "C.dashpot.normal"), 0.4 * sqrt(0.5 * 2 * 0.5 * a) * closing,
+         1e-3); /* e has turned by 1e-5 */
+    CU_ASSERT_EQUAL(written_now(model, "C.sliding"), slides);
+    const double shear = slides ? 0 : 0.4 * sqrt(0.5 * 8 * 0.125 * a) * fabs(slip);
+    CU_ASSERT(fabs(fabs(written_now(model, "C.dashpot.shear")) - shear) <= 1e-3 * shear);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* ---- walls apart ---- */
+
+#define DISCS                                                                                                          \
+  "material m density 0.31830988618379067 kn 8\ndisc 0 0.9 radius 1 m velocity 0 -0.5\ndisc 0 2.7 radius 1 m "         \
+  "velocity "                                                                                                          \
+  "0 -2\nwall w -9 0 to 9 0 m\nwatch A disc 1\nwatch B disc 2\nwatch W disc 1 with wall w\nwatch C disc 1 with disc "  \
+  "2\n"                                                                                                                \
+  "step 1e-4\nrecord A.vy.half B.vy.half W.dashpot.normal C.dashpot.normal step.safe\n"
+
+/* c at the wall and between the discs, after the first cycle and in the second stage. */
+static void walls_apart(void) {
+  static const struct {
+    const char *scene, *stage;
+    double wall[2], discs[2]; /* c, N s/m */
+  } pages[] = {
+      {"damping contact-beta 0.1\n", "", {0.8, 0.8}, {0.8, 0.8}},
+      {"damping contact-beta 0.1\ndamping walls contact-beta 0.3\n", "", {2.4, 2.4}, {0.8, 0.8}},
+      {"damping walls contact-beta 0.3\ndamping contact-beta 0.1\n",
+       "damping contact-beta 0.2\n",
+       {2.4, 2.4},
+       {0.8, 1.6}},
+      {"damping walls contact-beta 0.3\n", "damping none\n", {2.4, 0}, {0, 0}},
+      {"damping contact-beta 0.1\ndamping walls none\n", "damping walls contact-beta 0.4\n", {0, 3.2}, {0.8, 0.8}},
+      {"damping none\n", "damping walls contact-ratio 0.5\n", {0, 2.8284271247461903}, {0, 0}},
+      {"damping walls none\n", "", {0, 0}, {0, 0}},
+  };
+  for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page, "units none\n" DISCS "%sstage a\ncycles 2\nstage b\n%scycles 2\n", pages[n].scene, pages[n].stage);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    for (int s = 0; s < 2; s++) {
+      CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+      written_cycles(model, 2);
+      const double a = written_now(model, "A.vy.half"), b = written_now(model, "B.vy.half");
+      CU_ASSERT(fabs(written_now(model, "W.dashpot.normal") + pages[n].wall[s] * a) < 1e-12);
+      CU_ASSERT(fabs(written_now(model, "C.dashpot.normal") - pages[n].discs[s] * (a - b)) < 1e-12);
+    }
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+/* One disc at a wall: omega^2 = 8, xi = ratio; what the others would have does not count. */
+static void the_safe_step_knows_walls(void) {
+  struct written it;
+  struct nb_model *model = model_of(
+      &it, "material m density 0.31830988618379067 kn 8\ndisc 0 0.9 radius 1 m\nwall w -9 0 to 9 0 m\n",
+      "damping contact-ratio 0.7\ndamping walls contact-ratio 0.2\nstep 0.01\nrecord step.safe\nstage s\ncycles 1\n");
+  NEAR(written_now(model, "step.safe"), 2 / sqrt(8) * (sqrt(1.04) - 0.2), 1e-12);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* ---- too deep ---- */
+
+static void overlaps_are_counted(void) {
+  static const struct {
+    const char *scene;
+    double counted; /* after ten cycles at rest */
+    const char *first;
+  } pages[] = {
+      {"sphere 0 0 radius 1 m fixed\nsphere 1.861 0 radius 1 m velocity 0 1e-9\n", 0, ""},
+      {"sphere 0 0 radius 1 m fixed\nsphere 1.859 0 radius 1 m velocity 0 1e-9\n", 11,
+       "body 1 at body 2, cycle 0, 0 s"},
+      {"sphere 0 0 radius 3 m fixed\nsphere 3.861 0 radius 1 m\n", 0, ""},
+      {"sphere 0 0 radius 3 m fixed\nsphere 3.859 0 radius 1 m\n", 11, "body 1 at body 2"},
+      {"sphere 0 0 radius 1 m\nsphere 3.859 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\n", 11, "body 1 at body 2"},
+      {"sphere 0 0 radius 1 m\nsphere 3.7 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\ndamping critical above 0.16\n",
+       0, ""},
+      {"sphere 0 0 radius 1 m\nsphere 3.67 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\ndamping critical above 0.16\n",
+       11, ""},
+      {"sphere 0 0.861 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 0, ""},
+      {"sphere 0 0.859 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 11, "body 1 at wall w"},
+  };
+  for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page, "units none\n" SPHERE "%sstep 1e-9\nrecord contacts.deep\nstage s\ncycles 10\n", pages[n].scene);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_EQUAL(written_last(&result, "contacts.deep"), pages[n].counted);
+    CU_ASSERT_EQUAL((double)result.deep, pages[n].counted);
+    CU_ASSERT(strncmp(result.deep_first, pages[n].first, strlen(pages[n].first)) == 0);
+    CU_ASSERT((result.deep_first[0] != 0) == (pages[n].counted > 0));
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+/* The count goes on through searches, on any number of threads; linear springs count nothing. */
+static void counts_go_on(void) {
+  double counts[3];
+  for (int k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\n%sspheres lattice 20 by 20 radius 1 spacing 1.85 m\nsphere 60 5 radius 1 m velocity -40 0\n"
+              "step 1e-3\nrecord contacts.deep contacts\nstage s\nrecord none\ncycles 100\nstage e\ncycles 1\n",
+              k == 2 ? "material m density 1 kn 1\n" : SPHERE);
+    written_scene(&it, &page);
+    written_run(&result, &it, &(struct nb_options){.threads = 1 + k});
+    CU_ASSERT(result.searches > 2);
+    counts[k] = written_last(&result, "contacts.deep");
+    nb_result_free(&result);
+    written_free(&it);
+  }
+  CU_ASSERT(counts[0] > 50 * 700);
+  CU_ASSERT(counts[0] == counts[1] && counts[2] == 0);
+}
+
+/* Critical where they are deep, as the page says elsewhere; the safe step knows. */
+static void deep_ones_are_damped_critically(void) {
+  for (int is_deep = 0; is_deep < 2; is_deep++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\n" SPHERE "damping critical above 0.05\ndamping contact-ratio 0.1\n"
+              "sphere 0 0 radius 1 m velocity 0.1 0\nsphere %g 0 radius 1 m\nstep 1e-6\n" RECORD,
+              is_deep ? 1.89 : 1.91);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    written_cycles(model, 1);
+    const double a = sqrt(0.5 * written_now(model, "C.overlap")), ratio = is_deep ? 1 : 0.1;
+    const double closing = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
+    NEAR(written_now(model, "C.dashpot.normal"), 2 * ratio * sqrt(0.5 * a) * closing, 1e-12);
+    CU_ASSERT_EQUAL(written_now(model, "contacts.deep"), is_deep ? 2 : 0);
+    /* without shear 2/omega (sqrt(1 + xi^2) - xi), omega^2 = k/M* */
+    NEAR(nb_safe_step(model).step, 2 / sqrt(a / 0.5) * (sqrt(1 + ratio * ratio) - ratio), 1e-5);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+void suite_deep(void) {
+  CU_pSuite suite = CU_add_suite("deep", NULL, NULL);
+  CU_add_test(suite, "coefficients of elastic spheres", elastic_coefficients);
+  CU_add_test(suite, "walls apart", walls_apart);
+  CU_add_test(suite, "the safe step knows walls", the_safe_step_knows_walls);
+  CU_add_test(suite, "overlaps are counted", overlaps_are_counted);
+  CU_add_test(suite, "counts go on", counts_go_on);
+  CU_add_test(suite, "deep ones are damped critically", deep_ones_are_damped_critically);
+}
