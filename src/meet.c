@@ -107,7 +107,7 @@ static void try_bodies(struct nb_meeting *shortest, const struct nb_model *model
   const struct nb_bodies *bodies = &model->bodies;
   for (size_t j = 0; j < bodies->count; j++) {
     const double inverse = bodies->inverse_mass[i] + bodies->inverse_mass[j];
-    if (j == i || !(inverse > 0) || (moving(velocity[j]) && bodies->number[j] < bodies->number[i]))
+    if (j == i || nb_gone(model, j) || !(inverse > 0) || (moving(velocity[j]) && bodies->number[j] < bodies->number[i]))
       continue;
     const double reach = bodies->rim[i].x + bodies->rim[j].x;
     const double speed =

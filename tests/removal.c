@@ -157,6 +157,27 @@ static void with_what_is_left(void) {
   written_free(&it);
 }
 
+/* One sphere flies at two, the one before the other; of these the first, by far the larger one, is taken out: what comes is the contact with the second. */
+static void met_by_none(void) {
+  double steps[2];
+  for (int with = 0; with < 2; with++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 young 9 poisson 0.3\nnormal hertz\n"
+              "sphere 0 0 radius 1 m velocity 1 0\nsphere 240 0 radius 10 m\n%s\nrecord step\nstep 0.01\nstage a\n"
+              "cycles 1\nstage b\n%s\nstep 0.01 of contact\ncycles 1\n",
+              with ? "sphere 120 0 radius 100 m" : "", with ? "remove sphere 3" : "");
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    steps[with] = written_last(&result, "step");
+    nb_result_free(&result);
+    written_free(&it);
+  }
+  CU_ASSERT_EQUAL(steps[1], steps[0]);
+}
+
 static void with_other_jumps(void) {
   static const char *const jumps[] = {"still\n", "reverse\n", "gravity 1 0\n", "material m kn 6000 ks 900\n"};
   for (size_t n = 0; n < sizeof jumps / sizeof *jumps; n++) {
@@ -189,5 +210,6 @@ void suite_removal(void) {
   CU_add_test(suite, "never there", never_there);
   CU_add_test(suite, "nothing in the way", nothing_in_the_way);
   CU_add_test(suite, "what is left", with_what_is_left);
+  CU_add_test(suite, "met by none", met_by_none);
   CU_add_test(suite, "other jumps", with_other_jumps);
 }
