@@ -18,7 +18,7 @@ struct words {
 };
 void words_add(struct words *words, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The only run of the page with these statements; the test ends here when they hold a mistake. Free it in place. */
+/* The only run of the page with these statements, those of a path if the first line is `path`; the test ends here when they hold a mistake. Free it in place. */
 void written_scene(struct written *written, struct words *words);
 void written_free(struct written *written);
 

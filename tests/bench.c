@@ -1,0 +1,223 @@
+/* One contact on the bench: where steps lead, forces that are gone to, what cannot be reached, the traction over the contact.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/bench.h"
+#include "suites.h"
+#include "written.h"
+
+#define STEEL                                                                                                          \
+  "path\nmaterial steel young 210 GPa poisson 0.3 friction 0.3\nmaterial hard rigid friction 1\n"                      \
+  "contact sphere 10 mm steel with sphere 30 mm steel\nnormal hertz\n"
+#define EXACT STEEL "shear mindlin_deresiewicz\n"
+
+/* Column c of row r. */
+static double cell(const struct nb_result *result, size_t r, size_t c) {
+  return result->table.values[r * result->table.column_count + c];
+}
+
+static void run(struct nb_result *result, struct written *it, const char *text) {
+  struct words page = {0};
+  words_add(&page, "%s", text);
+  written_scene(it, &page);
+  written_run(result, it, NULL);
+}
+
+static void done(struct nb_result *result, struct written *it) {
+  nb_result_free(result);
+  written_free(it);
+}
+
+/* Straight lines to a value and by a difference; the last step is the aim itself, whatever the steps before it add up to. */
+static void legs_go_along_straight_lines(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      STEEL "leg a overlap to 3 um slip by 0.7 um in 3 steps\nleg b overlap by -1 um in 1 step\nleg c slip to -0.2 um "
+            "in 2 steps\n");
+  static const double overlap[] = {0, 1e-6, 2e-6, 3e-6, 2e-6, 2e-6, 2e-6};
+  static const double slip[] = {0, 0.7e-6 / 3, 1.4e-6 / 3, 0.7e-6, 0.7e-6, 0.25e-6, -0.2e-6};
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 7);
+  for (size_t r = 0; r < 7; r++) { /* columns are the usual ones: step, overlap, slip, normal, shear */
+    CU_ASSERT(cell(&result, r, 0) == (double)r);
+    CU_ASSERT_DOUBLE_EQUAL(cell(&result, r, 1), overlap[r], 1e-21);
+    CU_ASSERT_DOUBLE_EQUAL(cell(&result, r, 2), slip[r], 1e-21);
+  }
+  CU_ASSERT(cell(&result, 3, 1) == 3e-6 && cell(&result, 3, 2) == 0.7e-6 && cell(&result, 6, 2) == -0.2e-6);
+  CU_ASSERT(cell(&result, 4, 2) == 0.7e-6); /* held */
+  CU_ASSERT(result.cycles == 6 && result.stage_cycles[0] == 3 && result.stage_cycles[2] == 2);
+  done(&result, &it);
+}
+
+/* To rounding, with any law; what is held stays what it is. */
+static void forces_are_reached(void) {
+  static const char *const shears[] = {"mindlin_deresiewicz", "mindlin", "mindlin_scaled", "randall"};
+  for (size_t k = 0; k < sizeof shears / sizeof *shears; k++) {
+    char text[1024];
+    struct written it;
+    struct nb_result result;
+    snprintf(text, sizeof text,
+             STEEL "shear %s\nleg a normal to 80 N in 7 steps\nleg b shear to 10 N hold normal in 4 steps\n"
+                   "leg c normal by -20 N hold shear in 5 steps\nleg d shear by -25 N in 3 steps\n"
+                   "leg e normal to 0 N in 1 step\nleg f normal to 5 N in 1 step\n",
+             shears[k]);
+    run(&result, &it, text);
+    for (size_t r = 0; r <= 7; r++)
+      CU_ASSERT_DOUBLE_EQUAL(cell(&result, r, 3), 80. * (double)r / 7, 1e-12);
+    for (size_t r = 7; r <= 11; r++)
+      CU_ASSERT_DOUBLE_EQUAL(cell(&result, r, 4), 2.5 * (double)(r - 7), 1e-12);
+    CU_ASSERT(cell(&result, 11, 1) == cell(&result, 7, 1));
+    for (size_t r = 12; r <= 16; r++) {
+      CU_ASSERT_DOUBLE_EQUAL(cell(&result, r, 3), 80 - 4 * (double)(r - 11), 1e-12);
+      CU_ASSERT_DOUBLE_EQUAL(cell(&result, r, 4), 10, 1e-12);
+    }
+    CU_ASSERT_DOUBLE_EQUAL(cell(&result, 19, 4), -15, 1e-12);
+    CU_ASSERT(cell(&result, 20, 3) < 1e-300 && fabs(cell(&result, 20, 4)) < 1e-300);
+    CU_ASSERT_DOUBLE_EQUAL(cell(&result, 21, 3), 5, 1e-12);
+    done(&result, &it);
+  }
+}
+
+static void expect_stop(const char *text, const char *message) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  struct nb_error error = {0};
+  words_add(&page, "%s", text);
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), NB_BROKEN);
+  CU_ASSERT_STRING_EQUAL(error.text, message);
+  if (strcmp(error.text, message) != 0)
+    printf("# %s\n", error.text);
+  done(&result, &it);
+}
+
+static void what_cannot_be_reached_stops(void) {
+  expect_stop(
+      EXACT "leg a normal to 10 N in 1 step\nleg b shear to 5 N in 5 steps\n",
+      "leg `b` (line 8), step 4 of 5: a shear force of 4 N cannot be reached, it comes to 3 N; friction times the "
+      "normal force is 3 N");
+  expect_stop(EXACT "leg a normal to 10 N in 1 step\nleg b normal by -20 N in 4 steps\n",
+              "leg `b` (line 8), step 3 of 4: a normal force of -5 N cannot be reached, it comes to 0 N");
+  expect_stop(
+      STEEL "leg a normal to 10 N in 1 step\nleg b shear to -1 N in 1 step\n",
+      "leg `b` (line 7), step 1 of 1: a shear force of -1 N cannot be reached, it comes to 0 N; friction times the "
+      "normal force is 3 N");
+}
+
+/* At the limit itself, which is reached but for rounding. */
+static void the_limit_is_reached(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      EXACT "leg a normal to 77 N in 1 step\nleg b shear to 23.1 N in 3 steps\nleg c shear to -23.1 N in 3 steps\n");
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 4), 23.1, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 7, 4), -23.1, 1e-12);
+  const double way = 3 * 23.1 / 16 / (1 / (2 * 2 * 1.3 * 1.7 / 210e9)); /* A a [R89 3.25] */
+  const double a = sqrt(7.5e-3 * cell(&result, 1, 1));
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 2), way / a, 1e-9 * way / a);
+  done(&result, &it);
+}
+
+static void repeated_legs_have_names(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      STEEL "leg a overlap to 1 um in 2 steps\nleg b overlap by 1 um in 1 step\nleg c slip by 1 um in 3 steps\nrepeat "
+            "from b 2 times\n");
+  static const char *const names[] = {"a", "b", "c", "b-2", "c-2", "b-3", "c-3"};
+  CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 7);
+  for (size_t s = 0; s < 7; s++)
+    CU_ASSERT_STRING_EQUAL(it.scene.stages[s].name, names[s]);
+  CU_ASSERT_EQUAL(result.cycles, 14);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 14, 1), 4e-6, 1e-20);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 14, 2), 3e-6, 1e-20);
+  done(&result, &it);
+}
+
+/* A gap is no overlap; slip in it counts for nothing, in the step that closes it for its share. */
+static void a_gap_forgets(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      STEEL "shear mindlin\nrecord approach overlap slip normal shear work.normal work.shear\nleg a overlap to 1 um "
+            "slip by 0.1 um in 1 step\n"
+            "leg b overlap to -1 um in 1 step\nleg c slip by 5 um in 1 step\nleg d overlap to 1 um slip by 0.2 um in 1 "
+            "step\n");
+  CU_ASSERT(cell(&result, 2, 0) == -1e-6 && cell(&result, 2, 1) == 0 && cell(&result, 2, 4) == 0);
+  CU_ASSERT(cell(&result, 3, 4) == 0 && cell(&result, 3, 6) == cell(&result, 2, 6));
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 4), cell(&result, 1, 4), 1e-9); /* half of the step, twice the slip */
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 6) - cell(&result, 3, 6), cell(&result, 1, 6), 1e-16);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 1, 5), cell(&result, 1, 3) / 2 * 1e-6, 1e-18);
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 5), 0, 1e-18);
+  done(&result, &it);
+}
+
+/* Walls have no radius, what is rigid gives nothing: E* and R* by hand. */
+static void a_wall_is_flat(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_bench bench;
+  struct nb_error error;
+  words_add(&page, "path\nmaterial steel young 210 GPa poisson 0.3 friction 0.3\nmaterial hard rigid friction 1\n"
+                   "contact sphere 10 mm steel with wall hard\nnormal hertz\nleg a overlap to 1 um\n");
+  written_scene(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(nb_bench_create(&bench, &it.scene, &error), NB_OK);
+  CU_ASSERT(bench.pair.radius == 0.01 && bench.pair.friction == 0.3);
+  CU_ASSERT_DOUBLE_EQUAL(bench.pair.young, 210e9 / 0.91, 1);
+  nb_bench_free(&bench);
+  written_free(&it);
+}
+
+/* Loading at constant N: q = (3 mu N/2 pi a^3) [(a^2 - r^2)^(1/2) - (c^2 - r^2)^(1/2)], the second within c [R89 3.23]; and its table, with
+ * D(x). */
+static void the_traction_is_mindlins(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      EXACT "record normal shear radius radius.stick pieces\nleg a normal to 60 N in 1 step\nleg b shear to 9 N in 1 "
+            "step\nsnapshot\n");
+  const double n = cell(&result, 2, 0), t = cell(&result, 2, 1), a = cell(&result, 2, 2),
+               c = a * cbrt(1 - t / (0.3 * n));
+  CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 3), c, 1e-9 * a);
+  CU_ASSERT(cell(&result, 2, 4) == 2);
+  CU_ASSERT_EQUAL_FATAL(result.snapshot_count, 1);
+  const struct nb_table *table;
+  const char *name;
+  CU_ASSERT_FATAL(nb_snapshot_part(&result.snapshots[0], 0, &name, &table) && strcmp(name, "traction") == 0);
+  const double pi = acos(-1), scale = 3 * 0.3 * n / (2 * pi * a * a * a);
+  for (size_t r = 0; r < table->row_count; r++) {
+    const double *row = table->values + 4 * r, s = row[0] * row[0];
+    const double q = scale * (sqrt(fmax(a * a - s, 0)) - sqrt(fmax(c * c - s, 0)));
+    CU_ASSERT_DOUBLE_EQUAL(row[2], q, 1e-6 * scale * a); /* (1e-12)^(1/2): the root at c */
+    CU_ASSERT_DOUBLE_EQUAL(row[3], scale * sqrt(fmax(a * a - s, 0)), 1e-6 * scale * a);
+    CU_ASSERT_DOUBLE_EQUAL(0.3 * row[1], row[3], 1e-6 * scale * a);
+  }
+  CU_ASSERT_DOUBLE_EQUAL(table->values[4 * (table->row_count - 1)], a, 1e-12 * a);
+  CU_ASSERT_FATAL(nb_snapshot_part(&result.snapshots[0], 1, &name, &table) && strcmp(name, "pieces") == 0);
+  static const double D[] = {0, 0, 1, 1};
+  CU_ASSERT_EQUAL_FATAL(table->row_count, 4);
+  for (size_t r = 0; r < 4; r++) {
+    const double radius[] = {0, c, c, a};
+    CU_ASSERT_DOUBLE_EQUAL(table->values[3 * r + 1], radius[r], 1e-9 * a);
+    CU_ASSERT_DOUBLE_EQUAL(table->values[3 * r], radius[r] * radius[r] / 7.5e-3, 1e-9 * a * a / 7.5e-3);
+    CU_ASSERT_DOUBLE_EQUAL(table->values[3 * r + 2], D[r], 1e-9);
+  }
+  CU_ASSERT(!nb_snapshot_part(&result.snapshots[0], 2, &name, &table));
+  done(&result, &it);
+}
+
+void suite_bench(void) {
+  CU_pSuite suite = CU_add_suite("bench", NULL, NULL);
+  CU_add_test(suite, "legs go along straight lines", legs_go_along_straight_lines);
+  CU_add_test(suite, "forces are reached", forces_are_reached);
+  CU_add_test(suite, "what cannot be reached stops", what_cannot_be_reached_stops);
+  CU_add_test(suite, "the limit is reached", the_limit_is_reached);
+  CU_add_test(suite, "repeated legs have names", repeated_legs_have_names);
+  CU_add_test(suite, "a gap forgets", a_gap_forgets);
+  CU_add_test(suite, "a wall is flat", a_wall_is_flat);
+  CU_add_test(suite, "the traction is Mindlin's", the_traction_is_mindlins);
+}
