@@ -189,6 +189,29 @@ run 2 run "$pages/passes.md" --set w=1
 said '`w`'
 verdict '--set: a value, the step, a law, what does not exist'
 
+# ---- a path of the user's own ----
+printf 'approach/um\tslip/m\tnote\n# out\n1\t0\ta\n\n1\t1e-7\tb\n2\t-1e-7\tc\n' >path.tsv
+run 0 run "$pages/bench.md" -o path
+out '1 of 1 checks passed'
+test "$(column overlap/m path/table.tsv | tail -n 1)" = 3.0000000000000001e-06 || echo 'the legs of the page do not hold' >>why
+there path/press-traction.tsv
+there path/press-pieces.tsv
+run 0 run "$pages/bench.md" --follow path.tsv -o path
+test "$(column slip/m path/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 ' || echo 'the path was not followed' >>why
+test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'nor was its unit' >>why
+column stage path/table.tsv | grep -qv follow && echo 'a leg of the page is left' >>why
+run 0 explain "$pages/bench.md" --follow path.tsv
+out 'from point to point of a file'
+run 2 check "$pages/bench.md" --follow path.tsv
+said 'nothing is expected'
+printf 'approach/m\tslip/m\n1e-6\tnought\n' >path.tsv
+run 2 run "$pages/bench.md" --follow path.tsv -o bad
+said 'path.tsv:2:6: error: expected a number for the slip, found `nought`'
+absent bad
+run 2 run "$pages/passes.md" --follow path.tsv
+said 'expected a page with a path for `follow`'
+verdict "--follow: the page's contact along another path, and what is wrong with one"
+
 run 0 run "$pages/swept.md" -o swept
 test "$(column v/- swept/table.tsv | sort -u | wc -l)" -eq 3 || echo 'no column v' >>why
 test "$(column D.x/- swept/table.tsv | wc -l)" -eq 27 || echo 'not 3 runs of 9 rows' >>why

@@ -15,6 +15,9 @@
  * is lost while loading to T = t mu N, and twice that on a branch of |T - T_begin| = 2 t mu N: 4 W by a loop, the formula of
  * Mindlin and Deresiewicz (1953).
  *
+ * A law that remembers two reversals (`randall`) knows three branches, and goes to and fro on the third as if that were elastic.
+ * One without slip but as a whole (`mindlin`, `mindlin_scaled`) has T = 8 G* a delta; it is known below the limit.
+ *
  * Past A the whole contact slides, and loses mu N of each metre.
  *
  * Known at each step along `step`, and at the end of each leg: slip, shear, radius.stick, lost, and work.shear,
@@ -23,6 +26,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "path.h"
 
@@ -36,6 +40,7 @@ struct branch {
 
 struct loops {
   double limit, way, radius; /* mu N, N; A, m; a, m */
+  int most;                  /* branches remembered; 0: no law of branches, T = 8 G* a delta */
   struct branch branches[BRANCHES];
   int count;
   double shear, slip, lost, work; /* now, as in struct branch */
@@ -71,13 +76,21 @@ static void join(struct branch *b, double shear, double lost, double work) {
 static struct branch *branch_to(struct loops *loops, double shear, double slip, bool force) {
   const double sense = (force ? shear > loops->shear : slip > loops->slip) ? 1 : -1;
   struct branch *top = &loops->branches[loops->count - 1];
-  if (loops->count == 0 || (sense != top->sense && loops->count < BRANCHES)) {
+  if (loops->count == 0 || (sense != top->sense && loops->count < loops->most)) {
     top = &loops->branches[loops->count++];
     *top = (struct branch){loops->shear, loops->slip, loops->lost, loops->work, sense, loops->count == 1 ? 1 : 2};
   }
   /* Two go at once: the one that is on its way back, and the one that it began on. Of the first loading, the way back ends at
    * the same T with the other sign. */
   while (loops->count > 1) {
+    if (sense != top->sense) { /* no branch could begin: back along this one, at most to where it began */
+      const double end = top->shear, lost = top->lost, work = top->work;
+      if (!(sense * ((force ? shear : slip) - (force ? end : top->slip)) > 0))
+        break;
+      top--, loops->count--;
+      join(top, end, lost, work);
+      continue;
+    }
     struct branch *before = top - 1;
     const double end = loops->count == 2 ? -top->shear : before->shear;
     const double end_slip = loops->count == 2 ? 2 * before->slip - top->slip : before->slip;
@@ -95,7 +108,19 @@ static struct branch *branch_to(struct loops *loops, double shear, double slip, 
   return top;
 }
 
+/* What sticks all over is a spring: in units of A and mu N its stiffness is 3/2. */
+static void stretch(struct loops *loops, double target, bool force) {
+  const double shear = force ? target : loops->shear + 1.5 * (target - loops->slip);
+  const double slip = force ? loops->slip + (target - loops->shear) / 1.5 : target;
+  loops->work += (loops->shear + shear) / 2 * (slip - loops->slip);
+  loops->shear = shear, loops->slip = slip;
+}
+
 static void go(struct loops *loops, double target, bool force) {
+  if (loops->most == 0) {
+    stretch(loops, target, force);
+    return;
+  }
   if (target == (force ? loops->shear : loops->slip))
     return;
   const struct branch *branch = branch_to(loops, target, target, force);
@@ -156,6 +181,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return error->status;
   struct loops *loops = calloc(1, sizeof *loops);
   bool made = loops;
+  const bool two = strcmp(scene->shear, "randall") == 0, none = strncmp(scene->shear, "mindlin", 7) == 0;
+  if (loops)
+    loops->most = two ? 3 : none && strcmp(scene->shear, "mindlin_deresiewicz") != 0 ? 0 : BRANCHES;
   for (int c = 0; c < COLUMNS; c++)
     made = (columns[c] = path_column(scene)) != NULL && made;
   const bool constant = made && walk_path(loops, &contact, scene, columns);
