@@ -61,7 +61,7 @@ static int touching(double xi, int springs) {
 
 /* The springs after xi has gone from `from` to `to` and d by `slip`; the sum of their forces. *slipped: of the innermost one, which
  * is the last to slip, so that it is the sliding of the contact as a whole. Eight sums, so that the compiler makes them wide. */
-static double press(double *u, const double *depth, int springs, double from, double to, double slip, double *slipped) {
+double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *slipped) {
   const int before = touching(from, springs), after = touching(to, springs), stay = before < after ? before : after;
   double sum[8] = {0}, all = 0;
   *slipped = stay > 0 ? u[0] + slip - clip(u[0] + slip, to - depth[0]) : 0;
@@ -90,7 +90,7 @@ bool impact_springs(struct impact_path *path, double chi, double psi1, int steps
     double slipped;
     psi -= 2.5 * chi * path->f[k] * (k ? dt : dt / 2);
     path->d[k + 1] = path->d[k] + psi * dt;
-    path->f[k + 1] = press(u, depth, springs, path->xi[k], path->xi[k + 1], psi * dt, &slipped);
+    path->f[k + 1] = impact_press(u, depth, springs, path->xi[k], path->xi[k + 1], psi * dt, &slipped);
     path->slid += slipped * (path->f[k] + path->f[k + 1]) / 2;
     path->slides[k + 1] = fabs(u[0]) >= path->xi[k + 1] - depth[0];
   }

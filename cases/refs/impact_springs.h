@@ -38,6 +38,11 @@ bool impact_law(struct impact_path *path, const char *law, double spring, double
 bool impact_law_known(const char *law);
 /* Of the exact contact with its error of second order in the step taken out: from half of the steps and all of them. */
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
+/* With dashpots of the share beta of critical, normal and tangential (impact_damped.c): psi2; NAN: no memory. */
+double impact_damped(double chi, double kappa, double beta, double psi1, int steps);
+/* The springs after xi has gone from `from` to `to` and d by `slip`: f. The spring i touches at xi = depth[i]. *slipped: of the
+ * innermost one, which is the last to slip. */
+double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *slipped);
 void impact_path_free(struct impact_path *path);
 
 #endif

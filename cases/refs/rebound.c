@@ -1,0 +1,169 @@
+/* Reference: the velocities and spins after a sphere or a disc has struck a wall, or another one, at an angle and spinning.
+ *
+ * The impulses J_n along the normal and J_t against the slip follow from the slip before and after, V_T and V_T',
+ *
+ *   J_n = (1 + e) M V_N,    J_t = (V_T - V_T')/B,    1/M = sum 1/m,    B = sum (1/m + R^2/I)
+ *
+ * and give each body  dv = (J_n n -+ J_t t)/m,  dw = -+ R J_t/I.  It remains to say e and V_T'.
+ *
+ *   e    of a dashpot of the share beta of critical: exp(-pi z/(1 - z^2)^(1/2)) with z = beta for a linear spring and
+ *        z = (6/5)^(1/2) beta for Hertz's; 1 without. J_n is the impulse of the elastic force too: that of the dashpot,
+ *        Int c(alpha) d(alpha) from 0 to 0, is none.
+ *   V_T' where it slides throughout, J_t = mu J_n: the contact's velocity psi = V_T/(mu kappa V_N) goes from psi1 to
+ *        psi2 = psi1 - 2 chi (1 + e),    chi = M B/(2 kappa),    kappa = (E* / G*)/4, or k_n/k_s of springs       [R89 5.14, 5.15]
+ *        It does so from psi1 = 4 chi on, whatever the law, as long as that has Coulomb's limit and takes it at psi1 > 1 at once.
+ *        A contact that arrives without slip, psi1 = 0, keeps none: nothing happens along it.
+ *        Between, for `shear mindlin_deresiewicz` alone, psi2 is that of independent springs (impact_springs.c, impact_damped.c).
+ *
+ * Known: NAME.vx, NAME.vy, NAME.spin for watches of the bodies; impact.psi1, impact.psi2, impact.restitution (of the centre's
+ * speed, relative to what is struck); energy.kinetic: all at the end. And energy.kinetic max, which is that at first.
+ *
+ * Error    in gross sliding rounding; psi2 of springs 1e-6 without dashpots, 2e-4 with them.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_math.h>
+#include <string.h>
+
+#include "hertz.h"
+#include "impact_springs.h"
+
+enum { STEPS = 2000, DAMPED_STEPS = 8000 };
+
+static const double no_slip = 1e-12; /* rounding, in psi1 */
+
+struct meeting {
+  const struct nb_body *body[2]; /* the second NULL: a wall */
+  double m[2], i[2], r[2];       /* kg, kg m2, m; 0: does not move */
+  double nx, ny;                 /* from what is struck to the first body; t is that turned clockwise */
+  double vx, vy;                 /* of the first body, relative, m/s */
+  double vn, vt, mass, yield;    /* V_N, V_T signed along t, m/s; M, kg; B, 1/kg */
+  double mu, kappa, chi, e, beta;
+};
+
+static double over(double a, double b) { return b > 0 ? a / b : 0; }
+
+/* What the pair is; NULL, or what it should have been. */
+static const char *meet(struct meeting *it, const struct nb_scene *scene) {
+  const struct nb_watch *watch = &scene->watches[scene->impact.watch];
+  const bool hertz = strcmp(scene->normal, "hertz") == 0, damped = scene->damping.contact_kind != NB_CONTACT_UNDAMPED;
+  const struct nb_wall *wall = watch->kind == NB_WATCH_BODY_WALL ? &scene->walls[watch->b] : NULL;
+  *it = (struct meeting){.body = {&scene->bodies[watch->a], wall ? NULL : &scene->bodies[watch->b]}};
+  const struct nb_body *a = it->body[0], *b = it->body[1];
+  const struct nb_pair pair = nb_scene_pair(scene, a->material, wall ? wall->material : b->material);
+  if (!hertz && strcmp(scene->normal, "linear") != 0)
+    return "`normal hertz` or `normal linear`";
+  if (damped && scene->damping.contact_kind != NB_CONTACT_RATIO)
+    return "`damping contact-ratio`, or none";
+  if (!(pair.friction > 0) || pair.cohesion > 0 || (!hertz && !(pair.ks > 0)))
+    return "a contact with friction, without cohesion";
+  for (int k = 0; k < 2; k++)
+    if (it->body[k] && !it->body[k]->fixed) {
+      it->m[k] = nb_body_mass(scene, it->body[k]), it->i[k] = nb_body_inertia(scene, it->body[k]);
+      it->r[k] = it->body[k]->radius, it->mass += 1 / it->m[k];
+      it->yield += 1 / it->m[k] + it->r[k] * it->r[k] / it->i[k];
+    }
+  it->mass = 1 / it->mass;
+  it->nx = wall ? -wall->ey : a->x - b->x, it->ny = wall ? wall->ex : a->y - b->y;
+  const double way = wall ? (a->x - wall->x) * it->nx + (a->y - wall->y) * it->ny : 1;
+  const double size = copysign(hypot(it->nx, it->ny), way);
+  it->nx /= size, it->ny /= size;
+  it->vx = a->vx - (wall ? wall->vx : b->vx), it->vy = a->vy - (wall ? wall->vy : b->vy);
+  it->vn = -(it->vx * it->nx + it->vy * it->ny);
+  it->vt = it->vx * it->ny - it->vy * it->nx + a->spin * a->radius + (wall ? 0 : b->spin * b->radius);
+  it->mu = pair.friction, it->kappa = hertz ? pair.young / (4 * pair.shear) : pair.kn / pair.ks;
+  it->chi = it->mass * it->yield / (2 * it->kappa);
+  it->beta = damped ? scene->damping.contact : 0;
+  it->e = hertz ? hertz_restitution(it->beta) : exp(-M_PI * it->beta / sqrt(1 - it->beta * it->beta));
+  return it->vn > 0 ? NULL : "an impact";
+}
+
+static const char *refuse(const struct nb_scene *scene) {
+  if (!scene->impact.line)
+    return "a scene with `impact`";
+  if (scene->gravity.x != 0 || scene->gravity.y != 0 || scene->damping.global_kind || strcmp(scene->shear, "none") == 0)
+    return "an impact with a shear law, without gravity and global damping";
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    if (stage->change_count || stage->motion_count || stage->still || stage->reverse || stage->gravity.line ||
+        stage->damping.contact_kind != scene->damping.contact_kind)
+      return "a scene that no stage changes";
+  }
+  return NULL;
+}
+
+/* NAN: out of memory. */
+static double psi_after(const struct meeting *it, double psi1) {
+  if (psi1 < no_slip)
+    return 0;
+  if (psi1 >= 4 * it->chi)
+    return psi1 - 2 * it->chi * (1 + it->e);
+  if (it->beta > 0)
+    return impact_damped(it->chi, it->kappa, it->beta, psi1, DAMPED_STEPS);
+  struct impact_path path;
+  const double psi2 = impact_exact(&path, it->chi, psi1, STEPS) ? path.psi2 : NAN;
+  impact_path_free(&path);
+  return psi2;
+}
+
+static void tell(struct nb_known *known, const struct nb_scene *scene, const struct meeting *it, double psi1,
+                 double psi2) {
+  const double jn = (1 + it->e) * it->mass * it->vn;
+  const double jt = copysign((psi1 - psi2) * it->mu * it->kappa * it->vn / it->yield, it->vt);
+  const double jx = jn * it->nx - jt * it->ny, jy = jn * it->ny + jt * it->nx; /* on the first body; t = (ny, -nx) */
+  double first = 0, energy = 0;
+  for (int k = 0; k < 2; k++) {
+    const struct nb_body *body = it->body[k];
+    if (!body)
+      continue;
+    const double sign = k ? -1 : 1;
+    const double vx = body->vx + sign * over(jx, it->m[k]), vy = body->vy + sign * over(jy, it->m[k]);
+    const double spin = body->spin - over(it->r[k] * jt, it->i[k]);
+    first += (it->m[k] * (body->vx * body->vx + body->vy * body->vy) + it->i[k] * body->spin * body->spin) / 2;
+    energy += (it->m[k] * (vx * vx + vy * vy) + it->i[k] * spin * spin) / 2;
+    for (size_t w = 0; w < scene->watch_count; w++) {
+      const struct nb_watch *watch = &scene->watches[w];
+      if (watch->kind != NB_WATCH_BODY || &scene->bodies[watch->a] != body)
+        continue;
+      const struct {
+        const char *what;
+        double value;
+      } now[] = {{"vx", vx}, {"vy", vy}, {"spin", spin}};
+      for (int q = 0; q < 3; q++) {
+        char name[3 * NB_NAME_SIZE];
+        snprintf(name, sizeof name, "%s.%s", watch->name, now[q].what);
+        known_value(known, now[q].value, name);
+      }
+    }
+  }
+  const double vx = it->vx + jx / it->mass, vy = it->vy + jy / it->mass;
+  known_value(known, psi1, "impact.psi1");
+  known_value(known, psi2, "impact.psi2");
+  known_value(known, hypot(vx, vy) / hypot(it->vx, it->vy), "impact.restitution");
+  known_value(known, energy, "energy.kinetic");
+  known_value(known, first, "energy.kinetic max");
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct meeting it;
+  const char *wants = refuse(scene);
+  if (!wants)
+    wants = meet(&it, scene);
+  const double psi1 = wants ? 0 : fabs(it.vt) / (it.mu * it.kappa * it.vn);
+  if (!wants && psi1 >= no_slip && psi1 < 4 * it.chi &&
+      (strcmp(scene->shear, "mindlin_deresiewicz") != 0 || strcmp(scene->normal, "hertz") != 0))
+    wants = "the exact law, or for an impact that slides from first touch to parting, psi1 >= 4 chi";
+  if (wants)
+    return nb_error_set(error, NB_BAD_USE, "rebound is for %s", wants);
+  const double psi2 = psi_after(&it, psi1);
+  if (isnan(psi2))
+    return nb_error_set(error, NB_BROKEN, "a reference ran out of memory");
+  tell(known, scene, &it, psi1, psi2);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_rebound = {
+    .name = "rebound",
+    .title = "velocities and spins after an impact: impulses in gross sliding, else the exact contact as springs",
+    .source = "[R89 5.14, 5.15]",
+    .know = know,
+};

@@ -1,0 +1,43 @@
+/* The exact contact with dashpots, as springs: against the same without, against gross sliding, and against itself.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "../cases/refs/hertz.h"
+#include "../cases/refs/impact_springs.h"
+#include "suites.h"
+
+static const double chi = 1.4411764705882353, kappa = 1.2142857142857142; /* nu = 0.3 */
+
+/* 4000 springs and leapfrog: the error goes with the square of a step, 1e-5 at most. */
+static void without_damping(void) {
+  for (double psi1 = 0.5; psi1 < 6; psi1 += 0.9) {
+    struct impact_path path;
+    CU_ASSERT(impact_exact(&path, chi, psi1, 2000));
+    CU_ASSERT_DOUBLE_EQUAL(impact_damped(chi, kappa, 0, psi1, 8000), path.psi2, 1e-5);
+    impact_path_free(&path);
+  }
+}
+
+/* The dashpot's impulse from overlap 0 to 0 is none, so T takes mu (1 + e) M V_N. */
+static void gross_sliding(void) {
+  for (double e = 0.2; e < 1; e += 0.2)
+    CU_ASSERT_DOUBLE_EQUAL(impact_damped(chi, kappa, hertz_ratio(e), 7, 4000), 7 - 2 * chi * (1 + e), 2e-5);
+}
+
+/* Cut into half as many steps it moves by the error that rebound.c gives it, 2e-4, or less; and damping must do something. */
+static void converges(void) {
+  for (double psi1 = 0.5; psi1 < 4; psi1 += 0.7) {
+    const double beta = hertz_ratio(0.5), fine = impact_damped(chi, kappa, beta, psi1, 8000);
+    CU_ASSERT_DOUBLE_EQUAL(impact_damped(chi, kappa, beta, psi1, 4000), fine, 2e-4);
+    CU_ASSERT(fabs(impact_damped(chi, kappa, 0, psi1, 4000) - fine) > 0.05);
+  }
+}
+
+void suite_refs_damped(void) {
+  CU_pSuite suite = CU_add_suite("refs_damped", NULL, NULL);
+  CU_add_test(suite, "without damping: the exact contact", without_damping);
+  CU_add_test(suite, "gross sliding in closed form", gross_sliding);
+  CU_add_test(suite, "it converges", converges);
+}
