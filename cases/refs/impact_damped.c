@@ -67,8 +67,12 @@ double impact_damped(double chi, double kappa, double beta, double psi1, int ste
     double slipped;
     psi = (psi * (1 - half) - 2.5 * chi * f * share) / (1 + half);
     go(y, (struct motion){drag, TIME}, (k + 1) * dt);
-    f = impact_press(u, depth, springs, xi, y[WAY] > 0 && k + 1 < steps ? y[WAY] : 0, psi * dt, &slipped);
-    slides = fabs(slipped) > 0;
+    const double to = y[WAY] > 0 && k + 1 < steps ? y[WAY] : 0;
+    f = impact_press(u, depth, springs, xi, to, psi * dt, &slipped);
+    if (xi > depth[0] && to > depth[0])
+      slides = fabs(slipped) > 0;
+    else if (to > xi) /* before the first spring touches */
+      slides = fabs(psi) * dt > to - xi;
   }
   const bool made = u && depth;
   free(u), free(depth);
