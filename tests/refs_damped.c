@@ -26,11 +26,11 @@ static void gross_sliding(void) {
     CU_ASSERT_DOUBLE_EQUAL(impact_damped(chi, kappa, hertz_ratio(e), 7, 4000), 7 - 2 * chi * (1 + e), 1e-6);
 }
 
-/* Cut into half as many steps it moves by the error that rebound.c gives it, 2e-4, or less; and damping must do something. */
+/* Cut into half as many steps it moves by the error that rebound.c gives it, 5e-4, or less; and damping must do something. */
 static void converges(void) {
   for (double psi1 = 0.5; psi1 < 4; psi1 += 0.7) {
     const double beta = hertz_ratio(0.5), fine = impact_damped(chi, kappa, beta, psi1, 8000);
-    CU_ASSERT_DOUBLE_EQUAL(impact_damped(chi, kappa, beta, psi1, 4000), fine, 2e-4);
+    CU_ASSERT_DOUBLE_EQUAL(impact_damped(chi, kappa, beta, psi1, 4000), fine, 5e-4);
     CU_ASSERT(fabs(impact_damped(chi, kappa, 0, psi1, 4000) - fine) > 0.05);
   }
 }

@@ -18,7 +18,7 @@
  * Known: NAME.vx, NAME.vy, NAME.spin for watches of the bodies; impact.psi1, impact.psi2, impact.restitution (of the centre's
  * speed, relative to what is struck); energy.kinetic: all at the end. And energy.kinetic max, which is that at first.
  *
- * Error    in gross sliding rounding; psi2 of springs 1e-6 without dashpots, 2e-4 with them.
+ * Error    in gross sliding rounding; psi2 of springs 1e-6 without dashpots, 5e-4 with them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_math.h>
