@@ -82,6 +82,8 @@ enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
   nb_forces(model);
   if (model->deep.counts)
     nb_deep_look(model);
+  if (model->fracc_before)
+    nb_fracc_forces(model);
   if (model->balance)
     nb_balance_forces(model);
   return NB_OK;

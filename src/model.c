@@ -194,6 +194,8 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
     nb_impact_begin(model);
   if (!status)
     nb_forces(model), nb_deep_look(model);
+  if (!status && nb_fields_watched(scene) & NB_ASKS_FRACC && !nb_fracc_begin(model))
+    status = nb_error_set(error, NB_BROKEN, "out of memory for FRACC");
   return status ? status : nb_balance_create(model, error);
 }
 
@@ -252,6 +254,7 @@ void nb_model_free(struct nb_model *model) {
                    model->incidence.entry,
                    model->views,
                    model->scratch,
+                   model->fracc_before,
                    model->deep.counts};
   for (size_t k = 0; k < COUNT(owned); k++)
     free(owned[k]);

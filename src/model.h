@@ -118,7 +118,8 @@ struct nb_model {
   struct nb_incidence incidence;
   struct nb_view *views; /* one per block */
   size_t view_count;
-  double smallest; /* radius of all bodies, m */
+  double smallest;             /* radius of all bodies, m */
+  double fracc, *fracc_before; /* fracc.c: of the cycle behind; per slot |SF| then, N; NULL: nobody asks */
   struct nb_deep {
     unsigned long *counts;        /* per block since the last search, NB_DEEP_APART apart; NULL: nothing is elastic */
     unsigned long long count;     /* contact updates too deep until then */
@@ -173,6 +174,7 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error);
 bool nb_plan_stands(const struct nb_model *model); /* whether it is still the one that the pairings' values ask for */
 
 /* names.c: fields that some column or condition of the scene reads, and what else is to be kept for it: */
+#define NB_ASKS_FRACC (1u << 27)  /* fracc.c */
 #define NB_ASKS_WORK (1u << 29)   /* the work balance, energy.h */
 #define NB_ASKS_ENERGY (1u << 30) /* the energy balance */
 #define NB_ASKS_STORED (1u << 31) /* energies that only a law with stored energy has */

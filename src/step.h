@@ -40,6 +40,10 @@ double nb_rayleigh_fit(double poisson);  /* the same by [R89 4.34] */
 /* Half round the smallest sphere, or one that is the mean of all, s; infinite where none is elastic [R89 4.33]. */
 double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean);
 
+/* fracc.c */
+bool nb_fracc_begin(struct nb_model *model);  /* false: no memory */
+void nb_fracc_forces(struct nb_model *model); /* after the forces */
+
 /* step.c */
 bool nb_step_elastic(const struct nb_model *model);   /* the normal law is one of elastic spheres */
 bool nb_step_pressed(const struct nb_model *model);   /* some of them are, by more than rounding */

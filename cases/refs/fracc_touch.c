@@ -1,0 +1,37 @@
+/* Reference: R89's FRACC of a disc at rest, the second of two, that the first one strikes squarely along x.
+ *
+ * The first force F_1 = k a_1 finds it at rest: no way, no FRACC. It makes it move, by F_1 dt^2/M, while the force grows to
+ *
+ *   F_2 = k (a_1 + (v - F_1 dt/m_1 - F_1 dt/m_2) dt),      FRACC = (1/2) (|F_2 - F_1|/F_1)^(1/2)         [R89 4.36-4.40]
+ *
+ * the largest of the contact for both discs, as long as the step is short. a_1 is what the way of a whole number of steps leaves
+ * above the gap. Known: step.fracc max. Exact but for the rounding of a_1.
+ * Range    two like discs, the second at rest, linear springs, no damping, `step F of critical`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "reference.h"
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_body *a = &scene->bodies[0], *b = &scene->bodies[1];
+  if (scene->body_count != 2 || scene->wall_count || strcmp(scene->normal, "linear") || a->vx <= 0 || b->vx != 0 ||
+      a->material != b->material || a->radius < b->radius || a->radius > b->radius || a->vy != 0 ||
+      scene->step.kind != NB_STEP_CRITICAL || !nb_damping_none(&scene->damping))
+    return nb_error_set(error, NB_BAD_USE,
+                        "reference fracc_touch is for two like discs, the first of which strikes the second along x");
+  const double mass = nb_body_mass(scene, a), k = nb_scene_pair(scene, a->material, b->material).kn;
+  const double step = scene->step.value * 2 * sqrt(mass / k), gap = b->x - a->x - a->radius - b->radius;
+  const double first = (floor(gap / (a->vx * step)) + 1) * a->vx * step - gap;
+  const double growth = (a->vx - 2 * k * first * step / mass) * step;
+  known_value(known, sqrt(fabs(growth) / first) / 2, "step.fracc max");
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_fracc_touch = {
+    .name = "fracc_touch",
+    .title = "FRACC of a disc that is struck, from the first two forces",
+    .source = "[R89 4.35-4.40]",
+    .know = know,
+};

@@ -1,0 +1,38 @@
+/* FRACC, the share of a critical step that R89 finds from the motion of each body.                   [R89 4.35-4.40]
+ *
+ *   K = dSF/dx,   dx = |v| dt                                          [R89 4.35, 4.36]
+ *   dSF = |SF|_new - |SF|_old                                          [R89 4.38, 4.39]
+ *   FRACC = dt/(2 (M dx/|dSF|)^(1/2))                                  [R89 4.37, 4.40]
+ *
+ * SF is the sum of a body's contact forces. Read with the absolute value of dSF, and no word on bodies with dx = 0; v is the
+ * velocity over the step between the two forces. Of all free bodies the largest, of the cycle behind.
+ *
+ * Range    dSF is a difference of sizes: a force that turns, or changes its sign, is not seen. The swing that grows first when a
+ *          step is too long changes its sign every cycle. And a body that hardly moves while its neighbours do has a K without
+ *          bound. So FRACC is no bound for anything; cases/fracc.md. What is sure to be stable: stable.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "step.h"
+
+bool nb_fracc_begin(struct nb_model *model) {
+  model->fracc_before = nb_array(model->bodies.count, sizeof *model->fracc_before);
+  for (size_t i = 0; model->fracc_before && i < model->bodies.count; i++)
+    model->fracc_before[i] = vec_length(nb_force_on(model, i).force);
+  return model->fracc_before != NULL;
+}
+
+void nb_fracc_forces(struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const double dt = model->previous_step;
+  double largest = 0;
+  for (size_t i = 0; i < bodies->count; i++) {
+    const double is = vec_length(nb_force_on(model, i).force), change = fabs(is - model->fracc_before[i]);
+    const double way = vec_length(bodies->velocity[i]) * dt;
+    model->fracc_before[i] = is;
+    if (!(bodies->inverse_mass[i] > 0 && way > 0))
+      continue;
+    const double share = dt / 2 * sqrt(change * bodies->inverse_mass[i] / way);
+    largest = share > largest ? share : largest;
+  }
+  model->fracc = largest;
+}
