@@ -1,0 +1,143 @@
+/* Reference: two spheres, one on the other, squeezed between a floor and a ceiling: coupled oscillators by GSL.
+ *
+ *   m_1 y_1'' = -m_1 g + P_1 - P_12,    m_2 y_2'' = -m_2 g + P_12 - P_2
+ *   P = k alpha + c alpha'  while alpha > 0:  alpha_1 = R_1 - y_1,  alpha_12 = R_1 + R_2 - (y_2 - y_1),  alpha_2 = R_2 - (h - y_2)
+ *   c = 2 beta (m* k)^(1/2), m* of each contact                                                              [R89 4.13]
+ *
+ * with the eighth-order method of Prince and Dormand at 1e-13, from what the page gives to each moment asked for.
+ *
+ * Known along time, for watches of the spheres NAME.y and NAME.vy; for that of their contact NAME.overlap.
+ *
+ * Source   [MFiX DEM-03].
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+enum { Y1, Y2, V1, V2, UNKNOWNS };
+enum { LOWER, MIDDLE, UPPER, CONTACTS };
+
+struct stack {
+  double mass[2], radius[2], floor, ceiling, gravity; /* kg, m, m/s2 */
+  double k[CONTACTS], c[CONTACTS];                    /* N/m, N s/m */
+  double start[UNKNOWNS], beat;                       /* m, m/s; s */
+};
+
+static double push(const struct stack *stack, int contact, double overlap, double closing) {
+  return overlap > 0 ? stack->k[contact] * overlap + stack->c[contact] * closing : 0;
+}
+
+static int slope(double t, const double y[], double dydt[], void *data) {
+  const struct stack *s = data;
+  const double lower = push(s, LOWER, s->radius[0] - (y[Y1] - s->floor), -y[V1]);
+  const double middle = push(s, MIDDLE, s->radius[0] + s->radius[1] - (y[Y2] - y[Y1]), y[V1] - y[V2]);
+  const double upper = push(s, UPPER, s->radius[1] - (s->ceiling - y[Y2]), y[V2]);
+  (void)t;
+  dydt[Y1] = y[V1], dydt[Y2] = y[V2];
+  dydt[V1] = -s->gravity + (lower - middle) / s->mass[0];
+  dydt[V2] = -s->gravity + (middle - upper) / s->mass[1];
+  return GSL_SUCCESS;
+}
+
+static void state_at(const struct stack *stack, double t, double y[]) {
+  gsl_odeiv2_system system = {slope, NULL, UNKNOWNS, (void *)stack};
+  double time = 0;
+  memcpy(y, stack->start, sizeof stack->start);
+  if (!(t > 0))
+    return;
+  gsl_odeiv2_driver *driver =
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, stack->beat / 100, stack->radius[0] * 1e-14, 1e-13);
+  if (!driver || gsl_odeiv2_driver_apply(driver, &time, t, y) != GSL_SUCCESS)
+    y[Y1] = y[Y2] = y[V1] = y[V2] = NAN;
+  if (driver)
+    gsl_odeiv2_driver_free(driver);
+}
+
+static double unknown_at(const void *data, double t, int which) {
+  double y[UNKNOWNS];
+  state_at(data, t, y);
+  return y[which];
+}
+static double lower_y(const void *data, double t) { return unknown_at(data, t, Y1); }
+static double upper_y(const void *data, double t) { return unknown_at(data, t, Y2); }
+static double lower_v(const void *data, double t) { return unknown_at(data, t, V1); }
+static double upper_v(const void *data, double t) { return unknown_at(data, t, V2); }
+static double overlap(const void *data, double t) {
+  const struct stack *stack = data;
+  double y[UNKNOWNS];
+  state_at(stack, t, y);
+  return fmax(stack->radius[0] + stack->radius[1] - (y[Y2] - y[Y1]), 0);
+}
+
+static void tell(struct nb_known *known, const char *watch, const char *what, double (*at)(const void *data, double t),
+                 const struct stack *stack) {
+  char name[2 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%.*s.%s", NB_NAME_SIZE, watch, what);
+  struct stack *copy = malloc(sizeof *copy);
+  if (copy)
+    *copy = *stack;
+  known_curve(known, name, "time", at, copy);
+}
+
+static enum nb_status refuse(struct nb_error *error, const char *what) {
+  return nb_error_set(error, NB_BAD_USE, "stacked is for %s", what);
+}
+
+static enum nb_status build(struct stack *stack, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_body *b = scene->bodies;
+  const struct nb_wall *w = scene->walls;
+  if (scene->body_count != 2 || scene->wall_count != 2 || b[0].fixed || b[1].fixed || b[0].x != b[1].x ||
+      b[0].vx != 0 || b[1].vx != 0 || !(w[0].y < b[0].y && b[0].y < b[1].y && b[1].y < w[1].y) || w[0].ey != 0 ||
+      w[1].ey != 0)
+    return refuse(error, "sphere 1 under sphere 2 between a floor and a ceiling, in this order");
+  if (strcmp(scene->normal, "linear") != 0 || scene->gravity.x != 0 || scene->damping.global_kind)
+    return refuse(error, "`normal linear`, gravity straight down and no global damping");
+  const int material[] = {w[0].material, b[0].material, b[1].material, w[1].material};
+  const enum nb_contact_damping kind = scene->damping.contact_kind;
+  const double beta = kind == NB_CONTACT_RATIO ? scene->damping.contact : 0;
+  if (kind && kind != NB_CONTACT_RATIO)
+    return refuse(error, "no damping but `contact-ratio`");
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].motion_count || scene->stages[s].change_count || scene->stages[s].gravity.line ||
+        scene->stages[s].damping.contact != scene->damping.contact)
+      return refuse(error, "stages that change nothing");
+  const double m1 = nb_body_mass(scene, &b[0]), m2 = nb_body_mass(scene, &b[1]);
+  const double reduced[] = {m1, m1 * m2 / (m1 + m2), m2};
+  *stack = (struct stack){.mass = {m1, m2}, .radius = {b[0].radius, b[1].radius}, .gravity = -scene->gravity.y};
+  stack->floor = w[0].y, stack->ceiling = w[1].y, stack->beat = INFINITY;
+  for (int c = 0; c < CONTACTS; c++) {
+    stack->k[c] = nb_scene_pair(scene, material[c], material[c + 1]).kn;
+    stack->c[c] = 2 * beta * sqrt(reduced[c] * stack->k[c]);
+    stack->beat = fmin(stack->beat, sqrt(reduced[c] / stack->k[c]));
+  }
+  stack->start[Y1] = b[0].y, stack->start[Y2] = b[1].y, stack->start[V1] = b[0].vy, stack->start[V2] = b[1].vy;
+  return NB_OK;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct stack stack;
+  if (build(&stack, scene, error))
+    return error->status;
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    if (watch->kind == NB_WATCH_BODY) {
+      tell(known, watch->name, "y", watch->a ? upper_y : lower_y, &stack);
+      tell(known, watch->name, "vy", watch->a ? upper_v : lower_v, &stack);
+    } else if (watch->kind == NB_WATCH_BODY_BODY) {
+      tell(known, watch->name, "overlap", overlap, &stack);
+    }
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_stacked = {
+    .name = "stacked",
+    .title = "two spheres squeezed between floor and ceiling: coupled oscillators by GSL at 1e-13",
+    .source = "[MFiX DEM-03]",
+    .know = know,
+};
