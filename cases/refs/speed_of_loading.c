@@ -34,8 +34,9 @@ static enum nb_status refuse(struct nb_error *error) {
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->body_count != 9 || scene->wall_count != 4 || scene->damping.global_kind != NB_GLOBAL_ALPHA ||
-      !nb_damping_none(&scene->damping) || scene->gravity.line || scene->stages[0].condition_count > 0 ||
-      scene->stages[0].motion_count != 4 || strcmp(scene->normal, "linear") != 0)
+      scene->damping.contact_kind || scene->damping.walls_kind || scene->gravity.line ||
+      scene->stages[0].condition_count > 0 || scene->stages[0].motion_count != 4 ||
+      strcmp(scene->normal, "linear") != 0)
     return refuse(error);
   const struct nb_pair pair = nb_scene_pair(scene, scene->bodies[0].material, scene->walls[0].material);
   const double m = nb_body_mass(scene, &scene->bodies[0]), critical = 2 * sqrt(m / pair.kn);
