@@ -51,11 +51,10 @@ static void warn_deep(const struct nb_outcome *outcome, const char *path) {
     first = first || !outcome->runs[r].result.deep ? first : &outcome->runs[r];
   }
   if (first)
-    fprintf(
-        stderr,
-        "%s: warning: contacts overlapped by more than elastic spheres are good for, %llu times a cycle; first %s%s%s "
-        "[R89 6.4.3]\n",
-        path, count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
+    fprintf(stderr,
+            "%s: warning: overlaps above what elastic spheres are good for, in %llu contact updates; first %s%s%s "
+            "[R89 6.4.3]\n",
+            path, count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
 }
 
 void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
