@@ -210,7 +210,7 @@ static void pieces_of_memory(void) {
     double pieces, rough, rough_mean, smooth, smooth_mean;
   } wanted[] = {
       {2, 0.4, 0.1, 0.4, 0.1},
-      {16, 2e-3, 1e-4, 1e-3, 1e-4},
+      {16, 8e-4, 3e-5, 2e-4, 3e-5},
       {64, 1e-12, 1e-13, 1e-12, 1e-13},
   };
   for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {

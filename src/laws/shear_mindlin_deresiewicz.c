@@ -16,8 +16,8 @@
  * A piece that makes t(x) wrong by less than 1e-7 of mu N joins the one before it, keeping delta. With no room left those two
  * join whose union does least harm: |D_1 - D_2| n_1 n_2/(n_1 + n_2), n their spans of force, and what is wrong in them already,
  * as a share of N at their joint. The joint beside them then moves so that T is kept as well: what is wrong stays within those
- * three pieces, and nothing adds up over the steps. With 16 pieces T is off by less than 2e-3 mu N, and by 1e-4 mu N on average, on 1000 rough chance steps
- * or 400 smooth ones that turn every few (tests/exact.c).
+ * three pieces, and nothing adds up over the steps. With 16 pieces T is off by less than 6e-4 mu N, and
+ * by 2e-5 mu N on average, on 1000 rough chance steps or 400 smooth ones that turn every few (tests/exact.c).
  * What joining changes of the energy stored counts as lost; it may be less than 0.
  *
  * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of the radii a(x), each displaced by d(delta)(x):
