@@ -154,6 +154,10 @@ static void increments_lose_this_much(void) {
   struct nb_known known = refs_known("hertz_increment", &it);
   REFS_NEAR(1 - refs_value(&known, "impact.restitution"), 0.92797 / 400, 1e-5, 0.92797 / 400);
   CU_ASSERT(fabs(refs_value(&known, "impact.restitution") - 0.9977) < 5e-5);
+  struct nb_known hertz = refs_known("hertz_impact", &it);
+  const double peak = refs_value(&hertz, "C.normal max");
+  REFS_NEAR(peak - refs_value(&known, "C.normal max in s"), 0.55678 / 400 * peak, 1e-5, 0.55678 / 400 * peak);
+  known_free(&hertz);
   known_free(&known);
   strcpy(it.scene.normal, "hertz");
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_increment", &it).text, "hertz_increment"));

@@ -15,7 +15,13 @@
  *
  *   e = 1 - (1/4) B(3/5, 3/2) V_N dt/alpha* = 1 - 0.92797/n,        n = T_c/dt
  *
- * Known: impact.restitution. The next order is of 1/n^2. Depth and duration go as log(n)/n and are not known.
+ * The work of the way in, Int N d(alpha), is m* V_N^2/2 whatever the law is. With d(alpha)/dN of the same equation that gives the
+ * largest force, less than Hertz's by (dt/6) Int v dN over d(work)/dN = (2/3) alpha*:
+ *
+ *   N_max = N* (1 - (3/20) B(3/5, 3/2) V_N dt/alpha*) = N* (1 - 0.55678/n)
+ *
+ * Known: impact.restitution; for a watch C of the contact, C.normal max in the first stage, which must hold it. The next order is of
+ * 1/n^2. Depth and duration go as log(n)/n and are not known.
  *
  * Source   [R89 4.11-4.14]; ERRATA A has numbers.
  *
@@ -31,7 +37,11 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return error->status;
   if (hertz.damping > 0 || strcmp(scene->normal, "hertz_increment") != 0)
     return nb_error_set(error, NB_BAD_USE, "hertz_increment is for `normal hertz_increment` without damping");
-  known_value(known, 1 - gsl_sf_beta(0.6, 1.5) * hertz.step / (4 * hertz.unit), "impact.restitution");
+  const double share = gsl_sf_beta(0.6, 1.5) * hertz.step / hertz.unit;
+  char what[2 * NB_NAME_SIZE];
+  snprintf(what, sizeof what, "normal max in %s", scene->stages[0].name);
+  hertz_tell(known, &hertz, what, hertz_force(&hertz, hertz.depth) * (1 - 0.15 * share));
+  known_value(known, 1 - share / 4, "impact.restitution");
   return known_full(known, error);
 }
 
