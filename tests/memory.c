@@ -1,0 +1,106 @@
+/* What laws remember of contacts: a field a number where there are few, a row a contact where there are many.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+
+#include "../src/model.h"
+#include "suites.h"
+
+enum { CONTACTS = 40000, FEW = NB_MEMORY, MANY = 20 };
+
+static void put(struct nb_memory *memory, size_t contact, double first) {
+  for (int m = 0; m < memory->doubles; m++)
+    *(memory->rows ? &memory->rows[contact * (size_t)memory->doubles + (size_t)m] : &memory->field[m][contact]) =
+        first + m;
+}
+
+static void holds(const struct nb_memory *memory, size_t contact, double first, int doubles) {
+  double room[NB_MEMORY];
+  const double *seen = nb_memory_read(memory, contact, room);
+  for (int m = 0; m < doubles; m++)
+    CU_ASSERT_EQUAL(seen[m], first + m);
+}
+
+static void kept(int doubles) {
+  struct nb_memory memory;
+  CU_ASSERT_FATAL(nb_memory_create(&memory, doubles, CONTACTS));
+  CU_ASSERT_EQUAL(memory.doubles, doubles);
+  CU_ASSERT_EQUAL(memory.rows != NULL, doubles > NB_MEMORY);
+  for (size_t c = 0; c < CONTACTS; c++)
+    put(&memory, c, 100. * (double)c);
+  for (size_t c = 0; c < CONTACTS; c += 777)
+    holds(&memory, c, 100. * (double)c, doubles);
+  const struct nb_memory from = nb_memory_from(&memory, 300);
+  holds(&from, 7, 30700, doubles);
+  nb_memory_copy(&memory, 5, &memory, 9);
+  holds(&memory, 5, 900, doubles);
+  holds(&memory, 4, 400, doubles);
+  holds(&memory, 6, 600, doubles);
+  nb_memory_forget(&memory, 5);
+  double room[NB_MEMORY];
+  CU_ASSERT_EQUAL(nb_memory_read(&memory, 5, room)[0], 0);
+  if (doubles <= NB_MEMORY)
+    for (int m = 0; m < NB_MEMORY; m++)
+      CU_ASSERT_EQUAL(nb_memory_read(&memory, 5, room)[m], 0);
+  holds(&memory, 4, 400, doubles);
+  holds(&memory, 6, 600, doubles);
+  nb_memory_free(&memory);
+  CU_ASSERT_EQUAL(memory.doubles, 0);
+  CU_ASSERT_PTR_NULL(memory.rows);
+  CU_ASSERT_PTR_NULL(memory.field[0]);
+}
+
+static void few(void) {
+  for (int doubles = 0; doubles <= FEW; doubles++)
+    kept(doubles);
+}
+static void many(void) {
+  kept(FEW + 1);
+  kept(MANY);
+  struct nb_memory memory;
+  CU_ASSERT_FATAL(nb_memory_create(&memory, NB_MEMORY_MAX, 1));
+  CU_ASSERT_EQUAL(memory.doubles, NB_MEMORY_MAX);
+  nb_memory_free(&memory);
+}
+
+/* What there is no field for reads as 0; between memories of unlike length as much is copied as both have. */
+static void unlike(void) {
+  static const int sizes[][2] = {{1, FEW}, {FEW, 1}, {FEW + 1, MANY}, {MANY, FEW + 1}};
+  for (int k = 0; k < 4; k++) {
+    struct nb_memory from, to;
+    double room[NB_MEMORY];
+    const int both = sizes[k][0] < sizes[k][1] ? sizes[k][0] : sizes[k][1];
+    CU_ASSERT_FATAL(nb_memory_create(&from, sizes[k][0], 5) && nb_memory_create(&to, sizes[k][1], 5));
+    put(&from, 2, 10), put(&from, 3, 50), put(&to, 2, 200), put(&to, 1, 100), put(&to, 3, 300);
+    nb_memory_copy(&to, 2, &from, 3);
+    holds(&to, 2, 50, both);
+    holds(&to, 1, 100, sizes[k][1]);
+    holds(&to, 3, 300, sizes[k][1]);
+    const double *seen = nb_memory_read(&to, 2, room);
+    for (int m = both; m < sizes[k][1]; m++)
+      CU_ASSERT_EQUAL(seen[m], 200 + m);
+    for (int m = sizes[k][0]; m < NB_MEMORY && k < 2; m++)
+      CU_ASSERT_EQUAL(nb_memory_read(&from, 3, room)[m], 0);
+    nb_memory_free(&from), nb_memory_free(&to);
+  }
+}
+
+/* Fields and rows have nothing in common. */
+static void unlike_in_kind(void) {
+  for (int rows = 0; rows < 2; rows++) {
+    struct nb_memory from, to;
+    CU_ASSERT_FATAL(nb_memory_create(&from, rows ? MANY : FEW, 5) && nb_memory_create(&to, rows ? FEW : MANY, 5));
+    put(&from, 3, 50), put(&to, 2, 200);
+    nb_memory_copy(&to, 2, &from, 3);
+    holds(&to, 2, 200, to.doubles);
+    nb_memory_free(&from), nb_memory_free(&to);
+  }
+}
+
+void suite_memory(void) {
+  CU_pSuite suite = CU_add_suite("memory", NULL, NULL);
+  CU_add_test(suite, "few numbers", few);
+  CU_add_test(suite, "many numbers", many);
+  CU_add_test(suite, "unlike lengths", unlike);
+  CU_add_test(suite, "unlike kinds", unlike_in_kind);
+}
