@@ -3,7 +3,8 @@
  *
  *   $table      the rows, for gnuplot's `using 'time/s':'C.normal/N'`; with a sweep $table_1, $table_2, … one a run
  *   $values     one row a run: swept values, measures seen and known
- *   runs        how many; run[i] is "v=0.12"; for one run also each measure by name: C_normal_mean, known_C_normal_mean
+ *   runs        how many; run[i] is "v=0.12"
+ *   NAME        each measure by name, C_normal_mean, and all that is known, known_C_normal_mean; of a sweep run by run, …_1, …_2
  *   $STAGE_bodies, $STAGE_walls, $STAGE_contacts   snapshots, with a sweep …_1, …_2; of a path $LEG_traction, $LEG_pieces
  *   plots       folder of the recipes: load plots.'force-rectangles.gp'
  *
@@ -12,6 +13,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <math.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,15 +32,22 @@ static bool has_figure(const struct nb_page *page) {
   return false;
 }
 
-/* A name that gnuplot takes: C.normal at 40 cycles -> C_normal_at_40_cycles. */
-static void variable(char *text, size_t size, const char *prefix, const char *label) {
-  snprintf(text, size, "%s%s", prefix, label);
+/* A name that gnuplot takes: C.normal at 40 cycles, _3 -> C_normal_at_40_cycles_3. */
+static void variable(char *text, size_t size, const char *prefix, const char *label, const char *number) {
+  snprintf(text, size, "%s%s%s", prefix, label, number);
   for (char *c = text; *c; c++)
     if (!isalnum((unsigned char)*c))
       *c = '_';
 }
 
-static void write_measures(FILE *out, const struct nb_page_run *run) {
+static void write_number(FILE *out, const char *name, double value) {
+  if (isfinite(value))
+    fprintf(out, "%s = %.17g\n", name, value);
+  else
+    fprintf(out, "%s = NaN\n", name);
+}
+
+static void write_measures(FILE *out, const struct nb_page_run *run, const char *number) {
   char name[4 * NB_NAME_SIZE];
   for (size_t k = 0; k < run->expectations.count; k++) {
     const struct nb_expectation *e = &run->expectations.list[k];
@@ -46,13 +55,13 @@ static void write_measures(FILE *out, const struct nb_page_run *run) {
     double seen;
     if (e->kind == NB_ALONG)
       continue;
-    variable(name, sizeof name, "", e->measure.label);
+    variable(name, sizeof name, "", e->measure.label, number);
     if (nb_measure_seen(&seen, &e->measure, &run->result.table, &error))
-      fprintf(out, "%s = %.17g\n", name, seen);
+      write_number(out, name, seen);
   }
   for (size_t k = 0; k < run->known.value_count; k++) {
-    variable(name, sizeof name, "known_", run->known.values[k].name);
-    fprintf(out, "%s = %.17g\n", name, run->known.values[k].value);
+    variable(name, sizeof name, "known_", run->known.values[k].name, number);
+    write_number(out, name, run->known.values[k].value);
   }
 }
 
@@ -61,6 +70,7 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   char number[32] = "";
   if (outcome->run_count > 1)
     snprintf(number, sizeof number, "_%zu", r + 1);
+  write_measures(out, &outcome->runs[r], number);
   fprintf(out, "$table%s << EOD\n", number);
   nb_table_write_run(out, run);
   fputs("EOD\n", out);
@@ -70,7 +80,7 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
     const char *part;
     for (int t = 0; nb_snapshot_part(snapshot, t, &part, &table); t++) {
       char stage[NB_NAME_SIZE];
-      variable(stage, sizeof stage, "", run->scene.stages[snapshot->stage].name);
+      variable(stage, sizeof stage, "", run->scene.stages[snapshot->stage].name, "");
       fprintf(out, "$%s_%s%s << EOD\n", stage, part, number);
       nb_table_write(out, table);
       fputs("EOD\n", out);
@@ -113,8 +123,6 @@ static void write_script(FILE *out, const struct nb_outcome *outcome) {
   fprintf(out, "runs = %zu\narray run[runs]\n", outcome->run_count);
   for (size_t r = 0; r < outcome->run_count; r++)
     fprintf(out, "run[%zu] = \"%s\"\n", r + 1, outcome->runs[r].label);
-  if (outcome->run_count == 1)
-    write_measures(out, &outcome->runs[0]);
   fputs("$values << EOD\n", out);
   nb_values_write(out, outcome);
   fputs("EOD\n", out);

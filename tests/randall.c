@@ -4,6 +4,8 @@
  * which [R89 3.25, 3.40, 3.50] are the cases of constant N. The law is of first order: an error halves with the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
 #include "spheres.h"
 #include "suites.h"
 
@@ -163,9 +165,104 @@ static void front_takes_what_the_edge_gives_up(void) {
   CU_ASSERT(fabs(printed - 0.0312) < 5e-5);
 }
 
+/* ---- what is remembered ---- */
+
+enum { M_N, M_T, M_STAR, M_STAR2, M_DEFICIT, M_CDF, M_BRANCH };
+
+static bool near(double is, double should, double scale) { return fabs(is - should) <= 1e-13 * fabs(scale); }
+
+/* One step, and the T, T*, T** that it must lead to: dT is what comes after, the others move with N [R89 4.20, 4.21]. */
+static void expect_step(struct contact *it, double overlap, double slip, double theta, double ufl) {
+  double was[7];
+  memcpy(was, it->m, sizeof was);
+  go(it, overlap, slip);
+  const double cdf = it->m[M_CDF], rise = mu * (press(overlap) - was[M_N]), push = 8 * G * sqrt(R * overlap) * slip;
+  CU_ASSERT(near(it->m[M_N], press(overlap), N));
+  CU_ASSERT(near(it->m[M_T] - was[M_T], theta * push + cdf * ufl * rise * (1 - theta), N));
+  CU_ASSERT(near(it->s.stiffness, theta * 8 * G * sqrt(R * overlap), 8 * G * R));
+  CU_ASSERT_EQUAL(it->s.force, it->m[M_T]);
+  if (was[M_BRANCH] >= 1)
+    CU_ASSERT(near(it->m[M_STAR] - was[M_STAR], cdf * rise, N));
+  if (was[M_BRANCH] >= 2)
+    CU_ASSERT(near(it->m[M_STAR2] - was[M_STAR2], -cdf * rise, N));
+}
+
+/* Step by step through all that can happen, loading to either side. */
+static void what_is_remembered(void) {
+  for (int side = -1; side <= 1; side += 2) {
+    struct contact it = contact_of("randall");
+    const double *m = it.m, a = side * slope() * deep(N), x[] = {deep(N), 1.01 * deep(N), 1.02 * deep(N)};
+    double critical[3]; /* mu dN/(8 G* a) of the way up to x[1], to x[2], and down to x[1] */
+    for (int k = 0; k < 3; k++)
+      critical[k] = side * mu * (press(x[k == 1 ? 2 : 1]) - press(x[k])) / (8 * G * sqrt(R * x[k == 1 ? 2 : 1]));
+    go(&it, x[0], 0); /* square: all sticks, no sense yet */
+    CU_ASSERT(near(it.s.stiffness, 8 * G * sqrt(R * x[0]), 8 * G * R) && m[M_CDF] == 0);
+    expect_step(&it, x[0], 0.2 * a, 1, 1);
+    CU_ASSERT(m[M_CDF] == side && m[M_BRANCH] == 0 && m[M_DEFICIT] == 0);
+    /* rings that stick: slip below ds_c, and none */
+    expect_step(&it, x[1], 0.25 * critical[0], 1, 1);
+    CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]), a));
+    expect_step(&it, x[2], 0, 1, 1);
+    CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]), a));
+    expect_step(&it, x[1], 0.1 * critical[2], 1,
+                1); /* one leaves, and slip goes back: DD + ds_c - ds with both negative */
+    CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[0]) + fabs(critical[1]) - 0.9 * fabs(critical[2]), a));
+    const double made_up = side * m[M_DEFICIT];
+    expect_step(&it, x[1], 0.4 * made_up, 1, 1);
+    CU_ASSERT(near(m[M_DEFICIT], 0.6 * fabs(made_up), a));
+    double theta = cbrt(1 - side * m[M_T] / (mu * press(x[1])));
+    expect_step(&it, x[1], 0.7 * made_up, theta, 1); /* enough for the front to go in */
+    CU_ASSERT(m[M_DEFICIT] == 0 && m[M_BRANCH] == 0);
+    /* a reversal, at a T* that dN moves in the very step */
+    double before = m[M_T];
+    expect_step(&it, x[2], -0.25 * critical[1], 1, -1);
+    CU_ASSERT(m[M_BRANCH] == 1 && near(m[M_STAR], before + side * mu * (press(x[2]) - press(x[1])), N));
+    CU_ASSERT(near(m[M_DEFICIT], 0.75 * fabs(critical[1]), a));
+    expect_step(&it, x[2], -0.05 * a, cbrt(1 - side * (m[M_STAR] - m[M_T]) / (2 * mu * press(x[2]))), -1);
+    CU_ASSERT(m[M_DEFICIT] == 0 && m[M_BRANCH] == 1);
+    theta = cbrt(1 - (side * (m[M_STAR] - m[M_T]) + 2 * mu * (press(x[1]) - press(x[2]))) / (2 * mu * press(x[1])));
+    expect_step(&it, x[1], -0.05 * a, theta, -1);
+    /* slip goes on while N falls faster than the motion turns; then N has come to rest, and it is a reversal */
+    theta = cbrt(1 - (side * (m[M_STAR] - m[M_T]) + 2 * mu * (press(x[0]) - press(x[1]))) / (2 * mu * press(x[0])));
+    expect_step(&it, x[0], 0.5 * side * fabs(critical[0]), theta, -1);
+    CU_ASSERT(m[M_BRANCH] == 1);
+    before = m[M_T];
+    expect_step(&it, x[1], 0.5 * critical[0], 1, 1);
+    CU_ASSERT(m[M_BRANCH] == 2 && near(m[M_STAR2], before - side * mu * (press(x[1]) - press(x[0])), N));
+    expect_step(&it, x[1], 0.05 * a, cbrt(1 - side * (m[M_T] - m[M_STAR2]) / (2 * mu * press(x[1]))), 1);
+    /* back along the reloading curve, N rising and falling */
+    expect_step(&it, x[2], -0.5 * critical[1], 1, 1);
+    CU_ASSERT(m[M_BRANCH] == 3 && near(m[M_DEFICIT], 0.5 * fabs(critical[1]), a));
+    expect_step(&it, x[2], -0.01 * a, cbrt(1 - side * (m[M_T] - m[M_STAR2]) / (2 * mu * press(x[2]))), 1);
+    theta = cbrt(1 - (side * (m[M_T] - m[M_STAR2]) + 2 * mu * (press(x[1]) - press(x[2]))) / (2 * mu * press(x[1])));
+    expect_step(&it, x[1], 0, theta, 1);
+    CU_ASSERT(m[M_BRANCH] == 3);
+    expect_step(&it, x[1], 0.01 * a, cbrt(1 - side * (m[M_T] - m[M_STAR2]) / (2 * mu * press(x[1]))), 1);
+    CU_ASSERT(m[M_BRANCH] == 2 && m[M_CDF] == side);
+    /* up past T*: virgin loading; and sliding, which forgets all; with less friction T is above the limit, and no front is left */
+    lead(&it, x[1], 0.5 * a, 100);
+    CU_ASSERT(m[M_BRANCH] == 0 && m[M_CDF] == side && it.s.sliding == 0);
+    lead(&it, x[1], a, 100);
+    CU_ASSERT(it.s.sliding == 1 && near(m[M_T], side * mu * press(x[1]), N) && m[M_BRANCH] == 0 && m[M_DEFICIT] == 0);
+    it.pair.friction = mu / 2;
+    go(&it, x[1], 0.01 * a);
+    CU_ASSERT(it.s.sliding == 1 && it.s.stiffness == 0 && near(m[M_T], side * mu / 2 * press(x[1]), N));
+    go(&it, x[1], -0.01 * a); /* and back */
+    CU_ASSERT(m[M_BRANCH] == 1 && it.s.sliding == 0);
+    lead(&it, x[1], -2 * a, 200);
+    CU_ASSERT(m[M_BRANCH] == 0 && m[M_CDF] == -side && it.s.sliding == 1);
+    it.pair.friction = 0;
+    go(&it, x[1], a);
+    CU_ASSERT(it.s.force == 0 && it.s.sliding == 1 && m[M_CDF] == 0 && m[M_N] > 0);
+    go(&it, x[1], 0);
+    CU_ASSERT(it.s.force == 0 && it.s.sliding == 0);
+  }
+}
+
 void suite_randall(void) {
   CU_pSuite suite = CU_add_suite("randall", NULL, NULL);
   CU_add_test(suite, "constant N: loading, unloading, reloading", curves_of_constant_normal_force);
+  CU_add_test(suite, "what is remembered", what_is_remembered);
   CU_add_test(suite, "a closed loop loses what it should", loop_loses_what_it_should);
   CU_add_test(suite, "re-unloading retraces reloading", unloading_again_retraces_reloading);
   CU_add_test(suite, "N and T rising and falling", all_ways_of_normal_and_tangential_force);

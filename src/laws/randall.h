@@ -30,9 +30,7 @@ static inline double stuck_share(double force, double times, double rise, double
   return cube_root(1 - (force + times * rise) / (times * limit));
 }
 
-/* dT [R89 4.15], which is [R89 3.94]; cdf the sense of the loading, ufl = -1 in unloading, rise = mu dN, push = 8 G* a ds. */
-static inline double increment(double theta, double push, double rise, double cdf, double ufl) {
-  return cdf * (theta * (push * cdf - rise * ufl) + rise * ufl);
-}
+/* dT [R89 4.15], which is [R89 3.94]: push = 8 G* a ds, drift = CDF UFL mu dN, and CDF CDF = 1. */
+static inline double increment(double theta, double push, double drift) { return theta * (push - drift) + drift; }
 
 #endif

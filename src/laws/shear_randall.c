@@ -40,9 +40,9 @@ struct history {
   double n, t, star, star2, deficit, cdf, branch;
 };
 
-/* Sense of the slip of a branch, in that of the loading. */
-static inline double way(double branch) { return branch == UNLOADING || branch == REUNLOADING ? -1 : 1; }
-static inline double ufl(double branch) { return branch == UNLOADING ? -1 : 1; }
+/* In the sense of the virgin loading, CDF; and UFL. */
+static inline double forth(const struct history *h, double x) { return h->cdf < 0 ? -x : x; }
+static inline double unloading(const struct history *h, double x) { return h->branch == UNLOADING ? -x : x; }
 
 static inline void turn(struct history *h) {
   if (h->branch == LOADING)
@@ -54,15 +54,15 @@ static inline void turn(struct history *h) {
 }
 
 static inline double theta(const struct history *h, double rise, double limit) {
-  const double share = h->branch == LOADING     ? stuck_share(h->t * h->cdf, 1, rise, limit)               /* 3.95 */
-                       : h->branch == UNLOADING ? stuck_share((h->star - h->t) * h->cdf, 2, rise, limit)   /* 3.96 */
-                                                : stuck_share((h->t - h->star2) * h->cdf, 2, rise, limit); /* 3.97 */
+  const double share = h->branch == LOADING     ? stuck_share(forth(h, h->t), 1, rise, limit)             /* 3.95 */
+                       : h->branch == UNLOADING ? stuck_share(forth(h, h->star - h->t), 2, rise, limit)   /* 3.96 */
+                                                : stuck_share(forth(h, h->t - h->star2), 2, rise, limit); /* 3.97 */
   return share < 0 ? 0 : share > 1 ? 1 : share;
 }
 
 /* What has been undone: reloading reaches T*, unloading T** or -T*, or N has fallen so that T* and T** come to T. */
 static inline void forget(struct history *h) {
-  const double t = h->t * h->cdf, star = h->star * h->cdf, star2 = h->star2 * h->cdf;
+  const double t = forth(h, h->t), star = forth(h, h->star), star2 = forth(h, h->star2);
   if (h->branch > UNLOADING && t <= star2)
     h->branch = UNLOADING;
   if (h->branch != LOADING && fabs(t) >= star)
@@ -85,14 +85,14 @@ static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n
   else if (h.cdf == 0)
     h.cdf = slip > 0 ? 1 : slip < 0 ? -1 : 0;
   if (h.cdf != 0) {
-    double along = slip * h.cdf * way(h.branch);
+    double along = forth(&h, h.branch == UNLOADING || h.branch == REUNLOADING ? -slip : slip); /* on in its sense */
     if (along < 0 && -along > -critical)
       turn(&h), along = -along;
     share = along > critical + h.deficit ? theta(&h, rise, limit) : 1;
     const double deficit = h.deficit + critical - along; /* 4.17 */
     h.deficit = deficit > 0 ? deficit : 0;
-    h.t += increment(share, stiffness * slip, rise, h.cdf, ufl(h.branch));
-    h.star += h.cdf * rise, h.star2 -= h.cdf * rise; /* 4.20, 4.21 */
+    h.t += increment(share, stiffness * slip, unloading(&h, forth(&h, rise)));
+    h.star += forth(&h, rise), h.star2 -= forth(&h, rise); /* 4.20, 4.21 */
     slides = !(fabs(h.t) <= limit && share > 0);
     if (slides)
       h = (struct history){.n = h.n, .t = copysign(limit, h.t), .cdf = copysign(1, h.t)};

@@ -63,7 +63,7 @@ static inline double move(struct history *h, double slip, double stiffness, doub
   if (rise > 0 && slip * cdf < mu * critical + h->deficit)
     the1 = 4;
   const double share = theta(h, the1, cdf, rise, limit), before = h->t;
-  const double dt = increment(share, stiffness * slip, rise, cdf, ufl);
+  const double dt = increment(share, stiffness * slip, cdf * ufl * rise);
   if (rise < 0)
     h->deficit += critical; /* 4.18 */
   else if (dt * cdf < rise || h->deficit > 0)

@@ -1,0 +1,209 @@
+/* Reference: the shear laws in use beside the exact one, along a path of slip at one normal force; each in closed form.
+ *
+ * In pure numbers t = T/mu N, d = delta/A, A = 3 mu N/(16 G* a), a branch that begins at (t0, d0) with the sense s is
+ *
+ *   t = t0 + s (1 - (1 - |d - d0|)^(3/2))               virgin loading                                        [R89 3.25]
+ *   t = t0 + 2 s (1 - (1 - |d - d0|/2)^(3/2))           any after it                                    [R89 3.40, 3.50]
+ *
+ * and one that comes back to where the one before it began is erased with it. mindlin_deresiewicz keeps them all; randall three,
+ * and goes to and fro on the third; so does randall_literal, whose third is, with T* for T** in [R89 4.24] and u = |T* - t|,
+ *
+ *   (1 + u/2)^(2/3) = (1 + u0/2)^(2/3) - |d - d0|/2     which is stiffer than a contact that sticks all over
+ *
+ * linear, mindlin and mindlin_scaled are t = k d between -1 and 1, k = 3/2, of `linear` k_s A/mu N.
+ *
+ * Known at each step and at the end of each leg: shear, work.shear. And `psi2 error`: the largest that the law makes in the
+ * rebound of an oblique impact (impact_laws.c, impact_springs.c), 0.1 <= psi1 <= 6, nu as here; not of randall_literal, which has
+ * no limit there. Work by Simpson's rule in 32 parts of a step.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "impact_springs.h"
+#include "path.h"
+
+enum { BRANCHES = 64 };
+
+struct branch {
+  double t, d, sense, size;
+};
+
+struct law {
+  const char *name;
+  int most;      /* branches that it keeps; 0: it is a spring */
+  double spring; /* k */
+  bool literal;
+};
+
+struct state {
+  struct law law;
+  double t, d;
+  int count;
+  struct branch branches[BRANCHES];
+};
+
+/* ---- branches ---- */
+
+static bool literal_third(const struct state *s) { return s->law.literal && s->count == 3; }
+
+static double along(const struct state *s, double d) {
+  const struct branch *b = &s->branches[s->count - 1];
+  if (literal_third(s)) {
+    const double star = b[-1].t, u = b->sense * (star - b->t);
+    return star - b->sense * 2 * (pow(pow(1 + u / 2, 2. / 3) - b->sense * (d - b->d) / 2, 1.5) - 1);
+  }
+  return b->t + b->sense * b->size * (1 - pow(fmax(1 - b->sense * (d - b->d) / b->size, 0), 1.5));
+}
+
+/* Where the branch ends that goes on in its own sense. */
+static double end_of(const struct state *s) {
+  const struct branch *b = &s->branches[s->count - 1];
+  if (literal_third(s))
+    return b->d + b->sense * 2 * (pow(1 + b->sense * (b[-1].t - b->t) / 2, 2. / 3) - 1);
+  return s->count == 1 ? b->d + b->sense : s->count == 2 ? 2 * b[-1].d - b->d : b[-1].d;
+}
+
+/* On from there: sliding; virgin loading the other way; or the branch before the two, moved along by what literal_third is short. */
+static void erase(struct state *s, double end, double d) {
+  struct branch *b = &s->branches[s->count - 1];
+  if (s->count == 1) {
+    b->d = d - b->sense;
+  } else if (s->count == 2) {
+    b[-1].sense = b->sense, s->count = 1;
+  } else {
+    b[-2].d += end - b[-1].d, s->count -= 2;
+  }
+}
+
+static void go(struct state *s, double d) {
+  if (s->law.most == 0) {
+    s->t = fmax(-1, fmin(1, s->t + s->law.spring * (d - s->d))), s->d = d;
+    return;
+  }
+  while (d != s->d) {
+    const double sense = d > s->d ? 1 : -1;
+    struct branch *b = &s->branches[s->count - 1];
+    const bool other = s->count == 0 || sense != b->sense;
+    if (other && s->count < s->law.most)
+      s->branches[s->count++] = (struct branch){s->t, s->d, sense, s->count == 1 ? 1 : 2},
+      b = &s->branches[s->count - 1];
+    const bool back = sense != b->sense; /* elastic, as far as T** */
+    const double end = back ? b->d : end_of(s);
+    const bool ends = sense * (d - end) > 0;
+    s->t = along(s, ends ? end : d);
+    s->d = ends && s->count > 1 ? end : d;
+    if (ends && back)
+      s->count--;
+    else if (ends)
+      erase(s, end, d);
+  }
+}
+
+static double work(struct state s, double d) {
+  enum { PARTS = 32 };
+  const double from = s.d;
+  double sum = s.t;
+  for (int k = 1; k <= PARTS; k++) {
+    go(&s, from + (d - from) * k / PARTS);
+    sum += (k == PARTS ? 1 : k % 2 ? 4 : 2) * s.t;
+  }
+  return sum / (3. * PARTS) * (d - from);
+}
+
+/* ---- the path ---- */
+
+enum { SHEAR, WORK, COLUMNS };
+static const char *const names[COLUMNS] = {"shear", "work.shear"};
+
+/* False: the normal force changes where there is shear, or a leg goes to a shear force. */
+static bool walk_path(struct state *s, const struct path_contact *contact, double ks, const struct nb_scene *scene,
+                      struct path_column *columns[]) {
+  struct path_walk walk = path_walk(scene);
+  struct path_place now = {0};
+  struct path_aim aim;
+  double limit = 0, way = 0, done = 0;
+  for (size_t k = 1; path_next(&walk, now, &aim); k++) {
+    const double approach = aim.normal_force ? path_overlap(contact, aim.normal) : aim.normal;
+    if (fabs(approach - now.approach) > 1e-9 * now.approach) {
+      if (s->t != 0 || s->count || aim.shear != 0)
+        return false;
+      now.approach = approach, now.normal = path_normal(contact, approach);
+      limit = contact->friction * now.normal, way = contact->friction * contact->kappa * approach;
+      s->law.spring = strcmp(s->law.name, "linear") == 0 ? ks * way / limit : 1.5;
+    }
+    if (aim.shear_force)
+      return false;
+    done += work(*s, aim.shear / way);
+    go(s, aim.shear / way);
+    now.slip = aim.shear, now.shear = s->t * limit;
+    columns[SHEAR]->values[k] = now.shear, columns[WORK]->values[k] = done * limit * way;
+  }
+  return true;
+}
+
+/* ---- the impact ---- */
+
+static double psi2_of(const char *law, double chi, double psi1) {
+  struct impact_path path;
+  const bool made = law ? impact_law(&path, law, 1.5, chi, psi1, 4000) : impact_exact(&path, chi, psi1, 400);
+  const double psi2 = made ? path.psi2 : NAN;
+  impact_path_free(&path);
+  return psi2;
+}
+
+/* A solid sphere on a wall of its own material [R89 5.14]; `linear` with k_s = 8 G* a at the largest overlap. */
+static double psi2_error(const char *law, double kappa) {
+  const double chi = 3.5 / (2 * kappa);
+  double most = 0;
+  for (int k = 1; k <= 60; k++)
+    most = fmax(most, fabs(psi2_of(law, chi, 0.1 * k) - psi2_of(NULL, chi, 0.1 * k)));
+  return most;
+}
+
+/* ---- */
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  static const struct law laws[] = {{.name = "linear"},
+                                    {.name = "mindlin"},
+                                    {.name = "mindlin_scaled"},
+                                    {.name = "randall", .most = 3},
+                                    {.name = "randall_literal", .most = 3, .literal = true},
+                                    {.name = "mindlin_deresiewicz", .most = BRANCHES}};
+  size_t which = 0;
+  while (which < sizeof laws / sizeof *laws && strcmp(laws[which].name, scene->shear) != 0)
+    which++;
+  struct path_contact contact;
+  if (path_contact(&contact, scene, "contact_ladder", error))
+    return error->status;
+  if (which == sizeof laws / sizeof *laws)
+    return nb_error_set(error, NB_BAD_USE, "contact_ladder has no rung for `shear %s`", scene->shear);
+  const struct nb_body *bodies = scene->bodies;
+  const int other = scene->body_count == 1 ? scene->walls[0].material : bodies[1].material;
+  struct path_column *columns[COLUMNS];
+  bool made = true;
+  for (int c = 0; c < COLUMNS; c++)
+    made = (columns[c] = path_column(scene)) != NULL && made;
+  struct state state = {.law = laws[which]};
+  const bool fits =
+      made && walk_path(&state, &contact, nb_scene_pair(scene, bodies[0].material, other).ks, scene, columns);
+  for (int c = 0; c < COLUMNS; c++)
+    if (fits)
+      path_tell(known, scene, names[c], columns[c]);
+    else
+      free(columns[c]);
+  if (made && !fits)
+    return nb_error_set(error, NB_BAD_USE, "contact_ladder wants legs of slip at one normal force");
+  const bool exact = laws[which].most == BRANCHES;
+  if (!laws[which].literal)
+    known_value(known, exact ? 0 : psi2_error(scene->shear, contact.kappa), "psi2 error");
+  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "contact_ladder ran out of memory");
+}
+
+const struct nb_reference reference_contact_ladder = {
+    .name = "contact_ladder",
+    .title = "shear laws along a path of slip at one normal force in closed form, and their errors in an impact",
+    .source = "[R89 3.25, 3.40, 3.50]",
+    .know = know,
+};
