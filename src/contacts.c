@@ -62,8 +62,6 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
     contacts->kept[NB_MASS][c] = 1 / (bodies->inverse_mass[a] + (wall ? 0 : bodies->inverse_mass[b]));
   if (contacts->kept[NB_REDUCED])
     contacts->kept[NB_REDUCED][c] = wall ? radius : radius * other / (radius + other);
-  if (contacts->kept[NB_SMALLER])
-    contacts->kept[NB_SMALLER][c] = radius < other ? radius : other;
 }
 
 static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,

@@ -26,13 +26,13 @@ double nb_energy_kinetic(const struct nb_model *model) {
 
 double nb_energy_kinetic_half(const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
-  double sum = 0;
+  double half = 0;
   for (size_t k = 0; k < bodies->count; k++) {
     const size_t i = (size_t)bodies->slot[k];
     if (bodies->inverse_mass[i] > 0)
-      sum += kinetic_of(bodies, i, (struct nb_state){bodies->velocity[i], bodies->spin ? bodies->spin[i] : 0});
+      half += kinetic_of(bodies, i, (struct nb_state){bodies->velocity[i], bodies->spin ? bodies->spin[i] : 0});
   }
-  return sum;
+  return half;
 }
 
 /* Adds to a sum what the springs of contact c hold. */

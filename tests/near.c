@@ -209,6 +209,36 @@ static void the_skin_changes_no_bit(void) {
   written_free(&it);
 }
 
+/* What laws remember of a contact outlives searches, that of normal laws too: the same bits with many as with none. */
+static void laws_remember_through_searches(void) {
+  static const char *const laws[] = {"normal hertz_increment\nshear mindlin\n",
+                                     "normal hertz_increment\nshear mindlin_deresiewicz\n"};
+  for (size_t n = 0; n < sizeof laws / sizeof *laws; n++) {
+    double forces[2][2];
+    for (int often = 0; often < 2; often++) {
+      struct words page = {0};
+      struct written it;
+      words_add(
+          &page,
+          "units none\nmaterial m density 1 young 100 poisson 0.25 friction 0.4\n%ssphere 0 0 radius 1 m velocity "
+          "1 0.3\nsphere 2 0 radius 1 m\nsphere 9 9 radius 1 m velocity 5 5\nwatch C sphere 1 with sphere 2\n"
+          "record C.normal C.shear\nskin %g\nstep 0.002\nstage s\ncycles 100\n",
+          laws[n], often ? 0.03 : 30.);
+      written_scene(&it, &page);
+      struct nb_model *model = written_model(&it, NULL);
+      written_cycles(model, 100);
+      forces[often][0] = written_now(model, "C.normal"), forces[often][1] = written_now(model, "C.shear");
+      CU_ASSERT(often ? model->searches > 50 : model->searches == 1);
+      nb_model_free(model);
+      written_free(&it);
+    }
+    for (int k = 0; k < 2; k++) {
+      CU_ASSERT_NOT_EQUAL(forces[0][k], 0);
+      CU_ASSERT_EQUAL(forces[0][k], forces[1][k]);
+    }
+  }
+}
+
 static void storage_threads_and_instructions_change_no_bit(void) {
   static const struct nb_options all[] = {
       {.threads = 1, .isa = "plain"}, {.threads = 1, .shuffle = true}, {.threads = 2}, {.threads = 7, .shuffle = true},
@@ -240,5 +270,6 @@ void suite_near(void) {
   CU_add_test(suite, "a few large discs among many small ones", unlike_sizes);
   CU_add_test(suite, "nothing is searched for nothing", nothing_is_searched_for_nothing);
   CU_add_test(suite, "the skin changes no bit", the_skin_changes_no_bit);
+  CU_add_test(suite, "laws remember through searches", laws_remember_through_searches);
   CU_add_test(suite, "storage, threads and instructions change no bit", storage_threads_and_instructions_change_no_bit);
 }

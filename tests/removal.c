@@ -115,6 +115,26 @@ static void never_there(void) {
   }
 }
 
+/* Where nothing rubs, spins stay, of whatever is taken out beside them. */
+static void spins_stay(void) {
+  for (int first = 0; first < 2; first++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m spin 2\ndisc 1.9 0 radius 1 m spin 3\n"
+              "watch A disc 1\nwatch B disc 2\nrecord A.spin B.spin\nstep 0.01\nstage a\ncycles 5\nstage b\n"
+              "remove disc %d\ncycles 5\n",
+              first ? 1 : 2);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_EQUAL(written_last(&result, "A.spin"), first ? 0 : 2);
+    CU_ASSERT_EQUAL(written_last(&result, "B.spin"), first ? 3 : 0);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* Through the place of one that is gone, and of one that was fixed there, long after; no snapshot shows them. */
 static void nothing_in_the_way(void) {
   struct words page = {0};
@@ -209,6 +229,7 @@ void suite_removal(void) {
   CU_add_test(suite, "the moment", at_the_moment);
   CU_add_test(suite, "never there", never_there);
   CU_add_test(suite, "nothing in the way", nothing_in_the_way);
+  CU_add_test(suite, "spins stay", spins_stay);
   CU_add_test(suite, "what is left", with_what_is_left);
   CU_add_test(suite, "met by none", met_by_none);
   CU_add_test(suite, "other jumps", with_other_jumps);
