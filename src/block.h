@@ -47,6 +47,7 @@ enum nb_field {
  * whatever it was. */
 #define NB_MEMORY 4 /* no enum: the preprocessor asks */
 enum { NB_PIECES_MAX = 256, NB_MEMORY_MAX = 13 + 5 * NB_PIECES_MAX };
+enum { NB_AHEAD = 6 }; /* contacts between fetching what is remembered of one and its turn */
 struct nb_memory {
   int doubles;              /* for each contact */
   double *field[NB_MEMORY]; /* of up to four doubles; else NULL */

@@ -118,6 +118,7 @@ static struct nb_view view_of(const struct nb_model *model, size_t from, size_t 
   view.pairing = &model->pairings[contacts->pairing[from]];
   for (int f = 0; f < NB_FIELDS; f++)
     view.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK;
+  view.f[NB_LOST] = contacts->kept[NB_LOST] ? view.f[NB_LOST] : NULL; /* nobody asks what is lost */
   if (!model->dashpots)
     view.f[NB_PUSH] = view.f[NB_NORMAL], view.f[NB_DRAG] = view.f[NB_SHEAR];
   view.normal_memory = nb_memory_from(&contacts->normal_memory, from);

@@ -12,6 +12,7 @@
  *   #define ELASTIC                         it is of elastic spheres: p.young, p.shear and p.radius (optional)
  *   #define LOSES                           it says what micro-slip loses (optional)
  *   #define COHESIONLESS                    it knows no cohesion (optional)
+ *   #define AHEAD     ..._ahead             fetches what of a row it will need soon (optional)
  *   #define PIECES_OF  ..._pieces           tells the pieces of its history (optional)
  *   #define BRANCHING, GAINS, INCREMENTAL   (optional, see law.h)
  *
@@ -27,6 +28,7 @@
 #define LAW_FORMS(name) NB_FORMS(name)
 #define LAW_LIST(name) NB_FORMS_LIST(name)
 #define LAW_BLOCK LAW_JOIN(LAW, _block)
+#define LAW_LOOP LAW_JOIN(LAW, _loop)
 
 #ifndef NEEDS
 #define NEEDS 0
@@ -43,8 +45,9 @@
 #define LAW_MEMORY view->shear_memory
 #endif
 
-static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct nb_view *view) {
-  (void)model;
+/* `counts`: what is lost is told. Two loops, since few ask for it, and a law may have to work for it. */
+static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
+  (void)counts;
   const struct nb_pair pair = *(const struct nb_pair *)view->pairing; /* a pairing begins with its constants */
   const double *overlap = view->f[NB_OVERLAP];
 #ifdef ELASTIC
@@ -76,6 +79,12 @@ static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct 
 #endif
 #if LAW_ROWS
     double *m = rows + c * row;
+#ifdef AHEAD
+    if (c + 2 * NB_AHEAD < view->n)
+      __builtin_prefetch(rows + (c + 2 * NB_AHEAD) * row, 1);
+    if (c + NB_AHEAD < view->n)
+      AHEAD(rows + (c + NB_AHEAD) * row);
+#endif
 #else
     double m[NB_MEMORY];
     m[0] = MEMORY > 0 ? m0[c] : 0, m[1] = MEMORY > 1 ? m1[c] : 0, m[2] = MEMORY > 2 ? m2[c] : 0,
@@ -97,11 +106,8 @@ static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct 
     const struct nb_shear out = LAW(p, n, slip[c], m);
 #endif
     sliding[c] = out.sliding;
-#ifdef LOSES
-    lost[c] = out.lost;
-#else
-    (void)lost;
-#endif
+    if (counts)
+      lost[c] = out.lost;
 #endif
     force[c] = out.force;
     stiffness[c] = out.stiffness;
@@ -116,6 +122,17 @@ static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct 
       m3[c] = touching ? m[3] : 0;
 #endif
   }
+}
+
+static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct nb_view *view) {
+  (void)model;
+#ifdef LOSES
+  if (view->f[NB_LOST]) {
+    LAW_LOOP(view, true);
+    return;
+  }
+#endif
+  LAW_LOOP(view, false);
 }
 
 LAW_FORMS(LAW_BLOCK)

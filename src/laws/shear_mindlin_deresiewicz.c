@@ -13,11 +13,10 @@
  * D = s on (c, alpha), s = 1 or -1, makes delta right. Without such a c the contact slides. No step size enters: a step is
  * exact where (alpha, delta) moves on a straight line, and on a path of as many legs as there is room for pieces.
  *
- * A piece that makes t(x) wrong by less than 1e-7 of mu N joins the one before it, keeping delta. With no room left those two
+ * A piece that makes T(x) wrong by less than 1e-7 of mu N joins the one before it, keeping delta. With no room left those two
  * join whose union does least harm: |D_1 - D_2| n_1 n_2/(n_1 + n_2), n their spans of force, and what is wrong in them already,
- * as a share of N at their joint. The joint beside them then moves so that T is kept as well: what is wrong stays within those
- * three pieces, and nothing adds up over the steps. With 16 pieces T is off by less than 6e-4 mu N, and
- * by 2e-5 mu N on average, on 1000 rough chance steps or 400 smooth ones that turn every few (tests/exact.c).
+ * as a share of N at their joint. With 16 pieces T is off by less than 2e-3 mu N, and by 1e-4 mu N on average, on 1000 rough chance steps
+ * or 400 smooth ones that turn every few (tests/exact.c).
  * What joining changes of the energy stored counts as lost; it may be less than 0.
  *
  * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of the radii a(x), each displaced by d(delta)(x):
@@ -31,9 +30,11 @@
  *            (1953) follow: [R89 3.25, 3.40, 3.50, 3.94].
  * Range      slip along one line; no coupling of normal and tangential motion; a friction of the stress, so no cohesion. When
  *            friction changes, the path of the pieces is gone anew: nothing moves where it grows.
- * Remembers  m[0]  pieces; 0: none;  m[1]  mu kappa, which u and D are made with
- *            m[3 + 5k ...]  the end of piece k, k = 0 the origin: x, m; n = x^(3/2); u = delta(x)/(mu kappa), m;
- *                           t = Int_0^x D dn, m^(3/2), which is to n as T to mu N; e, how wrong t is within it at most
+ * Remembers  x R* for x, which is the square of a radius, m2, and of the rest what mu, E* and N have no part in:
+ *            n = x^(3/2), m3; u = R* delta/(mu kappa), m2; t = Int D dn, m3, so that T/mu N = t/n at alpha
+ *            m[0]  how many pieces; 0: none;  m[1]  mu kappa, which they are made with
+ *            m[3 + 5k ...]  piece k, from inside to outside, the origin is piece 0: x, where it ends; D; a and b, with which
+ *                           u = a + D x and t = b + D n on it; e, how wrong t is on it at most
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
@@ -41,88 +42,53 @@
 enum { HEAD = 3 };
 static const double little = 1e-7;
 
-struct piece { /* its end; D is the slope of u(x) from the end of the one before */
-  double x, n, u, t, e;
+struct piece {
+  double x, d, a, b, e;
 };
 
-/* On the way from the end of the piece before to the end of this one. */
-static inline struct piece within(const struct piece *piece, double x, double n) {
-  const double share = (x - piece[-1].x) / (piece->x - piece[-1].x), up = piece->u - piece[-1].u;
-  const double d = up / (piece->x - piece[-1].x);
-  return (struct piece){x, n, piece[-1].u + share * up, piece[-1].t + d * (n - piece[-1].n), share * piece->e};
+static inline double n_of(double x) { return x * sqrt(x); }
+static inline double u_at(const struct piece *piece, double x) { return piece->a + piece->d * x; }
+
+/* Int t du over a piece, from x on. */
+static inline double held(const struct piece *piece, double x) {
+  return piece->d * (piece->b * (piece->x - x) + 0.4 * piece->d * (piece->x * n_of(piece->x) - x * n_of(x)));
+}
+static inline double held_by(const struct piece at[], int pieces) {
+  double sum = 0;
+  for (int k = 1; k <= pieces; k++)
+    sum += held(&at[k], at[k - 1].x);
+  return sum;
 }
 
-/* What t(x) is wrong by at most when the pieces that end at one and at two join. */
-static inline double error(const struct piece *zero, const struct piece *one, const struct piece *two) {
-  const double x1 = one->x - zero->x, x2 = two->x - one->x, n1 = one->n - zero->n, n2 = two->n - one->n;
-  return one->e + two->e + fabs((one->u - zero->u) / x1 - (two->u - one->u) / x2) * (n1 * n2 / (n1 + n2));
+/* What t is wrong by at most, for n_of(root^2), when two pieces join that end at or within root^2: (e_1 + e_2) x + this is
+ * x times that, x = x_1 + x_2 their spans. dn/dx is no more than at the outer end. */
+static inline double bend(double d1, double d2, double x1, double x2, double root) {
+  return 1.5 * root * fabs(d1 - d2) * (x1 * x2);
 }
 
-/* Int (n - n_0) dx over a piece that begins at zero, up to its end. */
-static inline double under(const struct piece *zero, const struct piece *end) {
-  return 0.4 * (end->x * end->n - zero->x * zero->n) - zero->n * (end->x - zero->x);
-}
-
-/* What Int t du is more when the pieces that end at one and at two join, and u grows by `beyond` farther out. */
-static inline double gain(const struct piece *zero, const struct piece *one, const struct piece *two, double beyond) {
-  const double d1 = (one->u - zero->u) / (one->x - zero->x), d2 = (two->u - one->u) / (two->x - one->x);
-  const double d = (two->u - zero->u) / (two->x - zero->x), n1 = one->n - zero->n, n2 = two->n - one->n;
-  return d * d * under(zero, two) - d1 * d1 * under(zero, one) -
-         d2 * (d1 * n1 * (two->x - one->x) + d2 * under(one, two)) + (d * (n1 + n2) - d1 * n1 - d2 * n2) * beyond;
+/* Two pieces in one, from x on, with the same delta. */
+static inline struct piece both(const struct piece *one, const struct piece *two, double x) {
+  const double u = u_at(two, two->x), x1 = one->x - x, x2 = two->x - one->x, d = (u - u_at(one, x)) / (two->x - x);
+  return (struct piece){two->x, d, u - d * two->x, one->b + (one->d - d) * n_of(x),
+                        one->e + two->e + bend(one->d, two->d, x1, x2, sqrt(two->x)) / (x1 + x2)};
 }
 
 /* What a leg of the path, to an overlap x and a slip u, makes of the pieces. */
 struct leg {
   int pieces;
-  double slid; /* as a whole, m; as u */
+  double slid; /* as a whole, as u */
   double lost; /* to fronts that went in, to the slide and to pieces that joined; as Int t du */
 };
 
-/* The joint behind piece j goes, delta stays; t beyond it, up to piece k, follows. */
+/* Piece j and the one behind it become one; t beyond them, up to piece k, follows. */
 static inline void join(struct piece at[], int j, int k, double *lost) {
-  const double d = (at[j + 1].u - at[j - 1].u) / (at[j + 1].x - at[j - 1].x);
-  const double moved = at[j - 1].t + d * (at[j + 1].n - at[j - 1].n) - at[j + 1].t;
-  *lost -= gain(&at[j - 1], &at[j], &at[j + 1], at[k].u - at[j + 1].u);
-  at[j + 1].e = error(&at[j - 1], &at[j], &at[j + 1]);
-  for (; j < k; j++)
-    at[j] = at[j + 1], at[j].t += moved;
-}
-
-/* Int t du. */
-static inline double held(const struct piece at[], int pieces) {
-  double sum = 0;
-  for (int k = 1; k <= pieces; k++) {
-    const double d = (at[k].u - at[k - 1].u) / (at[k].x - at[k - 1].x);
-    sum += (at[k].u - at[k - 1].u) * at[k - 1].t + d * d * under(&at[k - 1], &at[k]);
-  }
-  return sum;
-}
-
-/* Moves joint j along u, so that t behind it grows by `more`; false if a ring would carry more than its friction then. */
-static inline bool move(struct piece at[], int j, double more) {
-  const double x1 = at[j].x - at[j - 1].x, x2 = at[j + 1].x - at[j].x;
-  const double n1 = at[j].n - at[j - 1].n, n2 = at[j + 1].n - at[j].n;
-  const double u = at[j].u + more / (n1 / x1 - n2 / x2), d = (u - at[j - 1].u) / x1;
-  if (!(fabs(d) <= 1 && fabs(at[j + 1].u - u) <= x2))
-    return false;
-  at[j].u = u, at[j].t = at[j - 1].t + d * n1;
-  return true;
-}
-
-/* The joint behind piece j goes, and one beside it moves, so that neither delta nor T changes. */
-static inline void join_kept(struct piece at[], int j, int k, double *lost) {
-  const double before = held(at, k), t = at[j + 1].t;
-  double with_it = 0;
-  join(at, j, k, &with_it);
-  const double moved = at[j].t - t;
-  bool kept = j > 1 && move(at, j - 1, -moved);
-  if (kept)
-    at[j].t = t;
-  else
-    kept = j < k - 1 && move(at, j, -moved);
-  for (int i = j + 1; kept && i < k; i++)
-    at[i].t -= moved;
-  *lost += before - held(at, k - 1);
+  const struct piece one = both(&at[j], &at[j + 1], at[j - 1].x);
+  const double moved = one.b - at[j + 1].b + (one.d - at[j + 1].d) * n_of(one.x);
+  *lost += held(&at[j], at[j - 1].x) + held(&at[j + 1], at[j].x) - held(&one, at[j - 1].x) -
+           moved * (u_at(&at[k], at[k].x) - u_at(&one, one.x));
+  at[j] = one;
+  for (j++; j < k; j++)
+    at[j] = at[j + 1], at[j].b += moved;
 }
 
 /* Of k joints the one that goes with the least error, as a share of mu N where it lies. */
@@ -130,88 +96,100 @@ static inline int least(const struct piece at[], int k) {
   int best = 1;
   double lowest = INFINITY;
   for (int j = 1; j <= k; j++) {
-    const double share = error(&at[j - 1], &at[j], &at[j + 1]) / at[j].n;
+    const double x1 = at[j].x - at[j - 1].x, x2 = at[j + 1].x - at[j].x;
+    const double wrong = at[j].e + at[j + 1].e + bend(at[j].d, at[j + 1].d, x1, x2, sqrt(at[j + 1].x)) / (x1 + x2);
+    const double share = wrong / n_of(at[j].x);
     if (share < lowest)
       best = j, lowest = share;
   }
   return best;
 }
 
-/* Piece k + 1 ends at `end`, unless it is little enough to join piece k. */
-static inline void append(struct leg *leg, struct piece at[], int k, struct piece end, int most) {
-  leg->pieces = k;
-  if (!(end.x > at[k].x)) /* a slip too small to be one */
-    return;
-  at[k + 1] = end;
-  if (k > 0 && error(&at[k - 1], &at[k], &end) < little * end.n)
+/* Another piece behind the k there are, unless it is little enough to join the last. */
+static inline void append(struct leg *leg, struct piece at[], int k, struct piece last, double root, int most) {
+  const double x1 = at[k].x - at[k - 1].x, x2 = last.x - at[k].x;
+  at[k + 1] = last;
+  if (bend(at[k].d, last.d, x1, x2, root) < (little * (last.x * root) - at[k].e) * (x1 + x2))
     join(at, k, k + 1, &leg->lost);
   else if (k < most)
-    leg->pieces++;
+    k++;
   else
-    join_kept(at, least(at, k), k + 1, &leg->lost);
+    join(at, least(at, k), k + 1, &leg->lost);
+  leg->pieces = k;
 }
 
 /* Int n(x) - n(x') - n'(x')(x - x') dx' up to x', at a middle overlap x: what a front that passes x' loses. */
-static inline double passed(const struct piece *at, double x, double n) { return n * at->x + at->n * (at->x / 5 - x); }
+static inline double passed(double to, double x, double n) { return n * to + n_of(to) * (to / 5 - x); }
 
-static inline struct leg go(struct piece at[], int k, double x, double n, double u, int most) {
-  struct leg leg = {0};
-  const double middle = (at[k].x + x) / 2, force = middle * sqrt(middle);
-  if (x < at[k].x) {
-    while (at[k - 1].x >= x)
-      k--;
-    at[k] = within(&at[k], x, n);
-  }
-  double beyond = fabs(u - at[k].u) - (x - at[k].x); /* what full slip from the end of piece k on falls short of u */
-  if (beyond <= 0) {                                 /* the new ring sticks */
-    const double d = x > at[k].x ? (u - at[k].u) / (x - at[k].x) : 0;
-    append(&leg, at, k, (struct piece){x, n, u, at[k].t + d * (n - at[k].n), 0}, most);
+static inline struct leg go(struct piece at[], int k, double x, double root, double u, int most) {
+  struct leg leg = {.pieces = k};
+  const double middle = (at[k].x + x) / 2, force = n_of(middle);
+  while (k > 1 && at[k - 1].x >= x) /* gone */
+    k--;
+  const double edge = at[k].x < x ? at[k].x : x, missing = u - u_at(&at[k], edge);
+  if (fabs(missing) <= x - edge) { /* the new ring sticks, if there is one */
+    const double d = x > edge ? missing / (x - edge) : 0;
+    const struct piece ring = {x, d, u - d * x, at[k].b + (at[k].d - d) * n_of(edge), 0};
+    at[k].x = edge, leg.pieces = k;
+    if (k == 0)
+      at[leg.pieces = 1] = ring;
+    else if (x > edge)
+      append(&leg, at, k, ring, root, most);
     return leg;
   }
-  const double s = u > at[k].u ? 1 : -1;
-  double short_of = beyond;
-  while (k > 0 && (short_of = s * (u - at[k - 1].u) - (x - at[k - 1].x)) > 0) {
-    leg.lost += (1 - s * (at[k].u - at[k - 1].u) / (at[k].x - at[k - 1].x)) *
-                (passed(&at[k], middle, force) - passed(&at[k - 1], middle, force));
-    k--, beyond = short_of;
+  const double s = missing > 0 ? 1 : -1, line = s * u - x; /* behind the front, s u(x) = x + line */
+  double outer = edge, inner = 0;                          /* the front is so far in from the end of piece k - 1 on */
+  for (; k > 0; k--) {
+    inner = s * u_at(&at[k], at[k - 1].x) - at[k - 1].x - line;
+    if (inner >= 0)
+      break;
+    leg.lost += (1 - s * at[k].d) * (passed(outer, middle, force) - passed(at[k - 1].x, middle, force));
+    outer = at[k - 1].x;
   }
   if (k == 0) { /* no front left */
-    leg.slid = beyond;
-    u = s * x;
-  } else {
-    const double c = at[k - 1].x + short_of / (short_of - beyond) * (at[k].x - at[k - 1].x);
-    const struct piece front = within(&at[k], c, c * sqrt(c));
-    leg.lost += (1 - s * (at[k].u - at[k - 1].u) / (at[k].x - at[k - 1].x)) *
-                (passed(&at[k], middle, force) - passed(&front, middle, force));
-    at[k] = front;
-    if (!(c > at[k - 1].x))
-      k--;
+    leg.slid = line, leg.lost += line * force, leg.pieces = 1;
+    at[1] = (struct piece){x, s, 0, 0, 0};
+    return leg;
   }
-  leg.lost += leg.slid * force;
-  append(&leg, at, k, (struct piece){x, n, u, at[k].t + s * (n - at[k].n), 0}, most);
+  const double in = inner / (1 - s * at[k].d), c = at[k - 1].x + in < outer ? at[k - 1].x + in : outer;
+  const struct piece slipped = {x, s, s * line, at[k].b + (at[k].d - s) * n_of(c), 0};
+  leg.lost += (1 - s * at[k].d) * (passed(outer, middle, force) - passed(c, middle, force));
+  at[k].x = c, leg.pieces = k;
+  if (!(c > at[k - 1].x))
+    at[leg.pieces = k] = slipped;
+  else if (c < x)
+    append(&leg, at, k, slipped, root, most);
   return leg;
 }
 
 /* With another friction: the path goes anew, in the same memory, since no leg makes more than one piece. */
 static inline struct leg go_anew(struct piece at[], int pieces, double share, int most) {
-  struct leg all = {.lost = share * share * held(at, pieces)};
+  struct leg all = {.lost = share * share * held_by(at, pieces)};
   double from = 0;
   for (int k = 1; k <= pieces; k++) {
-    const struct piece end = at[k];
-    all.pieces = go(at, all.pieces, end.x, end.n, at[all.pieces].u + share * (end.u - from), most).pieces;
-    from = end.u;
+    const double x = at[k].x, u = u_at(&at[k], x), now = u_at(&at[all.pieces], at[all.pieces].x);
+    all.pieces = go(at, all.pieces, x, sqrt(x), now + share * (u - from), most).pieces;
+    from = u;
   }
-  all.lost -= held(at, all.pieces);
+  all.lost -= held_by(at, all.pieces);
   return all;
 }
 
+/* The last three pieces: few steps need more. */
+static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
+  const double *last = m + HEAD + 5 * (int)m[0];
+  __builtin_prefetch(last, 1);
+  __builtin_prefetch(last + 5, 1);
+  __builtin_prefetch(m[0] > 2 ? last - 10 : m, 1);
+}
+
 static inline struct nb_shear shear_mindlin_deresiewicz(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
-  const double kappa = p.young / (4 * p.shear), unit = p.friction * kappa; /* m of slip in a metre of u */
-  const double x = n.radius * n.radius / p.radius, force = x * sqrt(x), limit = p.friction * n.force;
+  const double unit = p.friction * p.young / (4 * p.shear), limit = p.friction * n.force;
+  const double root = n.radius, x = root * root, force = x * root;
   struct piece *at = (struct piece *)(m + HEAD);
   struct nb_shear out = {.stiffness = 8 * p.shear * n.radius};
-  if (!(unit > 0) || !(x > 0)) { /* without friction; let go by a normal law before the outlines part */
-    m[0] = 0, out.sliding = x > 0 ? 1 : 0;
+  if (!(unit > 0 && force > 0)) { /* without friction; or let go by a normal law before the outlines part */
+    m[0] = 0, out.sliding = unit > 0 ? 0 : 1;
     return out;
   }
   if (m[0] == 0)
@@ -223,29 +201,30 @@ static inline struct nb_shear shear_mindlin_deresiewicz(struct nb_pair p, struct
     const struct leg anew = go_anew(at, k, m[1] / unit, most);
     k = anew.pieces, again = anew.lost, m[1] = unit;
   }
-  const struct leg leg = go(at, k, x, force, at[k].u + slip / unit, most);
+  const double per_unit = 1 / unit; /* the same for all contacts of a pairing */
+  const struct leg leg = go(at, k, x, root, u_at(&at[k], at[k].x) + slip * p.radius * per_unit, most);
   m[0] = leg.pieces;
-  const double share = force > 0 ? at[leg.pieces].t / force : 0; /* 0 of the smallest overlap there is */
+  const double share = at[leg.pieces].d + at[leg.pieces].b / force;
   out.force = limit * (share > 1 ? 1 : share < -1 ? -1 : share);
   out.sliding = leg.slid > 0 ? 1 : 0;
-  out.lost = unit * (limit / force) * (leg.lost + again);
+  out.lost = unit / p.radius * (limit / force) * (leg.lost + again);
   return out;
 }
 
 static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_normal n, const double m[]) {
   const struct piece *at = (const struct piece *)(m + HEAD);
   const int pieces = (int)m[0];
-  const double kappa = p.young / (4 * p.shear);
-  return pieces > 0 ? m[1] * m[1] / kappa * (n.force / at[pieces].n) * held(at, pieces) : 0;
+  const double friction = m[1] * 4 * p.shear / p.young;
+  return pieces > 0 ? m[1] / p.radius * friction * (n.force / n_of(at[pieces].x)) * held_by(at, pieces) : 0;
 }
 
 /* From inside to outside: where pieces end, m, and their D. */
 static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n, const double m[], double x[],
                                             double d[]) {
-  (void)p, (void)n;
+  (void)n;
   const struct piece *at = (const struct piece *)(m + HEAD);
   for (int k = 1; k <= (int)m[0]; k++)
-    x[k - 1] = at[k].x, d[k - 1] = (at[k].u - at[k - 1].u) / (at[k].x - at[k - 1].x);
+    x[k - 1] = at[k].x / p.radius, d[k - 1] = at[k].d;
   return (int)m[0];
 }
 
@@ -261,5 +240,6 @@ static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n
 #define PIECE 5
 #define PIECES 16
 #define STORED shear_mindlin_deresiewicz_stored
+#define AHEAD shear_mindlin_deresiewicz_ahead
 #define PIECES_OF shear_mindlin_deresiewicz_pieces
 #include "law_batch.h"
