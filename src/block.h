@@ -69,6 +69,7 @@ struct nb_view;
 typedef void nb_run_pass(const struct nb_model *model, const struct nb_view *view); /* C has no other word for it */
 
 #define NB_FORM __attribute__((always_inline))
+#define NB_SELDOM __attribute__((noinline)) /* out of the way of a loop that seldom wants it */
 #define NB_FORM_OF(name, isa, target)                                                                                  \
   target static void name##_##isa(const struct nb_model *model, const struct nb_view *view) { name(model, view); }
 #if defined __x86_64__ && defined __GNUC__

@@ -13,9 +13,9 @@
  * D = s on (c, alpha), s = 1 or -1, makes delta right. Without such a c the contact slides. No step size enters: a step is
  * exact where (alpha, delta) moves on a straight line, and on a path of as many legs as there is room for pieces.
  *
- * A piece that makes T(x) wrong by less than 1e-7 of mu N joins the one before it, keeping delta. With no room left those two
- * join whose union does least harm: |D_1 - D_2| n_1 n_2/(n_1 + n_2), n their spans of force, and what is wrong in them already,
- * as a share of N at their joint. With 16 pieces T is off by less than 2e-3 mu N, and by 1e-4 mu N on average, on 1000 rough chance steps
+ * A piece that makes delta(x) wrong by less than 1e-7 mu kappa alpha joins the one before it, keeping delta. With no room left
+ * those two join whose union makes delta(x) least wrong as a share of x, |D_1 - D_2| x_1 x_2/(x_1 + x_2), x_1, x_2 their
+ * spans, and what is wrong in them already. With 16 pieces T is off by less than 2e-3 mu N, and by 1e-4 mu N on average, on 1000 rough chance steps
  * or 400 smooth ones that turn every few (tests/exact.c).
  * What joining changes of the energy stored counts as lost; it may be less than 0.
  *
@@ -34,13 +34,13 @@
  *            n = x^(3/2), m3; u = R* delta/(mu kappa), m2; t = Int D dn, m3, so that T/mu N = t/n at alpha
  *            m[0]  how many pieces; 0: none;  m[1]  mu kappa, which they are made with
  *            m[3 + 5k ...]  piece k, from inside to outside, the origin is piece 0: x, where it ends; D; a and b, with which
- *                           u = a + D x and t = b + D n on it; e, how wrong t is on it at most
+ *                           u = a + D x and t = b + D n on it; e, how wrong u is on it at most
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
 
 enum { HEAD = 3 };
-static const double little = 1e-7;
+static const double little = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
 
 struct piece {
   double x, d, a, b, e;
@@ -60,17 +60,14 @@ static inline double held_by(const struct piece at[], int pieces) {
   return sum;
 }
 
-/* What t is wrong by at most, for n_of(root^2), when two pieces join that end at or within root^2: (e_1 + e_2) x + this is
- * x times that, x = x_1 + x_2 their spans. dn/dx is no more than at the outer end. */
-static inline double bend(double d1, double d2, double x1, double x2, double root) {
-  return 1.5 * root * fabs(d1 - d2) * (x1 * x2);
-}
+/* What u is wrong by at the joint of two pieces when it goes, times x1 + x2, their spans. */
+static inline double bend(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
 
 /* Two pieces in one, from x on, with the same delta. */
 static inline struct piece both(const struct piece *one, const struct piece *two, double x) {
   const double u = u_at(two, two->x), x1 = one->x - x, x2 = two->x - one->x, d = (u - u_at(one, x)) / (two->x - x);
   return (struct piece){two->x, d, u - d * two->x, one->b + (one->d - d) * n_of(x),
-                        one->e + two->e + bend(one->d, two->d, x1, x2, sqrt(two->x)) / (x1 + x2)};
+                        one->e + two->e + bend(one->d, two->d, x1, x2) / (x1 + x2)};
 }
 
 /* What a leg of the path, to an overlap x and a slip u, makes of the pieces. */
@@ -81,7 +78,7 @@ struct leg {
 };
 
 /* Piece j and the one behind it become one; t beyond them, up to piece k, follows. */
-static inline void join(struct piece at[], int j, int k, double *lost) {
+static inline NB_FORM void join(struct piece at[], int j, int k, double *lost) {
   const struct piece one = both(&at[j], &at[j + 1], at[j - 1].x);
   const double moved = one.b - at[j + 1].b + (one.d - at[j + 1].d) * n_of(one.x);
   *lost += held(&at[j], at[j - 1].x) + held(&at[j + 1], at[j].x) - held(&one, at[j - 1].x) -
@@ -91,37 +88,37 @@ static inline void join(struct piece at[], int j, int k, double *lost) {
     at[j] = at[j + 1], at[j].b += moved;
 }
 
-/* Of k joints the one that goes with the least error, as a share of mu N where it lies. */
-static inline int least(const struct piece at[], int k) {
+/* Of k joints the one goes that makes u least wrong, as a share of x. Answers what is lost. */
+static NB_SELDOM double make_room(struct piece at[], int k) {
   int best = 1;
-  double lowest = INFINITY;
+  double lowest = INFINITY, lost = 0;
   for (int j = 1; j <= k; j++) {
     const double x1 = at[j].x - at[j - 1].x, x2 = at[j + 1].x - at[j].x;
-    const double wrong = at[j].e + at[j + 1].e + bend(at[j].d, at[j + 1].d, x1, x2, sqrt(at[j + 1].x)) / (x1 + x2);
-    const double share = wrong / n_of(at[j].x);
-    if (share < lowest)
-      best = j, lowest = share;
+    const double wrong = (at[j].e + at[j + 1].e) * (x1 + x2) + bend(at[j].d, at[j + 1].d, x1, x2);
+    const double share = wrong / ((x1 + x2) * at[j].x);
+    best = share < lowest ? j : best, lowest = share < lowest ? share : lowest;
   }
-  return best;
+  join(at, best, k + 1, &lost);
+  return lost;
 }
 
 /* Another piece behind the k there are, unless it is little enough to join the last. */
-static inline void append(struct leg *leg, struct piece at[], int k, struct piece last, double root, int most) {
+static inline NB_FORM void append(struct leg *leg, struct piece at[], int k, struct piece last, int most) {
   const double x1 = at[k].x - at[k - 1].x, x2 = last.x - at[k].x;
   at[k + 1] = last;
-  if (bend(at[k].d, last.d, x1, x2, root) < (little * (last.x * root) - at[k].e) * (x1 + x2))
+  if (bend(at[k].d, last.d, x1, x2) < (little * last.x - at[k].e) * (x1 + x2))
     join(at, k, k + 1, &leg->lost);
   else if (k < most)
     k++;
   else
-    join(at, least(at, k), k + 1, &leg->lost);
+    leg->lost += make_room(at, k);
   leg->pieces = k;
 }
 
 /* Int n(x) - n(x') - n'(x')(x - x') dx' up to x', at a middle overlap x: what a front that passes x' loses. */
 static inline double passed(double to, double x, double n) { return n * to + n_of(to) * (to / 5 - x); }
 
-static inline struct leg go(struct piece at[], int k, double x, double root, double u, int most) {
+static inline NB_FORM struct leg go(struct piece at[], int k, double x, double u, int most) {
   struct leg leg = {.pieces = k};
   const double middle = (at[k].x + x) / 2, force = n_of(middle);
   while (k > 1 && at[k - 1].x >= x) /* gone */
@@ -134,10 +131,10 @@ static inline struct leg go(struct piece at[], int k, double x, double root, dou
     if (k == 0)
       at[leg.pieces = 1] = ring;
     else if (x > edge)
-      append(&leg, at, k, ring, root, most);
+      append(&leg, at, k, ring, most);
     return leg;
   }
-  const double s = missing > 0 ? 1 : -1, line = s * u - x; /* behind the front, s u(x) = x + line */
+  const double s = copysign(1, missing), line = s * u - x; /* behind the front, s u(x) = x + line */
   double outer = edge, inner = 0;                          /* the front is so far in from the end of piece k - 1 on */
   for (; k > 0; k--) {
     inner = s * u_at(&at[k], at[k - 1].x) - at[k - 1].x - line;
@@ -158,17 +155,17 @@ static inline struct leg go(struct piece at[], int k, double x, double root, dou
   if (!(c > at[k - 1].x))
     at[leg.pieces = k] = slipped;
   else if (c < x)
-    append(&leg, at, k, slipped, root, most);
+    append(&leg, at, k, slipped, most);
   return leg;
 }
 
 /* With another friction: the path goes anew, in the same memory, since no leg makes more than one piece. */
-static inline struct leg go_anew(struct piece at[], int pieces, double share, int most) {
+static NB_SELDOM struct leg go_anew(struct piece at[], int pieces, double share, int most) {
   struct leg all = {.lost = share * share * held_by(at, pieces)};
   double from = 0;
   for (int k = 1; k <= pieces; k++) {
     const double x = at[k].x, u = u_at(&at[k], x), now = u_at(&at[all.pieces], at[all.pieces].x);
-    all.pieces = go(at, all.pieces, x, sqrt(x), now + share * (u - from), most).pieces;
+    all.pieces = go(at, all.pieces, x, now + share * (u - from), most).pieces;
     from = u;
   }
   all.lost -= held_by(at, all.pieces);
@@ -183,7 +180,8 @@ static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
   __builtin_prefetch(m[0] > 2 ? last - 10 : m, 1);
 }
 
-static inline struct nb_shear shear_mindlin_deresiewicz(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz(struct nb_pair p, struct nb_normal n, double slip,
+                                                                double m[]) {
   const double unit = p.friction * p.young / (4 * p.shear), limit = p.friction * n.force;
   const double root = n.radius, x = root * root, force = x * root;
   struct piece *at = (struct piece *)(m + HEAD);
@@ -201,10 +199,10 @@ static inline struct nb_shear shear_mindlin_deresiewicz(struct nb_pair p, struct
     const struct leg anew = go_anew(at, k, m[1] / unit, most);
     k = anew.pieces, again = anew.lost, m[1] = unit;
   }
-  const double per_unit = 1 / unit; /* the same for all contacts of a pairing */
-  const struct leg leg = go(at, k, x, root, u_at(&at[k], at[k].x) + slip * p.radius * per_unit, most);
+  const double per_unit = 1 / unit, per_force = 1 / force; /* the first is the same for all contacts of a pairing */
+  const struct leg leg = go(at, k, x, u_at(&at[k], at[k].x) + slip * p.radius * per_unit, most);
   m[0] = leg.pieces;
-  const double share = at[leg.pieces].d + at[leg.pieces].b / force;
+  const double share = at[leg.pieces].d + at[leg.pieces].b * per_force;
   out.force = limit * (share > 1 ? 1 : share < -1 ? -1 : share);
   out.sliding = leg.slid > 0 ? 1 : 0;
   out.lost = unit / p.radius * (limit / force) * (leg.lost + again);
