@@ -3,7 +3,7 @@
 # runs the unit tests, then the pages, until one is red. It lists who caught which mistake; one that nobody caught makes it fail.
 #
 #   make mutants                          all; about a second each
-#   make mutants MUTANTS=shear_linear     those whose file or description has the word
+#   make mutants MUTANTS=shear_linear     those whose file or description has the word; the only way to those of `also` files
 #
 # What is changed stands in tests/mutants/rules.txt. The copy is kept in mutants/ of the build folder, to build less the next time;
 # `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK are what they say.
@@ -102,21 +102,22 @@ $awk -v OFS="$tab" '
   function put() { if (kind) print kind, words, file, old, new; kind = old = new = file = "" }
   /^#/ || /^$/ { next }
   /^[a-z]+ / { key = $1; value = $0; sub(/^[a-z]+ +/, "", value) }
-  key == "each" { put(); print "each", "-", value, "-", "-"; key = ""; next }
+  key == "each" || key == "also" { put(); print key, "-", value, "-", "-"; key = ""; next }
   key == "mutant" || key == "equal" { put(); kind = key; words = value; key = ""; next }
   key == "in" { file = value; key = ""; next }
   /^- / { old = substr($0, 3); sub(/^ +/, "", old); next }
   /^\+ / { new = substr($0, 3); sub(/^ +/, "", new); next }
   { print "mistake", NR, "-", "-", "-" }
   END { put() }' tests/mutants/rules.txt >../table
-grep "^mistake" ../table && stop "lines of tests/mutants/rules.txt that are none of: each, mutant, equal, in, -, +"
+grep "^mistake" ../table && stop "lines of tests/mutants/rules.txt that are none of: each, also, mutant, equal, in, -, +"
 
 # Where each stands: LINE, COLUMN, LENGTH, new text. A text that is not there, or twice, is a rule that has rotted.
 : >../list
 : >../rotten
 while IFS=$tab read -r kind words file old new; do
   case $kind in
-  each)
+  each | also)
+    test "$kind" = also && test -z "$only" && continue
     set -- $file
     test -f "$1" || echo "each $file: no such file" >>../rotten
     for path in "$@"; do
@@ -196,8 +197,11 @@ done 3<../list
 
 # A whole run must have met every mistake that is said to be none.
 if test -z "$only"; then
-  $awk -F "$tab" 'FNR == NR { met[$1] = 1; next } $1 == "equal" && !met[FNR] { print $3 ": no mutant makes `" $5 "`" }' \
-    ../equals ../table >>../rotten
+  $awk -F "$tab" '
+    FILENAME == "../equals" { met[$1] = 1; next }
+    FILENAME == "../list" { tried[$3] = 1; next }
+    $1 == "equal" && tried[$3] && !met[FNR] { print $3 ": no mutant makes `" $5 "`" }' \
+    ../equals ../list ../table >>../rotten
 fi
 echo "mutants: $caught caught, $(wc -l <../survivors) survived, $same no mistakes, $none that are no C; $(($(date +%s) - began)) s"
 sed 's/^/survived: /' ../survivors
