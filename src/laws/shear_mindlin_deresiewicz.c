@@ -75,6 +75,7 @@ static inline struct piece both(const struct piece *one, const struct piece *two
 /* What a leg of the path, to an overlap x and a slip u, makes of the pieces. */
 struct leg {
   int pieces;
+  double d, b; /* of the last one */
   double slid; /* as a whole, as u */
   double lost; /* to fronts that went in, to the slide and to pieces that joined; as Int t du */
 };
@@ -117,14 +118,16 @@ static inline NB_FORM void append(struct leg *leg, struct piece at[], int k, str
   const double x1 = at[k].x - at[k - 1].x, x2 = last.x - at[k].x;
   at[k + 1] = last;
   leg->lost += held_by(at, k + 1);
-  if (bend(at[k].d, last.d, x1, x2) < (little * last.x - at[k].e) * (x1 + x2))
-    at[k] = both(&at[k], &last, at[k - 1].x);
-  else if (k == most)
-    make_room(at, k);
-  else
-    k++;
-  leg->lost -= held_by(at, k);
-  leg->pieces = k;
+  leg->d = last.d, leg->b = last.b, leg->pieces = k + 1;
+  const bool joins = bend(at[k].d, last.d, x1, x2) < (little * last.x - at[k].e) * (x1 + x2);
+  if (joins || k == most) {
+    if (joins)
+      at[k] = both(&at[k], &last, at[k - 1].x);
+    else
+      make_room(at, k);
+    leg->d = at[k].d, leg->b = at[k].b, leg->pieces = k;
+  }
+  leg->lost -= held_by(at, leg->pieces);
 }
 
 /* Int n(x) - n(x') - n'(x')(x - x') dx' up to x', at a middle overlap x: what a front that passes x' loses. */
@@ -137,9 +140,9 @@ static inline NB_FORM struct leg go(struct piece at[], int k, double x, double u
     k--;
   const double edge = at[k].x < x ? at[k].x : x, missing = u - u_at(&at[k], edge);
   if (fabs(missing) <= x - edge) { /* the new ring sticks, if there is one */
-    const double d = x > edge ? missing / (x - edge) : 0;
+    const double d = x > edge ? missing / (x - edge) : at[k].d;
     const struct piece ring = {x, d, u - d * x, at[k].b + (at[k].d - d) * n_of(edge), 0};
-    at[k].x = edge, leg.pieces = k;
+    at[k].x = edge, leg.pieces = k, leg.d = d, leg.b = ring.b;
     if (k == 0)
       at[leg.pieces = 1] = ring;
     else if (x > edge)
@@ -156,16 +159,16 @@ static inline NB_FORM struct leg go(struct piece at[], int k, double x, double u
     outer = at[k - 1].x;
   }
   if (k == 0) { /* no front left */
-    leg.slid = line, leg.lost += line * force, leg.pieces = 1;
+    leg.slid = line, leg.lost += line * force, leg.pieces = 1, leg.d = s;
     at[1] = (struct piece){x, s, 0, 0, 0};
     return leg;
   }
   const double in = inner / (1 - s * at[k].d), c = at[k - 1].x + in < outer ? at[k - 1].x + in : outer;
   const struct piece slipped = {x, s, s * line, at[k].b + (at[k].d - s) * n_of(c), 0};
   leg.lost += (1 - s * at[k].d) * (passed(outer, middle, force) - passed(c, middle, force));
-  at[k].x = c, leg.pieces = k;
+  at[k].x = c, leg.pieces = k, leg.d = s, leg.b = slipped.b;
   if (!(c > at[k - 1].x))
-    at[leg.pieces = k] = slipped;
+    at[k] = slipped;
   else if (c < x)
     append(&leg, at, k, slipped, most);
   return leg;
@@ -214,7 +217,7 @@ static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz(struct nb_pair p
   const double per_unit = 1 / unit, per_force = 1 / force; /* the first is the same for all contacts of a pairing */
   const struct leg leg = go(at, k, x, u_at(&at[k], at[k].x) + slip * p.radius * per_unit, most);
   m[0] = leg.pieces;
-  const double share = at[leg.pieces].d + at[leg.pieces].b * per_force;
+  const double share = leg.d + leg.b * per_force;
   out.force = limit * (share > 1 ? 1 : share < -1 ? -1 : share);
   out.sliding = leg.slid > 0 ? 1 : 0;
   out.lost = unit / p.radius * (limit / force) * (leg.lost + again);
