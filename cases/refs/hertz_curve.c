@@ -1,4 +1,5 @@
-/* Reference: spheres in a column between two walls that squeeze them slowly; the normal force against overlap and wall.
+/* Reference: spheres in a column between two walls that squeeze them slowly, or one contact on the bench; the normal force
+ * against overlap and wall.
  *
  * A contact is pressed by N: the circle of radius a under a paraboloid of the pair's curvature, f(r) = r^2/(2 R*), has
  *
@@ -13,6 +14,7 @@
  * Known, where NAME watches a contact of the column and W the upper wall:
  *   NAME.normal along NAME.overlap
  *   NAME.normal, NAME.overlap along W.y       in equilibrium
+ *   normal along overlap                      on the bench
  *
  * Source   Sneddon, Int. J. Eng. Sci. 3 (1965) 47-57; [R89 5.2].
  *
@@ -68,14 +70,12 @@ static double overlap_under(const void *data, double y) {
 }
 static double force_under(const void *data, double y) { return force_at(data, overlap_under(data, y)); }
 
-static void tell(struct nb_known *known, const char *name, const char *what, const char *along,
-                 double (*at)(const void *data, double x), const struct press *press) {
-  char text[3 * NB_NAME_SIZE];
-  snprintf(text, sizeof text, "%s.%s", name, what);
+static void tell(struct nb_known *known, const char *name, const char *along, double (*at)(const void *data, double x),
+                 const struct press *press) {
   struct press *copy = malloc(sizeof *copy);
   if (copy)
     *copy = *press;
-  known_curve(known, text, along, at, copy);
+  known_curve(known, name, along, at, copy);
 }
 
 /* Whether each wall moves as fast as the other, against it, in every stage. */
@@ -121,9 +121,23 @@ static enum nb_status column(struct press *press, const struct nb_scene *scene, 
   return NB_OK;
 }
 
+/* Body 1 with body 2, or with the wall. */
+static enum nb_status know_bench(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_body *a = &scene->bodies[0], *b = scene->body_count > 1 ? &scene->bodies[1] : NULL;
+  const struct nb_material *other = &scene->materials[b ? b->material : scene->walls[0].material];
+  struct press press = {.radius = 1 / (1 / a->radius + (b ? 1 / b->radius : 0)),
+                        .young = hertz_young(&scene->materials[a->material], other)};
+  if (!(press.young > 0) || strcmp(scene->normal, "hertz") != 0)
+    return refuse(error, "elastic spheres with `normal hertz`");
+  tell(known, "normal", "overlap", force_at, &press);
+  return known_full(known, error);
+}
+
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   struct press press[CONTACTS];
   const char *upper = NULL;
+  if (scene->path)
+    return know_bench(known, scene, error);
   if (scene->wall_count != 2 || scene->body_count < 1 || scene->body_count >= CONTACTS || !squeezes(scene) ||
       scene->gravity.line)
     return refuse(error,
@@ -136,17 +150,18 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   for (size_t w = 0; w < scene->watch_count; w++) {
     const struct nb_watch *watch = &scene->watches[w];
     const bool wall = watch->kind == NB_WATCH_BODY_WALL;
-    char along[2 * NB_NAME_SIZE];
+    char along[2 * NB_NAME_SIZE], normal[2 * NB_NAME_SIZE], overlap[2 * NB_NAME_SIZE];
     if (!wall && watch->kind != NB_WATCH_BODY_BODY)
       continue;
     const int c = !wall ? (watch->a > watch->b ? watch->a : watch->b) : watch->b == 0 ? 0 : (int)scene->body_count;
-    snprintf(along, sizeof along, "%s.overlap", watch->name);
-    tell(known, watch->name, "normal", along, force_at, &press[c]);
+    snprintf(normal, sizeof normal, "%s.normal", watch->name);
+    snprintf(overlap, sizeof overlap, "%s.overlap", watch->name);
+    tell(known, normal, overlap, force_at, &press[c]);
     if (!upper)
       continue;
     snprintf(along, sizeof along, "%s.y", upper);
-    tell(known, watch->name, "normal", along, force_under, &press[c]);
-    tell(known, watch->name, "overlap", along, overlap_under, &press[c]);
+    tell(known, normal, along, force_under, &press[c]);
+    tell(known, overlap, along, overlap_under, &press[c]);
   }
   return known_full(known, error);
 }

@@ -9,7 +9,8 @@
  * k is k_n for c_n, k_s for c_s; between elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.
  *
  * The stiffnesses are the ones that the laws answered this cycle. D_s is off while the contact slides [CS79, Damping]; F_n + D_n
- * may be tensile; the limit of F_s has been taken from F_n alone before this pass.
+ * may be tensile. ds/dt is that of the whole step behind, though the slip of the step in which two bodies meet counts for a part
+ * of it only. The limit of F_s has been taken from F_n alone before this pass.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "../model.h"
@@ -50,12 +51,13 @@ static inline NB_FORM void damp(const struct nb_model *model, const struct nb_vi
   if (!view->pairing->shear)
     return;
   const double *shear = view->f[NB_SHEAR], *shear_stiffness = view->f[NB_SHEAR_STIFFNESS];
-  const double *slip = view->f[NB_SLIP], *sliding = view->f[NB_SLIDING];
+  const double *slip = view->f[NB_SLIP], *sliding = view->f[NB_SLIDING], *overlap = view->f[NB_OVERLAP];
   double *drag = view->f[NB_DRAG];
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
     const double dashpot = coefficient(pot, mass[c], shear_stiffness[c], critical ? deep[c] : 0);
-    drag[c] = shear[c] + (1 - sliding[c]) * (dashpot * (slip[c] * rate));
+    const double touched = nb_touched(overlap[c], closing[c]), moved = touched > 0 ? slip[c] / touched : slip[c];
+    drag[c] = shear[c] + (1 - sliding[c]) * (dashpot * (moved * rate));
   }
 }
 

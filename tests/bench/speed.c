@@ -38,7 +38,7 @@ static void make_scene(struct nb_scene *scene, int side, double friction, unsign
   scene->walls[3] = (struct nb_wall){.y = height / 2, .ey = -1, .h1 = -height / 2, .h2 = height / 2, .vx = v};
   strcpy(scene->normal, "linear");
   strcpy(scene->shear, "linear");
-  scene->step = (struct nb_step){NB_STEP_CRITICAL, 0.05, 0};
+  scene->step = (struct nb_step){.kind = NB_STEP_CRITICAL, .value = 0.05};
   scene->stages[0] = (struct nb_stage){.name = "squeeze", .cycles = cycles, .step = scene->step};
 }
 
