@@ -39,6 +39,25 @@ static void rates(const struct nb_model *model, double *closing, double *slip) {
   *slip = vx * e2 - vy * e1 - (written_now(model, "A.spin.half") + 2 * written_now(model, "B.spin.half"));
 }
 
+/* In the step in which two discs meet the spring has slipped for a part of it, and the dashpot moves as fast as ever. */
+static void where_they_meet(void) {
+  struct written it;
+  struct nb_model *model = two_discs(&it, "contact-beta 0.02", "disc 2.96 0.5 radius 2 b velocity -1 0", 10);
+  CU_ASSERT_EQUAL(written_now(model, "C.normal"), 0);
+  double closing, slip;
+  do
+    written_cycles(model, 1);
+  while (!(written_now(model, "C.normal") > 0));
+  rates(model, &closing, &slip);
+  const double overlap = written_now(model, "C.normal") / 400, share = overlap / (closing * 0.001);
+  CU_ASSERT(share > 0.1 && share < 0.9 && fabs(slip) > 0.1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.shear"), 250 * share * slip * 0.001, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), 0.02 * 250 * slip, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), 0.02 * 400 * closing, 1e-12);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 static void coefficients(void) {
   const double a = pi * 3, b = pi * 4 * 5, critical = 2 * sqrt(a / 400);
   static const char free_[] = "disc 2.9 0.5 radius 2 b spin 0.25", fixed[] = "disc 2.9 0.5 radius 2 b spin 0.25 fixed";
@@ -178,6 +197,7 @@ static void a_stage_without_dashpots(void) {
 
 void suite_damping(void) {
   CU_pSuite suite = CU_add_suite("damping", NULL, NULL);
+  CU_add_test(suite, "where two discs meet", where_they_meet);
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
   CU_add_test(suite, "a wall weighs without end", a_wall_weighs_without_end);
   CU_add_test(suite, "a stage without dashpots", a_stage_without_dashpots);
