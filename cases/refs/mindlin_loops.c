@@ -75,7 +75,7 @@ static void join(struct branch *b, double shear, double lost, double work) {
 /* The branch that leads from now to that force, or to that slip. */
 static struct branch *branch_to(struct loops *loops, double shear, double slip, bool force) {
   const double sense = (force ? shear > loops->shear : slip > loops->slip) ? 1 : -1;
-  struct branch *top = &loops->branches[loops->count - 1];
+  struct branch *top = &loops->branches[loops->count > 0 ? loops->count - 1 : 0];
   if (loops->count == 0 || (sense != top->sense && loops->count < loops->most)) {
     top = &loops->branches[loops->count++];
     *top = (struct branch){loops->shear, loops->slip, loops->lost, loops->work, sense, loops->count == 1 ? 1 : 2};
