@@ -114,6 +114,24 @@ static void many_rules(void) {
   nb_properties_free(&now);
 }
 
+/* As many as the law likes best, or as the page says; none of a law that keeps none. */
+static void pieces_of_history(void) {
+  static const struct {
+    const char *shear;
+    int said;
+    double pieces;
+  } rows[] = {{"mindlin_deresiewicz", 0, 16}, {"mindlin_deresiewicz", 64, 64}, {"linear", 0, 0}, {"none", 0, 0}};
+  for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
+    struct nb_scene scene = scene_of(NULL, 0);
+    struct nb_properties now = {0};
+    snprintf(scene.shear, sizeof scene.shear, "%s", rows[n].shear);
+    scene.pieces = rows[n].said;
+    CU_ASSERT_FATAL(nb_properties_create(&now, &scene));
+    CU_ASSERT_EQUAL(nb_properties_pair(&now, 0, 1).pieces, rows[n].pieces);
+    nb_properties_free(&now);
+  }
+}
+
 /* 1/E* = (1 - nu_a^2)/E_a + (1 - nu_b^2)/E_b;  1/G* = (2 - nu_a)/G_a + (2 - nu_b)/G_b, G = E/2(1 + nu) [R89 4.7-4.10] */
 static void elastic(void) {
   struct nb_material elastic[] = {
@@ -135,5 +153,6 @@ void suite_properties(void) {
   CU_add_test(suite, "stages change pairs", stages_change_pairs);
   CU_add_test(suite, "stages change materials", stages_change_materials);
   CU_add_test(suite, "many rules", many_rules);
+  CU_add_test(suite, "pieces of history", pieces_of_history);
   CU_add_test(suite, "elastic", elastic);
 }
