@@ -39,6 +39,34 @@ static void rates(const struct nb_model *model, double *closing, double *slip) {
   *slip = vx * e2 - vy * e1 - (written_now(model, "A.spin.half") + 2 * written_now(model, "B.spin.half"));
 }
 
+/* Every number and every kind counts, more and less. */
+static void alike(void) {
+  const struct nb_damping a = {.contact_kind = NB_CONTACT_RATIO,
+                               .contact = 2,
+                               .walls_apart = true,
+                               .walls_kind = NB_CONTACT_RATIO,
+                               .walls = 3,
+                               .global_kind = NB_GLOBAL_ALPHA,
+                               .global = 4,
+                               .deep = 5};
+  struct nb_damping b = a;
+  double *numbers[] = {&b.contact, &b.walls, &b.global, &b.deep};
+  CU_ASSERT(nb_damping_alike(&a, &b));
+  for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
+    for (int more = -1; more <= 1; more += 2) {
+      *numbers[n] += more;
+      CU_ASSERT(!nb_damping_alike(&a, &b));
+      *numbers[n] -= more;
+    }
+  b.contact_kind = NB_CONTACT_BETA;
+  CU_ASSERT(!nb_damping_alike(&a, &b));
+  b.contact_kind = a.contact_kind, b.walls_kind = NB_CONTACT_BETA;
+  CU_ASSERT(!nb_damping_alike(&a, &b));
+  b.walls_kind = a.walls_kind, b.global_kind = NB_GLOBAL_UNDAMPED;
+  CU_ASSERT(!nb_damping_alike(&a, &b));
+  CU_ASSERT(!nb_damping_none(&a) && nb_damping_none(&(struct nb_damping){0}));
+}
+
 /* In the step in which two discs meet the spring has slipped for a part of it, and the dashpot moves as fast as ever. */
 static void where_they_meet(void) {
   struct written it;
@@ -197,6 +225,7 @@ static void a_stage_without_dashpots(void) {
 
 void suite_damping(void) {
   CU_pSuite suite = CU_add_suite("damping", NULL, NULL);
+  CU_add_test(suite, "alike", alike);
   CU_add_test(suite, "where two discs meet", where_they_meet);
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
   CU_add_test(suite, "a wall weighs without end", a_wall_weighs_without_end);
