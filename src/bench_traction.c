@@ -1,4 +1,4 @@
-/* The traction over the contact circle, from D(x) of a law that keeps its history in pieces (ERRATA E).
+/* The traction over the contact circle, from D(x) of a law that keeps its history in pieces (docs/CONTACT.md, v).
  *
  *   p(r; x)  Hertz's pressure at the radius r when the overlap was x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle, Pa
  *   q(r)     mu times the integral of D(x) dp(r; x): each ring x carries D of what its pressure adds, Pa

@@ -1,4 +1,4 @@
-/* What bodies and contacts have at a moment, and the two balances of a run; DESIGN: energy.c, balance.c.
+/* What bodies and contacts have at a moment, and the two balances of a run: energy.c, balance.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_ENERGY_H

@@ -1,6 +1,6 @@
 /* R89's law: the curves of constant N, its fronts, all four ways of N and T, and what the text as it stands makes of them.
  *
- * What it should be comes from the rings of the contact, T = mu Int D dN and delta = mu kappa Int D dx (ERRATA, section E), of
+ * What it should be comes from the rings of the contact, T = mu Int D dN and delta = mu kappa Int D dx (docs/CONTACT.md, i), of
  * which [R89 3.25, 3.40, 3.50] are the cases of constant N. The law is of first order: an error halves with the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -133,9 +133,9 @@ static void all_ways_of_normal_and_tangential_force(void) {
   }
 }
 
-/* ERRATA A, to 3.86: N = 1, mu = 0.3, T = 0.2 mu. While N falls by 0.1 at that T the front goes from c to c1, and the ring between has
- * taken mu |dN| = 0.03, which the prefactor mu (p0 + dp0)/a1 makes of it: mu N1 (c^3 - c1^3)/a1^3. With the printed one it is
- * 0.0312. The law says its fronts in dT/ds = 8 G* c. */
+/* [R89 3.86] has mu (p0 + dp0)/c for a prefactor. N = 1, mu = 0.3, T = 0.2 mu. While N falls by 0.1 at
+ * that T the front goes from c to c1, and the ring between has taken mu |dN| = 0.03, which mu (p0 + dp0)/a1 makes of it:
+ * mu N1 (c^3 - c1^3)/a1^3. With the printed one it is 0.0312. The law says its fronts in dT/ds = 8 G* c. */
 static void front_takes_what_the_edge_gives_up(void) {
   double ring[2], printed = 0;
   for (int k = 0; k < 2; k++) {

@@ -23,7 +23,7 @@
  * Known: impact.restitution; for a watch C of the contact, C.normal max in the first stage, which must hold it. The next order is of
  * 1/n^2. Depth and duration go as log(n)/n and are not known.
  *
- * Source   [R89 4.11-4.14]; ERRATA A has numbers.
+ * Source   [R89 4.11-4.14]; e and N_max derived here.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_sf_gamma.h>

@@ -10,7 +10,7 @@
  *   ds_c    mu dN/(8 G* a), the slip with which a new ring neither sticks nor lets the front go in [R89 4.16]
  *
  * The text of FORD and THETA contradicts itself and the exact contact in places; shear_randall_literal.c is the text as it
- * stands. Here (ERRATA, section B):
+ * stands. Here:
  *
  *   - A reversal sets T* or T** before theta is asked for; whether they have a value is in the branch, for 0 is a force like any.
  *   - dN moves T* and T** in every step, the one that sets them too.
