@@ -1,0 +1,57 @@
+/* Tensors of second order in the plane, by value: stress, fabric, velocity gradient.
+ *
+ * Principal values and direction are those of the symmetric part, as on Mohr's circle [R89 figure 4.1]:
+ *   T_1,2 = (T_xx + T_yy)/2 +- r                        major and minor               [R89 4.52, 4.53]
+ *   r = sqrt((T_xy + T_yx)^2 + (T_xx - T_yy)^2)/2       radius of the circle
+ *   theta = 1/2 arctan((T_xy + T_yx)/(T_xx - T_yy))     from x to the major one's axis, counterclockwise [R89 4.54]
+ * With the arctangent of the quotient alone theta may be the minor one's; here the quadrant decides, -pi/2 < theta <= pi/2.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_TENSOR_H
+#define NB_TENSOR_H
+
+#include "vec.h"
+
+struct nb_tensor {
+  double xx, xy, yx, yy;
+};
+
+static inline struct nb_tensor tensor(double xx, double xy, double yx, double yy) {
+  return (struct nb_tensor){xx, xy, yx, yy};
+}
+static inline struct nb_tensor tensor_add(struct nb_tensor a, struct nb_tensor b) {
+  return tensor(a.xx + b.xx, a.xy + b.xy, a.yx + b.yx, a.yy + b.yy);
+}
+static inline struct nb_tensor tensor_sub(struct nb_tensor a, struct nb_tensor b) {
+  return tensor(a.xx - b.xx, a.xy - b.xy, a.yx - b.yx, a.yy - b.yy);
+}
+static inline struct nb_tensor tensor_scale(double s, struct nb_tensor a) {
+  return tensor(s * a.xx, s * a.xy, s * a.yx, s * a.yy);
+}
+/* T_ij v_j: what a velocity gradient makes of a place. */
+static inline struct nb_vec tensor_times(struct nb_tensor a, struct nb_vec v) {
+  return vec(a.xx * v.x + a.xy * v.y, a.yx * v.x + a.yy * v.y);
+}
+/* a_i b_j: what one contact adds to a stress, or one normal to a fabric. */
+static inline struct nb_tensor tensor_outer(struct nb_vec a, struct nb_vec b) {
+  return tensor(a.x * b.x, a.x * b.y, a.y * b.x, a.y * b.y);
+}
+static inline struct nb_tensor tensor_symmetric(struct nb_tensor a) {
+  const double mixed = (a.xy + a.yx) / 2;
+  return tensor(a.xx, mixed, mixed, a.yy);
+}
+static inline double tensor_trace(struct nb_tensor a) { return a.xx + a.yy; }
+
+static inline double tensor_mean(struct nb_tensor a) { return (a.xx + a.yy) / 2; } /* centre of Mohr's circle */
+static inline double tensor_radius(struct nb_tensor a) {
+  const double mixed = a.xy + a.yx, apart = a.xx - a.yy;
+  return sqrt(mixed * mixed + apart * apart) / 2;
+}
+static inline double tensor_major(struct nb_tensor a) { return tensor_mean(a) + tensor_radius(a); }
+static inline double tensor_minor(struct nb_tensor a) { return tensor_mean(a) - tensor_radius(a); }
+static inline double tensor_angle(struct nb_tensor a) { /* rad; 0 where all directions are alike */
+  const double angle = atan2(a.xy + a.yx, a.xx - a.yy) / 2;
+  return angle > -1.57079632679489661923 ? angle : 1.57079632679489661923; /* a minus in front of a zero */
+}
+
+#endif
