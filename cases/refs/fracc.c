@@ -1,17 +1,19 @@
-/* Reference: R89's FRACC of one disc that swings between two walls which both press on it.
+/* Reference: R89's FRACC of one disc that swings between two walls which both press on it, or circles between four.
  *
- * With w^2 = 2 k_n/m and h = w dt/2 the cycle is  x_(n+1) = 2 x_n - x_(n-1) - 4 h^2 x_n,  x_1 = x_0 (1 - 2 h^2)  from rest,
- * and with the sum of forces -2 k_n x [R89 4.36-4.40]
+ * With w^2 = 2 k_n/m and h = w dt/2 the cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n,  x_1 = x_0 (1 - 2 h^2)  from rest and
+ * y_1 = v_y dt  from the middle, each for itself; and with the sum of forces -2 k_n r [R89 4.36-4.40]
  *
- *   FRACC = h (| |x_(n+1)| - |x_n| | / |x_(n+1) - x_n|)^(1/2)
+ *   FRACC = h (| |r_(n+1)| - |r_n| | / |r_(n+1) - r_n|)^(1/2)
  *
- * which is h while x keeps its sign. Where h > 1 the swing goes over to x_(n+1) = -g x_n with g = (h + (h^2 - 1)^(1/2))^2, and
+ * which on a line is h while x keeps its sign, and 0 on a circle. Where h > 1 the swing goes over to x_(n+1) = -g x_n with
+ * g = (h + (h^2 - 1)^(1/2))^2, and
  *
  *   FRACC = (h (h^2 - 1)^(1/2))^(1/2)
  *
  * Known    step.fracc max, and D.x max of the disc if it is watched as D, by the cycle.
  * Exact but for rounding.
- * Range    one disc amid two walls across x, linear springs, no shear, no damping, a step in s, one stage.
+ * Range    one disc amid two walls across x and two across y that touch it or do not, linear springs, no shear, no damping,
+ *          `step F of critical`, one stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -19,28 +21,44 @@
 
 #include "reference.h"
 
+struct place {
+  double x, y; /* m */
+};
+
+static double fracc(double h, struct place before, struct place now) {
+  const double way = hypot(now.x - before.x, now.y - before.y);
+  return way > 0 ? h * sqrt(fabs(hypot(now.x, now.y) - hypot(before.x, before.y)) / way) : 0;
+}
+
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stage = &scene->stages[0];
-  if (scene->body_count != 1 || scene->wall_count != 2 || strcmp(scene->normal, "linear") ||
+  const struct nb_body *disc = &scene->bodies[0];
+  if (scene->body_count != 1 || scene->wall_count != 4 || strcmp(scene->normal, "linear") ||
       strcmp(scene->shear, "none") || stage->step.kind != NB_STEP_CRITICAL || scene->stage_count != 1 ||
-      stage->condition_count || !nb_damping_none(&stage->damping))
+      stage->condition_count || !nb_damping_none(&stage->damping) || disc->y != 0 || disc->vx != 0)
     return nb_error_set(error, NB_BAD_USE,
-                        "reference fracc is for one disc between two walls, undamped, `step F of critical`");
+                        "reference fracc is for one disc between four walls, undamped, `step F of critical`");
+  const double kn = nb_scene_pair(scene, disc->material, scene->walls[0].material).kn;
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
-  double before = 1, x = 1 - 2 * h * h, far = fmax(1, x), most = h * sqrt(fabs(fabs(x) - 1) / fabs(x - 1));
+  const double dt = 2 * h / sqrt(2 * kn / nb_body_mass(scene, disc));
+  double hy = 0; /* no walls near in y */
+  for (int w = 0; w < 4; w++)
+    hy = scene->walls[w].ex != 0 && fabs(scene->walls[w].y) < disc->radius ? h : hy;
+  struct place before = {disc->x, 0}, now = {disc->x * (1 - 2 * h * h), disc->vy * dt};
+  double far = fmax(before.x, now.x), most = fracc(h, before, now);
   for (unsigned long n = 1; n < stage->cycles; n++) {
-    const double next = 2 * x - before - 4 * h * h * x;
-    before = x, x = next, far = fmax(far, x);
-    most = fmax(most, h * sqrt(fabs(fabs(x) - fabs(before)) / fabs(x - before)));
+    const struct place next = {2 * now.x - before.x - 4 * h * h * now.x, 2 * now.y - before.y - 4 * hy * hy * now.y};
+    before = now, now = next;
+    far = fmax(far, now.x), most = fmax(most, fracc(h, before, now));
   }
   known_value(known, most, "step.fracc max");
-  known_value(known, far * scene->bodies[0].x, "D.x max");
+  known_value(known, far, "D.x max");
   return known_full(known, error);
 }
 
 const struct nb_reference reference_fracc = {
     .name = "fracc",
-    .title = "FRACC of a disc that swings between two walls, by the cycle itself",
+    .title = "FRACC of a disc that swings between two walls or circles amid four, by the cycle itself",
     .source = "[R89 4.35-4.40]",
     .know = know,
 };
