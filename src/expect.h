@@ -54,6 +54,8 @@ struct nb_expectation {
   double stated;                /* SI; NB_ORDER: the power */
   char source[NB_NAME_SIZE];    /* "[CS79 figure 6]" */
   char along[2 * NB_NAME_SIZE]; /* NB_ALONG: `time`, `cycle`; NB_RISES, NB_FALLS, NB_SAME: the swept name */
+  char among[2 *
+             NB_NAME_SIZE]; /* NB_STATED, NB_RISES, NB_FALLS, NB_SAME: the sweep whose runs are a sample; empty: none */
   size_t along_column;
   int line;
 };

@@ -22,7 +22,7 @@ const struct nb_reducer_row *nb_reducer_rows(void) { return reducers; }
 
 /* ---- what is expected of it ---- */
 
-static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
   char hint[NB_HINT_SIZE];
   const struct nb_token *token = nb_take(reader, "the name of a `sweep`");
   if (!token)
@@ -33,7 +33,7 @@ static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, s
     if (binding->sweep < 0)
       continue;
     if (strcmp(binding->name, token->text) == 0) {
-      snprintf(expectation->along, sizeof expectation->along, "%s", token->text);
+      snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
       return true;
     }
     nb_guess_offer(&guess, binding->name);
@@ -44,6 +44,11 @@ static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, s
                    token->text);
   reader->next = reader->count;
   return false;
+}
+
+/* `among NAME`, or nothing: the sweep whose runs are a sample. */
+static bool take_among(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  return !nb_token_skip(reader, "among") || take_swept(reader, scene, expectation->among);
 }
 
 /* `[CS79 figure 6]`, several tokens. */
@@ -94,8 +99,11 @@ static bool take_stated(struct nb_reader *reader, const struct nb_scene *scene, 
   }
   if (share && !nb_take_measure(reader, scene, &expectation->other))
     return false;
-  return nb_take_tolerance(reader, scene, expectation->has_scale ? "1" : expectation->measure.unit,
-                           &expectation->tolerance) &&
+  if (!take_among(reader, scene, expectation))
+    return false;
+  return (expectation->among[0] ||
+          nb_take_tolerance(reader, scene, expectation->has_scale ? "1" : expectation->measure.unit,
+                            &expectation->tolerance)) &&
          take_source(reader, expectation);
 }
 
@@ -106,19 +114,21 @@ static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, s
 
 static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   reader->next++;
-  return nb_take_word(reader, "with") && take_swept(reader, scene, expectation);
+  return nb_take_word(reader, "with") && take_swept(reader, scene, expectation->along) &&
+         take_among(reader, scene, expectation);
 }
 
 static bool take_same(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   reader->next++;
-  return nb_take_word(reader, "over") && take_swept(reader, scene, expectation) &&
+  return nb_take_word(reader, "over") && take_swept(reader, scene, expectation->along) &&
+         take_among(reader, scene, expectation) &&
          nb_take_tolerance(reader, NULL, expectation->measure.unit, &expectation->tolerance);
 }
 
 static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   reader->next++;
   return nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->stated) && nb_take_word(reader, "over") &&
-         take_swept(reader, scene, expectation) && nb_take_tolerance(reader, NULL, "1", &expectation->tolerance);
+         take_swept(reader, scene, expectation->along) && nb_take_tolerance(reader, NULL, "1", &expectation->tolerance);
 }
 
 /* clang-format off */
@@ -132,20 +142,24 @@ static const struct nb_expectation_row rows[] = {
    "known value.",
    "C.normal along time in strike  within 0.5 % of peak"},
   {"stated", NB_STATED, "MEASURE stated NUMBER {of MEASURE} within TOLERANCE [SOURCE]", take_stated,
-   "What was seen is a number that somebody states, and SOURCE says who. With `of` it is a share of another measure.",
+   "What was seen is a number that somebody states, and SOURCE says who. With `of` it is a share of another measure. "
+   "`stated NUMBER among NAME [SOURCE]`: where it lies among the runs of a sweep, one draw among many; that is said, and fails "
+   "nothing.",
    "time at 0 cycles  stated 0 s within 0 s  [the clock starts]\n"
    "C.normal in part  stated 0 of C.normal max in strike within 1 %  [the discs part]"},
   {"below", NB_LESS, "MEASURE below MEASURE", take_other, "Two measures of the same run.",
    "C.overlap in part  below  C.overlap max in strike"},
   {"above", NB_MORE, "MEASURE above MEASURE", take_other, "Likewise.",
    "C.normal max in strike  above  C.normal mean in strike"},
-  {"rises", NB_RISES, "MEASURE rises with NAME", take_trend,
-   "NAME is a sweep: from each of its values to the next, while other sweeps stay where they are.",
+  {"rises", NB_RISES, "MEASURE rises with NAME {among SAMPLE}", take_trend,
+   "NAME is a sweep: from each of its values to the next, while other sweeps stay where they are. With `among` the runs of the "
+   "sweep SAMPLE are a sample of the same: the mean of their differences is above 0 with 95 % confidence (Student).",
    "C.normal max in strike  rises with speed"},
-  {"falls", NB_FALLS, "MEASURE falls with NAME", take_trend, "Likewise.",
+  {"falls", NB_FALLS, "MEASURE falls with NAME {among SAMPLE}", take_trend, "Likewise.",
    "A.vx in strike  falls with speed"},
-  {"same", NB_SAME, "MEASURE same over NAME within TOLERANCE", take_same,
-   "For all values of a sweep: the largest less the smallest; a share is of their mean.",
+  {"same", NB_SAME, "MEASURE same over NAME {among SAMPLE} within TOLERANCE", take_same,
+   "For all values of a sweep: the largest less the smallest; a share is of their mean. With `among`: the interval of 95 % "
+   "confidence of every mean difference lies within.",
    "time at 100 cycles in strike  same over speed within 1 ns"},
   {"order", NB_ORDER, "MEASURE order NUMBER over NAME within TOLERANCE", take_order,
    "The error goes with this power of the swept NAME: the slope of the best straight line through log(error) against "

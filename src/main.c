@@ -29,6 +29,7 @@ static const struct nb_help_row option_rows[] = {
     {"-o, --output FOLDER", "where files go (default: NAME.out; report: report)"},
     {"--set NAME=VALUE", "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
     {"--follow FILE", "take a page's contact along a path of your own: columns approach/m and slip/m"},
+    {"--jobs N", "runs of a sweep side by side (default: as many as there are processors)"},
     {"--threads N", "at most so many (default 1); the results do not depend on it"},
     {"--isa NAME", "plain, avx2 or avx512 (default: the widest); nor on this"},
     {"--tap", "verdicts in the form that `make check` reads"},
@@ -89,12 +90,13 @@ static enum nb_status usage(const char *format, const char *word) {
   return NB_BAD_USE;
 }
 
-enum { OPTION_SET = 256, OPTION_FOLLOW, OPTION_THREADS, OPTION_ISA, OPTION_TAP, OPTION_VERSION };
+enum { OPTION_SET = 256, OPTION_FOLLOW, OPTION_JOBS, OPTION_THREADS, OPTION_ISA, OPTION_TAP, OPTION_VERSION };
 
 static const struct option options[] = {
     {"output", required_argument, NULL, 'o'},
     {"set", required_argument, NULL, OPTION_SET},
     {"follow", required_argument, NULL, OPTION_FOLLOW},
+    {"jobs", required_argument, NULL, OPTION_JOBS},
     {"threads", required_argument, NULL, OPTION_THREADS},
     {"isa", required_argument, NULL, OPTION_ISA},
     {"tap", no_argument, NULL, OPTION_TAP},
@@ -103,10 +105,16 @@ static const struct option options[] = {
     {NULL, 0, NULL, 0},
 };
 
+static bool number_of(int *number, const char *text) {
+  char *end;
+  const long value = strtol(text, &end, 10);
+  *number = (int)value;
+  return !*end && end != text && value >= 1 && value <= 256;
+}
+
 /* NB_OK to go on; anything else is the end, `done` when it is a good one. */
 static enum nb_status read_options(struct nb_use *use, int count, char **words, bool *done) {
   int option;
-  char *end;
   size_t settings = 0;
   while ((option = getopt_long(count, words, "o:h", options, NULL)) != -1)
     switch (option) {
@@ -128,13 +136,14 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words, 
       use->settings[settings++] = use->follow;
       break;
     }
-    case OPTION_THREADS: {
-      const long threads = strtol(optarg, &end, 10);
-      if (*end || end == optarg || threads < 1 || threads > 256)
-        return usage("--threads wants a number from 1 to 256, found `%s`", optarg);
-      use->options.threads = (int)threads;
+    case OPTION_JOBS:
+      if (!number_of(&use->options.jobs, optarg))
+        return usage("--jobs wants a number from 1 to 256, found `%s`", optarg);
       break;
-    }
+    case OPTION_THREADS:
+      if (!number_of(&use->options.threads, optarg))
+        return usage("--threads wants a number from 1 to 256, found `%s`", optarg);
+      break;
     case OPTION_ISA:
       use->options.isa = optarg;
       break;

@@ -370,6 +370,7 @@ double nb_body_inertia(const struct nb_scene *scene, const struct nb_body *body)
 struct nb_options {
   int threads;     /* 0: as many as OpenMP would take */
   const char *isa; /* "plain", "avx2", "avx512"; NULL: the widest this machine has */
+  int jobs;        /* runs of a sweep side by side; 0: as many as there are processors for `threads` each */
   bool shuffle;    /* store the bodies in another order than their numbers: a test that order changes nothing */
 };
 

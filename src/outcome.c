@@ -3,8 +3,13 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "outcome.h"
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 #include <stdlib.h>
 #include <string.h>
+
+#include "clock.h"
 
 enum { ENOUGH = 100000 }; /* mistakes, most of them the same ones of many runs: then the other runs are not read */
 
@@ -39,26 +44,96 @@ enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_
   return outcome->status;
 }
 
-static enum nb_status run_one(struct nb_outcome *outcome, struct nb_page_run *run, const struct nb_options *options,
-                              const struct nb_progress *progress) {
-  struct nb_error *error = &outcome->error;
-  enum nb_status status = NB_OK;
-  if (run->expectations.reference)
-    status = run->expectations.reference->know(&run->known, &run->scene, error);
-  if (!status)
-    status = nb_run(&run->result, &run->scene, options, progress, error);
-  if (status && run->label[0]) {
-    const size_t length = strlen(error->text);
-    snprintf(error->text + length, sizeof error->text - length, " (run %s)", run->label);
+/* Progress of all runs together, of which several may be at it at once. */
+struct together {
+  const struct nb_outcome *outcome;
+  const struct nb_progress *progress;
+  double *shares; /* of each run, done */
+  double began;   /* s */
+};
+struct one {
+  struct together *all;
+  size_t run;
+};
+
+static void tell(void *data, const char *stage, double share, double seconds) {
+  const struct one *one = data;
+  struct together *all = one->all;
+  const size_t runs = all->outcome->run_count;
+  (void)seconds;
+#pragma omp critical(nb_outcome_tell)
+  {
+    double sum = 0;
+    char text[512];
+    all->shares[one->run] = share;
+    for (size_t r = 0; r < runs; r++)
+      sum += all->shares[r];
+    const char *label = all->outcome->runs[one->run].label;
+    snprintf(text, sizeof text, "%s%s%s", stage, label[0] ? " of " : "", label);
+    all->progress->call(all->progress->data, text, sum / (double)runs, nb_clock() - all->began);
   }
-  return status;
+}
+
+static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
+  run->status = NB_OK;
+  if (run->expectations.reference)
+    run->status = run->expectations.reference->know(&run->known, &run->scene, &run->error);
+  if (!run->status)
+    run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
+}
+
+static int jobs_of(const struct nb_outcome *outcome, const struct nb_options *options) {
+  int jobs = options ? options->jobs : 1;
+#ifdef _OPENMP
+  if (jobs <= 0)
+    jobs = omp_get_num_procs() / (options->threads > 0 ? options->threads : 1);
+#endif
+  if (jobs > (int)outcome->run_count)
+    jobs = (int)outcome->run_count;
+  return jobs > 0 ? jobs : 1;
+}
+
+/* After one that has not come to its end no other is begun; those before it in the sweep have been by then, so which one is
+ * reported does not depend on how many go side by side. */
+static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_options *options,
+                              const struct nb_progress *progress) {
+  const size_t runs = outcome->run_count;
+  struct together all = {outcome, progress, calloc(runs + 1, sizeof *all.shares), nb_clock()};
+  if (!all.shares)
+    return nb_error_set(&outcome->error, NB_BROKEN, "out of memory for %zu runs", runs);
+  const int jobs = jobs_of(outcome, options);
+  bool broken = false;
+#pragma omp parallel for num_threads(jobs) schedule(dynamic, 1)
+  for (size_t r = 0; r < runs; r++) {
+    bool skip;
+#pragma omp atomic read
+    skip = broken;
+    if (skip)
+      continue;
+    struct one one = {&all, r};
+    const struct nb_progress mine = {tell, &one};
+    run_one(&outcome->runs[r], options, progress ? &mine : NULL);
+    all.shares[r] = 1;
+    if (outcome->runs[r].status) {
+#pragma omp atomic write
+      broken = true;
+    }
+  }
+  free(all.shares);
+  for (size_t r = 0; r < runs; r++) {
+    const struct nb_page_run *run = &outcome->runs[r];
+    if (run->status)
+      return nb_error_set(&outcome->error, run->status, "%s%s%s%s", run->error.text, run->label[0] ? " (run " : "",
+                          run->label, run->label[0] ? ")" : "");
+  }
+  return NB_OK;
 }
 
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
                                const struct nb_options *options, const struct nb_progress *progress) {
   nb_outcome_read(outcome, path, settings);
-  for (size_t r = 0; r < outcome->run_count && !outcome->status; r++)
-    outcome->status = run_one(outcome, &outcome->runs[r], options, progress);
+  if (!outcome->status)
+    outcome->status = run_all(outcome, options, progress);
   if (!outcome->status)
     outcome->status = nb_verdict(outcome);
   return outcome->status;

@@ -13,7 +13,9 @@ struct nb_page_run {
   struct nb_expectations expectations;
   struct nb_known known;
   struct nb_result result;
-  char label[256]; /* "v=0.12 n=40", empty without a sweep */
+  char label[256];       /* "v=0.12 n=40", empty without a sweep */
+  enum nb_status status; /* of the run itself; */
+  struct nb_error error; /* in words */
 };
 
 /* One expectation held against what was seen. */
@@ -21,6 +23,7 @@ struct nb_check {
   char label[640]; /* "C.normal mean within 0.1 %" and the run */
   char words[512]; /* "seen 1.002, known 1.003, off by 0.05 %" */
   bool passed;
+  bool noted; /* what a paper states, beside a sample: said whether it passes or not, and never a failure */
   int line;
 };
 
@@ -35,7 +38,7 @@ struct nb_outcome {
   struct nb_error error; /* in words, when it is NB_BAD_USE without mistakes, or NB_BROKEN */
 };
 
-/* Reads the page, runs it, judges it. What can be known of it is in the outcome whatever the status; free it in any case. */
+/* Reads the page, runs it, options->jobs of its runs at a time, judges it. What can be known of it is in the outcome whatever the status; free it in any case. */
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
                                const struct nb_options *options, const struct nb_progress *progress);
 /* Only read: pages, scenes, expectations. What `run` and `explain` begin with. */

@@ -144,9 +144,9 @@ static void label(struct nb_check *check, const struct nb_outcome *outcome, cons
   while (n > 0 && text[n - 1] == ' ')
     n--;
   text[n] = 0;
-  const bool whole = nb_over_sweep(e->kind);
-  snprintf(check->label, sizeof check->label, "%s%s%s%s", text, run->label[0] && !whole ? " (" : "",
-           whole ? "" : run->label, run->label[0] && !whole ? ")" : "");
+  char group[256];
+  nb_sweep_group(group, sizeof group, run, e);
+  snprintf(check->label, sizeof check->label, "%s%s%s%s", text, group[0] ? " (" : "", group, group[0] ? ")" : "");
   check->line = e->line;
 }
 
@@ -154,6 +154,10 @@ static void judge(struct nb_check *check, const struct nb_outcome *outcome, size
   const struct nb_page_run *run = &outcome->runs[r];
   const struct nb_expectation *e = &run->expectations.list[index];
   label(check, outcome, run, e);
+  if (e->among[0]) {
+    nb_check_sample(check, outcome, r, index);
+    return;
+  }
   switch (e->kind) {
   case NB_WITHIN:
     check_within(check, run, e);
@@ -184,13 +188,13 @@ enum nb_status nb_verdict(struct nb_outcome *outcome) {
     const struct nb_expectations *expectations = &outcome->runs[r].expectations;
     for (size_t k = 0; k < expectations->count; k++) {
       const struct nb_expectation *e = &expectations->list[k];
-      if (nb_over_sweep(e->kind) && !nb_sweep_leads(outcome, r, e->along))
+      if (nb_over_sweep(e) && !nb_sweep_leads(outcome, r, e))
         continue;
       struct nb_check *check = new_check(outcome);
       if (!check)
         return nb_error_set(&outcome->error, NB_BROKEN, "out of memory for the verdict");
       judge(check, outcome, r, k);
-      outcome->failed += !check->passed;
+      outcome->failed += !check->passed && !check->noted;
     }
   }
   return outcome->failed ? NB_FAILED : NB_OK;

@@ -1,4 +1,4 @@
-/* Expectations over a sweep: what rises, falls, stays, or has an order.
+/* Expectations over a sweep: what rises, falls, stays, or has an order. Those over samples: verdict_sample.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -8,19 +8,22 @@
 #include "verdict.h"
 
 /* There is one: expectations name only what is swept. */
-static const struct nb_binding *binding_of(const struct nb_page_run *run, const char *name) {
+const struct nb_binding *nb_sweep_binding(const struct nb_page_run *run, const char *name) {
   size_t k = 0;
   while (k + 1 < run->scene.binding_count && strcmp(run->scene.bindings[k].name, name) != 0)
     k++;
   return &run->scene.bindings[k];
 }
 
-/* Whether two runs differ in nothing but `name`, and in what goes with it in the same sweep. */
-static bool same_but(const struct nb_page_run *a, const struct nb_page_run *b, const char *name) {
-  const int sweep = binding_of(a, name)->sweep;
-  for (size_t k = 0; k < a->scene.binding_count; k++)
-    if (a->scene.bindings[k].sweep != sweep && strcmp(a->scene.bindings[k].text, b->scene.bindings[k].text) != 0)
+bool nb_sweep_same_but(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
+  const int sweep = name[0] ? nb_sweep_binding(a, name)->sweep : -1;
+  const int second = other[0] ? nb_sweep_binding(a, other)->sweep : -1;
+  for (size_t k = 0; k < a->scene.binding_count; k++) {
+    const struct nb_binding *binding = &a->scene.bindings[k];
+    const bool free = binding->sweep >= 0 && (binding->sweep == sweep || binding->sweep == second);
+    if (!free && strcmp(binding->text, b->scene.bindings[k].text) != 0)
       return false;
+  }
   return true;
 }
 
@@ -32,7 +35,7 @@ void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, si
   for (size_t r = first; r < outcome->run_count; r++) {
     struct nb_error error;
     double seen;
-    if (!same_but(&outcome->runs[first], &outcome->runs[r], e->along))
+    if (!nb_sweep_same_but(&outcome->runs[first], &outcome->runs[r], e->along, ""))
       continue;
     if (!nb_measure_seen(&seen, &outcome->runs[r].expectations.list[index].measure, &outcome->runs[r].result.table,
                          &error)) {
@@ -45,7 +48,7 @@ void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, si
     sum += seen, count++, before = seen;
     const size_t length = strlen(check->words);
     snprintf(check->words + length, sizeof check->words - length, "%s%.6g at %s", count > 1 ? ", " : "seen ", seen,
-             binding_of(&outcome->runs[r], e->along)->text);
+             nb_sweep_binding(&outcome->runs[r], e->along)->text);
   }
   const double spread = largest - smallest, scale = e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(sum / count);
   check->passed = count > 1 && (e->kind == NB_SAME ? spread <= e->tolerance.value * scale : ordered);
@@ -73,10 +76,10 @@ void nb_check_slope(struct nb_check *check, const struct nb_outcome *outcome, si
     const struct nb_measure *measure = &run->expectations.list[index].measure;
     struct nb_error error;
     double seen, value;
-    if (!same_but(&outcome->runs[first], run, e->along))
+    if (!nb_sweep_same_but(&outcome->runs[first], run, e->along, ""))
       continue;
     const double *known = nb_check_known(run, measure);
-    const struct nb_binding *binding = binding_of(run, e->along);
+    const struct nb_binding *binding = nb_sweep_binding(run, e->along);
     if (!known || !number_of(&value, binding)) {
       nb_check_say(check, false, known ? "`%s` is not a number above 0" : "the reference does not know `%s`",
                    known ? binding->text : measure->label);
@@ -96,15 +99,29 @@ void nb_check_slope(struct nb_check *check, const struct nb_outcome *outcome, si
   nb_check_say(check, fabs(slope - e->stated) <= e->tolerance.value, "seen order %.4g: errors %s", slope, errors);
 }
 
-bool nb_over_sweep(enum nb_expectation_kind kind) {
+static bool along_sweep(enum nb_expectation_kind kind) {
   return kind == NB_RISES || kind == NB_FALLS || kind == NB_SAME || kind == NB_ORDER;
 }
 
-/* A group of runs that differ in the swept name only is judged once, at its first run; one that --set has left a single
- * value has nothing to be judged by. */
-bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const char *name) {
+bool nb_over_sweep(const struct nb_expectation *e) { return along_sweep(e->kind) || e->among[0]; }
+
+bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *e) {
+  const struct nb_page_run *it = &outcome->runs[run];
+  const char *along = along_sweep(e->kind) ? e->along : "";
   for (size_t r = 0; r < run; r++)
-    if (same_but(&outcome->runs[r], &outcome->runs[run], name))
+    if (nb_sweep_same_but(&outcome->runs[r], it, along, e->among))
       return false;
-  return binding_of(&outcome->runs[run], name)->swept;
+  return (!along[0] || nb_sweep_binding(it, along)->swept) && (!e->among[0] || nb_sweep_binding(it, e->among)->swept);
+}
+
+void nb_sweep_group(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *e) {
+  const int along = along_sweep(e->kind) ? nb_sweep_binding(run, e->along)->sweep : -1;
+  const int among = e->among[0] ? nb_sweep_binding(run, e->among)->sweep : -1;
+  text[0] = 0;
+  for (size_t k = 0; k < run->scene.binding_count; k++) {
+    const struct nb_binding *binding = &run->scene.bindings[k];
+    const size_t length = strlen(text);
+    if (binding->swept && binding->sweep != along && binding->sweep != among)
+      snprintf(text + length, size - length, "%s%s=%s", length ? ", " : "", binding->name, binding->text);
+  }
 }

@@ -220,6 +220,34 @@ run 0 run "$pages/passes.md" -o again --set v=0.5
 cmp -s again/table.tsv passes.out/table.tsv || echo 'the same value gives another table' >>why
 verdict 'sweeps'
 
+run 0 check "$pages/sample.md"
+out 'stated 3, within 4 of seed: 2 to 5, mean 3.5, deviation 1.3; at the 38 % point'
+out 'note  D.x stated 70 among seed [a number outside] (T=1, n=8)'
+out 'pass  D.x rises with T among seed'
+out 'from 1 to 2 +2.5 (0.4457 to 4.554) on 4.75'
+out '4 of 8 checks passed, 4 noted'
+run 0 check "$pages/sample.md" --tap
+out 'not ok 3 - D.x stated 0.5 of D.x max among seed [a share, 1 in all] (T=1, n=8) # TODO outside of the sample'
+run 1 check "$pages/sample.md" --set push=-2 # all distances less by 3: the interval holds 0, and its end is beyond 4.6 no more
+out 'FAIL  D.x rises with T among seed'
+out 'from 1 to 2 -0.5 (-2.554 to 1.554)'
+run 1 check "$pages/sample.md" --set push=0.1
+out 'FAIL  D.x same over T among seed within 4.6'
+run 2 check "$pages/sample.md" --set seed=1 # nothing is left to judge by
+verdict 'samples: where a stated number lies, and differences with their confidence'
+
+for jobs in 1 2 3; do
+  run 0 run "$pages/swept.md" -o "jobs$jobs" --jobs $jobs
+  grep -v '^#' "jobs$jobs/table.tsv" >"jobs$jobs.tsv"
+done
+cmp -s jobs1.tsv jobs2.tsv && cmp -s jobs1.tsv jobs3.tsv || echo 'side by side gives another table' >>why
+sed 's/^sweep.*/sweep v 0 0.01 0.02/; s/^cycles .*/until D.x above 1.02 at most 8 cycles/' "$pages/swept.md" >ends.md
+run 3 check ends.md --jobs 2 # the first never, the others late
+said 'D.x is 1 and should be above 1.02 (run v=0)'
+run 2 check "$pages/swept.md" --jobs 0
+said '--jobs wants a number from 1 to 256, found `0`'
+verdict '--jobs: runs side by side, the same rows, and the first that breaks is said'
+
 # ---- what goes wrong while writing ----
 : >file
 run 2 run "$pages/passes.md" -o file/under

@@ -1,0 +1,9 @@
+/* Student (1908): quantiles by GSL.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "student.h"
+
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+
+double student_reach(double n, double share) { return n > 1 ? gsl_cdf_tdist_Pinv((1 + share) / 2, n - 1) : INFINITY; }
