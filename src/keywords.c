@@ -143,81 +143,17 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
     }
 }
 
-static const char *where_words(unsigned where, unsigned here) {
-  where &= ~(unsigned)NB_IN_RAMP;
-  if (where == NB_IN_LEG)
-    return "in a leg: below a line `leg NAME …`";
-  if (!(where & ~(unsigned)(NB_IN_PATH | NB_IN_LEG)))
-    return "in a block of kind `path`";
-  if (where & NB_IN_PATH && here == NB_IN_LEG)
-    return "before the first `leg`";
-  where &= ~(unsigned)(NB_IN_PATH | NB_IN_LEG);
-  if (where == NB_IN_SCENE)
-    return "before the first `stage`";
-  if (where == NB_IN_STAGE)
-    return "in a stage: below a line `stage NAME`";
-  return where == NB_IN_EXPECT ? "in a block of kind `expect`" : "in a block of kind `scene`";
-}
-
-/* The verb is unknown, or known but not here. Answers the row that was probably meant, or NULL. */
-static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struct nb_keyword *table, unsigned here) {
-  static const char *const places[] = {
-      [NB_IN_SCENE] = "a statement of the scene", [NB_IN_STAGE] = "a statement of a stage",
-      [NB_IN_EXPECT] = "an expectation",          [NB_IN_RAMP] = "something that can ramp",
-      [NB_IN_PATH] = "a statement of a path",     [NB_IN_LEG] = "a statement of a leg"};
-  char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "the %s word may be: ", here == NB_IN_RAMP ? "next" : "first");
-  const struct nb_token *verb = nb_token_peek(reader);
-  struct nb_guess guess = nb_guess_begin(verb->text);
-  const struct nb_keyword *meant = NULL;
-  for (const struct nb_keyword *row = table; row->apply; row++) {
-    if (here != NB_IN_RAMP && row->word && strcmp(row->word, verb->text) == 0) {
-      snprintf(hint, sizeof hint, "`%s` belongs %s", row->word, where_words(row->where, here));
-      nb_expected(reader, hint, "%s", places[here]);
-      return row;
-    }
-    if (!row->word || !(row->where & here))
-      continue;
-    int before = guess.distance;
-    nb_guess_offer(&guess, row->word);
-    if (guess.distance < before)
-      meant = row;
-    size_t used = strlen(hint);
-    snprintf(hint + used, sizeof hint - used, "%s%s", before == 2 * NB_NAME_SIZE ? "" : ", ", row->word);
-  }
-  bool near = nb_guess_found(&guess);
-  nb_expected(reader, near ? nb_guess_hint(&guess, hint) : hint, "%s", places[here]);
-  return near ? meant : NULL;
-}
-
 void nb_statement_read(struct nb_reader *reader, const struct nb_keyword *table, unsigned here, void *subject) {
   struct nb_record record = {0};
-  const struct nb_keyword *keyword = NULL, *fallback = NULL;
   reader->next = 0;
   reader->meant = NULL;
   if (reader->tokens[0].hollow) {
     reader->bad = true;
     return;
   }
-  for (const struct nb_keyword *row = table; row->apply && !keyword; row++) {
-    if (!(row->where & here))
-      continue;
-    if (!row->word)
-      fallback = row;
-    else if (strcmp(row->word, reader->tokens[0].text) == 0)
-      keyword = row;
-  }
-  if (!keyword)
-    keyword = fallback;
-  if (!keyword) {
-    keyword = wrong_verb(reader, table, here);
-    reader->muted = true; /* read on as what was meant, for the names that it defines */
-  }
-  reader->meant = keyword;
+  const struct nb_keyword *keyword = reader->meant = nb_keyword_choose(reader, table, here);
   if (!keyword)
     return;
-
-  reader->next = keyword->word ? 1 : 0;
   reader->keyword = record.keyword = keyword;
   reader->given = 0;
   read_fields(reader, &record);

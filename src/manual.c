@@ -166,8 +166,10 @@ bool nb_manual_word(FILE *out, const char *word, char *hint) {
     for (const struct nb_keyword *keyword = tables[t]; keyword->apply; keyword++) {
       if (!keyword->word)
         continue;
-      nb_guess_offer(&guess, keyword->word);
-      if (strcmp(keyword->word, word) != 0)
+      char first[NB_NAME_SIZE];
+      nb_first_word(first, keyword->word);
+      nb_guess_offer(&guess, first);
+      if (strcmp(first, word) != 0 && strcmp(keyword->word, word) != 0)
         continue;
       statement(out, &nb_manner_text, keyword, true);
       found = true;

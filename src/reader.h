@@ -91,7 +91,7 @@ const struct nb_token *nb_take(struct nb_reader *reader,
                                const char *what); /* any token; `what` for the message; or NULL */
 const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what); /* a new name, or NULL */
 
-/* ---- keywords.c: whole statements ---- */
+/* ---- keywords.c, verbs.c: whole statements ---- */
 
 /* Where a statement may stand; a set. */
 enum {
@@ -132,7 +132,8 @@ struct nb_record {
 };
 
 struct nb_keyword {
-  const char *word; /* the verb; NULL: a line that begins with none of the others */
+  const char
+      *word; /* what it begins with: the verb, and words behind it; NULL: a line that begins with none of the others */
   unsigned where;
   const struct nb_argument *arguments; /* ends in a row with count 0 */
   const char *tail; /* how the manual writes what apply reads by itself from reader->next on; or NULL */
@@ -148,6 +149,11 @@ struct nb_keyword {
 /* Reads the statement in reader->tokens by its row in a table (which ends in a row without apply). `here` is one of
  * NB_IN_…. */
 void nb_statement_read(struct nb_reader *reader, const struct nb_keyword *table, unsigned here, void *subject);
+/* The row that it does so by, with reader->next behind the words of the row; or, with a message, the one that was meant,
+ * and NULL when nothing was near. */
+const struct nb_keyword *nb_keyword_choose(struct nb_reader *reader, const struct nb_keyword *table, unsigned here);
+/* Of "discs lattice" the first, into NB_NAME_SIZE bytes; whether there are more. */
+bool nb_first_word(char *first, const char *words);
 /* "disc X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}" */
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword);
 /* The statements of scene blocks, for --help and the manual. */

@@ -1,147 +1,9 @@
-/* The statements of scene blocks, one row each: the words, what they take, and a line for the manual.
+/* The statements of scene blocks, one row each: the words, what they take (scene_fields.h), and a line for the manual.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "scene.h"
+#include "scene_fields.h"
 
 /* clang-format off */
-
-/* Ways to write a row: what must be there has no default. Words and names say what they are; numbers which unit. */
-#define NAME(at, what) {NULL, "NAME", NB_ARGUMENT_NAME, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
-#define WORD(shown, at, what) {NULL, shown, NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
-#define VALUE(shown, unit, range, at, help) {NULL, shown, NB_ARGUMENT_NUMBER, unit, range, at, 1, NULL, help}
-#define CLAUSE(word, shown, unit, range, at, count, otherwise, help) \
-  {word, shown, NB_ARGUMENT_NUMBER, unit, range, at, count, otherwise, help}
-#define COUNT(word, shown, at, help) {word, shown, NB_ARGUMENT_COUNT, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, help}
-#define FLAG(word, at, otherwise, help) {word, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, at, 1, otherwise, help}
-#define END {NULL, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, 0, 0, NULL, NULL}
-
-#define MATERIAL WORD("MATERIAL", AT_MATERIAL, "the name of a material")
-#define RADIUS CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, NULL, "Radius.")
-#define VELOCITY(otherwise) \
-  CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, AT_VX, 2, otherwise, "Velocity to the east and to the north.")
-#define CONTACT(kn, ks, friction, cohesion) \
-  CLAUSE("kn", "K", NB_UNIT_STIFFNESS, NB_NOT_NEGATIVE, AT_KN, 1, kn, "Normal stiffness of a contact [CS79 16]."), \
-  CLAUSE("ks", "K", NB_UNIT_STIFFNESS, NB_NOT_NEGATIVE, AT_KS, 1, ks, "Shear stiffness of a contact [CS79 17]."), \
-  CLAUSE("friction", "F", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_FRICTION, 1, friction, \
-         "Tangent of the angle of friction [CS79 19]."), \
-  CLAUSE("cohesion", "N", NB_UNIT_FORCE, NB_NOT_NEGATIVE, AT_COHESION, 1, cohesion, "Cohesion, a force [CS79 19].")
-
-static const struct nb_argument nothing[] = {END};
-static const struct nb_argument units[] = {WORD("none|si", AT_NAME, "`none` or `si`"), END};
-static const struct nb_argument name_of_value[] = {NAME(AT_NAME, "a name for the value"), END};
-static const struct nb_argument law[] = {WORD("LAW", AT_NAME, "the name of a law"), END};
-static const struct nb_argument shear_law[] = {
-  WORD("LAW", AT_NAME, "the name of a law"),
-  {"pieces", "K", NB_ARGUMENT_COUNT, NB_UNIT_NUMBER, NB_ANY, AT_PIECES, 1, "as many as the law likes best",
-   "How much of a contact's history is kept, by a law that keeps it."},
-  END
-};
-static const struct nb_argument material[] = {
-  NAME(AT_NAME, "a name for the material"),
-  CLAUSE("density", "D", NB_UNIT_DENSITY, NB_NOT_NEGATIVE, AT_DENSITY, 1, "0",
-         "Mass per volume; a free body needs it."),
-  CONTACT("0", "0", "0", "0"),
-  CLAUSE("young", "E", NB_UNIT_PRESSURE, NB_POSITIVE, AT_YOUNG, 1, "none",
-         "Young's modulus, for the laws of elastic spheres [R89 4.7]."),
-  CLAUSE("poisson", "NU", NB_UNIT_NUMBER, NB_HALF, AT_POISSON, 1, "0", "Poisson's ratio, 0 to 0.5."),
-  FLAG("rigid", AT_RIGID, "elastic", "Of infinite Young's modulus: what touches it has all the deformation."),
-  END
-};
-static const struct nb_argument pair[] = {
-  WORD("MATERIAL", AT_NAME, "the name of a material"),
-  WORD("MATERIAL", AT_NAME2, "the name of a material"),
-  CONTACT("2ab/(a+b)", "2ab/(a+b)", "the smaller one", "the smaller one"),
-  END
-};
-static const struct nb_argument material_change[] = {
-  WORD("NAME", AT_NAME, "the name of a material"),
-  CONTACT("as it was", "as it was", "as it was", "as it was"),
-  END
-};
-static const struct nb_argument pair_change[] = {
-  WORD("MATERIAL", AT_NAME, "the name of a material"),
-  WORD("MATERIAL", AT_NAME2, "the name of a material"),
-  CONTACT("as it was", "as it was", "as it was", "as it was"),
-  END
-};
-static const struct nb_argument gravity[] = {
-  VALUE("GX", NB_UNIT_ACCELERATION, NB_ANY, AT_X, "Acceleration to the east."),
-  VALUE("GY", NB_UNIT_ACCELERATION, NB_ANY, AT_Y, "Acceleration to the north."),
-  END
-};
-static const struct nb_argument body[] = {
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
-  RADIUS,
-  MATERIAL,
-  VELOCITY("0 0"),
-  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity, counterclockwise."),
-  FLAG("fixed", AT_FIXED, "free", "Held where it is; its mass counts as infinite."),
-  END
-};
-static const struct nb_argument lattice[] = {
-  COUNT("lattice", "NX", AT_NX, "How many from west to east."),
-  COUNT("by", "NY", AT_NY, "How many rows, from south to north."),
-  CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, in the south-west."),
-  RADIUS,
-  CLAUSE("spacing", "S", NB_UNIT_LENGTH, NB_POSITIVE, AT_SPACING, 1, "2R", "From centre to centre; 2R: touching."),
-  MATERIAL,
-  END
-};
-static const struct nb_argument box[] = {
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "South-west corner, to the east."),
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "South-west corner, to the north."),
-  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "North-east corner."),
-  MATERIAL,
-  END
-};
-static const struct nb_argument wall[] = {
-  NAME(AT_NAME, "a name for the wall"),
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "First end, to the east."),
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "First end, to the north."),
-  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "Second end."),
-  MATERIAL,
-  CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_ABOUT_X, 2, "its middle",
-         "The point P that it turns about and whose velocity is given [CS79 figure 4]; it need not be on the wall."),
-  VELOCITY("0 0"),
-  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity about P, counterclockwise."),
-  END
-};
-static const struct nb_argument skin[] = {VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "How near."), END};
-static const struct nb_argument place[] = {
-  {"mirror", "none|x|y", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_NAME, 1, "none", "`none`, `x` or `y`"},
-  CLAUSE("turn", "ANGLE", NB_UNIT_ANGLE, NB_ANY, AT_ANGLE, 1, "0", "Counterclockwise; quarters of a turn are exact."),
-  CLAUSE("shift", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "0 0", "To the east and to the north."),
-  END
-};
-static const struct nb_argument watch[] = {NAME(AT_NAME, "a name for what is watched"), END};
-static const struct nb_argument impact[] = {
-  WORD("WATCH", AT_NAME, "the name of a watched contact"),
-  CLAUSE("speed", "V", NB_UNIT_VELOCITY, NB_POSITIVE, AT_SPEED, 1, NULL,
-         "Of the sphere's centre, relative to what it strikes."),
-  CLAUSE("angle", "A", NB_UNIT_ANGLE, NB_NOT_NEGATIVE, AT_ANGLE, 1, "from `psi1`",
-         "Between that velocity and the normal of the contact, below 90 deg."),
-  CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "from `angle`",
-         "The same as a pure number, V_T/(mu kappa V_N) of the point that will touch, spin included [R89 5.15]: kappa = "
-         "E*/(4 G*), or k_n/k_s of linear springs."),
-  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_SHARE, AT_PHASE, 1, "0", "It first touches when this much of the first step is over."),
-  END
-};
-static const struct nb_argument stage[] = {NAME(AT_NAME, "a name for the stage"), END};
-static const struct nb_argument leg[] = {NAME(AT_NAME, "a name for the leg"), END};
-static const struct nb_argument walls[] = {
-  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "none",
-         "Each wall of the box along its normal to the inside."),
-  FLAG("stop", AT_STOP, "none", "All walls stand still."),
-  END
-};
-static const struct nb_argument wall_motion[] = {
-  WORD("NAME", AT_NAME, "the name of a wall"),
-  VELOCITY("as before"),
-  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "as before", "Angular velocity about P, counterclockwise."),
-  END
-};
-static const struct nb_argument cycles[] = {COUNT(NULL, "N", AT_CYCLES, "a number of cycles"), END};
 
 static const struct nb_keyword table[] = {
   {"units", NB_IN_SCENE | NB_IN_PATH, units, NULL, 0, false, nb_apply_units,
@@ -188,10 +50,10 @@ static const struct nb_keyword table[] = {
   {"sphere", NB_IN_SCENE, body, NULL, NB_SPHERE, true, nb_apply_body,
    "One sphere, which moves in the plane; it gets the next number.",
    "sphere    25 mm 60 mm  radius 5 mm  glass"},
-  {"discs", NB_IN_SCENE, lattice, NULL, NB_DISC, true, nb_apply_lattice,
+  {"discs lattice", NB_IN_SCENE, lattice, NULL, NB_DISC, true, nb_apply_lattice,
    "Discs in a square lattice, numbered row by row from the south-west: to the east, then the next row to the north.",
    "discs     lattice 3 by 2  from 15 mm 15 mm  radius 5 mm  spacing 12 mm  glass"},
-  {"spheres", NB_IN_SCENE, lattice, NULL, NB_SPHERE, true, nb_apply_lattice,
+  {"spheres lattice", NB_IN_SCENE, lattice, NULL, NB_SPHERE, true, nb_apply_lattice,
    "Spheres in a square lattice, numbered as `discs`.",
    "spheres   lattice 2 by 1  from 15 mm 40 mm  radius 5 mm  steel"},
   {"box", NB_IN_SCENE, box, NULL, 0, true, nb_apply_box, "Four walls named south, east, north and west.",
