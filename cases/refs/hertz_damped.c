@@ -2,12 +2,7 @@
  *
  *   m* alpha'' = -K alpha^(3/2) - c alpha',   c = 2 beta (m* 2 E* a)^(1/2),   a^2 = R* alpha        [R89 4.13, 5.6]
  *
- * With s = alpha/alpha*, t in alpha* / V_N, alpha* that of no damping, nothing is left of the pair but beta:
- *
- *   s'' = -(5/4) s^(3/2) - (15/2)^(1/2) beta s^(1/4) s',     s(0) = 0, s'(0) = 1
- *
- * solved with the eighth-order method of Prince and Dormand at 1e-13. The deepest point is found with s' as what is
- * integrated along, the end with s, so that neither has to be sought (Henon 1982).
+ * solved in s = alpha/alpha* by hertz_motion.c: the deepest point along s', the end along s.
  *
  * The dashpot acts, and at the end pulls, as long as the outlines overlap, as the simulator's does: the contact ends with the
  * overlap. From beta = (5/6)^(1/2) = 0.9129 on it does not end. hertz_restitution has the same e in closed form, for tests.
@@ -18,83 +13,42 @@
  *   impact.duration, impact.restitution
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_math.h>
-#include <gsl/gsl_odeiv2.h>
+#include <math.h>
 #include <string.h>
 
 #include "hertz.h"
+#include "hertz_motion.h"
 
-enum { TIME, WAY, SPEED, UNKNOWNS }; /* t, s, s' */
-enum { NODES = 256 };                /* kept on the way, to start from when the curve is asked for */
+enum { NODES = 256 }; /* kept on the way, to start from when the curve is asked for */
 
 struct impact {
   struct hertz hertz;
-  double end, rebound;          /* when s is 0 again, and -s' then; infinite and 0: never */
-  double deepest, stopped;      /* largest s, and when */
-  double reach;                 /* up to where the nodes go, t */
-  double node[NODES][UNKNOWNS]; /* at equal distances of t, from 0 */
+  double end, rebound;                /* when s is 0 again, and -s' then; infinite and 0: never */
+  double deepest, stopped;            /* largest s, and when */
+  double reach;                       /* up to where the nodes go, t */
+  double node[NODES][HERTZ_UNKNOWNS]; /* at equal distances of t, from 0 */
 };
-
-struct motion {
-  double drag; /* (15/2)^(1/2) beta */
-  int along;   /* which unknown is integrated along */
-};
-
-static int slope(double x, const double y[], double dydx[], void *data) {
-  const struct motion *motion = data;
-  const double s = y[WAY] > 0 ? y[WAY] : 0, root = sqrt(s);
-  const double rate[UNKNOWNS] = {1, y[SPEED], -1.25 * s * root - motion->drag * sqrt(root) * y[SPEED]};
-  (void)x;
-  for (int k = 0; k < UNKNOWNS; k++)
-    dydx[k] = rate[k] / rate[motion->along];
-  return GSL_SUCCESS;
-}
-
-/* From y along one of its own unknowns to a value of that. */
-static bool go(double y[], double drag, int along, double to) {
-  struct motion motion = {drag, along};
-  gsl_odeiv2_system system = {slope, NULL, UNKNOWNS, &motion};
-  double x = y[along];
-  if (x == to)
-    return true;
-  gsl_odeiv2_driver *driver =
-      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, copysign(1e-6, to - x), 1e-13, 0);
-  const bool gone = driver && gsl_odeiv2_driver_apply(driver, &x, to, y) == GSL_SUCCESS;
-  if (driver)
-    gsl_odeiv2_driver_free(driver);
-  y[along] = to;
-  return gone;
-}
-
-static double drag_of(double beta) { return sqrt(7.5) * beta; }
 
 /* Down to the deepest point, and out until the outlines part; above critical damping they do not. */
 static bool solve(struct impact *impact, double beta) {
-  const double drag = drag_of(beta), far = 20, tick = 0.05;
-  double y[UNKNOWNS] = {0, 0, 1}, before[UNKNOWNS];
+  const double far = 20, tick = 0.05;
+  double y[HERTZ_UNKNOWNS] = HERTZ_TOUCH, before[HERTZ_UNKNOWNS], lowest[HERTZ_UNKNOWNS] = {0};
   impact->end = INFINITY, impact->rebound = 0, impact->reach = far;
-  while (y[TIME] < far && isinf(impact->end)) {
+  while (y[HERTZ_TIME] < far && isinf(impact->end)) {
     memcpy(before, y, sizeof y);
-    if (!go(y, drag, TIME, y[TIME] + tick))
+    if (!hertz_tick(y, beta, tick, lowest))
       return false;
-    if (before[SPEED] > 0 && !(y[SPEED] > 0)) {
-      double lowest[UNKNOWNS];
-      memcpy(lowest, before, sizeof lowest);
-      if (!go(lowest, drag, SPEED, 0))
+    if (!(y[HERTZ_WAY] > 0)) {
+      if (!hertz_go(before, beta, HERTZ_WAY, 0))
         return false;
-      impact->deepest = lowest[WAY], impact->stopped = lowest[TIME];
-    }
-    if (!(y[WAY] > 0)) {
-      if (!go(before, drag, WAY, 0))
-        return false;
-      impact->end = impact->reach = before[TIME], impact->rebound = -before[SPEED];
+      impact->end = impact->reach = before[HERTZ_TIME], impact->rebound = -before[HERTZ_SPEED];
     }
   }
-  memcpy(impact->node[0], (double[]){0, 0, 1}, sizeof y);
+  impact->deepest = lowest[HERTZ_WAY], impact->stopped = lowest[HERTZ_TIME];
+  memcpy(impact->node[0], (double[])HERTZ_TOUCH, sizeof y);
   for (int k = 1; k < NODES; k++) {
     memcpy(impact->node[k], impact->node[k - 1], sizeof y);
-    if (!go(impact->node[k], drag, TIME, impact->reach * k / NODES))
+    if (!hertz_go(impact->node[k], beta, HERTZ_TIME, impact->reach * k / NODES))
       return false;
   }
   return true;
@@ -103,20 +57,20 @@ static bool solve(struct impact *impact, double beta) {
 /* The state at a time of the run, from the node before it; all 0 while nothing touches. */
 static void state_at(const struct impact *impact, double t, double y[]) {
   const double time = (t - impact->hertz.begin) / impact->hertz.unit;
-  memset(y, 0, UNKNOWNS * sizeof *y);
+  memset(y, 0, HERTZ_UNKNOWNS * sizeof *y);
   if (!(time > 0) || !(time < impact->end))
     return;
   const int k = (int)(time / impact->reach * NODES), last = NODES - 1;
-  memcpy(y, impact->node[k < last ? k : last], UNKNOWNS * sizeof *y);
-  if (!go(y, drag_of(impact->hertz.damping), TIME, time))
-    y[WAY] = y[SPEED] = NAN;
+  memcpy(y, impact->node[k < last ? k : last], HERTZ_UNKNOWNS * sizeof *y);
+  if (!hertz_go(y, impact->hertz.damping, HERTZ_TIME, time))
+    y[HERTZ_WAY] = y[HERTZ_SPEED] = NAN;
 }
 
 static double overlap_at(const void *data, double t) {
   const struct impact *impact = data;
-  double y[UNKNOWNS];
+  double y[HERTZ_UNKNOWNS];
   state_at(impact, t, y);
-  return impact->hertz.depth * y[WAY];
+  return impact->hertz.depth * y[HERTZ_WAY];
 }
 static double normal_at(const void *data, double t) {
   const struct impact *impact = data;
@@ -126,10 +80,10 @@ static double normal_at(const void *data, double t) {
 static double dashpot_at(const void *data, double t) {
   const struct impact *impact = data;
   const struct hertz *hertz = &impact->hertz;
-  double y[UNKNOWNS];
+  double y[HERTZ_UNKNOWNS];
   state_at(impact, t, y);
-  const double a = sqrt(hertz->radius * hertz->depth * y[WAY]);
-  return 2 * hertz->damping * sqrt(hertz->mass * 2 * hertz->young * a) * hertz->speed * y[SPEED];
+  const double a = sqrt(hertz->radius * hertz->depth * y[HERTZ_WAY]);
+  return 2 * hertz->damping * sqrt(hertz->mass * 2 * hertz->young * a) * hertz->speed * y[HERTZ_SPEED];
 }
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
