@@ -28,7 +28,7 @@ enum nb_field {
   NB_LOST,                   /* lost in the step behind to micro-slip and sliding, by a law that says it, J */
   NB_PUSH,                   /* F_n + D_n, N: what is felt; may pull while damped */
   NB_DRAG,                   /* F_s + D_s, N */
-  NB_MASS,                   /* M*, reduced mass, kg [R89 4.6]; these three stay what they are while a pair is listed */
+  NB_MASS,                   /* M*, reduced mass, kg [R89 4.6]; these two stay what they are while a pair is listed */
   NB_REDUCED,                /* R*, reduced radius, m [R89 4.5] */
   NB_DEEP,                   /* 1 where the overlap is more than a Hertz contact is good for, else 0 */
   NB_SHEAR_BEFORE,           /* F_s a step ago, N, for the energy balance alone; */
@@ -38,9 +38,6 @@ enum nb_field {
 
 /* A set of fields. */
 #define NB_BIT(field) (1u << (field))
-
-/* What never changes while a pair is listed: worked out when it is found, kept if a pass needs it. */
-#define NB_CONSTANTS (NB_BIT(NB_MASS) | NB_BIT(NB_REDUCED))
 
 /* What a law remembers of its contacts. Up to four doubles are an array each, so that its loop is wide; a law that remembers
  * more has a row for each contact, of which the first double is 0 as long as there is nothing to remember: the rest is then

@@ -164,6 +164,8 @@ struct nb_model {
 
 /* How much a geometry pass has to find out. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_CLOSING, NB_APPROACH_SLIP };
+/* What dashpots of some stage go with: k alone; sqrt(M* k) too; and whether the contact is deep. */
+enum nb_dashpots { NB_DASHPOTS_TIME, NB_DASHPOTS_SWING, NB_DASHPOTS_DEEP };
 
 /* array.c: zeroed and aligned for wide loads; NULL only when memory is out. Freed by free(). */
 void *nb_array(size_t count, size_t size);
@@ -256,7 +258,7 @@ void nb_joints_settle(struct nb_model *model);     /* before the forces: which c
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
 extern const struct nb_pass nb_pass_joints;
 extern const struct nb_pass nb_pass_deep;
-extern const struct nb_pass nb_pass_dashpots[2]; /* without and with those that are deep */
+extern const struct nb_pass nb_pass_dashpots[3]; /* by enum nb_dashpots */
 extern const struct nb_pass nb_pass_resolve[2];  /* without and with shear */
 /* What a contact's dashpots are: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */
 struct nb_dashpot {

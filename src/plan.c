@@ -37,6 +37,19 @@ static int first_deep_line(const struct nb_scene *scene) {
   return line;
 }
 
+static bool swings(const struct nb_damping *damping) {
+  double value;
+  return nb_damping_at(damping, false, &value) == NB_CONTACT_RATIO ||
+         nb_damping_at(damping, true, &value) == NB_CONTACT_RATIO;
+}
+
+static enum nb_dashpots dashpots_of(const struct nb_scene *scene) {
+  bool swing = swings(&scene->damping);
+  for (size_t s = 0; s < scene->stage_count; s++)
+    swing = swing || swings(&scene->stages[s].damping);
+  return first_deep_line(scene) > 0 ? NB_DASHPOTS_DEEP : swing ? NB_DASHPOTS_SWING : NB_DASHPOTS_TIME;
+}
+
 static bool rubs(const struct nb_pairing *pairing) {
   return pairing->values.friction > 0 || pairing->values.cohesion > 0;
 }
@@ -49,7 +62,8 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
   pairing->pass_count = 0;
   if (normal->elastic)
     model->kept |= NB_BIT(NB_REDUCED);
-  if (model->dashpots)
+  const enum nb_dashpots form = dashpots_of(scene);
+  if (form >= NB_DASHPOTS_SWING)
     model->kept |= NB_BIT(NB_MASS);
   const bool closing = model->dashpots || (normal->needs & NB_BIT(NB_CLOSING));
   const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
@@ -64,7 +78,7 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
     add(pairing, shear->run[isa], scene->shear_line, "shear ", shear->name);
   if (normal->elastic)
     add(pairing, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
-  const struct nb_pass *dashpots = &nb_pass_dashpots[first_deep_line(scene) > 0];
+  const struct nb_pass *dashpots = &nb_pass_dashpots[form];
   if (model->dashpots)
     add(pairing, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
   add(pairing, resolve->run[isa], 0, "", resolve->name);

@@ -8,6 +8,8 @@
  *
  * k is k_n for c_n, k_s for c_s; between elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.
  *
+ * Where no stage says a share of critical, M* is not kept and no root taken.
+ *
  * The stiffnesses are the ones that the laws answered this cycle. D_s is off while the contact slides [CS79, Damping]; F_n + D_n
  * may be tensile. ds/dt is that of the whole step behind, though the slip of the step in which two bodies meet counts for a part
  * of it only. The limit of F_s has been taken from F_n alone before this pass.
@@ -30,12 +32,12 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
   return (struct nb_dashpot){0};
 }
 
-static inline NB_FORM double coefficient(struct nb_dashpot pot, double mass, double stiffness, double deep) {
-  const double swing = sqrt(mass * stiffness), own = pot.time * stiffness + pot.ratio * swing;
-  return deep > 0 ? 2 * swing : own;
+static inline NB_FORM double coefficient(struct nb_dashpot pot, double stiffness, double swing, double deep) {
+  return deep > 0 ? 2 * swing : pot.time * stiffness + pot.ratio * swing;
 }
 
-static inline NB_FORM void damp(const struct nb_model *model, const struct nb_view *view, bool critical) {
+static inline NB_FORM void damp(const struct nb_model *model, const struct nb_view *view, enum nb_dashpots form) {
+  const bool swings = form >= NB_DASHPOTS_SWING, critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0;
   const struct nb_dashpot pot = nb_dashpot(model, view->pairing->wall);
   const double *deep = view->f[NB_DEEP];
   const double *normal = view->f[NB_NORMAL], *stiffness = view->f[NB_STIFFNESS];
@@ -45,7 +47,8 @@ static inline NB_FORM void damp(const struct nb_model *model, const struct nb_vi
   const double rate = model->previous_step > 0 ? 1 / model->previous_step : 0;
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
-    const double dashpot = coefficient(pot, mass[c], stiffness[c], critical ? deep[c] : 0);
+    const double swing = swings ? sqrt(mass[c] * stiffness[c]) : 0; /* sqrt(M* k) */
+    const double dashpot = coefficient(pot, stiffness[c], swing, critical ? deep[c] : 0);
     push[c] = normal[c] + dashpot * (closing[c] * rate);
   }
   if (!view->pairing->shear)
@@ -55,22 +58,28 @@ static inline NB_FORM void damp(const struct nb_model *model, const struct nb_vi
   double *drag = view->f[NB_DRAG];
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
-    const double dashpot = coefficient(pot, mass[c], shear_stiffness[c], critical ? deep[c] : 0);
+    const double swing = swings ? sqrt(mass[c] * shear_stiffness[c]) : 0;
+    const double dashpot = coefficient(pot, shear_stiffness[c], swing, critical ? deep[c] : 0);
     const double touched = nb_touched(overlap[c], closing[c]), moved = touched > 0 ? slip[c] / touched : slip[c];
     drag[c] = shear[c] + (1 - sliding[c]) * (dashpot * (moved * rate));
   }
 }
 
-static inline NB_FORM void dashpots(const struct nb_model *model, const struct nb_view *view) {
-  damp(model, view, false);
+static inline NB_FORM void of_times(const struct nb_model *model, const struct nb_view *view) {
+  damp(model, view, NB_DASHPOTS_TIME);
 }
-static inline NB_FORM void dashpots_critical(const struct nb_model *model, const struct nb_view *view) {
-  damp(model, view, model->damping.deep > 0);
+static inline NB_FORM void of_swings(const struct nb_model *model, const struct nb_view *view) {
+  damp(model, view, NB_DASHPOTS_SWING);
 }
-NB_FORMS(dashpots)
-NB_FORMS(dashpots_critical)
+static inline NB_FORM void critical_where_deep(const struct nb_model *model, const struct nb_view *view) {
+  damp(model, view, NB_DASHPOTS_DEEP);
+}
+NB_FORMS(of_times)
+NB_FORMS(of_swings)
+NB_FORMS(critical_where_deep)
 
-const struct nb_pass nb_pass_dashpots[2] = {
-    {"dashpots", NB_FORMS_LIST(dashpots)},
-    {"dashpots, critical where too deep", NB_FORMS_LIST(dashpots_critical)},
+const struct nb_pass nb_pass_dashpots[] = {
+    {"dashpots", NB_FORMS_LIST(of_times)},
+    {"dashpots, shares of critical", NB_FORMS_LIST(of_swings)},
+    {"dashpots, critical where too deep", NB_FORMS_LIST(critical_where_deep)},
 };
