@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
+#include <string.h>
 
 #include "../src/laws/randall.h"
 #include "chance.h"
@@ -33,6 +34,103 @@ static void text_as_it_stands(void) {
   CU_ASSERT(fabs(theta_of(&text) - cbrt(1 + back / 2)) < 1e-12 &&
             fabs(theta_of(&text) - 1.1225) < 1e-4); /* T* for T** in 4.24 */
   CU_ASSERT_EQUAL(theta_of(&best), 1);
+}
+
+/* ---- the text, one step at a time ---- */
+
+/* Where a contact is, T, T*, T** in mu N and DD in A, and a step from there, ds in A and dN in N; CDF is +1. Then what the text makes
+ * of it: THE1, UFL, the equation of DD, and what becomes of T* and T**. */
+enum fate { NONE, SET, MOVED, KEPT, CLEARED };
+struct text_step {
+  double t, star, star2, deficit, slip, more;
+  int the1, ufl, dd;
+  enum fate star_, star2_;
+};
+
+static const struct text_step text_steps[] = {
+    /* N constant: virgin loading, unloading begun and going on, reloading begun and going on, re-unloading and past T** */
+    {0.5, 0, 0, 0, 0.1, 0, 1, 1, 0, NONE, NONE},
+    {0.5, 0, 0, 0, -0.1, 0, 2, -1, 417, SET, NONE},
+    {0.2, 0.6, 0, 0, -0.1, 0, 2, -1, 417, KEPT, NONE},
+    {0.2, 0.6, 0, 0, 0.1, 0, 3, 1, 0, KEPT, SET},
+    {0.3, 0.6, 0.1, 0, 0.05, 0, 3, 1, 0, KEPT, KEPT},
+    {0.3, 0.6, 0.1, 0, -0.05, 0, 3, -1, 417, KEPT, KEPT},
+    {0.3, 0.6, 0.1, 0, -0.2, 0, 3, -1, 417, KEPT, CLEARED},
+    {0.05, 0.6, 0.1, 0, -0.05, 0, 2, -1, 417, KEPT, CLEARED},
+    {-0.3, 0.6, -0.4, 0, -0.03, 0, 3, -1, 417, KEPT, KEPT},
+    /* |T| beside |T*|, and T beside T** */
+    {0.5995, 0.6, 0.1, 0, 1e-4, 0, 3, 1, 0, KEPT, KEPT},
+    {0.6005, 0.6, 0.1, 0, 1e-4, 0, 1, 1, 0, CLEARED, CLEARED},
+    {-0.5995, 0.6, -0.7, 0, 1e-4, 0, 3, 1, 0, KEPT, KEPT},
+    {-0.6005, 0.6, -0.7, 0, 1e-4, 0, 1, 1, 0, CLEARED, CLEARED},
+    {0.1001, 0.6, 0.1, 0, -2e-5, 0, 3, -1, 417, KEPT, KEPT},
+    {0.0999, 0.6, 0.1, 0, -2e-5, 0, 2, -1, 417, KEPT, CLEARED},
+    {0.599, 0.6, 0.1, 0, 0.1, 0, 3, 1, 0, CLEARED, CLEARED},
+    {-0.5, 0.6, 0, 0, -0.2, 0, 2, -1, 417, CLEARED, NONE},
+    /* N rises: ds_c is more, 1 % of N is 0.0066 A; it takes mu ds_c + DD to get away from THE1 = 4 */
+    {0.5, 0, 0, 0, 0.1, 0.01, 1, 1, 0, NONE, NONE},
+    {0.5, 0, 0, 0, 0.004, 0.01, 1, 1, 417, NONE, NONE},
+    {0.5, 0, 0, 0, 0.001, 0.01, 4, 1, 417, NONE, NONE},
+    {0.5, 0, 0, 0.05, 0.1, 0.01, 1, 1, 417, NONE, NONE},
+    {0.5, 0, 0, 0.05, 0.0512, 0.01, 4, 1, 417, NONE, NONE},
+    {0.5, 0, 0, 0.05, 0.0514, 0.01, 1, 1, 417, NONE, NONE},
+    {0.5, 0, 0, -0.05, 0.1, 0.01, 1, 1, 0, NONE, NONE},
+    {0.5, 0, 0, -0.05, 0.004, 0.01, 1, 1, 417, NONE, NONE},
+    {0.5, 0, 0, 0, -0.1, 0.01, 4, -1, 417, SET, NONE},
+    {0.5, 0, 0, -0.2, -0.1, 0.01, 2, -1, 417, SET, NONE},
+    {0.2, 0.6, 0, -0.2, -0.1, 0.01, 2, -1, 417, MOVED, NONE},
+    {0.2, 0.6, 0, 0, 0.1, 0.01, 3, 1, 0, KEPT, SET},
+    {0.2, 0.6, 0.1, 0, 0.1, 0.01, 3, 1, 0, MOVED, MOVED},
+    {0.2, 0.6, 0.1, 0, -0.03, 0.01, 4, -1, 417, MOVED, MOVED},
+    {0.2, 0.6, 0.1, -0.2, -0.03, 0.01, 3, -1, 417, MOVED, MOVED},
+    {0.2, 0.6, 0.1, 0, 0, 0.01, 0, 1, 0, MOVED, MOVED},
+    /* N falls: by the sense of ds alone */
+    {0.5, 0, 0, 0, 0.1, -0.01, 1, 1, 418, NONE, NONE},
+    {0.5, 0, 0, 0.3, 0.1, -0.01, 1, 1, 418, NONE, NONE},
+    {0.5, 0, 0, 0, -0.001, -0.01, 2, -1, 418, SET, NONE},
+    {0.2, 0.6, 0, 0.1, -0.1, -0.01, 2, -1, 418, MOVED, NONE},
+    {0.2, 0.6, 0, 0.1, 0.1, -0.01, 3, 1, 418, KEPT, SET},
+    {0.2, 0.6, 0.1, 0.1, 0.1, -0.01, 3, 1, 418, MOVED, MOVED},
+    {0.2, 0.6, 0.1, 0.1, -0.03, -0.01, 3, -1, 418, MOVED, MOVED},
+    {0.2, 0.6, 0.1, 0.1, 0, -0.01, 0, 1, 0, MOVED, MOVED},
+    /* and it slides: at mu N either way */
+    {0.9, 0, 0, 0, 2, 0, 1, 1, 0, NONE, NONE},
+    {-0.5, 0.6, 0, 0, -1, 0, 2, -1, 417, CLEARED, NONE},
+};
+
+static double fate(enum fate of, double was, double before, double drift) {
+  return of == SET ? before : of == MOVED ? was + drift : of == KEPT ? was : 0;
+}
+
+/* [R89 4.15-4.25] letter by letter, for both senses of the loading. */
+static void text_step_by_step(void) {
+  for (size_t k = 0; k < 2 * sizeof text_steps / sizeof *text_steps; k++) {
+    const struct text_step *it = &text_steps[k / 2];
+    const double cdf = k % 2 ? -1 : 1, f = mu * N * cdf, a = slope() * deep(N), n = (1 + it->more) * N;
+    struct contact c = contact_of("randall_literal");
+    const double was[5] = {press(deep(N)), it->t * f, it->star * f, it->star2 * f, it->deficit * a},
+                 ds = it->slip * a * cdf;
+    memcpy(c.m, was, sizeof was);
+    go(&c, deep(n), ds);
+    const double rise = mu * (press(deep(n)) - was[0]), limit = mu * press(deep(n)), stiff = 8 * G * sqrt(R * deep(n));
+    const double t = was[1], star = was[2];
+    const double theta = it->the1 == 1   ? cbrt(1 - (t * cdf + rise) / limit)
+                         : it->the1 == 2 ? cbrt(1 - (star * cdf - t * cdf + 2 * rise) / (2 * limit))
+                         : it->the1 == 3 ? cbrt(1 - (t * cdf - star * cdf + 2 * rise) / (2 * limit))
+                                         : 1;
+    const double dt = it->slip == 0 ? 0 : cdf * (theta * (stiff * ds * cdf - rise * it->ufl) + rise * it->ufl);
+    const bool slides = fabs(t + dt) > limit;
+    const double ends = slides ? copysign(limit, t + dt) : t + dt, critical = rise / stiff;
+    const double dd = it->dd == 417 ? critical - ds * cdf : it->dd == 418 ? critical : 0;
+    const double should[5] = {press(deep(n)), ends, fate(it->star_, star, t, cdf * rise),
+                              fate(it->star2_, was[3], t, -cdf * rise), was[4] + dd};
+    bool right = fabs(c.s.stiffness - theta * stiff) < 1e-13 * stiff && c.s.force == c.m[1] && c.s.sliding == slides;
+    for (int m = 0; m < 5; m++)
+      right = right && fabs(c.m[m] - should[m]) <= 1e-13 * (m == 4 ? a : N);
+    CU_ASSERT(right);
+    if (!right)
+      printf("# step %zu of the table, CDF %g: theta %.6g for %.6g\n", k / 2 + 1, cdf, c.s.stiffness / stiff, theta);
+  }
 }
 
 /* While N falls 4.18 takes |ds_c| from DD; the contact, which has no ring that sticks, lacks nothing. So much short of
@@ -97,6 +195,7 @@ static void touching_squarely_is_remembered(void) {
 void suite_randall_text(void) {
   CU_pSuite suite = CU_add_suite("randall_text", NULL, NULL);
   CU_add_test(suite, "theta of first steps", text_as_it_stands);
+  CU_add_test(suite, "the text, one step at a time", text_step_by_step);
   CU_add_test(suite, "DD while N falls", text_counts_what_falls);
   CU_add_test(suite, "energy from nothing", energy_from_nothing);
   CU_add_test(suite, "the cube root", cube_root_is_close);

@@ -41,8 +41,8 @@ struct history {
 };
 
 /* In the sense of the virgin loading, CDF; and UFL. */
-static inline double forth(const struct history *h, double x) { return h->cdf < 0 ? -x : x; }
-static inline double unloading(const struct history *h, double x) { return h->branch == UNLOADING ? -x : x; }
+static inline double forth(const struct history *h, double x) { return turned(h->cdf < 0, x); }
+static inline double unloading(const struct history *h, double x) { return turned(h->branch == UNLOADING, x); }
 
 static inline void turn(struct history *h) {
   if (h->branch == LOADING)

@@ -30,25 +30,26 @@ struct history {
   double n, t, star, star2, deficit;
 };
 
-static inline double sign(double x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
+/* THE1, by which theta is found. */
+enum the1 { VIRGIN = 1, UNLOADING, RELOADING, STICKING };
 
-/* Of this contact, which is said to be either in loading (1), unloading (2) or reloading (3): the flag THE1, and UFL. */
-static inline int the1_of(const struct history *h, double cdf, double slip, double *ufl) {
-  const bool on = slip * cdf > 0;
-  *ufl = on ? 1 : -1;
-  if (on)
-    return fabs(h->t) < fabs(h->star) ? 3 : 1;
-  return h->star2 != 0 && h->t * cdf > h->star2 * cdf ? 3 : 2;
+/* `along`: ds CDF. */
+static inline enum the1 the1_of(const struct history *h, bool back, double along) {
+  if (along > 0)
+    return fabs(h->t) < fabs(h->star) ? RELOADING : VIRGIN;
+  return h->star2 != 0 && turned(back, h->t) > turned(back, h->star2) ? RELOADING : UNLOADING;
 }
 
-static inline double theta(const struct history *h, int the1, double cdf, double rise, double limit) {
+static inline double theta(const struct history *h, enum the1 the1, bool back, double rise, double limit) {
   switch (the1) {
-  case 1:
-    return stuck_share(h->t * cdf, 1, rise, limit); /* 4.22 */
-  case 2:
-    return stuck_share((h->star - h->t) * cdf, 2, rise, limit); /* 4.23 */
-  case 3:
-    return stuck_share((h->t - h->star) * cdf, 2, rise, limit); /* 4.24 */
+  case VIRGIN:
+    return stuck_share(turned(back, h->t), 1, rise, limit); /* 4.22 */
+  case UNLOADING:
+    return stuck_share(turned(back, h->star - h->t), 2, rise, limit); /* 4.23 */
+  case RELOADING:
+    return stuck_share(turned(back, h->t - h->star), 2, rise, limit); /* 4.24 */
+  case STICKING:
+    break;
   }
   return 1; /* 4.25 */
 }
@@ -56,20 +57,19 @@ static inline double theta(const struct history *h, int the1, double cdf, double
 /* FORD, from the direction of loading to the test for load reversals; answers dT/ds. */
 static inline double move(struct history *h, double slip, double stiffness, double rise, double limit, double mu,
                           bool *reversed) {
-  const double cdf = h->star != 0 ? sign(h->star) : h->t != 0 ? sign(h->t) : sign(slip);
-  const double critical = rise / stiffness; /* 4.16 */
-  double ufl;
-  int the1 = the1_of(h, cdf, slip, &ufl);
-  if (rise > 0 && slip * cdf < mu * critical + h->deficit)
-    the1 = 4;
-  const double share = theta(h, the1, cdf, rise, limit), before = h->t;
-  const double dt = increment(share, stiffness * slip, cdf * ufl * rise);
+  const bool back = h->star != 0 ? h->star < 0 : h->t != 0 ? h->t < 0 : slip < 0; /* CDF = -1 */
+  const double along = turned(back, slip), critical = rise / stiffness;           /* 4.16 */
+  enum the1 the1 = the1_of(h, back, along);
+  if (rise > 0 && along < mu * critical + h->deficit)
+    the1 = STICKING;
+  const double share = theta(h, the1, back, rise, limit), before = h->t;
+  const double dt = increment(share, stiffness * slip, turned(slip < 0, rise)); /* CDF UFL has the sense of ds */
   if (rise < 0)
     h->deficit += critical; /* 4.18 */
-  else if (dt * cdf < rise || h->deficit > 0)
-    h->deficit += critical - slip * cdf; /* 4.17 */
-  const bool unloads = slip * cdf < 0 && h->star == 0 && h->star2 == 0;
-  const bool reloads = slip * cdf > 0 && h->star != 0 && h->star2 == 0;
+  else if (turned(back, dt) < rise || h->deficit > 0)
+    h->deficit += critical - along; /* 4.17 */
+  const bool unloads = along < 0 && h->star == 0 && h->star2 == 0;
+  const bool reloads = along > 0 && h->star != 0 && h->star2 == 0;
   if (unloads)
     h->star = before;
   if (reloads)
@@ -91,14 +91,14 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
   const bool slides = limit > 0 ? !(fabs(h.t) <= limit) : slip != 0;
   if (slides)
     h.t = copysign(limit, h.t);
-  const double cdf = sign(h.star);
+  const bool back = h.star < 0;
   if (h.star != 0 && !reversed)
-    h.star += cdf * rise; /* 4.20 */
+    h.star += turned(back, rise); /* 4.20 */
   if (h.star2 != 0 && !reversed)
-    h.star2 -= cdf * rise; /* 4.21 */
+    h.star2 -= turned(back, rise); /* 4.21 */
   if (h.star != 0 && fabs(h.t) >= fabs(h.star))
     h.star = h.star2 = 0;
-  if (h.star2 != 0 && h.t * cdf <= h.star2 * cdf)
+  if (h.star2 != 0 && turned(back, h.t) <= turned(back, h.star2))
     h.star2 = 0;
   h.n = n.force;
   memcpy(m, &h, sizeof h);
