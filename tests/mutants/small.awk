@@ -24,9 +24,9 @@ function term(at, rest) {
   if (counting || rest !~ /^ *[A-Za-z_(]/ || rest ~ /^ *\((struct|size_t|void|const|double|int)/) return
   if (last ~ /^(isfinite|isnan|out)$/ || rest ~ /^ *[a-z]+->(a|b)[^a-z_[]/ || it == "return" && whole_answer) return # nor whole numbers
   if (rest ~ /^ *[a-z_]+ (\|\||&&)/) return # nor what is true or false
-  if (rest ~ /^[^;,?]*[<>=!]=? 0([^.0-9]|$)/ && rest !~ /^[^;,?]*[+-]/) return # what is compared with 0 has no size
+  if (rest ~ /^[^;,?]*[<>=!]=? 0([^.0-9]|$)/ && rest !~ /^[^;,?]*([+]|-[^>])/) return # what is compared with 0 has no size
   if (rest ~ /^ *(struct|sizeof|true|false|NULL|NB_[A-Z_0-9]*|[A-Z_0-9]+)([^a-z_A-Z]|$)/) return
-  if (rest ~ /^ *(i|j|k|c|n|w|p|s|from|to|slot|part|parts|count|first|middle|end|out|wall|model|view|felt|bodies|error|scene|options)( *[-+,;)]|$)/ && rest !~ /^ *[a-z]+->/) return
+  if (rest ~ /^ *(i|j|k|c|n|w|p|s|from|to|slot|part|parts|count|first|middle|end|out|wall|model|view|felt|bodies|error|scene|options|back)( *[-+,;)]|$)/ && rest !~ /^ *[a-z]+->/) return
   mutant(at, 0, rest ~ /^ / ? " 1.001 *" : "1.001 * ")
 }
 
