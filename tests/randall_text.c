@@ -72,8 +72,10 @@ static const struct text_step text_steps[] = {
     {0.5, 0, 0, 0, 0.004, 0.01, 1, 1, 417, NONE, NONE},
     {0.5, 0, 0, 0, 0.001, 0.01, 4, 1, 417, NONE, NONE},
     {0.5, 0, 0, 0.05, 0.1, 0.01, 1, 1, 417, NONE, NONE},
-    {0.5, 0, 0, 0.05, 0.0512, 0.01, 4, 1, 417, NONE, NONE},
-    {0.5, 0, 0, 0.05, 0.0514, 0.01, 1, 1, 417, NONE, NONE},
+    {0.5, 0, 0, 0.05, 0.05131, 0.01, 4, 1, 417, NONE, NONE}, /* ds_c is 0.006645 A, mu ds_c 0.001329 A */
+    {0.5, 0, 0, 0.05, 0.05135, 0.01, 1, 1, 417, NONE, NONE},
+    {0.5, 0, 0, 0, 0.006642, 0.01, 1, 1, 417, NONE, NONE}, /* dT is 0.9997 mu dN */
+    {0.5, 0, 0, 0, 0.006648, 0.01, 1, 1, 0, NONE, NONE},
     {0.5, 0, 0, -0.05, 0.1, 0.01, 1, 1, 0, NONE, NONE},
     {0.5, 0, 0, -0.05, 0.004, 0.01, 1, 1, 417, NONE, NONE},
     {0.5, 0, 0, 0, -0.1, 0.01, 4, -1, 417, SET, NONE},
@@ -189,6 +191,12 @@ static void touching_squarely_is_remembered(void) {
     CU_ASSERT_EQUAL(it.s.force, 0);
     go(&it, deep(2 * N), 1e-6 * a);
     CU_ASSERT(fabs(it.s.force / (8 * G * sqrt(R * deep(2 * N)) * 1e-6 * a) - 1) < 1e-12);
+    struct contact smooth = contact_of(laws[k]);
+    smooth.pair.friction = 0; /* it slides when it moves */
+    go(&smooth, deep(N), 0);
+    CU_ASSERT(smooth.s.force == 0 && smooth.s.sliding == 0);
+    go(&smooth, deep(N), 1e-6 * a);
+    CU_ASSERT(smooth.s.force == 0 && smooth.s.sliding == 1);
   }
 }
 

@@ -96,9 +96,9 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
     h.star += turned(back, rise); /* 4.20 */
   if (h.star2 != 0 && !reversed)
     h.star2 -= turned(back, rise); /* 4.21 */
-  if (h.star != 0 && fabs(h.t) >= fabs(h.star))
+  if (fabs(h.t) >= fabs(h.star))
     h.star = h.star2 = 0;
-  if (h.star2 != 0 && turned(back, h.t) <= turned(back, h.star2))
+  if (turned(back, h.t) <= turned(back, h.star2))
     h.star2 = 0;
   h.n = n.force;
   memcpy(m, &h, sizeof h);
