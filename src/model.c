@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
+#include "region.h"
 #include "step.h"
 
 #include <stdlib.h>
@@ -196,6 +197,8 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
     nb_forces(model), nb_deep_look(model);
   if (!status && nb_fields_watched(scene) & NB_ASKS_FRACC && !nb_fracc_begin(model))
     status = nb_error_set(error, NB_BROKEN, "out of memory for FRACC");
+  if (!status && !(status = nb_regions_create(model, error)))
+    status = nb_regions_stage(model, -1, error);
   return status ? status : nb_balance_create(model, error);
 }
 
@@ -261,5 +264,6 @@ void nb_model_free(struct nb_model *model) {
   nb_properties_free(&model->properties);
   nb_contacts_free(&model->contacts);
   nb_balance_free(model->balance);
+  nb_regions_free(model->regions, model->scene->region_count);
   free(model);
 }

@@ -160,6 +160,7 @@ struct nb_model {
   unsigned long long updates, searches,
       candidates;             /* candidates: pairs of bodies whose distance a search has measured */
   struct nb_balance *balance; /* energy.h; NULL: no column and no condition asks for one */
+  struct nb_regions *regions; /* region.h; NULL: the scene has none */
 };
 
 /* How much a geometry pass has to find out. */
@@ -177,6 +178,7 @@ bool nb_plan_stands(const struct nb_model *model); /* whether it is still the on
 
 /* names.c: fields that some column or condition of the scene reads, and what else is to be kept for it: */
 #define NB_ASKS_FRACC (1u << 27)  /* fracc.c */
+#define NB_ASKS_STRAIN (1u << 28) /* strain.c */
 #define NB_ASKS_WORK (1u << 29)   /* the work balance, energy.h */
 #define NB_ASKS_ENERGY (1u << 30) /* the energy balance */
 #define NB_ASKS_STORED (1u << 31) /* energies that only a law with stored energy has */

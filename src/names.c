@@ -194,7 +194,9 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* The rows one after the other, those of other files behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
-  static const struct nb_quantity_kind *const others[] = {nb_step_kinds, nb_impact_kinds};
+  static const struct nb_quantity_kind *const others[] = {nb_step_kinds,   nb_impact_kinds,   nb_stress_kinds,
+                                                          nb_fabric_kinds, nb_porosity_kinds, nb_coordination_kinds,
+                                                          nb_load_kinds,   nb_strain_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -271,7 +273,7 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
       fields |= stage->conditions[k].quantity.kind->fields;
     if (stage->snapshot)
       fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |
-                NB_BIT(NB_SLIDING);
+                NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS);
   }
   return fields;
 }
@@ -284,6 +286,7 @@ bool nb_quantity_row(size_t k, const char **name, const char **unit, const char 
   *of = watches == BODY           ? "a body"
         : watches == WALL         ? "a wall"
         : watches == PAIR         ? "a pair"
+        : watches == NB_OF_REGION ? "a region"
         : watches == NB_OF_IMPACT ? "an impact"
         : watches == NB_OF_BENCH  ? "the contact on the bench"
                                   : "the scene";

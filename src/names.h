@@ -17,10 +17,14 @@ struct nb_quantity_kind {
 };
 #define NB_OF_IMPACT (1u << 31)
 #define NB_OF_BENCH (1u << 30) /* of a path's contact */
+enum { NB_OF_REGION = 1 << NB_WATCH_REGION };
 
 /* The last row of each has no name. */
 extern const struct nb_quantity_kind nb_step_kinds[];   /* step_kinds.c */
 extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c */
+/* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c. */
+extern const struct nb_quantity_kind nb_stress_kinds[], nb_fabric_kinds[], nb_porosity_kinds[], nb_coordination_kinds[],
+    nb_load_kinds[], nb_strain_kinds[];
 
 /* bench_names.c: their values are asked for by nb_quantity_on_bench; NULL past the last one. */
 const struct nb_quantity_kind *nb_bench_row(size_t k);

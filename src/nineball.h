@@ -183,11 +183,25 @@ struct nb_step {
 };
 
 /* Something a page looks at, under a name of its own. */
-enum nb_watch_kind { NB_WATCH_BODY, NB_WATCH_WALL, NB_WATCH_BODY_BODY, NB_WATCH_BODY_WALL };
+enum nb_watch_kind { NB_WATCH_BODY, NB_WATCH_WALL, NB_WATCH_BODY_BODY, NB_WATCH_BODY_WALL, NB_WATCH_REGION };
 struct nb_watch {
   char name[NB_NAME_SIZE];
   enum nb_watch_kind kind;
-  int a, b; /* body index or wall index, as the kind says; -1 where there is none */
+  int a, b; /* index of a body, wall or region, as the kind says; -1 where there is none */
+  int line;
+};
+
+/* `region NAME ...`: a part of the plane whose bodies are measured together; its watch has its name. */
+enum nb_region_kind { NB_REGION_CIRCLE, NB_REGION_BOX, NB_REGION_ALL };
+struct nb_region {
+  enum nb_region_kind kind;
+  double x, y;             /* centre, m */
+  double radius;           /* m */
+  double ex, ey;           /* of a box: unit vector along one side; */
+  double half_x, half_y;   /* half its length along e and across, m */
+  int rings;               /* how many rings of equal width a snapshot measures; 0: none */
+  char from[NB_NAME_SIZE]; /* the stage with which strain begins; empty: the start */
+  int stage;               /* its index; -1: the start */
   int line;
 };
 
@@ -272,6 +286,7 @@ struct nb_stage {
   struct nb_condition *conditions; /* all must hold; owned by the scene */
   size_t condition_count;
   unsigned long cycles;      /* how many; with conditions: at most, and reaching it is a failure */
+  unsigned long look;        /* conditions are looked at every so many cycles */
   unsigned long record;      /* a row every so many cycles, 0: none */
   bool snapshot;             /* keep bodies, walls and contacts as they are at its end */
   struct nb_step step;       /* as the scene's, unless the stage says otherwise */
@@ -329,6 +344,8 @@ struct nb_scene {
   double skin;         /* m: pairs closer than this are listed [R89 TOL]; 0: not said, a tenth of the mean radius */
   struct nb_watch *watches;
   size_t watch_count;
+  struct nb_region *regions;
+  size_t region_count;
   struct nb_impact impact;
   struct nb_column *columns;
   size_t column_count;

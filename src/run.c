@@ -35,7 +35,10 @@ static void tell(struct run *run, const struct nb_stage *stage) {
                       t - run->began);
 }
 
+/* Looked at every so many cycles, and at the last one there may be. */
 static bool holds(const struct nb_stage *stage, const struct nb_model *model) {
+  if (model->stage_cycle % stage->look != 0 && model->stage_cycle < stage->cycles)
+    return false;
   for (size_t k = 0; k < stage->condition_count; k++) {
     const struct nb_condition *condition = &stage->conditions[k];
     const double value = nb_quantity_value(condition->quantity, model);

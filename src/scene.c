@@ -35,6 +35,7 @@ void nb_scene_free(struct nb_scene *scene) {
   free(scene->bodies);
   free(scene->walls);
   free(scene->watches);
+  free(scene->regions);
   free(scene->columns);
   free(scene->stages);
   free(scene->bindings);
@@ -79,10 +80,11 @@ static unsigned unsure_after(const struct nb_reader *reader) {
     const char *word;
     bool names;
     unsigned unsure;
-  } rows[] = {
-      {"units", false, NB_UNSURE_UNITS},  {"let", true, NB_UNSURE_VALUES},      {"sweep", true, NB_UNSURE_VALUES},
-      {"watch", true, NB_UNSURE_WATCHES}, {"impact", false, NB_UNSURE_WATCHES}, {"record", false, NB_UNSURE_COLUMNS},
-      {"stage", true, NB_UNSURE_STAGES},  {"leg", true, NB_UNSURE_STAGES},      {"repeat", false, NB_UNSURE_STAGES}};
+  } rows[] = {{"units", false, NB_UNSURE_UNITS},    {"let", true, NB_UNSURE_VALUES},
+              {"sweep", true, NB_UNSURE_VALUES},    {"watch", true, NB_UNSURE_WATCHES},
+              {"region", true, NB_UNSURE_WATCHES},  {"impact", false, NB_UNSURE_WATCHES},
+              {"record", false, NB_UNSURE_COLUMNS}, {"stage", true, NB_UNSURE_STAGES},
+              {"leg", true, NB_UNSURE_STAGES},      {"repeat", false, NB_UNSURE_STAGES}};
   const struct nb_token *name = reader->count > 1 ? &reader->tokens[1] : NULL;
   const bool several = reader->count > 2 && strcmp(reader->tokens[2].text, "with") == 0;
   const bool named = name && !name->hollow && nb_is_name(name->text) && !several;
@@ -160,6 +162,7 @@ static void check_whole(struct nb_scene_reading *reading) {
     return;
   }
   nb_ramps_check(reading);
+  nb_regions_check(reading);
   if (scene->body_count == 0 && !reading->bodies_unsure)
     nb_say_of_scene(reading, "`disc`, `sphere`, `discs` and `spheres` make them",
                     "expected a scene with bodies, found none");

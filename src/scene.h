@@ -6,6 +6,7 @@
  *   scene_world.c   materials, laws, walls
  *   scene_bodies.c  bodies and watches
  *   scene_impact.c  a sphere that flies at something
+ *   scene_region.c  what is measured together
  *   scene_step.c    step and damping
  *   scene_stages.c  stages, walls in them, how they end; what is recorded
  *   scene_changes.c what else changes in them: materials, gravity; ramps
@@ -127,6 +128,11 @@ void nb_path_laws_check(struct nb_scene_reading *reading);
 bool nb_follow_read(struct nb_leg *leg, const char *path, bool unitless, struct nb_mistakes *mistakes);
 /* A mistake of the scene as a whole, shown at the word of its first fence. */
 void nb_say_of_scene(struct nb_scene_reading *reading, const char *hint, const char *what);
+/* Adds something watched under that name; false with a message when there is one already, or too many. */
+bool nb_watch_add(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *name,
+                  struct nb_watch watch);
+/* Finds the stages that regions name. */
+void nb_regions_check(struct nb_scene_reading *reading);
 /* A ramp wants a stage whose length is known. */
 void nb_ramps_check(struct nb_scene_reading *reading);
 /* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
@@ -153,6 +159,7 @@ NB_APPLY(nb_apply_wall);
 NB_APPLY(nb_apply_skin);
 NB_APPLY(nb_apply_place);
 NB_APPLY(nb_apply_watch);
+NB_APPLY(nb_apply_region);
 NB_APPLY(nb_apply_impact);
 NB_APPLY(nb_apply_step);
 NB_APPLY(nb_apply_allow);

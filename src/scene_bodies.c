@@ -103,11 +103,36 @@ static int take_wall(const struct nb_scene *scene, struct nb_reader *reader) {
   return name && !name->hollow ? nb_wall_of(scene, reader, name) : -1;
 }
 
+bool nb_watch_add(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *name,
+                  struct nb_watch watch) {
+  struct nb_scene *scene = reading->scene;
+  watch.line = (int)reader->line;
+  for (size_t i = 0; i < scene->watch_count; i++)
+    if (strcmp(scene->watches[i].name, name->text) == 0) {
+      nb_token_mistake(reader, name, NULL, "there is a watch `%s` already, on line %d", name->text,
+                       scene->watches[i].line);
+      return false;
+    }
+  if (nb_too_many(reader, scene->watch_count, NB_NAMED_MAX, "watches"))
+    return false;
+  struct nb_watch *watches = nb_room(scene->watches, scene->watch_count, 1, sizeof *watches);
+  if (!watches) {
+    nb_no_memory(reader);
+    return false;
+  }
+  scene->watches = watches;
+  if (reader->bad || reading->bodies_unsure)
+    watch.a = -1; /* which says: nothing can be said of its quantities */
+  snprintf(watch.name, sizeof watch.name, "%s", name->text);
+  watches[scene->watch_count++] = watch;
+  return true;
+}
+
 NB_APPLY(nb_apply_watch) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
-  struct nb_watch watch = {.a = -1, .b = -1, .line = (int)reader->line};
+  struct nb_watch watch = {.a = -1, .b = -1};
   if (!name)
     return;
   if (nb_token_skip(reader, "wall")) {
@@ -124,22 +149,5 @@ NB_APPLY(nb_apply_watch) {
                          "expected two bodies, found the same one twice");
     }
   }
-  for (size_t i = 0; i < scene->watch_count; i++)
-    if (strcmp(scene->watches[i].name, name->text) == 0) {
-      nb_token_mistake(reader, name, NULL, "there is a watch `%s` already, on line %d", name->text,
-                       scene->watches[i].line);
-      return;
-    }
-  if (nb_too_many(reader, scene->watch_count, NB_NAMED_MAX, "watches"))
-    return;
-  struct nb_watch *watches = nb_room(scene->watches, scene->watch_count, 1, sizeof *watches);
-  if (!watches) {
-    nb_no_memory(reader);
-    return;
-  }
-  scene->watches = watches;
-  if (reader->bad || reading->bodies_unsure)
-    watch.a = -1; /* which says: nothing can be said of its quantities */
-  snprintf(watch.name, sizeof watch.name, "%s", name->text);
-  watches[scene->watch_count++] = watch;
+  nb_watch_add(reading, reader, name, watch);
 }

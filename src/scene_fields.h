@@ -119,6 +119,7 @@ static const struct nb_argument place[] = {
   END
 };
 static const struct nb_argument watch[] = {NAME(AT_NAME, "a name for what is watched"), END};
+static const struct nb_argument region[] = {NAME(AT_NAME, "a name for the region"), END};
 static const struct nb_argument impact[] = {
   WORD("WATCH", AT_NAME, "the name of a watched contact"),
   CLAUSE("speed", "V", NB_UNIT_VELOCITY, NB_POSITIVE, AT_SPEED, 1, NULL,

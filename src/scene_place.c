@@ -88,6 +88,11 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place) {
     wall->spin = hand * wall->spin + 0.0;
     wall->h0 = hand * wall->h0 + 0.0;
   }
+  for (size_t i = 0; i < scene->region_count; i++) {
+    struct nb_region *region = &scene->regions[i];
+    held = move(place, &region->x, &region->y) && held;
+    held = turn(place, &region->ex, &region->ey) && held;
+  }
   held = turn(place, &scene->gravity.x, &scene->gravity.y) && held;
   for (size_t s = 0; s < scene->stage_count; s++)
     held = turn(place, &scene->stages[s].gravity.x, &scene->stages[s].gravity.y) && held;

@@ -17,7 +17,7 @@ NB_APPLY(nb_apply_stage) {
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
   const struct nb_stage *before = nb_stage_now(scene);
-  struct nb_stage stage = {.record = 1, .line = (int)reader->line};
+  struct nb_stage stage = {.record = 1, .look = 1, .line = (int)reader->line};
   stage.step = before ? before->step : scene->step;
   stage.damping = before ? before->damping : scene->damping;
   if (name)
@@ -163,6 +163,12 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
   return nb_take_in(reader, nb_quantity_unit(condition->quantity), &condition->value);
 }
 
+/* N cycles */
+static bool take_cycles(struct nb_reader *reader, unsigned long *count) {
+  return nb_take_count(reader, 1, CYCLES_MAX, count) &&
+         (nb_token_skip(reader, "cycle") || nb_take_word(reader, "cycles"));
+}
+
 NB_APPLY(nb_apply_until) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_stage_now(reading->scene);
@@ -181,13 +187,14 @@ NB_APPLY(nb_apply_until) {
     stage->conditions = conditions;
     conditions[stage->condition_count++] = condition;
   } while (nb_token_skip(reader, "and"));
+  if (nb_token_skip(reader, "every") && !take_cycles(reader, &stage->look))
+    return;
   if (!nb_token_skip(reader, "at")) {
-    nb_expected(reader, "a stage that may last for ever is not run", "`and`, or `at most N cycles`");
+    nb_expected(reader, "a stage that may last for ever is not run", "`and`, `every N cycles` or `at most N cycles`");
     return;
   }
-  bool whole = nb_take_word(reader, "most") && nb_take_count(reader, 1, CYCLES_MAX, &stage->cycles);
-  if (whole && !nb_token_skip(reader, "cycle"))
-    nb_take_word(reader, "cycles");
+  if (nb_take_word(reader, "most"))
+    take_cycles(reader, &stage->cycles);
 }
 
 /* `record QUANTITY …` in the scene: the names are looked up when all watches are known. */

@@ -69,6 +69,9 @@ static const struct nb_keyword table[] = {
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME", 0, true, nb_apply_watch,
    "Names a body, a contact or a wall, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`.",
    "watch     A  disc 1\nwatch     C  disc 1 with sphere 2\nwatch     F  sphere 9 with wall shelf\nwatch     S  wall shelf"},
+  {"region", NB_IN_SCENE, region, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | all {from STAGE}", 0, true, nb_apply_region,
+   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `all` is the smallest upright box round all outlines. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain is counted from the stage that `from` names, else from the start.",
+   "region    A  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {"impact", NB_IN_SCENE, impact, NULL, 0, false, nb_apply_impact,
    "Lets the first body of a watched contact strike the other one, or the wall: from the side where the page has put it, "
    "it is moved until it just touches and flies from there, east when what it strikes lies to the south. Its velocity is replaced, its spin is "
@@ -114,8 +117,8 @@ static const struct nb_keyword table[] = {
   {"cycles", NB_IN_STAGE, cycles, NULL, 0, true, nb_apply_cycles, "How many cycles the stage lasts.",
    "  cycles  400"},
   {"until", NB_IN_STAGE, nothing,
-   "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} at most N cycles", 0, true,
-   nb_apply_until, "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure.",
+   "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N cycles", 0, true, nb_apply_until,
+   "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure. `every`: they are looked at every so many cycles only, default 1.",
    "stage     part\n  until   C.overlap below 1 nm and time above 1 ms  at most 10000 cycles"},
   {"record", NB_IN_STAGE | NB_IN_LEG, nothing, "every N cycles | none", 0, false, nb_apply_record,
    "How often a row is added to the table; default every 1 cycle.",

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "energy.h"
+#include "region.h"
 #include "step.h"
 
 static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share) {
@@ -157,6 +158,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
     return error->status;
   walls_arrive(model);
   model->stage = stage;
+  if (nb_regions_stage(model, (int)(stage - model->scene->stages), error))
+    return error->status;
   if (stage->still)
     stop_bodies(model);
   if (stage->reverse)

@@ -1,0 +1,70 @@
+/* How much of a disc lies inside a circle or a polygon: exact, by closed forms.
+ *
+ * Two circles of radii r and R whose centres are d apart and which cut each other have two segments in common,
+ *   A = r^2 (a - sin a cos a) + R^2 (b - sin b cos b)
+ * where a is half the angle under which r's centre sees the chord. From the triangle r, R, d, without the loss of figures that
+ * its cosine has where the circles hardly cut:
+ *   tan^2(a/2) = (R^2 - (d - r)^2)/((d + r)^2 - R^2),      and b with r and R exchanged.
+ *
+ * A disc and a polygon: the sum over the edges of what the disc has in common with the triangle of its centre and the edge,
+ * counted negative where the edge runs clockwise. Where the edge is outside, the triangle holds a sector; where it is inside,
+ * a triangle.
+ *
+ *   areas m2, lengths m, angles rad
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "areas.h"
+
+static const double pi = 3.14159265358979323846;
+
+double nb_area_of_disc(double radius) { return pi * radius * radius; }
+
+/* Of the circle r, beyond the chord that the circle R cuts off. */
+static double segment(double r, double R, double d) {
+  const double above = (R - (d - r)) * (R + (d - r)), below = ((d + r) - R) * ((d + r) + R);
+  const double a = 2 * atan2(sqrt(above > 0 ? above : 0), sqrt(below > 0 ? below : 0));
+  return r * r * (a - sin(a) * cos(a));
+}
+
+double nb_area_of_lens(double radius_a, double radius_b, double apart) {
+  const double smaller = radius_a < radius_b ? radius_a : radius_b, larger = radius_a < radius_b ? radius_b : radius_a;
+  if (apart >= larger + smaller)
+    return 0;
+  if (apart <= larger - smaller)
+    return nb_area_of_disc(smaller);
+  return segment(radius_a, radius_b, apart) + segment(radius_b, radius_a, apart);
+}
+
+static double cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
+static double sector(struct nb_vec a, struct nb_vec b, double r) {
+  return r * r * atan2(cross(a, b), vec_dot(a, b)) / 2;
+}
+
+/* Of the disc about the origin and the triangle of the origin, a and b. */
+static double of_edge(struct nb_vec a, struct nb_vec b, double r) {
+  const struct nb_vec along = vec_sub(b, a);
+  const double square = vec_dot(along, along), middle = vec_dot(a, along);
+  const double root = middle * middle - square * (vec_dot(a, a) - r * r);
+  if (!(root > 0))
+    return sector(a, b, r);
+  const double from = (-middle - sqrt(root)) / square, to = (-middle + sqrt(root)) / square;
+  if (to <= 0 || from >= 1)
+    return sector(a, b, r);
+  const struct nb_vec in = from > 0 ? vec_add(a, vec_scale(from, along)) : a;
+  const struct nb_vec out = to < 1 ? vec_add(a, vec_scale(to, along)) : b;
+  return (from > 0 ? sector(a, in, r) : 0) + cross(in, out) / 2 + (to < 1 ? sector(out, b, r) : 0);
+}
+
+double nb_area_in_polygon(struct nb_vec centre, double radius, const struct nb_vec corners[], size_t count) {
+  double area = 0;
+  for (size_t k = 0; k < count; k++)
+    area += of_edge(vec_sub(corners[k], centre), vec_sub(corners[(k + 1) % count], centre), radius);
+  return area;
+}
+
+double nb_area_of_polygon(const struct nb_vec corners[], size_t count) {
+  double area = 0;
+  for (size_t k = 1; k + 1 < count; k++)
+    area += cross(vec_sub(corners[k], corners[0]), vec_sub(corners[k + 1], corners[0])) / 2;
+  return area;
+}

@@ -1,0 +1,107 @@
+/* How many contacts a body of a region has.
+ *
+ *   coordination          2M/N          ends of contacts on the bodies inside, over those bodies
+ *   coordination.inner                  the same over the bodies inside that are not fixed
+ *   coordination.loaded                 the same without rattlers, and without their contacts
+ *
+ * A rattler has fewer than two contacts with bodies that are none, or with walls: what is left of all bodies, inside or not,
+ * when those with fewer than two contacts are taken away until no more go. What is fixed is never a rattler. (Two contacts
+ * that are not opposite each other do not hold a body either; nothing that is pressed has such ones without friction.)
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "region.h"
+
+static bool touches(const struct nb_model *model, size_t contact) {
+  return model->contacts.kept[NB_OVERLAP][contact] > 0;
+}
+
+/* The body at the other end; -1: a wall. */
+static int partner(const struct nb_model *model, size_t contact, size_t slot) {
+  const struct nb_contacts *contacts = &model->contacts;
+  if (model->pairings[contacts->pairing[contact]].wall)
+    return -1;
+  return (size_t)contacts->a[contact] == slot ? contacts->b[contact] : contacts->a[contact];
+}
+
+static bool may_rattle(const struct nb_model *model, size_t slot) {
+  return model->bodies.inverse_mass[slot] > 0 && model->regions->touching[slot] < 2;
+}
+
+/* Leaves in `touching` how many contacts each body has with others that are no rattlers, -1 for a rattler. */
+static void find_rattlers(const struct nb_model *model) {
+  int *touching = model->regions->touching, *idle = model->regions->idle;
+  const struct nb_incidence *incidence = &model->incidence;
+  size_t waiting = 0;
+  for (size_t i = 0; i < model->bodies.count; i++) {
+    touching[i] = 0;
+    for (size_t k = incidence->first[i]; k < incidence->first[i + 1]; k++)
+      touching[i] += touches(model, (size_t)incidence->entry[k]);
+  }
+  for (size_t i = 0; i < model->bodies.count; i++)
+    if (may_rattle(model, i))
+      idle[waiting++] = (int)i;
+  for (size_t k = 0; k < waiting; k++)
+    touching[idle[k]] = -1;
+  while (waiting > 0) {
+    const size_t i = (size_t)idle[--waiting];
+    for (size_t k = incidence->first[i]; k < incidence->first[i + 1]; k++) {
+      const size_t c = (size_t)incidence->entry[k];
+      const int other = touches(model, c) ? partner(model, c, i) : -1;
+      if (other < 0 || touching[other] < 0)
+        continue;
+      touching[other]--;
+      if (may_rattle(model, (size_t)other))
+        touching[other] = -1, idle[waiting++] = other;
+    }
+  }
+}
+
+const struct nb_coordination *nb_coordination_of(const struct nb_model *model, const struct nb_watch *watch) {
+  struct nb_region_now *region = nb_region_now(model, watch->a);
+  struct nb_coordination *it = &region->coordination;
+  if (!nb_region_due(model, region, NB_COORDINATION))
+    return it;
+  *it = (struct nb_coordination){0};
+  find_rattlers(model);
+  const int *touching = model->regions->touching;
+  double inner = 0, loaded = 0; /* bodies */
+  for (size_t i = 0; i < model->bodies.count; i++) {
+    if (!nb_region_holds(model, region, i))
+      continue;
+    const bool free = model->bodies.inverse_mass[i] > 0;
+    it->bodies++, inner += free;
+    it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
+    it->loaded += touching[i] >= 0 ? touching[i] : 0;
+    for (size_t k = model->incidence.first[i]; k < model->incidence.first[i + 1]; k++) {
+      const size_t c = (size_t)model->incidence.entry[k];
+      if (!touches(model, c))
+        continue;
+      const int other = partner(model, c, i);
+      it->all++, it->inner += free;
+      it->contacts += other < 0 || !nb_region_holds(model, region, (size_t)other) || i == (size_t)model->contacts.a[c];
+    }
+  }
+  it->all /= it->bodies > 0 ? it->bodies : 1;
+  it->inner /= inner > 0 ? inner : 1;
+  it->loaded /= loaded > 0 ? loaded : 1;
+  return it;
+}
+
+#define COORDINATION nb_coordination_of(model, watch)
+NB_QUANTITY(bodies, COORDINATION->bodies)
+NB_QUANTITY(contacts, COORDINATION->contacts)
+NB_QUANTITY(all, COORDINATION->all)
+NB_QUANTITY(inner, COORDINATION->inner)
+NB_QUANTITY(loaded, COORDINATION->loaded)
+NB_QUANTITY(rattlers, COORDINATION->rattlers)
+
+const struct nb_quantity_kind nb_coordination_kinds[] = {
+    {"bodies", NB_OF_REGION, "1", NB_READS_TOUCH, bodies, "how many have their centre inside"},
+    {"contacts", NB_OF_REGION, "1", NB_READS_TOUCH, contacts, "how many contacts those bodies have, each once"},
+    {"coordination", NB_OF_REGION, "1", NB_READS_TOUCH, all, "contacts of a body inside, on average"},
+    {"coordination.inner", NB_OF_REGION, "1", NB_READS_TOUCH, inner, "the same over bodies that are not fixed"},
+    {"coordination.loaded", NB_OF_REGION, "1", NB_READS_TOUCH, loaded, "the same without rattlers and their contacts"},
+    {"rattlers", NB_OF_REGION, "1", NB_READS_TOUCH, rattlers,
+     "bodies inside that are free and have fewer than two contacts, those with rattlers not counted"},
+    {NULL, 0, NULL, 0, NULL, NULL},
+};

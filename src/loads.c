@@ -1,0 +1,133 @@
+/* What the contacts of a region carry: those that touch and of which one body at least is inside, each once.
+ *
+ *   normal, shear      F_n and |F_s|, N, as the laws say, dashpots not included
+ *   contact_stress     F_n/(pi a^2), Pa        contact_shear   |F_s|/(pi a^2), Pa          [R89 4.6]
+ *   contact_ratio      a over the smaller radius, 1; a wall has none                       [R89 4.6]
+ *   obliquity          |F_s|/(mu F_n + c), 1: 1 where a contact slides                     [R89 figure 6.18]
+ *   sliding            share of the contacts whose law says that F_s is at its limit [CS79 19]
+ *   sliding.near       share of those with |F_s| at 0.99 of the limit mu F_n + c or above
+ *   unbalance          mean size of the force sum on a free body, weight included, over mean F_n
+ *
+ *   a   radius of the contact circle, m: laws that know none, such as `linear`, have no contact stress (0)
+ *
+ * The two definitions of sliding differ much: a contact at its limit leaves it when it is unloaded in shear by anything. What
+ * has no limit, since nothing rubs, does not slide.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "region.h"
+
+static const double pi = 3.14159265358979323846;
+
+struct gathered {
+  double sum, count, max, min;
+};
+
+static void gather(struct gathered *gathered, double value) {
+  gathered->max = gathered->count > 0 && gathered->max > value ? gathered->max : value;
+  gathered->min = gathered->count > 0 && gathered->min < value ? gathered->min : value;
+  gathered->sum += value, gathered->count++;
+}
+static struct nb_spread spread(struct gathered g) {
+  return (struct nb_spread){g.count > 0 ? g.sum / g.count : 0, g.max, g.min};
+}
+
+static bool belongs(const struct nb_model *model, const struct nb_region_now *region, size_t c) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const bool wall = model->pairings[contacts->pairing[c]].wall;
+  return nb_region_holds(model, region, (size_t)contacts->a[c]) ||
+         (!wall && nb_region_holds(model, region, (size_t)contacts->b[c]));
+}
+
+static double mean_force_sum(const struct nb_model *model, const struct nb_region_now *region) {
+  double sum = 0, count = 0;
+  for (size_t k = 0; k < model->bodies.count; k++) {
+    const size_t i = (size_t)model->bodies.slot[k];
+    if (!nb_region_holds(model, region, i) || !(model->bodies.inverse_mass[i] > 0))
+      continue;
+    const struct nb_vec weight = vec_scale(model->bodies.mass[i], model->gravity);
+    sum += vec_length(vec_add(nb_force_on(model, i).force, weight)), count++;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+const struct nb_loads *nb_loads_of(const struct nb_model *model, const struct nb_watch *watch) {
+  struct nb_region_now *region = nb_region_now(model, watch->a);
+  struct nb_loads *loads = &region->loads;
+  if (!nb_region_due(model, region, NB_LOADS))
+    return loads;
+  const struct nb_contacts *contacts = &model->contacts;
+  struct gathered normal = {0}, shear = {0}, pressure = {0}, traction = {0}, ratio = {0}, obliquity = {0};
+  double sliding = 0, near_sliding = 0;
+  for (size_t c = 0; c < contacts->count; c++) {
+    if (!(contacts->kept[NB_OVERLAP][c] > 0) || !belongs(model, region, c))
+      continue;
+    const struct nb_contact_load load = nb_contact_load(model, c);
+    gather(&normal, load.normal), gather(&shear, load.shear);
+    if (load.radius > 0)
+      gather(&pressure, load.pressure), gather(&traction, load.traction), gather(&ratio, load.ratio);
+    if (load.limit > 0)
+      gather(&obliquity, load.obliquity);
+    sliding += load.sliding;
+    near_sliding += load.limit > 0 && load.shear >= 0.99 * load.limit;
+  }
+  loads->normal = spread(normal), loads->shear = spread(shear);
+  loads->pressure = spread(pressure), loads->traction = spread(traction), loads->ratio = spread(ratio);
+  loads->obliquity = spread(obliquity);
+  loads->sliding = normal.count > 0 ? sliding / normal.count : 0;
+  loads->near_sliding = normal.count > 0 ? near_sliding / normal.count : 0;
+  loads->unbalance = loads->normal.mean > 0 ? mean_force_sum(model, region) / loads->normal.mean : 0;
+  return loads;
+}
+
+struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_pairing *pairing = &model->pairings[contacts->pairing[contact]];
+  const bool rubs = pairing->shear;
+  const double first = model->bodies.rim[contacts->a[contact]].x;
+  const double second = pairing->wall ? first : model->bodies.rim[contacts->b[contact]].x;
+  const double a = contacts->kept[NB_RADIUS][contact], area = pi * a * a;
+  struct nb_contact_load load = {.normal = contacts->kept[NB_NORMAL][contact], .radius = a};
+  load.shear = rubs ? fabs(contacts->kept[NB_SHEAR][contact]) : 0;
+  load.sliding = rubs ? contacts->kept[NB_SLIDING][contact] : 0;
+  load.limit = rubs ? pairing->values.friction * load.normal + pairing->values.cohesion : 0;
+  load.obliquity = load.limit > 0 ? load.shear / load.limit : 0;
+  load.pressure = a > 0 ? load.normal / area : 0;
+  load.traction = a > 0 ? load.shear / area : 0;
+  load.ratio = a / (first < second ? first : second);
+  return load;
+}
+
+#define LOADS nb_loads_of(model, watch)
+#define SPREAD(stem)                                                                                                   \
+  NB_QUANTITY(stem##_mean, LOADS->stem.mean)                                                                           \
+  NB_QUANTITY(stem##_max, LOADS->stem.max) NB_QUANTITY(stem##_min, LOADS->stem.min)
+SPREAD(normal)
+SPREAD(shear)
+SPREAD(pressure)
+SPREAD(traction)
+SPREAD(ratio)
+SPREAD(obliquity)
+NB_QUANTITY(sliding, LOADS->sliding)
+NB_QUANTITY(near_sliding, LOADS->near_sliding)
+NB_QUANTITY(unbalance, LOADS->unbalance)
+
+#define ROWS(name, unit, stem, what)                                                                                   \
+  {name ".mean", NB_OF_REGION, unit, NB_READS_LOADS, stem##_mean, what ", mean"},                                      \
+      {name ".max", NB_OF_REGION, unit, NB_READS_LOADS, stem##_max, what ", the largest"}, {                           \
+    name ".min", NB_OF_REGION, unit, NB_READS_LOADS, stem##_min, what ", the smallest"                                 \
+  }
+
+const struct nb_quantity_kind nb_load_kinds[] = {
+    ROWS("normal", "N", normal, "elastic normal force of the contacts"),
+    ROWS("shear", "N", shear, "size of the elastic shear force of the contacts"),
+    ROWS("contact_stress", "Pa", pressure, "normal force over contact area [R89 4.6]"),
+    ROWS("contact_shear", "Pa", traction, "size of the shear force over contact area [R89 4.6]"),
+    ROWS("contact_ratio", "1", ratio, "radius of the contact over the smaller body's [R89 4.6]"),
+    ROWS("obliquity", "1", obliquity, "shear force over its limit, of contacts that have one"),
+    {"sliding", NB_OF_REGION, "1", NB_READS_LOADS, sliding, "share of the contacts whose shear force is at its limit"},
+    {"sliding.near", NB_OF_REGION, "1", NB_READS_LOADS, near_sliding,
+     "share of the contacts whose shear force is 0.99 of its limit or more"},
+    {"unbalance", NB_OF_REGION, "1", NB_READS_LOADS, unbalance,
+     "mean force sum on a free body over the mean normal force of the contacts"},
+    {NULL, 0, NULL, 0, NULL, NULL},
+};

@@ -1,0 +1,158 @@
+/* Measures of a region: a part of the plane, and averages over the bodies whose centres lie in it.
+ *
+ *   region.c        which bodies are inside, its area and volume; contacts end by end
+ *   areas.c         how much of an outline is inside
+ *   stress.c        stress, by particles and by contacts, and its parts
+ *   fabric.c        directions of contacts
+ *   porosity.c      voids, of the region and ring by ring
+ *   coordination.c  contacts of a body, rattlers
+ *   loads.c         what contacts carry: forces, contact stresses, sliding, out-of-balance
+ *   strain.c        how the bodies have moved
+ *
+ * Each is worked out at most once a cycle, when somebody asks; a scene without regions has none of this.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_REGION_H
+#define NB_REGION_H
+
+#include "names.h"
+#include "tensor.h"
+
+struct nb_stress {
+  struct nb_tensor whole, normal, shear, fabric, variation; /* by particles, Pa */
+  struct nb_tensor contacts;                                /* by contacts, Pa */
+};
+struct nb_anisotropy {
+  struct nb_tensor second;             /* Phi_ij: of trace 1, or 0 where nothing touches */
+  double xxxx, xxxy, xxyy, xyyy, yyyy; /* Phi_ijkl */
+};
+struct nb_fabric {
+  struct nb_anisotropy plain, normal, shear; /* all contacts alike; weighted by F_n; by |F_s| */
+  double kk;                                 /* F_kk, 1/m2 */
+};
+struct nb_porosity {
+  double areal, volume;
+};
+struct nb_coordination {
+  double bodies, contacts; /* inside; theirs, each once */
+  double all, inner,
+      loaded;      /* contacts of a body: of all, of those that are not fixed, of those that are no rattlers */
+  double rattlers; /* bodies */
+};
+struct nb_spread {
+  double mean, max, min; /* 0, 0, 0 of nothing */
+};
+struct nb_loads {
+  struct nb_spread normal, shear;      /* F_n, |F_s|, N */
+  struct nb_spread pressure, traction; /* F_n/(pi a^2), |F_s|/(pi a^2), Pa */
+  struct nb_spread ratio;              /* a over the smaller radius */
+  struct nb_spread obliquity;          /* |F_s|/(mu F_n + c) */
+  double sliding, near_sliding;        /* shares of the contacts */
+  double unbalance;                    /* mean |sum of the forces on a body| over mean F_n */
+};
+enum nb_measure_of { NB_STRESS, NB_FABRIC, NB_POROSITY, NB_COORDINATION, NB_LOADS, NB_STRAIN, NB_MEASURES };
+
+/* A region as it is in a cycle. */
+struct nb_region_now {
+  const struct nb_region *it;
+  struct nb_vec centre;
+  double radius;            /* of a circle, m; 0: it is a box, */
+  struct nb_vec corners[4]; /* counterclockwise, m */
+  double area, thickness;   /* m2, m */
+  unsigned long placed;     /* the cycle in which it was so, plus 1; likewise */
+  unsigned long measured[NB_MEASURES];
+  struct nb_stress stress;
+  struct nb_fabric fabric;
+  struct nb_porosity porosity;
+  struct nb_coordination coordination;
+  struct nb_loads loads;
+  struct nb_tensor strain;
+  struct nb_vec *from; /* per body number, less 1: where it was when strain began, NAN: outside, m; NULL: nobody asks */
+};
+struct nb_regions {
+  struct nb_region_now *list; /* as many as the scene has */
+  int *touching, *idle;       /* coordination.c: room, per slot */
+};
+
+/* strain.c: strain begins with this stage for the regions that say so; -1: the start, for all of them. */
+enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_error *error);
+
+enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error);
+/* A stage begins, and may have changed what was measured in this cycle; -1: the run does. */
+enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error);
+void nb_regions_free(struct nb_regions *regions, size_t count);
+
+struct nb_region_now *nb_region_now(const struct nb_model *model, int region);
+/* True once a cycle: the measure is to be worked out. */
+bool nb_region_due(const struct nb_model *model, struct nb_region_now *region, enum nb_measure_of which);
+bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot); /* its centre */
+double nb_region_part(const struct nb_model *model, const struct nb_region_now *region,
+                      size_t slot); /* of its outline, m2 */
+
+/* Contacts end by end: on each body inside, in the order of their numbers, its contacts in that of its partners'. */
+struct nb_end {
+  size_t slot, contact;
+  int partner;       /* slot; -1: a wall */
+  struct nb_vec e;   /* unit vector from the body to what it touches */
+  double arm;        /* from its centre to where they touch, m */
+  double push, drag; /* N: the body feels -(push e + drag t), t = (e2, -e1), dashpots included */
+};
+struct nb_ends {
+  const struct nb_model *model;
+  const struct nb_region_now *region; /* NULL: everywhere */
+  size_t body, entry, stop, slot;
+};
+struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_now *region);
+bool nb_ends_next(struct nb_ends *ends, struct nb_end *end);
+/* From the centre of a body to where the contact is: half-way between two outlines, on the face of a wall; m. */
+double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot);
+
+/* Fields of contacts that ends are made of. */
+enum {
+  NB_READS_TOUCH = NB_BIT(NB_OVERLAP),
+  NB_READS_ENDS = NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_PUSH) | NB_BIT(NB_DRAG),
+  NB_READS_LOADS = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) | NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS)
+};
+
+/* loads.c: what one contact that touches carries. */
+struct nb_contact_load {
+  double normal, shear;      /* F_n, |F_s|, N */
+  double sliding;            /* 1 where F_s is at its limit */
+  double limit, obliquity;   /* mu F_n + c, N; |F_s| over it; 0 where nothing rubs */
+  double radius;             /* a, m; 0 where the law knows none; */
+  double pressure, traction; /* F_n/(pi a^2), |F_s|/(pi a^2), Pa; */
+  double ratio;              /* a over the smaller radius */
+};
+struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact);
+
+/* What a watch of a region sees, worked out in this cycle. */
+const struct nb_stress *nb_stress_of(const struct nb_model *model, const struct nb_watch *watch);
+const struct nb_fabric *nb_fabric_of(const struct nb_model *model, const struct nb_watch *watch);
+const struct nb_porosity *nb_porosity_of(const struct nb_model *model, const struct nb_watch *watch);
+const struct nb_coordination *nb_coordination_of(const struct nb_model *model, const struct nb_watch *watch);
+const struct nb_loads *nb_loads_of(const struct nb_model *model, const struct nb_watch *watch);
+
+/* Rows of quantities: a function for each, and the rows of a tensor, which all tensors have alike. */
+#define NB_QUANTITY(function, expression)                                                                              \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) { return expression; }
+#define NB_TENSOR_QUANTITIES(stem, expression)                                                                         \
+  NB_QUANTITY(stem##_xx, (expression).xx)                                                                              \
+  NB_QUANTITY(stem##_xy, (expression).xy)                                                                              \
+  NB_QUANTITY(stem##_yx, (expression).yx)                                                                              \
+  NB_QUANTITY(stem##_yy, (expression).yy)                                                                              \
+  NB_QUANTITY(stem##_major, tensor_major(expression))                                                                  \
+  NB_QUANTITY(stem##_minor, tensor_minor(expression))                                                                  \
+  NB_QUANTITY(stem##_deviator, 2 * tensor_radius(expression))                                                          \
+  NB_QUANTITY(stem##_angle, tensor_angle(expression))
+#define NB_TENSOR_ROWS(name, of, unit, fields, stem, deviator, what)                                                   \
+  {name ".xx", of, unit, fields, stem##_xx, what ", component"},                                                       \
+      {name ".xy", of, unit, fields, stem##_xy, what ", component"},                                                   \
+      {name ".yx", of, unit, fields, stem##_yx, what ", component"},                                                   \
+      {name ".yy", of, unit, fields, stem##_yy, what ", component"},                                                   \
+      {name ".major", of, unit, fields, stem##_major, what ", major principal value [R89 4.52]"},                      \
+      {name ".minor", of, unit, fields, stem##_minor, what ", minor principal value [R89 4.53]"},                      \
+      {name "." deviator, of, unit, fields, stem##_deviator, what ", major less minor principal value"}, {             \
+    name ".angle", of, "rad", fields, stem##_angle, what ", from x to the major principal axis [R89 4.54]"             \
+  }
+
+#endif

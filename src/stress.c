@@ -1,0 +1,158 @@
+/* Stress of a region and its parts; compression is positive.                          [R89 4.6]
+ *
+ * By particles: what body p feels at its contacts gives it the stress
+ *   sigma^p_ij = -(1/V_p) sum over its contacts f_i l_j
+ * and the region has the mean over its volume, voids at zero stress: sum over p of V_p sigma^p_ij, over V.
+ *
+ * By contacts: each contact of two bodies inside once, with the whole branch from centre to centre; one with a wall or with a
+ * body outside with the part of the branch that is inside. The same sum in another order, from other numbers: the branch is the
+ * difference of two positions, the force is the vector that moves the bodies.
+ *   sigma_ij = -(1/V) sum over contacts f_i d_j
+ *
+ * Parts, each a sum of its own. The contact force on the body is -(N e + T t), e the outward normal, t = (e2, -e1):
+ *   normal_ij    (1/V) sum N l e_i e_j            shear_ij     (1/V) sum T l t_i e_j          normal + shear = stress
+ *   fabric_ij    (1/V) <N> sum l e_i e_j          variation_ij (1/V) sum (N - <N>) l e_i e_j  fabric + variation = normal
+ * as Cundall and Strack (1983) and Barnes (1985) part it. `fabric` is what the same contacts would carry if all normal forces were alike, `variation` what the strong ones carry more.
+ *
+ *   f      force on the body at a contact, N, dashpots included     l  from its centre to the contact, m, l = l e
+ *   d      from the contact's first body to the second, m           V  area times thickness, m3
+ *   <N>    mean over the ends of contacts on the bodies inside, N
+ *
+ * Share of a part: its deviator in the principal directions of the whole stress, over the whole deviator; shares of parts that
+ * sum to the whole sum to 1.
+ * sin Phi = (sigma_1 - sigma_2)/(sigma_1 + sigma_2).
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "region.h"
+
+static double mean_push(const struct nb_model *model, const struct nb_region_now *region) {
+  double sum = 0, count = 0;
+  struct nb_end end;
+  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end); count++)
+    sum += end.push;
+  return count > 0 ? sum / count : 0;
+}
+
+static void by_particles(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_now *region) {
+  const double mean = mean_push(model, region);
+  struct nb_end end;
+  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
+    const struct nb_vec branch = vec_scale(end.arm, end.e), t = vec_clockwise(end.e);
+    const struct nb_vec felt = vec_add(vec_scale(end.push, end.e), vec_scale(end.drag, t));
+    stress->whole = tensor_add(stress->whole, tensor_outer(felt, branch));
+    stress->normal = tensor_add(stress->normal, tensor_scale(end.push, tensor_outer(end.e, branch)));
+    stress->shear = tensor_add(stress->shear, tensor_scale(end.drag, tensor_outer(t, branch)));
+    stress->fabric = tensor_add(stress->fabric, tensor_scale(mean, tensor_outer(end.e, branch)));
+    stress->variation = tensor_add(stress->variation, tensor_scale(end.push - mean, tensor_outer(end.e, branch)));
+  }
+}
+
+static void by_contacts(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_now *region) {
+  const struct nb_contacts *contacts = &model->contacts;
+  for (size_t c = 0; c < contacts->count; c++) {
+    if (!(contacts->kept[NB_OVERLAP][c] > 0))
+      continue;
+    const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
+    const bool wall = model->pairings[contacts->pairing[c]].wall;
+    const bool a_in = nb_region_holds(model, region, a), b_in = !wall && nb_region_holds(model, region, b);
+    const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
+    struct nb_vec branch = vec(0, 0);
+    if (a_in && b_in)
+      branch = vec_sub(model->bodies.position[b], model->bodies.position[a]);
+    else if (a_in)
+      branch = vec_scale(nb_contact_arm(model, c, a), e);
+    else if (b_in)
+      branch = vec_scale(nb_contact_arm(model, c, b), e);
+    stress->contacts = tensor_sub(stress->contacts, tensor_outer(contacts->force[c], branch));
+  }
+}
+
+const struct nb_stress *nb_stress_of(const struct nb_model *model, const struct nb_watch *watch) {
+  struct nb_region_now *region = nb_region_now(model, watch->a);
+  struct nb_stress *stress = &region->stress;
+  if (!nb_region_due(model, region, NB_STRESS))
+    return stress;
+  *stress = (struct nb_stress){0};
+  by_particles(stress, model, region);
+  by_contacts(stress, model, region);
+  const double volume = region->area * region->thickness;
+  struct nb_tensor *const sums[] = {&stress->whole,  &stress->normal,    &stress->shear,
+                                    &stress->fabric, &stress->variation, &stress->contacts};
+  for (size_t k = 0; k < sizeof sums / sizeof *sums; k++)
+    *sums[k] = tensor_scale(volume > 0 ? 1 / volume : 0, *sums[k]);
+  return stress;
+}
+
+static double sin_phi(struct nb_tensor stress) {
+  const double mean = tensor_mean(stress);
+  return mean != 0 ? tensor_radius(stress) / mean : 0;
+}
+
+/* Both deviators are vectors on Mohr's circle: the part's along the whole's. */
+static double share(struct nb_tensor part, struct nb_tensor whole) {
+  const double apart = whole.xx - whole.yy, mixed = whole.xy + whole.yx, square = apart * apart + mixed * mixed;
+  return square > 0 ? ((part.xx - part.yy) * apart + (part.xy + part.yx) * mixed) / square : 0;
+}
+
+/* The largest component of what should be 0: by particles less by contacts, parts less what they sum to. */
+static double residual(const struct nb_stress *stress) {
+  const struct nb_tensor zeros[] = {
+      tensor_sub(stress->whole, stress->contacts),
+      tensor_sub(tensor_add(stress->normal, stress->shear), stress->whole),
+      tensor_sub(tensor_add(stress->fabric, stress->variation), stress->normal),
+  };
+  double most = 0;
+  for (size_t k = 0; k < sizeof zeros / sizeof *zeros; k++) {
+    const double parts[] = {zeros[k].xx, zeros[k].xy, zeros[k].yx, zeros[k].yy};
+    for (int p = 0; p < 4; p++)
+      most = fabs(parts[p]) > most ? fabs(parts[p]) : most;
+  }
+  return most;
+}
+
+#define STRESS nb_stress_of(model, watch)
+NB_TENSOR_QUANTITIES(whole, STRESS->whole)
+NB_TENSOR_QUANTITIES(contacts, STRESS->contacts)
+NB_TENSOR_QUANTITIES(normal, STRESS->normal)
+NB_TENSOR_QUANTITIES(shear, STRESS->shear)
+NB_TENSOR_QUANTITIES(fabric, STRESS->fabric)
+NB_TENSOR_QUANTITIES(variation, STRESS->variation)
+NB_QUANTITY(whole_mean, tensor_mean(STRESS->whole))
+NB_QUANTITY(contacts_mean, tensor_mean(STRESS->contacts))
+NB_QUANTITY(normal_mean, tensor_mean(STRESS->normal))
+NB_QUANTITY(shear_mean, tensor_mean(STRESS->shear))
+NB_QUANTITY(fabric_mean, tensor_mean(STRESS->fabric))
+NB_QUANTITY(variation_mean, tensor_mean(STRESS->variation))
+NB_QUANTITY(sinphi, sin_phi(STRESS->whole))
+NB_QUANTITY(sinphi_contacts, sin_phi(STRESS->contacts))
+NB_QUANTITY(stress_residual, residual(STRESS))
+NB_QUANTITY(normal_share, share(STRESS->normal, STRESS->whole))
+NB_QUANTITY(shear_share, share(STRESS->shear, STRESS->whole))
+NB_QUANTITY(fabric_share, share(STRESS->fabric, STRESS->whole))
+NB_QUANTITY(variation_share, share(STRESS->variation, STRESS->whole))
+
+#define ROWS(name, stem, what)                                                                                         \
+  NB_TENSOR_ROWS(name, NB_OF_REGION, "Pa", NB_READS_ENDS, stem, "deviator", what), {                                   \
+    name ".mean", NB_OF_REGION, "Pa", NB_READS_ENDS, stem##_mean, what ", (xx + yy)/2"                                 \
+  }
+#define SHARE(name, function, what)                                                                                    \
+  { name ".share", NB_OF_REGION, "1", NB_READS_ENDS, function, what ", its share of the deviator of the whole" }
+
+const struct nb_quantity_kind nb_stress_kinds[] = {
+    ROWS("stress", whole, "stress by particles, compression positive"),
+    {"stress.sinphi", NB_OF_REGION, "1", NB_READS_ENDS, sinphi, "sin Phi, deviator over twice the mean stress"},
+    ROWS("stress.contacts", contacts, "stress by contacts"),
+    {"stress.contacts.sinphi", NB_OF_REGION, "1", NB_READS_ENDS, sinphi_contacts, "sin Phi of it"},
+    ROWS("stress.normal", normal, "part of the normal forces"),
+    SHARE("stress.normal", normal_share, "part of the normal forces"),
+    ROWS("stress.shear", shear, "part of the shear forces"),
+    SHARE("stress.shear", shear_share, "part of the shear forces"),
+    ROWS("stress.fabric", fabric, "part of mean normal forces"),
+    SHARE("stress.fabric", fabric_share, "part of mean normal forces"),
+    ROWS("stress.variation", variation, "part of normal forces less their mean"),
+    SHARE("stress.variation", variation_share, "part of normal forces less their mean"),
+    {"stress.residual", NB_OF_REGION, "Pa", NB_READS_ENDS, stress_residual,
+     "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
+     "rounding"},
+    {NULL, 0, NULL, 0, NULL, NULL},
+};

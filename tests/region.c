@@ -1,0 +1,242 @@
+/* Measures of regions: assemblies of which every number is known, and sums that must agree.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/region.h"
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+#define CLOSE(model, name, wanted)                                                                                     \
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, name), wanted, 2e-14 * (1 + fabs((double)(wanted))))
+
+static struct nb_model *model_of(struct written *it, struct words *page) {
+  written_scene(it, page);
+  return written_model(it, NULL);
+}
+static void done(struct written *it, struct nb_model *model) {
+  nb_model_free(model);
+  written_free(it);
+}
+
+/* A disc with n others evenly round it: normals at 2 pi k/n + turn. */
+static void evenly_round(void) {
+  for (int n = 1; n <= 6; n++) {
+    struct words page = {0};
+    struct written it;
+    double turn = 0.3, fourth[5] = {0}, second[3] = {0};
+    words_add(&page, "units none\nmaterial m density 1 kn 7\nstep 0.001\ndisc 2 3 radius 1 m\n");
+    for (int k = 0; k < n; k++) {
+      const double c = cos(2 * pi * k / n + turn), s = sin(2 * pi * k / n + turn);
+      words_add(&page, "disc %.17g %.17g radius 0.98 m\n", 2 + 1.97 * c, 3 + 1.97 * s); /* larger ones would touch */
+      const double parts[] = {c * c * c * c, c * c * c * s, c * c * s * s, c * s * s * s, s * s * s * s};
+      for (int p = 0; p < 5; p++)
+        fourth[p] += parts[p] / n;
+      second[0] += c * c / n, second[1] += c * s / n, second[2] += s * s / n;
+    }
+    words_add(&page,
+              "region A circle 2 3 radius 0.5\nrecord A.fabric.xx A.fabric.xy A.fabric.yy A.fabric.normal.xx "
+              "A.fabric.shear.xx A.fabric.fourth.xxxx A.fabric.fourth.xxxy A.fabric.fourth.xxyy A.fabric.fourth.xyyy "
+              "A.fabric.fourth.yyyy A.fabric.normal.fourth.xxyy A.fabric.anisotropy A.fabric.kk A.bodies A.contacts "
+              "A.coordination A.stress.xx A.stress.yy A.area A.fabric.major A.fabric.angle\nstage s\ncycles 1\n");
+    struct nb_model *model = model_of(&it, &page);
+    CLOSE(model, "A.bodies", 1);
+    CLOSE(model, "A.contacts", n);
+    CLOSE(model, "A.coordination", n);
+    CLOSE(model, "A.fabric.xx", second[0]);
+    CLOSE(model, "A.fabric.xy", second[1]);
+    CLOSE(model, "A.fabric.yy", second[2]);
+    CLOSE(model, "A.fabric.normal.xx", second[0]);
+    CLOSE(model, "A.fabric.shear.xx", 0);
+    CLOSE(model, "A.fabric.fourth.xxxx", fourth[0]);
+    CLOSE(model, "A.fabric.fourth.xxxy", fourth[1]);
+    CLOSE(model, "A.fabric.fourth.xxyy", fourth[2]);
+    CLOSE(model, "A.fabric.fourth.xyyy", fourth[3]);
+    CLOSE(model, "A.fabric.fourth.yyyy", fourth[4]);
+    CLOSE(model, "A.fabric.normal.fourth.xxyy", fourth[2]);
+    if (n > 2) { /* all directions alike, of second order; of fourth too but for 4, which has a square's */
+      CLOSE(model, "A.fabric.xx", 0.5);
+      CLOSE(model, "A.fabric.anisotropy", 0);
+      CLOSE(model, "A.fabric.fourth.xxxx", n == 4 ? 3. / 8 + cos(4 * turn) / 8 : 3. / 8);
+    } else {
+      CLOSE(model, "A.fabric.major", 1);
+      CLOSE(model, "A.fabric.angle", turn);
+    }
+    CLOSE(model, "A.fabric.kk", n / (pi / 4)); /* mean radius 1, thickness 1 */
+    const double overlap = 1.98 - 1.97, l = 1 - overlap / 2;
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.stress.xx"), n * 7 * overlap * l * second[0] / (pi / 4), 1e-13);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.stress.yy"), n * 7 * overlap * l * second[2] / (pi / 4), 1e-13);
+    done(&it, model);
+  }
+}
+
+/* Chains, a loop and a disc alone: who rattles. Discs in a square loop of four hold each other; a tail on it does not. */
+static void rattlers(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\n"
+                   "discs lattice 2 by 2 from 0 0 radius 1 spacing 1.99 m\n" /* 1-4: a loop */
+                   "disc 3.98 0 radius 1 m\ndisc 5.97 0 radius 1 m\n"        /* 5, 6: its tail */
+                   "disc 20 20 radius 1 m\n"                                 /* 7: alone */
+                   "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n"   /* 8 fixed, 9 between it */
+                   "wall w 32.98 -1 to 32.98 1 m\n"                          /* and a wall: held */
+                   "region A all\nregion B box -2 -2 to 3 3\n"
+                   "record A.bodies A.contacts A.coordination A.coordination.inner A.coordination.loaded A.rattlers "
+                   "B.bodies B.contacts B.coordination B.coordination.loaded B.rattlers\nstage s\ncycles 1\n");
+  struct nb_model *model = model_of(&it, &page);
+  CLOSE(model, "A.bodies", 9);
+  CLOSE(model, "A.contacts", 4 + 2 + 2);
+  CLOSE(model, "A.coordination", (3 + 2 + 2 + 2 + 2 + 1 + 0 + 1 + 2) / 9.);
+  CLOSE(model, "A.coordination.inner", (3 + 2 + 2 + 2 + 2 + 1 + 0 + 2) / 8.);
+  CLOSE(model, "A.rattlers", 3);
+  CLOSE(model, "A.coordination.loaded", (2 + 2 + 2 + 2 + 1 + 2) / 6.);
+  CLOSE(model, "B.bodies", 4);
+  CLOSE(model, "B.contacts", 5);
+  CLOSE(model, "B.coordination", 9 / 4.);
+  CLOSE(model, "B.coordination.loaded", 2);
+  CLOSE(model, "B.rattlers", 0);
+  done(&it, model);
+}
+
+static void volumes(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\n"
+                   "sphere 0 0 radius 1 m\nsphere 10 0 radius 3 m\n"
+                   "region A circle 0 0 radius 2\nregion B box -1 0 to 1 3\nregion C all\n"
+                   "record A.porosity A.porosity.volume A.voids A.thickness A.area B.porosity C.area C.porosity "
+                   "C.porosity.volume\nstage s\ncycles 1\n");
+  struct nb_model *model = model_of(&it, &page);
+  CLOSE(model, "A.thickness", 4); /* of all bodies, not of those inside */
+  CLOSE(model, "A.area", 4 * pi);
+  CLOSE(model, "A.porosity", 0.75);
+  CLOSE(model, "A.voids", 3);
+  CLOSE(model, "A.porosity.volume", 1 - 4 * pi / 3 / (4 * pi * 4));
+  CLOSE(model, "B.porosity", 1 - pi / 2 / 6);
+  CLOSE(model, "C.area", 14 * 6);
+  CLOSE(model, "C.porosity", 1 - 10 * pi / 84);
+  CLOSE(model, "C.porosity.volume", 1 - 4 * pi / 3 * 28 / (84 * 4));
+  done(&it, model);
+}
+
+/* Bodies that fly as a velocity gradient says are strained by it times the time, to rounding. */
+static void strain(void) {
+  const struct nb_tensor rate = tensor(0.2, -0.3, 0.7, -0.5);
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.01\n");
+  for (int k = 0; k < 12; k++) {
+    const double x = 5 * (k % 4), y = 4 * (k / 4) + 0.3 * k;
+    words_add(&page, "disc %.17g %.17g radius 0.1 m velocity %.17g %.17g\n", x, y, 3 + rate.xx * x + rate.xy * y,
+              1 + rate.yx * x + rate.yy * y);
+  }
+  words_add(&page, "region A all\nregion B circle 6 6 radius 6 from b\nrecord A.strain.xx A.strain.xy A.strain.yx "
+                   "A.strain.yy A.strain.volume A.strain.turn A.strain.deviator B.strain.xx B.strain.yy\n"
+                   "stage a\ncycles 20\nstage b\ncycles 10\n");
+  struct nb_model *model = model_of(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 20);
+  CLOSE(model, "A.strain.xx", 0.2 * rate.xx);
+  CLOSE(model, "A.strain.xy", 0.2 * (rate.xy + rate.yx) / 2);
+  CLOSE(model, "A.strain.yx", 0.2 * (rate.xy + rate.yx) / 2);
+  CLOSE(model, "A.strain.yy", 0.2 * rate.yy);
+  CLOSE(model, "A.strain.volume", 0.2 * (rate.xx + rate.yy));
+  CLOSE(model, "A.strain.turn", 0.2 * (rate.yx - rate.xy) / 2);
+  CLOSE(model, "A.strain.deviator", 0.2 * sqrt(0.7 * 0.7 + 0.4 * 0.4));
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+  CU_ASSERT(written_now(model, "B.strain.xx") == 0);
+  written_cycles(model, 10);
+  /* of lengths that have been strained: G = (1 + 0.3 L)(1 + 0.2 L)^-1 - 1 = 0.1 L (1 + 0.2 L)^-1 */
+  const struct nb_tensor f = tensor(1 + 0.2 * rate.xx, 0.2 * rate.xy, 0.2 * rate.yx, 1 + 0.2 * rate.yy);
+  const double det = f.xx * f.yy - f.xy * f.yx;
+  CLOSE(model, "B.strain.xx", 0.1 * (rate.xx * f.yy - rate.xy * f.yx) / det);
+  CLOSE(model, "B.strain.yy", 0.1 * (rate.yy * f.xx - rate.yx * f.xy) / det);
+  CLOSE(model, "A.strain.xx", 0.3 * rate.xx);
+  done(&it, model);
+}
+
+#define NAMES                                                                                                          \
+  "A.stress.xx A.stress.xy A.stress.yx A.stress.yy A.stress.residual A.stress.mean A.stress.sinphi "                   \
+  "A.stress.normal.share A.stress.shear.share A.stress.fabric.share A.stress.variation.share A.stress.contacts.xx "    \
+  "A.fabric.xx A.fabric.yy A.fabric.normal.xx A.fabric.normal.yy A.fabric.shear.xx A.fabric.shear.yy A.sliding "       \
+  "A.sliding.near A.obliquity.max A.unbalance A.porosity A.coordination.loaded A.strain.volume B.stress.xx "           \
+  "B.stress.residual B.stress.mean B.porosity C.stress.residual C.stress.mean C.stress.xx"
+
+/* Pressed, sheared, sliding and damped: with walls, with bodies outside. */
+static void busy(struct words *page) {
+  words_add(page, "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.2\nshear linear\nbox 0 0 to 12 12 m\n"
+                  "discs lattice 6 by 6 m radius 0.98 spacing 1.95 from 1 1\ngravity 3 -9\nstep 0.002\n"
+                  "damping contact-ratio 0.1\nregion A all\nregion B circle 5 5 radius 3.3\nregion C box 2 1 to 7 8\n"
+                  "record " NAMES "\nstage a\nwall west velocity 0.3 0.2\ncycles 900\n");
+}
+
+static void sums_agree(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  busy(&page);
+  struct nb_model *model = model_of(&it, &page);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  for (int k = 0; k < 9; k++) {
+    written_cycles(model, 100);
+    static const char *const regions[] = {"A", "B", "C"};
+    for (int r = 0; r < 3; r++) {
+      char residual[32], mean[32];
+      snprintf(residual, sizeof residual, "%s.stress.residual", regions[r]);
+      snprintf(mean, sizeof mean, "%s.stress.mean", regions[r]);
+      CU_ASSERT(written_now(model, mean) > 1);
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, residual), 0, 1e-13 * written_now(model, mean));
+    }
+    CLOSE(model, "A.stress.contacts.xx", written_now(model, "A.stress.xx"));
+    CLOSE(model, "A.stress.normal.share", 1 - written_now(model, "A.stress.shear.share"));
+    CLOSE(model, "A.stress.fabric.share",
+          written_now(model, "A.stress.normal.share") - written_now(model, "A.stress.variation.share"));
+    CLOSE(model, "A.fabric.xx", 1 - written_now(model, "A.fabric.yy"));
+    CLOSE(model, "A.fabric.normal.xx", 1 - written_now(model, "A.fabric.normal.yy"));
+    CLOSE(model, "A.fabric.shear.xx", 1 - written_now(model, "A.fabric.shear.yy"));
+    CU_ASSERT(written_now(model, "A.sliding.near") >= written_now(model, "A.sliding"));
+    CU_ASSERT(written_now(model, "A.sliding") > 0);
+    CLOSE(model, "A.obliquity.max", 1);
+    CU_ASSERT(written_now(model, "A.stress.shear.share") != 0);
+  }
+  done(&it, model);
+}
+
+/* Neither storage nor threads nor instruction sets change a bit. */
+static void same_bits(void) {
+  static const struct nb_options options[] = {
+      {.threads = 1}, {.threads = 2}, {.threads = 1, .shuffle = true}, {.isa = "plain"}};
+  double seen[4][40] = {{0}};
+  char names[] = NAMES;
+  size_t count = 0;
+  for (size_t o = 0; o < 4; o++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    busy(&page);
+    written_scene(&it, &page);
+    written_run(&result, &it, &options[o]);
+    count = result.table.column_count;
+    memcpy(seen[o], result.table.values + (result.table.row_count - 1) * count, count * sizeof(double));
+    nb_result_free(&result);
+    written_free(&it);
+    CU_ASSERT(count > 20 && count <= 40);
+    CU_ASSERT(memcmp(seen[o], seen[0], count * sizeof(double)) == 0);
+  }
+  CU_ASSERT(strlen(names) > 0 && seen[0][0] != 0);
+}
+
+void suite_region(void) {
+  CU_pSuite suite = CU_add_suite("region", NULL, NULL);
+  CU_add_test(suite, "contacts evenly round a disc: fabric of second and fourth order, stress", evenly_round);
+  CU_add_test(suite, "who rattles, and coordination with and without", rattlers);
+  CU_add_test(suite, "porosity, thickness and areas", volumes);
+  CU_add_test(suite, "strain is the velocity gradient times the time", strain);
+  CU_add_test(suite, "particles and contacts, parts and whole: to rounding", sums_agree);
+  CU_add_test(suite, "threads, storage and instruction sets change no bit", same_bits);
+}
