@@ -71,7 +71,7 @@ static const struct nb_keyword table[] = {
    "watch     A  disc 1\nwatch     C  disc 1 with sphere 2\nwatch     F  sphere 9 with wall shelf\nwatch     S  wall shelf"},
   {"region", NB_IN_SCENE, region, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | all {from STAGE}", 0, true, nb_apply_region,
    "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `all` is the smallest upright box round all outlines. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain is counted from the stage that `from` names, else from the start.",
-   "region    A  circle 40 mm 40 mm radius 30 mm  rings 6"},
+   "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {"impact", NB_IN_SCENE, impact, NULL, 0, false, nb_apply_impact,
    "Lets the first body of a watched contact strike the other one, or the wall: from the side where the page has put it, "
    "it is moved until it just touches and flies from there, east when what it strikes lies to the south. Its velocity is replaced, its spin is "
