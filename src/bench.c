@@ -3,6 +3,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "bench.h"
+#include "hertz_impact.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -16,12 +17,12 @@ static bool make_memory(struct nb_bench_state *state, const struct nb_bench *ben
 enum nb_status nb_bench_create(struct nb_bench *bench, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_body *bodies = scene->bodies;
   const bool wall = scene->body_count == 1;
-  const double radius = bodies[0].radius, other = wall ? INFINITY : bodies[1].radius;
+  const double radius = bodies[0].radius;
   *bench = (struct nb_bench){
       .scene = scene, .normal = nb_law_find("normal", scene->normal), .shear = nb_law_find("shear", scene->shear)};
   bench->pair = nb_scene_pair(scene, bodies[0].material, wall ? scene->walls[0].material : bodies[1].material);
-  bench->pair.radius = wall ? radius : radius * other / (radius + other);
-  bench->pair.pieces = !bench->shear->piece ? 0 : scene->pieces > 0 ? scene->pieces : bench->shear->pieces;
+  bench->pair.radius = wall ? radius : nb_reduced_radius(radius, bodies[1].radius);
+  bench->pair.pieces = nb_law_pieces(bench->shear, scene->pieces);
   bench->normal_doubles = nb_law_memory(bench->normal, bench->pair);
   bench->shear_doubles = nb_law_memory(bench->shear, bench->pair);
   if (make_memory(&bench->now, bench) && make_memory(&bench->trial, bench))

@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <stdlib.h>
 
+#include "hertz_impact.h"
 #include "near.h"
 
 /* What the energy balance compares with the step before. */
@@ -57,11 +58,11 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
   const struct nb_bodies *bodies = &model->bodies;
   const int a = contacts->a[c], b = contacts->b[c];
   const bool wall = model->pairings[contacts->pairing[c]].wall;
-  const double radius = bodies->rim[a].x, other = wall ? INFINITY : bodies->rim[b].x;
+  const double radius = bodies->rim[a].x;
   if (contacts->kept[NB_MASS])
     contacts->kept[NB_MASS][c] = 1 / (bodies->inverse_mass[a] + (wall ? 0 : bodies->inverse_mass[b]));
   if (contacts->kept[NB_REDUCED])
-    contacts->kept[NB_REDUCED][c] = wall ? radius : radius * other / (radius + other);
+    contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, bodies->rim[b].x);
 }
 
 static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,

@@ -2,12 +2,13 @@
  *
  *   psi = V_T/(mu kappa V_N)       V_T of the point that touches, now, V_N at incidence: psi1 at first, psi2 at the end
  *   kappa = (E* / G*)/4            between like materials (2 - nu)/(2 (1 - nu)); of linear springs k_n/k_s
- *   alpha_max = (15 M V_N^2/(16 R*^(1/2) E*))^(2/5),  T_c = 2.9432751843247047 alpha_max/V_N,  N_max = (5/4) M V_N^2/alpha_max
+ *   N_max = (5/4) M V_N^2/alpha_max;  alpha_max and T_c as in hertz_impact.h
  *   linear springs:  T_c = pi sqrt(M/k_n),   N_max = V_N sqrt(M k_n)
  *
  * M is the reduced mass, R* the reduced radius. All follow from the scene: a run keeps nothing for them but when it begins.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "hertz_impact.h"
 #include "names.h"
 
 static const double pi = 3.14159265358979323846;
@@ -16,9 +17,9 @@ static const double pi = 3.14159265358979323846;
 static void elastic(struct nb_strike *strike, struct nb_pair pair) {
   const double v = strike->normal_v, m = strike->mass;
   if (pair.young > 0) {
-    const double depth = pow(15 * m * v * v / (16 * sqrt(pair.radius) * pair.young), 0.4);
+    const double depth = nb_hertz_depth(pair.young, pair.radius, m, v);
     strike->peak = 1.25 * m * v * v / depth;
-    strike->duration = 2.9432751843247047 * depth / v;
+    strike->duration = nb_hertz_duration(depth, v);
     strike->kappa = pair.young / (4 * pair.shear);
   } else {
     strike->peak = v * sqrt(m * pair.kn);
@@ -30,7 +31,7 @@ static void elastic(struct nb_strike *strike, struct nb_pair pair) {
 static struct nb_vec nearest(const struct nb_wall *wall, struct nb_vec x) {
   const struct nb_vec along = vec(wall->ex, wall->ey);
   const struct nb_vec point = vec_add(vec(wall->x, wall->y), vec_scale(-wall->h0, vec_clockwise(along)));
-  return vec_add(point, vec_scale(fmin(fmax(vec_dot(vec_sub(x, point), along), wall->h1), wall->h2), along));
+  return vec_add(point, vec_scale(nb_wall_within(vec_dot(vec_sub(x, point), along), wall->h1, wall->h2), along));
 }
 
 static double inverse_mass(const struct nb_scene *scene, const struct nb_body *body) {
@@ -44,7 +45,7 @@ struct nb_strike nb_impact_strike(const struct nb_scene *scene) {
   const struct nb_wall *wall = other ? NULL : &scene->walls[watch->b];
   const struct nb_law *law = nb_law_find("normal", scene->normal);
   struct nb_pair pair = nb_scene_pair(scene, body->material, other ? other->material : wall->material);
-  pair.radius = other ? body->radius * other->radius / (body->radius + other->radius) : body->radius;
+  pair.radius = other ? nb_reduced_radius(body->radius, other->radius) : body->radius;
   pair.young = law->elastic ? pair.young : 0;
 
   struct nb_strike strike = {.friction = pair.friction};

@@ -1,4 +1,4 @@
-/* Who is going to meet whom, and how long they will stay together by Hertz's law.
+/* Who is going to meet whom, and how long they will stay together by Hertz's law (hertz_impact.h).
  *
  * When all go straight on as they go now, two bodies at y - x = d, closing at w = v_x - v_y, touch if w.d > 0 and the line
  * of their flight passes closer than s = R_x + R_y. Then they close along their line of centres at
@@ -7,24 +7,14 @@
  *
  * and a wall is met along its normal, or at an end like a body of no radius. What touches already closes at v = w.d/D.
  *
- * Two elastic spheres that close at v without damping stop at the overlap A,
- *
- *   M* v^2/2 = (8/15) E* R*^(1/2) A^(5/2),      A = (15 M* v^2/(16 E* R*^(1/2)))^(2/5)
- *
- * the energy of [R89 3.13], and part after
- *
- *   t = 2 integral from 0 to A of d(alpha)/(v (1 - (alpha/A)^(5/2))^(1/2)) = c A/v
- *   c = (4/5) B(2/5, 1/2) = (4/5) pi^(1/2) Gamma(2/5)/Gamma(9/10) = 2.9432751843247047
- *
  * Walls go as the first stage sets them going. Gravity, turning walls on their way and other bodies in between are left out.
  * Every body that moves is tried with every other, once: a million that fly apart take long.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
+#include "hertz_impact.h"
 #include "step.h"
-
-static const double swing = 2.9432751843247047; /* c: written out, since not all libraries round tgamma alike */
 
 /* How two that are to meet do. */
 struct meeting {
@@ -66,9 +56,8 @@ static struct meeting meet_wall(const struct nb_model *model, struct nb_vec posi
   const struct nb_walls *walls = &model->walls;
   const struct nb_vec along = walls->along[w], from = vec_sub(position, walls->point[w]);
   const double s = vec_dot(from, along);
-  const double on = s < walls->h1[w] ? walls->h1[w] : s > walls->h2[w] ? walls->h2[w] : s;
   const struct nb_state state = wall_state(model, w);
-  const struct nb_vec nearest = vec_add(walls->point[w], vec_scale(on, along));
+  const struct nb_vec nearest = nb_wall_nearest(walls, w, position);
   const struct nb_vec arm = vec_sub(nearest, walls->pivot[w]);
   const struct nb_vec closing = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
   /* Its face: the foot of the centre is on the wall when they touch. */
@@ -86,8 +75,7 @@ static struct meeting meet_wall(const struct nb_model *model, struct nb_vec posi
 
 /* Of elastic spheres, s. */
 static double duration(double young, double radius, double mass, double speed) {
-  const double overlap = pow(15 * mass * speed * speed / (16 * young * sqrt(radius)), 0.4);
-  return swing * overlap / speed;
+  return nb_hertz_duration(nb_hertz_depth(young, radius, mass, speed), speed);
 }
 
 static bool moving(struct nb_vec velocity) { return velocity.x != 0 || velocity.y != 0; }
@@ -113,9 +101,10 @@ static void try_bodies(struct nb_meeting *shortest, const struct nb_model *model
     const double speed =
         meet(vec_sub(bodies->position[j], bodies->position[i]), vec_sub(velocity[i], velocity[j]), reach).speed;
     if (speed > 0)
-      shorter(shortest, (struct nb_meeting){duration(young_of(model, bodies->material[i], bodies->material[j]),
-                                                     bodies->rim[i].x * bodies->rim[j].x / reach, 1 / inverse, speed),
-                                            speed, (int)i, (int)j, false});
+      shorter(shortest,
+              (struct nb_meeting){duration(young_of(model, bodies->material[i], bodies->material[j]),
+                                           nb_reduced_radius(bodies->rim[i].x, bodies->rim[j].x), 1 / inverse, speed),
+                                  speed, (int)i, (int)j, false});
   }
 }
 

@@ -163,13 +163,10 @@ static bool near_walls(struct nb_near_pairs *pairs, struct nb_model *model, int 
   const struct nb_walls *walls = &model->walls;
   const struct nb_bodies *bodies = &model->bodies;
   for (size_t w = 0; w < walls->count; w++) {
-    const struct nb_vec from_p = vec_sub(bodies->position[i], walls->point[w]);
-    const double s = vec_dot(from_p, walls->along[w]);
-    const double on = s < walls->h1[w] ? walls->h1[w] : s > walls->h2[w] ? walls->h2[w] : s;
-    const struct nb_vec apart = vec_sub(from_p, vec_scale(on, walls->along[w]));
-    if (!(vec_length(apart) < bodies->rim[i].x + model->skin) || !(bodies->inverse_mass[i] > 0))
+    const double apart = vec_length(nb_wall_apart(walls, (int)w, bodies->position[i]));
+    if (!(apart < bodies->rim[i].x + model->skin) || !(bodies->inverse_mass[i] > 0))
       continue;
-    model->pressed = model->pressed || !(vec_length(apart) > model->skin);
+    model->pressed = model->pressed || !(apart > model->skin);
     if (!pairs_add(pairs, i, (int)w, pairing_of(model, bodies->material[i], model->scene->walls[w].material, true)))
       return false;
   }

@@ -65,9 +65,7 @@ bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scen
   if (scene->pair_rule_count > 0)
     memcpy(now->rules, scene->pair_rules, scene->pair_rule_count * sizeof *now->rules);
   now->rule_count = scene->pair_rule_count;
-  const struct nb_law *shear = nb_law_find("shear", scene->shear);
-  if (shear && shear->piece > 0)
-    now->pieces = scene->pieces > 0 ? scene->pieces : shear->pieces;
+  now->pieces = nb_law_pieces(nb_law_find("shear", scene->shear), scene->pieces);
   return true;
 }
 

@@ -60,11 +60,7 @@ double nb_overlap(const struct nb_model *model, size_t c) {
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   if (!wall)
     return bodies->rim[i].x + bodies->rim[j].x - vec_length(vec_sub(bodies->position[j], bodies->position[i]));
-  const struct nb_walls *walls = &model->walls;
-  const struct nb_vec from_p = vec_sub(bodies->position[i], walls->point[j]);
-  const double s = vec_dot(from_p, walls->along[j]);
-  const double on = s < walls->h1[j] ? walls->h1[j] : s > walls->h2[j] ? walls->h2[j] : s;
-  return bodies->rim[i].x - vec_length(vec_sub(from_p, vec_scale(on, walls->along[j])));
+  return bodies->rim[i].x - vec_length(nb_wall_apart(&model->walls, j, bodies->position[i]));
 }
 
 /* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */

@@ -56,6 +56,10 @@ struct nb_law {
   int (*pieces_of)(struct nb_pair, struct nb_normal, const double m[], double x[], double d[]);
 };
 
+/* Pieces of a contact's history that it keeps: as many as a page says, or, where that is 0, as it likes best. */
+static inline double nb_law_pieces(const struct nb_law *law, double said) {
+  return !law || law->piece == 0 ? 0 : said > 0 ? said : law->pieces;
+}
 /* Doubles that it remembers of a contact of such a pair; 0 for no law. */
 static inline int nb_law_memory(const struct nb_law *law, struct nb_pair p) {
   return law ? law->memory + law->piece * (int)p.pieces : 0;

@@ -18,11 +18,7 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
     const int i = view->a[c], w = view->b[c];
-    const struct nb_vec along = walls->along[w];
-    const double s = vec_dot(vec_sub(position[i], walls->point[w]), along);
-    const double past_first = s > walls->h1[w] ? s : walls->h1[w];
-    const double on = past_first < walls->h2[w] ? past_first : walls->h2[w];
-    const struct nb_vec q = vec_add(walls->point[w], vec_scale(on, along));
+    const struct nb_vec q = nb_wall_nearest(walls, w, position[i]);
     const struct nb_vec apart = vec_sub(q, position[i]);
     const double distance = vec_length(apart);
     const double alpha = rim[i].x - distance;
