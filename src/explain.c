@@ -155,6 +155,7 @@ static void explain_stages(FILE *out, const struct nb_model *model) {
 
 void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model) {
   fprintf(out, "bodies\n  %zu free or fixed, %zu walls\n", scene->body_count, scene->wall_count);
+  nb_explain_fills(out, scene);
   if (model->skin < INFINITY)
     fprintf(out, "contacts\n  %zu pairs near (closer than %g), searched again when something has moved %g\n",
             model->contacts.count, model->skin, model->skin / 2);

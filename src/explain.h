@@ -11,4 +11,7 @@ void nb_explain_gravity(FILE *out, const struct nb_gravity *gravity, const char 
 void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
                         struct nb_properties *now);
 
+/* explain_fill.c: what became of every filling. */
+void nb_explain_fills(FILE *out, const struct nb_scene *scene);
+
 #endif

@@ -127,7 +127,12 @@ OF_PAIR(pair_sliding, field(model, watch, NB_SLIDING))
 OF_PAIR(pair_dashpot_normal, model->dashpots ? field(model, watch, NB_PUSH) - field(model, watch, NB_NORMAL) : 0)
 OF_PAIR(pair_dashpot_shear, model->dashpots ? field(model, watch, NB_DRAG) - field(model, watch, NB_SHEAR) : 0)
 
-enum { BODY = 1 << NB_WATCH_BODY, WALL = 1 << NB_WATCH_WALL, PAIR = 1 << NB_WATCH_BODY_BODY | 1 << NB_WATCH_BODY_WALL };
+enum {
+  BODY = 1 << NB_WATCH_BODY,
+  WALL = 1 << NB_WATCH_WALL,
+  GRADING = 1 << NB_WATCH_GRADING,
+  PAIR = 1 << NB_WATCH_BODY_BODY | 1 << NB_WATCH_BODY_WALL
+};
 
 static const struct nb_quantity_kind kinds[] = {
     {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
@@ -194,9 +199,9 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* The rows one after the other, those of other files behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
-  static const struct nb_quantity_kind *const others[] = {nb_step_kinds,   nb_impact_kinds,   nb_stress_kinds,
-                                                          nb_fabric_kinds, nb_porosity_kinds, nb_coordination_kinds,
-                                                          nb_load_kinds,   nb_strain_kinds};
+  static const struct nb_quantity_kind *const others[] = {nb_step_kinds,         nb_fill_kinds,   nb_impact_kinds,
+                                                          nb_stress_kinds,       nb_fabric_kinds, nb_porosity_kinds,
+                                                          nb_coordination_kinds, nb_load_kinds,   nb_strain_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -287,6 +292,7 @@ bool nb_quantity_row(size_t k, const char **name, const char **unit, const char 
         : watches == WALL         ? "a wall"
         : watches == PAIR         ? "a pair"
         : watches == NB_OF_REGION ? "a region"
+        : watches & GRADING       ? "a grading"
         : watches == NB_OF_IMPACT ? "an impact"
         : watches == NB_OF_BENCH  ? "the contact on the bench"
                                   : "the scene";

@@ -22,6 +22,7 @@ enum { NB_OF_REGION = 1 << NB_WATCH_REGION };
 /* The last row of each has no name. */
 extern const struct nb_quantity_kind nb_step_kinds[];   /* step_kinds.c */
 extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c */
+extern const struct nb_quantity_kind nb_fill_kinds[];   /* fill_kinds.c */
 /* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c. */
 extern const struct nb_quantity_kind nb_stress_kinds[], nb_fabric_kinds[], nb_porosity_kinds[], nb_coordination_kinds[],
     nb_load_kinds[], nb_strain_kinds[];

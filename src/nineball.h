@@ -117,6 +117,36 @@ struct nb_body {
   int line;
 };
 
+/* `grading`: how many bodies of which size. */
+struct nb_size {
+  double radius;         /* m */
+  size_t count;          /* of one filling with this grading */
+  size_t wanted, placed; /* in all fillings with it */
+};
+struct nb_grading {
+  char name[NB_NAME_SIZE];
+  struct nb_size *sizes; /* largest first; owned by the scene */
+  size_t size_count;
+  size_t count; /* of all sizes */
+  int line;
+};
+
+/* `fill`: bodies of a grading at random in a circle or a box. Where it was before `place` moved the scene. */
+struct nb_fill {
+  bool circle;
+  double x, y;   /* m: the centre of the circle, or the south-west corner of the box */
+  double radius; /* m, of the circle */
+  double x1, y1; /* m, the north-east corner of the box */
+  int grading;
+  unsigned long seed;
+  unsigned long tries;     /* for each body */
+  bool skip;               /* goes on with the next smaller size when one does not fit; else that is a mistake */
+  size_t first, count;     /* the bodies it made */
+  unsigned long long made; /* tries of all */
+  int line;
+};
+double nb_fill_area(const struct nb_fill *fill); /* of the circle or the box, m2 */
+
 /* A wall is the part of a line from P + h1 e to P + h2 e [CS79 figure 4]. It pushes on both sides. */
 struct nb_wall {
   char name[NB_NAME_SIZE];
@@ -183,11 +213,19 @@ struct nb_step {
 };
 
 /* Something a page looks at, under a name of its own. */
-enum nb_watch_kind { NB_WATCH_BODY, NB_WATCH_WALL, NB_WATCH_BODY_BODY, NB_WATCH_BODY_WALL, NB_WATCH_REGION };
+enum nb_watch_kind {
+  NB_WATCH_BODY,
+  NB_WATCH_WALL,
+  NB_WATCH_BODY_BODY,
+  NB_WATCH_BODY_WALL,
+  NB_WATCH_REGION,
+  NB_WATCH_GRADING,
+  NB_WATCH_SIZE
+};
 struct nb_watch {
   char name[NB_NAME_SIZE];
   enum nb_watch_kind kind;
-  int a, b; /* index of a body, wall or region, as the kind says; -1 where there is none */
+  int a, b; /* index of a body, wall, region, grading or size of it, as the kind says; -1 where there is none */
   int line;
 };
 
@@ -334,6 +372,10 @@ struct nb_scene {
   size_t body_count;
   struct nb_wall *walls;
   size_t wall_count;
+  struct nb_grading *gradings;
+  size_t grading_count;
+  struct nb_fill *fills;
+  size_t fill_count;
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* laws, by the names of their files: `linear`, `none` */
   int normal_line, shear_line;
   int pieces; /* of a contact's history that the shear law keeps, at most; 0: as many as it likes best */

@@ -30,6 +30,10 @@ void nb_scene_free(struct nb_scene *scene) {
     free(scene->stages[i].conditions);
     free(scene->stages[i].leg.points);
   }
+  for (size_t i = 0; i < scene->grading_count; i++)
+    free(scene->gradings[i].sizes);
+  free(scene->gradings);
+  free(scene->fills);
   free(scene->materials);
   free(scene->pair_rules);
   free(scene->bodies);

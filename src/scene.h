@@ -5,6 +5,7 @@
  *   scene_values.c  units, let, sweep and --set
  *   scene_world.c   materials, laws, walls
  *   scene_bodies.c  bodies and watches
+ *   scene_fill.c    gradings, and what is filled with them
  *   scene_impact.c  a sphere that flies at something
  *   scene_region.c  what is measured together
  *   scene_step.c    step and damping
@@ -57,7 +58,13 @@ enum {
   AT_PIECES,
   AT_SPEED,
   AT_PSI1,
-  AT_PHASE
+  AT_PHASE,
+  AT_GRADING,
+  AT_SEED,
+  AT_TRIES,
+  AT_ELSE,
+  AT_SQUARE,
+  AT_HEXAGONAL
 };
 
 /* A column asked for by `record`, until all watches are known. */
@@ -141,8 +148,18 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place); /* fa
 struct nb_lattice {
   size_t nx, ny;
   double x, y, spacing; /* m, centre of the first and pitch */
+  bool hexagonal;       /* else square */
 };
 bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_body first);
+/* Adds bodies at random, largest first, and counts in `fill` and in the sizes of its grading what became of them. */
+enum nb_filled { NB_FILLED, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
+enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_body like);
+/* What all bodies have in common, those of a lattice or a filling too: reads it into `body`, which will be so many; false with a
+ * message. */
+bool nb_body_of(struct nb_body *body, const struct nb_scene *scene, struct nb_reader *reader,
+                const struct nb_record *record, size_t count);
+/* `grading NAME {radius R}`, behind the word: index of the grading, and of its size or -1; -1 with a message. */
+int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
 
 /* What the rows of the table call. subject is the struct nb_scene_reading. */
 #define NB_APPLY(name) void name(struct nb_reader *reader, const struct nb_record *record, void *subject)
@@ -154,6 +171,8 @@ NB_APPLY(nb_apply_pair);
 NB_APPLY(nb_apply_law);  /* variant 0: normal, 1: shear */
 NB_APPLY(nb_apply_body); /* variant: enum nb_shape, here and below */
 NB_APPLY(nb_apply_lattice);
+NB_APPLY(nb_apply_grading);
+NB_APPLY(nb_apply_fill);
 NB_APPLY(nb_apply_box);
 NB_APPLY(nb_apply_wall);
 NB_APPLY(nb_apply_skin);

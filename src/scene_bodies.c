@@ -6,9 +6,8 @@
 
 #include "scene.h"
 
-/* What discs and spheres, alone and in lattices, have in common; false with a message. */
-static bool take_body(struct nb_body *body, const struct nb_scene *scene, struct nb_reader *reader,
-                      const struct nb_record *record, size_t more) {
+bool nb_body_of(struct nb_body *body, const struct nb_scene *scene, struct nb_reader *reader,
+                const struct nb_record *record, size_t count) {
   const struct nb_value *value = record->value;
   const struct nb_token *token = value[AT_MATERIAL].token;
   if (reader->bad)
@@ -31,17 +30,17 @@ static bool take_body(struct nb_body *body, const struct nb_scene *scene, struct
   if (scene->materials[material].density == 0 && !body->fixed)
     nb_not_known(reader, token, "give the material a `density`, or hold the body with `fixed`",
                  "a material with mass for a free body");
-  else if (more > NB_BODIES_MAX || scene->body_count + more > NB_BODIES_MAX)
+  else if (count > NB_BODIES_MAX || scene->body_count + count > NB_BODIES_MAX)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d bodies, with these there are %zu",
-                     NB_BODIES_MAX, scene->body_count + more);
+                     NB_BODIES_MAX, scene->body_count + count);
   return !reader->bad;
 }
 
 NB_APPLY(nb_apply_body) {
   struct nb_scene_reading *reading = subject;
-  struct nb_lattice one = {1, 1, record->value[AT_X].number, record->value[AT_Y].number, 0};
+  struct nb_lattice one = {1, 1, record->value[AT_X].number, record->value[AT_Y].number, 0, false};
   struct nb_body body;
-  bool whole = take_body(&body, reading->scene, reader, record, 1);
+  bool whole = nb_body_of(&body, reading->scene, reader, record, 1);
   if (whole && !nb_fill_lattice(reading->scene, one, body))
     nb_no_memory(reader);
   reading->bodies_unsure = reading->bodies_unsure || reader->bad;
@@ -58,12 +57,15 @@ NB_APPLY(nb_apply_lattice) {
       .x = from ? value[AT_X].number : radius,
       .y = from ? value[AT_Y].number : radius,
       .spacing = spaced ? value[AT_SPACING].number : 2 * radius,
+      .hexagonal = value[AT_HEXAGONAL].token != NULL,
   };
   struct nb_body body;
-  bool whole = take_body(&body, reading->scene, reader, record, lattice.nx * lattice.ny);
+  bool whole = nb_body_of(&body, reading->scene, reader, record, lattice.nx * lattice.ny);
   double far_x = lattice.x + lattice.spacing * (double)lattice.nx,
          far_y = lattice.y + lattice.spacing * (double)lattice.ny;
-  if (whole && !(isfinite(far_x) && isfinite(far_y)))
+  if (value[AT_HEXAGONAL].token && value[AT_SQUARE].token)
+    nb_token_mistake(reader, value[AT_HEXAGONAL].token, NULL, "expected `square` or `hexagonal`, not both");
+  else if (whole && !(isfinite(far_x) && isfinite(far_y)))
     nb_token_mistake(reader, &reader->tokens[0], NULL,
                      "expected a lattice that a double can hold, this one is too large");
   else if (whole && !nb_fill_lattice(reading->scene, lattice, body))
@@ -72,13 +74,13 @@ NB_APPLY(nb_apply_lattice) {
 }
 
 /* `disc N`: index of the body; -1 with a message. */
-static int take_numbered(const struct nb_scene_reading *reading, struct nb_reader *reader) {
+static int take_numbered(const struct nb_scene_reading *reading, struct nb_reader *reader, const char *what) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_token *word = nb_token_peek(reader);
   unsigned long number = 0;
   bool disc = nb_token_skip(reader, "disc");
   if (!disc && !nb_token_skip(reader, "sphere")) {
-    nb_expected(reader, NULL, "`disc N`, `sphere N` or `wall NAME`");
+    nb_expected(reader, NULL, "%s", what);
     return -1;
   }
   if (!nb_take_count(reader, 1, reading->bodies_unsure || !scene->body_count ? NB_BODIES_MAX : scene->body_count,
@@ -135,15 +137,18 @@ NB_APPLY(nb_apply_watch) {
   struct nb_watch watch = {.a = -1, .b = -1};
   if (!name)
     return;
-  if (nb_token_skip(reader, "wall")) {
+  if (nb_token_skip(reader, "grading")) {
+    watch.a = nb_take_grading(scene, reader, &watch.b);
+    watch.kind = watch.b < 0 ? NB_WATCH_GRADING : NB_WATCH_SIZE;
+  } else if (nb_token_skip(reader, "wall")) {
     watch.kind = NB_WATCH_WALL;
     watch.a = take_wall(scene, reader);
   } else {
-    watch.a = take_numbered(reading, reader);
+    watch.a = take_numbered(reading, reader, "`disc N`, `sphere N`, `wall NAME` or `grading NAME`");
     if (!reader->bad && nb_token_peek(reader) && nb_take_word(reader, "with")) {
       bool wall = nb_token_skip(reader, "wall");
       watch.kind = wall ? NB_WATCH_BODY_WALL : NB_WATCH_BODY_BODY;
-      watch.b = wall ? take_wall(scene, reader) : take_numbered(reading, reader);
+      watch.b = wall ? take_wall(scene, reader) : take_numbered(reading, reader, "`disc N`, `sphere N` or `wall NAME`");
       if (!wall && !reader->bad && watch.a == watch.b && watch.a >= 0)
         nb_token_mistake(reader, &reader->tokens[reader->count - 1], NULL,
                          "expected two bodies, found the same one twice");

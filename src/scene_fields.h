@@ -83,7 +83,30 @@ static const struct nb_argument body[] = {
   FLAG("fixed", AT_FIXED, "free", "Held where it is; its mass counts as infinite."),
   END
 };
+static const struct nb_argument grading[] = {NAME(AT_NAME, "a name for the grading"), END};
+#define FILLING \
+  WORD("GRADING", AT_GRADING, "the name of a grading"), \
+  MATERIAL, \
+  COUNT("seed", "N", AT_SEED, "Which of all random packings it is."), \
+  COUNT("tries", "N", AT_TRIES, "How many places are tried for each body, at most 1000000."), \
+  {"else", "stop|skip", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_ELSE, 1, NULL, "`stop` or `skip`"}
+static const struct nb_argument fill_circle[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre of the circle, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre of the circle, to the north."),
+  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, NULL, "Radius of the circle."),
+  FILLING,
+  END
+};
+static const struct nb_argument fill_box[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "South-west corner, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "South-west corner, to the north."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "North-east corner."),
+  FILLING,
+  END
+};
 static const struct nb_argument lattice[] = {
+  FLAG("square", AT_SQUARE, "the same", "Rows above each other."),
+  FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row half a spacing to the east, rows sqrt(3)/2 of it apart: six neighbours, equally far."),
   COUNT(NULL, "NX", AT_NX, "How many from west to east."),
   COUNT("by", "NY", AT_NY, "How many rows, from south to north."),
   CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, in the south-west."),

@@ -30,7 +30,7 @@ static bool take_side(struct nb_body *body, const struct nb_scene *scene, struct
 }
 
 static bool add_body(struct nb_scene *scene, struct nb_reader *reader, struct nb_body body) {
-  const struct nb_lattice one = {1, 1, scene->body_count ? body.radius : -body.radius, 0, 0};
+  const struct nb_lattice one = {1, 1, scene->body_count ? body.radius : -body.radius, 0, 0, false};
   if (!nb_fill_lattice(scene, one, body))
     return nb_no_memory(reader), false;
   return true;

@@ -78,6 +78,7 @@ counted() {
 counted 2000 'names for values' 'let a@ 1'
 counted 199 'materials' 'material m@' 200 # and the one that is there
 counted 2000 'walls' 'wall w@ @ m 9 m to @ m 10 m rock'
+counted 2000 'gradings' 'grading g@ 1 m 1'
 
 # path LINE: the same of a path.
 path() {

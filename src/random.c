@@ -1,0 +1,20 @@
+/* SplitMix64: the state goes on by an odd constant, so that it takes all 2^64 values; what is handed out is that state with
+ * its bits mixed, one for one. Steele, Lea and Flood, Fast splittable pseudorandom number generators, OOPSLA 2014, with the
+ * mixing constants of Stafford's variant 13, as java.util.SplittableRandom has them. Neighbouring seeds are far apart after
+ * the mixing, so 1, 2, 3 do as seeds.
+ *
+ * Integers and one exact division by a power of two: no compiler and no machine can see it otherwise.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "random.h"
+
+uint64_t nb_random_bits(struct nb_random *random) {
+  uint64_t z = random->state += UINT64_C(0x9e3779b97f4a7c15); /* 2^64 over the golden ratio */
+  z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+  z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
+  return z ^ z >> 31;
+}
+
+double nb_random_share(struct nb_random *random) {
+  return (double)(nb_random_bits(random) >> 11) * 0x1p-53; /* the upper 53 bits, as many as a double has */
+}

@@ -1,0 +1,16 @@
+/* Random numbers that are the same on every machine.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_RANDOM_H
+#define NB_RANDOM_H
+
+#include <stdint.h>
+
+struct nb_random {
+  uint64_t state; /* at first the seed, any */
+};
+
+uint64_t nb_random_bits(struct nb_random *random); /* 64 of them */
+double nb_random_share(struct nb_random *random);  /* evenly, 0 <= share < 1, in steps of 2^-53 */
+
+#endif

@@ -1,0 +1,240 @@
+/* Random packings: the generator's published numbers, no overlap, all inside, evenly, in the order of size, the same bits
+ * everywhere.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "../src/random.h"
+#include "suites.h"
+#include "written.h"
+
+#define ROCK "units none\nmaterial rock density 1 kn 1\n"
+#define GRADED "grading g 0.92 30 0.31 30 0.76 138 0.46 230 0.61 172\n" /* R89's, mm, in no order */
+#define WIDE "grading w 10 3 1 200 0.1 2000 0.01 500\n"
+#define END "step 1e-3\nrecord cycle\nstage go\ncycles 1\n"
+
+static void make(struct written *it, const char *statements) {
+  struct words page = {0};
+  words_add(&page, "%s", statements);
+  words_add(&page, END);
+  written_scene(it, &page);
+}
+
+/* The first five numbers of seed 1234567 as many sources print them, such as Rosetta Code, Pseudo-random
+ * numbers/Splitmix64. */
+static void published_numbers(void) {
+  static const uint64_t known[] = {UINT64_C(6457827717110365317), UINT64_C(3203168211198807973),
+                                   UINT64_C(9817491932198370423), UINT64_C(4593380528125082431),
+                                   UINT64_C(16408922859458223821)};
+  struct nb_random bits = {1234567}, shares = {1234567};
+  for (int k = 0; k < 5; k++) {
+    CU_ASSERT(nb_random_bits(&bits) == known[k]);
+    CU_ASSERT(nb_random_share(&shares) == ldexp((double)(known[k] >> 11), -53));
+  }
+}
+
+/* What no generator that is even does once in a million times, for any of the counts that are made here. */
+static void is_even(const int *counts, int cells, int total) {
+  const double expected = (double)total / cells;
+  double chi = 0;
+  for (int c = 0; c < cells; c++)
+    chi += (counts[c] - expected) * (counts[c] - expected) / expected;
+  CU_ASSERT(chi < gsl_cdf_chisq_Qinv(1e-6, cells - 1));
+  CU_ASSERT(chi > gsl_cdf_chisq_Pinv(1e-6, cells - 1)); /* nor is it evener than chance */
+}
+
+/* The first numbers of seeds 1, 2, 3, ... are as good as those of one seed, and neighbours are not alike. */
+static void seeds_are_apart(void) {
+  enum { SEEDS = 20000 };
+  int counts[100] = {0}, pairs[100] = {0};
+  for (int seed = 1; seed <= SEEDS; seed++) {
+    struct nb_random one = {(uint64_t)seed}, next = {(uint64_t)seed + 1};
+    const double a = nb_random_share(&one), b = nb_random_share(&next);
+    counts[(int)(100 * a)]++;
+    pairs[10 * (int)(10 * a) + (int)(10 * b)]++;
+  }
+  is_even(counts, 100, SEEDS);
+  is_even(pairs, 100, SEEDS);
+}
+
+/* So small that hardly one in a million finds another one in its way: 0.4e-6 of the area is taken in the end. */
+#define TINY ROCK "grading dust 1e-6 20000\n"
+enum { DUST = 20000 };
+
+static void evenly_in_a_circle(void) {
+  for (int seed = 1; seed <= 3; seed++) {
+    struct written it;
+    char page[256];
+    int counts[80] = {0}; /* ten rings of equal area by eight octants */
+    snprintf(page, sizeof page, TINY "discs fill circle 3 -2 radius 1 dust rock seed %d tries 1 else stop\n", seed);
+    make(&it, page);
+    CU_ASSERT_EQUAL_FATAL(it.scene.body_count, DUST);
+    for (size_t k = 0; k < DUST; k++) {
+      const double x = it.scene.bodies[k].x - 3, y = it.scene.bodies[k].y + 2;
+      const int ring = (int)(10 * (x * x + y * y)), octant = (x > 0) + 2 * (y > 0) + 4 * (fabs(x) > fabs(y));
+      counts[8 * (ring < 10 ? ring : 9) + octant]++;
+    }
+    is_even(counts, 80, DUST);
+    written_free(&it);
+  }
+}
+
+static void evenly_in_a_box(void) {
+  struct written it;
+  int counts[100] = {0};
+  make(&it, TINY "discs fill box -1 4 to 9 5 dust rock seed 7 tries 1 else stop\n");
+  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, DUST);
+  for (size_t k = 0; k < DUST; k++)
+    counts[10 * (int)(it.scene.bodies[k].x + 1) + (int)(10 * (it.scene.bodies[k].y - 4))]++;
+  is_even(counts, 100, DUST);
+  written_free(&it);
+}
+
+/* By all pairs: nobody overlaps, as cycles reckon it, nobody is across the edge but for rounding, and nobody is larger than
+ * the one before. */
+static void sound(const struct nb_scene *scene, size_t first) {
+  const struct nb_fill *fill = &scene->fills[scene->fill_count - 1];
+  size_t overlaps = 0, outside = 0;
+  for (size_t i = first; i < scene->body_count; i++) {
+    const struct nb_body *a = &scene->bodies[i];
+    for (size_t j = 0; j < i; j++) {
+      const struct nb_body *b = &scene->bodies[j];
+      const double dx = a->x - b->x, dy = a->y - b->y;
+      overlaps += a->radius + b->radius - sqrt(dx * dx + dy * dy) > 0;
+    }
+    if (fill->circle)
+      outside += hypot(a->x - fill->x, a->y - fill->y) + a->radius > fill->radius * (1 + 4e-16);
+    else
+      outside += a->x - a->radius < fill->x * (1 - 4e-16) || a->x + a->radius > fill->x1 * (1 + 4e-16) ||
+                 a->y - a->radius < fill->y * (1 - 4e-16) || a->y + a->radius > fill->y1 * (1 + 4e-16);
+    CU_ASSERT(i == first || a->radius <= a[-1].radius);
+  }
+  CU_ASSERT_EQUAL(overlaps, 0);
+  CU_ASSERT_EQUAL(outside, 0);
+}
+
+/* What was placed, by size, is what lies there. */
+static void counted(const struct nb_scene *scene) {
+  size_t all = 0;
+  for (size_t s = 0; s < scene->gradings[0].size_count; s++) {
+    const struct nb_size *size = &scene->gradings[0].sizes[s];
+    size_t there = 0;
+    for (size_t k = 0; k < scene->body_count; k++)
+      there += scene->bodies[k].radius == size->radius;
+    CU_ASSERT_EQUAL(there, size->placed);
+    CU_ASSERT(size->placed <= size->wanted && (s == 0 || size->radius < size[-1].radius));
+    all += there;
+  }
+  CU_ASSERT_EQUAL(all, scene->body_count);
+}
+
+static void nobody_overlaps(void) {
+  static const char *const fills[] = {
+      GRADED "spheres fill circle 0 0 radius 19.5 g rock seed %d tries 10000 else skip\n",
+      GRADED "spheres fill circle 500 -300 radius 17 g rock seed %d tries 1000 else skip\n",
+      GRADED "discs fill box 20 30 to 70 48 g rock seed %d tries 300 else skip\n",
+      WIDE "discs fill circle -7 5 radius 27 w rock seed %d tries 2000 else skip\n",
+      WIDE "discs fill box 1 1 to 301 23 w rock seed %d tries 500 else skip\n",
+  };
+  for (size_t f = 0; f < sizeof fills / sizeof *fills; f++)
+    for (int seed = 1; seed <= 3; seed++) {
+      struct written it;
+      char page[512] = ROCK;
+      snprintf(page + strlen(page), sizeof page - strlen(page), fills[f], seed);
+      make(&it, page);
+      CU_ASSERT(it.scene.body_count > 300);
+      sound(&it.scene, 0);
+      counted(&it.scene);
+      written_free(&it);
+    }
+}
+
+/* Two gradings beside each other in one circle, about a disc that was there. */
+static void what_is_there_stays_free(void) {
+  struct written it;
+  make(&it, ROCK "disc 0 0 radius 8 rock fixed\ndisc 30 0 radius 20 rock fixed\n" GRADED WIDE
+                 "discs fill circle 0 0 radius 30 g rock seed 1 tries 100 else skip\n"
+                 "discs fill circle 0 0 radius 30 w rock seed 1 tries 100 else skip\n");
+  CU_ASSERT(it.scene.fills[0].count > 400 && it.scene.fills[1].count > 400);
+  CU_ASSERT_EQUAL(it.scene.fills[1].first, 2 + it.scene.fills[0].count);
+  sound(&it.scene, it.scene.fills[1].first);
+  it.scene.fill_count = 1, it.scene.body_count = it.scene.fills[1].first;
+  sound(&it.scene, 2);
+  it.scene.fill_count = 2;
+  written_free(&it);
+}
+
+/* The first one leaves no room for the second: so many tries, then the next size. One that is larger than the circle takes
+ * no try. */
+static void tries_and_skips(void) {
+  struct written it;
+  make(&it, ROCK "grading g 1 3 2 1 0.1 4\ndiscs fill circle 5 5 radius 1 g rock seed 9 tries 77 else skip\n");
+  const struct nb_size *sizes = it.scene.gradings[0].sizes;
+  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 1);
+  CU_ASSERT(it.scene.bodies[0].x == 5 && it.scene.bodies[0].y == 5); /* the only place */
+  CU_ASSERT_EQUAL(it.scene.fills[0].made, 1 + 77 + 77);
+  CU_ASSERT(sizes[0].placed == 0 && sizes[1].placed == 1 && sizes[2].placed == 0);
+  CU_ASSERT(sizes[0].wanted == 1 && sizes[1].wanted == 3 && sizes[2].wanted == 4);
+  written_free(&it);
+  make(&it, ROCK "grading g 1 2 0.1 3\ndiscs fill circle 5 5 radius 1.3 g rock seed 9 tries 1000 else skip\n");
+  CU_ASSERT_EQUAL(it.scene.body_count, 4); /* the rest of a size is left, the next one is not */
+  CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[0].placed, 1);
+  written_free(&it);
+}
+
+/* FNV-1a of the very bits, the same for every compiler, option and machine. */
+static uint64_t bits_of(const struct nb_scene *scene) {
+  uint64_t hash = UINT64_C(14695981039346656037);
+  for (size_t k = 0; k < scene->body_count; k++) {
+    const double numbers[] = {scene->bodies[k].x, scene->bodies[k].y, scene->bodies[k].radius};
+    for (int n = 0; n < 3; n++) {
+      uint64_t bits;
+      memcpy(&bits, &numbers[n], sizeof bits);
+      for (int b = 0; b < 64; b += 8)
+        hash = (hash ^ (bits >> b & 255)) * UINT64_C(1099511628211);
+    }
+  }
+  return hash;
+}
+
+static void the_same_bits(void) {
+  struct written it;
+  make(&it, ROCK GRADED "spheres fill circle 0 0 radius 19.5 g rock seed 1 tries 10000 else skip\n"
+                        "spheres fill box 30 0 to 70 41 g rock seed 2 tries 10000 else skip\n");
+  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 1200);
+  CU_ASSERT(bits_of(&it.scene) == UINT64_C(2551416825784825474)); /* as gcc and clang make it, with -O0 and -O3 */
+  written_free(&it);
+}
+
+static void hexagonal(void) {
+  struct written it;
+  make(&it, ROCK "discs lattice hexagonal 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
+  const struct nb_body *at = it.scene.bodies;
+  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 12);
+  CU_ASSERT(at[0].x == 10 && at[0].y == 20 && at[2].x == 15 && at[3].x == 11.25 && at[6].x == 10 && at[9].x == 11.25);
+  for (size_t k = 0; k < 12; k++) {
+    int neighbours = 0;
+    for (size_t j = 0; j < 12; j++)
+      neighbours += j != k && fabs(hypot(at[j].x - at[k].x, at[j].y - at[k].y) - 2.5) < 1e-14;
+    static const int known[] = {2, 4, 3, 5, 6, 3, 3, 6, 5, 3, 4, 2}; /* counted on paper */
+    CU_ASSERT_EQUAL(neighbours, known[k]);
+  }
+  written_free(&it);
+}
+
+void suite_fill(void) {
+  CU_pSuite suite = CU_add_suite("fill", NULL, NULL);
+  CU_add_test(suite, "SplitMix64 as published", published_numbers);
+  CU_add_test(suite, "seeds are apart", seeds_are_apart);
+  CU_add_test(suite, "evenly in a circle", evenly_in_a_circle);
+  CU_add_test(suite, "evenly in a box", evenly_in_a_box);
+  CU_add_test(suite, "nobody overlaps", nobody_overlaps);
+  CU_add_test(suite, "what is there stays free", what_is_there_stays_free);
+  CU_add_test(suite, "tries and skips", tries_and_skips);
+  CU_add_test(suite, "the same bits", the_same_bits);
+  CU_add_test(suite, "hexagonal", hexagonal);
+}
