@@ -7,6 +7,17 @@
 #include "hertz_impact.h"
 #include "near.h"
 
+int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
+  const int *number = model->bodies.number;
+  if (p.pairing != q.pairing)
+    return p.pairing < q.pairing ? -1 : 1;
+  if (p.a != q.a)
+    return number[p.a] < number[q.a] ? -1 : 1;
+  if (p.b == q.b)
+    return 0;
+  return (model->pairings[p.pairing].wall ? p.b < q.b : number[p.b] < number[q.b]) ? -1 : 1;
+}
+
 /* What the energy balance compares with the step before. */
 static void carry_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
@@ -29,7 +40,7 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
     const struct nb_near_pair here = {now->a[c], now->b[c], now->pairing[c]};
     for (; o < old->count; o++) {
       const struct nb_near_pair there = {old->a[o], old->b[o], old->pairing[o]};
-      const int order = nb_near_order(model, there, here);
+      const int order = nb_contacts_order(model, there, here);
       if (order > 0)
         break;
       if (order < 0)

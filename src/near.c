@@ -173,17 +173,6 @@ static bool near_walls(struct nb_near_pairs *pairs, struct nb_model *model, int 
   return true;
 }
 
-int nb_near_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
-  const int *number = model->bodies.number;
-  if (p.pairing != q.pairing)
-    return p.pairing < q.pairing ? -1 : 1;
-  if (p.a != q.a)
-    return number[p.a] < number[q.a] ? -1 : 1;
-  if (p.b == q.b)
-    return 0;
-  return (model->pairings[p.pairing].wall ? p.b < q.b : number[p.b] < number[q.b]) ? -1 : 1;
-}
-
 static bool pairs_find(struct nb_near_pairs *found, struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   const int n = (int)bodies->count;
@@ -219,7 +208,7 @@ static bool pairs_sort(struct nb_near_pairs *pairs, const struct nb_model *model
     for (size_t p = 1; p < n; p++) {
       const struct nb_near_pair it = sorted[p];
       size_t q = p;
-      for (; q > 0 && sorted[q - 1].a == it.a && nb_near_order(model, it, sorted[q - 1]) < 0; q--)
+      for (; q > 0 && sorted[q - 1].a == it.a && nb_contacts_order(model, it, sorted[q - 1]) < 0; q--)
         sorted[q] = sorted[q - 1];
       sorted[q] = it;
     }

@@ -14,8 +14,8 @@ struct nb_near_pairs {
   size_t count, capacity;
 };
 
-/* < 0, 0, > 0: by pairing, then number of a, then of b. */
-int nb_near_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q);
+/* contacts.c: the order of the list; < 0, 0, > 0: by pairing, then number of a, then of b. */
+int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q);
 /* Takes over the new list; contacts that were there before keep their memory. False: out of memory, nothing changed. */
 bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs);
 
