@@ -4,7 +4,8 @@
  *   A = r^2 (a - sin a cos a) + R^2 (b - sin b cos b)
  * where a is half the angle under which r's centre sees the chord. From the triangle r, R, d, without the loss of figures that
  * its cosine has where the circles hardly cut:
- *   tan^2(a/2) = (R^2 - (d - r)^2)/((d + r)^2 - R^2),      and b with r and R exchanged.
+ *   tan^2(a/2) = (R^2 - (d - r)^2)/((d + r)^2 - R^2),      and b with r and R exchanged,
+ * and R - r is formed first, for circles that are nearly the same.
  *
  * A disc and a polygon: the sum over the edges of what the disc has in common with the triangle of its centre and the edge,
  * counted negative where the edge runs clockwise. Where the edge is outside, the triangle holds a sector; where it is inside,
@@ -21,7 +22,7 @@ double nb_area_of_disc(double radius) { return pi * radius * radius; }
 
 /* Of the circle r, beyond the chord that the circle R cuts off. */
 static double segment(double r, double R, double d) {
-  const double above = (R - (d - r)) * (R + (d - r)), below = ((d + r) - R) * ((d + r) + R);
+  const double more = R - r, above = (R + r - d) * (d + more), below = (d - more) * (d + r + R);
   const double a = 2 * atan2(sqrt(above > 0 ? above : 0), sqrt(below > 0 ? below : 0));
   return r * r * (a - sin(a) * cos(a));
 }

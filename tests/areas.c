@@ -69,6 +69,8 @@ static void circles_that_hardly_cut(void) {
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 2, 0), pi, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 2, 1), pi, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 1, 1), 2 * pi / 3 - sqrt(3) / 2, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(2, 2, 1e-30), 4 * pi, 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(2, 2 + 1e-15, 3e-15), 4 * pi, 1e-13);
   /* A lens h thick between equal circles has the half-chord sqrt(h (1 - h/4)): 4/3 h times that, to first order in h. */
   const double h = 1e-6, chord = sqrt(h * (1 - h / 4));
   CU_ASSERT_DOUBLE_EQUAL(nb_area_of_lens(1, 1, 2 - h) / (4. / 3 * h * chord), 1, 1e-5);
