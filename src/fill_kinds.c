@@ -3,20 +3,17 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "names.h"
 
-/* Of the sizes that the watch names, all or one: how many were wanted and placed, and the area of the outlines placed, m2. */
+/* Of the sizes that the watch names, all or one: how many were wanted and placed. */
 struct sum {
-  double wanted, placed, area;
+  double wanted, placed;
 };
 static struct sum sum_of(const struct nb_model *model, const struct nb_watch *watch) {
-  const double pi = 3.14159265358979323846;
   const struct nb_grading *grading = &model->scene->gradings[watch->a];
-  struct sum sum = {0, 0, 0};
+  struct sum sum = {0, 0};
   for (size_t s = 0; s < grading->size_count; s++) {
-    const struct nb_size *size = &grading->sizes[s];
     if (watch->b >= 0 && (size_t)watch->b != s)
       continue;
-    sum.wanted += (double)size->wanted, sum.placed += (double)size->placed;
-    sum.area += (double)size->placed * (pi * size->radius * size->radius);
+    sum.wanted += (double)grading->sizes[s].wanted, sum.placed += (double)grading->sizes[s].placed;
   }
   return sum;
 }
@@ -34,14 +31,6 @@ static double tries(const struct nb_model *model, const struct nb_watch *watch) 
       made += (double)model->scene->fills[f].made;
   return made;
 }
-static double porosity(const struct nb_model *model, const struct nb_watch *watch) {
-  double area = 0;
-  for (size_t f = 0; f < model->scene->fill_count; f++)
-    if (model->scene->fills[f].grading == watch->a)
-      area += nb_fill_area(&model->scene->fills[f]);
-  return area > 0 ? 1 - sum_of(model, watch).area / area : 1;
-}
-
 /* Two bodies that are not listed are farther apart than the skin. */
 static double gap(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
@@ -67,7 +56,5 @@ const struct nb_quantity_kind nb_fill_kinds[] = {
     {"placed", EITHER, "1", 0, placed, "bodies for which there was a place"},
     {"dropped", EITHER, "1", 0, dropped, "bodies for which there was none"},
     {"tries", GRADING, "1", 0, tries, "places that were tried, for all bodies"},
-    {"porosity", GRADING, "1", 0, porosity,
-     "1 - area of the outlines placed/area of the circles and boxes filled, as generated"},
     {NULL, 0, NULL, 0, NULL, NULL},
 };

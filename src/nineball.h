@@ -145,7 +145,6 @@ struct nb_fill {
   unsigned long long made; /* tries of all */
   int line;
 };
-double nb_fill_area(const struct nb_fill *fill); /* of the circle or the box, m2 */
 
 /* A wall is the part of a line from P + h1 e to P + h2 e [CS79 figure 4]. It pushes on both sides. */
 struct nb_wall {

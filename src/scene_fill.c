@@ -85,7 +85,8 @@ NB_APPLY(nb_apply_grading) {
     grading->count = 0; /* which says: nothing can be filled with it */
 }
 
-double nb_fill_area(const struct nb_fill *fill) {
+/* Of the circle or the box, m2. */
+static double area(const struct nb_fill *fill) {
   const double pi = 3.14159265358979323846;
   return fill->circle ? pi * fill->radius * fill->radius : (fill->x1 - fill->x) * (fill->y1 - fill->y);
 }
@@ -145,7 +146,7 @@ static bool take_fill(struct nb_fill *fill, const struct nb_scene *scene, struct
   else if (!fill->circle && !(fill->x1 > fill->x && fill->y1 > fill->y))
     nb_token_mistake(reader, value[AT_X1].token, NULL,
                      "expected a north-east corner to the north and east of the first one");
-  else if (!isfinite(nb_fill_area(fill)))
+  else if (!isfinite(area(fill)))
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a place to fill that a double can hold the area of");
   return !reader->bad && scene->gradings[fill->grading].count > 0;
 }
