@@ -10,7 +10,7 @@
  *           around it; what slides does so over the step from t_N to t_(N+1), at the mean of the two forces:
  *
  *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of global damping, over kicks      [CS79 26-36]
- *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks
+ *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks; what strains a cell (balance_cell.c)
  *             gravity     m g.v tau  over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or part with their spring bent, over steps
  *                         what a law says that knows micro-slip
@@ -64,7 +64,8 @@ enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error)
     b->wall_velocity = nb_array(walls, sizeof *b->wall_velocity), b->wall_spin = nb_array(walls, sizeof(double));
     b->values = nb_array(pairings, sizeof *b->values);
   }
-  if (!b || !b->before || !b->now || !b->position || !b->pivot || !b->wall_velocity || !b->wall_spin || !b->values)
+  if (!b || !nb_balance_cell_create(b, model) || !b->before || !b->now || !b->position || !b->pivot ||
+      !b->wall_velocity || !b->wall_spin || !b->values)
     return nb_error_set(error, NB_BROKEN, "out of memory for the balances");
   b->kinetic = nb_energy_kinetic_half(model);
   if (b->energies)
@@ -76,7 +77,7 @@ void nb_balance_free(struct nb_balance *b) {
   if (!b)
     return;
   free(b->before), free(b->now), free(b->position), free(b->pivot), free(b->wall_velocity), free(b->wall_spin);
-  free(b->values), free(b);
+  free(b->values), free(b->along), free(b);
 }
 
 /* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */
@@ -96,13 +97,13 @@ static struct nb_vec wall_way(const struct nb_model *model, const struct kick *k
   return vec_add(vec_scale(kick->behind, was), vec_scale(kick->ahead, is));
 }
 
-/* Dashpots and walls. */
+/* Dashpots, walls and cells. */
 static void contacts_do(struct nb_sum terms[], const struct nb_model *model, const struct kick *kick) {
   const struct nb_contacts *contacts = &model->contacts;
   const double time = kick->behind + kick->ahead;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    if ((!model->dashpots && !pairing->wall) || !(contacts->kept[NB_OVERLAP][c] > 0))
+    if ((!model->dashpots && !pairing->wall && !model->cell) || !(contacts->kept[NB_OVERLAP][c] > 0))
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
@@ -117,6 +118,11 @@ static void contacts_do(struct nb_sum terms[], const struct nb_model *model, con
     } else {
       way = vec_sub(way, vec_scale(time, kick->now[j].velocity));
       rolled += time * kick->now[j].spin * model->bodies.rim[j].x;
+      if (model->cell) {
+        const struct nb_vec carried = nb_balance_carried(model, c);
+        nb_sum_add(&terms[NB_TERM_WALLS], -vec_dot(contacts->force[c], carried));
+        way = vec_add(way, carried);
+      }
     }
     if (!model->dashpots)
       continue;
@@ -125,10 +131,6 @@ static void contacts_do(struct nb_sum terms[], const struct nb_model *model, con
       nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_DRAG][c] - contacts->kept[NB_SHEAR][c]) *
                                              (vec_dot(way, vec_clockwise(e)) - rolled));
   }
-}
-
-static struct nb_state velocity(const struct nb_bodies *bodies, size_t i) {
-  return (struct nb_state){bodies->velocity[i], bodies->spin ? bodies->spin[i] : 0};
 }
 
 /* What global damping gives a body in one kick, against its motion: shares of m v-, of m v+, and of the forces'
@@ -192,7 +194,7 @@ static void work_do(struct nb_sum *work, const struct nb_model *model, double ti
     const size_t i = (size_t)bodies->slot[k];
     if (!(bodies->inverse_mass[i] > 0))
       continue;
-    const struct nb_state was = model->balance->before[i], is = velocity(bodies, i);
+    const struct nb_state was = model->balance->before[i], is = nb_velocity_half(model, i);
     const struct nb_state mean = {vec_scale(0.5, vec_add(was.velocity, is.velocity)), (was.spin + is.spin) / 2};
     struct nb_force force = nb_force_on(model, i);
     force.force = vec_add(force.force, vec_scale(bodies->mass[i], model->gravity));
@@ -204,11 +206,12 @@ static void work_do(struct nb_sum *work, const struct nb_model *model, double ti
 void nb_balance_before(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   for (size_t i = 0; i < model->bodies.count; i++) {
-    b->before[i] = velocity(&model->bodies, i), b->position[i] = model->bodies.position[i];
+    b->before[i] = nb_velocity_half(model, i), b->position[i] = model->bodies.position[i];
     if (b->energies)
       b->now[i] = nb_velocity_now(model, i);
   }
   memcpy(b->pivot, model->walls.pivot, model->walls.count * sizeof *b->pivot);
+  nb_balance_carry(model, model->previous_step / 2, model->step / 2);
 }
 
 void nb_balance_kick(struct nb_model *model) {
@@ -229,8 +232,9 @@ static void tail(struct nb_sum terms[], const struct nb_model *model) {
   const struct kick kick = {model->bodies.position, model->walls.pivot, b->now, model->previous_step / 2, 0};
   if (!(kick.behind > 0))
     return;
+  nb_balance_carry(model, kick.behind, 0);
   for (size_t i = 0; i < model->bodies.count; i++)
-    b->before[i] = velocity(&model->bodies, i), b->now[i] = nb_velocity_now(model, i);
+    b->before[i] = nb_velocity_half(model, i), b->now[i] = nb_velocity_now(model, i);
   bodies_do(terms, model, model->previous_step, 0.5);
   contacts_do(terms, model, &kick);
 }

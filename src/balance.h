@@ -22,10 +22,18 @@ struct nb_balance {
   struct nb_vec *position;              /* per slot: at t_N, m */
   struct nb_vec *pivot, *wall_velocity; /* per wall: P at t_N, m; velocity over the step that ended there, m/s */
   double *wall_spin;                    /* likewise, rad/s */
+  struct nb_vec *along;                 /* per slot: how far a cell carries it over the kick, m; NULL without a cell */
+  struct nb_tensor parted;              /* and a copy a side on besides, m */
   struct nb_pair *values;               /* per pairing: what its laws were given at t_N; */
   bool changed;                         /* and some of that is something else now */
   double kinetic, level;                /* K_0; K + U at time 0: what the sums are counted from, J */
   struct nb_sum work, terms[NB_TERMS];  /* J */
 };
+
+/* balance_cell.c */
+bool nb_balance_cell_create(struct nb_balance *balance, const struct nb_model *model); /* false: no memory */
+/* Before a kick that lasts so long before t_N and after it, s: how far bodies are carried over it. */
+void nb_balance_carry(const struct nb_model *model, double behind, double ahead);
+struct nb_vec nb_balance_carried(const struct nb_model *model, size_t contact); /* the first body less the second, m */
 
 #endif

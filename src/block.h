@@ -109,7 +109,8 @@ struct nb_view {
   size_t n;
   const int *a, *b; /* slots of the two bodies; b is a wall's index where the pairing is with walls */
   double *f[NB_FIELDS];
-  struct nb_vec *force; /* on the first body, N */
+  const struct nb_vec *image; /* of struct nb_contacts */
+  struct nb_vec *force;       /* on the first body, N */
   struct nb_memory normal_memory, shear_memory;
   unsigned long *deep; /* how often an overlap was too deep, to be added to */
   const struct nb_pairing *pairing;

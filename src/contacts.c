@@ -59,6 +59,7 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
 
 void nb_contacts_free(struct nb_contacts *contacts) {
   free(contacts->a), free(contacts->b), free(contacts->pairing), free(contacts->muted), free(contacts->force);
+  free(contacts->image);
   for (int f = 0; f < NB_FIELDS; f++)
     free(contacts->kept[f]);
   nb_memory_free(&contacts->normal_memory), nb_memory_free(&contacts->shear_memory);
@@ -76,6 +77,14 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
     contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, bodies->rim[b].x);
 }
 
+/* Of a pair that is near one copy is, and it is the nearest. */
+static void find_images(struct nb_contacts *contacts, const struct nb_model *model) {
+  const struct nb_wrap wrap = nb_cell_wrap(model->cell);
+  const struct nb_vec *x = model->bodies.position;
+  for (size_t c = 0; c < contacts->count; c++)
+    contacts->image[c] = nb_wrap_image(&wrap, vec_sub(x[contacts->b[c]], x[contacts->a[c]]));
+}
+
 static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
                             const struct nb_near_pairs *pairs) {
   const size_t n = pairs->count;
@@ -83,6 +92,8 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
   contacts->a = nb_array(n, sizeof(int)), contacts->b = nb_array(n, sizeof(int));
   contacts->pairing = nb_array(n, sizeof(int)), contacts->force = nb_array(n, sizeof *contacts->force);
   bool made = contacts->a && contacts->b && contacts->pairing && contacts->force;
+  if (model->cell)
+    made = (contacts->image = nb_array(n, sizeof *contacts->image)) && made;
   if (model->joined)
     made = (contacts->muted = nb_array(n, sizeof(int))) && made;
   for (int f = 0; f < NB_FIELDS; f++)
@@ -104,6 +115,8 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
     contacts->pairing[c] = pairs->list[c].pairing;
     find_constants(contacts, c, model);
   }
+  if (model->cell)
+    find_images(contacts, model);
   return true;
 }
 
@@ -167,6 +180,13 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs
   while (model->wall_contacts < now.count && !model->pairings[now.pairing[model->wall_contacts]].wall)
     model->wall_contacts++;
   return incidence_renew(model);
+}
+
+struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_vec *x = model->bodies.position;
+  const struct nb_vec apart = vec_sub(x[contacts->b[contact]], x[contacts->a[contact]]);
+  return model->cell ? vec_add(apart, tensor_times(model->cell->h, contacts->image[contact])) : apart;
 }
 
 struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values) {

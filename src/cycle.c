@@ -42,6 +42,8 @@ void nb_forces(struct nb_model *model) {
 static int motion(struct nb_model *model) {
   const int threads = model->busy;
   int out = nb_motion_walls(model);
+  if (model->cell)
+    out += nb_cell_move(model);
   if (threads == 1)
     return out + nb_motion_part(model, 0, 1);
 #pragma omp parallel for num_threads(threads) schedule(static, 1) reduction(+ : out)

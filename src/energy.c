@@ -4,7 +4,7 @@
  *   U = sum (U_n + U_s)                         the laws' state functions: F_n^2/2k_n and F_s^2/2k_s for springs
  *   p = sum m v,   L = sum (m x x v + I w)      about the origin
  *
- * Sums run in the order of numbers, over bodies that are free.
+ * Velocities are without what carries a body along (cell.c). Sums run in the order of numbers, over bodies that are free.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
@@ -30,7 +30,7 @@ double nb_energy_kinetic_half(const struct nb_model *model) {
   for (size_t k = 0; k < bodies->count; k++) {
     const size_t i = (size_t)bodies->slot[k];
     if (bodies->inverse_mass[i] > 0)
-      half += kinetic_of(bodies, i, (struct nb_state){bodies->velocity[i], bodies->spin ? bodies->spin[i] : 0});
+      half += kinetic_of(bodies, i, nb_velocity_half(model, i));
   }
   return half;
 }

@@ -177,6 +177,8 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
       !(model->loads = nb_array(scene->body_count, sizeof *model->loads)))
     return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
   model->skin = skin_of(model);
+  if (!nb_cell_create(model))
+    return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
   model->smallest = INFINITY;
   for (size_t k = 0; k < scene->body_count; k++)
     model->smallest = fmin(model->smallest, scene->bodies[k].radius);
@@ -235,6 +237,7 @@ void nb_model_free(struct nb_model *model) {
                    b->inverse_inertia,
                    b->material,
                    b->searched,
+                   b->carried,
                    b->gone,
                    w->pivot,
                    w->point,
@@ -247,6 +250,7 @@ void nb_model_free(struct nb_model *model) {
                    w->turn,
                    w->angle,
                    w->searched,
+                   model->cell,
                    model->joints,
                    model->pairings,
                    model->properties_from,

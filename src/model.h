@@ -9,6 +9,7 @@
 #define NB_MODEL_H
 
 #include "block.h"
+#include "cell.h"
 #include "laws/law.h"
 #include "vec.h"
 #include "walls.h"
@@ -25,8 +26,14 @@ struct nb_bodies {
   double *inverse_mass, *inverse_inertia; /* 0 for what is fixed */
   int *material;
   struct nb_vec *searched; /* where they were at the last search */
+  struct nb_vec *carried;  /* the part of the velocity that a cell carries it along with, m/s; NULL: nothing does */
   bool *gone;              /* taken out of the scene (remove.c); NULL where no stage takes any out */
 };
+
+/* The velocity of a body that does nothing of its own, m/s. */
+static inline struct nb_vec nb_bodies_idle(const struct nb_bodies *bodies, size_t slot) {
+  return bodies->carried ? bodies->carried[slot] : vec(0, 0);
+}
 
 /* How a body or a wall moves. */
 struct nb_state {
@@ -63,6 +70,7 @@ struct nb_contacts {
   int *a, *b;              /* slots; a has the smaller number; b a wall's index where the pairing is with walls */
   int *pairing;            /* index */
   int *muted;              /* 1 where another wall's contact with this body stands for it (joints.c); NULL: nowhere */
+  struct nb_vec *image;    /* m: the second body is met at x + H m, H the cell's sides; NULL without a cell */
   struct nb_vec *force;    /* on the first body, dashpots included, N */
   double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
   struct nb_memory normal_memory, shear_memory;
@@ -90,6 +98,7 @@ struct nb_model {
   enum nb_isa isa;
   struct nb_bodies bodies;
   struct nb_walls walls;
+  struct nb_cell *cell; /* NULL: the plane has no copies */
   struct nb_pairing *pairings;
   size_t pairing_count;
   struct nb_contacts contacts;
@@ -162,12 +171,18 @@ bool nb_plan_stands(const struct nb_model *model); /* whether it is still the on
 #define NB_ASKS_STORED (1u << 31) /* energies that only a law with stored energy has */
 unsigned nb_fields_watched(const struct nb_scene *scene);
 
+/* region.c */
+double
+nb_thickness(const struct nb_model *model); /* normal to the plane: of discs 1 m, of spheres the mean diameter, m */
+
 /* near.c: makes the list of contacts anew; an error when a body is nowhere */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
 
 /* contacts.c */
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
 void nb_contacts_free(struct nb_contacts *contacts);
+/* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */
+struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
 /* What the laws of a contact are given: the constants of its pairing, and those of its own. */
 struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values);
 
@@ -213,9 +228,11 @@ struct nb_force {
   struct nb_vec force; /* N */
   double moment;       /* N m, counterclockwise */
 };
-struct nb_force nb_force_on(const struct nb_model *model, size_t slot); /* sum over its contacts, N, N m */
+struct nb_force nb_force_on(const struct nb_model *model, size_t slot);      /* sum over its contacts, N, N m */
+struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot); /* at the half step behind, likewise */
 struct nb_state nb_velocity_now(const struct nb_model *model,
-                                size_t slot); /* at t_N: mean of the half steps [CS79 31] */
+                                size_t slot); /* at t_N: mean of the half steps [CS79 31]; without what carries it */
+struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot); /* what carries it, likewise, m/s */
 
 /* Gives a body what a force and a moment that end at t_N have done until then: its velocities at t_N stay what they were. */
 void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending);
@@ -235,7 +252,7 @@ bool nb_joints_find(struct nb_model *model);       /* after a search; false: no 
 void nb_joints_settle(struct nb_model *model);     /* before the forces: which contacts are muted now */
 
 /* passes */
-extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
+extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
 extern const struct nb_pass nb_pass_joints;
 extern const struct nb_pass nb_pass_deep;
 extern const struct nb_pass nb_pass_dashpots[3]; /* by enum nb_dashpots */

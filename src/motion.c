@@ -10,6 +10,10 @@
  *   CON1, velocity     keep = CON1,              push = 1
  *   CON1, all          keep = CON1,              push = CON1
  *
+ * Where something carries bodies along (cell.c), their whole velocity is v + c, and v is what the kick changes:
+ *
+ *   v_(N+1/2) = keep v_(N-1/2) + push (F/m)_N dt,   x_(N+1) = x_N + (v_(N+1/2) + c_(N+1/2)) dt,   c_(N+1/2) = L (x_N - x_0)
+ *
  * The velocities of a page belong to time 0, those of the scheme to half steps: the first kick lasts half a step, and one
  * between two steps of unlike length the mean of both. BALL starts from rest without forces, where that is the same.
  *
@@ -78,10 +82,18 @@ struct nb_force nb_force_on(const struct nb_model *model, size_t slot) {
 
 static inline bool pulls(struct nb_vec gravity) { return gravity.x != 0 || gravity.y != 0; }
 
+struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_vec whole = bodies->velocity[slot];
+  return (struct nb_state){bodies->carried ? vec_sub(whole, bodies->carried[slot]) : whole,
+                           bodies->spin ? bodies->spin[slot] : 0};
+}
+
 /* What is fixed goes on as it goes: no force and no damping reaches it. */
-static inline struct nb_state kicked(const struct nb_bodies *bodies, const struct felt *felt, size_t slot,
+static inline struct nb_state kicked(const struct nb_model *model, const struct felt *felt, size_t slot,
                                      struct factors f, double time, struct nb_vec gravity) {
-  const struct nb_state before = {bodies->velocity[slot], bodies->spin ? bodies->spin[slot] : 0};
+  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_state before = nb_velocity_half(model, slot);
   if (!(bodies->inverse_mass[slot] > 0))
     return before;
   struct nb_force sum = force_on(felt, slot, bodies->rim[slot].x);
@@ -94,14 +106,21 @@ static inline struct nb_state kicked(const struct nb_bodies *bodies, const struc
 }
 
 struct nb_state nb_velocity_now(const struct nb_model *model, size_t slot) {
-  const struct nb_bodies *bodies = &model->bodies;
-  const struct nb_state before = {bodies->velocity[slot], bodies->spin ? bodies->spin[slot] : 0};
+  const struct nb_state before = nb_velocity_half(model, slot);
   const double dt = model->previous_step;
   if (!(dt > 0))
     return before; /* the start: a page's velocities are those of time 0 */
   const struct felt felt = felt_by(model);
-  const struct nb_state next = kicked(bodies, &felt, slot, factors(model, dt), dt, model->gravity);
+  const struct nb_state next = kicked(model, &felt, slot, factors(model, dt), dt, model->gravity);
   return (struct nb_state){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
+}
+
+struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot) {
+  const struct nb_vec *carried = model->bodies.carried;
+  if (!carried)
+    return vec(0, 0);
+  const struct nb_vec ahead = nb_cell_carries(model->cell, model->bodies.position[slot]);
+  return vec_scale(0.5, vec_add(model->previous_step > 0 ? carried[slot] : ahead, ahead));
 }
 
 /* v_N = (v- + v+)/2 with v+ = keep v- + push (F/m) dt: a force less is made up for by so much more of v-. */
@@ -122,10 +141,12 @@ void nb_motion_reverse(struct nb_model *model) {
   const struct felt felt = felt_by(model);
   const double time = kick_time(model);
   for (size_t i = 0; i < bodies->count; i++) {
-    struct nb_state v = {bodies->velocity[i], bodies->spin ? bodies->spin[i] : 0};
+    struct nb_state v = nb_velocity_half(model, i);
     if (model->previous_step > 0)
-      v = kicked(bodies, &felt, i, factors(model, time), time, model->gravity);
+      v = kicked(model, &felt, i, factors(model, time), time, model->gravity);
     bodies->velocity[i] = vec_scale(-1, v.velocity);
+    if (bodies->carried)
+      bodies->velocity[i] = vec_add(bodies->velocity[i], bodies->carried[i]);
     if (bodies->spin)
       bodies->spin[i] = -v.spin; /* the next motion makes the speed of the rim of it */
   }
@@ -156,8 +177,9 @@ static void add_weight(struct sums *sums, const double *mass, struct nb_vec grav
 struct part {
   struct nb_bodies bodies; /* a copy: no store through one pointer can be thought to change another */
   struct factors factors;
-  struct nb_vec gravity;    /* m/s2 */
-  double time, step, reach; /* of the kick and of the drift, s; how far a body may go without a new search, m */
+  const struct nb_cell *cell; /* NULL: nothing carries them */
+  struct nb_vec gravity;      /* m/s2 */
+  double time, step, reach;   /* of the kick and of the drift, s; how far a body may go without a new search, m */
 };
 
 /* Kick and drift, 22, 22a, and what fixed bodies do: they go on as they go, no force and no damping reaches them. Answers how
@@ -195,6 +217,25 @@ static inline NB_FORM void turn(const struct part *part, const struct sums *sums
   }
 }
 
+/* Before the drift: what carries bodies is taken off their velocity, and moves them and where they were found at the last
+ * search; so the drift sees what they do besides. */
+static inline NB_FORM void carry(const struct part *part, size_t from, size_t n) {
+  struct nb_vec *velocity = part->bodies.velocity + from, *position = part->bodies.position + from;
+  struct nb_vec *carried = part->bodies.carried + from, *searched = part->bodies.searched + from;
+  for (size_t k = 0; k < n; k++) {
+    velocity[k] = vec_sub(velocity[k], carried[k]);
+    carried[k] = nb_cell_carries(part->cell, position[k]);
+    position[k] = vec_add(position[k], vec_scale(part->step, carried[k]));
+    searched[k] = vec_add(searched[k], vec_scale(part->step, nb_cell_carries(part->cell, searched[k])));
+  }
+}
+
+/* After it. */
+static inline NB_FORM void carry_on(const struct part *part, size_t from, size_t n) {
+  for (size_t k = from; k < from + n; k++)
+    part->bodies.velocity[k] = vec_add(part->bodies.velocity[k], part->bodies.carried[k]);
+}
+
 static inline NB_FORM int move(const struct part *part, const struct felt *felt, size_t from, size_t to) {
   int out = 0;
   for (; from < to; from += BODIES) {
@@ -203,7 +244,11 @@ static inline NB_FORM int move(const struct part *part, const struct felt *felt,
     sum_up(&sums, felt, part->bodies.rim, from, n);
     if (pulls(part->gravity))
       add_weight(&sums, part->bodies.mass + from, part->gravity, n);
+    if (part->cell)
+      carry(part, from, n);
     out += drift(part, &sums, from, n);
+    if (part->cell)
+      carry_on(part, from, n);
     if (part->bodies.spin)
       turn(part, &sums, from, n);
   }
@@ -230,7 +275,12 @@ static int (*const moves[NB_ISAS])(const struct part *, const struct felt *, siz
 int nb_motion_part(struct nb_model *model, int part, int parts) {
   const size_t n = model->bodies.count;
   const struct felt felt = felt_by(model);
-  const struct part mine = {
-      model->bodies, factors(model, kick_time(model)), model->gravity, kick_time(model), model->step, model->skin / 2};
+  const struct part mine = {model->bodies,
+                            factors(model, kick_time(model)),
+                            model->cell,
+                            model->gravity,
+                            kick_time(model),
+                            model->step,
+                            model->cell ? model->cell->reach : model->skin / 2};
   return moves[model->isa](&mine, &felt, n * (size_t)part / (size_t)parts, n * ((size_t)part + 1) / (size_t)parts);
 }

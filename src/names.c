@@ -29,10 +29,7 @@ static double touching(const struct nb_model *model, const struct nb_watch *watc
     count += model->contacts.kept[NB_OVERLAP][c] > 0;
   return count;
 }
-static double unbalance(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
-  return nb_unbalance(model);
-}
+OF_SCENE(unbalance, nb_unbalance(model))
 
 OF_SCENE(deep, (double)nb_deep_count(model))
 OF_SCENE(kinetic, nb_energy_kinetic(model))
@@ -71,8 +68,8 @@ static size_t slot(const struct nb_model *model, const struct nb_watch *watch) {
 OF_BODY(body_x, bodies->position[i].x)
 OF_BODY(body_y, bodies->position[i].y)
 OF_BODY(body_angle, bodies->angle ? bodies->angle[i] : 0)
-OF_BODY(body_vx, nb_velocity_now(model, i).velocity.x)
-OF_BODY(body_vy, nb_velocity_now(model, i).velocity.y)
+OF_BODY(body_vx, nb_velocity_now(model, i).velocity.x + nb_carried_now(model, i).x)
+OF_BODY(body_vy, nb_velocity_now(model, i).velocity.y + nb_carried_now(model, i).y)
 OF_BODY(body_spin, nb_velocity_now(model, i).spin)
 OF_BODY(body_vx_half, bodies->velocity[i].x)
 OF_BODY(body_vy_half, bodies->velocity[i].y)
@@ -153,7 +150,8 @@ static const struct nb_quantity_kind kinds[] = {
      "work done against shear forces since the start; for laws without stored energy"},
     {"energy.damped", 0, "J", BALANCE, damped, "lost in dashpots and by global damping since the start"},
     {"energy.walls", 0, "J", BALANCE, by_walls,
-     "supplied since the start by walls and by fixed bodies that move: their force times their velocity"},
+     "supplied since the start by walls and by fixed bodies that move, their force times their velocity; and by "
+     "straining a cell"},
     {"energy.gravity", 0, "J", BALANCE, by_gravity, "supplied by gravity since the start"},
     {"energy.changed", 0, "J", BALANCE, changed,
      "put in by stages: bodies stopped or turned round, loaded springs made stiffer or softer"},
@@ -199,9 +197,9 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* The rows one after the other, those of other files behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
-  static const struct nb_quantity_kind *const others[] = {nb_step_kinds,         nb_fill_kinds,   nb_impact_kinds,
-                                                          nb_stress_kinds,       nb_fabric_kinds, nb_porosity_kinds,
-                                                          nb_coordination_kinds, nb_load_kinds,   nb_strain_kinds};
+  static const struct nb_quantity_kind *const others[] = {
+      nb_step_kinds,     nb_fill_kinds,         nb_impact_kinds, nb_stress_kinds, nb_fabric_kinds,
+      nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds,   nb_strain_kinds, nb_cell_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -218,7 +216,8 @@ static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *
     return kind->watches == NB_OF_BENCH;
   if (w >= 0)
     return kind->watches & 1u << scene->watches[w].kind;
-  return !kind->watches || (kind->watches == NB_OF_IMPACT && scene->impact.line);
+  return !kind->watches || (kind->watches == NB_OF_IMPACT && scene->impact.line) ||
+         (kind->watches == NB_OF_CELL && scene->cell.line);
 }
 
 /* Row `kind` as the scene would call it, of watch w: "C.normal", "time". Empty when it does not belong to it. */
@@ -294,6 +293,7 @@ bool nb_quantity_row(size_t k, const char **name, const char **unit, const char 
         : watches == NB_OF_REGION ? "a region"
         : watches & GRADING       ? "a grading"
         : watches == NB_OF_IMPACT ? "an impact"
+        : watches == NB_OF_CELL   ? "a periodic cell"
         : watches == NB_OF_BENCH  ? "the contact on the bench"
                                   : "the scene";
   return true;

@@ -9,13 +9,14 @@
 struct nb_quantity_kind {
   const char *name;
   unsigned
-      watches; /* set of watch kinds it belongs to; 0: the whole scene; NB_OF_IMPACT: one with an impact; or NB_OF_BENCH */
+      watches; /* set of watch kinds it belongs to; 0: the whole scene; NB_OF_IMPACT: one with an impact; NB_OF_CELL, or NB_OF_BENCH */
   const char *unit;
   unsigned fields; /* contact fields it reads, to be kept; on the bench what it asks of the laws */
   double (*value)(const struct nb_model *model, const struct nb_watch *watch);
   const char *help;
 };
 #define NB_OF_IMPACT (1u << 31)
+#define NB_OF_CELL (1u << 29)  /* of a periodic cell */
 #define NB_OF_BENCH (1u << 30) /* of a path's contact */
 enum { NB_OF_REGION = 1 << NB_WATCH_REGION };
 
@@ -26,6 +27,7 @@ extern const struct nb_quantity_kind nb_fill_kinds[];   /* fill_kinds.c */
 /* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c. */
 extern const struct nb_quantity_kind nb_stress_kinds[], nb_fabric_kinds[], nb_porosity_kinds[], nb_coordination_kinds[],
     nb_load_kinds[], nb_strain_kinds[];
+extern const struct nb_quantity_kind nb_cell_kinds[]; /* cell_kinds.c */
 
 /* bench_names.c: their values are asked for by nb_quantity_on_bench; NULL past the last one. */
 const struct nb_quantity_kind *nb_bench_row(size_t k);

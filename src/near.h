@@ -14,6 +14,8 @@ struct nb_near_pairs {
   size_t count, capacity;
 };
 
+/* near_pairs.c: adds every pair that is near, once, in no order; false: out of memory. */
+bool nb_near_find(struct nb_near_pairs *found, struct nb_model *model);
 /* contacts.c: the order of the list; < 0, 0, > 0: by pairing, then number of a, then of b. */
 int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q);
 /* Takes over the new list; contacts that were there before keep their memory. False: out of memory, nothing changed. */

@@ -283,6 +283,19 @@ struct nb_removal {
   int line;
 };
 
+/* `cell`: copies of it fill the plane. Its sides are the columns of H = (h[0] h[1], h[2] h[3]). */
+struct nb_scene_cell {
+  double x, y; /* its centre, m */
+  double h[4]; /* m */
+  int line;    /* 0: there is none */
+};
+
+/* A velocity gradient: x' = xx x + xy y, y' = yx x + yy y, extension positive [R89 4.43, 4.44]. */
+struct nb_strain_rate {
+  double xx, xy, yx, yy; /* 1/s; or, */
+  bool per_cycle;        /* strain of one cycle: divided by the step when it is used */
+};
+
 enum nb_relation { NB_BELOW, NB_ABOVE };
 struct nb_condition {
   char name[2 * NB_NAME_SIZE]; /* as written */
@@ -316,6 +329,8 @@ struct nb_stage {
   struct nb_change *changes; /* of materials and pairs; owned by the scene */
   size_t change_count;
   struct nb_gravity gravity;   /* line 0: as before */
+  struct nb_strain_rate cell;  /* how the cell is strained */
+  int cell_line;               /* 0: as before */
   struct nb_removal *removals; /* owned by the scene */
   size_t removal_count;
   bool still;                      /* it begins with all bodies at rest */
@@ -375,6 +390,7 @@ struct nb_scene {
   size_t grading_count;
   struct nb_fill *fills;
   size_t fill_count;
+  struct nb_scene_cell cell;
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* laws, by the names of their files: `linear`, `none` */
   int normal_line, shear_line;
   int pieces; /* of a contact's history that the shear law keeps, at most; 0: as many as it likes best */

@@ -67,10 +67,12 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
     model->kept |= NB_BIT(NB_MASS);
   const bool closing = model->dashpots || (normal->needs & NB_BIT(NB_CLOSING));
   const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
-  const struct nb_pass *geometry = pairing->wall ? &nb_pass_disc_wall[approach] : &nb_pass_disc_disc[approach];
+  const struct nb_pass *geometry = pairing->wall ? &nb_pass_disc_wall[approach]
+                                   : model->cell ? &nb_pass_periodic[approach]
+                                                 : &nb_pass_disc_disc[approach];
   const struct nb_pass *resolve = &nb_pass_resolve[pairing->shear != NULL];
   const enum nb_isa isa = model->isa;
-  add(pairing, geometry->run[isa], 0, "", geometry->name);
+  add(pairing, geometry->run[isa], pairing->wall ? 0 : scene->cell.line, "", geometry->name);
   if (pairing->wall && model->joined)
     add(pairing, nb_pass_joints.run[isa], 0, "", nb_pass_joints.name);
   add(pairing, normal->run[isa], scene->normal_line, "normal ", normal->name);
@@ -129,6 +131,7 @@ static struct nb_view view_of(const struct nb_model *model, size_t from, size_t 
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_view view = {.n = to - from, .a = contacts->a + from, .b = contacts->b + from};
   view.force = contacts->force + from;
+  view.image = contacts->image ? contacts->image + from : NULL;
   view.pairing = &model->pairings[contacts->pairing[from]];
   for (int f = 0; f < NB_FIELDS; f++)
     view.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK;

@@ -100,7 +100,8 @@ enum {
   NB_IN_EXPECT = 4,
   NB_IN_RAMP = 8, /* behind the word `ramp` */
   NB_IN_PATH = 16,
-  NB_IN_LEG = 32
+  NB_IN_LEG = 32,
+  NB_IN_CELL = 64 /* with one of the first two: of a scene without walls, so its example is none of the manual's page */
 };
 
 enum nb_argument_kind {

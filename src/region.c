@@ -3,7 +3,7 @@
  * A body is inside when its centre is. The thickness, normal to the plane, is the mean over all bodies, inside or not, of
  * what each measures there: a sphere its diameter [R89 4.4], a disc 1 m.
  *
- * `all` is the smallest upright box that holds the outlines of all bodies.
+ * `all` is the smallest upright box that holds the outlines of all bodies, or the periodic cell.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
@@ -50,7 +50,7 @@ enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_err
 
 /* ---- where it is ---- */
 
-static double thickness(const struct nb_model *model) {
+double nb_thickness(const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   double sum = 0, count = 0;
   for (size_t k = 0; k < bodies->count; k++) {
@@ -97,7 +97,7 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
   if (now->placed == model->cycle + 1)
     return now;
   now->placed = model->cycle + 1;
-  now->thickness = thickness(model);
+  now->thickness = nb_thickness(model);
   switch (it->kind) {
   case NB_REGION_CIRCLE:
     now->centre = vec(it->x, it->y), now->radius = it->radius;
@@ -108,6 +108,8 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
     break;
   case NB_REGION_ALL:
     round_all(now, model);
+    if (model->cell)
+      now->centre = model->cell->centre, now->area = nb_cell_area(model->cell);
     break;
   }
   return now;
@@ -121,10 +123,19 @@ bool nb_region_due(const struct nb_model *model, struct nb_region_now *region, e
 
 /* ---- what is inside ---- */
 
+/* In a periodic cell the copy that is nearest to the region's middle. */
+static struct nb_vec place_of(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
+  if (!model->cell)
+    return model->bodies.position[slot];
+  struct nb_wrap wrap = nb_cell_wrap(model->cell);
+  wrap.centre = region->centre;
+  return nb_wrapped(&wrap, model->bodies.position[slot]);
+}
+
 bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
   if (nb_gone(model, slot))
     return false;
-  const struct nb_vec x = vec_sub(model->bodies.position[slot], region->centre);
+  const struct nb_vec x = vec_sub(place_of(model, region, slot), region->centre);
   if (region->it->kind == NB_REGION_ALL)
     return true;
   if (region->radius > 0)
@@ -135,7 +146,7 @@ bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *r
 
 double nb_region_part(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
   const double radius = model->bodies.rim[slot].x;
-  const struct nb_vec x = model->bodies.position[slot];
+  const struct nb_vec x = place_of(model, region, slot);
   if (nb_gone(model, slot))
     return 0;
   if (region->it->kind == NB_REGION_ALL)

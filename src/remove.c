@@ -39,7 +39,7 @@ static void take_out(struct nb_model *model, size_t i) {
     let_go(model, (size_t)model->incidence.entry[k]);
   bodies->gone[i] = true;
   bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
-  bodies->velocity[i] = vec(0, 0);
+  bodies->velocity[i] = nb_bodies_idle(bodies, i);
   if (bodies->spin)
     bodies->spin[i] = 0;
 }

@@ -111,6 +111,7 @@ static void read_lines(struct nb_scene_reading *reading) {
     if (!value && reading->survey)
       continue;
     nb_statement_read(reader, nb_keywords(), reading->here, reading);
+    reading->cell_unsure = reading->cell_unsure || (reader->bad && strcmp(verb, "cell") == 0);
     if (reader->bad && !reading->survey)
       reader->unsure |= unsure_after(reader);
   }
@@ -167,6 +168,7 @@ static void check_whole(struct nb_scene_reading *reading) {
   }
   nb_ramps_check(reading);
   nb_regions_check(reading);
+  nb_cell_check(reading);
   if (scene->body_count == 0 && !reading->bodies_unsure)
     nb_say_of_scene(reading, "`disc`, `sphere`, `discs` and `spheres` make them",
                     "expected a scene with bodies, found none");

@@ -6,6 +6,7 @@
  *   scene_world.c   materials, laws, walls
  *   scene_bodies.c  bodies and watches
  *   scene_fill.c    gradings, and what is filled with them
+ *   scene_cell.c    the periodic cell, and waves in it
  *   scene_impact.c  a sphere that flies at something
  *   scene_region.c  what is measured together
  *   scene_step.c    step and damping
@@ -64,7 +65,10 @@ enum {
   AT_TRIES,
   AT_ELSE,
   AT_SQUARE,
-  AT_HEXAGONAL
+  AT_HEXAGONAL,
+  AT_SHEAR,
+  AT_C12,
+  AT_C21
 };
 
 /* A column asked for by `record`, until all watches are known. */
@@ -97,6 +101,7 @@ struct nb_scene_reading {
   unsigned here; /* NB_IN_SCENE, from the first `stage` on NB_IN_STAGE */
   int units_line;
   struct nb_place place;
+  bool cell_unsure;       /* the statement about the cell was wrong */
   bool bodies_unsure;     /* a statement about bodies was wrong: numbers of bodies cannot be checked */
   struct nb_asked *asked; /* owned */
   size_t asked_count;
@@ -140,6 +145,8 @@ bool nb_watch_add(struct nb_scene_reading *reading, struct nb_reader *reader, co
                   struct nb_watch watch);
 /* Finds the stages that regions name. */
 void nb_regions_check(struct nb_scene_reading *reading);
+/* A cell is wide enough, and there are no walls in it. */
+void nb_cell_check(struct nb_scene_reading *reading);
 /* A ramp wants a stage whose length is known. */
 void nb_ramps_check(struct nb_scene_reading *reading);
 /* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
@@ -198,6 +205,9 @@ NB_APPLY(nb_apply_ramp);
 NB_APPLY(nb_apply_contact);
 NB_APPLY(nb_apply_leg);
 NB_APPLY(nb_apply_repeat);
+NB_APPLY(nb_apply_cell);
+NB_APPLY(nb_apply_cell_strain);
+NB_APPLY(nb_apply_wave);
 NB_APPLY(nb_apply_remove);
 
 #endif

@@ -134,6 +134,24 @@ static const struct nb_argument wall[] = {
   CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity about P, counterclockwise."),
   END
 };
+static const struct nb_argument cell[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "South-west corner, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "South-west corner, to the north."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "North-east corner."),
+  END
+};
+static const struct nb_argument cell_strain[] = {
+  CLAUSE("strain", "EXX EYY", NB_UNIT_RATE, NB_ANY, AT_X, 2, NULL, "Rates of extension to the east and to the north."),
+  CLAUSE("shear", "EXY", NB_UNIT_RATE, NB_ANY, AT_SHEAR, 1, "0", "c_12 and c_21, if they are alike: half the rate of the angle."),
+  CLAUSE("c12", "C", NB_UNIT_RATE, NB_ANY, AT_C12, 1, "0", "Velocity to the east for a unit of way to the north."),
+  CLAUSE("c21", "C", NB_UNIT_RATE, NB_ANY, AT_C21, 1, "0", "Velocity to the north for a unit of way to the east."),
+  END
+};
+static const struct nb_argument wave[] = {
+  VALUE("VX", NB_UNIT_VELOCITY, NB_ANY, AT_VX, "To the east, where it is largest."),
+  VALUE("VY", NB_UNIT_VELOCITY, NB_ANY, AT_VY, "To the north, where it is largest."),
+  END
+};
 static const struct nb_argument skin[] = {VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "How near."), END};
 static const struct nb_argument place[] = {
   {"mirror", "none|x|y", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_NAME, 1, "none", "`none`, `x` or `y`"},

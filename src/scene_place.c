@@ -68,6 +68,14 @@ static bool move(const struct nb_place *place, double *x, double *y) {
   return isfinite(*x) && isfinite(*y);
 }
 
+/* L' = Q M L (Q M)^T: its columns are turned, then its rows. */
+static bool turn_rate(const struct nb_place *place, struct nb_strain_rate *rate) {
+  bool held = turn(place, &rate->xx, &rate->yx);
+  held = turn(place, &rate->xy, &rate->yy) && held;
+  held = turn(place, &rate->xx, &rate->xy) && held;
+  return turn(place, &rate->yx, &rate->yy) && held;
+}
+
 bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place) {
   if (!place->line)
     return true;
@@ -93,9 +101,15 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place) {
     held = move(place, &region->x, &region->y) && held;
     held = turn(place, &region->ex, &region->ey) && held;
   }
+  if (scene->cell.line) {
+    held = move(place, &scene->cell.x, &scene->cell.y) && held;
+    for (int side = 0; side < 2; side++)
+      held = turn(place, &scene->cell.h[side], &scene->cell.h[2 + side]) && held;
+  }
   held = turn(place, &scene->gravity.x, &scene->gravity.y) && held;
   for (size_t s = 0; s < scene->stage_count; s++)
-    held = turn(place, &scene->stages[s].gravity.x, &scene->stages[s].gravity.y) && held;
+    held = turn(place, &scene->stages[s].gravity.x, &scene->stages[s].gravity.y) &&
+           turn_rate(place, &scene->stages[s].cell) && held;
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t m = 0; m < scene->stages[s].motion_count; m++) {
       struct nb_wall_motion *motion = &scene->stages[s].motions[m];

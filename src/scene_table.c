@@ -78,6 +78,14 @@ static const struct nb_keyword table[] = {
   {"wall", NB_IN_SCENE, wall, NULL, 0, true, nb_apply_wall,
    "A straight wall between two ends; it pushes on both sides.",
    "wall      shelf  10 mm 48 mm to 60 mm 48 mm  glass"},
+  {"cell", NB_IN_SCENE | NB_IN_CELL, cell, NULL, 0, false, nb_apply_cell,
+   "A periodic cell: copies of it fill the plane, and every body of it meets those of others. All bodies belong to it, wherever "
+   "they are. In place of walls; then there are quantities `cell.NAME`.",
+   "cell      0 mm 0 mm to 80 mm 80 mm"},
+  {"wave", NB_IN_SCENE | NB_IN_CELL, wave, "periods NX NY", 0, false, nb_apply_wave,
+   "Gives the free bodies above a velocity more, times the sine of a plane wave: so many periods from side to side of the "
+   "cell, to the east and to the north, from its centre.",
+   "wave      0 m/s 1 mm/s  periods 1 0"},
   {"skin", NB_IN_SCENE, skin, NULL, 0, false, nb_apply_skin,
    "Pairs closer than this are listed as contacts that may come to touch [R89 TOL], and looked for again when something "
    "has moved half of it; default a tenth of the mean radius. No result depends on it.",
@@ -127,6 +135,10 @@ static const struct nb_keyword table[] = {
   {"pair", NB_IN_STAGE | NB_IN_RAMP, pair_change, NULL, 1, false, nb_apply_change,
    "What holds between two materials from this stage on, whatever the rule says; what is not said stays as it was.",
    "  pair    steel glass  cohesion 1 N"},
+  {"cell", NB_IN_STAGE | NB_IN_CELL, cell_strain, NULL, 0, false, nb_apply_cell_strain,
+   "How the periodic cell is strained from the beginning of this stage on, about its centre, and all bodies in it are carried along "
+   "[R89 4.43, 4.44].",
+   "  cell    strain -0.01 1/s -0.01 1/s"},
   {"ramp", NB_IN_STAGE, nothing, "wall … | walls … | material … | pair … | gravity …", 0, false, nb_apply_ramp,
    "What follows does not jump but goes along a straight line, from what it is to what is said, over the cycles of the "
    "stage.",

@@ -37,15 +37,16 @@ static bool see_bodies(struct nb_table *table, const struct nb_model *model, int
     const size_t i = (size_t)bodies->slot[k];
     if (nb_gone(model, i))
       continue;
+    const struct nb_vec x = nb_cell_place(model, i), carried = nb_carried_now(model, i);
     const struct nb_state v = nb_velocity_now(model, i);
     const struct nb_force force = nb_force_on(model, i);
     const double values[COUNT(columns)] = {(double)k + 1,
-                                           bodies->position[i].x,
-                                           bodies->position[i].y,
+                                           x.x,
+                                           x.y,
                                            bodies->rim[i].x,
                                            bodies->angle ? bodies->angle[i] : 0,
-                                           v.velocity.x,
-                                           v.velocity.y,
+                                           v.velocity.x + carried.x,
+                                           v.velocity.y + carried.y,
                                            force.force.x,
                                            force.force.y,
                                            force.moment,
@@ -117,12 +118,13 @@ static bool see_contacts(struct nb_table *table, const struct nb_model *model, i
     const double normal = contacts->kept[NB_NORMAL][c];
     const double shear = model->pairings[contacts->pairing[c]].shear ? contacts->kept[NB_SHEAR][c] : 0;
     const struct nb_contact_load load = nb_contact_load(model, c);
+    const struct nb_vec x = nb_cell_place(model, (size_t)i);
     const double reach = bodies->rim[i].x - overlap / 2;
     const double values[COUNT(columns)] = {bodies->number[i],
                                            wall ? 0 : bodies->number[b],
                                            wall ? b + 1 : 0,
-                                           bodies->position[i].x + reach * e.x,
-                                           bodies->position[i].y + reach * e.y,
+                                           x.x + reach * e.x,
+                                           x.y + reach * e.y,
                                            bodies->rim[i].x,
                                            wall ? 0 : bodies->rim[b].x,
                                            e.x,

@@ -59,7 +59,7 @@ double nb_overlap(const struct nb_model *model, size_t c) {
   const struct nb_bodies *bodies = &model->bodies;
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   if (!wall)
-    return bodies->rim[i].x + bodies->rim[j].x - vec_length(vec_sub(bodies->position[j], bodies->position[i]));
+    return bodies->rim[i].x + bodies->rim[j].x - vec_length(nb_contacts_branch(model, c));
   return bodies->rim[i].x - vec_length(nb_wall_apart(&model->walls, j, bodies->position[i]));
 }
 

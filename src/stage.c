@@ -28,7 +28,7 @@ static void stop_bodies(struct nb_model *model) {
   if (model->balance)
     nb_balance_jump(model, true);
   for (size_t i = 0; i < bodies->count; i++) {
-    bodies->velocity[i] = vec(0, 0);
+    bodies->velocity[i] = nb_bodies_idle(bodies, i);
     bodies->rim[i].y = 0;
     if (bodies->spin)
       bodies->spin[i] = 0;
@@ -104,6 +104,16 @@ void nb_stage_drive(struct nb_model *model) {
   }
 }
 
+/* ---- the cell ---- */
+
+static void cell_begin(struct nb_model *model) {
+  const struct nb_strain_rate *to = &model->stage->cell;
+  if (model->stage->reverse)
+    model->cell->rate = tensor_scale(-1, model->cell->rate);
+  if (model->stage->cell_line)
+    model->cell->rate = tensor_scale(to->per_cycle ? 1 / model->step : 1, tensor(to->xx, to->xy, to->yx, to->yy));
+}
+
 /* ---- properties ---- */
 
 /* As they are when what ramps has gone `share` of its way. */
@@ -169,6 +179,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
     return nb_error_set(error, NB_BROKEN, "out of memory for stage `%s`", stage->name);
   const enum nb_status status = nb_step_set(model, &stage->step, error);
   gravity_begin(model);
+  if (model->cell)
+    cell_begin(model);
   if (stage->reverse)
     turn_bodies(model);
   model->changing = stage->change_count > 0 || stage->gravity.line > 0;

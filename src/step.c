@@ -81,6 +81,8 @@ bool nb_step_pressed(const struct nb_model *model) {
 
 /* What is wrong with such a step for elastic spheres; NULL: nothing. */
 static const char *refused(const struct nb_model *model, enum nb_step_kind kind, double unit) {
+  if (kind == NB_STEP_CONTACT && model->cell && nb_step_elastic(model))
+    return "which of their copies elastic spheres in a cell would meet first is not looked for";
   if (kind >= NB_STEP_RAYLEIGH && !(unit < INFINITY))
     return "no body that is free has `young`, so there are no waves";
   if (!nb_step_elastic(model))

@@ -58,7 +58,7 @@ static void by_contacts(struct nb_stress *stress, const struct nb_model *model, 
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
     struct nb_vec branch = vec(0, 0);
     if (a_in && b_in)
-      branch = vec_sub(model->bodies.position[b], model->bodies.position[a]);
+      branch = nb_contacts_branch(model, c);
     else if (a_in)
       branch = vec_scale(nb_contact_arm(model, c, a), e);
     else if (b_in)

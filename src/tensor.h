@@ -32,6 +32,14 @@ static inline struct nb_tensor tensor_scale(double s, struct nb_tensor a) {
 static inline struct nb_vec tensor_times(struct nb_tensor a, struct nb_vec v) {
   return vec(a.xx * v.x + a.xy * v.y, a.yx * v.x + a.yy * v.y);
 }
+static inline struct nb_tensor tensor_product(struct nb_tensor a, struct nb_tensor b) { /* A_ij B_jk */
+  return tensor(a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx,
+                a.yx * b.xy + a.yy * b.yy);
+}
+static inline double tensor_determinant(struct nb_tensor a) { return a.xx * a.yy - a.xy * a.yx; }
+static inline struct nb_tensor tensor_inverse(struct nb_tensor a) {
+  return tensor_scale(1 / tensor_determinant(a), tensor(a.yy, -a.xy, -a.yx, a.xx));
+}
 /* a_i b_j: what one contact adds to a stress, or one normal to a fabric. */
 static inline struct nb_tensor tensor_outer(struct nb_vec a, struct nb_vec b) {
   return tensor(a.x * b.x, a.x * b.y, a.y * b.x, a.y * b.y);

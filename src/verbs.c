@@ -27,7 +27,7 @@ bool nb_first_word(char *first, const char *words) {
 }
 
 static const char *where_words(unsigned where, unsigned here) {
-  where &= ~(unsigned)NB_IN_RAMP;
+  where &= ~(unsigned)(NB_IN_RAMP | NB_IN_CELL);
   if (where == NB_IN_LEG)
     return "in a leg: below a line `leg NAME …`";
   if (!(where & ~(unsigned)(NB_IN_PATH | NB_IN_LEG)))

@@ -33,6 +33,16 @@ awk '/^### / { word = $2 } /^```/ { inside = $0 != "```" }
 "$nineball" check "$work/runs.md" >"$work/said" 2>&1
 result $? 'and it runs, and what it expects is seen'
 
+{
+  printf '```scene\nmaterial steel density 7800 kg/m3 kn 1 MN/m\ndiscs lattice 4 by 4 radius 10 mm steel\nstep 0.1 of safe\n'
+  awk '/^```/ { inside = $0 == "```text of a scene with a cell"; next } inside && !/^ /' "$language"
+  printf 'record cell.stress.xx\nstage go\ncycles 10\n'
+  awk '/^```/ { inside = $0 == "```text of a scene with a cell"; next } inside && /^ /' "$language"
+  printf '```\n'
+} >"$work/cell.md"
+grep -q '^ *cell *strain' "$work/cell.md" && "$nineball" run "$work/cell.md" -o "$work/cell" >"$work/said" 2>&1
+result $? 'the examples of scenes with a cell are read and run'
+
 sed -n 's/^### //p' "$language" | sort -u | while read -r word; do
   "$nineball" --help "$word" 2>&1 | grep -q "$word" || echo "nineball --help $word says nothing of it"
 done >"$work/said"

@@ -9,51 +9,16 @@
  * dashpots needs no dn, one without friction no ds: three forms of one loop.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "../model.h"
-
-/* What the loop of square roots needs, fetched body by body first: bodies lie anywhere, a block's vectors side by side. */
-struct fetched {
-  struct nb_vec apart[NB_BLOCK], approach[NB_BLOCK]; /* y - x, v_x - v_y */
-  struct nb_vec rims[NB_BLOCK];                      /* R_x + R_y, w_x R_x + w_y R_y */
-};
-
-static inline NB_FORM void disc_disc(const struct nb_model *model, const struct nb_view *view,
-                                     enum nb_approach approach) {
-  const struct nb_vec *position = model->bodies.position, *velocity = model->bodies.velocity, *rim = model->bodies.rim;
-  struct fetched here;
-  for (size_t c = 0; c < view->n; c++) {
-    const int i = view->a[c], j = view->b[c];
-    vec_put(&here.apart[c], vec_both(&position[j]) - vec_both(&position[i]));
-    vec_put(&here.rims[c], vec_both(&rim[i]) + vec_both(&rim[j]));
-    if (approach >= NB_APPROACH_CLOSING)
-      vec_put(&here.approach[c], vec_both(&velocity[i]) - vec_both(&velocity[j]));
-  }
-  double *overlap = view->f[NB_OVERLAP], *ex = view->f[NB_EX], *ey = view->f[NB_EY];
-  double *closing = view->f[NB_CLOSING], *slip = view->f[NB_SLIP];
-  const double dt = model->previous_step;
-  NB_WIDE
-  for (size_t c = 0; c < view->n; c++) {
-    const double distance = vec_length(here.apart[c]);
-    const double alpha = here.rims[c].x - distance;
-    const struct nb_vec e = vec_scale(1 / distance, here.apart[c]);
-    overlap[c] = alpha > 0 ? alpha : 0;
-    ex[c] = e.x;
-    ey[c] = e.y;
-    if (approach >= NB_APPROACH_CLOSING)
-      closing[c] = vec_dot(here.approach[c], e) * dt;
-    if (approach >= NB_APPROACH_SLIP)
-      slip[c] = nb_touched(alpha, closing[c]) * ((vec_dot(here.approach[c], vec_clockwise(e)) - here.rims[c].y) * dt);
-  }
-}
+#include "disc_disc.h"
 
 static inline NB_FORM void overlap_only(const struct nb_model *model, const struct nb_view *view) {
-  disc_disc(model, view, NB_APPROACH_OVERLAP);
+  nb_disc_disc(model, view, NB_APPROACH_OVERLAP, false);
 }
 static inline NB_FORM void with_closing(const struct nb_model *model, const struct nb_view *view) {
-  disc_disc(model, view, NB_APPROACH_CLOSING);
+  nb_disc_disc(model, view, NB_APPROACH_CLOSING, false);
 }
 static inline NB_FORM void with_slip(const struct nb_model *model, const struct nb_view *view) {
-  disc_disc(model, view, NB_APPROACH_SLIP);
+  nb_disc_disc(model, view, NB_APPROACH_SLIP, false);
 }
 NB_FORMS(overlap_only)
 NB_FORMS(with_closing)

@@ -1,0 +1,30 @@
+/* Geometry of a disc and a copy of one, in a periodic cell.                            [CS79 8-15; R89 4.5.2]
+ *
+ *   y + H m - x   in place of y - x,      v_y + L H m   in place of v_y
+ *
+ *   H   the cell's sides as columns, m       m   two whole numbers: how many sides on the copy is
+ *   L   strain rate of the cell over the step behind, 1/s
+ *
+ * All else is what disc_disc.c has.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "disc_disc.h"
+
+static inline NB_FORM void overlap_only(const struct nb_model *model, const struct nb_view *view) {
+  nb_disc_disc(model, view, NB_APPROACH_OVERLAP, true);
+}
+static inline NB_FORM void with_closing(const struct nb_model *model, const struct nb_view *view) {
+  nb_disc_disc(model, view, NB_APPROACH_CLOSING, true);
+}
+static inline NB_FORM void with_slip(const struct nb_model *model, const struct nb_view *view) {
+  nb_disc_disc(model, view, NB_APPROACH_SLIP, true);
+}
+NB_FORMS(overlap_only)
+NB_FORMS(with_closing)
+NB_FORMS(with_slip)
+
+const struct nb_pass nb_pass_periodic[] = {
+    {"disc-copy, overlap", NB_FORMS_LIST(overlap_only)},
+    {"disc-copy, overlap and closing", NB_FORMS_LIST(with_closing)},
+    {"disc-copy, overlap, closing and slip", NB_FORMS_LIST(with_slip)},
+};

@@ -1,0 +1,241 @@
+/* The periodic cell: which copies meet, against all copies there are; and what must not depend on which copy of a body a page
+ * names, on the skin, threads, storage or instructions.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../src/near.h"
+#include "chance.h"
+#include "suites.h"
+#include "written.h"
+
+enum { DISCS = 150 };
+
+/* A gas of unlike discs that rub, in a cell that is strained; `wander` puts every body into another copy of the cell. */
+static void gas(struct written *it, const char *strain, const char *more, int wander, unsigned seed) {
+  struct words page = {0};
+  struct chance chance = chance_begin(seed), copies = chance_begin(99);
+  words_add(&page,
+            "units none\nmaterial a density 1 kn 100 ks 80 friction 0.4\nmaterial b density 2 kn 300 ks 100 friction "
+            "0.2\nshear linear\nstep 1e-3\ncell -8 -8 to 8 8\n%s",
+            more);
+  for (int k = 0; k < DISCS; k++) {
+    const double x = chance_between(&chance, -8, 8), y = chance_between(&chance, -8, 8);
+    const double r = chance_scale(&chance, 0.2, 0.8), vx = chance_between(&chance, -5, 5);
+    const double to_x = 16 * round(chance_between(&copies, -3, 3)), to_y = 16 * round(chance_between(&copies, -3, 3));
+    words_add(&page, "disc %.17g %.17g radius %.17g %s velocity %.17g %.17g spin %.17g\n", x + wander * to_x,
+              y + wander * to_y, r, k % 3 ? "a" : "b", vx, chance_between(&chance, -5, 5),
+              chance_between(&chance, -9, 9));
+  }
+  words_add(&page,
+            "watch A disc 1\nrecord A.x A.angle contacts cell.stress.xx cell.stress.xy cell.stress.yx "
+            "energy.kinetic energy.residual work.residual momentum.x\nstage s\n%s\ncycles 3000\n",
+            strain);
+  written_scene(it, &page);
+}
+
+/* The gap between i and the nearest of all copies of j within five sides, and how many copies are nearer than `within`. */
+static double nearest(const struct nb_model *model, size_t i, size_t j, double within, int *count) {
+  const struct nb_wrap wrap = nb_cell_wrap(model->cell);
+  const struct nb_vec a = nb_wrapped(&wrap, model->bodies.position[i]),
+                      b = nb_wrapped(&wrap, model->bodies.position[j]);
+  double least = INFINITY;
+  *count = 0;
+  for (int m = -5; m <= 5; m++)
+    for (int n = -5; n <= 5; n++) {
+      const struct nb_vec apart = vec_sub(vec_add(b, tensor_times(wrap.h, vec(m, n))), a);
+      const double gap = vec_length(apart) - model->bodies.rim[i].x - model->bodies.rim[j].x;
+      least = fmin(least, gap), *count += gap < within;
+    }
+  return least;
+}
+
+/* The gap that the contact itself sees. */
+static double gap_of(const struct nb_model *model, size_t c) {
+  const int i = model->contacts.a[c], j = model->contacts.b[c];
+  const struct nb_vec shift = tensor_times(model->cell->h, model->contacts.image[c]);
+  const struct nb_vec apart = vec_add(vec_sub(model->bodies.position[j], model->bodies.position[i]), shift);
+  return vec_length(apart) - model->bodies.rim[i].x - model->bodies.rim[j].x;
+}
+
+/* Whatever is nearer than `within` is listed, once, and under the copy that is so near. */
+static size_t compare(const struct nb_model *model, double within) {
+  size_t wanted = 0;
+  for (size_t k = 0; k < DISCS; k++)
+    for (size_t l = k + 1; l < DISCS; l++) {
+      int count;
+      const size_t i = (size_t)model->bodies.slot[k], j = (size_t)model->bodies.slot[l];
+      const double gap = nearest(model, i, j, within, &count);
+      if (!(gap < within))
+        continue;
+      wanted++;
+      const long c = nb_contacts_find(model, (int)i, (int)j, false);
+      CU_ASSERT_EQUAL(count, 1);
+      CU_ASSERT_FATAL(c >= 0);
+      CU_ASSERT_DOUBLE_EQUAL(gap_of(model, (size_t)c), gap, 1e-11);
+    }
+  return wanted;
+}
+
+static void all_copies_are_found(void) {
+  static const char *const strains[] = {"cell strain 0 0 c12 0.9", "cell strain 0.1 -0.1 shear 0.2",
+                                        "cell strain -0.03 -0.05", "cell strain 0 0 c12 -0.7 c21 0.1"};
+  for (unsigned s = 0; s < 4; s++)
+    for (int shuffle = 0; shuffle < 2; shuffle++) {
+      struct written it;
+      struct nb_error error;
+      gas(&it, strains[s], "", s % 2, s + 1);
+      struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
+      CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+      for (int round = 0; round < 12; round++) {
+        CU_ASSERT_EQUAL_FATAL(nb_near(model, &error), NB_OK);
+        const size_t wanted = compare(model, model->skin);
+        CU_ASSERT(wanted > 20 && wanted == model->contacts.count);
+        for (int cycle = 0; cycle < 250; cycle++) {
+          CU_ASSERT_EQUAL_FATAL(nb_cycle(model, &error), NB_OK);
+          if (cycle % 25 == 24)
+            CU_ASSERT(compare(model, 0) > 10); /* between searches, whatever touches */
+        }
+      }
+      CU_ASSERT(model->searches > 15 && model->searches < 1500);
+      nb_model_free(model);
+      written_free(&it);
+    }
+}
+
+/* Forces, spins and how much each has moved, by number. */
+static void outcome(const struct nb_model *model, double state[DISCS][8]) {
+  for (size_t k = 0; k < DISCS; k++) {
+    const size_t i = (size_t)model->bodies.slot[k];
+    const struct nb_force force = nb_force_on(model, i);
+    const struct nb_vec v = nb_velocity_half(model, i).velocity;
+    const double values[8] = {force.force.x, force.force.y,         force.moment,           v.x,
+                              v.y,           model->bodies.spin[i], model->bodies.angle[i], model->cell->h.xy};
+    memcpy(state[k], values, sizeof values);
+  }
+}
+
+static double wanted[DISCS][8], seen[DISCS][8];
+
+static struct nb_model *run(const struct written *it, const struct nb_options *options, int cycles) {
+  struct nb_error error;
+  struct nb_model *model = nb_model_create(&it->scene, options, &error);
+  if (!model)
+    return NULL;
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it->scene.stages[0], &error), NB_OK);
+  for (int cycle = 0; cycle < cycles; cycle++)
+    CU_ASSERT_EQUAL_FATAL(nb_cycle(model, &error), NB_OK);
+  return model;
+}
+
+/* A page may name any copy of a body: the same forces but for rounding, which a gas makes e times as much per collision. */
+static void which_copy_is_named_changes_nothing(void) {
+  for (int wander = 0; wander < 2; wander++) {
+    struct written it;
+    gas(&it, "cell strain 0.02 0 c12 0.3", "", wander, 7);
+    struct nb_model *model = run(&it, NULL, 200);
+    outcome(model, wander ? seen : wanted);
+    CU_ASSERT(fabs(model->bodies.position[0].x) > 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
+  for (int k = 0; k < DISCS; k++)
+    for (int v = 0; v < 8; v++)
+      CU_ASSERT_DOUBLE_EQUAL(seen[k][v], wanted[k][v], 1e-8);
+}
+
+static void the_skin_changes_no_bit(void) {
+  static const char *const skins[] = {"", "skin 1e-3\n", "skin 1\n"};
+  unsigned long long searches[3];
+  for (int s = 0; s < 3; s++) {
+    struct written it;
+    gas(&it, "cell strain 0.02 0 c12 0.9", skins[s], 1, 8);
+    struct nb_model *model = run(&it, NULL, 1000);
+    outcome(model, s ? seen : wanted);
+    searches[s] = model->searches;
+    CU_ASSERT(!s || memcmp(seen, wanted, sizeof seen) == 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
+  CU_ASSERT(searches[1] > 900 && searches[0] < 600 && searches[2] < 60);
+}
+
+static void storage_threads_and_instructions_change_no_bit(void) {
+  static const struct nb_options all[] = {
+      {.threads = 1, .isa = "plain"},  {.threads = 1, .shuffle = true}, {.threads = 2},
+      {.threads = 7, .shuffle = true}, {.threads = 1, .isa = "avx2"},   {.threads = 2, .isa = "avx512"},
+  };
+  struct written it;
+  gas(&it, "cell strain -0.01 0.02 c12 0.6", "", 0, 9);
+  for (size_t o = 0; o < sizeof all / sizeof *all; o++) {
+    struct nb_model *model = run(&it, &all[o], 500);
+    if (!model) { /* this machine lacks the instructions */
+      CU_ASSERT(o > 0 && all[o].isa);
+      continue;
+    }
+    outcome(model, o ? seen : wanted);
+    CU_ASSERT(!o || memcmp(seen, wanted, sizeof seen) == 0);
+    nb_model_free(model);
+  }
+  written_free(&it);
+}
+
+/* Without forces bodies go where the strain takes them, H s, and no faster. */
+static void a_strain_is_uniform(void) {
+  struct written it;
+  struct words page = {0};
+  words_add(
+      &page,
+      "units none\nmaterial a density 1 kn 1\ncell 0 0 to 20 10\ndiscs lattice 4 by 2 from 3 3 radius 1 spacing 4 a\n"
+      "disc 38 -5 radius 1 a\nstep 0.01\nwatch A disc 9\nrecord A.x A.vx A.vx.half cell.xx cell.xy cell.area "
+      "cell.strain.xx cell.strain.xy energy.kinetic\nstage s\ncell strain 0.01 -0.02 c12 0.05\ncycles 100\n");
+  written_scene(&it, &page);
+  struct nb_model *model = run(&it, NULL, 100);
+  const double xx = pow(1.0001, 100), yy = pow(0.9998, 100);
+  double xy = 0;
+  for (int n = 0; n < 100; n++)
+    xy += 0.01 * (0.01 * xy + 0.05 * pow(0.9998, n));
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "cell.xx"), 20 * xx, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "cell.xy"), 10 * xy, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "cell.area"), 200 * xx * yy, 1e-11);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "cell.strain.xx"), xx - 1, 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "cell.strain.xy"), xy / 2, 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.x"), 10 + xx * 28 - xy * 10, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.vx"), 0.01 * xx * 28 - 10 * (0.01 * xy + 0.05 * yy), 1e-3);
+  CU_ASSERT(fabs(written_now(model, "energy.kinetic")) < 1e-25);
+  CU_ASSERT(model->searches < 40);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* The cell nearest to upright has the same copies, and heights that no other has more of. */
+static void sheared_cells_are_set_upright(void) {
+  struct chance chance = chance_begin(3);
+  for (int k = 0; k < 2000; k++) {
+    struct nb_cell cell = {.h = tensor(chance_between(&chance, 1, 3), chance_between(&chance, -90, 90),
+                                       chance_between(&chance, -0.9, 0.9), chance_between(&chance, 1, 3))};
+    if (fabs(tensor_determinant(cell.h)) < 0.1)
+      continue;
+    const struct nb_wrap wrap = nb_cell_wrap(&cell);
+    const struct nb_tensor same = tensor_product(cell.h, wrap.whole);
+    CU_ASSERT_DOUBLE_EQUAL(fabs(tensor_determinant(wrap.whole)), 1, 0);
+    CU_ASSERT_DOUBLE_EQUAL(same.xx, wrap.h.xx, 1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(same.xy, wrap.h.xy, 1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(same.yx, wrap.h.yx, 1e-10);
+    CU_ASSERT_DOUBLE_EQUAL(same.yy, wrap.h.yy, 1e-10);
+    const struct nb_vec a = vec(wrap.h.xx, wrap.h.yx), b = vec(wrap.h.xy, wrap.h.yy);
+    CU_ASSERT(fabs(vec_dot(a, b)) <= 0.5000001 * fmin(vec_dot(a, a), vec_dot(b, b)));
+  }
+}
+
+void suite_cell(void) {
+  CU_pSuite suite = CU_add_suite("cell", NULL, NULL);
+  CU_ADD_TEST(suite, all_copies_are_found);
+  CU_ADD_TEST(suite, which_copy_is_named_changes_nothing);
+  CU_ADD_TEST(suite, the_skin_changes_no_bit);
+  CU_ADD_TEST(suite, storage_threads_and_instructions_change_no_bit);
+  CU_ADD_TEST(suite, a_strain_is_uniform);
+  CU_ADD_TEST(suite, sheared_cells_are_set_upright);
+}
