@@ -168,6 +168,32 @@ static void what_is_there_stays_free(void) {
   written_free(&it);
 }
 
+/* How often a place is free when a share q of the plane is taken, in powers of q [Schaaf and Talbot, J. Chem. Phys. 91
+ * (1989) 4401], so how many tries N bodies take in the mean: the sum of 1/p. Discs along the edge of the square that centres
+ * may lie in, of side a, keep less of it from others: in the mean 1 - 8 d/(3 pi a) of pi d^2, d = 2 R. The tries of a body are
+ * geometric, of variance (1 - p)/p^2; four deviations. What is left out, q^4 and the edge in the second order, is 0.2 %. */
+static void as_many_tries_as_chance_takes(void) {
+  enum { BODIES = 20000 };
+  const double pi = acos(-1), side = 560, a = side - 2, edge = 1 - 8 * 2 / (3 * pi * a);
+  double tries = 0, variance = 0;
+  for (int k = 0; k < BODIES; k++) {
+    const double q = k * pi / (a * a);
+    const double p =
+        1 - 4 * edge * q + 6 * sqrt(3) / pi * q * q + (40 / (sqrt(3) * pi) - 176 / (3 * pi * pi)) * q * q * q;
+    tries += 1 / p, variance += (1 - p) / (p * p);
+  }
+  for (int seed = 1; seed <= 3; seed++) {
+    struct written it;
+    char page[256];
+    snprintf(page, sizeof page,
+             ROCK "grading g 1 %d\ndiscs fill box 0 0 to %g %g g rock seed %d tries 1000 else stop\n", BODIES, side,
+             side, seed);
+    make(&it, page);
+    CU_ASSERT_DOUBLE_EQUAL((double)it.scene.fills[0].made, tries, 4 * sqrt(variance) + 0.002 * tries);
+    written_free(&it);
+  }
+}
+
 /* The first one leaves no room for the second: so many tries, then the next size. One that is larger than the circle takes
  * no try. */
 static void tries_and_skips(void) {
@@ -234,6 +260,7 @@ void suite_fill(void) {
   CU_add_test(suite, "evenly in a box", evenly_in_a_box);
   CU_add_test(suite, "nobody overlaps", nobody_overlaps);
   CU_add_test(suite, "what is there stays free", what_is_there_stays_free);
+  CU_add_test(suite, "as many tries as chance takes", as_many_tries_as_chance_takes);
   CU_add_test(suite, "tries and skips", tries_and_skips);
   CU_add_test(suite, "the same bits", the_same_bits);
   CU_add_test(suite, "hexagonal", hexagonal);
