@@ -1,0 +1,81 @@
+/* Reference: a straight row of equal discs, pressed between two walls with the force F.
+ *
+ * Each disc overlaps the next by a, the outer ones the walls by a; F = k_n a. The one contact force runs from wall to wall: of a
+ * region of area A that holds the row and ends at the walls, L apart, with u the direction of the row,
+ *
+ *   sigma_ij = F L u_i u_j/A          Phi_ij = u_i u_j,  Phi_xxxx = u_x^4          sin Phi = 1
+ *
+ * since F acts on the region's two ends alone: L is all that counts of what is between. Every normal force is F and there is no
+ * shear: the part `fabric` is all of the stress, `variation` and `shear` are none of it. n discs have n - 1 contacts and two
+ * with walls, and two ends each.
+ *
+ * Known, of each region NAME that is a box, at 0 cycles: NAME.stress.xx, xy, yy, mean, sinphi, angle; likewise
+ * NAME.stress.contacts and NAME.stress.fabric; NAME.stress.fabric.share, variation.share, shear.share;
+ * NAME.fabric.xx, xy, yy, anisotropy; NAME.coordination, contacts; NAME.normal.mean.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "reference.h"
+
+static void tell(struct nb_known *known, const char *region, const char *of, const char *what, double value) {
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%s.%s%s at 0 cycles", region, of, what);
+  known_value(known, value, name);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const size_t n = scene->body_count;
+  if (n < 2 || scene->wall_count != 2 || strcmp(scene->normal, "linear") != 0)
+    return nb_error_set(error, NB_BAD_USE, "force_chain wants a row of discs on linear springs between two walls");
+  const struct nb_body *first = &scene->bodies[0], *last = &scene->bodies[n - 1];
+  const double length = hypot(last->x - first->x, last->y - first->y), R = first->radius;
+  const double ux = (last->x - first->x) / length, uy = (last->y - first->y) / length;
+  const double overlap = 2 * R - length / (double)(n - 1);
+  const double force = nb_scene_pair(scene, first->material, first->material).kn * overlap;
+  const double across = length + 2 * (R - overlap); /* from wall to wall, if they press as the discs do */
+  for (int w = 0; w < 2; w++) {
+    const struct nb_wall *wall = &scene->walls[w];
+    const struct nb_body *end = hypot(wall->x - first->x, wall->y - first->y) < length / 2 ? first : last;
+    const double away = fabs((end->x - wall->x) * wall->ey - (end->y - wall->y) * wall->ex);
+    if (fabs(R - away - overlap) > 1e-9 * overlap || fabs(wall->ex * ux + wall->ey * uy) > 1e-12)
+      return nb_error_set(error, NB_BAD_USE, "force_chain wants walls across the row that press as the discs do");
+  }
+  const double u[] = {ux * ux, ux * uy, uy * uy};
+  for (size_t k = 0; k < scene->watch_count; k++) {
+    const struct nb_watch *watch = &scene->watches[k];
+    if (watch->kind != NB_WATCH_REGION || scene->regions[watch->a].kind != NB_REGION_BOX)
+      continue;
+    const struct nb_region *region = &scene->regions[watch->a];
+    const double s = force * across / (4 * region->half_x * region->half_y);
+    static const char *const stresses[] = {"stress.", "stress.contacts.", "stress.fabric."};
+    for (int t = 0; t < 3; t++) {
+      tell(known, watch->name, stresses[t], "xx", s * u[0]);
+      tell(known, watch->name, stresses[t], "xy", s * u[1]);
+      tell(known, watch->name, stresses[t], "yy", s * u[2]);
+      tell(known, watch->name, stresses[t], "mean", s / 2);
+      tell(known, watch->name, stresses[t], "angle", atan(uy / ux));
+    }
+    tell(known, watch->name, "stress.", "sinphi", 1);
+    tell(known, watch->name, "stress.", "fabric.share", 1);
+    tell(known, watch->name, "stress.", "variation.share", 0);
+    tell(known, watch->name, "stress.", "shear.share", 0);
+    tell(known, watch->name, "fabric.", "xx", u[0]);
+    tell(known, watch->name, "fabric.", "xy", u[1]);
+    tell(known, watch->name, "fabric.", "yy", u[2]);
+    tell(known, watch->name, "fabric.", "anisotropy", 1);
+    tell(known, watch->name, "fabric.", "fourth.xxxx", u[0] * u[0]);
+    tell(known, watch->name, "", "coordination", 2);
+    tell(known, watch->name, "", "contacts", (double)n + 1);
+    tell(known, watch->name, "normal.", "mean", force);
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_force_chain = {
+    .name = "force_chain",
+    .title = "a straight row of discs pressed between two walls: stress F L/A, fabric of one direction",
+    .source = "[R89 4.48]",
+    .know = know,
+};

@@ -1,0 +1,114 @@
+/* Reference: stress, fabric and porosity of a lattice without end, in closed form.
+ *
+ * Equal discs of radius R at i a_1 + j a_2, on springs of stiffness k_n, a disc 1 m thick. Of the lattice vectors d with |d| < 2R
+ * each disc has a contact along d and one along -d; with N = k_n (2R - |d|), n = d/|d| and the cell's area A = |a_1 x a_2|:
+ *
+ *   sigma_ij = (1/A) sum over pairs +-d of N |d| n_i n_j             Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>
+ *   F_kk = z R/A                 coordination = z, twice the pairs      porosity = 1 - pi R^2/A (+ nothing: overlaps count twice)
+ *
+ * a_1 is from the first body to the second, a_2 from the first body to the one that is nearest of those not on that line. All of
+ * this is so in a box that holds whole cells; where the box begins makes no difference, also not to the outlines that it cuts.
+ *
+ * Known, of every region that is such a box, at 0 cycles:
+ *   NAME.stress.xx, xy, yy, mean, sinphi; NAME.fabric.xx, xy, yy, kk; NAME.fabric.fourth.xxxx, xxyy, yyyy
+ *   NAME.coordination, NAME.porosity
+ * Exact but for rounding.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "reference.h"
+
+static const double pi = 3.14159265358979323846;
+
+struct lattice {
+  double x1, y1, x2, y2, area;
+};
+
+static bool find(struct lattice *lattice, const struct nb_scene *scene) {
+  const struct nb_body *b = scene->bodies;
+  double nearest = INFINITY;
+  if (scene->body_count < 4)
+    return false;
+  *lattice = (struct lattice){.x1 = b[1].x - b[0].x, .y1 = b[1].y - b[0].y};
+  const double length = hypot(lattice->x1, lattice->y1);
+  for (size_t k = 2; k < scene->body_count; k++) {
+    const double x = b[k].x - b[0].x, y = b[k].y - b[0].y, area = lattice->x1 * y - lattice->y1 * x;
+    if (fabs(area) > 1e-6 * length * length && hypot(x, y) < nearest)
+      nearest = hypot(x, y), lattice->x2 = x, lattice->y2 = y, lattice->area = area;
+  }
+  if (!(nearest < INFINITY))
+    return false;
+  for (size_t k = 0; k < scene->body_count; k++) { /* all are on it */
+    const double x = b[k].x - b[0].x, y = b[k].y - b[0].y;
+    const double i = (x * lattice->y2 - y * lattice->x2) / lattice->area;
+    const double j = (lattice->x1 * y - lattice->y1 * x) / lattice->area;
+    if (fabs(i - round(i)) > 1e-9 || fabs(j - round(j)) > 1e-9 || b[k].radius != b[0].radius || b[k].shape != NB_DISC ||
+        b[k].material != b[0].material)
+      return false;
+  }
+  lattice->area = fabs(lattice->area);
+  return true;
+}
+
+static void tell(struct nb_known *known, const char *region, const char *what, double value) {
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%s.%s at 0 cycles", region, what);
+  known_value(known, value, name);
+}
+
+static void know_region(struct nb_known *known, const char *name, const struct lattice *a, double radius, double kn) {
+  double sigma[3] = {0}, phi[3] = {0}, fourth[3] = {0}, z = 0;
+  for (int i = -4; i <= 4; i++)
+    for (int j = -4; j <= 4; j++) {
+      const double x = i * a->x1 + j * a->x2, y = i * a->y1 + j * a->y2, d = hypot(x, y);
+      if ((i == 0 && j == 0) || d >= 2 * radius)
+        continue;
+      const double nx = x / d, ny = y / d, force = kn * (2 * radius - d);
+      const double half = force * d / (2 * a->area); /* +d and -d make one pair */
+      sigma[0] += half * nx * nx, sigma[1] += half * nx * ny, sigma[2] += half * ny * ny;
+      phi[0] += nx * nx, phi[1] += nx * ny, phi[2] += ny * ny;
+      fourth[0] += nx * nx * nx * nx, fourth[1] += nx * nx * ny * ny, fourth[2] += ny * ny * ny * ny;
+      z++;
+    }
+  const double mean = (sigma[0] + sigma[2]) / 2;
+  tell(known, name, "stress.xx", sigma[0]);
+  tell(known, name, "stress.xy", sigma[1]);
+  tell(known, name, "stress.yy", sigma[2]);
+  tell(known, name, "stress.mean", mean);
+  tell(known, name, "stress.sinphi", hypot((sigma[0] - sigma[2]) / 2, sigma[1]) / mean);
+  tell(known, name, "fabric.xx", phi[0] / z);
+  tell(known, name, "fabric.xy", phi[1] / z);
+  tell(known, name, "fabric.yy", phi[2] / z);
+  tell(known, name, "fabric.fourth.xxxx", fourth[0] / z);
+  tell(known, name, "fabric.fourth.xxyy", fourth[1] / z);
+  tell(known, name, "fabric.fourth.yyyy", fourth[2] / z);
+  tell(known, name, "fabric.kk", z * radius / a->area);
+  tell(known, name, "coordination", z);
+  tell(known, name, "porosity", 1 - pi * radius * radius / a->area);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct lattice lattice;
+  if (!find(&lattice, scene) || scene->wall_count > 0 || strcmp(scene->normal, "linear") != 0)
+    return nb_error_set(error, NB_BAD_USE, "lattice_stress wants equal discs on linear springs in a lattice, no walls");
+  const int m = scene->bodies[0].material;
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    if (scene->watches[w].kind != NB_WATCH_REGION)
+      continue;
+    const struct nb_region *region = &scene->regions[scene->watches[w].a];
+    const double cells = 4 * region->half_x * region->half_y / lattice.area;
+    if (region->kind != NB_REGION_BOX || fabs(cells - round(cells)) > 1e-9)
+      return nb_error_set(error, NB_BAD_USE, "lattice_stress wants regions that are boxes of whole cells");
+    know_region(known, scene->watches[w].name, &lattice, scene->bodies[0].radius, nb_scene_pair(scene, m, m).kn);
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_lattice_stress = {
+    .name = "lattice_stress",
+    .title = "stress, fabric and porosity of a strained lattice without end, in closed form",
+    .source = "[R89 4.45-4.53]",
+    .know = know,
+};

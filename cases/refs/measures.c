@@ -1,0 +1,228 @@
+/* Reference: what the measures of regions are at time 0, of bodies on linear springs without friction, by their definitions.
+ *
+ * Every pair of bodies is looked at, O(n^2). With the overlap a = R_i + R_j - |x_i - x_j| > 0, the force N = k_n a and the normal
+ * n, a body inside adds for each of its contacts
+ *
+ *   N l n n/V    to the stress, l = R_i - a/2                    n n/2M, N n n/sum N    to the fabric, plain and weighted
+ *
+ * Principal values and directions are GSL's eigenvalues and eigenvectors. What a region covers of an outline is the integral of
+ * the length that a line through both has in common with them, by quadrature. Rattlers go one by one until none is left.
+ *
+ * Known, of a region NAME that is a circle or a box, at 0 cycles:
+ *   NAME.stress.xx and its sisters, likewise NAME.stress.contacts, NAME.fabric, NAME.fabric.normal; NAME.fabric.kk
+ *   NAME.bodies, contacts, coordination, coordination.loaded, rattlers, normal.mean, max, min
+ *   NAME.porosity, porosity.volume, thickness
+ * Exact but for rounding; porosity to what the quadrature is asked for, 1e-11.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+static const double pi = 3.14159265358979323846;
+
+static bool inside(const struct nb_region *region, const struct nb_body *body) {
+  const double x = body->x - region->x, y = body->y - region->y;
+  if (region->kind == NB_REGION_CIRCLE)
+    return hypot(x, y) <= region->radius;
+  return fabs(x * region->ex + y * region->ey) <= region->half_x &&
+         fabs(y * region->ex - x * region->ey) <= region->half_y;
+}
+
+static double overlap(const struct nb_body *a, const struct nb_body *b) {
+  return a->radius + b->radius - hypot(a->x - b->x, a->y - b->y);
+}
+
+/* ---- how much of an outline is inside ---- */
+
+struct cut {
+  const struct nb_region *region;
+  double x, y, radius; /* of the body, in the region's own axes, from its centre */
+};
+
+/* The length at height y that both have. */
+static double common(double y, void *data) {
+  const struct cut *cut = data;
+  const double up = y - cut->y, a = sqrt(fmax(0, cut->radius * cut->radius - up * up));
+  const double R = cut->region->radius;
+  const double b = cut->region->kind == NB_REGION_BOX ? cut->region->half_x : sqrt(fmax(0, R * R - y * y));
+  return fmax(0, fmin(cut->x + a, b) - fmax(cut->x - a, -b));
+}
+
+static double area_inside(const struct nb_region *region, const struct nb_body *body) {
+  const double x = body->x - region->x, y = body->y - region->y, R = region->radius;
+  struct cut cut = {region, x, y, body->radius};
+  const bool box = region->kind == NB_REGION_BOX;
+  if (box)
+    cut.x = x * region->ex + y * region->ey, cut.y = y * region->ex - x * region->ey;
+  else
+    cut.x = hypot(x, y), cut.y = 0; /* turned so that the body lies to the east */
+  const double half = box ? region->half_y : R;
+  const double low = fmax(-half, cut.y - body->radius), high = fmin(half, cut.y + body->radius);
+  if (!(high > low) || (!box && cut.x >= R + body->radius))
+    return 0;
+  gsl_integration_cquad_workspace *room = gsl_integration_cquad_workspace_alloc(200);
+  gsl_function f = {common, &cut};
+  double sum = 0, error = 0;
+  if (room)
+    gsl_integration_cquad(&f, low, high, 1e-13 * pi * body->radius * body->radius, 1e-12, room, &sum, &error, NULL);
+  gsl_integration_cquad_workspace_free(room);
+  return sum;
+}
+
+/* ---- what is told ---- */
+
+static void tell(struct nb_known *known, const char *region, const char *what, double value) {
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%s.%s at 0 cycles", region, what);
+  known_value(known, value, name);
+}
+
+static void tell_tensor(struct nb_known *known, const char *region, const char *what, const double t[3],
+                        const char *deviator) {
+  double both[] = {t[0], t[1], t[1], t[2]}, major = 0, minor = 0, x = 1, y = 0;
+  gsl_matrix_view matrix = gsl_matrix_view_array(both, 2, 2);
+  gsl_eigen_symmv_workspace *room = gsl_eigen_symmv_alloc(2);
+  gsl_vector *values = gsl_vector_alloc(2);
+  gsl_matrix *vectors = gsl_matrix_alloc(2, 2);
+  gsl_eigen_symmv(&matrix.matrix, values, vectors, room);
+  gsl_eigen_symmv_sort(values, vectors, GSL_EIGEN_SORT_VAL_DESC);
+  major = gsl_vector_get(values, 0), minor = gsl_vector_get(values, 1);
+  x = gsl_matrix_get(vectors, 0, 0), y = gsl_matrix_get(vectors, 1, 0);
+  gsl_eigen_symmv_free(room), gsl_vector_free(values), gsl_matrix_free(vectors);
+  const struct {
+    const char *name;
+    double value;
+  } rows[] = {{"xx", t[0]},
+              {"xy", t[1]},
+              {"yx", t[1]},
+              {"yy", t[2]},
+              {"major", major},
+              {"minor", minor},
+              {deviator, major - minor},
+              {"angle", atan(y / x)},
+              {"mean", (major + minor) / 2},
+              {"sinphi", (major - minor) / (major + minor)}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    char name[2 * NB_NAME_SIZE];
+    snprintf(name, sizeof name, "%s.%s", what, rows[k].name);
+    tell(known, region, name, rows[k].value);
+  }
+}
+
+/* ---- a region ---- */
+
+struct sums {
+  double stress[3], fabric[3], weighted[3]; /* xx, xy, yy */
+  double bodies, ends, contacts, force, radius, covered, volume;
+  double mean, most, least; /* of the contacts' forces */
+};
+
+static void add(double t[3], double weight, double x, double y) {
+  t[0] += weight * x * x, t[1] += weight * x * y, t[2] += weight * y * y;
+}
+
+static void add_pair(struct sums *sums, const struct nb_scene *scene, const struct nb_region *region, size_t i,
+                     size_t j) {
+  const struct nb_body *a = &scene->bodies[i], *b = &scene->bodies[j];
+  const double deep = overlap(a, b), apart = hypot(b->x - a->x, b->y - a->y);
+  if (!(deep > 0))
+    return;
+  const double force = nb_scene_pair(scene, a->material, b->material).kn * deep;
+  const double x = (b->x - a->x) / apart, y = (b->y - a->y) / apart;
+  add(sums->stress, force * (a->radius - deep / 2), x, y);
+  add(sums->fabric, 1, x, y);
+  add(sums->weighted, force, x, y);
+  sums->ends++, sums->force += force;
+  if (inside(region, b) && j < i)
+    return;
+  sums->contacts++, sums->mean += force;
+  sums->most = fmax(sums->most, force), sums->least = fmin(sums->least, force);
+}
+
+static void find_rattlers(const struct nb_scene *scene, bool rattles[], int touching[]) {
+  for (bool more = true; more;) {
+    more = false;
+    for (size_t i = 0; i < scene->body_count; i++) {
+      touching[i] = 0;
+      for (size_t j = 0; j < scene->body_count; j++)
+        touching[i] += i != j && !rattles[j] && overlap(&scene->bodies[i], &scene->bodies[j]) > 0;
+      if (!rattles[i] && touching[i] < 2 && !scene->bodies[i].fixed)
+        rattles[i] = more = true;
+    }
+  }
+}
+
+static double thickness_of(const struct nb_scene *scene) {
+  double sum = 0;
+  for (size_t i = 0; i < scene->body_count; i++)
+    sum += scene->bodies[i].shape == NB_SPHERE ? 2 * scene->bodies[i].radius : 1;
+  return sum / (double)scene->body_count;
+}
+
+static void know_region(struct nb_known *known, const struct nb_scene *scene, const char *name,
+                        const struct nb_region *region, const bool rattles[], const int touching[]) {
+  struct sums sums = {.least = INFINITY};
+  double rattlers = 0, loaded = 0;
+  for (size_t i = 0; i < scene->body_count; i++) {
+    const struct nb_body *body = &scene->bodies[i];
+    const double part = area_inside(region, body);
+    sums.covered += part;
+    sums.volume += part * (body->shape == NB_SPHERE ? 4. / 3 * body->radius : 1);
+    if (!inside(region, body))
+      continue;
+    sums.bodies++, sums.radius += body->radius;
+    rattlers += rattles[i], loaded += rattles[i] ? 0 : touching[i];
+    for (size_t j = 0; j < scene->body_count; j++)
+      if (j != i)
+        add_pair(&sums, scene, region, i, j);
+  }
+  const bool box = region->kind == NB_REGION_BOX;
+  const double area = box ? 4 * region->half_x * region->half_y : pi * region->radius * region->radius;
+  const double thickness = thickness_of(scene), volume = area * thickness;
+  for (int k = 0; k < 3; k++)
+    sums.stress[k] /= volume, sums.fabric[k] /= sums.ends, sums.weighted[k] /= sums.force;
+  tell_tensor(known, name, "stress", sums.stress, "deviator");
+  tell_tensor(known, name, "stress.contacts", sums.stress, "deviator");
+  tell_tensor(known, name, "fabric", sums.fabric, "anisotropy");
+  tell_tensor(known, name, "fabric.normal", sums.weighted, "anisotropy");
+  tell(known, name, "fabric.kk", sums.ends * sums.radius / sums.bodies / volume);
+  tell(known, name, "bodies", sums.bodies);
+  tell(known, name, "contacts", sums.contacts);
+  tell(known, name, "coordination", sums.ends / sums.bodies);
+  tell(known, name, "coordination.loaded", loaded / (sums.bodies - rattlers));
+  tell(known, name, "rattlers", rattlers);
+  tell(known, name, "normal.mean", sums.mean / sums.contacts);
+  tell(known, name, "normal.max", sums.most);
+  tell(known, name, "normal.min", sums.least);
+  tell(known, name, "porosity", 1 - sums.covered / area);
+  tell(known, name, "porosity.volume", 1 - sums.volume / volume);
+  tell(known, name, "thickness", thickness);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  if (scene->wall_count > 0 || strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "none") != 0 ||
+      !nb_damping_none(&scene->damping))
+    return nb_error_set(error, NB_BAD_USE, "measures wants linear springs without friction and damping, and no walls");
+  bool *rattles = calloc(scene->body_count, sizeof *rattles);
+  int *touching = calloc(scene->body_count, sizeof *touching);
+  known->lacking = known->lacking || !rattles || !touching;
+  if (rattles && touching)
+    find_rattlers(scene, rattles, touching);
+  for (size_t w = 0; w < scene->watch_count && rattles && touching; w++)
+    if (scene->watches[w].kind == NB_WATCH_REGION && scene->regions[scene->watches[w].a].kind != NB_REGION_ALL)
+      know_region(known, scene, scene->watches[w].name, &scene->regions[scene->watches[w].a], rattles, touching);
+  free(rattles), free(touching);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_measures = {
+    .name = "measures",
+    .title = "stress, fabric, coordination and porosity of regions at time 0, by their definitions, pair by pair",
+    .source = "[R89 4.45-4.54]",
+    .know = know,
+};
