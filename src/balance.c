@@ -5,13 +5,14 @@
  *           the way at the mean of the half-step velocities. That holds for any step, the half first kick too
  *           (tau = dt/2, v- = v_0); the residual is rounding.
  *
- * energy    K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - changed, all at t_N. U is a state function
+ * energy    K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - driven - changed, all at t_N. U is a state function
  *           (energy.c). Forces that depend on velocity or are given act at t_N, at the velocity of t_N, over the kick
  *           around it; what slides does so over the step from t_N to t_(N+1), at the mean of the two forces:
  *
  *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of global damping, over kicks      [CS79 26-36]
  *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks; what strains a cell (balance_cell.c)
  *             gravity     m g.v tau  over kicks
+ *             driven      m dc.v  of what is carried along with the velocity c, and stress on a boundary, over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or part with their spring bent, over steps
  *                         what a law says that knows micro-slip
  *             sliding     the part of that in which a contact slides as a whole
@@ -29,6 +30,7 @@
 #include <string.h>
 
 #include "balance.h"
+#include "drive.h"
 
 /* ---- set up ---- */
 
@@ -63,9 +65,10 @@ enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error)
     b->position = nb_array(bodies, sizeof *b->position), b->pivot = nb_array(walls, sizeof *b->pivot);
     b->wall_velocity = nb_array(walls, sizeof *b->wall_velocity), b->wall_spin = nb_array(walls, sizeof(double));
     b->values = nb_array(pairings, sizeof *b->values);
+    b->carried = model->drive ? nb_array(bodies, sizeof *b->carried) : NULL;
   }
   if (!b || !nb_balance_cell_create(b, model) || !b->before || !b->now || !b->position || !b->pivot ||
-      !b->wall_velocity || !b->wall_spin || !b->values)
+      !b->wall_velocity || !b->wall_spin || !b->values || (model->drive && !b->carried))
     return nb_error_set(error, NB_BROKEN, "out of memory for the balances");
   b->kinetic = nb_energy_kinetic_half(model);
   if (b->energies)
@@ -77,7 +80,7 @@ void nb_balance_free(struct nb_balance *b) {
   if (!b)
     return;
   free(b->before), free(b->now), free(b->position), free(b->pivot), free(b->wall_velocity), free(b->wall_spin);
-  free(b->values), free(b->along), free(b);
+  free(b->values), free(b->along), free(b->carried), free(b);
 }
 
 /* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */
@@ -133,76 +136,6 @@ static void contacts_do(struct nb_sum terms[], const struct nb_model *model, con
   }
 }
 
-/* What global damping gives a body in one kick, against its motion: shares of m v-, of m v+, and of the forces'
- * impulse. */
-static struct nb_state damping_impulse(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state is,
-                                       struct nb_force force, double time) {
-  const double g = model->damping.global, m = model->bodies.mass[i], inertia = model->bodies.inertia[i];
-  double old = 0, new = 0, pushed = 0;
-  switch (model->damping.global_kind) {
-  case NB_GLOBAL_ALPHA: /* C = alpha m on the mean velocity [CS79 34] */
-    old = new = g *time / 2;
-    break;
-  case NB_GLOBAL_CON1_CS79: /* alpha dt/2 = 1 - CON1 */
-    old = new = 1 - g;
-    break;
-  case NB_GLOBAL_CON1_VELOCITY:
-    old = 1 - g;
-    break;
-  case NB_GLOBAL_CON1_ALL:
-    old = pushed = 1 - g;
-    break;
-  case NB_GLOBAL_UNDAMPED:
-    break;
-  }
-  const struct nb_vec linear = vec_scale(m, vec_add(vec_scale(old, was.velocity), vec_scale(new, is.velocity)));
-  return (struct nb_state){vec_scale(-1, vec_add(linear, vec_scale(pushed * time, force.force))),
-                           -(inertia * (old * was.spin + new *is.spin) + pushed * time * force.moment)};
-}
-
-/* What global damping takes in such a kick, with its mean velocity. */
-static double damped(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state mean,
-                     struct nb_force force, double time) {
-  const struct nb_state is = {vec_sub(vec_scale(2, mean.velocity), was.velocity), 2 * mean.spin - was.spin};
-  const struct nb_state taken = damping_impulse(model, i, was, is, force, time);
-  return -(vec_dot(taken.velocity, mean.velocity) + taken.spin * mean.spin);
-}
-
-/* Bodies, in a kick that lasts `time` and of which `share` is counted, at the velocities of t_N. */
-static void bodies_do(struct nb_sum terms[], const struct nb_model *model, double time, double share) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    const struct nb_state was = model->balance->before[i], now = model->balance->now[i];
-    struct nb_force force = nb_force_on(model, i);
-    if (!(bodies->inverse_mass[i] > 0)) {
-      const double held = vec_dot(force.force, now.velocity) + force.moment * now.spin;
-      nb_sum_add(&terms[NB_TERM_WALLS], -share * time * held);
-      continue;
-    }
-    const struct nb_vec weight = vec_scale(bodies->mass[i], model->gravity);
-    force.force = vec_add(force.force, weight);
-    nb_sum_add(&terms[NB_TERM_GRAVITY], share * time * vec_dot(weight, now.velocity));
-    nb_sum_add(&terms[NB_TERM_DAMPED], share * damped(model, i, was, now, force, time));
-  }
-}
-
-/* All forces on free bodies, at the mean of the velocities before and after the kick. */
-static void work_do(struct nb_sum *work, const struct nb_model *model, double time) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (!(bodies->inverse_mass[i] > 0))
-      continue;
-    const struct nb_state was = model->balance->before[i], is = nb_velocity_half(model, i);
-    const struct nb_state mean = {vec_scale(0.5, vec_add(was.velocity, is.velocity)), (was.spin + is.spin) / 2};
-    struct nb_force force = nb_force_on(model, i);
-    force.force = vec_add(force.force, vec_scale(bodies->mass[i], model->gravity));
-    nb_sum_add(work, time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
-    nb_sum_add(work, -damped(model, i, was, mean, force, time));
-  }
-}
-
 void nb_balance_before(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   for (size_t i = 0; i < model->bodies.count; i++) {
@@ -210,6 +143,8 @@ void nb_balance_before(struct nb_model *model) {
     if (b->energies)
       b->now[i] = nb_velocity_now(model, i);
   }
+  if (model->drive)
+    memcpy(b->carried, model->drive->carried, model->bodies.count * sizeof *b->carried);
   memcpy(b->pivot, model->walls.pivot, model->walls.count * sizeof *b->pivot);
   nb_balance_carry(model, model->previous_step / 2, model->step / 2);
 }
@@ -217,17 +152,17 @@ void nb_balance_before(struct nb_model *model) {
 void nb_balance_kick(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   const struct kick kick = {b->position, b->pivot, b->now, model->previous_step / 2, model->step / 2};
-  work_do(&b->work, model, kick.behind + kick.ahead);
+  nb_balance_work(&b->work, model, kick.behind + kick.ahead);
   if (!b->energies)
     return;
-  bodies_do(b->terms, model, kick.behind + kick.ahead, 1);
+  nb_balance_bodies(b->terms, model, kick.behind + kick.ahead, 1);
   contacts_do(b->terms, model, &kick);
   memcpy(b->wall_velocity, model->walls.velocity, model->walls.count * sizeof *b->wall_velocity);
   memcpy(b->wall_spin, model->walls.spin, model->walls.count * sizeof *b->wall_spin);
 }
 
 /* The half of the kick around t_N that lies behind it, as it will be when nothing else happens. */
-static void tail(struct nb_sum terms[], const struct nb_model *model) {
+void nb_balance_tail(struct nb_sum terms[], const struct nb_model *model) {
   struct nb_balance *b = model->balance;
   const struct kick kick = {model->bodies.position, model->walls.pivot, b->now, model->previous_step / 2, 0};
   if (!(kick.behind > 0))
@@ -235,7 +170,10 @@ static void tail(struct nb_sum terms[], const struct nb_model *model) {
   nb_balance_carry(model, kick.behind, 0);
   for (size_t i = 0; i < model->bodies.count; i++)
     b->before[i] = nb_velocity_half(model, i), b->now[i] = nb_velocity_now(model, i);
-  bodies_do(terms, model, model->previous_step, 0.5);
+  memcpy(b->position, model->bodies.position, model->bodies.count * sizeof *b->position);
+  if (model->drive)
+    memcpy(b->carried, model->drive->carried, model->bodies.count * sizeof *b->carried);
+  nb_balance_bodies(terms, model, model->previous_step, 0.5);
   contacts_do(terms, model, &kick);
 }
 
@@ -245,7 +183,7 @@ double nb_balance_term(const struct nb_model *model, enum nb_term term) {
   const struct nb_balance *b = model->balance;
   struct nb_sum now[NB_TERMS];
   memcpy(now, b->terms, sizeof now);
-  tail(now, model);
+  nb_balance_tail(now, model);
   return now[term].sum + now[term].rest;
 }
 
@@ -259,41 +197,14 @@ double nb_balance_work_residual(const struct nb_model *model) {
 double nb_balance_energy_residual(const struct nb_model *model) {
   static const double sign[NB_TERMS] = {
       [NB_TERM_DAMPED] = 1,   [NB_TERM_WALLS] = -1,   [NB_TERM_GRAVITY] = -1, [NB_TERM_FRICTIONAL] = 1,
-      [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1, [NB_TERM_REMOVED] = 1};
+      [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1, [NB_TERM_REMOVED] = 1,  [NB_TERM_DRIVEN] = -1};
   struct nb_sum now[NB_TERMS], sum = {0};
   memcpy(now, model->balance->terms, sizeof now);
-  tail(now, model);
+  nb_balance_tail(now, model);
   nb_sum_add(&sum, nb_energy_kinetic(model));
   nb_sum_add(&sum, nb_energy_stored(model));
   nb_sum_add(&sum, -model->balance->level);
   for (int t = 0; t < NB_TERMS; t++)
     nb_sum_add(&sum, sign[t] * now[t].sum), nb_sum_add(&sum, sign[t] * now[t].rest);
   return sum.sum + sum.rest;
-}
-
-/* ---- jumps: `still`, `reverse`, `remove` ---- */
-
-/* Kinetic energy that is there or gone without a force does not count as work; what was read before is read after. */
-void nb_balance_remove(struct nb_model *model, bool before) {
-  struct nb_balance *b = model->balance;
-  const double sign = before ? -1 : 1;
-  b->kinetic += sign * nb_energy_kinetic_half(model);
-  if (!b->energies)
-    return;
-  struct nb_sum behind[NB_TERMS] = {{0}};
-  tail(behind, model);
-  for (int t = 0; t < NB_TERMS; t++)
-    nb_sum_add(&b->terms[t], -sign * behind[t].sum);
-}
-
-/* It is put in from outside. */
-void nb_balance_jump(struct nb_model *model, bool before) {
-  nb_balance_remove(model, before);
-  if (model->balance->energies)
-    nb_sum_add(&model->balance->terms[NB_TERM_CHANGED], (before ? -1 : 1) * nb_energy_kinetic(model));
-}
-
-void nb_balance_removed(struct nb_model *model, size_t slot) {
-  if (model->balance->energies)
-    nb_sum_add(&model->balance->terms[NB_TERM_REMOVED], nb_energy_of_body(model, slot));
 }

@@ -19,6 +19,7 @@ static inline void nb_sum_add(struct nb_sum *to, double value) {
 struct nb_balance {
   bool works, energies;
   struct nb_state *before, *now;        /* per slot: velocities before the kick; those of t_N */
+  struct nb_vec *carried;               /* per slot: of that velocity, what carries it along; NULL: nothing is */
   struct nb_vec *position;              /* per slot: at t_N, m */
   struct nb_vec *pivot, *wall_velocity; /* per wall: P at t_N, m; velocity over the step that ended there, m/s */
   double *wall_spin;                    /* likewise, rad/s */
@@ -35,5 +36,14 @@ bool nb_balance_cell_create(struct nb_balance *balance, const struct nb_model *m
 /* Before a kick that lasts so long before t_N and after it, s: how far bodies are carried over it. */
 void nb_balance_carry(const struct nb_model *model, double behind, double ahead);
 struct nb_vec nb_balance_carried(const struct nb_model *model, size_t contact); /* the first body less the second, m */
+/* ---- balance_bodies.c ---- */
+/* Bodies, in a kick that lasts `time` and of which `share` is counted, at the velocities of t_N; */
+void nb_balance_bodies(struct nb_sum terms[], const struct nb_model *model, double time, double share);
+/* and all forces on free bodies, at the mean of the velocities before and after the kick. */
+void nb_balance_work(struct nb_sum *work, const struct nb_model *model, double time);
+
+/* ---- balance.c ---- */
+/* Adds the half of the kick around t_N that lies behind it. */
+void nb_balance_tail(struct nb_sum terms[], const struct nb_model *model);
 
 #endif

@@ -26,10 +26,11 @@ static void carry_fields(struct nb_contacts *now, size_t c, const struct nb_cont
       now->kept[fields[f]][c] = old->kept[fields[f]][o];
 }
 
+/* But M*: a body may have become a boundary's. */
 static void carry_all(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   now->force[c] = old->force[o];
   for (int f = 0; f < NB_FIELDS; f++)
-    if (now->kept[f])
+    if (now->kept[f] && f != NB_MASS)
       now->kept[f][c] = old->kept[f][o];
 }
 

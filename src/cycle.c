@@ -9,6 +9,7 @@
  * in fixed parts; every contact and every body is worked out by one of them alone, so their number changes no bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "drive.h"
 #include "energy.h"
 #include "step.h"
 
@@ -64,11 +65,15 @@ static enum nb_status change(struct nb_model *model, bool *searched, struct nb_e
 enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
   if (model->driven)
     nb_stage_drive(model);
+  if (model->drive && nb_drive_before(model, error))
+    return error->status;
   if (model->balance)
     nb_balance_before(model);
   const int out = motion(model);
   if (model->balance)
     nb_balance_kick(model);
+  if (model->drive)
+    nb_drive_after(model);
   model->cycle++;
   model->stage_cycle++;
   model->time = model->stage_time + (double)model->stage_cycle * model->step;

@@ -8,6 +8,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
+#include "drive.h"
 
 static double kinetic_of(const struct nb_bodies *bodies, size_t i, struct nb_state v) {
   return (bodies->mass[i] * vec_dot(v.velocity, v.velocity) + bodies->inertia[i] * (v.spin * v.spin)) / 2;
@@ -35,6 +36,32 @@ double nb_energy_kinetic_half(const struct nb_model *model) {
   return half;
 }
 
+double nb_energy_of_motion(const struct nb_model *model, size_t slot) {
+  return model->bodies.inverse_mass[slot] > 0 ? kinetic_of(&model->bodies, slot, nb_velocity_now(model, slot)) : 0;
+}
+
+/* What carries it along at t_N: the mean of the half steps, unless it stays in its velocity. */
+static struct nb_vec carried(const struct nb_model *model, size_t i) {
+  const struct nb_drive *drive = model->drive;
+  const struct nb_vec next = nb_carried_at(drive, i, model->bodies.position[i]);
+  return vec_scale(drive->remembered[drive->carrier[i]] / 2, vec_add(drive->carried[i], next));
+}
+
+double nb_energy_perturbation(const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  double sum = 0;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    if (!(bodies->inverse_mass[i] > 0))
+      continue;
+    struct nb_state v = nb_velocity_now(model, i);
+    if (model->drive && model->previous_step > 0)
+      v.velocity = vec_sub(v.velocity, carried(model, i));
+    sum += kinetic_of(bodies, i, v);
+  }
+  return sum;
+}
+
 /* Adds to a sum what the springs of contact c hold. */
 static void add_stored(double *sum, const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
@@ -58,10 +85,15 @@ double nb_energy_stored(const struct nb_model *model) {
   return sum;
 }
 
+double nb_energy_of_contact(const struct nb_model *model, size_t c) {
+  double sum = 0;
+  add_stored(&sum, model, c);
+  return sum;
+}
+
 double nb_energy_of_body(const struct nb_model *model, size_t slot) {
   const struct nb_incidence *incidence = &model->incidence;
-  double sum =
-      model->bodies.inverse_mass[slot] > 0 ? kinetic_of(&model->bodies, slot, nb_velocity_now(model, slot)) : 0;
+  double sum = nb_energy_of_motion(model, slot);
   for (size_t k = incidence->first[slot]; k < incidence->first[slot + 1]; k++)
     add_stored(&sum, model, (size_t)incidence->entry[k]);
   return sum;

@@ -1,6 +1,7 @@
 /* From the scene to what runs: bodies, walls, pairings of materials, the plan, the first search, the forces at time 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "drive.h"
 #include "energy.h"
 #include "region.h"
 #include "step.h"
@@ -185,9 +186,13 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   model->critical = nb_step_critical(model);
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
+  model->inward.strength = scene->gravity.inward;
+  model->inward.to = vec(scene->gravity.about_x, scene->gravity.about_y);
   model->allow_unstable = scene->allow_unstable;
   model->step_line = -1;
-  status = nb_plan(model, error);
+  status = nb_drive_create(model, error);
+  if (!status)
+    status = nb_plan(model, error);
   if (!status)
     status = nb_near(model, error);
   model->safe = status ? 0 : nb_safe_step(model).step;
@@ -269,5 +274,6 @@ void nb_model_free(struct nb_model *model) {
   nb_contacts_free(&model->contacts);
   nb_balance_free(model->balance);
   nb_regions_free(model->regions, model->scene->region_count);
+  nb_drive_free(model->drive);
   free(model);
 }

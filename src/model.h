@@ -133,12 +133,18 @@ struct nb_model {
   bool allow_unstable;        /* the step is not watched now */
   struct nb_damping damping;
   struct nb_vec gravity; /* over the kick to come, m/s2 */
+  struct nb_inward {
+    double strength;      /* m/s2; 0: none */
+    struct nb_vec to;     /* the point, m */
+  } inward;               /* likewise */
+  struct nb_drive *drive; /* drive.h; NULL: nothing is carried along */
   struct nb_properties properties;
   const struct nb_stage *stage;    /* the one that runs, NULL before the first */
   bool changing, driven;           /* it still changes properties or gravity; it ramps velocities of walls */
   struct nb_pair *properties_from; /* per change, wall motion, and of gravity: what it was when the stage began */
   struct nb_state *walls_from;
   struct nb_vec gravity_from;
+  struct nb_inward inward_from;
   unsigned long cycle;
   double time;       /* of cycle 0 of this stage plus its steps, s */
   double stage_time; /* at its begin, s */
@@ -233,6 +239,8 @@ struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot); /* 
 struct nb_state nb_velocity_now(const struct nb_model *model,
                                 size_t slot); /* at t_N: mean of the half steps [CS79 31]; without what carries it */
 struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot); /* what carries it, likewise, m/s */
+
+struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* m g, were the body at x, N */
 
 /* Gives a body what a force and a moment that end at t_N have done until then: its velocities at t_N stay what they were. */
 void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending);

@@ -41,17 +41,13 @@ OF_SCENE(damped, nb_balance_term(model, NB_TERM_DAMPED))
 OF_SCENE(by_walls, nb_balance_term(model, NB_TERM_WALLS))
 OF_SCENE(by_gravity, nb_balance_term(model, NB_TERM_GRAVITY))
 OF_SCENE(changed, nb_balance_term(model, NB_TERM_CHANGED))
+OF_SCENE(driven, nb_balance_term(model, NB_TERM_DRIVEN))
 OF_SCENE(removed, nb_balance_term(model, NB_TERM_REMOVED))
 OF_SCENE(energy_residual, nb_balance_energy_residual(model))
 OF_SCENE(work_residual, nb_balance_work_residual(model))
 OF_SCENE(momentum_x, nb_momentum(model).x)
 OF_SCENE(momentum_y, nb_momentum(model).y)
 OF_SCENE(momentum_angular, nb_momentum_angular(model))
-enum { STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_RADIUS) };
-#define BALANCE                                                                                                        \
-  (STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_PUSH) | NB_BIT(NB_SLIP) | NB_BIT(NB_SHEAR) | NB_BIT(NB_DRAG) |   \
-   NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_LOST) | NB_BIT(NB_SHEAR_BEFORE) |                       \
-   NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_ASKS_ENERGY)
 
 /* ---- a body ---- */
 
@@ -141,24 +137,27 @@ static const struct nb_quantity_kind kinds[] = {
     {"unbalance", 0, "1", 0, unbalance,
      "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]"},
     {"energy.kinetic", 0, "J", 0, kinetic, "of all bodies that are free, spin included"},
-    {"energy.stored", 0, "J", STORED | NB_ASKS_STORED, stored, "in all springs, from the laws' state functions"},
-    {"energy.frictional", 0, "J", BALANCE | NB_ASKS_STORED, frictional,
+    {"energy.stored", 0, "J", NB_OF_STORED | NB_ASKS_STORED, stored, "in all springs, from the laws' state functions"},
+    {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, frictional,
      "lost since the start where contacts slide: shear force times sliding displacement; micro-slip included"},
-    {"energy.sliding", 0, "J", BALANCE | NB_ASKS_STORED, slid,
+    {"energy.sliding", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, slid,
      "the part of it that is lost while a contact slides as a whole; the rest is micro-slip's"},
-    {"energy.shear", 0, "J", BALANCE, sheared,
+    {"energy.shear", 0, "J", NB_OF_BALANCE, sheared,
      "work done against shear forces since the start; for laws without stored energy"},
-    {"energy.damped", 0, "J", BALANCE, damped, "lost in dashpots and by global damping since the start"},
-    {"energy.walls", 0, "J", BALANCE, by_walls,
+    {"energy.damped", 0, "J", NB_OF_BALANCE, damped, "lost in dashpots and by global damping since the start"},
+    {"energy.walls", 0, "J", NB_OF_BALANCE, by_walls,
      "supplied since the start by walls and by fixed bodies that move, their force times their velocity; and by "
      "straining a cell"},
-    {"energy.gravity", 0, "J", BALANCE, by_gravity, "supplied by gravity since the start"},
-    {"energy.changed", 0, "J", BALANCE, changed,
+    {"energy.gravity", 0, "J", NB_OF_BALANCE, by_gravity, "supplied by gravity since the start"},
+    {"energy.changed", 0, "J", NB_OF_BALANCE, changed,
      "put in by stages: bodies stopped or turned round, loaded springs made stiffer or softer"},
-    {"energy.removed", 0, "J", BALANCE, removed,
-     "carried away by bodies that stages have taken out: their kinetic energy and what the springs of their contacts "
-     "held"},
-    {"energy.residual", 0, "J", BALANCE, energy_residual,
+    {"energy.driven", 0, "J", NB_OF_BALANCE, driven,
+     "supplied by what carries bodies along, and by stress on a boundary"},
+    {"energy.removed", 0, "J", NB_OF_BALANCE, removed,
+     "carried away by bodies that stages have taken out or a boundary holds: their kinetic energy and what the springs "
+     "of "
+     "contacts held that are no more"},
+    {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
      "kinetic, stored, frictional, damped and removed energy less what there was at first and was supplied: the error "
      "of the "
      "step"},
@@ -198,8 +197,8 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 /* The rows one after the other, those of other files behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
   static const struct nb_quantity_kind *const others[] = {
-      nb_step_kinds,     nb_fill_kinds,         nb_impact_kinds, nb_stress_kinds, nb_fabric_kinds,
-      nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds,   nb_strain_kinds, nb_cell_kinds};
+      nb_step_kinds,     nb_drive_kinds,        nb_fill_kinds, nb_impact_kinds, nb_stress_kinds, nb_fabric_kinds,
+      nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds, nb_strain_kinds, nb_cell_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;

@@ -20,8 +20,16 @@ struct nb_quantity_kind {
 #define NB_OF_BENCH (1u << 30) /* of a path's contact */
 enum { NB_OF_REGION = 1 << NB_WATCH_REGION };
 
+/* What energies in springs, and the terms of the energy balance, are made of. */
+enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_RADIUS) };
+#define NB_OF_BALANCE                                                                                                  \
+  (NB_OF_STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_PUSH) | NB_BIT(NB_SLIP) | NB_BIT(NB_SHEAR) |               \
+   NB_BIT(NB_DRAG) | NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_LOST) | NB_BIT(NB_SHEAR_BEFORE) |     \
+   NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_ASKS_ENERGY)
+
 /* The last row of each has no name. */
 extern const struct nb_quantity_kind nb_step_kinds[];   /* step_kinds.c */
+extern const struct nb_quantity_kind nb_drive_kinds[];  /* drive_kinds.c */
 extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c */
 extern const struct nb_quantity_kind nb_fill_kinds[];   /* fill_kinds.c */
 /* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c. */

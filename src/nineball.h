@@ -242,11 +242,13 @@ struct nb_region {
   int line;
 };
 
-/* `gravity GX GY`: the same acceleration on all bodies that are free. */
+/* `gravity GX GY`: the same acceleration on all bodies that are free; `gravity centripetal G about X Y`: towards a point. */
 struct nb_gravity {
-  double x, y; /* m/s2 */
-  bool ramp;   /* reached at the end of the stage, along a straight line */
-  int line;    /* of the page; 0: not said here */
+  double x, y;             /* m/s2 */
+  double inward;           /* m/s2, towards the point: */
+  double about_x, about_y; /* m */
+  bool ramp;               /* reached at the end of the stage, along a straight line */
+  int line;                /* of the page; 0: not said here */
 };
 
 /* `material` or `pair` in a stage: what holds from there on. NAN where nothing is said: it stays as it is. */
@@ -322,8 +324,33 @@ struct nb_leg {
   size_t point_count;
 };
 
+/* `boundary circle`: bodies whose centres are on it or beyond are the assembly's boundary. */
+struct nb_circle {
+  double x, y, radius; /* m */
+  int line;            /* 0: none begins here */
+};
+
+/* What a stage does with the boundary, and with all other bodies; it lasts until another stage says otherwise. */
+enum nb_control { NB_CONTROL_STRAIN, NB_CONTROL_STRESS, NB_CONTROL_NONE };
+struct nb_boundary {
+  enum nb_control control;
+  struct nb_strain_rate strain; /* NB_CONTROL_STRAIN: its centres follow it; `hold`: 0 */
+  double sxx, syy, sxy;         /* Pa, compression positive. NB_CONTROL_STRESS: forces on its bodies */
+  int line;                     /* 0: as before */
+};
+struct nb_continuum {
+  struct nb_strain_rate strain; /* `none`: 0 */
+  bool literal; /* added to the velocity in every cycle and kept in it: R89 4.43, 4.44 as they are coded */
+  int line;     /* 0: as before */
+};
+
 struct nb_stage {
   char name[NB_NAME_SIZE];
+  struct nb_circle circle;       /* a boundary that begins with this stage */
+  struct nb_boundary boundary;   /* what is done with it */
+  struct nb_continuum continuum; /* what carries all others along */
+  enum nb_rotation { NB_ROTATION_AS_BEFORE, NB_ROTATION_ON, NB_ROTATION_OFF } rotation;
+  int rotation_line;
   struct nb_wall_motion *motions; /* owned by the scene */
   size_t motion_count;
   struct nb_change *changes; /* of materials and pairs; owned by the scene */
@@ -396,6 +423,8 @@ struct nb_scene {
   int pieces; /* of a contact's history that the shear law keeps, at most; 0: as many as it likes best */
   struct nb_damping damping;
   struct nb_gravity gravity; /* at time 0 */
+  struct nb_circle circle;   /* `boundary circle` before the first stage */
+  double origin_x, origin_y; /* m: what strain rates are about where no boundary has a centre */
   struct nb_step step;
   bool allow_unstable; /* the step is not watched in any stage */
   double skin;         /* m: pairs closer than this are listed [R89 TOL]; 0: not said, a tenth of the mean radius */

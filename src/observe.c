@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "observe.h"
+#include "drive.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -80,9 +81,10 @@ bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage)
 double nb_unbalance(const struct nb_model *model) {
   double sum = 0, contact = 0;
   for (size_t i = 0; i < model->bodies.count; i++) {
-    const struct nb_vec weight = vec_scale(model->bodies.mass[i], model->gravity);
-    const double size =
-        model->bodies.inverse_mass[i] > 0 ? vec_length(vec_add(nb_force_on(model, i).force, weight)) : 0;
+    struct nb_vec outer = nb_weight(model, i, model->bodies.position[i]);
+    if (model->drive && model->drive->pressing)
+      outer = vec_add(outer, model->drive->pressed[i]);
+    const double size = model->bodies.inverse_mass[i] > 0 ? vec_length(vec_add(nb_force_on(model, i).force, outer)) : 0;
     sum = size > sum ? size : sum;
   }
   for (size_t c = 0; c < model->contacts.count; c++) {

@@ -82,6 +82,7 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error);
 void nb_regions_free(struct nb_regions *regions, size_t count);
 
+double nb_thickness(const struct nb_model *model); /* of the assembly, normal to the plane, m */
 struct nb_region_now *nb_region_now(const struct nb_model *model, int region);
 /* True once a cycle: the measure is to be worked out. */
 bool nb_region_due(const struct nb_model *model, struct nb_region_now *region, enum nb_measure_of which);

@@ -10,6 +10,7 @@
  * It carries away its kinetic energy at t_0 and what the springs of its contacts hold then, by the laws' state functions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "drive.h"
 #include "energy.h"
 #include "near.h"
 
@@ -37,6 +38,8 @@ static void take_out(struct nb_model *model, size_t i) {
     nb_balance_removed(model, i);
   for (size_t k = model->incidence.first[i]; k < model->incidence.first[i + 1]; k++)
     let_go(model, (size_t)model->incidence.entry[k]);
+  if (model->drive)
+    nb_ring_drop(model, i);
   bodies->gone[i] = true;
   bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
   bodies->velocity[i] = nb_bodies_idle(bodies, i);

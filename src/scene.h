@@ -12,6 +12,7 @@
  *   scene_step.c    step and damping
  *   scene_stages.c  stages, walls in them, how they end; what is recorded
  *   scene_changes.c what else changes in them: materials, gravity; ramps
+ *   scene_drive.c   what moves an assembly: its boundary, what carries it along
  *   scene_remove.c  bodies that stages take out
  *   scene_laws.c    what laws ask of materials and bodies
  *   scene_place.c   the whole scene mirrored, turned, shifted
@@ -68,7 +69,8 @@ enum {
   AT_HEXAGONAL,
   AT_SHEAR,
   AT_C12,
-  AT_C21
+  AT_C21,
+  AT_LITERAL
 };
 
 /* A column asked for by `record`, until all watches are known. */
@@ -149,6 +151,10 @@ void nb_regions_check(struct nb_scene_reading *reading);
 void nb_cell_check(struct nb_scene_reading *reading);
 /* A ramp wants a stage whose length is known. */
 void nb_ramps_check(struct nb_scene_reading *reading);
+/* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`: all of them per cycle, or none; false with a message. */
+bool nb_strain_of(struct nb_strain_rate *strain, struct nb_reader *reader, const struct nb_value value[]);
+/* What is carried along cannot be reversed, nor is there a boundary in a cell. */
+void nb_drives_check(struct nb_scene_reading *reading);
 /* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
 bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place); /* false: something is too far away */
 /* Adds bodies row by row from the south-west; false when there is no memory. */
@@ -198,9 +204,9 @@ NB_APPLY(nb_apply_cycles);
 NB_APPLY(nb_apply_until);
 NB_APPLY(nb_apply_record);
 NB_APPLY(nb_apply_snapshot);
-NB_APPLY(nb_apply_gravity);
-NB_APPLY(nb_apply_change); /* in a stage; variant 0: material, 1: pair */
-NB_APPLY(nb_apply_still);  /* variant 1: reverse */
+NB_APPLY(nb_apply_gravity); /* variant 1: centripetal */
+NB_APPLY(nb_apply_change);  /* in a stage; variant 0: material, 1: pair */
+NB_APPLY(nb_apply_still);   /* variant 1: reverse */
 NB_APPLY(nb_apply_ramp);
 NB_APPLY(nb_apply_contact);
 NB_APPLY(nb_apply_leg);
@@ -209,5 +215,9 @@ NB_APPLY(nb_apply_cell);
 NB_APPLY(nb_apply_cell_strain);
 NB_APPLY(nb_apply_wave);
 NB_APPLY(nb_apply_remove);
+NB_APPLY(nb_apply_circle);
+NB_APPLY(nb_apply_boundary);  /* variant 0: strain, 1: stress, 2: hold, 3: none */
+NB_APPLY(nb_apply_continuum); /* variant 1: none */
+NB_APPLY(nb_apply_rotation);  /* variant 1: off */
 
 #endif

@@ -34,18 +34,10 @@ static bool no_cell(const struct nb_scene_reading *reading, struct nb_reader *re
 NB_APPLY(nb_apply_cell_strain) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_stage_now(reading->scene);
-  const struct nb_value *value = record->value;
   if (!stage || no_cell(reading, reader) || reader->bad)
     return;
-  if (value[AT_SHEAR].token && (value[AT_C12].token || value[AT_C21].token)) {
-    nb_token_mistake(reader, value[AT_SHEAR].token, NULL, "expected `shear`, or `c12` and `c21`, found both");
+  if (!nb_strain_of(&stage->cell, reader, record->value))
     return;
-  }
-  const double shear = value[AT_SHEAR].number;
-  stage->cell = (struct nb_strain_rate){.xx = value[AT_X].number,
-                                        .xy = value[AT_SHEAR].token ? shear : value[AT_C12].number,
-                                        .yx = value[AT_SHEAR].token ? shear : value[AT_C21].number,
-                                        .yy = value[AT_Y].number};
   stage->cell_line = (int)reader->line;
 }
 

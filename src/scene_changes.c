@@ -15,8 +15,13 @@ NB_APPLY(nb_apply_gravity) {
     nb_token_mistake(reader, &reader->tokens[0], NULL, "`gravity` is said twice: first on line %d", gravity->line);
     return;
   }
-  *gravity =
-      (struct nb_gravity){.x = record->value[AT_X].number, .y = record->value[AT_Y].number, .line = (int)reader->line};
+  const struct nb_value *value = record->value;
+  if (record->keyword->variant)
+    *gravity = (struct nb_gravity){
+        .inward = value[AT_SPEED].number, .about_x = value[AT_X].number, .about_y = value[AT_Y].number};
+  else
+    *gravity = (struct nb_gravity){.x = value[AT_X].number, .y = value[AT_Y].number};
+  gravity->line = (int)reader->line;
 }
 
 static bool both(double a, double b) { return !isnan(a) && !isnan(b); }

@@ -73,6 +73,36 @@ static const struct nb_argument gravity[] = {
   VALUE("GY", NB_UNIT_ACCELERATION, NB_ANY, AT_Y, "Acceleration to the north."),
   END
 };
+static const struct nb_argument centripetal[] = {
+  VALUE("G", NB_UNIT_ACCELERATION, NB_ANY, AT_SPEED, "Acceleration towards the point, the same at any distance."),
+  CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, NULL, "The point."),
+  END
+};
+static const struct nb_argument circle[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
+  RADIUS,
+  END
+};
+#define STRAIN \
+  VALUE("EXX", NB_UNIT_STRAIN_RATE, NB_ANY, AT_X, "Of length to the east; extension is positive."), \
+  VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, AT_Y, "Of length to the north."), \
+  CLAUSE("shear", "EXY", NB_UNIT_STRAIN_RATE, NB_ANY, AT_SHEAR, 1, "0", "Of shape: c_12 = c_21 = EXY, which turns nothing."), \
+  CLAUSE("c12", "C", NB_UNIT_STRAIN_RATE, NB_ANY, AT_C12, 1, "0", "Velocity to the east for a unit of way to the north."), \
+  CLAUSE("c21", "C", NB_UNIT_STRAIN_RATE, NB_ANY, AT_C21, 1, "0", "Velocity to the north for a unit of way to the east.")
+static const struct nb_argument strain[] = {STRAIN, END};
+static const struct nb_argument continuum_strain[] = {
+  STRAIN,
+  FLAG("literal", AT_LITERAL, "carried along",
+       "The equations as R89 codes them: what carries a body along is added to its velocity in every cycle and stays there."),
+  END
+};
+static const struct nb_argument stress[] = {
+  VALUE("SXX", NB_UNIT_PRESSURE, NB_ANY, AT_X, "Compression is positive."),
+  VALUE("SYY", NB_UNIT_PRESSURE, NB_ANY, AT_Y, "Likewise."),
+  CLAUSE("shear", "SXY", NB_UNIT_PRESSURE, NB_ANY, AT_SHEAR, 1, "0", "The same on both pairs of sides."),
+  END
+};
 static const struct nb_argument body[] = {
   VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
   VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
@@ -138,13 +168,6 @@ static const struct nb_argument cell[] = {
   VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "South-west corner, to the east."),
   VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "South-west corner, to the north."),
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "North-east corner."),
-  END
-};
-static const struct nb_argument cell_strain[] = {
-  CLAUSE("strain", "EXX EYY", NB_UNIT_RATE, NB_ANY, AT_X, 2, NULL, "Rates of extension to the east and to the north."),
-  CLAUSE("shear", "EXY", NB_UNIT_RATE, NB_ANY, AT_SHEAR, 1, "0", "c_12 and c_21, if they are alike: half the rate of the angle."),
-  CLAUSE("c12", "C", NB_UNIT_RATE, NB_ANY, AT_C12, 1, "0", "Velocity to the east for a unit of way to the north."),
-  CLAUSE("c21", "C", NB_UNIT_RATE, NB_ANY, AT_C21, 1, "0", "Velocity to the north for a unit of way to the east."),
   END
 };
 static const struct nb_argument wave[] = {

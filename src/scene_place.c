@@ -76,6 +76,25 @@ static bool turn_rate(const struct nb_place *place, struct nb_strain_rate *rate)
   return turn(place, &rate->yx, &rate->yy) && held;
 }
 
+static bool move_circle(const struct nb_place *place, struct nb_circle *circle) {
+  return !circle->line || move(place, &circle->x, &circle->y);
+}
+
+static bool move_drives(const struct nb_place *place, struct nb_stage *stage) {
+  struct nb_strain_rate *strains[] = {&stage->boundary.strain, &stage->continuum.strain, &stage->cell};
+  struct nb_boundary *boundary = &stage->boundary;
+  struct nb_strain_rate stress = {boundary->sxx, boundary->sxy, boundary->sxy, boundary->syy, false};
+  bool held = move_circle(place, &stage->circle) && turn_rate(place, &stress);
+  boundary->sxx = stress.xx, boundary->sxy = stress.xy, boundary->syy = stress.yy;
+  for (size_t k = 0; k < 3; k++)
+    held = turn_rate(place, strains[k]) && held;
+  return held;
+}
+
+static bool turn_gravity(const struct nb_place *place, struct nb_gravity *gravity) {
+  return turn(place, &gravity->x, &gravity->y) && move(place, &gravity->about_x, &gravity->about_y);
+}
+
 bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place) {
   if (!place->line)
     return true;
@@ -106,10 +125,12 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place) {
     for (int side = 0; side < 2; side++)
       held = turn(place, &scene->cell.h[side], &scene->cell.h[2 + side]) && held;
   }
-  held = turn(place, &scene->gravity.x, &scene->gravity.y) && held;
-  for (size_t s = 0; s < scene->stage_count; s++)
-    held = turn(place, &scene->stages[s].gravity.x, &scene->stages[s].gravity.y) &&
-           turn_rate(place, &scene->stages[s].cell) && held;
+  held = turn_gravity(place, &scene->gravity) && held;
+  held = move_circle(place, &scene->circle) && move(place, &scene->origin_x, &scene->origin_y) && held;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    held = turn_gravity(place, &scene->stages[s].gravity) && held;
+    held = move_drives(place, &scene->stages[s]) && held;
+  }
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t m = 0; m < scene->stages[s].motion_count; m++) {
       struct nb_wall_motion *motion = &scene->stages[s].motions[m];

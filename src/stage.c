@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drive.h"
 #include "energy.h"
 #include "region.h"
 #include "step.h"
@@ -26,18 +27,20 @@ static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share)
 static void stop_bodies(struct nb_model *model) {
   struct nb_bodies *bodies = &model->bodies;
   if (model->balance)
-    nb_balance_jump(model, true);
+    nb_balance_jump(model, NB_TERM_CHANGED, true);
   for (size_t i = 0; i < bodies->count; i++) {
     bodies->velocity[i] = nb_bodies_idle(bodies, i);
     bodies->rim[i].y = 0;
     if (bodies->spin)
       bodies->spin[i] = 0;
   }
+  if (model->drive)
+    nb_drive_still(model);
   model->previous_step = 0; /* as at time 0: nothing has slipped and nothing approaches */
   if (model->dashpots)
     nb_forces(model);
   if (model->balance)
-    nb_balance_jump(model, false);
+    nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
 /* `reverse`: walls before this stage moves them otherwise, */
@@ -51,10 +54,10 @@ static void turn_walls(struct nb_model *model) {
 /* and bodies when its step is known. */
 static void turn_bodies(struct nb_model *model) {
   if (model->balance)
-    nb_balance_jump(model, true);
+    nb_balance_jump(model, NB_TERM_CHANGED, true);
   nb_motion_reverse(model);
   if (model->balance)
-    nb_balance_jump(model, false);
+    nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
 /* ---- walls ---- */
@@ -148,15 +151,27 @@ static bool properties_begin(struct nb_model *model) {
 
 /* ---- gravity ---- */
 
+/* What it is when `share` of the way from what it was to what the page says has been gone. */
+static void gravity_go(struct nb_model *model, double share) {
+  const struct nb_gravity *to = &model->stage->gravity;
+  const struct nb_inward *from = &model->inward_from;
+  model->gravity = share < 1 ? between(model->gravity_from, vec(to->x, to->y), share) : vec(to->x, to->y);
+  model->inward.strength = share < 1 ? from->strength + share * (to->inward - from->strength) : to->inward;
+  if (to->inward != 0)
+    model->inward.to = vec(to->about_x, to->about_y);
+}
+
 /* Of the kick around the stage's t_0, previous_step/2 lies before it and step/2 after it. */
 static void gravity_begin(struct nb_model *model) {
   const struct nb_gravity *to = &model->stage->gravity;
   model->gravity_from = model->gravity;
+  model->inward_from = model->inward;
   if (!to->line || to->ramp)
     return;
   const double before = model->previous_step, after = model->step;
-  model->gravity =
-      vec_scale(1 / (before + after), vec_add(vec_scale(before, model->gravity), vec_scale(after, vec(to->x, to->y))));
+  gravity_go(model, after / (before + after));
+  model->gravity = vec_scale(1 / (before + after),
+                             vec_add(vec_scale(before, model->gravity_from), vec_scale(after, vec(to->x, to->y))));
 }
 
 /* ---- the stage ---- */
@@ -181,6 +196,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   gravity_begin(model);
   if (model->cell)
     cell_begin(model);
+  if (!status && model->drive && nb_drive_begin(model, stage, error))
+    return error->status;
   if (stage->reverse)
     turn_bodies(model);
   model->changing = stage->change_count > 0 || stage->gravity.line > 0;
@@ -199,10 +216,8 @@ enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb
   const struct nb_stage *stage = model->stage;
   const double share = (double)model->stage_cycle / (double)stage->cycles;
   bool ramps = stage->gravity.ramp;
-  if (stage->gravity.line) {
-    const struct nb_vec to = vec(stage->gravity.x, stage->gravity.y);
-    model->gravity = stage->gravity.ramp && share < 1 ? between(model->gravity_from, to, share) : to;
-  }
+  if (stage->gravity.line)
+    gravity_go(model, stage->gravity.ramp ? share : 1);
   for (size_t k = 0; k < stage->change_count; k++)
     ramps = ramps || stage->changes[k].ramp;
   model->changing = ramps && share < 1;

@@ -34,6 +34,7 @@ static const struct nb_unit table[] = {
   {NB_UNIT_FORCE, "N", 0, 1},        {NB_UNIT_FORCE, "kN", 3, 1},       {NB_UNIT_FORCE, "MN", 6, 1},
   {NB_UNIT_FORCE, "mN", -3, 1},      {NB_UNIT_FORCE, "uN", -6, 1},
   {NB_UNIT_RATE, "1/s", 0, 1},       {NB_UNIT_RATE, "1/ms", 3, 1},
+  {NB_UNIT_STRAIN_RATE, "1/s", 0, 1}, {NB_UNIT_STRAIN_RATE, "1/ms", 3, 1}, {NB_UNIT_STRAIN_RATE, NB_PER_CYCLE, 0, 1},
   {NB_UNIT_SPIN, "rad/s", 0, 1},
   {NB_UNIT_ANGLE, "rad", 0, 1},      {NB_UNIT_ANGLE, "deg", 0, 3.14159265358979323846 / 180},
   {NB_UNIT_ENERGY, "J", 0, 1},       {NB_UNIT_ENERGY, "mJ", -3, 1},     {NB_UNIT_ENERGY, "uJ", -6, 1},
@@ -55,15 +56,30 @@ const struct nb_unit *nb_unit_find(const char *name) {
   return NULL;
 }
 
+const struct nb_unit *nb_unit_of(const char *name, enum nb_unit_kind kind) {
+  for (const struct nb_unit *unit = table + 1; unit->name; unit++)
+    if (unit->kind == kind && strcmp(unit->name, name) == 0)
+      return unit;
+  return nb_unit_find(name);
+}
+
 const char *nb_unit_kind_name(enum nb_unit_kind kind) {
   static const char *const names[NB_UNIT_KINDS] = {
-      [NB_UNIT_NUMBER] = "a number",       [NB_UNIT_LENGTH] = "a length",
-      [NB_UNIT_TIME] = "a time",           [NB_UNIT_VELOCITY] = "a velocity",
-      [NB_UNIT_STIFFNESS] = "a stiffness", [NB_UNIT_DENSITY] = "a density",
-      [NB_UNIT_FORCE] = "a force",         [NB_UNIT_RATE] = "a rate",
-      [NB_UNIT_SPIN] = "a spin",           [NB_UNIT_ANGLE] = "an angle",
-      [NB_UNIT_ENERGY] = "an energy",      [NB_UNIT_MOMENT] = "a moment",
-      [NB_UNIT_PRESSURE] = "a pressure",   [NB_UNIT_ACCELERATION] = "an acceleration",
+      [NB_UNIT_NUMBER] = "a number",
+      [NB_UNIT_LENGTH] = "a length",
+      [NB_UNIT_TIME] = "a time",
+      [NB_UNIT_VELOCITY] = "a velocity",
+      [NB_UNIT_STIFFNESS] = "a stiffness",
+      [NB_UNIT_DENSITY] = "a density",
+      [NB_UNIT_FORCE] = "a force",
+      [NB_UNIT_RATE] = "a rate",
+      [NB_UNIT_STRAIN_RATE] = "a strain rate",
+      [NB_UNIT_SPIN] = "a spin",
+      [NB_UNIT_ANGLE] = "an angle",
+      [NB_UNIT_ENERGY] = "an energy",
+      [NB_UNIT_MOMENT] = "a moment",
+      [NB_UNIT_PRESSURE] = "a pressure",
+      [NB_UNIT_ACCELERATION] = "an acceleration",
   };
   return names[kind];
 }

@@ -18,6 +18,7 @@ enum nb_unit_kind {
   NB_UNIT_DENSITY,
   NB_UNIT_FORCE,
   NB_UNIT_RATE,
+  NB_UNIT_STRAIN_RATE,
   NB_UNIT_SPIN,
   NB_UNIT_ANGLE,
   NB_UNIT_ENERGY,
@@ -33,8 +34,13 @@ struct nb_unit {
   double factor;    /* and what else it holds of it: pi/180 for deg, otherwise 1 */
 };
 
-const struct nb_unit *nb_units(void);                               /* the table; ends in a row without a name */
-const struct nb_unit *nb_unit_find(const char *name);               /* NULL: no such unit */
+const struct nb_unit *nb_units(void); /* the table; ends in a row without a name */
+/* Two words that are one unit: strain of one cycle, divided by the step when it is used. The table has it as 1/s. */
+#define NB_PER_CYCLE "per cycle"
+
+const struct nb_unit *nb_unit_find(const char *name); /* NULL: no such unit */
+const struct nb_unit *nb_unit_of(const char *name,
+                                 enum nb_unit_kind kind);           /* of that kind if there is one, or another */
 const char *nb_unit_kind_name(enum nb_unit_kind kind);              /* "a length" */
 void nb_unit_list(char *list, size_t size, enum nb_unit_kind kind); /* "m, mm, um, nm, cm, km" */
 /* The kind whose SI unit is written so: "N" gives NB_UNIT_FORCE, "1" gives NB_UNIT_NUMBER. False: a unit that is not in

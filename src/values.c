@@ -152,9 +152,10 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
   const struct nb_token *number = nb_token_peek(reader);
   const struct nb_token *unit = reader->next + 1 < reader->count ? number + 1 : NULL;
   const struct nb_token *behind = reader->next + 2 < reader->count ? number + 2 : NULL;
-  const struct nb_unit *known = unit && !unit->hollow ? nb_unit_find(unit->text) : NULL;
+  const struct nb_unit *known = unit && !unit->hollow ? nb_unit_of(unit->text, kind) : NULL;
   bool any = any_unit(reader, kind);
-  bool matches = known && (any || (known->kind == kind && (kind == NB_UNIT_NUMBER || !reader->unitless)));
+  const bool pure = kind == NB_UNIT_NUMBER || (known && strcmp(known->name, NB_PER_CYCLE) == 0);
+  bool matches = known && (any || (known->kind == kind && (pure || !reader->unitless)));
   *value = 1;
   if (number && number->hollow) {
     reader->bad = true;

@@ -1,4 +1,4 @@
-/* Which row of a table a statement is read by: the one whose words it begins with, or, when that is none, the one that was
+/* Which row of a table a statement is read by: the one whose words it begins with, of several the longest, or, when that is none, the one that was
  * probably meant.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -126,18 +126,20 @@ static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struc
 }
 
 const struct nb_keyword *nb_keyword_choose(struct nb_reader *reader, const struct nb_keyword *table, unsigned here) {
-  const struct nb_keyword *fallback = NULL;
-  size_t words;
+  const struct nb_keyword *fallback = NULL, *found = NULL;
+  size_t words, most = 0;
   for (const struct nb_keyword *row = table; row->apply; row++) {
     if (!(row->where & here))
       continue;
     if (!row->word) {
       fallback = row;
-    } else if (words_there(reader, row->word, &words) == words) {
-      reader->next += words;
-      return row;
+    } else if (words_there(reader, row->word, &words) == words && words > most) {
+      found = row, most = words;
     }
   }
+  reader->next += most;
+  if (found)
+    return found;
   if (fallback)
     return fallback;
   const struct nb_keyword *meant = wrong_verb(reader, table, here);

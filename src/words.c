@@ -91,6 +91,19 @@ static bool put_named(struct nb_reader *reader, struct nb_token *token, struct s
   return put(store, binding->text + number + 1, strlen(binding->text + number + 1));
 }
 
+/* The last two tokens are one when they are the unit `per cycle`. */
+static void join_per_cycle(struct nb_reader *reader) {
+  if (reader->count < 2 || strcmp(reader->tokens[reader->count - 1].text, "cycle") != 0)
+    return;
+  const struct nb_token *last = &reader->tokens[reader->count - 1];
+  struct nb_token *per = &reader->tokens[reader->count - 2];
+  if (per->hollow || last->hollow || per->name || last->name || strcmp(per->text, "per") != 0)
+    return;
+  per->text = NB_PER_CYCLE;
+  per->length = last->column + last->length - per->column;
+  reader->count--;
+}
+
 bool nb_line_read(struct nb_reader *reader, size_t line) {
   const char *text = reader->page->lines[line - 1];
   /* In a --set text the first `=` parts name and value, as a blank would. */
@@ -123,6 +136,7 @@ bool nb_line_read(struct nb_reader *reader, size_t line) {
     }
     store.at++, store.left--;
     reader->count++;
+    join_per_cycle(reader);
     i += length;
   }
   return reader->count > 0;

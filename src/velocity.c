@@ -1,0 +1,99 @@
+/* What bodies feel, and how they move now: their velocities at t_N, between two half steps.                   [CS79 31]
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "motion.h"
+
+struct nb_force nb_force_on(const struct nb_model *model, size_t slot) {
+  const struct nb_felt felt = nb_felt_by(model);
+  return nb_force_of(&felt, slot, model->bodies.rim[slot].x);
+}
+
+struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x) {
+  const struct nb_vec weight = vec_scale(model->bodies.mass[slot], model->gravity);
+  return model->inward.strength != 0 ? vec_add(weight, nb_pull(&model->inward, model->bodies.mass[slot], x)) : weight;
+}
+
+/* With m g and what presses on a boundary: all that a free body feels. */
+static struct nb_force all_forces(const struct nb_model *model, size_t slot, struct nb_force sum) {
+  if (nb_pulls(model->gravity) || model->inward.strength != 0)
+    sum.force = vec_add(sum.force, nb_weight(model, slot, model->bodies.position[slot]));
+  if (model->drive && model->drive->pressing)
+    sum.force = vec_add(sum.force, model->drive->pressed[slot]);
+  return sum;
+}
+
+struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_vec whole = bodies->velocity[slot];
+  return (struct nb_state){bodies->carried ? vec_sub(whole, bodies->carried[slot]) : whole,
+                           bodies->spin ? bodies->spin[slot] : 0};
+}
+
+/* What is fixed goes on as it goes: no force and no damping reaches it. */
+static struct nb_state kicked(const struct nb_model *model, const struct nb_felt *felt, size_t slot,
+                              struct nb_factors f, double time) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_drive *drive = model->drive;
+  struct nb_state own = nb_velocity_half(model, slot);
+  const struct nb_vec carried = drive ? nb_carried_at(drive, slot, bodies->position[slot]) : vec(0, 0);
+  if (drive)
+    own.velocity = vec_sub(own.velocity, drive->carried[slot]);
+  if (bodies->inverse_mass[slot] > 0) {
+    const struct nb_force sum = all_forces(model, slot, nb_force_of(felt, slot, bodies->rim[slot].x));
+    const double linear = f.push * time * bodies->inverse_mass[slot];
+    const double turning = f.push * time * bodies->inverse_inertia[slot];
+    const double spin_kept = bodies->inverse_inertia[slot] > 0 ? f.keep : 1;
+    own = (struct nb_state){vec_add(vec_scale(f.keep, own.velocity), vec_scale(linear, sum.force)),
+                            spin_kept * own.spin + turning * sum.moment};
+  }
+  if (drive)
+    own.velocity = vec_add(own.velocity, carried);
+  return own;
+}
+
+struct nb_state nb_velocity_now(const struct nb_model *model, size_t slot) {
+  const struct nb_state before = nb_velocity_half(model, slot);
+  const double dt = model->previous_step;
+  if (!(dt > 0))
+    return before; /* the start: a page's velocities are those of time 0 */
+  const struct nb_felt felt = nb_felt_by(model);
+  const struct nb_state next = kicked(model, &felt, slot, nb_factors(model, dt), dt);
+  return (struct nb_state){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
+}
+
+struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot) {
+  const struct nb_vec *carried = model->bodies.carried;
+  if (!carried)
+    return vec(0, 0);
+  const struct nb_vec ahead = nb_cell_carries(model->cell, model->bodies.position[slot]);
+  return vec_scale(0.5, vec_add(model->previous_step > 0 ? carried[slot] : ahead, ahead));
+}
+
+/* v_N = (v- + v+)/2 with v+ = keep v- + push (F/m) dt: a force less is made up for by so much more of v-. */
+void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending) {
+  struct nb_bodies *bodies = &model->bodies;
+  const double dt = model->previous_step;
+  const struct nb_factors f = nb_factors(model, dt);
+  const double time = f.push * dt / (1 + f.keep);
+  bodies->velocity[slot] = vec_add(bodies->velocity[slot], vec_scale(time * bodies->inverse_mass[slot], ending.force));
+  if (bodies->spin)
+    bodies->spin[slot] += time * bodies->inverse_inertia[slot] * ending.moment;
+}
+
+/* A kick by the forces at t_N makes v_(N+1/2) of v_(N-1/2). For it to make -v_(N-1/2), which leads back to x_(N-1), the velocity
+ * behind must become -v_(N+1/2). At the start there is none behind: the velocities are those of time 0. */
+void nb_motion_reverse(struct nb_model *model) {
+  struct nb_bodies *bodies = &model->bodies;
+  const struct nb_felt felt = nb_felt_by(model);
+  const double time = nb_kick_time(model);
+  for (size_t i = 0; i < bodies->count; i++) {
+    struct nb_state v = nb_velocity_half(model, i);
+    if (model->previous_step > 0)
+      v = kicked(model, &felt, i, nb_factors(model, time), time);
+    bodies->velocity[i] = vec_scale(-1, v.velocity);
+    if (bodies->carried)
+      bodies->velocity[i] = vec_add(bodies->velocity[i], bodies->carried[i]);
+    if (bodies->spin)
+      bodies->spin[i] = -v.spin; /* the next motion makes the speed of the rim of it */
+  }
+}

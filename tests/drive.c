@@ -1,0 +1,279 @@
+/* What carries bodies along, and what a boundary holds: against what the equations come to [R89 4.41-4.44, 6.4.1].
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/drive.h"
+#include "chance.h"
+#include "suites.h"
+#include "written.h"
+
+static const double dt = 0.125;
+
+static double after(const char *statements, const char *name) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 2 kn 100\nstep 0.125\n%s", statements);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double value = written_last(&result, name);
+  nb_result_free(&result);
+  written_free(&it);
+  return value;
+}
+
+#define ONE                                                                                                            \
+  "disc 13 -6 radius 1 m velocity 7 5 spin 3\nwatch D disc 1\nrecord D.x D.y D.vx D.vy D.angle boundary.bodies\n"
+
+/* x_N - x_0 = (1 + L dt)^N (x - x_0) to rounding, L any gradient; a velocity it had is gone, and it does not turn. */
+static void the_boundary_follows_exactly(void) {
+  const struct nb_tensor rate = tensor(-0.01, 0.03, 0.005, 0.02);
+  const char *page = ONE "boundary circle 3 4 radius 14\nstage s\ncontinuum strain 0.3 0.4\n"
+                         "boundary strain -0.01 0.02 c12 0.03 c21 0.005\ncycles 200\n";
+  struct nb_vec x = vec(10, -10);
+  for (int n = 0; n < 200; n++)
+    x = vec_add(x, vec_scale(dt, tensor_times(rate, x)));
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), 3 + x.x, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), 4 + x.y, 1e-12);
+  CU_ASSERT_EQUAL(after(page, "D.angle"), 0);
+  CU_ASSERT_EQUAL(after(page, "boundary.bodies"), 1);
+  /* The velocity of t_N is the mean of what carries it before and after. */
+  const struct nb_vec before = tensor_times(tensor_inverse(tensor_add(tensor(1, 0, 0, 1), tensor_scale(dt, rate))), x);
+  const struct nb_vec v = tensor_times(rate, vec_scale(0.5, vec_add(before, x)));
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.vx"), v.x, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.vy"), v.y, 1e-13);
+}
+
+/* `per cycle` is strain of one cycle, whatever its length, in later stages too. */
+static void per_cycle(void) {
+  const char *page = ONE "boundary circle 3 4 radius 14\nstage s\nboundary strain -0.01 per cycle 0.02 per cycle\n"
+                         "cycles 3\nstage t\nstep 0.5\ncycles 2\n";
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), 3 + 10 * pow(0.99, 5), 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), 4 - 10 * pow(1.02, 5), 1e-14);
+}
+
+/* What is carried by the continuum keeps v, which alone is damped: x_(N+1) = (1 + L dt) x_N + keep^(N+1) v dt. */
+static void what_is_beyond_the_continuum_decays(void) {
+  const char *page =
+      ONE "damping con1 0.9 reading velocity\nstage s\ncontinuum strain -0.02 0.04 shear 0.01\ncycles 50\n";
+  struct nb_vec x = vec(13, -6), v = vec(7, 5);
+  for (int n = 0; n < 50; n++) {
+    v = vec_scale(0.9, v);
+    x = vec_add(x, vec_scale(dt, vec_add(v, vec(-0.02 * x.x + 0.01 * x.y, 0.01 * x.x + 0.04 * x.y))));
+  }
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), x.x, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), x.y, 1e-12);
+  /* Without `continuum` from the second stage on only v is left. */
+  const char *left = ONE "stage s\ncontinuum strain -0.02 0.04\ncycles 50\nstage t\ncontinuum none\ncycles 1\n";
+  CU_ASSERT_DOUBLE_EQUAL(after(left, "D.vx"), 7, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(after(left, "D.vy"), 5, 1e-13);
+}
+
+/* As R89 codes them x_(N+1) - (2 + L dt) x_N + x_(N-1) = 0: x_N = x_0 (sinh((N + 1) q) - sinh(N q))/sinh(q), cosh q = 1 + L dt/2. */
+static void the_literal_reading_grows(void) {
+  const char *page = "disc 13 -6 radius 1 m\nwatch D disc 1\nrecord D.x D.y\nstage s\n"
+                     "continuum strain 0.008 -0.016 literal\ncycles 100\n";
+  const double q = acosh(1 + 0.008 * dt / 2), p = acos(1 - 0.016 * dt / 2);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), 13 * (sinh(101 * q) - sinh(100 * q)) / sinh(q), 1e-9);
+  CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), -6 * (sin(101 * p) - sin(100 * p)) / sin(p), 1e-9);
+}
+
+/* Dashpots of two bodies at rest in a continuum feel L z: beta k_n e.L z and beta k_s t.L z [R89 4.42]. */
+static void contacts_see_the_strain(void) {
+  static const char *const pairs[] = {"stage s\ncontinuum strain -0.3 0.1 shear 0.2\n",
+                                      "boundary circle 1 2 radius 3\nstage s\ncontinuum strain -0.3 0.1 shear 0.2\n"
+                                      "boundary strain -0.3 0.1 shear 0.2\n"};
+  for (size_t k = 0; k < 2; k++) { /* both carried by the continuum; one of them by the boundary */
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1e30 kn 100 ks 60 friction 1e9\nshear linear\nstep 1e-8\n"
+              "damping contact-beta 0.5\ndisc 2 3 radius 1 m\ndisc 3.5 4 radius 1 m\nwatch P disc 1 with disc 2\n"
+              "record P.dashpot.normal P.dashpot.shear boundary.bodies\n%scycles 1\n",
+              pairs[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const double length = hypot(1.5, 1), ex = 1.5 / length, ey = 1 / length;
+    const double vx = -0.3 * 1.5 + 0.2 * 1, vy = 0.2 * 1.5 + 0.1 * 1; /* of the second body, seen by the first */
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "P.dashpot.normal"), -0.5 * 100 * (vx * ex + vy * ey), 1e-5);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "P.dashpot.shear"), -0.5 * 60 * (vx * ey - vy * ex), 1e-5);
+    CU_ASSERT_EQUAL(written_last(&result, "boundary.bodies"), (double)k);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+/* A disc that flies out belongs to the boundary from the first cycle on that begins with its centre on the circle or beyond,
+ * whatever the skin is; the circle shrinks meanwhile, to an ellipse. */
+static void who_crosses_belongs(void) {
+  static const char *const skins[] = {"skin 0.01\n", "skin 0.5\n", "skin 40\n"};
+  for (size_t s = 0; s < 3; s++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(
+        &page,
+        "units none\nmaterial m density 2 kn 100\nstep 0.125\n%sdisc 30 0 radius 1 m\ndisc 1 2 radius 1 m velocity 0.3 "
+        "0.4\nwatch D disc 2\nrecord cycle D.x D.y D.vx.half boundary.bodies boundary.radius\n"
+        "boundary circle 0 0 radius 20\nstage s\nboundary strain 0.001 -0.01\ncycles 1000\n",
+        skins[s]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    double x = 1, y = 2, a = 20, b = 20;
+    int n = 0;
+    for (; x * x / (a * a) + y * y / (b * b) < 1; n++)
+      x += 0.3 * dt, y += 0.4 * dt, a *= 1 + 0.001 * dt, b *= 1 - 0.01 * dt;
+    const double *row = result.table.values + (size_t)n * result.table.column_count;
+    CU_ASSERT_EQUAL(row[4], 1);
+    CU_ASSERT_DOUBLE_EQUAL(row[2], y, 1e-12);
+    row += result.table.column_count;
+    CU_ASSERT_EQUAL(row[4], 2);
+    CU_ASSERT_DOUBLE_EQUAL(row[3], 0.001 * x, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(row[2], y * (1 - 0.01 * dt), 1e-12);
+    CU_ASSERT(n > 100 && n < 900);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+/* Discs in a ring of discs, squeezed and sheared, with friction and all dampings: many join. */
+static void crowd(struct words *page, const char *more) {
+  words_add(
+      page,
+      "units none\nmaterial m density 2 kn 4000 ks 3000 friction 0.4\nshear linear\nstep 0.001\n"
+      "damping contact-beta 0.0005\ndamping con1 0.999 reading velocity\n"
+      "discs lattice 9 by 9 m radius 0.5 spacing 1.05 from -4.2 -4.2\nwatch D disc 41\nwatch E disc 30\n"
+      "boundary circle 0 0 radius 5.3\n"
+      "record cycle D.x D.y D.angle E.x E.y boundary.bodies boundary.area boundary.stress.xx boundary.stress.xy "
+      "boundary.stress.yx boundary.stress.yy work.residual energy.driven energy.walls energy.removed energy.residual "
+      "energy.kinetic energy.kinetic.perturbation energy.stored contacts\n%s",
+      more);
+}
+
+#define SQUEEZE                                                                                                        \
+  "stage a\nboundary strain -0.6 -0.5 shear 0.02\ncontinuum strain -0.1 -0.2 shear 0.05\ncycles 500\n"                 \
+  "stage b\nboundary hold\ncontinuum none\ncycles 100\n"
+
+static void squeeze(struct nb_result *result, const struct nb_options *options, const char *more) {
+  struct words page = {0};
+  struct written it;
+  crowd(&page, more);
+  written_scene(&it, &page);
+  written_run(result, &it, options);
+  written_free(&it);
+}
+
+/* Storage, threads and instruction sets change no bit of it. */
+static void the_same_bits(void) {
+  const struct nb_options all[] = {{.threads = 1, .isa = "plain"}, {.threads = 3}, {.threads = 1, .shuffle = true}};
+  struct nb_result first, other;
+  squeeze(&first, &all[0], SQUEEZE);
+  for (size_t k = 1; k < 3; k++) {
+    squeeze(&other, &all[k], SQUEEZE);
+    CU_ASSERT_EQUAL_FATAL(first.table.row_count, other.table.row_count);
+    const size_t n = first.table.row_count * first.table.column_count;
+    CU_ASSERT(memcmp(first.table.values, other.table.values, n * sizeof(double)) == 0);
+    nb_result_free(&other);
+  }
+  CU_ASSERT_EQUAL(first.table.values[6], 4);
+  CU_ASSERT(written_last(&first, "boundary.bodies") > 20);
+  nb_result_free(&first);
+}
+
+static double largest(const struct nb_result *result, const char *name) {
+  size_t c = 0;
+  double most = 0;
+  while (strcmp(result->table.names[c], name) != 0)
+    c++;
+  for (size_t r = 0; r < result->table.row_count; r++)
+    most = fmax(most, fabs(result->table.values[r * result->table.column_count + c]));
+  return most;
+}
+
+/* The work of what carries, of the boundary and of all forces is the kinetic energy, to rounding, while bodies join. */
+static void the_work_balances(void) {
+  struct nb_result result;
+  squeeze(&result, NULL, SQUEEZE);
+  const double whole = largest(&result, "energy.kinetic") + largest(&result, "energy.driven");
+  CU_ASSERT(largest(&result, "energy.driven") > 1 && largest(&result, "energy.removed") > 1);
+  CU_ASSERT(largest(&result, "work.residual") < 1e-12 * whole);
+  /* Energies do but for the error of the step; without what those who join take with them they would be off by all of that. */
+  CU_ASSERT(largest(&result, "energy.residual") < 1e-2 * largest(&result, "energy.removed"));
+  nb_result_free(&result);
+}
+
+/* sum F_i X_j of the boundary is that of all contacts once the others are at rest. Bodies that do not turn bear moments, so xy and yx may differ. */
+static void the_stress_is_that_of_the_contacts(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  crowd(&page, SQUEEZE "stage c\ndamping contact-beta 0.002\ndamping con1 0.9 reading velocity\ncycles 20000\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  for (size_t s = 0; s < it.scene.stage_count; s++) {
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+    written_cycles(model, (int)it.scene.stages[s].cycles);
+  }
+  struct nb_tensor sum = tensor(0, 0, 0, 0);
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    const int a = model->contacts.a[c], b = model->contacts.b[c];
+    const struct nb_vec l = vec_sub(model->bodies.position[a], model->bodies.position[b]);
+    sum = tensor_add(sum, tensor_outer(model->contacts.force[c], l));
+  }
+  sum = tensor_scale(1 / nb_ring_area(model), sum); /* discs are 1 thick */
+  const struct nb_tensor ring = nb_ring_stress(model);
+  const double p = tensor_mean(sum);
+  CU_ASSERT(p > 1);
+  CU_ASSERT_DOUBLE_EQUAL(ring.xx, sum.xx, 1e-9 * p);
+  CU_ASSERT_DOUBLE_EQUAL(ring.xy, sum.xy, 1e-9 * p);
+  CU_ASSERT_DOUBLE_EQUAL(ring.yx, sum.yx, 1e-9 * p);
+  CU_ASSERT_DOUBLE_EQUAL(ring.yy, sum.yy, 1e-9 * p);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* A stress on the boundary leaves no force over, and comes to sum F_i X_j = -s A. */
+static void a_stress_is_shared_out(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  crowd(&page, "stage a\nboundary stress 5 3 shear -0.7\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  struct nb_tensor sum = tensor(0, 0, 0, 0);
+  struct nb_vec force = vec(0, 0);
+  for (size_t i = 0; i < model->bodies.count; i++) {
+    force = vec_add(force, model->drive->pressed[i]);
+    sum = tensor_add(sum, tensor_outer(model->drive->pressed[i], model->bodies.position[i]));
+  }
+  const double area = nb_ring_area(model);
+  CU_ASSERT(area > 50);
+  CU_ASSERT(vec_length(force) < 1e-12 * area);
+  CU_ASSERT_DOUBLE_EQUAL(sum.xx, -5 * area, 1e-11 * area);
+  CU_ASSERT_DOUBLE_EQUAL(sum.xy, 0.7 * area, 1e-11 * area);
+  CU_ASSERT_DOUBLE_EQUAL(sum.yx, 0.7 * area, 1e-11 * area);
+  CU_ASSERT_DOUBLE_EQUAL(sum.yy, -3 * area, 1e-11 * area);
+  for (size_t i = 0; i < model->bodies.count; i++)
+    CU_ASSERT(model->bodies.inverse_mass[i] > 0);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+void suite_drive(void) {
+  CU_pSuite suite = CU_add_suite("drive", NULL, NULL);
+  CU_add_test(suite, "the boundary follows exactly", the_boundary_follows_exactly);
+  CU_add_test(suite, "per cycle", per_cycle);
+  CU_add_test(suite, "what is beyond the continuum decays", what_is_beyond_the_continuum_decays);
+  CU_add_test(suite, "the literal reading grows", the_literal_reading_grows);
+  CU_add_test(suite, "contacts see the strain", contacts_see_the_strain);
+  CU_add_test(suite, "who crosses belongs", who_crosses_belongs);
+  CU_add_test(suite, "the same bits", the_same_bits);
+  CU_add_test(suite, "the work balances", the_work_balances);
+  CU_add_test(suite, "the stress is that of the contacts", the_stress_is_that_of_the_contacts);
+  CU_add_test(suite, "a stress is shared out", a_stress_is_shared_out);
+}
