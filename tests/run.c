@@ -146,6 +146,28 @@ static void a_snapshot_holds_what_touches(void) {
   written_free(&it);
 }
 
+/* Conditions hold from cycle 10 on; they are looked at every so many, and at the last that there may be. */
+static void looked_at_seldom(void) {
+  static const struct {
+    const char *every;
+    unsigned long most, wanted;
+  } rows[] = {{"", 100, 10}, {"every 1 cycle", 100, 10}, {"every 7 cycles", 100, 14}, {"every 50 cycles", 12, 12}};
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1\ndisc 0 0 radius 1 m\nstep 1\nrecord time\nstage s\n"
+              "until time above 9.5 %s at most %lu cycles\n",
+              rows[k].every, rows[k].most);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_EQUAL(result.cycles, rows[k].wanted);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 void suite_run(void) {
   CU_pSuite suite = CU_add_suite("run", NULL, NULL);
   CU_add_test(suite, "rows come when they are asked for", rows_come_when_they_are_asked_for);
@@ -154,4 +176,5 @@ void suite_run(void) {
   CU_add_test(suite, "a stage that never ends", a_stage_that_never_ends);
   CU_add_test(suite, "a body that is nowhere", a_body_that_is_nowhere);
   CU_add_test(suite, "a snapshot holds what touches", a_snapshot_holds_what_touches);
+  CU_add_test(suite, "until ... every N cycles", looked_at_seldom);
 }
