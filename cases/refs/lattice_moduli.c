@@ -1,0 +1,135 @@
+/* Reference: a square or hexagonal lattice of equal bodies in a periodic cell, pressed alike and strained little by little.
+ *
+ * Every body is a centre of symmetry, so a uniform strain e moves all bodies with it and turns none: the sum over the contacts of
+ * one body, f_i l_j over its share of the volume, is exact for small strains (Born). With t the thickness, s the spacing, F the
+ * normal force, and springs k_n = dF/d(alpha), k_s at every contact:
+ *
+ *   square      sigma = F/(s t),         C_11 = k_n/t,                     C_12 = 0,                        2 G = k_s/t
+ *   hexagonal   sigma = 3^(1/2) F/(s t), C_11 = 3^(1/2)/4 (3 k_n + k_s)/t, C_12 = 3^(1/2)/4 (k_n - k_s)/t,  2 G = C_11 - C_12
+ *
+ * so the hexagonal one has the bulk modulus 3^(1/2)/2 k_n/t in the plane, and of all directions the same moduli. Compression is
+ * positive: sigma_xx falls by C_11 e_xx + C_12 e_yy, sigma_xy by 2 G e_xy.
+ * Linear springs: F = k_n alpha. Elastic spheres without shear: F = 4/3 E* R*^(1/2) alpha^(3/2), R* = R/2, k_n = 2 E* (R* alpha)^(1/2),
+ * so that all moduli go with p^(1/3); a strain alike in x and y is taken as far as it goes, by F at its end.
+ *
+ * Known at the end of each stage, and at the end:   cell.stress.xx, .yy, .xy, .yx, .mean
+ * Left out: what a lattice of another spacing is, of the order of the strain and of alpha/s.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "reference.h"
+
+struct lattice {
+  bool hexagonal, hertz;
+  double radius, spacing, thickness; /* m */
+  struct nb_pair pair;
+  double xx, yy, xy; /* stress, Pa */
+};
+
+static double overlap(const struct lattice *it) { return 2 * it->radius - it->spacing; }
+static double stiffness(const struct lattice *it) {
+  return it->hertz ? 2 * it->pair.young * sqrt(it->radius / 2 * overlap(it)) : it->pair.kn;
+}
+static double pressure(const struct lattice *it) {
+  const double force = (it->hertz ? 2. / 3 : 1) * stiffness(it) * overlap(it);
+  return (it->hexagonal ? sqrt(3) : 1) * force / (it->spacing * it->thickness);
+}
+
+static void strain(struct lattice *it, double exx, double eyy, double exy) {
+  const double kn = stiffness(it) / it->thickness, ks = (it->pair.friction > 0 ? it->pair.ks : 0) / it->thickness;
+  const double q = sqrt(3) / 4;
+  const double c11 = it->hexagonal ? q * (3 * kn + ks) : kn, c12 = it->hexagonal ? q * (kn - ks) : 0;
+  it->xy -= (it->hexagonal ? c11 - c12 : ks) * exy;
+  if (exx == eyy) {
+    const double before = pressure(it);
+    it->spacing *= 1 + exx;
+    it->xx += pressure(it) - before, it->yy += pressure(it) - before;
+    return;
+  }
+  it->xx -= c11 * exx + c12 * eyy;
+  it->yy -= c12 * exx + c11 * eyy;
+}
+
+static void tell(struct nb_known *known, const struct lattice *it, const char *stage) {
+  const struct {
+    const char *name;
+    double value;
+  } all[] = {{"xx", it->xx}, {"yy", it->yy}, {"xy", it->xy}, {"yx", it->xy}, {"mean", (it->xx + it->yy) / 2}};
+  for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+    char name[3 * NB_NAME_SIZE];
+    snprintf(name, sizeof name, "cell.stress.%s%s%s", all[k].name, stage ? " in " : "", stage ? stage : "");
+    known_value(known, all[k].value, name);
+  }
+}
+
+static enum nb_status unfit(struct nb_error *error, const char *what) {
+  return nb_error_set(error, NB_BAD_USE, "reference lattice_moduli is for %s", what);
+}
+
+/* How many copies of the others touch the first body; the spacing is the way to the nearest. */
+static int neighbours(const struct nb_scene *scene, double *spacing) {
+  int count = 0;
+  *spacing = INFINITY;
+  for (size_t j = 1; j < scene->body_count; j++) {
+    double x = scene->bodies[j].x - scene->bodies[0].x, y = scene->bodies[j].y - scene->bodies[0].y;
+    x -= scene->cell.h[0] * round(x / scene->cell.h[0]), y -= scene->cell.h[3] * round(y / scene->cell.h[3]);
+    const double apart = hypot(x, y);
+    count += apart < 2 * scene->bodies[0].radius * (1 + 1e-9); /* those that just touch will */
+    *spacing = fmin(*spacing, apart);
+  }
+  return count;
+}
+
+static enum nb_status fit(struct lattice *it, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_body *first = &scene->bodies[0];
+  *it = (struct lattice){.radius = first->radius, .hertz = strcmp(scene->normal, "hertz") == 0};
+  it->thickness = first->shape == NB_SPHERE ? 2 * first->radius : 1;
+  it->pair = nb_scene_pair(scene, first->material, first->material);
+  if (!scene->cell.line || scene->cell.h[1] != 0 || scene->cell.h[2] != 0)
+    return unfit(error, "an upright periodic cell");
+  for (size_t k = 0; k < scene->body_count; k++)
+    if (scene->bodies[k].radius != first->radius || scene->bodies[k].material != first->material ||
+        scene->bodies[k].shape != first->shape || scene->bodies[k].vx != 0 || scene->bodies[k].vy != 0)
+      return unfit(error, "equal bodies at rest");
+  if (it->hertz ? strcmp(scene->shear, "none") != 0
+                : strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0)
+    return unfit(error, "linear springs, or elastic spheres without shear");
+  const int count = neighbours(scene, &it->spacing);
+  if (count != 4 && count != 6)
+    return unfit(error, "a lattice in which every body touches four others, or six");
+  it->hexagonal = count == 6;
+  const double place = it->hexagonal ? sqrt(0.75) : 1;
+  const double area = (double)scene->body_count * place * it->spacing * it->spacing;
+  if (fabs(scene->cell.h[0] * scene->cell.h[3] / area - 1) > 1e-9)
+    return unfit(error, "a lattice that fills the cell");
+  it->xx = it->yy = pressure(it);
+  return NB_OK;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct lattice lattice;
+  if (scene->body_count == 0 || fit(&lattice, scene, error))
+    return error->status;
+  struct nb_strain_rate rate = {0};
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    rate = stage->cell_line ? stage->cell : rate;
+    if (stage->step.kind != NB_STEP_TIME || stage->condition_count > 0 || rate.xy != rate.yx)
+      return unfit(error, "steps that are times, stages of so many cycles, and strain rates without rotation");
+    const double time = rate.per_cycle ? (double)stage->cycles : (double)stage->cycles * stage->step.value;
+    strain(&lattice, time * rate.xx, time * rate.yy, time * rate.xy);
+    tell(known, &lattice, stage->name);
+  }
+  tell(known, &lattice, NULL);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_lattice_moduli = {
+    .name = "lattice_moduli",
+    .title = "square and hexagonal lattices in a periodic cell: stress from their elastic moduli in closed form",
+    .source = "-",
+    .know = know,
+};
