@@ -31,6 +31,7 @@ enum nb_field {
   NB_MASS,                   /* M*, reduced mass, kg [R89 4.6]; these two stay what they are while a pair is listed */
   NB_REDUCED,                /* R*, reduced radius, m [R89 4.5] */
   NB_DEEP,                   /* 1 where the overlap is more than a Hertz contact is good for, else 0 */
+  NB_SURE,                   /* overlap up to which the step is sure to be stable, m: watch.c */
   NB_SHEAR_BEFORE,           /* F_s a step ago, N, for the energy balance alone; */
   NB_SHEAR_STIFFNESS_BEFORE, /* its stiffness then, N/m */
   NB_FIELDS
@@ -112,7 +113,8 @@ struct nb_view {
   const struct nb_vec *image; /* of struct nb_contacts */
   struct nb_vec *force;       /* on the first body, N */
   struct nb_memory normal_memory, shear_memory;
-  unsigned long *deep; /* how often an overlap was too deep, to be added to */
+  unsigned long *deep;  /* how often an overlap was too deep, to be added to */
+  struct nb_sure *sure; /* watch.c */
   const struct nb_pairing *pairing;
 };
 

@@ -87,6 +87,8 @@ enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
   if ((out || searched || model->cycle % NB_WATCH_CYCLES == 0) && nb_stable_watch(model, error))
     return error->status;
   nb_forces(model);
+  if (model->sure && !nb_sure_all(model) && nb_stable_watch(model, error))
+    return error->status;
   if (model->deep.counts)
     nb_deep_look(model);
   if (model->fracc_before)

@@ -260,6 +260,7 @@ void nb_model_free(struct nb_model *model) {
                    model->pairings,
                    model->properties_from,
                    model->loads,
+                   model->stiff,
                    model->walls_from,
                    model->incidence.first,
                    model->incidence.middle,
@@ -267,7 +268,8 @@ void nb_model_free(struct nb_model *model) {
                    model->views,
                    model->scratch,
                    model->fracc_before,
-                   model->deep.counts};
+                   model->deep.counts,
+                   model->sure};
   for (size_t k = 0; k < COUNT(owned); k++)
     free(owned[k]);
   nb_properties_free(&model->properties);

@@ -91,6 +91,11 @@ struct nb_properties {
   double pieces; /* of struct nb_pair; the same for all pairs */
 };
 
+/* A contact's springs, N/m, and dashpots, N s/m. */
+struct nb_stiff {
+  double kn, ks, cn, cs;
+};
+
 struct nb_model {
   const struct nb_scene *scene;
   int threads; /* there may be */
@@ -112,8 +117,13 @@ struct nb_model {
     unsigned long long count;     /* contact updates too deep until then */
     char first[3 * NB_NAME_SIZE]; /* the first of them, in words; empty: none yet */
   } deep;
-  double *scratch; /* per thread NB_FIELDS * NB_BLOCK doubles */
-  unsigned kept;   /* set of fields that are kept */
+  struct nb_sure {
+    double overlap;      /* the smallest of a block's NB_SURE, m */
+    unsigned long above; /* its contacts that are deeper than theirs */
+    double apart[6];     /* those of two threads lie in lines of their own */
+  } * sure;              /* per block; NULL: nothing that is watched gets stiffer */
+  double *scratch;       /* per thread NB_FIELDS * NB_BLOCK doubles */
+  unsigned kept;         /* set of fields that are kept */
   enum nb_field
       drag;      /* the field that holds the shear force which bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
   bool keeping;  /* no forces follow the search to come: contacts keep those that they have */
@@ -129,7 +139,8 @@ struct nb_model {
   int step_line;              /* of the statement that says how long a step is; -1: none has been worked out yet */
   double critical;            /* 2 sqrt(m/k), s */
   double safe;                /* largest step sure to be stable as this stage began, s */
-  struct nb_load *loads;      /* per slot, room for stable.c */
+  struct nb_load *loads;      /* per slot, and */
+  struct nb_stiff *stiff;     /* per contact, room for stable.c */
   bool allow_unstable;        /* the step is not watched now */
   struct nb_damping damping;
   struct nb_vec gravity; /* over the kick to come, m/s2 */
@@ -150,6 +161,7 @@ struct nb_model {
   double stage_time; /* at its begin, s */
   double touch;      /* when what `impact` makes first touches, s */
   unsigned long stage_cycle;
+  unsigned long looks; /* how often the watch has worked out the safe step */
   unsigned long long updates, searches,
       candidates;             /* candidates: pairs of bodies whose distance a search has measured */
   struct nb_balance *balance; /* energy.h; NULL: no column and no condition asks for one */
@@ -278,6 +290,13 @@ bool nb_deep_begin(struct nb_model *model, size_t blocks); /* counts anew, after
 void nb_deep_look(struct nb_model *model);                 /* after the forces: which is the first */
 bool nb_deep_is(const struct nb_model *model, size_t contact);
 unsigned long long nb_deep_count(const struct nb_model *model);
+
+/* watch.c: whether the step is still sure to be stable */
+bool nb_sure_begin(struct nb_model *model, size_t blocks); /* after a search; false: no memory */
+bool nb_sure_all(struct nb_model *model);                  /* after the forces: no contact is deeper than its NB_SURE */
+/* NB_BROKEN when the step is above the safe one, unless the page allows it; what is sure from there on. */
+enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
+enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error);
 
 /* cycle.c: the force half, for positions as they are */
 void nb_forces(struct nb_model *model);

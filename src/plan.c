@@ -54,6 +54,11 @@ static bool rubs(const struct nb_pairing *pairing) {
   return pairing->values.friction > 0 || pairing->values.cohesion > 0;
 }
 
+/* Springs of elastic spheres: both stiffen together, with the overlap. */
+static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
+  return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
+}
+
 static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, const struct nb_law *normal,
                          const struct nb_law *shear) {
   const struct nb_scene *scene = model->scene;
@@ -62,6 +67,8 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
   pairing->pass_count = 0;
   if (normal->elastic)
     model->kept |= NB_BIT(NB_REDUCED);
+  if (stiffens(normal, shear))
+    model->kept |= NB_BIT(NB_SURE);
   const enum nb_dashpots form = dashpots_of(scene);
   if (form >= NB_DASHPOTS_SWING)
     model->kept |= NB_BIT(NB_MASS);
@@ -149,9 +156,10 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
   const size_t share = contacts->count / NB_THREAD_SHARE; /* a thread with less to do waits longer than it works */
   model->busy = share < 1 ? 1 : share < (size_t)model->threads ? (int)share : model->threads;
   size_t most = contacts->count / NB_BLOCK + model->pairing_count + 1;
-  free(model->views);
+  free(model->views), free(model->stiff);
   model->views = nb_array(most, sizeof *model->views);
-  if (!model->views)
+  model->stiff = nb_array(contacts->count, sizeof *model->stiff);
+  if (!model->views || !model->stiff)
     return nb_error_set(error, NB_BROKEN, "out of memory while planning");
   size_t *start = nb_array(most + 1, sizeof *start);
   if (!start)
@@ -161,7 +169,8 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
     if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
       start[n++] = c;
   start[n] = contacts->count;
-  if (nb_step_elastic(model) && !nb_deep_begin(model, n)) {
+  if ((nb_step_elastic(model) && !nb_deep_begin(model, n)) ||
+      (model->kept & NB_BIT(NB_SURE) && !nb_sure_begin(model, n))) {
     free(start);
     return nb_error_set(error, NB_BROKEN, "out of memory while planning");
   }
@@ -170,6 +179,7 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
     while (n * (thread + 1) / (size_t)model->busy <= v)
       thread++;
     model->views[v] = view_of(model, start[v], start[v + 1], model->scratch + thread * NB_FIELDS * NB_BLOCK);
+    model->views[v].sure = model->sure ? model->sure + v : NULL;
     model->views[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_APART : NULL;
   }
   model->view_count = n;

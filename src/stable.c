@@ -1,4 +1,4 @@
-/* The largest step that is sure to be stable, and the watch over it as a run goes.
+/* The largest step that is sure to be stable.
  *
  * A free vibration x_n = z^n u of the cycle [CS79 20-36], with the global damping's factors `keep` and `push` of
  * motion.c, obeys
@@ -27,22 +27,16 @@
  * opens; what does not touch counts as if it just did. Left out: that contacts turn, of the order of overlap over
  * radius; a contact that slides is softer.
  *
- * To find it costs four to five cycles' work; a run does so at each stage's begin, after each search, which costs as
- * much as twenty cycles, and every NB_WATCH_CYCLES.
+ * To find it costs a few cycles' work, of elastic spheres up to a dozen. When a run does so: watch.c.
  *
  * Source     the element bound of finite elements (Irons and Treharne 1971).
- * Range      k_n > 0; laws whose stiffness changes are taken as stiff as they are now.
+ * Range      k_n > 0; laws whose stiffness changes are taken as stiff as they are now; watch.c knows until when.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
 #include <string.h>
 
 #include "step.h"
-
-/* A contact's springs, N/m, and dashpots, N s/m. */
-struct stiff {
-  double kn, ks, cn, cs;
-};
 
 /* A stage may have changed properties since the last forces. */
 static void look_ahead(const struct nb_model *model) {
@@ -64,14 +58,14 @@ double nb_overlap(const struct nb_model *model, size_t c) {
 }
 
 /* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
-static struct stiff stiff_at(const struct nb_model *model, const struct nb_pairing *pairing, double overlap,
-                             double inverse_mass, double radius, bool deep, double normal_memory[],
-                             double shear_memory[]) {
+static struct nb_stiff stiff_at(const struct nb_model *model, const struct nb_pairing *pairing, double overlap,
+                                double inverse_mass, double radius, bool deep, double normal_memory[],
+                                double shear_memory[]) {
   struct nb_pair values = pairing->coming;
   values.radius = radius;
   struct nb_normal normal = pairing->normal->normal(values, overlap, 0, normal_memory);
   normal.overlap = overlap;
-  struct stiff k = {.kn = normal.stiffness};
+  struct nb_stiff k = {.kn = normal.stiffness};
   if (pairing->coming_shear)
     k.ks = pairing->coming_shear->shear(values, normal, 0, shear_memory).stiffness;
   if (!model->dashpots)
@@ -91,7 +85,7 @@ static double inverse_mass(const struct nb_model *model, size_t c, bool wall) {
 /* The smallest overlap there is: what a pair that does not touch counts as. */
 static const double just = DBL_MIN;
 
-static struct stiff stiff_of(const struct nb_model *model, size_t c) {
+static struct nb_stiff stiff_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
   double normal_memory[NB_MEMORY], shear_memory[NB_MEMORY_MAX];
@@ -107,8 +101,7 @@ static struct stiff stiff_of(const struct nb_model *model, size_t c) {
                   normal_memory, shear_memory);
 }
 
-/* L of the global damping in force. */
-static double limit_of(const struct nb_damping *damping) {
+double nb_safe_limit(const struct nb_damping *damping) {
   if (damping->global_kind == NB_GLOBAL_CON1_VELOCITY)
     return 2 * (1 + damping->global);
   if (damping->global_kind == NB_GLOBAL_CON1_ALL)
@@ -116,27 +109,18 @@ static double limit_of(const struct nb_damping *damping) {
   return 4;
 }
 
-/* A contact with the shares of mass that it has: everything dt^2 k + 2 dt c is made of. */
-struct part {
-  struct stiff own;
-  double a, d; /* A, and the same of the dashpots: 1/s2, 1/s */
-  double q, p; /* Q_i/I_i + Q_j/I_j, and the same of the dashpots */
-};
-
-static double normal_of(const struct part *part, double dt) { return dt * (dt * part->a + 2 * part->d); }
-
-static double shear_of(const struct part *part, double dt) {
-  const struct stiff *k = &part->own;
+static double shear_of(const struct nb_part *part, double dt) {
+  const struct nb_stiff *k = &part->own;
   if (!(k->ks > 0))
     return 0;
   const double ratio = (dt * k->ks + 2 * k->cs) / (dt * k->kn + 2 * k->cn);
-  return ratio * normal_of(part, dt) + dt * (dt * part->q + 2 * part->p);
+  return ratio * nb_part_normal(part, dt) + nb_part_turning(part, dt);
 }
 
 static double larger(double a, double b) { return a > b ? a : b; }
 
 /* The largest dt with both below L, and none longer than without dashpots. Both grow with dt. */
-static double root(const struct part *part, double limit) {
+static double root(const struct nb_part *part, double limit) {
   const double ratio = part->own.ks / part->own.kn;
   const double square = larger(part->a, part->own.ks > 0 ? ratio * part->a + part->q : 0);
   double low = 0, high = sqrt(limit / square);
@@ -146,33 +130,33 @@ static double root(const struct part *part, double limit) {
     const double middle = low + (high - low) / 2;
     if (!(middle > low && middle < high))
       return low;
-    if (larger(normal_of(part, middle), shear_of(part, middle)) <= limit)
+    if (larger(nb_part_normal(part, middle), shear_of(part, middle)) <= limit)
       low = middle;
     else
       high = middle;
   }
 }
 
-static void add(struct nb_load *load, const struct stiff *k, double radius) {
+static void add(struct nb_load *load, const struct nb_stiff *k, double radius) {
   const double square = radius * radius;
   load->kn += k->kn, load->cn += k->cn;
   load->ks += k->ks * square, load->cs += k->cs * square;
 }
 
 /* A body's contribution to its contact. */
-static void share(struct part *part, const struct nb_load *load, double inverse_mass_, double inverse_inertia) {
+static void share(struct nb_part *part, const struct nb_load *load, double inverse_mass_, double inverse_inertia) {
   part->a += load->kn * inverse_mass_, part->d += load->cn * inverse_mass_;
   part->q += load->ks * inverse_inertia, part->p += load->cs * inverse_inertia;
 }
 
-static void smaller(struct nb_safe *safe, const struct part *part, double limit, int a, int b,
+static void smaller(struct nb_safe *safe, const struct nb_part *part, double limit, int a, int b,
                     const struct nb_pairing *pairing) {
   const double step = safe->step;
   /* Most contacts are not the smallest, which is told without looking for a root. */
-  if (isfinite(step) && larger(normal_of(part, step), shear_of(part, step)) <= limit)
+  if (isfinite(step) && larger(nb_part_normal(part, step), shear_of(part, step)) <= limit)
     return;
   *safe = (struct nb_safe){.step = root(part, limit), .a = a, .b = b, .pairing = pairing};
-  safe->turning = shear_of(part, safe->step) > normal_of(part, safe->step);
+  safe->turning = shear_of(part, safe->step) > nb_part_normal(part, safe->step);
 }
 
 /* Nothing is near: the lightest bodies of any two materials, as if one pair of them met. */
@@ -193,7 +177,7 @@ static struct nb_safe alone(const struct nb_model *model, double limit) {
       }
     if (pairing->normal->elastic)
       continue; /* elastic spheres have no stiffness when they just touch */
-    struct part part = {.own = stiff_at(model, pairing, just, inverse, 1 / curvature, false, normal, shear)};
+    struct nb_part part = {.own = stiff_at(model, pairing, just, inverse, 1 / curvature, false, normal, shear)};
     for (int side = 0; side < 2; side++) {
       const int i = lightest[side];
       struct nb_load load = {0};
@@ -208,10 +192,20 @@ static struct nb_safe alone(const struct nb_model *model, double limit) {
   return safe;
 }
 
+struct nb_part nb_part_of(const struct nb_model *model, size_t c) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const int i = model->contacts.a[c], j = model->contacts.b[c];
+  struct nb_part part = {.own = model->stiff[c]};
+  share(&part, &model->loads[i], bodies->inverse_mass[i], bodies->inverse_inertia[i]);
+  if (!model->pairings[model->contacts.pairing[c]].wall)
+    share(&part, &model->loads[j], bodies->inverse_mass[j], bodies->inverse_inertia[j]);
+  return part;
+}
+
 struct nb_safe nb_safe_step(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_bodies *bodies = &model->bodies;
-  const double limit = limit_of(&model->damping);
+  const double limit = nb_safe_limit(&model->damping);
   struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
   look_ahead(model);
   if (contacts->count == 0)
@@ -219,51 +213,15 @@ struct nb_safe nb_safe_step(const struct nb_model *model) {
   memset(model->loads, 0, bodies->count * sizeof *model->loads);
   for (size_t c = 0; c < contacts->count; c++) { /* in the order of numbers, whatever the storage */
     const int i = contacts->a[c], j = contacts->b[c];
-    const struct stiff k = stiff_of(model, c);
+    const struct nb_stiff k = model->stiff[c] = stiff_of(model, c);
     add(&model->loads[i], &k, bodies->rim[i].x);
     if (!model->pairings[contacts->pairing[c]].wall)
       add(&model->loads[j], &k, bodies->rim[j].x);
   }
   for (size_t c = 0; c < contacts->count; c++) {
-    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    const int i = contacts->a[c], j = contacts->b[c];
-    struct part part = {.own = stiff_of(model, c)};
-    share(&part, &model->loads[i], bodies->inverse_mass[i], bodies->inverse_inertia[i]);
-    if (!pairing->wall)
-      share(&part, &model->loads[j], bodies->inverse_mass[j], bodies->inverse_inertia[j]);
+    const struct nb_part part = nb_part_of(model, c);
     if (part.own.kn > 0)
-      smaller(&safe, &part, limit, i, j, pairing);
+      smaller(&safe, &part, limit, contacts->a[c], contacts->b[c], &model->pairings[contacts->pairing[c]]);
   }
   return safe;
-}
-
-void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe) {
-  const int *number = model->bodies.number;
-  const char *how = safe->turning ? "turning" : "normal motion";
-  if (safe->a < 0)
-    snprintf(text, size, "no contact");
-  else if (safe->pairing->wall && safe->b < 0)
-    snprintf(text, size, "%s of body %d at a wall of %s", how, number[safe->a],
-             model->scene->materials[safe->pairing->b].name);
-  else if (safe->pairing->wall)
-    snprintf(text, size, "%s of body %d at wall %s", how, number[safe->a], model->scene->walls[safe->b].name);
-  else
-    snprintf(text, size, "%s of body %d at body %d", how, number[safe->a], number[safe->b]);
-}
-
-enum nb_status nb_stable_watch(const struct nb_model *model, struct nb_error *error) {
-  if (model->allow_unstable || model->contacts.count == 0)
-    return NB_OK;
-  const struct nb_safe safe = nb_safe_step(model);
-  /* A step that is the bound itself is not above it for the rounding of a share of it. */
-  if (model->step <= safe.step * (1 + 4 * DBL_EPSILON))
-    return NB_OK;
-  char what[3 * NB_NAME_SIZE];
-  const int number = model->bodies.number[safe.a];
-  nb_safe_words(what, sizeof what, model, &safe);
-  return nb_error_set(
-      error, NB_BROKEN,
-      "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
-      "is set by %s: take a smaller step (`step 0.8 of safe`), or say `allow unstable`",
-      number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, safe.step, what);
 }

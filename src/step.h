@@ -9,6 +9,7 @@
 /* stable.c */
 struct nb_load {
   double kn, ks, cn, cs; /* sums over a body's contacts: k_n, k_s R^2, and the same of dashpots */
+  double left;           /* of L by the contact that leaves least: watch.c */
 };
 /* The largest step that is sure to be stable with the contacts and the damping of now, and which contact sets it. */
 struct nb_safe {
@@ -18,13 +19,23 @@ struct nb_safe {
   const struct nb_pairing *pairing; /* of that contact */
 };
 struct nb_safe nb_safe_step(const struct nb_model *model);
+double nb_safe_limit(const struct nb_damping *damping); /* L of the global damping in force */
+
+/* A contact with the shares of mass that it has: everything dt^2 k + 2 dt c is made of. */
+struct nb_part {
+  struct nb_stiff own;
+  double a, d; /* A, and the same of the dashpots: 1/s2, 1/s */
+  double q, p; /* Q_i/I_i + Q_j/I_j, and the same of the dashpots */
+};
+struct nb_part nb_part_of(const struct nb_model *model, size_t contact); /* with what nb_safe_step has found */
+static inline double nb_part_normal(const struct nb_part *part, double dt) { return dt * (dt * part->a + 2 * part->d); }
+static inline double nb_part_turning(const struct nb_part *part, double dt) {
+  return dt * (dt * part->q + 2 * part->p);
+}
 double nb_overlap(const struct nb_model *model,
                   size_t contact); /* of positions as they are; < 0 where they are apart, m */
 /* "turning of body 5 at wall east" */
 void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe);
-/* NB_BROKEN when the step is above that, unless the page allows it. */
-enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
-enum nb_status nb_stable_watch(const struct nb_model *model, struct nb_error *error);
 
 /* meet.c: of elastic spheres, what meets for the shortest time when all go straight on */
 struct nb_meeting {

@@ -1,0 +1,171 @@
+/* The watch over the step: at each stage's begin, after each search, every NB_WATCH_CYCLES, and as soon as elastic spheres have
+ * got so stiff that it might be too long. What is sure to be stable, and L: stable.c.
+ *
+ * A contact of elastic spheres stiffens as it is pressed. When the watch has looked, it knows how much that may be. With
+ *
+ *   q = dt^2 k_n + 2 dt c_n        of a contact now, and h >= (dt k_s + 2 c_s)/(dt k_n + 2 c_n) of all of them, ever
+ *   S = sum q over a body's contacts, n of them, touching or not
+ *
+ * the step is stable as long as, for all contacts,
+ *
+ *   S_i/m_i + S_j/m_j  <=  L        and        h (S_i (1/m_i + R_i^2/I_i) + S_j (1/m_j + R_j^2/I_j))  <=  L
+ *
+ * What a contact leaves of L is shared by its bodies, half each, and a body takes the least that one of its contacts leaves
+ * it and shares it out to all of them alike. So q of a contact may grow by
+ *
+ *   min over its bodies of  (least left)/n / max(1/m, h (1/m + R^2/I))
+ *
+ * and the step stays stable while each keeps below that, whatever the others do: NB_SURE is the overlap of that q. A pass
+ * compares overlaps with it (pass/deep.c), and only a contact that is above makes the watch look again, before its force has
+ * moved anything.
+ *
+ * h is k_s/k_n = 4 G-star/E-star where there are no dashpots; with dashpots of sqrt(M-star k) it lies between that and its root.
+ *
+ * Range     normal laws whose stiffness grows with the overlap, by which Hertz's by increments is not meant, as it has its own
+ *           from the force; and shear laws of elastic spheres, or none: others have a k_s that does not go with k_n. What is out
+ *           of this range is looked at as springs are, which keep their stiffness.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <float.h>
+#include <stdlib.h>
+
+#include "step.h"
+
+void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe) {
+  const int *number = model->bodies.number;
+  const char *how = safe->turning ? "turning" : "normal motion";
+  if (safe->a < 0)
+    snprintf(text, size, "no contact");
+  else if (safe->pairing->wall && safe->b < 0)
+    snprintf(text, size, "%s of body %d at a wall of %s", how, number[safe->a],
+             model->scene->materials[safe->pairing->b].name);
+  else if (safe->pairing->wall)
+    snprintf(text, size, "%s of body %d at wall %s", how, number[safe->a], model->scene->walls[safe->b].name);
+  else
+    snprintf(text, size, "%s of body %d at body %d", how, number[safe->a], number[safe->b]);
+}
+
+/* ---- what is sure until the next look ---- */
+
+bool nb_sure_begin(struct nb_model *model, size_t blocks) {
+  free(model->sure);
+  model->sure = nb_array(blocks, sizeof *model->sure);
+  for (size_t v = 0; model->sure && v < blocks; v++)
+    model->sure[v].overlap = INFINITY; /* no step has been judged yet */
+  return model->sure != NULL;
+}
+
+bool nb_sure_all(struct nb_model *model) {
+  unsigned long above = 0;
+  for (size_t v = 0; v < model->view_count; v++)
+    above += model->sure[v].above, model->sure[v].above = 0;
+  return above == 0;
+}
+
+/* h: the largest ratio that there can be. */
+static double most_shear(const struct nb_model *model) {
+  double most = 0;
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    const struct nb_pairing *pairing = &model->pairings[p];
+    const bool shears = pairing->coming_shear && pairing->coming_shear->elastic;
+    const double ratio = shears ? 4 * pairing->coming.shear / pairing->coming.young : 0;
+    most = ratio > most ? ratio : most;
+  }
+  return model->dashpots && most < 1 ? sqrt(most) : most;
+}
+
+/* The k_n of a q:  dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q,  a square in k^(1/2). */
+static double stiffness_of(const struct nb_model *model, size_t c, double q) {
+  const double dt = model->step;
+  struct nb_dashpot pot = {0};
+  if (model->dashpots)
+    pot = nb_dashpot(model, model->pairings[model->contacts.pairing[c]].wall);
+  if (model->damping.deep > 0)
+    pot.ratio = pot.ratio > 2 ? pot.ratio : 2; /* it may get deep */
+  const double square = dt * dt + 2 * dt * pot.time;
+  const double line = pot.ratio > 0 ? 2 * dt * pot.ratio * sqrt(model->contacts.kept[NB_MASS][c]) : 0;
+  const double root = 2 * q / (line + sqrt(line * line + 4 * square * q));
+  return q > 0 ? root * root : 0;
+}
+
+static double smaller(double a, double b) { return a < b ? a : b; }
+
+/* Those of a contact's bodies that are free: one or two. */
+static int free_of(const struct nb_model *model, size_t c, int slots[2]) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const double *inverse_mass = model->bodies.inverse_mass;
+  int n = 0;
+  if (inverse_mass[contacts->a[c]] > 0)
+    slots[n++] = contacts->a[c];
+  if (!model->pairings[contacts->pairing[c]].wall && inverse_mass[contacts->b[c]] > 0)
+    slots[n++] = contacts->b[c];
+  return n;
+}
+
+/* The overlap at which the normal law has this stiffness: by Hertz k_n = 2 E* (R* alpha)^(1/2), and no more than the law says. */
+static double overlap_of(const struct nb_model *model, size_t c, double stiffness) {
+  const struct nb_pairing *pairing = &model->pairings[model->contacts.pairing[c]];
+  const struct nb_pair values = nb_contacts_values(model, c, pairing->coming);
+  double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), none[NB_MEMORY] = {0};
+  while (overlap > 0 && isfinite(overlap) &&
+         pairing->normal->normal(values, overlap, 0, none).stiffness > 1.000001 * stiffness)
+    overlap /= 2;
+  return overlap;
+}
+
+static void be_sure(struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_contacts *contacts = &model->contacts;
+  const double dt = model->step, limit = nb_safe_limit(&model->damping), h = most_shear(model);
+  double *sure = contacts->kept[NB_SURE];
+  int slots[2];
+  for (size_t i = 0; i < bodies->count; i++)
+    model->loads[i].left = INFINITY;
+  for (size_t c = 0; c < contacts->count; c++) {
+    const struct nb_part part = nb_part_of(model, c);
+    const int n = free_of(model, c, slots);
+    const double normal = nb_part_normal(&part, dt), shear = h * normal + nb_part_turning(&part, dt);
+    const double left = limit - (shear > normal ? shear : normal);
+    const bool apart = !(part.own.kn > 0) && !(left > 0); /* looked at as soon as they touch */
+    for (int k = 0; k < n && !apart; k++)
+      model->loads[slots[k]].left = smaller(model->loads[slots[k]].left, left > 0 ? left / n : 0);
+    sure[c] = apart ? -INFINITY : dt * dt * part.own.kn + 2 * dt * part.own.cn; /* q, for now */
+  }
+  for (size_t v = 0; v < model->view_count; v++)
+    model->sure[v].overlap = INFINITY;
+  for (size_t v = 0, c = 0; v < model->view_count; v++)
+    for (const size_t end = c + model->views[v].n; c < end; c++) {
+      const int n = free_of(model, c, slots);
+      double more = INFINITY;
+      for (int k = 0; k < n; k++) {
+        const int i = slots[k];
+        const double inverse = bodies->inverse_mass[i], rim = bodies->rim[i].x;
+        const double rolling = h * (inverse + rim * rim * bodies->inverse_inertia[i]);
+        const double each = model->loads[i].left / (double)(model->incidence.first[i + 1] - model->incidence.first[i]);
+        more = smaller(more, each / (rolling > inverse ? rolling : inverse));
+      }
+      sure[c] = overlap_of(model, c, stiffness_of(model, c, sure[c] + more));
+      model->sure[v].overlap = smaller(model->sure[v].overlap, sure[c]);
+    }
+}
+
+enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error) {
+  if (model->allow_unstable || model->contacts.count == 0)
+    return NB_OK;
+  const struct nb_safe safe = nb_safe_step(model);
+  model->looks++;
+  /* A step that is the bound itself is not above it for the rounding of a share of it. */
+  if (model->step <= safe.step * (1 + 4 * DBL_EPSILON)) {
+    if (model->sure)
+      be_sure(model);
+    return NB_OK;
+  }
+  char what[3 * NB_NAME_SIZE];
+  const int number = model->bodies.number[safe.a];
+  nb_safe_words(what, sizeof what, model, &safe);
+  return nb_error_set(
+      error, NB_BROKEN,
+      "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
+      "is set by %s: take a smaller step (`step 0.8 of safe`), or say `allow unstable`",
+      number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, safe.step, what);
+}

@@ -1,0 +1,197 @@
+/* The watch over the step between its looks: no cycle of elastic spheres is done whose step is not sure to be stable.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/step.h"
+#include "chance.h"
+#include "suites.h"
+#include "written.h"
+
+/* Runs the first stage until the watch stops it, and asks after each cycle whether it should have. Answers how many cycles were done. */
+static int watched(struct nb_model *model, const struct written *it, int cycles, struct nb_error *error) {
+  enum nb_status status = nb_stage_begin(model, &it->scene.stages[0], error);
+  int done = 0;
+  double least = INFINITY;
+  while (!status && done < cycles) {
+    status = nb_cycle(model, error);
+    done += !status;
+    const double safe = nb_safe_step(model).step;
+    least = !status && safe < least ? safe : least;
+    if (status)
+      CU_ASSERT(safe < model->step);
+  }
+  CU_ASSERT(least >= model->step * (1 - 1e-12));
+  return done;
+}
+
+/* A light sphere lies at a wall, a heavy one that is hard to stop comes: both of its springs stiffen, for more cycles than a step of
+ * half its period has. E* = 1/2, k = 2 E* (R* alpha)^(1/2) with R* = 1/2 between the spheres and 1 at the wall; the light one, of mass 1,
+ * is in balance, so that 2/3 E* (R*)^(1/2) alpha^(3/2) of both is the same F, and k = (6 F E*^2 R*)^(1/3). Then omega^2 is the sum of
+ * both k, with 1e-6 of one for the heavy sphere, and the step is at its end as 2/omega has come to it. */
+static void an_impact_between_two_looks(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(&page,
+            "units none\nmaterial m density 0.238732414637843 young 1 poisson 0\nmaterial heavy density "
+            "238732.414637843 young 1 "
+            "poisson 0\nnormal hertz\nskin 0.5\nsphere 1 0 radius 1 m\nsphere 3 0 radius 1 heavy velocity -1e-4 0\n"
+            "wall w 0 -9 to 0 9 m\nwatch C sphere 1 with sphere 2\nstep 3\nrecord C.normal\nstage s\ncycles 900\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  const int done = watched(model, &it, 900, &error);
+  CU_ASSERT(done > 50 && done < 900 && error.status == NB_BROKEN);
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "the step 3 s is above what is sure to be stable"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "body 1 (line 7): at cycle "));
+  const double force = written_now(model, "C.normal"), young = 0.5;
+  const double square = cbrt(6 * force * young * young * 0.5) + cbrt(6 * force * young * young * 1);
+  CU_ASSERT(fabs(2 / sqrt(square) - 3) < 0.15); /* it swings a little about that balance */
+  CU_ASSERT(model->looks < (unsigned long)done / 2 && model->searches == 1);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* ---- how much is sure ---- */
+
+#define SPHERE "units none\nmaterial m density 0.238732414637843 young 1 poisson 0.3 friction 1\nnormal hertz\n"
+
+static double overlap_sure(const struct nb_model *model, int contact) { return model->contacts.kept[NB_SURE][contact]; }
+
+/* Of a pair alone all that is left is the one contact's: at the overlap that is sure its step is the bound. With dashpots h is a
+ * little more than the ratio that they have, and so is what is sure a little less. */
+static void a_pair_may_use_it_up(void) {
+  static const struct {
+    const char *statements;
+    double within; /* a share of the step */
+  } cases[] = {
+      {"shear none\n", 1e-9},
+      {"shear mindlin\n", 1e-9},
+      {"shear mindlin_deresiewicz\n", 1e-9},
+      {"shear none\ndamping contact-ratio 0.3\n", 1e-9},
+      {"shear none\ndamping contact-beta 0.2\n", 1e-9},
+      {"shear none\ndamping con1 0.8 reading all\n", 1e-9},
+      {"shear mindlin\ndamping contact-ratio 0.3\n", 0.03},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    double overlap = 0.002, step = 0;
+    for (int at_last = 0; at_last < 2; at_last++) {
+      struct words page = {0};
+      struct written it;
+      struct nb_error error = {0};
+      words_add(&page,
+                SPHERE
+                "%ssphere 0 0 radius 1 m\nsphere %.17g 0 radius 1 m\nstep 2.4\nrecord step.safe\nstage s\ncycles 1\n",
+                cases[k].statements, 2 - overlap);
+      written_scene(&it, &page);
+      struct nb_model *model = written_model(&it, NULL);
+      nb_stage_begin(model, &it.scene.stages[0], &error);
+      overlap = overlap_sure(model, 0), step = nb_safe_step(model).step;
+      nb_model_free(model);
+      written_free(&it);
+    }
+    CU_ASSERT(step >= 2.4 * (1 - 1e-9) && step <= 2.4 * (1 + cases[k].within));
+    if (!(step <= 2.4 * (1 + cases[k].within)))
+      printf("# with %s: step %.12g at the overlap that is sure, %g\n", cases[k].statements, step, overlap);
+  }
+}
+
+/* What is held has nothing to share. */
+static void a_body_that_is_held(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(&page,
+            SPHERE "shear none\nsphere 0 0 radius 1 m fixed\nsphere 1.99 0 radius 1 m\nstep 2.4\nrecord step.safe\n"
+                   "stage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  const double stiffness = 4 / (2.4 * 2.4), young = 1 / (2 * 0.91);
+  const double known = stiffness * stiffness / (4 * young * young * 0.5);
+  CU_ASSERT(fabs(overlap_sure(model, 0) - known) < 1e-9 * known);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* Wall - A - B of masses 1 and 8, nothing but normal springs, with q = dt^2 k of both contacts: the wall's leaves 4 - (q1 + q2), the
+ * other 4 - (q1 + q2) - q2/8, of which half is A's and half is B's. A has two contacts, B one. */
+static void three_share_it(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error = {0};
+  words_add(&page, SPHERE "shear none\nwall w 0 -9 to 0 9 m\nsphere 0.99 0 radius 1 m\nsphere 3.97 0 radius 2 m\n"
+                          "step 1.5\nrecord step.safe\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  const double young = 1 / (2 * 0.91), radius[2] = {2. / 3, 1}, overlap[2] = {0.02, 0.01}; /* of A-B, of the wall */
+  double q[2];
+  for (int k = 0; k < 2; k++)
+    q[k] = 2.25 * 2 * young * sqrt(radius[k] * overlap[k]);
+  const double at_wall = 4 - q[0] - q[1], between = 4 - q[0] - q[1] - q[0] / 8;
+  const double of_a = fmin(at_wall, between / 2) / 2, of_b = 8 * between / 2;
+  const double most[2] = {q[0] + fmin(of_a, of_b), q[1] + of_a};
+  for (int k = 0; k < 2; k++) {
+    const double stiffness = most[k] / 2.25;
+    const double known = stiffness * stiffness / (4 * young * young * radius[k]);
+    CU_ASSERT(fabs(overlap_sure(model, k) - known) < 1e-9 * known);
+  }
+  CU_ASSERT_EQUAL(model->sure[0].overlap, overlap_sure(model, 0));
+  CU_ASSERT_EQUAL(model->sure[1].overlap, overlap_sure(model, 1));
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* ---- by chance ---- */
+
+/* Spheres of two materials, some pressed and some apart, that fly about in a box. */
+static void crowd(struct words *page, struct chance *chance, const char *shear) {
+  words_add(page, "units none\nnormal hertz\nshear %s\nskin 0.3\n", shear);
+  for (int m = 0; m < 2; m++)
+    words_add(page, "material %c density %g young %g poisson %g friction %d\n", 'a' + m, chance_scale(chance, 0.1, 10),
+              chance_scale(chance, 1, 30), chance_between(chance, 0, 0.45), m);
+  words_add(page, "box -1 -1 to 7 7 a\n");
+  for (int k = 0; k < 16; k++)
+    words_add(page, "sphere %.17g %.17g radius %.17g %c velocity %.17g %.17g spin %.17g\n",
+              2 * (k % 4) + chance_between(chance, -0.1, 0.1), 2 * (k / 4) + chance_between(chance, -0.1, 0.1),
+              chance_between(chance, 0.85, 1.1), k % 3 ? 'a' : 'b', chance_between(chance, -0.1, 0.1),
+              chance_between(chance, -0.1, 0.1), chance_between(chance, -0.1, 0.1));
+}
+
+static void no_cycle_is_unsure(void) {
+  static const char *const shears[] = {"none", "mindlin", "mindlin_deresiewicz", "randall"};
+  static const char *const damped[] = {"", "damping contact-ratio 0.2\n", "damping contact-beta 0.01\n",
+                                       "damping critical above 0.02\n", "damping con1 0.9 reading all\n"};
+  int ended = 0, went = 0;
+  unsigned long looks = 0, cycles = 0;
+  for (unsigned seed = 1; seed <= 60; seed++) {
+    struct chance chance = chance_begin(seed);
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    crowd(&page, &chance, shears[seed % 4]);
+    words_add(&page, "%sstep %.17g of safe\nrecord time\nstage s\ncycles 400\n", damped[seed % 5],
+              chance_scale(&chance, 0.1, 0.95));
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const int done = watched(model, &it, 400, &error);
+    ended += done < 400, went += done == 400;
+    looks += model->looks, cycles += (unsigned long)done;
+    nb_model_free(model);
+    written_free(&it);
+  }
+  printf("# %d of 60 were stopped; a look every %.1f cycles\n", ended, (double)cycles / (double)looks);
+  CU_ASSERT(ended > 10 && went > 10);
+}
+
+void suite_watch(void) {
+  CU_pSuite suite = CU_add_suite("watch", NULL, NULL);
+  CU_add_test(suite, "an impact between two looks", an_impact_between_two_looks);
+  CU_add_test(suite, "a pair may use it up", a_pair_may_use_it_up);
+  CU_add_test(suite, "a body that is held", a_body_that_is_held);
+  CU_add_test(suite, "three share it", three_share_it);
+  CU_add_test(suite, "no cycle is unsure", no_cycle_is_unsure);
+}
