@@ -229,11 +229,11 @@ struct nb_watch {
 };
 
 /* `region NAME ...`: a part of the plane whose bodies are measured together; its watch has its name. */
-enum nb_region_kind { NB_REGION_CIRCLE, NB_REGION_BOX, NB_REGION_ALL };
+enum nb_region_kind { NB_REGION_CIRCLE, NB_REGION_BOX, NB_REGION_ALL, NB_REGION_INSIDE };
 struct nb_region {
   enum nb_region_kind kind;
   double x, y;             /* centre, m */
-  double radius;           /* m */
+  double radius;           /* m; of NB_REGION_INSIDE its share of the boundary's mean radius, 1 */
   double ex, ey;           /* of a box: unit vector along one side; */
   double half_x, half_y;   /* half its length along e and across, m */
   int rings;               /* how many rings of equal width a snapshot measures; 0: none */

@@ -3,6 +3,7 @@
  * A body is inside when its centre is. The thickness, normal to the plane, is the mean over all bodies, inside or not, of
  * what each measures there: a sphere its diameter [R89 4.4], a disc 1 m.
  *
+ * `inside F` is the circle about the boundary's centre whose radius is F of the boundary's mean radius now.
  * `all` is the smallest upright box that holds the outlines of all bodies, or the periodic cell.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -11,6 +12,7 @@
 #include <stdlib.h>
 
 #include "areas.h"
+#include "drive.h"
 
 enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
@@ -103,6 +105,13 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
     now->centre = vec(it->x, it->y), now->radius = it->radius;
     now->area = nb_area_of_disc(it->radius);
     break;
+  case NB_REGION_INSIDE: /* nothing, while there is no boundary */
+    if (model->drive && model->drive->ring.begun)
+      now->centre = model->drive->centre, now->radius = it->radius * nb_ring_radius(model);
+    else
+      now->centre = vec(0, 0), now->radius = 0;
+    now->area = nb_area_of_disc(now->radius);
+    break;
   case NB_REGION_BOX:
     box(now, vec(it->x, it->y), vec(it->ex, it->ey), vec(it->half_x, it->half_y));
     break;
@@ -138,8 +147,8 @@ bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *r
   const struct nb_vec x = vec_sub(place_of(model, region, slot), region->centre);
   if (region->it->kind == NB_REGION_ALL)
     return true;
-  if (region->radius > 0)
-    return vec_dot(x, x) <= region->radius * region->radius;
+  if (region->radius > 0 || region->it->kind == NB_REGION_INSIDE)
+    return region->radius > 0 && vec_dot(x, x) <= region->radius * region->radius;
   const struct nb_vec along = vec(region->it->ex, region->it->ey);
   return fabs(vec_dot(x, along)) <= region->it->half_x && fabs(along.x * x.y - along.y * x.x) <= region->it->half_y;
 }
@@ -151,7 +160,7 @@ double nb_region_part(const struct nb_model *model, const struct nb_region_now *
     return 0;
   if (region->it->kind == NB_REGION_ALL)
     return nb_area_of_disc(radius);
-  if (region->radius > 0)
+  if (region->radius > 0 || region->it->kind == NB_REGION_INSIDE)
     return nb_area_of_lens(radius, region->radius, vec_length(vec_sub(x, region->centre)));
   return nb_area_in_polygon(x, radius, region->corners, 4);
 }

@@ -1,4 +1,4 @@
-/* What is measured together: `region NAME circle …`, `box …`, `all`.
+/* What is measured together: `region NAME circle …`, `box …`, `inside F`, `all`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -38,8 +38,12 @@ static bool take_region(struct nb_reader *reader, struct nb_region *region) {
     return take_circle(reader, region);
   if (nb_token_skip(reader, "box"))
     return take_box(reader, region);
+  if (nb_token_skip(reader, "inside")) {
+    region->kind = NB_REGION_INSIDE;
+    return nb_take_number(reader, NB_UNIT_NUMBER, NB_SHARE, &region->radius);
+  }
   if (!nb_token_skip(reader, "all"))
-    return nb_expected(reader, NULL, "`circle X Y radius R`, `box X1 Y1 to X2 Y2` or `all`"), false;
+    return nb_expected(reader, NULL, "`circle X Y radius R`, `box X1 Y1 to X2 Y2`, `inside F` or `all`"), false;
   region->kind = NB_REGION_ALL;
   return true;
 }
@@ -47,7 +51,7 @@ static bool take_region(struct nb_reader *reader, struct nb_region *region) {
 /* {rings N} {from STAGE} */
 static void take_clauses(struct nb_reader *reader, struct nb_region *region) {
   unsigned long rings = 0;
-  if (nb_token_is(reader, "rings") && region->kind != NB_REGION_CIRCLE)
+  if (nb_token_is(reader, "rings") && region->kind != NB_REGION_CIRCLE && region->kind != NB_REGION_INSIDE)
     nb_expected(reader, "rings go round the centre of a circle", "the end of the line, or `from STAGE`");
   else if (nb_token_skip(reader, "rings") && nb_take_count(reader, 1, RINGS_MAX, &rings))
     region->rings = (int)rings;

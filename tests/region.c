@@ -177,8 +177,6 @@ static void loads(void) {
   CLOSE(model, "B.unbalance", (2 - pi / 2) / 2);
   CLOSE(model, "B.normal.mean", 2);
   CLOSE(model, "B.contacts", 1);
-  CLOSE(model, "A.contact_stress.mean", 0);
-  CLOSE(model, "A.obliquity.max", 0);
   done(&it, model);
 
   words_add(&page,
@@ -197,6 +195,29 @@ static void loads(void) {
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_ratio.min"), sqrt(2. / 3 * 0.01), 1e-12);
   CLOSE(model, "A.contact_shear.max", 0);
   done(&it, model);
+}
+
+static void inside_a_boundary(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\nstep 1e-6\ndisc 1 2 radius 2 m\ndisc 5 2 radius 2.5 m\n");
+  for (int k = 0; k < 8; k++)
+    words_add(&page, "disc %.17g %.17g radius 1 m\n", 1 + 10 * cos(pi * k / 4), 2 + 10 * sin(pi * k / 4));
+  words_add(&page, "boundary circle 1 2 radius 10\nregion A inside 0.7 rings 2\nregion B circle 1 2 radius 7\n"
+                   "record A.area B.area A.bodies B.bodies A.porosity B.porosity A.stress.xx B.stress.xx\n"
+                   "stage s\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  static const char *const names[][2] = {
+      {"A.area", "B.area"}, {"A.bodies", "B.bodies"}, {"A.porosity", "B.porosity"}, {"A.stress.xx", "B.stress.xx"}};
+  for (size_t k = 0; k < 4; k++) {
+    const double wanted = written_last(&result, names[k][1]);
+    CU_ASSERT(wanted > 0);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, names[k][0]), wanted, 1e-8 * wanted); /* the discs have moved */
+  }
+  nb_result_free(&result);
+  written_free(&it);
 }
 
 #define NAMES                                                                                                          \
@@ -251,8 +272,6 @@ static void same_bits(void) {
   static const struct nb_options options[] = {
       {.threads = 1}, {.threads = 2}, {.threads = 1, .shuffle = true}, {.isa = "plain"}};
   double seen[4][40] = {{0}};
-  char names[] = NAMES;
-  size_t count = 0;
   for (size_t o = 0; o < 4; o++) {
     struct words page = {0};
     struct written it;
@@ -260,14 +279,12 @@ static void same_bits(void) {
     busy(&page);
     written_scene(&it, &page);
     written_run(&result, &it, &options[o]);
-    count = result.table.column_count;
+    const size_t count = result.table.column_count;
     memcpy(seen[o], result.table.values + (result.table.row_count - 1) * count, count * sizeof(double));
     nb_result_free(&result);
     written_free(&it);
-    CU_ASSERT(count > 20 && count <= 40);
-    CU_ASSERT(memcmp(seen[o], seen[0], count * sizeof(double)) == 0);
+    CU_ASSERT(memcmp(seen[o], seen[0], count * sizeof(double)) == 0 && seen[o][0] != 0);
   }
-  CU_ASSERT(strlen(names) > 0 && seen[0][0] != 0);
 }
 
 void suite_region(void) {
@@ -277,6 +294,7 @@ void suite_region(void) {
   CU_add_test(suite, "porosity, thickness and areas", volumes);
   CU_add_test(suite, "strain is the velocity gradient times the time", strain);
   CU_add_test(suite, "what contacts carry, on springs and by Hertz, and what is out of balance", loads);
+  CU_add_test(suite, "inside a share of the boundary", inside_a_boundary);
   CU_add_test(suite, "particles and contacts, parts and whole: to rounding", sums_agree);
   CU_add_test(suite, "threads, storage and instruction sets change no bit", same_bits);
 }

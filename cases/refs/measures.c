@@ -214,7 +214,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (rattles && touching)
     find_rattlers(scene, rattles, touching);
   for (size_t w = 0; w < scene->watch_count && rattles && touching; w++)
-    if (scene->watches[w].kind == NB_WATCH_REGION && scene->regions[scene->watches[w].a].kind != NB_REGION_ALL)
+    if (scene->watches[w].kind == NB_WATCH_REGION && scene->regions[scene->watches[w].a].kind <= NB_REGION_BOX)
       know_region(known, scene, scene->watches[w].name, &scene->regions[scene->watches[w].a], rattles, touching);
   free(rattles), free(touching);
   return known_full(known, error);
