@@ -19,6 +19,7 @@
 
 #include "drive.h"
 #include "energy.h"
+#include "servo.h"
 
 static bool stage_drives(const struct nb_stage *stage) {
   return stage->circle.line || stage->boundary.line || stage->continuum.line || stage->rotation_line;
@@ -175,7 +176,7 @@ static void ring_begins(struct nb_model *model, const struct nb_stage *stage) {
     nb_ring_press(model);
 }
 
-enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+static enum nb_status begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   rates_begin(model, stage);
   if (stage->rotation_line)
     rotation_begin(model, stage->rotation == NB_ROTATION_ON);
@@ -187,6 +188,14 @@ enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *sta
   const enum nb_status status = nb_drive_search(model, error);
   if (model->balance && !status)
     nb_balance_remove(model, false);
+  return status;
+}
+
+enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+  const enum nb_status status = begin(model, stage, error);
+  memcpy(model->drive->level, model->drive->rate, sizeof model->drive->level);
+  if (!status && stage->servo.line)
+    nb_servo_begin(model);
   return status;
 }
 
@@ -202,7 +211,10 @@ enum nb_status nb_drive_search(struct nb_model *model, struct nb_error *error) {
 /* ---- a cycle ---- */
 
 enum nb_status nb_drive_before(struct nb_model *model, struct nb_error *error) {
-  return model->drive->ring.held ? nb_ring_take_in(model, error) : NB_OK;
+  const enum nb_status status = model->drive->ring.held ? nb_ring_take_in(model, error) : NB_OK;
+  if (!status && model->stage && model->stage->servo.line && model->drive->ring.held)
+    nb_servo_set(model);
+  return status;
 }
 
 void nb_drive_after(struct nb_model *model) {

@@ -25,8 +25,12 @@ struct nb_ring {
 };
 
 struct nb_drive {
-  struct nb_vec centre;                     /* what the strain rates are about, m */
-  struct nb_tensor rate[NB_CARRIERS];       /* over the step ahead, 1/s */
+  struct nb_vec centre;                /* what the strain rates are about, m */
+  struct nb_tensor rate[NB_CARRIERS];  /* over the step ahead, 1/s */
+  struct nb_tensor level[NB_CARRIERS]; /* what the stage asks for, before any servo, 1/s */
+  struct nb_servo_from {
+    double stress[3]; /* Pa: where the stresses that are servoed began */
+  } servo_from;
   struct nb_strain_rate asked[NB_CARRIERS]; /* by the page */
   double remembered[NB_CARRIERS]; /* 1: what carried a body is no part of its own velocity; 0: it stays in it */
   unsigned char *carrier;         /* per slot: enum nb_carrier */

@@ -124,17 +124,15 @@ struct nb_model {
   } * sure;              /* per block; NULL: nothing that is watched gets stiffer */
   double *scratch;       /* per thread NB_FIELDS * NB_BLOCK doubles */
   unsigned kept;         /* set of fields that are kept */
-  enum nb_field
-      drag;      /* the field that holds the shear force which bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
-  bool keeping;  /* no forces follow the search to come: contacts keep those that they have */
-  bool joined;   /* two walls have a common end */
+  enum nb_field drag;    /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
+  bool keeping;          /* no forces follow the search to come: contacts keep those that they have */
+  bool joined;           /* two walls have a common end */
   bool pressed;  /* at the last search some centre was within the skin of a wall: it may cross it before the next one */
   bool dashpots; /* some stage has contact damping */
   size_t wall_contacts;    /* the first contact with a wall: they are the last ones of the list */
   struct nb_joint *joints; /* where a disc may touch a common end of two walls before the next search */
   size_t joint_count, joint_capacity;
-  double
-      skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can ever touch, nothing is searched */
+  double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, nothing is searched */
   double step, previous_step; /* dt of the step ahead, and of the one behind (0 at the start), s */
   int step_line;              /* of the statement that says how long a step is; -1: none has been worked out yet */
   double critical;            /* 2 sqrt(m/k), s */
@@ -161,11 +159,10 @@ struct nb_model {
   double stage_time; /* at its begin, s */
   double touch;      /* when what `impact` makes first touches, s */
   unsigned long stage_cycle;
-  unsigned long looks; /* how often the watch has worked out the safe step */
-  unsigned long long updates, searches,
-      candidates;             /* candidates: pairs of bodies whose distance a search has measured */
-  struct nb_balance *balance; /* energy.h; NULL: no column and no condition asks for one */
-  struct nb_regions *regions; /* region.h; NULL: the scene has none */
+  unsigned long looks;                              /* how often the watch has worked out the safe step */
+  unsigned long long updates, searches, candidates; /* candidates: pairs whose distance a search has measured */
+  struct nb_balance *balance;                       /* energy.h; NULL: no column and no condition asks for one */
+  struct nb_regions *regions;                       /* region.h; NULL: the scene has none */
 };
 
 /* How much a geometry pass has to find out. */
@@ -190,8 +187,7 @@ bool nb_plan_stands(const struct nb_model *model); /* whether it is still the on
 unsigned nb_fields_watched(const struct nb_scene *scene);
 
 /* region.c */
-double
-nb_thickness(const struct nb_model *model); /* normal to the plane: of discs 1 m, of spheres the mean diameter, m */
+double nb_thickness(const struct nb_model *model); /* of discs 1 m, of spheres the mean diameter, m */
 
 /* near.c: makes the list of contacts anew; an error when a body is nowhere */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);

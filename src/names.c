@@ -30,7 +30,6 @@ static double touching(const struct nb_model *model, const struct nb_watch *watc
   return count;
 }
 OF_SCENE(unbalance, nb_unbalance(model))
-
 OF_SCENE(deep, (double)nb_deep_count(model))
 OF_SCENE(kinetic, nb_energy_kinetic(model))
 OF_SCENE(stored, nb_energy_stored(model))
@@ -274,6 +273,8 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
     const struct nb_stage *stage = &scene->stages[s];
     for (size_t k = 0; k < stage->condition_count; k++)
       fields |= stage->conditions[k].quantity.kind->fields;
+    for (int k = 0; k < 3 && stage->servo.line; k++)
+      fields |= stage->servo.quantity[k].kind->fields | NB_BIT(NB_OVERLAP) | NB_BIT(NB_STIFFNESS);
     if (stage->snapshot)
       fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |
                 NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS);

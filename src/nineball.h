@@ -344,8 +344,23 @@ struct nb_continuum {
   int line;     /* 0: as before */
 };
 
+/* `servo`: strain rates are added to the stage's so that a stress comes to be what it should. */
+struct nb_servo {
+  struct nb_quantity quantity[3]; /* that are looked at: xx, yy, xy */
+  double stress[3];               /* what they should be, Pa */
+  bool held[3];                   /* which of them */
+  bool mean;                      /* only (xx + yy)/2 */
+  bool continuum;                 /* the continuum's strain rate is changed as the boundary's is */
+  bool ramp;                      /* reached at the end of the stage, along a straight line */
+  double most;                    /* largest component of what is added, 1/s or, */
+  bool per_cycle;                 /* strain of one cycle */
+  unsigned long every;            /* cycles between one look and the next */
+  int line;                       /* 0: none */
+};
+
 struct nb_stage {
   char name[NB_NAME_SIZE];
+  struct nb_servo servo;
   struct nb_circle circle;       /* a boundary that begins with this stage */
   struct nb_boundary boundary;   /* what is done with it */
   struct nb_continuum continuum; /* what carries all others along */

@@ -151,6 +151,7 @@ void nb_regions_check(struct nb_scene_reading *reading);
 void nb_cell_check(struct nb_scene_reading *reading);
 /* A ramp wants a stage whose length is known. */
 void nb_ramps_check(struct nb_scene_reading *reading);
+bool nb_scene_bounded(const struct nb_scene *scene); /* whether the stage that is being read has a boundary by now */
 /* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`: all of them per cycle, or none; false with a message. */
 bool nb_strain_of(struct nb_strain_rate *strain, struct nb_reader *reader, const struct nb_value value[]);
 /* What is carried along cannot be reversed, nor is there a boundary in a cell. */
@@ -218,6 +219,7 @@ NB_APPLY(nb_apply_remove);
 NB_APPLY(nb_apply_circle);
 NB_APPLY(nb_apply_boundary);  /* variant 0: strain, 1: stress, 2: hold, 3: none */
 NB_APPLY(nb_apply_continuum); /* variant 1: none */
+NB_APPLY(nb_apply_servo);     /* variant 0: isotropic, 1: mean, 2: stress */
 NB_APPLY(nb_apply_rotation);  /* variant 1: off */
 
 #endif

@@ -90,7 +90,7 @@ NB_APPLY(nb_apply_ramp) {
   struct nb_stage *stage = nb_stage_now(reading->scene);
   const int line = (int)reader->line;
   (void)record;
-  if (!stage || !nb_take(reader, "what shall change: `wall`, `walls`, `material`, `pair` or `gravity`"))
+  if (!stage || !nb_take(reader, "what shall change: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
     return;
   memmove(reader->tokens, reader->tokens + 1, --reader->count * sizeof *reader->tokens);
   nb_statement_read(reader, nb_keywords(), NB_IN_RAMP, subject);
@@ -98,6 +98,7 @@ NB_APPLY(nb_apply_ramp) {
     stage->motions[i].ramp = stage->motions[i].ramp || stage->motions[i].line == line;
   for (size_t i = 0; i < stage->change_count; i++)
     stage->changes[i].ramp = stage->changes[i].ramp || stage->changes[i].line == line;
+  stage->servo.ramp = stage->servo.ramp || stage->servo.line == line;
   stage->gravity.ramp = stage->gravity.ramp || stage->gravity.line == line;
 }
 
@@ -109,7 +110,7 @@ static int ramp_of(const struct nb_stage *stage) {
   for (size_t i = 0; i < stage->change_count; i++)
     if (stage->changes[i].ramp)
       return stage->changes[i].line;
-  return stage->gravity.ramp ? stage->gravity.line : 0;
+  return stage->servo.ramp ? stage->servo.line : stage->gravity.ramp ? stage->gravity.line : 0;
 }
 
 void nb_ramps_check(struct nb_scene_reading *reading) {

@@ -50,7 +50,7 @@ bool nb_strain_of(struct nb_strain_rate *strain, struct nb_reader *reader, const
 }
 
 /* Whether the stage that is being read has a boundary by now. */
-static bool bounded(const struct nb_scene *scene) {
+bool nb_scene_bounded(const struct nb_scene *scene) {
   bool begun = scene->circle.line > 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     begun = begun || scene->stages[s].circle.line > 0;
@@ -72,7 +72,7 @@ NB_APPLY(nb_apply_boundary) {
     boundary.sxx = value[AT_X].number, boundary.syy = value[AT_Y].number, boundary.sxy = value[AT_SHEAR].number;
   if (!stage || said_twice(reader, stage->boundary.line))
     return;
-  if (!bounded(scene))
+  if (!nb_scene_bounded(scene))
     nb_token_mistake(reader, &reader->tokens[0], "begin one with `boundary circle X Y radius R`",
                      "expected a scene with a boundary, found none");
   stage->boundary = boundary;

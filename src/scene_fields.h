@@ -97,6 +97,16 @@ static const struct nb_argument continuum_strain[] = {
        "The equations as R89 codes them: what carries a body along is added to its velocity in every cycle and stays there."),
   END
 };
+static const struct nb_argument pressure[] = {
+  VALUE("P", NB_UNIT_PRESSURE, NB_ANY, AT_SPEED, "What it should be; compression is positive."),
+  END
+};
+static const struct nb_argument servo_stress[] = {
+  CLAUSE("xx", "S", NB_UNIT_PRESSURE, NB_ANY, AT_X, 1, "left alone", "What it should be; compression is positive."),
+  CLAUSE("yy", "S", NB_UNIT_PRESSURE, NB_ANY, AT_Y, 1, "left alone", "Likewise."),
+  CLAUSE("xy", "S", NB_UNIT_PRESSURE, NB_ANY, AT_SHEAR, 1, "left alone", "Likewise."),
+  END
+};
 static const struct nb_argument stress[] = {
   VALUE("SXX", NB_UNIT_PRESSURE, NB_ANY, AT_X, "Compression is positive."),
   VALUE("SYY", NB_UNIT_PRESSURE, NB_ANY, AT_Y, "Likewise."),

@@ -139,7 +139,7 @@ static const struct nb_keyword table[] = {
    "How the periodic cell is strained from the beginning of this stage on, about its centre, and all bodies in it are carried along "
    "[R89 4.43, 4.44].",
    "  cell    strain -0.01 1/s -0.01 1/s"},
-  {"ramp", NB_IN_STAGE, nothing, "wall … | walls … | material … | pair … | gravity …", 0, false, nb_apply_ramp,
+  {"ramp", NB_IN_STAGE, nothing, "wall … | walls … | material … | pair … | gravity … | servo …", 0, false, nb_apply_ramp,
    "What follows does not jump but goes along a straight line, from what it is to what is said, over the cycles of the "
    "stage.",
    "  ramp    material steel  friction 0.5"},
@@ -179,6 +179,16 @@ static const struct nb_keyword table[] = {
    "The centres of the boundary's bodies follow a strain rate about the circle's centre, exactly; they do not turn, and there is no force "
    "between two of them. From this stage on.",
    "stage     squeeze\n  boundary strain -1e-6 per cycle -1e-6 per cycle\n  cycles  10"},
+  {"servo isotropic", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary by boundary {continuum} at most RATE {every N cycles}", 0, false, nb_apply_servo,
+   "Adds to the boundary's strain rate, and to the continuum's if it says so, what brings the stress of a region, or that on the boundary, to P in all directions: "
+   "xx and yy to P, xy to 0 [R89 4.1]. The gain follows from the contacts' stiffness; `at most` bounds the rates that are added. For this stage.",
+   "stage     even\n  servo   isotropic 1 kPa  on boundary  by boundary continuum  at most 1e-6 per cycle\n  cycles  10"},
+  {"servo mean", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary by boundary {continuum} at most RATE {every N cycles}", 1, false, nb_apply_servo,
+   "Holds (xx + yy)/2 alone, by a change of area: what the stage's own strain rates do to the shape goes on.",
+   "stage     shear\n  servo   mean 1 kPa  on boundary  by boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10"},
+  {"servo stress", NB_IN_STAGE | NB_IN_RAMP, servo_stress, "on REGION|boundary by boundary {continuum} at most RATE {every N cycles}", 2, false, nb_apply_servo,
+   "Holds single components.",
+   "stage     biaxial\n  servo   stress yy 2 kPa  on boundary  by boundary  at most 1e-6 per cycle\n  cycles  10"},
   {"boundary stress", NB_IN_STAGE, stress, NULL, 1, false, nb_apply_boundary,
    "The boundary's bodies are free, and on each acts the force of a stress on its share of the polygon through their centres. From this "
    "stage on.",

@@ -1,0 +1,104 @@
+/* The servo on an assembly whose stiffness is known: six discs in a ring around a seventh.                     [R89 4.1]
+ *
+ * All bodies follow the strain, so it is a recursion of the ring's radius alone, with springs k between the ring and the
+ * disc in the middle: F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k R^2/(2 A), T = 2 R (M/(A B))^(1/2).
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "suites.h"
+#include "written.h"
+
+#define RING                                                                                                           \
+  "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 1 m\ndisc 2 0 radius 1 m\n"                  \
+  "disc 1 1.7320508075688775 radius 1 m\ndisc -1 1.7320508075688775 radius 1 m\ndisc -2 0 radius 1 m\n"                \
+  "disc -1 -1.7320508075688775 radius 1 m\ndisc 1 -1.7320508075688775 radius 1 m\nboundary circle 0 0 radius 2\n"      \
+  "record boundary.radius boundary.stress.mean boundary.stress.xx boundary.stress.yy boundary.stress.xy cycle\n"
+
+static double pressure(double radius) {
+  const double force = 1000 * (2 - radius), area = 1.5 * sqrt(3) * radius * radius;
+  return force > 0 ? 3 * force * radius / area : 0;
+}
+
+/* One cycle's strain. */
+static double strain(double radius, double wanted, double most) {
+  const double pi = 3.14159265358979323846, mass = 7 * 2 * pi, area = 1.5 * sqrt(3) * radius * radius, dt = 0.0125;
+  const double stiffness = radius < 2 ? 1.5 * 1000 * radius * radius / area : 0;
+  const double time = 2 * radius * sqrt(mass / (area * stiffness));
+  const double rate = (pressure(radius) - wanted) / (2 * stiffness * time) * dt;
+  return stiffness > 0 && fabs(rate) <= most ? rate : copysign(most, pressure(radius) - wanted);
+}
+
+static void run(struct nb_result *result, const char *stage) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, RING "%s", stage);
+  written_scene(&it, &page);
+  written_run(result, &it, NULL);
+  written_free(&it);
+}
+
+/* By the largest rate at first, then as it is predicted; every fifth cycle is looked at. In the end p is held. */
+static void it_comes_to_its_stress_as_predicted(void) {
+  struct nb_result result;
+  run(&result,
+      "stage s\nservo isotropic 12 on boundary by boundary at most 1e-4 per cycle every 5 cycles\ncycles 400\n");
+  double radius = 2, now = 0;
+  int limited = 0;
+  for (int n = 0; n < 400; n++) {
+    const double *row = result.table.values + (size_t)n * result.table.column_count;
+    CU_ASSERT_DOUBLE_EQUAL(row[0], radius, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(row[1], pressure(radius), 1e-8);
+    CU_ASSERT_DOUBLE_EQUAL(row[2], row[3], 1e-8);
+    CU_ASSERT_DOUBLE_EQUAL(row[4], 0, 1e-8);
+    if (n % 5 == 0)
+      now = strain(radius, 12, 1e-4);
+    limited += fabs(now) == 1e-4;
+    radius *= 1 + now;
+  }
+  CU_ASSERT(limited > 10 && limited < 300);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 12, 0.005 * 12);
+  nb_result_free(&result);
+}
+
+/* What is wanted goes along a straight line to the end of the stage, from where it was. */
+static void a_ramp_is_followed(void) {
+  struct nb_result result;
+  run(&result,
+      "stage s\nservo mean 6 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 300\n"
+      "stage r\nramp servo mean 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 3000\n");
+  double radius = 2;
+  for (int n = 0; n < 300; n++)
+    radius *= 1 + strain(radius, 6, 1e-3);
+  const double from = pressure(radius);
+  for (int n = 0; n < 3000; n++)
+    radius *= 1 + strain(radius, from + (n + 1) / 3000. * (9 - from), 1e-3);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.radius"), radius, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 9, 0.005 * 9);
+  nb_result_free(&result);
+}
+
+/* Holding the mean, the shape goes on as the stage says; holding one component, the others do. */
+static void what_is_not_held_goes_on(void) {
+  struct nb_result result;
+  run(&result, "stage s\nservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
+               "stage m\nboundary strain 2e-6 per cycle -2e-6 per cycle\n"
+               "servo mean 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n");
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 9, 0.005 * 9);
+  CU_ASSERT(written_last(&result, "boundary.stress.yy") > 1.02 * written_last(&result, "boundary.stress.xx"));
+  nb_result_free(&result);
+  run(&result, "stage s\nservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
+               "stage y\nboundary strain 0 per cycle -2e-6 per cycle\n"
+               "servo stress xx 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n");
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.xx"), 9, 0.005 * 9);
+  CU_ASSERT(written_last(&result, "boundary.stress.yy") > 9.1);
+  nb_result_free(&result);
+}
+
+void suite_servo(void) {
+  CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
+  CU_add_test(suite, "it comes to its stress as predicted", it_comes_to_its_stress_as_predicted);
+  CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
+  CU_add_test(suite, "what is not held goes on", what_is_not_held_goes_on);
+}
