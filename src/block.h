@@ -44,7 +44,7 @@ enum nb_field {
  * more has a row for each contact, of which the first double is 0 as long as there is nothing to remember: the rest is then
  * whatever it was. */
 #define NB_MEMORY 4 /* no enum: the preprocessor asks */
-enum { NB_PIECES_MAX = 256, NB_MEMORY_MAX = 13 + 5 * NB_PIECES_MAX };
+enum { NB_PIECES_MAX = 256, NB_MEMORY_MAX = 12 + 5 * NB_PIECES_MAX };
 enum { NB_AHEAD = 6 }; /* contacts between fetching what is remembered of one and its turn */
 struct nb_memory {
   int doubles;              /* for each contact */
@@ -55,8 +55,10 @@ struct nb_memory {
 /* Before a loop over a block: its arrays do not overlap, so it can be made wide. */
 #ifdef __clang__
 #define NB_WIDE _Pragma("clang loop vectorize(assume_safety)")
+#define NB_UNROLLED _Pragma("clang loop unroll(full)")
 #else
 #define NB_WIDE _Pragma("GCC ivdep")
+#define NB_UNROLLED _Pragma("GCC unroll 64")
 #endif
 
 /* Instruction sets. A pass is written once, as `static inline NB_FORM void NAME(model, view)`, and NB_FORMS(NAME) makes a

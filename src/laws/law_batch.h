@@ -14,6 +14,7 @@
  *   #define COHESIONLESS                    it knows no cohesion (optional)
  *   #define AHEAD     ..._ahead             fetches what of a row it will need soon (optional)
  *   #define PIECES_OF  ..._pieces           tells the pieces of its history (optional)
+ *   #define STAGED                          it is three functions, see law_stages.h (optional; elastic shear laws with rows)
  *   #define BRANCHING, GAINS, INCREMENTAL   (optional, see law.h)
  *
  * A law that remembers more than four doubles finds m[0] = 0 when it remembers nothing, and the rest as it may be; it is not
@@ -45,6 +46,9 @@
 #define LAW_MEMORY view->shear_memory
 #endif
 
+#ifdef STAGED
+#include "law_stages.h"
+#else
 /* `counts`: what is lost is told. Two loops, since few ask for it, and a law may have to work for it. */
 static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
   (void)counts;
@@ -123,6 +127,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
 #endif
   }
 }
+#endif
 
 static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct nb_view *view) {
   (void)model;

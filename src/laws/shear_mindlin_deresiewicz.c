@@ -7,18 +7,19 @@
  *   D(x)      what the ring that grew at the overlap x carries, 1: a share of its friction; 1 or -1 where it has slipped
  *   mu        the smaller friction of the two materials, 1
  *
- * D is piecewise constant, and its pieces are the path that would make it: approach from x = 0 to alpha, slip
- * delta(x) = mu kappa Int_0^x D. One step: what lies beyond alpha is gone, if alpha fell. If it grew, the new ring sticks with
- * D = d(delta)/(mu kappa d(alpha)), if that lies within [-1, 1]. Otherwise slip enters from the edge, up to the front c at which
- * D = s on (c, alpha), s = 1 or -1, makes delta right. Without such a c the contact slides. No step size enters: a step is
- * exact where (alpha, delta) moves on a straight line, and on a path of as many legs as there is room for pieces.
+ * D is piecewise constant: delta(x) = mu kappa Int_0^x D is a path of straight pieces with corners, the path of approach and slip
+ * that would make the contact. One step, to alpha and delta: of the corners those go from which no path with |D| <= 1 leads there, which
  *
- * A piece that makes delta(x) wrong by less than 1e-7 mu kappa alpha joins the one before it, keeping delta. With no room left
- * those two join whose union makes delta(x) least wrong as a share of x, |D_1 - D_2| x_1 x_2/(x_1 + x_2), x_1, x_2 their
- * spans, and what is wrong in them already. The joint beside them
- * then moves so that T is kept as well: what is wrong stays within those three pieces, and nothing adds up over the steps. With
- * 16 pieces T is off by less than 8e-4 mu N, and by 3e-5 mu N on average, on 1000 rough chance steps or 400 smooth ones that
- * turn every few (tests/exact.c).
+ *   |delta - delta_k| <= mu kappa (alpha - x_k)
+ *
+ * says. If the last one stays, a new ring sticks, with D = d(delta)/(mu kappa d(alpha)). If an inner one does, the path goes on from
+ * there on its old piece up to the front c, and from c to alpha with D = s, s = 1 or -1, which has slipped. If none stays, not
+ * the one at 0 either, the contact slides. No step size enters: a step is exact where (alpha, delta) moves on a straight line,
+ * and on a path of as many legs as there is room for pieces.
+ *
+ * A piece that makes delta(x) wrong by less than 1e-7 mu kappa alpha joins the one before it, keeping delta. With no room left two
+ * others join (corners.h), and nothing adds up over the steps. On 1000 rough chance steps or 400 smooth ones that turn every few
+ * T is off by less than 4e-6 mu N with the 32 pieces that a contact has by itself, and by 8e-4 mu N with 16 (tests/exact.c).
  * What joining changes of the energy stored counts as lost; it may be less than 0.
  *
  * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of the radii a(x), each displaced by d(delta)(x):
@@ -35,197 +36,226 @@
  * Remembers  x R* for x, which is the square of a radius, m2, and of the rest what mu, E* and N have no part in:
  *            n = x^(3/2), m3; u = R* delta/(mu kappa), m2; t = Int D dn, m3, so that T/mu N = t/n at alpha
  *            m[0]  how many pieces; 0: none;  m[1]  mu kappa, which they are made with
- *            m[3 + 5k ...]  piece k, from inside to outside, the origin is piece 0: x, where it ends; D; a and b, with which
- *                           u = a + D x and t = b + D n on it; e, how wrong u is on it at most
+ *            m[2 + 5k ...]  the corner at which piece k begins, from inside to outside (corners.h); piece 0 begins at 0
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "law.h"
+#include "corners.h"
 
-enum { HEAD = 3 };
+enum { HEAD = 2 };
 static const double little = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
 
-struct piece {
-  double x, d, a, b, e;
+static inline double unit_of(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
+static inline double u_of(struct nb_pair p, double slip) { return slip * p.radius * (1 / unit_of(p)); }
+
+/* Nothing rubs without friction, nor where a normal law lets go before the outlines part. */
+static inline bool rubs(struct nb_pair p, struct nb_normal n) {
+  return unit_of(p) > 0 && n.radius * n.radius * n.radius > 0;
+}
+
+/* ---- what a leg of the path, to an overlap x and a slip u, makes of it ---- */
+
+/* Can the path go on to there from (x0, u0)? */
+static inline bool stays(double x0, double u0, double x, double u) { return fabs(u - u0) <= x - x0; }
+
+/* From where it goes on: the outermost corner that stays. */
+struct met {
+  double k;          /* the piece that comes to be: behind k others; below 0: none has been met */
+  double x, u, d, b; /* the corner */
+  double from;       /* where the piece before the new one begins */
+  double ring;       /* 1: nothing slips, the corner is the last one; else 0 */
 };
 
-static inline double n_of(double x) { return x * sqrt(x); }
-static inline double u_at(const struct piece *piece, double x) { return piece->a + piece->d * x; }
-
-/* Int t du over a piece, from x on. */
-static inline double held(const struct piece *piece, double x) {
-  return piece->d * (piece->b * (piece->x - x) + 0.4 * piece->d * (piece->x * n_of(piece->x) - x * n_of(x)));
-}
-static inline double held_by(const struct piece at[], int pieces) {
-  double sum = 0;
-  for (int k = 1; k <= pieces; k++)
-    sum += held(&at[k], at[k - 1].x);
-  return sum;
-}
-
-/* What u is wrong by at the joint of two pieces when it goes, times x1 + x2, their spans. */
-static inline double bend(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
-
-/* Two pieces in one, from x on, with the same delta. */
-static inline struct piece both(const struct piece *one, const struct piece *two, double x) {
-  const double u = u_at(two, two->x), x1 = one->x - x, x2 = two->x - one->x, d = (u - u_at(one, x)) / (two->x - x);
-  return (struct piece){two->x, d, u - d * two->x, one->b + (one->d - d) * n_of(x),
-                        one->e + two->e + bend(one->d, two->d, x1, x2) / (x1 + x2)};
-}
-
-/* What a leg of the path, to an overlap x and a slip u, makes of the pieces. */
+/* The piece that comes to be, and u at its end. */
 struct leg {
-  int pieces;
-  double d, b; /* of the last one */
-  double slid; /* as a whole, as u */
-  double lost; /* to fronts that went in, to the slide and to pieces that joined; as Int t du */
+  double k; /* below 0: by rounding there may be none, or it may join the one before it */
+  double x, u, d, b, end;
 };
 
-/* Moves joint j along u, so that t behind piece j + 1 grows by `more`; false if a ring would carry more than its friction then. */
-static inline bool move(struct piece at[], int j, double more) {
-  const double x0 = at[j - 1].x, x1 = at[j].x, x2 = at[j + 1].x, n0 = n_of(x0), n1 = n_of(x1);
-  const double by = more / ((n1 - n0) / (x1 - x0) - (n_of(x2) - n1) / (x2 - x1));
-  const double d1 = at[j].d + by / (x1 - x0), d2 = at[j + 1].d - by / (x2 - x1);
-  if (!(fabs(d1) <= 1 && fabs(d2) <= 1))
-    return false;
-  at[j].a += (at[j].d - d1) * x0, at[j].b += (at[j].d - d1) * n0, at[j].d = d1;
-  at[j + 1].a += (at[j + 1].d - d2) * x2, at[j + 1].b = at[j].b + (d1 - d2) * n1, at[j + 1].d = d2;
-  return true;
+static inline NB_FORM struct leg makes(struct met at, double x, double u) {
+  const double h = x - at.x, wanted = u - at.u, s = copysign(1, wanted - at.d * h);
+  const double v = fabs(wanted) > h ? s * h : wanted; /* more: it slides */
+  const double part = (at.ring > 0 ? v : h - s * v) / (at.ring > 0 ? h : 1 - s * at.d), in = at.x + part;
+  const double d = at.ring > 0 ? part : s, c = at.ring > 0 ? at.x : in < x ? in : x;
+  const double x1 = c - at.from, x2 = x - c, end = at.u + v;
+  const double k = bend(at.d, d, x1, x2) >= little * x * (x1 + x2) ? at.k : -1;
+  return (struct leg){k, c, end - d * x2, d, at.b + (at.d - d) * n_of(c), end};
 }
 
-/* Of k joints the one goes that makes u least wrong, as a share of x, and one beside it moves, so that neither delta nor T changes. */
-static NB_SELDOM void make_room(struct piece at[], int k) {
-  int j = 1;
-  double lowest = INFINITY;
-  for (int i = 1; i <= k; i++) {
-    const double x1 = at[i].x - at[i - 1].x, x2 = at[i + 1].x - at[i].x;
-    const double wrong = (at[i].e + at[i + 1].e) * (x1 + x2) + bend(at[i].d, at[i + 1].d, x1, x2);
-    const double share = wrong / ((x1 + x2) * at[i].x);
-    j = share < lowest ? i : j, lowest = share < lowest ? share : lowest;
-  }
-  const struct piece one = both(&at[j], &at[j + 1], at[j - 1].x);
-  const double moved = one.b - at[j + 1].b + (one.d - at[j + 1].d) * n_of(one.x);
-  at[j] = one;
-  for (int i = j + 1; i <= k; i++)
-    at[i] = at[i + 1];
-  if ((j > 1 && move(at, j - 1, -moved)) || (j < k && move(at, j, -moved)))
-    return;
-  for (int i = j + 1; i <= k; i++)
-    at[i].b += moved;
+static inline struct met seek(const struct corner at[], int pieces, double x, double u) {
+  int k = pieces;
+  while (k >= 0 && !stays(at[k].x, at[k].u, x, u))
+    k--;
+  if (k < 0) /* none: all of it slides */
+    return (struct met){0};
+  const bool ring = k == pieces;
+  return (struct met){ring ? k : k + 1, at[k].x, at[k].u, at[k].d, at[k].b, at[ring && k > 0 ? k - 1 : k].x, ring};
 }
 
-/* Another piece behind the k there are, unless it is little enough to join the last. */
-static inline NB_FORM void append(struct leg *leg, struct piece at[], int k, struct piece last, int most) {
-  const double x1 = at[k].x - at[k - 1].x, x2 = last.x - at[k].x;
-  at[k + 1] = last;
-  leg->lost += held_by(at, k + 1);
-  leg->d = last.d, leg->b = last.b, leg->pieces = k + 1;
-  const bool joins = bend(at[k].d, last.d, x1, x2) < (little * last.x - at[k].e) * (x1 + x2);
-  if (joins || k == most) {
-    if (joins)
-      at[k] = both(&at[k], &last, at[k - 1].x);
-    else
-      make_room(at, k);
-    leg->d = at[k].d, leg->b = at[k].b, leg->pieces = k;
+static inline NB_FORM void lay(struct corner at[], int k, double x, const struct leg *leg) {
+  at[k] = (struct corner){leg->x, leg->u, leg->d, leg->b, 0};
+  at[k + 1] = (struct corner){x, leg->end, leg->d, leg->b, 0};
+}
+
+/* A piece that is little enough joins the last; so does one that there is no room for. Answers how many there are then. */
+static int lay_or_join(struct corner at[], int k, double x, const struct leg *leg, int most, double *lost) {
+  if (k > 0 && !(leg->x < x)) { /* nothing new */
+    at[k] = (struct corner){x, leg->end, at[k - 1].d, at[k - 1].b, 0};
+    return k;
   }
-  leg->lost -= held_by(at, leg->pieces);
+  if (k > 0 && !(leg->x > at[k - 1].x)) /* nothing left of the one before */
+    k--;
+  lay(at, k, x, leg);
+  if (k == 0)
+    return 1;
+  const double x1 = at[k].x - at[k - 1].x, x2 = x - at[k].x;
+  const bool joins = bend(at[k - 1].d, leg->d, x1, x2) < (little * x - at[k - 1].e) * (x1 + x2);
+  if (!joins && k < most)
+    return k + 1;
+  if (lost)
+    *lost += held_by(at, k + 1);
+  if (joins)
+    join(at, k, k + 1);
+  else
+    make_room(at, k + 1);
+  if (lost)
+    *lost -= held_by(at, k);
+  at[k].d = at[k - 1].d, at[k].b = at[k - 1].b;
+  return k;
 }
 
 /* Int n(x) - n(x') - n'(x')(x - x') dx' up to x', at a middle overlap x: what a front that passes x' loses. */
 static inline double passed(double to, double x, double n) { return n * to + n_of(to) * (to / 5 - x); }
 
-static inline NB_FORM struct leg go(struct piece at[], int k, double x, double u, int most) {
-  struct leg leg = {.pieces = k};
-  const double middle = (at[k].x + x) / 2, force = n_of(middle);
-  while (k > 1 && at[k - 1].x >= x) /* gone */
-    k--;
-  const double edge = at[k].x < x ? at[k].x : x, missing = u - u_at(&at[k], edge);
-  if (fabs(missing) <= x - edge) { /* the new ring sticks, if there is one */
-    const double d = x > edge ? missing / (x - edge) : at[k].d;
-    const struct piece ring = {x, d, u - d * x, at[k].b + (at[k].d - d) * n_of(edge), 0};
-    at[k].x = edge, leg.pieces = k, leg.d = d, leg.b = ring.b;
-    if (k == 0)
-      at[leg.pieces = 1] = ring;
-    else if (x > edge)
-      append(&leg, at, k, ring, most);
-    return leg;
+/* What a leg loses, to the front that goes in through the pieces that there are and to a slide; as Int t du. */
+static double loses(const struct corner at[], int pieces, double x, double u, const struct leg *leg) {
+  const double middle = (at[pieces].x + x) / 2, force = n_of(middle), edge = at[pieces].x < x ? at[pieces].x : x;
+  double sum = fabs(u) > x ? (fabs(u) - x) * force : 0;
+  for (int k = 0; k < pieces && at[k].x < edge; k++) {
+    const double from = leg->x > at[k].x ? leg->x : at[k].x, to = at[k + 1].x < edge ? at[k + 1].x : edge;
+    if (from < to)
+      sum += (1 - leg->d * at[k].d) * (passed(to, middle, force) - passed(from, middle, force));
   }
-  const double s = copysign(1, missing), line = s * u - x; /* behind the front, s u(x) = x + line */
-  double outer = edge, inner = 0;                          /* the front is so far in from the end of piece k - 1 on */
-  for (; k > 0; k--) {
-    inner = s * u_at(&at[k], at[k - 1].x) - at[k - 1].x - line;
-    if (inner >= 0)
-      break;
-    leg.lost += (1 - s * at[k].d) * (passed(outer, middle, force) - passed(at[k - 1].x, middle, force));
-    outer = at[k - 1].x;
-  }
-  if (k == 0) { /* no front left */
-    leg.slid = line, leg.lost += line * force, leg.pieces = 1, leg.d = s;
-    at[1] = (struct piece){x, s, 0, 0, 0};
-    return leg;
-  }
-  const double in = inner / (1 - s * at[k].d), c = at[k - 1].x + in < outer ? at[k - 1].x + in : outer;
-  const struct piece slipped = {x, s, s * line, at[k].b + (at[k].d - s) * n_of(c), 0};
-  leg.lost += (1 - s * at[k].d) * (passed(outer, middle, force) - passed(c, middle, force));
-  at[k].x = c, leg.pieces = k, leg.d = s, leg.b = slipped.b;
-  if (!(c > at[k - 1].x))
-    at[k] = slipped;
-  else if (c < x)
-    append(&leg, at, k, slipped, most);
-  return leg;
+  return sum;
 }
 
-/* With another friction: the path goes anew, in the same memory, since no leg makes more than one piece. */
-static NB_SELDOM struct leg go_anew(struct piece at[], int pieces, double share, int most) {
-  struct leg all = {.lost = share * share * held_by(at, pieces)};
+/* Any leg, one by one; answers how many pieces there are then. */
+static NB_SELDOM int go(struct corner at[], int pieces, double x, double u, int most, double *lost) {
+  const struct met met = seek(at, pieces, x, u);
+  const struct leg leg = makes(met, x, u);
+  if (lost)
+    *lost += loses(at, pieces, x, u, &leg);
+  return lay_or_join(at, (int)met.k, x, &leg, most, lost);
+}
+
+/* With another friction: the path goes anew, in the same memory, since no leg makes more than one piece. Answers what is lost. */
+static NB_SELDOM double go_anew(struct corner at[], double *count, double share, int most) {
+  const int pieces = (int)*count;
+  const double held = share * share * held_by(at, pieces);
   double from = 0;
-  for (int k = 1; k <= pieces; k++) {
-    const double x = at[k].x, u = u_at(&at[k], x), now = u_at(&at[all.pieces], at[all.pieces].x);
-    all.pieces = go(at, all.pieces, x, now + share * (u - from), most).pieces;
-    from = u;
+  int k = 0;
+  at[0] = (struct corner){0};
+  for (int i = 1; i <= pieces; i++) {
+    const double u = at[k].u + share * (at[i].u - from);
+    from = at[i].u;
+    k = go(at, k, at[i].x, u, most, NULL);
   }
-  all.lost -= held_by(at, all.pieces);
-  return all;
+  *count = k;
+  return held - held_by(at, k);
 }
 
-/* The last three pieces: few steps need more. */
-static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
-  const double *last = m + HEAD + 5 * (int)m[0];
-  __builtin_prefetch(last, 1);
-  __builtin_prefetch(last + 5, 1);
-  __builtin_prefetch(m[0] > 2 ? last - 10 : m, 1);
-}
+/* ---- in a block, see law_stages.h: what is seen of the last four corners, of which one stays in most steps; what a leg
+ * makes of them; and what is left of the leg ---- */
 
-static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz(struct nb_pair p, struct nb_normal n, double slip,
-                                                                double m[]) {
-  const double unit = p.friction * p.young / (4 * p.shear), limit = p.friction * n.force;
-  const double root = n.radius, x = root * root, force = x * root;
-  struct piece *at = (struct piece *)(m + HEAD);
-  struct nb_shear out = {.stiffness = 8 * p.shear * n.radius};
-  if (!(unit > 0 && force > 0)) { /* without friction; or let go by a normal law before the outlines part */
-    m[0] = 0, out.sliding = unit > 0 ? 0 : 1;
-    return out;
+struct seen {
+  double x, u, d, b;
+};
+struct found {
+  double pieces;
+  struct seen end, last, next, third;
+};
+
+static inline struct seen seen(const struct corner *at) { return (struct seen){at->x, at->u, at->d, at->b}; }
+
+static inline NB_FORM struct found shear_mindlin_deresiewicz_look(struct nb_pair p, struct nb_normal n, double m[]) {
+  struct corner *at = (struct corner *)(m + HEAD);
+  if (!rubs(p, n)) {
+    m[0] = 0;
+    return (struct found){0};
   }
   if (m[0] == 0)
-    at[0] = (struct piece){0}, m[1] = unit;
-  int k = (int)m[0];
-  const int most = (int)p.pieces;
-  double again = 0;
-  if (m[1] != unit) {
-    const struct leg anew = go_anew(at, k, m[1] / unit, most);
-    k = anew.pieces, again = anew.lost, m[1] = unit;
+    at[0] = (struct corner){0}, m[1] = unit_of(p);
+  if (m[1] != unit_of(p)) {
+    const double lost = go_anew(at, &m[0], m[1] / unit_of(p), (int)p.pieces);
+    m[1] = unit_of(p), at[(int)m[0]].e = lost; /* until it is told */
   }
-  const double per_unit = 1 / unit, per_force = 1 / force; /* the first is the same for all contacts of a pairing */
-  const struct leg leg = go(at, k, x, u_at(&at[k], at[k].x) + slip * p.radius * per_unit, most);
-  m[0] = leg.pieces;
-  const double share = leg.d + leg.b * per_force;
-  out.force = limit * (share > 1 ? 1 : share < -1 ? -1 : share);
-  out.sliding = leg.slid > 0 ? 1 : 0;
-  out.lost = unit / p.radius * (limit / force) * (leg.lost + again);
-  return out;
+  const struct corner *end = at + (int)m[0], *last = end - (end > at), *next = last - (last > at);
+  return (struct found){m[0], seen(end), seen(last), seen(next), seen(next - (next > at))};
+}
+
+/* This corner, of piece k, if it stays; else what has been met farther in. */
+static inline struct met meets(struct seen at, double k, double x, double u, struct met inner) {
+  const bool here = stays(at.x, at.u, x, u);
+  return (struct met){.k = here ? k : inner.k,
+                      .x = here ? at.x : inner.x,
+                      .u = here ? at.u : inner.u,
+                      .d = here ? at.d : inner.d,
+                      .b = here ? at.b : inner.b};
+}
+
+static inline NB_FORM double force_of(struct nb_pair p, struct nb_normal n, double d, double b) {
+  const double share = d + b / (n.radius * n.radius * n.radius);
+  return p.friction * n.force * (share > 1 ? 1 : share < -1 ? -1 : share);
+}
+
+static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_pair p, struct nb_normal n, double slip,
+                                                                      struct found at, struct leg *leg) {
+  const double x = n.radius * n.radius, u = at.end.u + u_of(p, slip);
+  struct met met = {.k = -1};
+  met = meets(at.third, at.pieces - 2, x, u, met);
+  met = meets(at.next, at.pieces - 1, x, u, met);
+  met = meets(at.last, at.pieces, x, u, met);
+  met = meets(at.end, at.pieces, x, u, met);
+  met.ring = stays(at.end.x, at.end.u, x, u) ? 1 : 0;
+  met.from = met.ring > 0 ? at.last.x : met.x;
+  *leg = makes(met, x, u);
+  return (struct nb_shear){.force = force_of(p, n, leg->d, leg->b), .stiffness = 8 * p.shear * n.radius};
+}
+
+static NB_SELDOM void go_seldom(struct nb_pair p, struct nb_normal n, double slip, double m[], struct nb_shear *out,
+                                double *lost) {
+  struct corner *at = (struct corner *)(m + HEAD);
+  if (!rubs(p, n)) {
+    out->force = 0, out->sliding = unit_of(p) > 0 ? 0 : 1;
+    return;
+  }
+  const double x = n.radius * n.radius, u = at[(int)m[0]].u + u_of(p, slip);
+  const int pieces = go(at, (int)m[0], x, u, (int)p.pieces, lost);
+  m[0] = pieces;
+  out->sliding = fabs(u) > x ? 1 : 0;
+  out->force = force_of(p, n, at[pieces].d, at[pieces].b);
+}
+
+/* A leg that has not met its corner, or is no more than rounding or the piece too much, goes one by one. */
+static inline NB_FORM void shear_mindlin_deresiewicz_settle(struct nb_pair p, struct nb_normal n, double slip,
+                                                            double m[], struct leg leg, struct nb_shear *out,
+                                                            bool counts) {
+  struct corner *at = (struct corner *)(m + HEAD);
+  const double x = n.radius * n.radius;
+  double lost = counts && m[0] > 0 ? at[(int)m[0]].e : 0; /* before, with another friction */
+  if (leg.k >= 0 && leg.k < p.pieces && m[0] > 0) {
+    if (counts)
+      lost += loses(at, (int)m[0], x, leg.end, &leg);
+    lay(at, (int)leg.k, x, &leg);
+    m[0] = leg.k + 1;
+  } else {
+    go_seldom(p, n, slip, m, out, counts ? &lost : NULL);
+  }
+  if (counts && m[0] > 0)
+    out->lost = unit_of(p) / p.radius * (p.friction * n.force / (x * n.radius)) * lost;
 }
 
 static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_normal n, const double m[]) {
-  const struct piece *at = (const struct piece *)(m + HEAD);
+  const struct corner *at = (const struct corner *)(m + HEAD);
   const int pieces = (int)m[0];
   const double friction = m[1] * 4 * p.shear / p.young;
   return pieces > 0 ? m[1] / p.radius * friction * (n.force / n_of(at[pieces].x)) * held_by(at, pieces) : 0;
@@ -235,23 +265,32 @@ static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_norma
 static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n, const double m[], double x[],
                                             double d[]) {
   (void)n;
-  const struct piece *at = (const struct piece *)(m + HEAD);
-  for (int k = 1; k <= (int)m[0]; k++)
-    x[k - 1] = at[k].x / p.radius, d[k - 1] = at[k].d;
+  const struct corner *at = (const struct corner *)(m + HEAD);
+  for (int k = 0; k < (int)m[0]; k++)
+    x[k] = at[k + 1].x / p.radius, d[k] = at[k].d;
   return (int)m[0];
+}
+
+/* The last corners, and room for one more. */
+static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
+  const double *end = m + HEAD + 5 * (int)m[0];
+  for (int line = -2; line < 2; line++)
+    __builtin_prefetch(m[0] > 2 ? end + 8 * line + 1 : m, 1);
 }
 
 #define LAW shear_mindlin_deresiewicz
 #define SHEAR
 #define ELASTIC
-#define BRANCHING
+#define STAGED
+#define FOUND struct found
+#define SOLVED struct leg
 #define LOSES
 #define COHESIONLESS
 #define TITLE "exact law of elastic spheres, Cattaneo and Mindlin's, under any history"
 #define SOURCE "[R89 3.2-3.5]"
-#define MEMORY 13
+#define MEMORY 12
 #define PIECE 5
-#define PIECES 16
+#define PIECES 32
 #define STORED shear_mindlin_deresiewicz_stored
 #define AHEAD shear_mindlin_deresiewicz_ahead
 #define PIECES_OF shear_mindlin_deresiewicz_pieces

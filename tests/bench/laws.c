@@ -1,23 +1,38 @@
-/* What a shear law costs: nanoseconds for each contact update of a dense packing of spheres that is squeezed and sheared, on one
- * core, for every shear law there is. A contact update is one listed contact through one whole cycle, motion included, as in
- * speed.c; so is the ratio, to the law without micro-slip: what a whole run takes longer, not what the law alone does.
+/* What a shear law costs: spheres in a box, a dense triangular packing that is pressed together by 1e-4 of their diameter and shaken,
+ * so that contacts load and unload, stick, slip a little and slide, and a few part. Nanoseconds for each contact update, million
+ * updates in a second and the ratio to the law without micro-slip, for every shear law there is, in two sizes. A contact update is one
+ * listed contact through one whole cycle, the motion of the bodies included: what a whole run takes, not the law alone.
  *
- * Laws take turns, so that whatever else the machine does falls on all of them alike; medians of eleven. Prints the line `price` of
- * cases/contact-ladder.md. Not a test: compare the ratios of one run.
+ * In seconds of the processor. Laws take turns, so that whatever else the machine does falls on all of them alike; medians of
+ * eleven. The line `price` is that of cases/contact-ladder.md. Not a test: compare the ratios of one run.
+ *
+ *   tests/bench/laws [ISA [LAW]]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
+#include "../chance.h"
 #include "laws/law.h"
 
-enum { RUNS = 11, SIDE = 32, CYCLES = 1200, LAWS_MAX = 64 };
+enum { RUNS = 11, LAWS_MAX = 64 };
 
-static void make_scene(struct nb_scene *scene, const char *shear) {
-  const double r = 1e-3, width = 2 * r * SIDE + r, height = 2 * r + sqrt(3) * r * (SIDE - 1);
-  *scene = (struct nb_scene){.material_count = 1, .body_count = SIDE * SIDE, .wall_count = 4, .stage_count = 1};
+static struct nb_wall wall(double x, double y, double ex, double ey, double half) {
+  return (struct nb_wall){.x = x, .y = y, .ex = ex, .ey = ey, .h1 = -half, .h2 = half};
+}
+
+static void make_scene(struct nb_scene *scene, int side, const char *shear, unsigned long cycles) {
+  const double radius = 5e-3, overlap = 1e-6, pitch = 2 * radius - overlap; /* m */
+  const double width = pitch * side + pitch / 2, height = 2 * radius - overlap + sqrt(0.75) * pitch * (side - 1);
+  const double young = 70e9, poisson = 0.22, density = 2500, mass = density * 4.18879 * radius * radius * radius;
+  const double stiffness = young / (1 - poisson * poisson) * sqrt(radius / 2 * overlap); /* 2 E* a */
+  const double rate = sqrt(stiffness / mass), speed = 0.5 * overlap * rate;
+  struct chance chance = chance_begin(9);
+  *scene = (struct nb_scene){.material_count = 1, .wall_count = 4, .stage_count = 1};
+  scene->body_count = (size_t)side * (size_t)side;
   scene->materials = calloc(1, sizeof *scene->materials);
   scene->bodies = calloc(scene->body_count, sizeof *scene->bodies);
   scene->walls = calloc(4, sizeof *scene->walls);
@@ -25,23 +40,24 @@ static void make_scene(struct nb_scene *scene, const char *shear) {
   if (!scene->materials || !scene->bodies || !scene->walls || !scene->stages)
     exit(NB_BROKEN);
   scene->materials[0] = (struct nb_material){
-      .density = 7800, .young = 210e9, .poisson = 0.28, .friction = 0.3, .kn = 1e7, .ks = 1e7}; /* `linear` wants k_s */
-  for (int k = 0; k < SIDE * SIDE; k++)
+      .density = density, .kn = stiffness, .ks = 0.8 * stiffness, .young = young, .poisson = poisson, .friction = 0.3};
+  for (int k = 0; k < side * side; k++)
     scene->bodies[k] = (struct nb_body){.shape = NB_SPHERE,
-                                        .x = r + 2 * r * (k % SIDE) + (k / SIDE % 2 ? r : 0),
-                                        .y = r + sqrt(3) * r * (k / SIDE),
-                                        .radius = r};
-  const double dt = 2e-7,
-               v = 2e-4 * r * SIDE / (CYCLES * dt); /* each wall by 0.02 % of the packing, north aside as well */
-  const double w = width / 2, h = height / 2;
-  scene->walls[0] = (struct nb_wall){.x = w, .ex = 1, .h1 = -w, .h2 = w, .vy = v};
-  scene->walls[1] = (struct nb_wall){.x = width, .y = h, .ey = 1, .h1 = -h, .h2 = h, .vx = -v};
-  scene->walls[2] = (struct nb_wall){.x = w, .y = height, .ex = -1, .h1 = -w, .h2 = w, .vx = v, .vy = -v};
-  scene->walls[3] = (struct nb_wall){.y = h, .ey = -1, .h1 = -h, .h2 = h, .vx = v};
+                                        .x = pitch / 2 + pitch * (k % side) + (k / side % 2 ? pitch / 2 : 0),
+                                        .y = pitch / 2 + sqrt(0.75) * pitch * (k / side),
+                                        .radius = radius,
+                                        .vx = speed * chance_between(&chance, -1, 1),
+                                        .vy = speed * chance_between(&chance, -1, 1),
+                                        .spin = speed / radius * chance_between(&chance, -1, 1)};
+  scene->walls[0] = wall(width / 2, 0, 1, 0, width / 2);
+  scene->walls[1] = wall(width, height / 2, 0, 1, height / 2);
+  scene->walls[2] = wall(width / 2, height, -1, 0, width / 2);
+  scene->walls[3] = wall(0, height / 2, 0, -1, height / 2);
   snprintf(scene->normal, sizeof scene->normal, "hertz");
   snprintf(scene->shear, sizeof scene->shear, "%s", shear);
-  scene->step = (struct nb_step){.kind = NB_STEP_TIME, .value = dt};
-  scene->stages[0] = (struct nb_stage){.name = "squeeze", .cycles = CYCLES, .step = scene->step};
+  scene->step = (struct nb_step){NB_STEP_TIME, 0.1 / rate, 0, false};
+  scene->allow_unstable = true;
+  scene->stages[0] = (struct nb_stage){.name = "shake", .cycles = cycles, .step = scene->step, .allow_unstable = true};
 }
 
 static int by_size(const void *a, const void *b) {
@@ -50,41 +66,53 @@ static int by_size(const void *a, const void *b) {
 }
 
 /* ns for each contact update. */
-static double measure(const struct nb_scene *scene) {
+static double measure(int side, const char *shear, const char *isa) {
+  struct nb_scene scene;
   struct nb_result result;
   struct nb_error error;
-  const struct nb_options options = {.threads = 1};
-  if (nb_run(&result, scene, &options, NULL, &error)) {
-    fprintf(stderr, "shear %s: %s\n", scene->shear, error.text);
+  const struct nb_options options = {.threads = 1, .isa = isa};
+  make_scene(&scene, side, shear, (unsigned long)(1e7 / (3.0 * side * side)) + 1);
+  const clock_t start = clock();
+  if (nb_run(&result, &scene, &options, NULL, &error)) {
+    fprintf(stderr, "shear %s: %s\n", shear, error.text);
     exit(NB_BROKEN);
   }
-  const double ns = 1e9 * result.seconds / (double)result.updates;
+  const double ns = 1e9 * (double)(clock() - start) / CLOCKS_PER_SEC / (double)result.updates;
   nb_result_free(&result);
+  nb_scene_free(&scene);
   return ns;
 }
 
-int main(void) {
-  struct nb_scene scenes[LAWS_MAX];
+static void compare(int side, const char *isa, const char *only) {
+  const char *laws[LAWS_MAX];
   double ns[LAWS_MAX][RUNS];
   int count = 0, base = 0;
   for (const struct nb_law *const *law = nb_laws(); *law && count < LAWS_MAX; law++)
-    if ((*law)->shear)
-      make_scene(&scenes[count++], (*law)->name);
+    if ((*law)->shear && (!only || strcmp((*law)->name, only) == 0 || strcmp((*law)->name, "mindlin") == 0))
+      laws[count++] = (*law)->name;
   for (int run = 0; run < RUNS; run++)
     for (int k = 0; k < count; k++)
-      ns[k][run] = measure(&scenes[k]);
+      ns[k][run] = measure(side, laws[k], isa);
   for (int k = 0; k < count; k++) {
     qsort(ns[k], RUNS, sizeof(double), by_size);
-    base = strcmp(scenes[k].shear, "mindlin") == 0 ? k : base;
+    base = strcmp(laws[k], "mindlin") == 0 ? k : base;
   }
-  printf("ns a contact update:");
-  for (int k = 0; k < count; k++)
-    printf(" %s %.1f", scenes[k].shear, ns[k][RUNS / 2]);
-  printf("\nprice = '");
   for (int k = 0; k < count; k++) {
-    printf("%s%s %.2f", k ? "  " : "", scenes[k].shear, ns[k][RUNS / 2] / ns[base][RUNS / 2]);
-    nb_scene_free(&scenes[k]);
+    const double median = ns[k][RUNS / 2];
+    printf("%8d %20s %8.2f %8.1f %8.2f\n", side * side, laws[k], median, 1e3 / median, median / ns[base][RUNS / 2]);
   }
+  printf("price = '");
+  for (int k = 0; k < count; k++)
+    printf("%s%s %.2f", k ? "  " : "", laws[k], ns[k][RUNS / 2] / ns[base][RUNS / 2]);
   puts("'");
+  fflush(stdout);
+}
+
+int main(int argc, char **argv) {
+  static const int sides[] = {32, 100};
+  const char *isa = argc > 1 && strcmp(argv[1], "widest") != 0 ? argv[1] : NULL, *only = argc > 2 ? argv[2] : NULL;
+  printf("%8s %20s %8s %8s %8s\n", "spheres", "shear", "ns", "M/s", "mindlin");
+  for (size_t s = 0; s < sizeof sides / sizeof *sides; s++)
+    compare(sides[s], isa, only);
   return 0;
 }

@@ -1,0 +1,106 @@
+/* The loop of a law in three, for one that remembers a row of each contact and has far to go from there to the force: to look
+ * into the row and to write into it take branches, what lies between does not. Each is a loop of its own, over as many contacts as
+ * stay in the first-level cache with their rows, so that the one between is wide and the others wait for nothing. The law says
+ *
+ *   #define STAGED
+ *   #define FOUND   struct found            of doubles: what it has found in the row
+ *   #define SOLVED  struct leg              of doubles: what has come of it
+ *
+ *   FOUND           LAW_look(p, n, m)
+ *   struct nb_shear LAW_solve(p, n, slip, found, &solved)               straight-line: law.h; never says that it slides
+ *   void            LAW_settle(p, n, slip, m, solved, &out, counts)     may say so, and another force; counts: what is lost as well
+ *
+ * and has no function of its own name, which is the three one after the other.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+
+#define LAW_LOOK LAW_JOIN(LAW, _look)
+#define LAW_SOLVE LAW_JOIN(LAW, _solve)
+#define LAW_SETTLE LAW_JOIN(LAW, _settle)
+
+static struct nb_shear LAW(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+  SOLVED solved;
+  struct nb_shear out = LAW_SOLVE(p, n, slip, LAW_LOOK(p, n, m), &solved);
+  LAW_SETTLE(p, n, slip, m, solved, &out, true);
+  return out;
+}
+
+/* A struct of doubles is an array of each in a block, so that the loop between is wide. */
+enum {
+  LAW_STAGE = 32, /* contacts; more of them do not stay in the first-level cache */
+  LAW_FOUND = sizeof(FOUND) / sizeof(double),
+  LAW_SOLVED = sizeof(SOLVED) / sizeof(double)
+};
+union law_found {
+  FOUND it;
+  double v[LAW_FOUND];
+};
+union law_solved {
+  SOLVED it;
+  double v[LAW_SOLVED];
+};
+
+static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
+  const struct nb_pair pair = *(const struct nb_pair *)view->pairing; /* a pairing begins with its constants */
+  const double *overlap = view->f[NB_OVERLAP], *reduced = view->f[NB_REDUCED], *slip = view->f[NB_SLIP];
+  const double *normal = view->f[NB_NORMAL], *hardness = view->f[NB_STIFFNESS], *radius = view->f[NB_RADIUS];
+  double *force = view->f[NB_SHEAR], *stiffness = view->f[NB_SHEAR_STIFFNESS], *sliding = view->f[NB_SLIDING];
+  double *lost = view->f[NB_LOST], *rows = LAW_MEMORY.rows;
+  const size_t row = (size_t)LAW_MEMORY.doubles;
+  _Alignas(64) double found[LAW_FOUND][LAW_STAGE], solved[LAW_SOLVED][LAW_STAGE];
+#define LAW_GIVEN(c)                                                                                                   \
+  struct nb_pair p = pair;                                                                                             \
+  p.radius = reduced[c];                                                                                               \
+  const struct nb_normal n = { normal[c], hardness[c], radius[c], overlap[c] }
+  for (size_t first = 0; first < view->n; first += LAW_STAGE) {
+    const size_t end = first + LAW_STAGE < view->n ? first + LAW_STAGE : view->n;
+    for (size_t c = first; c < end; c++) {
+      LAW_GIVEN(c);
+      double *m = rows + c * row;
+      if (c + 2 * NB_AHEAD < view->n)
+        __builtin_prefetch(rows + (c + 2 * NB_AHEAD) * row, 1);
+      if (c + NB_AHEAD < view->n)
+        AHEAD(rows + (c + NB_AHEAD) * row);
+      union law_found f;
+      if (overlap[c] > 0)
+        f.it = LAW_LOOK(p, n, m);
+      else
+        f.it = (FOUND){0}, m[0] = 0;
+      NB_UNROLLED
+      for (int k = 0; k < LAW_FOUND; k++)
+        found[k][c - first] = f.v[k];
+    }
+    NB_WIDE
+    for (size_t c = first; c < end; c++) {
+      LAW_GIVEN(c);
+      union law_found f;
+      NB_UNROLLED
+      for (int k = 0; k < LAW_FOUND; k++)
+        f.v[k] = found[k][c - first];
+      union law_solved s;
+      const struct nb_shear out = LAW_SOLVE(p, n, slip[c], f.it, &s.it);
+      NB_UNROLLED
+      for (int k = 0; k < LAW_SOLVED; k++)
+        solved[k][c - first] = s.v[k];
+      const bool touching = overlap[c] > 0;
+      force[c] = touching ? out.force : 0;
+      stiffness[c] = touching ? out.stiffness : 0;
+    }
+    for (size_t c = first; c < end; c++) {
+      LAW_GIVEN(c);
+      struct nb_shear out = {.force = force[c], .lost = 0};
+      if (overlap[c] > 0) {
+        union law_solved s;
+        NB_UNROLLED
+        for (int k = 0; k < LAW_SOLVED; k++)
+          s.v[k] = solved[k][c - first];
+        LAW_SETTLE(p, n, slip[c], rows + c * row, s.it, &out, counts);
+        force[c] = out.force;
+      }
+      sliding[c] = out.sliding;
+      if (counts)
+        lost[c] = out.lost;
+    }
+  }
+#undef LAW_GIVEN
+}
