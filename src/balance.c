@@ -47,6 +47,8 @@ static const struct nb_law *not_stored(const struct nb_model *model, bool normal
 enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
   const unsigned asked = nb_fields_watched(model->scene);
   const struct nb_law *normal = not_stored(model, true), *shear = not_stored(model, false);
+  normal = normal ? normal : nb_laws_unstored(model->scene, true);
+  shear = shear ? shear : nb_laws_unstored(model->scene, false);
   if (asked & NB_ASKS_STORED && (normal || shear))
     return nb_error_set(error, NB_BAD_USE,
                         "`%s %s` has no stored energy: record `energy.shear`, not `energy.stored` and "
@@ -73,6 +75,10 @@ enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error)
   b->kinetic = nb_energy_kinetic_half(model);
   if (b->energies)
     b->level = nb_energy_kinetic(model) + nb_energy_stored(model);
+  memcpy(b->wall_velocity, model->walls.velocity, walls * sizeof *b->wall_velocity);
+  memcpy(b->wall_spin, model->walls.spin, walls * sizeof *b->wall_spin);
+  if (b->energies) /* a state's last step is none of this run's */
+    nb_balance_since(model);
   return NB_OK;
 }
 

@@ -26,7 +26,8 @@ struct nb_balance {
   struct nb_vec *along;                 /* per slot: how far a cell carries it over the kick, m; NULL without a cell */
   struct nb_tensor parted;              /* and a copy a side on besides, m */
   struct nb_pair *values;               /* per pairing: what its laws were given at t_N; */
-  bool changed;                         /* and some of that is something else now */
+  struct nb_in_force laws;              /* which they were then; */
+  bool changed, another;                /* some of that is something else now; the shear law is */
   double kinetic, level;                /* K_0; K + U at time 0: what the sums are counted from, J */
   struct nb_sum work, terms[NB_TERMS];  /* J */
 };
@@ -45,5 +46,7 @@ void nb_balance_work(struct nb_sum *work, const struct nb_model *model, double t
 /* ---- balance.c ---- */
 /* Adds the half of the kick around t_N that lies behind it. */
 void nb_balance_tail(struct nb_sum terms[], const struct nb_model *model);
+/* balance_jumps.c: what counts begins at t_N. */
+void nb_balance_since(struct nb_model *model);
 
 #endif

@@ -1,4 +1,4 @@
-/* What makes the two balances jump: `still`, `reverse`, `remove`, and bodies that a boundary holds or lets go.
+/* What makes the two balances jump: `still`, `reverse`, `remove`, bodies that a boundary holds or lets go, and a state that a page starts from.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -45,4 +45,12 @@ void nb_balance_dropped(struct nb_model *model) {
 void nb_balance_held(struct nb_model *model, size_t slot, bool held) {
   if (model->balance->energies)
     nb_sum_add(&model->balance->terms[NB_TERM_REMOVED], (held ? 1 : -1) * nb_energy_of_motion(model, slot));
+}
+
+/* The half of the last kick that lies behind t_N: it is no part of what comes. */
+void nb_balance_since(struct nb_model *model) {
+  struct nb_sum behind[NB_TERMS] = {{0}};
+  nb_balance_tail(behind, model);
+  for (int t = 0; t < NB_TERMS; t++)
+    nb_sum_add(&model->balance->terms[t], -behind[t].sum);
 }

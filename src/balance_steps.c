@@ -10,7 +10,8 @@
  *
  * When a stage changes k_n or k_s, springs under load gain U_n(new) - U_n(old) at the same overlap and
  * U_s(new) - U_s(old) at the same force. The force of the step is the mean of an old and a new one, so the normal gain
- * is the mean of those at the two ends; the shear spring is new for the whole step.
+ * is the mean of those at the two ends; the shear spring is new for the whole step. Another law is the same: U_n by the new one less
+ * U_n by the old one. Another shear law begins with nothing: U_s is gone at t_N, and so is F_s ds/2, which the old force still does.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -21,11 +22,22 @@ static double field(const struct nb_model *model, enum nb_field which, size_t c)
   return model->contacts.kept[which] ? model->contacts.kept[which][c] : 0;
 }
 
+/* Half of the step goes against the force of the old law, which nothing holds any more. */
+static void leave(struct nb_balance *b, double was, double slip) {
+  const bool stored = b->laws.shear->stored != NULL;
+  nb_sum_add(&b->terms[NB_TERM_SHEAR], was * slip / 2);
+  nb_sum_add(&b->terms[stored ? NB_TERM_CHANGED : NB_TERM_UNSTORED], (stored ? -was : was) * slip / 2);
+}
+
 static void slide(struct nb_balance *b, const struct nb_model *model, size_t c) {
   const struct nb_law *law = model->pairings[model->contacts.pairing[c]].shear;
-  const double was = field(model, NB_SHEAR_BEFORE, c), stiff_was = field(model, NB_SHEAR_STIFFNESS_BEFORE, c);
+  double was = field(model, NB_SHEAR_BEFORE, c), stiff_was = field(model, NB_SHEAR_STIFFNESS_BEFORE, c);
   const double is = law ? field(model, NB_SHEAR, c) : 0, stiff = law ? field(model, NB_SHEAR_STIFFNESS, c) : 0;
   model->contacts.kept[NB_SHEAR_BEFORE][c] = is, model->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c] = stiff;
+  if (b->another && law) {
+    leave(b, was, field(model, NB_SLIP, c));
+    was = stiff_was = 0;
+  }
   if (!law || (was == 0 && is == 0 && !law->loses))
     return;
   const double slip = field(model, NB_SLIP, c), mean = (was + is) / 2;
@@ -45,8 +57,9 @@ static void slide(struct nb_balance *b, const struct nb_model *model, size_t c) 
     nb_sum_add(&b->terms[NB_TERM_SLIDING], lost);
 }
 
-/* U_n, or U_s, of contact c with its law given `values`. */
-static double stored(const struct nb_model *model, size_t c, struct nb_pair values, bool normal) {
+/* U_n, or U_s, of contact c with a normal law that is given `values`. */
+static double stored(const struct nb_model *model, size_t c, const struct nb_law *law, struct nb_pair values,
+                     bool normal) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
   double mn[NB_MEMORY], room[NB_MEMORY];
@@ -54,10 +67,10 @@ static double stored(const struct nb_model *model, size_t c, struct nb_pair valu
     return 0;
   values = nb_contacts_values(model, c, values);
   memcpy(mn, nb_memory_read(&contacts->normal_memory, c, room), sizeof mn);
-  struct nb_normal n = pairing->normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, mn);
+  struct nb_normal n = law->normal(values, contacts->kept[NB_OVERLAP][c], 0, mn);
   n.overlap = contacts->kept[NB_OVERLAP][c];
   if (normal)
-    return pairing->normal->stored ? pairing->normal->stored(values, n, mn) : 0;
+    return law->stored ? law->stored(values, n, mn) : 0;
   return pairing->shear && pairing->shear->stored
              ? pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room))
              : 0;
@@ -73,17 +86,18 @@ static double gained(const struct nb_model *model) {
   for (size_t c = 0; c < model->contacts.count; c++) {
     const int p = model->contacts.pairing[c];
     const struct nb_pair old = model->balance->values[p], new = model->pairings[p].values;
-    if (!same(old, new))
-      nb_sum_add(&sum, stored(model, c, new, true) - stored(model, c, old, true));
+    const struct nb_law *before = model->balance->laws.normal, *after = model->laws.normal;
+    if (before != after || !same(old, new))
+      nb_sum_add(&sum, stored(model, c, after, new, true) - stored(model, c, before, old, true));
   }
   return sum.sum + sum.rest;
 }
 
-/* What the shear springs hold: less when their stiffness rises, and nothing when a stage takes friction away. */
+/* What the shear springs hold: less when their stiffness rises, and nothing when a stage takes friction away or another law comes. */
 static double bent(const struct nb_model *model) {
   struct nb_sum sum = {0};
   for (size_t c = 0; c < model->contacts.count; c++)
-    nb_sum_add(&sum, stored(model, c, model->pairings[model->contacts.pairing[c]].values, false));
+    nb_sum_add(&sum, stored(model, c, model->laws.normal, model->pairings[model->contacts.pairing[c]].values, false));
   return sum.sum + sum.rest;
 }
 
@@ -95,9 +109,12 @@ void nb_balance_change(struct nb_model *model, bool before) {
   if (before)
     for (size_t p = 0; p < model->pairing_count; p++)
       b->values[p] = model->pairings[p].values;
+  if (before)
+    b->laws = model->laws;
   else
     nb_sum_add(&b->terms[NB_TERM_CHANGED], gained(model) / 2);
   b->changed = !before;
+  b->another = !before && (b->laws.shear != model->laws.shear || b->laws.pieces != model->laws.pieces);
 }
 
 void nb_balance_forces(struct nb_model *model) {
@@ -109,5 +126,5 @@ void nb_balance_forces(struct nb_model *model) {
       slide(b, model, c);
   if (b->changed)
     nb_sum_add(&b->terms[NB_TERM_CHANGED], gained(model) / 2);
-  b->changed = false;
+  b->changed = b->another = false;
 }

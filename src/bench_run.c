@@ -57,7 +57,7 @@ enum nb_status nb_bench_run(struct nb_result *result, const struct nb_scene *sce
     status = nb_error_set(error, NB_BROKEN, "out of memory while recording");
   for (size_t s = 0; s < scene->stage_count && !status; s++) {
     status = run_leg(result, &bench, (int)s, error);
-    if (progress && nb_clock() - told > 0.1) {
+    if (progress && progress->call && nb_clock() - told > 0.1) {
       told = nb_clock();
       progress->call(progress->data, scene->stages[s].name, (double)(s + 1) / (double)scene->stage_count, told - began);
     }

@@ -9,6 +9,7 @@
 
 #include "laws/law.h"
 #include "save.h"
+#include "start.h"
 #include "tables.h"
 
 static enum nb_status worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
@@ -23,7 +24,7 @@ static const char *folder_of(const struct nb_use *use, const struct nb_outcome *
 static void carry_out(struct nb_outcome *outcome, const struct nb_use *use, const char *path) {
   struct nb_progress_line line = {.page = path};
   const struct nb_progress progress = nb_print_progress(&line);
-  nb_outcome_make(outcome, path, use->settings, &use->options, progress.call ? &progress : NULL);
+  nb_outcome_make(outcome, path, use->settings, &use->options, &progress);
   nb_print_progress_end(&line);
 }
 
@@ -174,11 +175,16 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
     for (size_t r = 0; r < outcome.run_count && !outcome.status; r++) {
       struct nb_error error;
       const struct nb_page_run *run = &outcome.runs[r];
-      struct nb_model *model = run->scene.path ? NULL : nb_model_create(&run->scene, &use->options, &error);
+      const bool there = nb_start_there(&run->scene, &use->options);
+      struct nb_model *model = run->scene.path || !there ? NULL : nb_model_create(&run->scene, &use->options, &error);
       printf("%s%s%s%s\n", r ? "\n" : "", outcome.page.name, run->label[0] ? ", run " : "", run->label);
       if (run->scene.path) {
         nb_explain_bench(stdout, &run->scene);
+      } else if (!there) {
+        nb_explain_start(stdout, &run->scene, &use->options);
+        puts("  the plan can be told when it is there");
       } else if (model) {
+        nb_explain_start(stdout, &run->scene, &use->options);
         nb_explain(stdout, &run->scene, model);
       } else {
         fprintf(stderr, "nineball: %s\n", error.text);

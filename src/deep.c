@@ -27,6 +27,12 @@ bool nb_deep_begin(struct nb_model *model, size_t blocks) {
   return model->deep.counts != NULL;
 }
 
+void nb_deep_end(struct nb_model *model) {
+  model->deep.count += counted(model);
+  free(model->deep.counts);
+  model->deep.counts = NULL;
+}
+
 /* As the pass does it. */
 bool nb_deep_is(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;

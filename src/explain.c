@@ -42,8 +42,9 @@ static void explain_pairing(FILE *out, const struct nb_model *model, const struc
       fprintf(out, " line %d", planned->line);
     fputc('\n', out);
   }
-  if (!pairing->shear && strcmp(scene->shear, "none") != 0)
-    fprintf(out, "    (no shear %s: without friction and cohesion there is nothing to hold)\n", scene->shear);
+  if (!pairing->shear && strcmp(model->laws.shear->name, "none") != 0)
+    fprintf(out, "    (no shear %s: without friction and cohesion there is nothing to hold)\n",
+            model->laws.shear->name);
 }
 
 static void explain_memory(FILE *out, const struct nb_model *model) {
@@ -92,7 +93,7 @@ static void explain_rayleigh(FILE *out, const struct nb_model *model, const char
 }
 
 static void explain_step(FILE *out, const struct nb_model *model) {
-  const struct nb_step *step = &model->scene->stages[0].step;
+  const struct nb_step *step = &model->scene->stages[model->scene->start.stages].step;
   const char *unit = model->scene->unitless ? "" : " s";
   fprintf(out, "step\n  %g%s", model->step, unit);
   if (step->line)
@@ -115,9 +116,10 @@ static void explain_step(FILE *out, const struct nb_model *model) {
 }
 
 /* Measured, not guessed: some cycles of a model of its own, at rest as the scene begins. */
-static double seconds_a_cycle(const struct nb_scene *scene, int threads) {
+static double seconds_a_cycle(const struct nb_scene *scene, const struct nb_model *model) {
   struct nb_error error;
-  struct nb_model *trial = nb_model_create(scene, &(struct nb_options){.threads = threads}, &error);
+  struct nb_model *trial =
+      nb_model_create(scene, &(struct nb_options){.threads = model->threads, .states = model->states}, &error);
   if (!trial)
     return 0;
   const double began = nb_clock();
@@ -134,8 +136,12 @@ static void explain_stages(FILE *out, const struct nb_model *model) {
   unsigned long cycles = 0;
   struct nb_properties now = {0};
   const bool known = nb_properties_create(&now, scene);
+  for (size_t s = 0; known && s < scene->start.stages; s++)
+    for (size_t k = 0; k < scene->stages[s].change_count; k++)
+      nb_properties_change(&now, &scene->stages[s].changes[k], nb_properties_before(&now, &scene->stages[s].changes[k]),
+                           1);
   fprintf(out, "stages\n");
-  for (size_t s = 0; s < scene->stage_count; s++) {
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     fprintf(out, "  %-20s %s %lu cycles", stage->name, stage->condition_count ? "at most" : "       ", stage->cycles);
     if (stage->record)
@@ -148,7 +154,7 @@ static void explain_stages(FILE *out, const struct nb_model *model) {
     cycles += stage->cycles;
   }
   nb_properties_free(&now);
-  const double each = seconds_a_cycle(scene, model->threads);
+  const double each = seconds_a_cycle(scene, model);
   fprintf(out, "cost\n  %lu cycles, %.3g s (%.3g us a cycle, measured just now)\n", cycles, each * (double)cycles,
           1e6 * each);
 }

@@ -29,10 +29,10 @@ static void explain_shear(FILE *out, const struct nb_model *model, const struct 
     const struct nb_pairing *pairing = &model->pairings[p];
     const bool had = rubs(nb_properties_pair(before, pairing->a, pairing->b));
     const bool has = rubs(nb_properties_pair(after, pairing->a, pairing->b));
-    if (had != has && strcmp(scene->shear, "none") != 0)
+    if (had != has && strcmp(model->laws.shear->name, "none") != 0)
       fprintf(out, "    %s with %s%s: shear %s is switched %s, %s\n", scene->materials[pairing->a].name,
-              pairing->wall ? "wall of " : "", scene->materials[pairing->b].name, scene->shear, has ? "on" : "off",
-              has ? "remembering nothing" : "and forgets");
+              pairing->wall ? "wall of " : "", scene->materials[pairing->b].name, model->laws.shear->name,
+              has ? "on" : "off", has ? "remembering nothing" : "and forgets");
   }
 }
 
@@ -42,9 +42,27 @@ void nb_explain_gravity(FILE *out, const struct nb_gravity *gravity, const char 
             gravity->line);
 }
 
+static void explain_law(FILE *out, const char *kind, const struct nb_law *old, const struct nb_law *new, int line) {
+  fprintf(out, "    %s %s instead of %s: contacts remember nothing of it (line %d)\n", kind, new->name,
+          old == new ? "so many pieces" : old->name, line);
+}
+
+/* Which laws are in force before the stage, and which from it on. */
+static void explain_laws(FILE *out, const struct nb_model *model, const struct nb_stage *stage) {
+  struct nb_in_force old = nb_laws_at_start(model->scene);
+  for (const struct nb_stage *s = model->scene->stages; s < stage; s++)
+    old = nb_laws_of(s, old);
+  const struct nb_in_force now = nb_laws_of(stage, old);
+  if (now.normal != old.normal)
+    explain_law(out, "normal", old.normal, now.normal, now.normal_line);
+  if (now.shear != old.shear || now.pieces != old.pieces)
+    explain_law(out, "shear", old.shear, now.shear, now.shear_line);
+}
+
 void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
                         struct nb_properties *now) {
   struct nb_properties before = {0};
+  explain_laws(out, model, stage);
   if (stage->still)
     fprintf(out, "    still: all bodies stop\n");
   for (size_t k = 0; k < stage->removal_count; k++) {

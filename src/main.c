@@ -29,6 +29,7 @@ static const struct nb_help_row option_rows[] = {
     {"-o, --output FOLDER", "where files go (default: NAME.out; report: report)"},
     {"--set NAME=VALUE", "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
     {"--follow FILE", "take a page's contact along a path of your own: columns approach/m and slip/m"},
+    {"--states FOLDER", "where the states lie that pages start from (default: $NINEBALL_STATES, or states)"},
     {"--jobs N", "runs of a sweep side by side (default: as many as there are processors)"},
     {"--threads N", "at most so many (default 1); the results do not depend on it"},
     {"--isa NAME", "plain, avx2 or avx512 (default: the widest); nor on this"},
@@ -90,12 +91,22 @@ static enum nb_status usage(const char *format, const char *word) {
   return NB_BAD_USE;
 }
 
-enum { OPTION_SET = 256, OPTION_FOLLOW, OPTION_JOBS, OPTION_THREADS, OPTION_ISA, OPTION_TAP, OPTION_VERSION };
+enum {
+  OPTION_SET = 256,
+  OPTION_FOLLOW,
+  OPTION_JOBS,
+  OPTION_STATES,
+  OPTION_THREADS,
+  OPTION_ISA,
+  OPTION_TAP,
+  OPTION_VERSION
+};
 
 static const struct option options[] = {
     {"output", required_argument, NULL, 'o'},
     {"set", required_argument, NULL, OPTION_SET},
     {"follow", required_argument, NULL, OPTION_FOLLOW},
+    {"states", required_argument, NULL, OPTION_STATES},
     {"jobs", required_argument, NULL, OPTION_JOBS},
     {"threads", required_argument, NULL, OPTION_THREADS},
     {"isa", required_argument, NULL, OPTION_ISA},
@@ -136,6 +147,9 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words, 
       use->settings[settings++] = use->follow;
       break;
     }
+    case OPTION_STATES:
+      use->options.states = optarg;
+      break;
     case OPTION_JOBS:
       if (!number_of(&use->options.jobs, optarg))
         return usage("--jobs wants a number from 1 to 256, found `%s`", optarg);
@@ -187,6 +201,7 @@ static int find_command(const char *word) {
 
 int main(int count, char **words) {
   struct nb_use use = {.options = {.threads = 1}};
+  use.options.states = getenv("NINEBALL_STATES");
   use.settings = calloc((size_t)count + 1, sizeof *use.settings);
   if (!use.settings)
     return NB_BROKEN;

@@ -43,6 +43,7 @@ static void statement(FILE *out, const struct nb_manner *manner, const struct nb
     manner->example(out,
                     keyword->where == NB_IN_EXPECT                 ? "expect"
                     : keyword->where & NB_IN_CELL                  ? "text of a scene with a cell"
+                    : keyword->where & NB_APART                    ? "text of another page"
                     : keyword->where & (NB_IN_SCENE | NB_IN_STAGE) ? "scene"
                                                                    : "text of a path",
                     keyword->example);

@@ -4,13 +4,12 @@
 #include "drive.h"
 #include "energy.h"
 #include "region.h"
+#include "start.h"
+#include "state.h"
 #include "step.h"
 
 #include <stdlib.h>
 #include <string.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -22,7 +21,7 @@ static size_t slot_of(size_t index, size_t count, bool shuffle) {
 }
 
 static bool has_spin(const struct nb_scene *scene) {
-  if (strcmp(scene->shear, "none") != 0)
+  if (nb_laws_shear(scene))
     return true;
   for (size_t k = 0; k < scene->body_count; k++)
     if (scene->bodies[k].spin != 0)
@@ -134,43 +133,18 @@ static double skin_of(const struct nb_model *model) {
   return model->scene->skin > 0 ? model->scene->skin : 0.1 * sum / (double)bodies->count;
 }
 
-static enum nb_isa widest_isa(void) {
-#if defined __x86_64__ && defined __GNUC__
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-    return NB_AVX512;
-  if (__builtin_cpu_supports("avx2"))
-    return NB_AVX2;
-#endif
-  return NB_PLAIN;
-}
-
-static const char *const isa_names[NB_ISAS] = {"plain", "avx2", "avx512"};
-
-static enum nb_status choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error) {
-  model->isa = widest_isa();
-  if (options && options->isa) {
-    enum nb_isa isa = NB_PLAIN;
-    while (isa < NB_ISAS && strcmp(isa_names[isa], options->isa) != 0)
-      isa = (enum nb_isa)(isa + 1);
-    if (isa > model->isa)
-      return nb_error_set(error, NB_BAD_USE, "this machine does not run instruction set `%s`", options->isa);
-    model->isa = isa;
-  }
-  model->threads = options ? options->threads : 1;
-#ifdef _OPENMP
-  if (model->threads <= 0)
-    model->threads = omp_get_max_threads();
-#endif
-  if (model->threads <= 0)
-    model->threads = 1;
-  if (model->threads > NB_THREADS)
-    model->threads = NB_THREADS;
+/* What contacts feel now: worked out, or as the state has it. */
+static enum nb_status feel(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+  if (saved)
+    return nb_saved_put_contacts(model, saved, error);
+  nb_forces(model), nb_deep_look(model);
   return NB_OK;
 }
 
-static enum nb_status set_up(struct nb_model *model, const struct nb_options *options, struct nb_error *error) {
+static enum nb_status set_up(struct nb_model *model, const struct nb_options *options, const struct nb_saved *saved,
+                             struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  enum nb_status status = choose(model, options, error);
+  enum nb_status status = nb_machine_choose(model, options, error);
   if (status)
     return status;
   if (!make_bodies(&model->bodies, scene, options && options->shuffle) || !make_walls(&model->walls, scene) ||
@@ -190,18 +164,26 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   model->inward.to = vec(scene->gravity.about_x, scene->gravity.about_y);
   model->allow_unstable = scene->allow_unstable;
   model->step_line = -1;
+  model->whole = options && options->whole;
+  model->states = options ? options->states : NULL;
+  model->laws = model->coming = nb_laws_at_start(scene);
+  if (!model->laws.normal || !model->laws.shear)
+    return nb_error_set(error, NB_BAD_USE, "there is no law `%s %s`", model->laws.normal ? "shear" : "normal",
+                        model->laws.normal ? scene->shear : scene->normal);
+  if (saved)
+    nb_saved_put(model, saved);
   status = nb_drive_create(model, error);
   if (!status)
     status = nb_plan(model, error);
   if (!status)
     status = nb_near(model, error);
   model->safe = status ? 0 : nb_safe_step(model).step;
-  if (!status)
+  if (!status && !saved)
     status = nb_step_set(model, &scene->stages[0].step, error);
   if (!status && scene->impact.line)
     nb_impact_begin(model);
   if (!status)
-    nb_forces(model), nb_deep_look(model);
+    status = feel(model, saved, error);
   if (!status && nb_fields_watched(scene) & NB_ASKS_FRACC && !nb_fracc_begin(model))
     status = nb_error_set(error, NB_BROKEN, "out of memory for FRACC");
   if (!status && !(status = nb_regions_create(model, error)))
@@ -209,19 +191,26 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   return status ? status : nb_balance_create(model, error);
 }
 
-struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_options *options,
-                                 struct nb_error *error) {
+struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
+                                 const struct nb_saved *saved, struct nb_error *error) {
   struct nb_model *model = calloc(1, sizeof *model);
   if (!model) {
     nb_error_set(error, NB_BROKEN, "out of memory");
     return NULL;
   }
   model->scene = scene;
-  if (set_up(model, options, error)) {
+  if (set_up(model, options, saved, error)) {
     nb_model_free(model);
     return NULL;
   }
   return model;
+}
+
+struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_options *options,
+                                 struct nb_error *error) {
+  if (scene->start.stages > 0)
+    return nb_start_model(scene, options, error);
+  return nb_model_resume(scene, options, NULL, error);
 }
 
 void nb_model_free(struct nb_model *model) {

@@ -10,7 +10,10 @@
 
 #include "block.h"
 #include "cell.h"
+#include "impact.h"
+#include "joints.h"
 #include "laws/law.h"
+#include "laws_now.h"
 #include "vec.h"
 #include "walls.h"
 
@@ -98,8 +101,9 @@ struct nb_stiff {
 
 struct nb_model {
   const struct nb_scene *scene;
-  int threads; /* there may be */
-  int busy;    /* threads that work on as many contacts as there are now, NB_THREAD_SHARE each or more */
+  const char *states; /* folder of saved states; NULL: the usual one */
+  int threads;        /* there may be */
+  int busy;           /* threads that work on as many contacts as there are now, NB_THREAD_SHARE each or more */
   enum nb_isa isa;
   struct nb_bodies bodies;
   struct nb_walls walls;
@@ -125,6 +129,7 @@ struct nb_model {
   double *scratch;       /* per thread NB_FIELDS * NB_BLOCK doubles */
   unsigned kept;         /* set of fields that are kept */
   enum nb_field drag;    /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
+  bool whole;            /* of contacts all is kept that a saved state holds */
   bool keeping;          /* no forces follow the search to come: contacts keep those that they have */
   bool joined;           /* two walls have a common end */
   bool pressed;  /* at the last search some centre was within the skin of a wall: it may cross it before the next one */
@@ -148,6 +153,7 @@ struct nb_model {
   } inward;               /* likewise */
   struct nb_drive *drive; /* drive.h; NULL: nothing is carried along */
   struct nb_properties properties;
+  struct nb_in_force laws, coming; /* of the forces behind, and of those ahead: a stage may change them */
   const struct nb_stage *stage;    /* the one that runs, NULL before the first */
   bool changing, driven;           /* it still changes properties or gravity; it ramps velocities of walls */
   struct nb_pair *properties_from; /* per change, wall motion, and of gravity: what it was when the stage began */
@@ -173,10 +179,19 @@ enum nb_dashpots { NB_DASHPOTS_TIME, NB_DASHPOTS_SWING, NB_DASHPOTS_DEEP };
 /* array.c: zeroed and aligned for wide loads; NULL only when memory is out. Freed by free(). */
 void *nb_array(size_t count, size_t size);
 
+/* machine.c: instruction set and threads, as the options say */
+enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);
+
 /* plan.c: which passes each pairing needs, and which fields are kept; then the blocks, after each search */
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error);
 enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error);
 bool nb_plan_stands(const struct nb_model *model); /* whether it is still the one that the pairings' values ask for */
+
+struct nb_saved;
+/* The same as nb_model_create, from a state instead of what the page says of bodies and walls; NULL: from the page. The state is
+ * that of the scene's stage `begun - 1`. */
+struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
+                                 const struct nb_saved *saved, struct nb_error *error);
 
 /* names.c: fields that some column or condition of the scene reads, and what else is to be kept for it: */
 #define NB_ASKS_FRACC (1u << 27)  /* fracc.c */
@@ -208,20 +223,6 @@ struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_
 struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change);
 /* Makes what the change is about `share` (0 to 1) of its way from `from`. */
 void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from, double share);
-
-/* impact.c */
-struct nb_strike {
-  struct nb_vec point;           /* of what is struck: a body's centre, or the point of a wall that is nearest, m */
-  struct nb_vec normal, tangent; /* unit vectors at first touch: from there to the body; clockwise of it */
-  struct nb_vec arrival;         /* velocity of the body's centre relative to that point, m/s */
-  double rim;                    /* sum of R w, m/s */
-  double normal_v, tangent_v;    /* V_N, and V_T of the contact along the tangent, m/s [R89 5.15] */
-  double mass;                   /* M, reduced, kg */
-  double friction, kappa;        /* mu, and kappa: psi = V_T/(mu kappa V_N), 1 */
-  double peak, duration;         /* N_max, N; T_c, s: of the elastic impact [R89 5.9, 5.12] */
-};
-struct nb_strike nb_impact_strike(const struct nb_scene *scene); /* what the scene says of its impact */
-void nb_impact_begin(struct nb_model *model);                    /* goes back from first touch by `phase` of the step */
 
 /* stage.c */
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
@@ -258,15 +259,6 @@ void nb_walls_searched(struct nb_walls *walls); /* remembers where their ends ar
 /* NB_BROKEN when the centre of a body has crossed a wall in the step behind: of the pairs listed, or of all there are. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
 
-/* joints.c */
-struct nb_joint {
-  int c, d;       /* contacts of one body with two walls */
-  int at_c, at_d; /* which end of each wall is their common one, 0 or 1 */
-};
-bool nb_joints_meet(const struct nb_scene *scene); /* two walls have a common end */
-bool nb_joints_find(struct nb_model *model);       /* after a search; false: no memory */
-void nb_joints_settle(struct nb_model *model);     /* before the forces: which contacts are muted now */
-
 /* passes */
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
 extern const struct nb_pass nb_pass_joints;
@@ -283,12 +275,14 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall);
 enum { NB_DEEP_APART = 8 };                                /* counts of two threads lie in lines of their own */
 double nb_deep_share(const struct nb_model *model);        /* of the smaller diameter: the page's, or 7 % [R89 6.4.3] */
 bool nb_deep_begin(struct nb_model *model, size_t blocks); /* counts anew, after a search; false: no memory */
+void nb_deep_end(struct nb_model *model);                  /* nothing is elastic any more */
 void nb_deep_look(struct nb_model *model);                 /* after the forces: which is the first */
 bool nb_deep_is(const struct nb_model *model, size_t contact);
 unsigned long long nb_deep_count(const struct nb_model *model);
 
 /* watch.c: whether the step is still sure to be stable */
 bool nb_sure_begin(struct nb_model *model, size_t blocks); /* after a search; false: no memory */
+void nb_sure_end(struct nb_model *model);                  /* the laws do not stiffen any more */
 bool nb_sure_all(struct nb_model *model);                  /* after the forces: no contact is deeper than its NB_SURE */
 /* NB_BROKEN when the step is above the safe one, unless the page allows it; what is sure from there on. */
 enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */

@@ -269,7 +269,7 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
   unsigned fields = 0;
   for (size_t c = 0; c < scene->column_count; c++)
     fields |= scene->columns[c].quantity.kind->fields;
-  for (size_t s = 0; s < scene->stage_count; s++) {
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     for (size_t k = 0; k < stage->condition_count; k++)
       fields |= stage->conditions[k].quantity.kind->fields;

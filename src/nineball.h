@@ -298,6 +298,14 @@ struct nb_strain_rate {
   bool per_cycle;        /* strain of one cycle: divided by the step when it is used */
 };
 
+/* Contact laws by the names of their files, `linear`, `none`; empty: as before. What is remembered of contacts by a law that is
+ * another one from now on is forgotten. */
+struct nb_laws {
+  char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE];
+  int normal_line, shear_line;
+  int pieces; /* of a contact's history that the shear law keeps, at most; 0: as many as it likes best */
+};
+
 enum nb_relation { NB_BELOW, NB_ABOVE };
 struct nb_condition {
   char name[2 * NB_NAME_SIZE]; /* as written */
@@ -386,6 +394,8 @@ struct nb_stage {
   struct nb_step step;       /* as the scene's, unless the stage says otherwise */
   bool allow_unstable;       /* the step is not watched in this stage */
   struct nb_damping damping; /* as the stage before, unless this one says otherwise */
+  struct nb_laws laws;       /* as the stage before where they are empty */
+  unsigned long long hash;   /* of all that the page says up to the end of this stage, but what is only looked at */
   struct nb_leg leg;         /* of a path: `cycles` are its steps */
   int line;
 };
@@ -411,6 +421,17 @@ enum nb_unsure {
   NB_UNSURE_COLUMNS = 8, /* what is recorded */
   NB_UNSURE_STAGES = 16, /* which stages there are */
   NB_UNSURE_ALL = 31
+};
+
+/* `start PAGE stage NAME`: the scene goes on where a stage of another page ends. The scene has all that the other one has, its
+ * stages too; those are not run again, but their end is looked up among the saved states, or made first. */
+struct nb_start {
+  struct nb_page *page;               /* the other one; owned, as is all below */
+  struct nb_scene *scene;             /* and what it says, up to the end of that stage */
+  char (*settings)[2 * NB_NAME_SIZE]; /* which it is given: "v=0.1 m/s" */
+  size_t setting_count;
+  size_t stages; /* so many of the stages are those of the other page; 0: no such statement */
+  int line;
 };
 
 /* One run of a page: every name resolved, every number SI. Filled by nb_scene_read, constant from there on;
@@ -448,6 +469,7 @@ struct nb_scene {
   struct nb_region *regions;
   size_t region_count;
   struct nb_impact impact;
+  struct nb_start start;
   struct nb_column *columns;
   size_t column_count;
   struct nb_stage *stages;
@@ -486,10 +508,12 @@ double nb_body_inertia(const struct nb_scene *scene, const struct nb_body *body)
 /* ---- model.c, cycle.c: what runs ----------------------------------------------------------------------------------- */
 
 struct nb_options {
-  int threads;     /* 0: as many as OpenMP would take */
-  const char *isa; /* "plain", "avx2", "avx512"; NULL: the widest this machine has */
-  int jobs;        /* runs of a sweep side by side; 0: as many as there are processors for `threads` each */
-  bool shuffle;    /* store the bodies in another order than their numbers: a test that order changes nothing */
+  int threads;        /* 0: as many as OpenMP would take */
+  const char *isa;    /* "plain", "avx2", "avx512"; NULL: the widest this machine has */
+  int jobs;           /* runs of a sweep side by side; 0: as many as there are processors for `threads` each */
+  bool shuffle;       /* store the bodies in another order than their numbers: a test that order changes nothing */
+  bool whole;         /* keep of contacts all that a saved state holds */
+  const char *states; /* folder of saved states; NULL: `states` */
 };
 
 /* NULL and a filled error when it cannot be made. The scene must outlive the model. */
@@ -545,7 +569,8 @@ struct nb_result {
 
 /* Called about ten times a second while a run goes on, with the share done (0 to 1) and the seconds since its start. */
 struct nb_progress {
-  void (*call)(void *data, const char *stage, double share, double seconds);
+  void (*call)(void *data, const char *stage, double share, double seconds); /* or NULL */
+  void (*note)(void *data, const char *text);                                /* what is worth a word; or NULL */
   void *data;
 };
 

@@ -74,6 +74,15 @@ static void tell(void *data, const char *stage, double share, double seconds) {
   }
 }
 
+static void note(void *data, const char *words) {
+  const struct one *one = data;
+  const char *label = one->all->outcome->runs[one->run].label;
+  char text[1024];
+  snprintf(text, sizeof text, "%s%s%s", words, label[0] ? ", run " : "", label);
+#pragma omp critical(nb_outcome_tell)
+  one->all->progress->note(one->all->progress->data, text);
+}
+
 static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
   run->status = NB_OK;
   if (run->expectations.reference)
@@ -111,7 +120,8 @@ static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_option
     if (skip)
       continue;
     struct one one = {&all, r};
-    const struct nb_progress mine = {tell, &one};
+    const struct nb_progress mine = {progress && progress->call ? tell : NULL, progress && progress->note ? note : NULL,
+                                     &one};
     run_one(&outcome->runs[r], options, progress ? &mine : NULL);
     all.shares[r] = 1;
     if (outcome->runs[r].status) {

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hash.h"
 #include "reader.h"
 
 static const char *const kinds[NB_BLOCK_KINDS] = {
@@ -44,14 +45,6 @@ static char *slurp(const char *path, size_t *size) {
   fclose(file);
   errno = why;
   return bytes;
-}
-
-/* FNV-1a, 64 bits (Fowler, Noll, Vo). */
-static unsigned long long hash_of(const char *bytes, size_t size) {
-  unsigned long long hash = 14695981039346656037ULL;
-  for (size_t i = 0; i < size; i++)
-    hash = (hash ^ (unsigned char)bytes[i]) * 1099511628211ULL;
-  return hash;
 }
 
 /* How many bytes of UTF-8 make the character at c (RFC 3629, without control characters but tab); 0: none. */
@@ -213,12 +206,12 @@ static void name_page(struct nb_page *page, struct nb_mistakes *mistakes) {
 enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
                                   struct nb_mistakes *mistakes) {
   memset(page, 0, sizeof *page);
-  size_t before = mistakes->count;
+  size_t before = mistakes->made;
   page->path = malloc(strlen(path) + 1);
   if (page->path)
     strcpy(page->path, path);
   else
-    return mistakes->count++, NB_BAD_USE;
+    return mistakes->count++, mistakes->made++, NB_BAD_USE;
   name_page(page, mistakes);
 
   if (!bytes) {
@@ -226,14 +219,14 @@ enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const 
   } else if (size > NB_PAGE_MAX) {
     nb_mistake(mistakes, page, 0, 0, 0, NULL, "expected a page of at most %d bytes, this one is longer", NB_PAGE_MAX);
   } else {
-    page->hash = hash_of(bytes, size);
+    page->hash = nb_hash(NB_HASH_BEGIN, bytes, size);
     page->kind_of = calloc(size + 1, 1); /* no more lines than bytes; and a page that is a file has this array */
     if (page->kind_of && cut_lines(page, bytes, size, mistakes))
       find_blocks(page, mistakes);
     else
       nb_mistake(mistakes, page, 0, 0, 0, NULL, "there is not enough memory to read this page");
   }
-  if (mistakes->count == before)
+  if (mistakes->made == before)
     return NB_OK;
   nb_page_free(page);
   return NB_BAD_USE;

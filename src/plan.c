@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "state.h"
 #include "step.h"
 
 static void add(struct nb_pairing *pairing, nb_run_pass *run, int line, const char *kind, const char *name) {
@@ -59,14 +60,12 @@ static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
 }
 
-static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, const struct nb_law *normal,
-                         const struct nb_law *shear) {
+static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing) {
   const struct nb_scene *scene = model->scene;
+  const struct nb_law *normal = model->laws.normal, *shear = model->laws.shear;
   pairing->normal = normal;
   pairing->shear = rubs(pairing) && strcmp(shear->name, "none") != 0 ? shear : NULL;
   pairing->pass_count = 0;
-  if (normal->elastic)
-    model->kept |= NB_BIT(NB_REDUCED);
   if (stiffens(normal, shear))
     model->kept |= NB_BIT(NB_SURE);
   const enum nb_dashpots form = dashpots_of(scene);
@@ -82,9 +81,9 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
   add(pairing, geometry->run[isa], pairing->wall ? 0 : scene->cell.line, "", geometry->name);
   if (pairing->wall && model->joined)
     add(pairing, nb_pass_joints.run[isa], 0, "", nb_pass_joints.name);
-  add(pairing, normal->run[isa], scene->normal_line, "normal ", normal->name);
+  add(pairing, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
   if (pairing->shear)
-    add(pairing, shear->run[isa], scene->shear_line, "shear ", shear->name);
+    add(pairing, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
   if (normal->elastic)
     add(pairing, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
   const struct nb_pass *dashpots = &nb_pass_dashpots[form];
@@ -95,17 +94,17 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing, con
 
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
-  if (!normal || !shear)
-    return nb_error_set(error, NB_BAD_USE, "there is no law `%s %s`", normal ? "shear" : "normal",
-                        normal ? scene->shear : scene->normal);
   model->joined = nb_joints_meet(scene);
   model->dashpots = first_damped_line(scene) > 0;
   model->drag = model->dashpots ? NB_DRAG : NB_SHEAR;
   model->kept = nb_fields_watched(scene) & (NB_BIT(NB_FIELDS) - 1);
+  if (model->whole)
+    model->kept |= NB_SAVED_MASK;
+  if (nb_laws_elastic(scene)) /* whenever that is: of a law that goes it is asked once more what it has stored */
+    model->kept |= NB_BIT(NB_REDUCED);
   bool shears = false, loses = false;
   for (size_t p = 0; p < model->pairing_count; p++) {
-    plan_pairing(model, &model->pairings[p], normal, shear);
+    plan_pairing(model, &model->pairings[p]);
     shears = shears || model->pairings[p].shear;
     loses = loses || (model->pairings[p].shear && model->pairings[p].shear->loses);
   }
@@ -127,7 +126,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
 }
 
 bool nb_plan_stands(const struct nb_model *model) {
-  const bool none = strcmp(model->scene->shear, "none") == 0;
+  const bool none = strcmp(model->laws.shear->name, "none") == 0;
   for (size_t p = 0; p < model->pairing_count; p++)
     if (!none && rubs(&model->pairings[p]) != (model->pairings[p].shear != NULL))
       return false;
@@ -169,7 +168,11 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
     if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
       start[n++] = c;
   start[n] = contacts->count;
-  if ((nb_step_elastic(model) && !nb_deep_begin(model, n)) ||
+  if (!model->laws.normal->elastic)
+    nb_deep_end(model);
+  if (!(model->kept & NB_BIT(NB_SURE)))
+    nb_sure_end(model);
+  if ((model->laws.normal->elastic && !nb_deep_begin(model, n)) ||
       (model->kept & NB_BIT(NB_SURE) && !nb_sure_begin(model, n))) {
     free(start);
     return nb_error_set(error, NB_BROKEN, "out of memory while planning");

@@ -87,8 +87,13 @@ static void progress(void *data, const char *stage, double share, double seconds
           share > 0 ? seconds * (1 - share) / share : 0);
 }
 
+static void note(void *data, const char *text) {
+  const struct nb_progress_line *line = data;
+  fprintf(stderr, "%s%s: note: %s\n", line->shown > 0 ? "\r\033[K" : "", line->page, text);
+}
+
 struct nb_progress nb_print_progress(struct nb_progress_line *line) {
-  return (struct nb_progress){isatty(STDERR_FILENO) ? progress : NULL, line};
+  return (struct nb_progress){isatty(STDERR_FILENO) ? progress : NULL, note, line};
 }
 
 void nb_print_progress_end(struct nb_progress_line *line) {

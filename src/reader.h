@@ -101,7 +101,10 @@ enum {
   NB_IN_RAMP = 8, /* behind the word `ramp` */
   NB_IN_PATH = 16,
   NB_IN_LEG = 32,
-  NB_IN_CELL = 64 /* with one of the first two: of a scene without walls, so its example is none of the manual's page */
+  NB_IN_CELL =
+      64, /* with one of the first two: of a scene without walls, so its example is none of the manual's page */
+  NB_IN_START = 128, /* behind `start`, before the first stage */
+  NB_APART = 256     /* its example is a page of its own, for the manual */
 };
 
 enum nb_argument_kind {

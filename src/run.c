@@ -7,12 +7,14 @@
 #include "bench.h"
 #include "clock.h"
 #include "observe.h"
+#include "start.h"
 
 struct run {
   struct nb_result *result;
   const struct nb_scene *scene;
   struct nb_model *model;
   const struct nb_progress *progress;
+  unsigned long from; /* cycles done before this run */
   double began, told; /* s */
   unsigned long
       until_clock;       /* cycles to go before the clock is read again: reading it costs as much as a small cycle */
@@ -24,14 +26,14 @@ static enum nb_status out_of_memory(struct nb_error *error) {
 }
 
 static void tell(struct run *run, const struct nb_stage *stage) {
-  if (!run->progress || run->until_clock-- > 0)
+  if (!run->progress || !run->progress->call || run->until_clock-- > 0)
     return;
   run->until_clock = 100000 / (run->model->contacts.count + 20);
   const double t = nb_clock();
   if (t - run->told < 0.1)
     return;
   run->told = t;
-  run->progress->call(run->progress->data, stage->name, (double)run->model->cycle / (double)run->planned,
+  run->progress->call(run->progress->data, stage->name, (double)(run->model->cycle - run->from) / (double)run->planned,
                       t - run->began);
 }
 
@@ -61,11 +63,26 @@ static enum nb_status never_ended(const struct nb_stage *stage, const struct nb_
                       stage->line, stage->cycles, text);
 }
 
+/* Contacts that forget are worth a word. */
+static void note_laws(const struct run *run, const struct nb_stage *stage) {
+  const struct nb_model *model = run->model;
+  char text[4 * NB_NAME_SIZE];
+  for (int shear = 0; shear < 2 && run->progress && run->progress->note; shear++) {
+    if (!(shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model)))
+      continue;
+    snprintf(text, sizeof text, "from stage `%s` on %s %s instead of %s: contacts remember nothing of it", stage->name,
+             shear ? "shear" : "normal", (shear ? model->coming.shear : model->coming.normal)->name,
+             (shear ? model->laws.shear : model->laws.normal)->name);
+    run->progress->note(run->progress->data, text);
+  }
+}
+
 static enum nb_status run_stage(struct run *run, int index, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   struct nb_model *model = run->model;
   struct nb_result *result = run->result;
   enum nb_status status = nb_stage_begin(model, stage, error);
+  note_laws(run, stage);
   bool ended = false;
   while (!status && !ended) {
     status = nb_cycle(model, error);
@@ -91,32 +108,64 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
   return status;
 }
 
+/* From the scene's first stage to its last, or from behind those that a state stands for. What was seen is in the result whatever
+ * the status; the state at the end in *end, unless that is NULL. */
+static enum nb_status run_scene(struct run *run, const struct nb_options *options, struct nb_saved *end,
+                                struct nb_error *error) {
+  const struct nb_scene *scene = run->scene;
+  struct nb_result *result = run->result;
+  struct nb_saved start = {0};
+  const size_t first = scene->start.stages;
+  if (first > 0 && nb_start_take(&start, scene, options, run->progress, true, error)) {
+    nb_saved_free(&start);
+    return error->status;
+  }
+  run->began = nb_clock();
+  for (size_t s = first; s < scene->stage_count; s++)
+    run->planned += scene->stages[s].cycles;
+  result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
+  if (result->stage_cycles && nb_observe_begin(&result->table, scene))
+    run->model = nb_model_resume(scene, options, first > 0 ? &start : NULL, error);
+  else
+    out_of_memory(error);
+  nb_saved_free(&start);
+  if (!run->model)
+    return error->status;
+  run->from = run->model->cycle;
+  enum nb_status status = NB_OK;
+  if (scene->stages[first].record && !nb_observe(&result->table, run->model, (int)first))
+    status = out_of_memory(error);
+  for (size_t s = first; s < scene->stage_count && !status; s++)
+    status = run_stage(run, (int)s, error);
+  if (!status && end)
+    status = nb_saved_take(end, run->model, error);
+  result->cycles = run->model->cycle - run->from;
+  result->updates = run->model->updates;
+  result->searches = run->model->searches;
+  result->deep = nb_deep_count(run->model);
+  snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
+  result->seconds = nb_clock() - run->began;
+  nb_model_free(run->model);
+  return status;
+}
+
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error) {
   if (scene->path)
     return nb_bench_run(result, scene, progress, error);
   *result = (struct nb_result){0};
-  struct run run = {.result = result, .scene = scene, .progress = progress, .began = nb_clock()};
-  for (size_t s = 0; s < scene->stage_count; s++)
-    run.planned += scene->stages[s].cycles;
-  result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
-  if (!result->stage_cycles || !nb_observe_begin(&result->table, scene))
-    return out_of_memory(error);
-  run.model = nb_model_create(scene, options, error);
-  if (!run.model)
-    return error->status;
-  enum nb_status status = NB_OK;
-  if (scene->stages[0].record && !nb_observe(&result->table, run.model, 0))
-    status = out_of_memory(error);
-  for (size_t s = 0; s < scene->stage_count && !status; s++)
-    status = run_stage(&run, (int)s, error);
-  result->cycles = run.model->cycle;
-  result->updates = run.model->updates;
-  result->searches = run.model->searches;
-  result->deep = nb_deep_count(run.model);
-  snprintf(result->deep_first, sizeof result->deep_first, "%s", run.model->deep.first);
-  result->seconds = nb_clock() - run.began;
-  nb_model_free(run.model);
+  struct run run = {.result = result, .scene = scene, .progress = progress};
+  return run_scene(&run, options, NULL, error);
+}
+
+enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
+                         const struct nb_progress *progress, struct nb_error *error) {
+  struct nb_options whole = options ? *options : (struct nb_options){.threads = 1};
+  struct nb_result result = {0};
+  struct run run = {.result = &result, .scene = scene, .progress = progress};
+  whole.whole = true;
+  const enum nb_status status = run_scene(&run, &whole, saved, error);
+  nb_result_free(&result);
   return status;
 }
 

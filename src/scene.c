@@ -22,30 +22,6 @@ bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *w
   return true;
 }
 
-void nb_scene_free(struct nb_scene *scene) {
-  for (size_t i = 0; i < scene->stage_count; i++) {
-    free(scene->stages[i].motions);
-    free(scene->stages[i].changes);
-    free(scene->stages[i].removals);
-    free(scene->stages[i].conditions);
-    free(scene->stages[i].leg.points);
-  }
-  for (size_t i = 0; i < scene->grading_count; i++)
-    free(scene->gradings[i].sizes);
-  free(scene->gradings);
-  free(scene->fills);
-  free(scene->materials);
-  free(scene->pair_rules);
-  free(scene->bodies);
-  free(scene->walls);
-  free(scene->watches);
-  free(scene->regions);
-  free(scene->columns);
-  free(scene->stages);
-  free(scene->bindings);
-  memset(scene, 0, sizeof *scene);
-}
-
 bool nb_watch_unsure(const struct nb_scene *scene, const char *name) {
   size_t length = strcspn(name, ".");
   for (size_t i = 0; i < scene->watch_count; i++) {
@@ -110,10 +86,16 @@ static void read_lines(struct nb_scene_reading *reading) {
     bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
     if (!value && reading->survey)
       continue;
+    if (!value && !reading->survey)
+      nb_hash_line(reading);
     nb_statement_read(reader, nb_keywords(), reading->here, reading);
     reading->cell_unsure = reading->cell_unsure || (reader->bad && strcmp(verb, "cell") == 0);
+    if (reading->lost)
+      return;
     if (reader->bad && !reading->survey)
       reader->unsure |= unsure_after(reader);
+    if (reading->scene->stage_count > 0 && !reading->survey)
+      nb_stage_now(reading->scene)->hash = reading->hash;
   }
 }
 
@@ -166,6 +148,8 @@ static void check_whole(struct nb_scene_reading *reading) {
     nb_path_check(reading);
     return;
   }
+  if (reading->opening)
+    nb_stages_free(scene, scene->start.stages);
   nb_ramps_check(reading);
   nb_regions_check(reading);
   nb_cell_check(reading);
@@ -173,7 +157,7 @@ static void check_whole(struct nb_scene_reading *reading) {
   if (scene->body_count == 0 && !reading->bodies_unsure)
     nb_say_of_scene(reading, "`disc`, `sphere`, `discs` and `spheres` make them",
                     "expected a scene with bodies, found none");
-  if (scene->stage_count == 0)
+  if (scene->stage_count == scene->start.stages && !(scene->start.line && reading->bodies_unsure))
     nb_say_of_scene(reading, "begin it with `stage NAME`, and say how long it is with `cycles N`",
                     "expected a scene with a stage, found none");
   for (size_t i = 0; i < scene->stage_count; i++) {
@@ -192,7 +176,8 @@ static void check_step(struct nb_scene_reading *reading) {
   bool missing = scene->stage_count > 0 ? scene->stages[0].step.value == 0 : scene->step.value == 0;
   for (size_t i = 0; i < page->line_count && missing; i++) {
     bool here = page->kind_of[i] == 1 + NB_BLOCK_SCENE && nb_line_read(&reading->reader, i + 1);
-    if (here && strcmp(reading->reader.tokens[0].text, "step") == 0)
+    const char *verb = reading->reader.tokens[0].text;
+    if (here && (strcmp(verb, "step") == 0 || strcmp(verb, "start") == 0))
       missing = false;
   }
   if (missing)
@@ -222,9 +207,17 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   struct nb_scene *scene = reading->scene;
   survey(reading, mistakes);
   read_lines(reading);
+  if (reading->lost) {
+    scene->unsure = NB_UNSURE_ALL;
+    return;
+  }
   check_whole(reading);
   if (!scene->path && nb_page_fence(reading->reader.page, NB_BLOCK_SCENE))
     check_step(reading);
+  if (!scene->normal[0])
+    strcpy(scene->normal, "linear");
+  if (!scene->shear[0])
+    strcpy(scene->shear, "none");
   if (scene->impact.line && mistakes->made == before)
     nb_impact_aim(reading);
   if (!nb_scene_place(scene, &reading->place) && mistakes->made == before) {
@@ -235,10 +228,6 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   scene->unitless = reading->reader.unitless;
   scene->unsure =
       scene->path || nb_page_fence(reading->reader.page, NB_BLOCK_SCENE) ? reading->reader.unsure : NB_UNSURE_ALL;
-  if (!scene->normal[0])
-    strcpy(scene->normal, "linear");
-  if (!scene->shear[0])
-    strcpy(scene->shear, "none");
   if (mistakes->made == before)
     nb_laws_check(reading);
   if (mistakes->made == before && scene->path)
@@ -247,7 +236,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
 
 /* Reads one run, and says how many there are. */
 static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
-                               struct nb_mistakes *mistakes, size_t *runs) {
+                               struct nb_mistakes *mistakes, const struct nb_scene_reading *above, size_t *runs) {
   size_t before = mistakes->made;
   *scene = (struct nb_scene){.page = page};
   struct nb_scene_reading *reading = calloc(1, sizeof *reading);
@@ -255,6 +244,8 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
   if (reading && keep_settings(reading, settings)) {
     reading->scene = scene;
     reading->run = run;
+    reading->above = above;
+    reading->hash = nb_hash_settings(settings);
     scene->path = nb_page_fence(page, NB_BLOCK_PATH) != 0;
     reading->here = scene->path ? NB_IN_PATH : NB_IN_SCENE;
     reading->reader.page = page;
@@ -278,7 +269,7 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
 size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes) {
   struct nb_scene scene;
   size_t runs;
-  read_run(&scene, page, 0, settings, mistakes, &runs);
+  read_run(&scene, page, 0, settings, mistakes, NULL, &runs);
   nb_scene_free(&scene);
   return runs <= NB_RUNS_MAX ? runs : 1;
 }
@@ -286,5 +277,10 @@ size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                              struct nb_mistakes *mistakes) {
   size_t runs;
-  return read_run(scene, page, run, settings, mistakes, &runs);
+  return read_run(scene, page, run, settings, mistakes, NULL, &runs);
+}
+
+enum nb_status nb_scene_read_below(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
+                                   struct nb_mistakes *mistakes, const struct nb_scene_reading *above, size_t *runs) {
+  return read_run(scene, page, 0, settings, mistakes, above, runs);
 }

@@ -14,6 +14,7 @@
  *   scene_changes.c what else changes in them: materials, gravity; ramps
  *   scene_drive.c   what moves an assembly: its boundary, what carries it along
  *   scene_remove.c  bodies that stages take out
+ *   scene_start.c   a scene that goes on where another page's stage ends
  *   scene_laws.c    what laws ask of materials and bodies
  *   scene_place.c   the whole scene mirrored, turned, shifted
  *   scene_path.c    of a path: the contact, its legs
@@ -100,7 +101,12 @@ struct nb_scene_reading {
   size_t *rows;              /* of each sweep, in page order, from the survey; owned */
   size_t sweep_count, sweep; /* how many; the next one to come in this pass */
 
-  unsigned here; /* NB_IN_SCENE, from the first `stage` on NB_IN_STAGE */
+  unsigned here; /* NB_IN_SCENE, behind `start` NB_IN_START, from the first `stage` on NB_IN_STAGE */
+  const struct nb_scene_reading *above; /* which starts from this one; NULL: nobody */
+  size_t first;                         /* line of the first statement that is not about values */
+  bool lost;                            /* `start` has failed: nothing is known of what follows */
+  bool opening;            /* the last stage has no name yet: behind `start`, before the first stage of this page */
+  unsigned long long hash; /* of what has been read so far */
   int units_line;
   struct nb_place place;
   bool cell_unsure;       /* the statement about the cell was wrong */
@@ -175,6 +181,15 @@ bool nb_body_of(struct nb_body *body, const struct nb_scene *scene, struct nb_re
 /* `grading NAME {radius R}`, behind the word: index of the grading, and of its size or -1; -1 with a message. */
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
 
+/* The scene of another page, for the one that is being read; *runs: how many its sweeps make. */
+enum nb_status nb_scene_read_below(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
+                                   struct nb_mistakes *mistakes, const struct nb_scene_reading *above, size_t *runs);
+void nb_start_free(struct nb_start *start);
+/* What a state depends on: begun with the settings; then each statement. */
+unsigned long long nb_hash_settings(nb_settings settings);
+void nb_hash_line(struct nb_scene_reading *reading);
+void nb_stages_free(struct nb_scene *scene, size_t from); /* those from there on */
+
 /* What the rows of the table call. subject is the struct nb_scene_reading. */
 #define NB_APPLY(name) void name(struct nb_reader *reader, const struct nb_record *record, void *subject)
 NB_APPLY(nb_apply_units);
@@ -221,5 +236,6 @@ NB_APPLY(nb_apply_boundary);  /* variant 0: strain, 1: stress, 2: hold, 3: none 
 NB_APPLY(nb_apply_continuum); /* variant 1: none */
 NB_APPLY(nb_apply_servo);     /* variant 0: isotropic, 1: mean, 2: stress */
 NB_APPLY(nb_apply_rotation);  /* variant 1: off */
+NB_APPLY(nb_apply_start);
 
 #endif

@@ -206,6 +206,11 @@ static const struct nb_argument impact[] = {
   CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_SHARE, AT_PHASE, 1, "0", "It first touches when this much of the first step is over."),
   END
 };
+static const struct nb_argument start[] = {
+  WORD("PAGE", AT_NAME, "the name of another page"),
+  {"stage", "NAME", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_NAME2, 1, NULL, "Where it begins: at the end of that stage of the other page."},
+  END
+};
 static const struct nb_argument stage[] = {NAME(AT_NAME, "a name for the stage"), END};
 static const struct nb_argument leg[] = {NAME(AT_NAME, "a name for the leg"), END};
 static const struct nb_argument walls[] = {

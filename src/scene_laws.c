@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "laws/law.h"
+#include "laws_now.h"
 #include "scene.h"
 
 /* At the first word of that line. */
@@ -13,11 +13,11 @@ static void say(struct nb_scene_reading *reading, int line, const char *hint, co
     nb_token_mistake(&reading->reader, &reading->reader.tokens[0], hint, what, name);
 }
 
-static void check_material(struct nb_scene_reading *reading, int index, bool *said) {
+static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *said) {
   const struct nb_material *material = &reading->scene->materials[index];
   if (material->young == 0 && !said[index])
     say(reading, material->line, "add `young E  poisson NU`, or `rigid`",
-        "expected a material with `young` for `normal %s`", reading->scene->normal);
+        "expected a material with `young` for `normal %s`", law);
   said[index] = true;
 }
 
@@ -37,23 +37,23 @@ static void check_rigid(struct nb_scene_reading *reading, const int *on_body, co
   }
 }
 
-static void check_elastic(struct nb_scene_reading *reading) {
+static void check_elastic(struct nb_scene_reading *reading, const char *law) {
   const struct nb_scene *scene = reading->scene;
   bool said[NB_MATERIALS_MAX] = {false};
   int on_body[NB_MATERIALS_MAX] = {0}, on_wall[NB_MATERIALS_MAX] = {0};
   const struct nb_body *disc = NULL;
   for (size_t k = 0; k < scene->body_count; k++) {
-    check_material(reading, scene->bodies[k].material, said);
+    check_material(reading, scene->bodies[k].material, law, said);
     on_body[scene->bodies[k].material]++;
     if (!disc && scene->bodies[k].shape == NB_DISC)
       disc = &scene->bodies[k];
   }
   for (size_t w = 0; w < scene->wall_count; w++)
     if (scene->walls[w].material >= 0)
-      check_material(reading, scene->walls[w].material, said), on_wall[scene->walls[w].material]++;
+      check_material(reading, scene->walls[w].material, law, said), on_wall[scene->walls[w].material]++;
   if (disc)
     say(reading, disc->line, "`sphere` or `spheres`, or `normal linear`",
-        "expected spheres for `normal %s`, found a disc", scene->normal);
+        "expected spheres for `normal %s`, found a disc", law);
   check_rigid(reading, on_body, on_wall);
 }
 
@@ -73,35 +73,48 @@ static int cohesive_line(const struct nb_scene *scene) {
 }
 
 /* The dashpots that such a normal law cannot have. */
-static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping, bool elastic) {
+static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping,
+                          const struct nb_law *normal) {
+  const bool elastic = normal->elastic;
   if (!elastic && damping->deep > 0)
     say(reading, damping->deep_line, "`normal hertz`", "expected a normal law of elastic spheres for `%s`",
         "damping critical");
   if (elastic && damping->contact_kind == NB_CONTACT_FRACTION)
     say(reading, damping->contact_line, "elastic spheres have no critical step; `contact-ratio`",
-        "expected no `contact-fraction` for `normal %s`", reading->scene->normal);
+        "expected no `contact-fraction` for `normal %s`", normal->name);
   if (elastic && damping->walls_apart && damping->walls_kind == NB_CONTACT_FRACTION)
     say(reading, damping->walls_line, "elastic spheres have no critical step; `contact-ratio`",
-        "expected no `contact-fraction` for `normal %s`", reading->scene->normal);
+        "expected no `contact-fraction` for `normal %s`", normal->name);
+}
+
+/* What two laws ask that are in force together from `line` on. */
+static void check_laws(struct nb_scene_reading *reading, const struct nb_in_force *laws, int line) {
+  const struct nb_scene *scene = reading->scene;
+  const int cohesive = cohesive_line(scene);
+  if (laws->normal->elastic)
+    check_elastic(reading, laws->normal->name);
+  else if (laws->shear->elastic)
+    say(reading, line, "`normal hertz`", "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
+  if (laws->shear->cohesionless && cohesive > 0)
+    say(reading, cohesive, "its limit is mu N at every point of the contact", "expected no cohesion for `shear %s`",
+        laws->shear->name);
 }
 
 void nb_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
-  const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
-  if (!normal || !shear)
+  struct nb_in_force now = nb_laws_at_start(scene);
+  if (!now.normal || !now.shear)
     return;
-  if (normal->elastic)
-    check_elastic(reading);
-  else if (shear->elastic)
-    say(reading, scene->shear_line ? scene->shear_line : scene->normal_line, "`normal hertz`",
-        "expected a normal law of elastic spheres for `shear %s`", scene->shear);
-  check_damping(reading, &scene->damping, normal->elastic);
+  check_laws(reading, &now, now.shear_line ? now.shear_line : now.normal_line);
+  check_damping(reading, &scene->damping, now.normal);
   for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
     const struct nb_damping *before = s ? &scene->stages[s - 1].damping : &scene->damping;
-    if (!nb_damping_alike(before, &scene->stages[s].damping)) /* each is said once */
-      check_damping(reading, &scene->stages[s].damping, normal->elastic);
+    const struct nb_in_force old = now;
+    now = nb_laws_of(stage, now);
+    if (old.normal != now.normal || old.shear != now.shear)
+      check_laws(reading, &now, stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line);
+    if (old.normal != now.normal || !nb_damping_alike(before, &stage->damping)) /* each is said once */
+      check_damping(reading, &stage->damping, now.normal);
   }
-  if (shear->cohesionless && cohesive_line(scene) > 0)
-    say(reading, cohesive_line(scene), "its limit is mu N at every point of the contact",
-        "expected no cohesion for `shear %s`", scene->shear);
 }

@@ -17,9 +17,14 @@ NB_APPLY(nb_apply_stage) {
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
   const struct nb_stage *before = nb_stage_now(scene);
-  struct nb_stage stage = {.record = 1, .look = 1, .line = (int)reader->line};
+  struct nb_stage stage = {.record = 1, .look = 1};
   stage.step = before ? before->step : scene->step;
   stage.damping = before ? before->damping : scene->damping;
+  if (reading->opening) { /* what was said behind `start` is said in this one */
+    stage = scene->stages[--scene->stage_count];
+    reading->opening = false;
+  }
+  stage.line = (int)reader->line;
   if (name)
     snprintf(stage.name, sizeof stage.name, "%s", name->text);
   for (size_t i = 0; i < scene->stage_count; i++)

@@ -79,7 +79,7 @@ NB_APPLY(nb_apply_allow) {
   (void)record;
   if (!nb_take_word(reader, "unstable"))
     return;
-  if (stage)
+  if (stage && ((struct nb_scene_reading *)subject)->here == NB_IN_STAGE)
     stage->allow_unstable = true;
   else
     scene->allow_unstable = true;

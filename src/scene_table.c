@@ -10,14 +10,20 @@ static const struct nb_keyword table[] = {
    "Whether numbers carry units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
    "whole page.",
    "units     si"},
-  {"let", NB_IN_SCENE | NB_IN_PATH, name_of_value, "VALUE", 0, true, nb_apply_let,
+  {"let", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, name_of_value, "VALUE", 0, true, nb_apply_let,
    "Gives a name to a value, a word or a number and its unit. $NAME stands for it below; --set NAME=VALUE "
    "overrides it.",
    "let       grip 0.3"},
-  {"sweep", NB_IN_SCENE | NB_IN_PATH, name_of_value, "{with NAME …} VALUE …", 0, true, nb_apply_sweep,
+  {"sweep", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, name_of_value, "{with NAME …} VALUE …", 0, true, nb_apply_sweep,
    "Gives a name several values in turn, one run each; several names take their values together. Several sweeps make "
    "the product, the last one fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
+  {"start", NB_IN_SCENE | NB_APART, start, "{with NAME=VALUE …}", 0, false, nb_apply_start,
+   "Goes on where a stage of another page ends: PAGE.md in the same folder, given these values as by --set. Bodies, walls, materials, "
+   "laws, damping, gravity and step are those of its end, cycles and time count on; watches and columns are this page's own. What "
+   "is said before the first stage holds from that stage on. The other page is run up to there once, and its state kept in a "
+   "folder: docs/STATE.md. Stands before all but `units`, `let` and `sweep`.",
+   "start     nine-discs stage load\nwatch     C  disc 5 with disc 6\nrecord    cycle C.normal\nstage     rest\n  walls   stop\n  cycles  400"},
   {"material", NB_IN_SCENE | NB_IN_PATH, material, NULL, 0, true, nb_apply_material,
    "What bodies and walls are made of: the stiffness, friction and cohesion of a contact between two of the same "
    "material.",
@@ -26,13 +32,15 @@ static const struct nb_keyword table[] = {
    "What holds between two materials where the rule does not: harmonic mean of stiffnesses, smaller friction and "
    "cohesion.",
    "pair      steel glass  friction 0.1"},
-  {"normal", NB_IN_SCENE | NB_IN_PATH, law, NULL, 0, false, nb_apply_law,
-   "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it.",
+  {"normal", NB_IN_SCENE | NB_IN_PATH | NB_IN_STAGE | NB_IN_START, law, NULL, 0, false, nb_apply_law,
+   "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it everywhere. In a stage: from "
+   "this stage on; another law begins with contacts of which it remembers nothing.",
    "normal    linear"},
-  {"shear", NB_IN_SCENE | NB_IN_PATH, shear_law, NULL, 1, false, nb_apply_law,
-   "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it.",
+  {"shear", NB_IN_SCENE | NB_IN_PATH | NB_IN_STAGE | NB_IN_START, shear_law, NULL, 1, false, nb_apply_law,
+   "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it everywhere. In a stage: from this "
+   "stage on, as `normal`.",
    "shear     linear"},
-  {"damping", NB_IN_SCENE | NB_IN_STAGE, nothing,
+  {"damping", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing,
    "{walls} contact-beta TIME|contact-fraction X|contact-ratio X | walls none | critical above SHARE | global RATE | "
    "con1 X reading cs79|velocity|all | none",
    0, false, nb_apply_damping,
@@ -41,7 +49,7 @@ static const struct nb_keyword table[] = {
    "that overlap by more than that share of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
    "stage on.",
    "damping   contact-ratio 0.1\ndamping   walls contact-ratio 0.3\ndamping   global 2 1/s"},
-  {"gravity", NB_IN_SCENE | NB_IN_STAGE | NB_IN_RAMP, gravity, NULL, 0, false, nb_apply_gravity,
+  {"gravity", NB_IN_SCENE | NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, gravity, NULL, 0, false, nb_apply_gravity,
    "The same acceleration on all bodies that are free; default none. In a stage: from this stage on.",
    "gravity   0 m/s2 -9.81 m/s2"},
   {"disc", NB_IN_SCENE, body, NULL, NB_DISC, true, nb_apply_body,
@@ -86,15 +94,15 @@ static const struct nb_keyword table[] = {
    "Gives the free bodies above a velocity more, times the sine of a plane wave: so many periods from side to side of the "
    "cell, to the east and to the north, from its centre.",
    "wave      0 m/s 1 mm/s  periods 1 0"},
-  {"skin", NB_IN_SCENE, skin, NULL, 0, false, nb_apply_skin,
+  {"skin", NB_IN_SCENE | NB_IN_START, skin, NULL, 0, false, nb_apply_skin,
    "Pairs closer than this are listed as contacts that may come to touch [R89 TOL], and looked for again when something "
    "has moved half of it; default a tenth of the mean radius. No result depends on it.",
    "skin      0.5 mm"},
-  {"watch", NB_IN_SCENE, watch,
+  {"watch", NB_IN_SCENE | NB_IN_START, watch,
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME | grading NAME {radius R}", 0, true, nb_apply_watch,
    "Names a body, a contact, a wall, or a grading or one size of it, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`.",
    "watch     A  disc 1\nwatch     C  disc 1 with sphere 2\nwatch     F  sphere 9 with wall shelf\nwatch     S  wall shelf\nwatch     G  grading mixed\nwatch     H  grading mixed radius 5 mm"},
-  {"region", NB_IN_SCENE, region, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, true, nb_apply_region,
+  {"region", NB_IN_SCENE | NB_IN_START, region, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, true, nb_apply_region,
    "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest upright box round all outlines, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain is counted from the stage that `from` names, else from the start.",
    "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {"impact", NB_IN_SCENE, impact, NULL, 0, false, nb_apply_impact,
@@ -107,20 +115,20 @@ static const struct nb_keyword table[] = {
    "First it is mirrored, then turned about the origin, then shifted. The physics stays the same, the directions that "
    "are recorded do not.",
    "place     mirror none  turn 0 deg  shift 0.5 m 0 m"},
-  {"step", NB_IN_SCENE | NB_IN_STAGE, nothing, "TIME | N per contact | F of contact|safe|critical|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, nb_apply_step,
+  {"step", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing, "TIME | N per contact | F of contact|safe|critical|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, nb_apply_step,
    "How long a cycle is: a time, or a share of what is sure to be stable as a stage begins, of 2 sqrt(m/k) [CS79, "
    "Motion], or of the duration of the shortest contact there can be; no default. `N per contact` is the N-th part of that. "
    "Elastic spheres meet for Hertz's time, which goes with their speed: of those that would meet if all went straight on "
    "from there. `rayleigh` is a surface wave's time half round the smallest sphere, `rayleigh-mean` round the mean one, "
    "with `-fit` by R89's fit of its speed [R89 4.33, 4.34]. In a stage: from this stage on. --set step=... overrides it everywhere.",
    "step      0.1 of critical"},
-  {"allow", NB_IN_SCENE | NB_IN_STAGE, nothing, "unstable", 0, false, nb_apply_allow,
+  {"allow", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing, "unstable", 0, false, nb_apply_allow,
    "Lets a run go on whose step is above what is sure to be stable; else it stops there. In a stage: in this one only.",
    "allow     unstable"},
-  {"record", NB_IN_SCENE | NB_IN_PATH, nothing, "QUANTITY …", 0, false, nb_apply_columns,
+  {"record", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, nothing, "QUANTITY …", 0, false, nb_apply_columns,
    "The columns of the table, in this order; on the bench default step, overlap, slip, normal and shear.",
    "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
-  {"stage", NB_IN_SCENE | NB_IN_STAGE, stage, NULL, 0, true, nb_apply_stage,
+  {"stage", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, stage, NULL, 0, true, nb_apply_stage,
    "Begins a stage; the statements below belong to it, until the next one.",
    "stage     strike"},
   {"walls", NB_IN_STAGE | NB_IN_RAMP, walls, NULL, 0, false, nb_apply_walls,
@@ -129,10 +137,10 @@ static const struct nb_keyword table[] = {
   {"wall", NB_IN_STAGE | NB_IN_RAMP, wall_motion, NULL, 0, false, nb_apply_wall_motion,
    "How one wall moves from the beginning of this stage on: the velocity of its point P, its spin about P, or both.",
    "  wall    shelf  velocity 0 m/s -2 mm/s  spin 0.1 rad/s"},
-  {"material", NB_IN_STAGE | NB_IN_RAMP, material_change, NULL, 0, false, nb_apply_change,
+  {"material", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, material_change, NULL, 0, false, nb_apply_change,
    "What a material is from this stage on; what is not said stays as it was.",
    "  material glass  friction 0.4"},
-  {"pair", NB_IN_STAGE | NB_IN_RAMP, pair_change, NULL, 1, false, nb_apply_change,
+  {"pair", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, pair_change, NULL, 1, false, nb_apply_change,
    "What holds between two materials from this stage on, whatever the rule says; what is not said stays as it was.",
    "  pair    steel glass  cohesion 1 N"},
   {"cell strain", NB_IN_STAGE | NB_IN_CELL, strain, NULL, 0, false, nb_apply_cell_strain,

@@ -127,7 +127,10 @@ NB_APPLY(nb_apply_law) {
   const struct nb_token *token = record->value[AT_NAME].token;
   const char *kind = record->keyword->word;
   bool shear = record->keyword->variant, setting = reader == &reading->setting;
-  int *line = shear ? &scene->shear_line : &scene->normal_line;
+  struct nb_stage *stage = setting ? NULL : nb_stage_now(scene);
+  int *line = stage   ? shear ? &stage->laws.shear_line : &stage->laws.normal_line
+              : shear ? &scene->shear_line
+                      : &scene->normal_line;
   bool *set = shear ? &reading->shear_set : &reading->normal_set;
   if (!nb_law_find(kind, token->text)) {
     char what[NB_NAME_SIZE], hint[NB_HINT_SIZE];
@@ -153,9 +156,12 @@ NB_APPLY(nb_apply_law) {
     return;
   *set = setting;
   if (shear)
-    scene->pieces = pieces->token ? (int)pieces->number : 0;
+    *(stage ? &stage->laws.pieces : &scene->pieces) = pieces->token ? (int)pieces->number : 0;
   *line = setting ? 0 : (int)reader->line;
-  snprintf(shear ? scene->shear : scene->normal, NB_NAME_SIZE, "%s", token->text);
+  snprintf(stage   ? shear ? stage->laws.shear : stage->laws.normal
+           : shear ? scene->shear
+                   : scene->normal,
+           NB_NAME_SIZE, "%s", token->text);
 }
 
 /* A wall from one end to the other. It is defined even when the statement is wrong, for those who name it. */

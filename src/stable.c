@@ -38,9 +38,9 @@
 
 #include "step.h"
 
-/* A stage may have changed properties since the last forces. */
+/* A stage may have changed properties and laws since the last forces. */
 static void look_ahead(const struct nb_model *model) {
-  const struct nb_law *shear = nb_law_find("shear", model->scene->shear);
+  const struct nb_law *shear = strcmp(model->coming.shear->name, "none") == 0 ? NULL : model->coming.shear;
   for (size_t p = 0; p < model->pairing_count; p++) {
     struct nb_pairing *pairing = &model->pairings[p];
     pairing->coming = nb_properties_pair(&model->properties, pairing->a, pairing->b);
@@ -63,7 +63,7 @@ static struct nb_stiff stiff_at(const struct nb_model *model, const struct nb_pa
                                 double shear_memory[]) {
   struct nb_pair values = pairing->coming;
   values.radius = radius;
-  struct nb_normal normal = pairing->normal->normal(values, overlap, 0, normal_memory);
+  struct nb_normal normal = model->coming.normal->normal(values, overlap, 0, normal_memory);
   normal.overlap = overlap;
   struct nb_stiff k = {.kn = normal.stiffness};
   if (pairing->coming_shear)
@@ -93,9 +93,13 @@ static struct nb_stiff stiff_of(const struct nb_model *model, size_t c) {
     const struct nb_memory *memory = shear ? &contacts->shear_memory : &contacts->normal_memory;
     double room[NB_MEMORY], *to = shear ? shear_memory : normal_memory;
     const int doubles = memory->doubles > NB_MEMORY ? memory->doubles : NB_MEMORY;
-    memcpy(to, nb_memory_read(memory, c, room), (size_t)doubles * sizeof *to);
+    const bool forgets = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
+    if (forgets)
+      memset(to, 0, NB_MEMORY * sizeof *to); /* and of a row the first double is all that is looked at */
+    else
+      memcpy(to, nb_memory_read(memory, c, room), (size_t)doubles * sizeof *to);
   }
-  const double overlap = nb_overlap(model, c), least = pairing->normal->elastic ? 0 : just;
+  const double overlap = nb_overlap(model, c), least = model->coming.normal->elastic ? 0 : just;
   return stiff_at(model, pairing, overlap > least ? overlap : least, inverse_mass(model, c, pairing->wall),
                   nb_contacts_values(model, c, pairing->coming).radius, model->damping.deep > 0 && nb_deep_is(model, c),
                   normal_memory, shear_memory);
@@ -175,7 +179,7 @@ static struct nb_safe alone(const struct nb_model *model, double limit) {
         inverse += bodies->inverse_mass[lightest[side]];
         curvature += 1 / bodies->rim[lightest[side]].x;
       }
-    if (pairing->normal->elastic)
+    if (model->coming.normal->elastic)
       continue; /* elastic spheres have no stiffness when they just touch */
     struct nb_part part = {.own = stiff_at(model, pairing, just, inverse, 1 / curvature, false, normal, shear)};
     for (int side = 0; side < 2; side++) {

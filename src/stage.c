@@ -6,8 +6,8 @@
  *   gravity          in the kick around t_n
  *   wall             (n - 1/2)/N: over the step that ends at t_n, so that the wall's way is exact
  *
- * What does not ramp jumps at t_0. The forces at t_0 have been worked out with the old properties by then; the new ones hold
- * for those at t_1. Half of the kick around t_0 lies before it, so gravity is there the mean of the old and the new one, each
+ * What does not ramp jumps at t_0. The forces at t_0 have been worked out with the old properties and laws by then; the new ones
+ * hold for those at t_1. Half of the kick around t_0 lies before it, so gravity is there the mean of the old and the new one, each
  * for the time it lasts. `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -190,6 +190,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   if (stage->reverse)
     turn_walls(model);
   model->damping = stage->damping;
+  model->coming = nb_laws_of(stage, model->laws);
+  model->properties.pieces = model->coming.pieces;
   if (!walls_begin(model, stage) || !properties_begin(model))
     return nb_error_set(error, NB_BROKEN, "out of memory for stage `%s`", stage->name);
   const enum nb_status status = nb_step_set(model, &stage->step, error);
@@ -200,7 +202,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
     return error->status;
   if (stage->reverse)
     turn_bodies(model);
-  model->changing = stage->change_count > 0 || stage->gravity.line > 0;
+  model->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||
+                    nb_laws_shear_changes(model);
   model->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
   return status ? status : nb_stable_watch(model, error);
 }
@@ -222,12 +225,14 @@ enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb
     ramps = ramps || stage->changes[k].ramp;
   model->changing = ramps && share < 1;
   *searched = false;
-  if (stage->change_count == 0)
+  const bool others = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
+  if (stage->change_count == 0 && !others)
     return NB_OK;
   properties_go(model, share);
   for (size_t p = 0; p < model->pairing_count; p++)
     model->pairings[p].values = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b);
-  if (nb_plan_stands(model))
+  nb_laws_change(model);
+  if (!others && nb_plan_stands(model))
     return NB_OK;
   *searched = true; /* the search makes the arrays that the new plan wants, and takes over what laws remember */
   if (nb_plan(model, error))

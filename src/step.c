@@ -64,9 +64,7 @@ double nb_step_contact(const struct nb_model *model) {
   return pi / sqrt(square);
 }
 
-bool nb_step_elastic(const struct nb_model *model) {
-  return model->pairing_count > 0 && model->pairings[0].normal->elastic;
-}
+bool nb_step_elastic(const struct nb_model *model) { return model->pairing_count > 0 && model->coming.normal->elastic; }
 
 /* The longest that elastic spheres may overlap by rounding, as a share of the radius: it makes no stiffness to speak of. */
 static const double pressed = 1e-9;

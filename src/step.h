@@ -56,7 +56,7 @@ bool nb_fracc_begin(struct nb_model *model);  /* false: no memory */
 void nb_fracc_forces(struct nb_model *model); /* after the forces */
 
 /* step.c */
-bool nb_step_elastic(const struct nb_model *model);   /* the normal law is one of elastic spheres */
+bool nb_step_elastic(const struct nb_model *model);   /* the normal law ahead is one of elastic spheres */
 bool nb_step_pressed(const struct nb_model *model);   /* some of them are, by more than rounding */
 double nb_step_contact(const struct nb_model *model); /* duration of the shortest contact there can be, s */
 double nb_step_critical(const struct nb_model *model);

@@ -27,7 +27,9 @@ bool nb_first_word(char *first, const char *words) {
 }
 
 static const char *where_words(unsigned where, unsigned here) {
-  where &= ~(unsigned)(NB_IN_RAMP | NB_IN_CELL);
+  where &= ~(unsigned)(NB_IN_RAMP | NB_IN_CELL | NB_IN_START | NB_APART);
+  if (here == NB_IN_START && where & NB_IN_SCENE)
+    return "in a page that does not `start` from another";
   if (where == NB_IN_LEG)
     return "in a leg: below a line `leg NAME …`";
   if (!(where & ~(unsigned)(NB_IN_PATH | NB_IN_LEG)))
@@ -90,10 +92,13 @@ static bool same_verb(const struct nb_keyword *table, const struct nb_keyword *r
 
 /* The verb is unknown, or known but not here. Answers the row that was probably meant, or NULL. */
 static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struct nb_keyword *table, unsigned here) {
-  static const char *const places[] = {
-      [NB_IN_SCENE] = "a statement of the scene", [NB_IN_STAGE] = "a statement of a stage",
-      [NB_IN_EXPECT] = "an expectation",          [NB_IN_RAMP] = "something that can ramp",
-      [NB_IN_PATH] = "a statement of a path",     [NB_IN_LEG] = "a statement of a leg"};
+  static const char *const places[] = {[NB_IN_SCENE] = "a statement of the scene",
+                                       [NB_IN_STAGE] = "a statement of a stage",
+                                       [NB_IN_EXPECT] = "an expectation",
+                                       [NB_IN_RAMP] = "something that can ramp",
+                                       [NB_IN_PATH] = "a statement of a path",
+                                       [NB_IN_LEG] = "a statement of a leg",
+                                       [NB_IN_START] = "a statement of a page that starts from another"};
   char hint[NB_HINT_SIZE];
   char word[NB_NAME_SIZE];
   snprintf(hint, sizeof hint, "the %s word may be: ", here == NB_IN_RAMP ? "next" : "first");

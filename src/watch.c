@@ -55,6 +55,11 @@ bool nb_sure_begin(struct nb_model *model, size_t blocks) {
   return model->sure != NULL;
 }
 
+void nb_sure_end(struct nb_model *model) {
+  free(model->sure);
+  model->sure = NULL;
+}
+
 bool nb_sure_all(struct nb_model *model) {
   unsigned long above = 0;
   for (size_t v = 0; v < model->view_count; v++)

@@ -51,6 +51,7 @@ struct nb_law {
                              double m[]); /* for the bench and the tests */
   struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double slip, double m[]);
   double (*stored)(struct nb_pair, struct nb_normal, const double m[]); /* elastic energy, J; NULL: the law has none */
+  int (*used)(const double m[]); /* how many doubles of a contact's row mean something; NULL: all */
   /* What a contact's history is made of, for the bench: up to p.pieces overlaps x, m, ascending to alpha, and the D of the piece
    * that ends there, 1. Answers how many; NULL: the law keeps no such thing. */
   int (*pieces_of)(struct nb_pair, struct nb_normal, const double m[], double x[], double d[]);

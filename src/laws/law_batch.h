@@ -13,6 +13,7 @@
  *   #define LOSES                           it says what micro-slip loses (optional)
  *   #define COHESIONLESS                    it knows no cohesion (optional)
  *   #define AHEAD     ..._ahead             fetches what of a row it will need soon (optional)
+ *   #define USED  ..._used                  tells how many doubles of its row mean something (optional)
  *   #define PIECES_OF  ..._pieces           tells the pieces of its history (optional)
  *   #define STAGED                          it is three functions, see law_stages.h (optional; elastic shear laws with rows)
  *   #define BRANCHING, GAINS, INCREMENTAL   (optional, see law.h)
@@ -161,6 +162,9 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
 #endif
 #ifdef COHESIONLESS
     .cohesionless = true,
+#endif
+#ifdef USED
+    .used = USED,
 #endif
 #ifdef PIECES_OF
     .pieces_of = PIECES_OF,

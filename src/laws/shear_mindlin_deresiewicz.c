@@ -261,6 +261,8 @@ static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_norma
   return pieces > 0 ? m[1] / p.radius * friction * (n.force / n_of(at[pieces].x)) * held_by(at, pieces) : 0;
 }
 
+static int shear_mindlin_deresiewicz_used(const double m[]) { return HEAD + 5 * ((int)m[0] + 1); }
+
 /* From inside to outside: where pieces end, m, and their D. */
 static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n, const double m[], double x[],
                                             double d[]) {
@@ -293,5 +295,6 @@ static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
 #define PIECES 32
 #define STORED shear_mindlin_deresiewicz_stored
 #define AHEAD shear_mindlin_deresiewicz_ahead
+#define USED shear_mindlin_deresiewicz_used
 #define PIECES_OF shear_mindlin_deresiewicz_pieces
 #include "law_batch.h"

@@ -1,0 +1,18 @@
+/* What tells whether two texts are the same.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_HASH_H
+#define NB_HASH_H
+
+#include <stddef.h>
+
+/* FNV-1a, 64 bits (Fowler, Noll, Vo), going on from `hash`: every byte that differs makes another one. */
+#define NB_HASH_BEGIN 14695981039346656037ULL
+static inline unsigned long long nb_hash(unsigned long long hash, const void *bytes, size_t size) {
+  const unsigned char *c = bytes;
+  for (size_t i = 0; i < size; i++)
+    hash = (hash ^ c[i]) * 1099511628211ULL;
+  return hash;
+}
+
+#endif

@@ -1,0 +1,43 @@
+/* What of the machine a model uses: its instruction set and so many threads. No result depends on it.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "model.h"
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+static enum nb_isa widest_isa(void) {
+#if defined __x86_64__ && defined __GNUC__
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return NB_AVX512;
+  if (__builtin_cpu_supports("avx2"))
+    return NB_AVX2;
+#endif
+  return NB_PLAIN;
+}
+
+static const char *const isa_names[NB_ISAS] = {"plain", "avx2", "avx512"};
+
+enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error) {
+  model->isa = widest_isa();
+  if (options && options->isa) {
+    enum nb_isa isa = NB_PLAIN;
+    while (isa < NB_ISAS && strcmp(isa_names[isa], options->isa) != 0)
+      isa = (enum nb_isa)(isa + 1);
+    if (isa > model->isa)
+      return nb_error_set(error, NB_BAD_USE, "this machine does not run instruction set `%s`", options->isa);
+    model->isa = isa;
+  }
+  model->threads = options ? options->threads : 1;
+#ifdef _OPENMP
+  if (model->threads <= 0)
+    model->threads = omp_get_max_threads();
+#endif
+  if (model->threads <= 0)
+    model->threads = 1;
+  if (model->threads > NB_THREADS)
+    model->threads = NB_THREADS;
+  return NB_OK;
+}

@@ -1,0 +1,293 @@
+/* `start PAGE stage NAME`: the scene is that of another page up to the end of one of its stages, and goes on from there.
+ *
+ * So it has the other page's materials, bodies, walls, laws, and stages, and a reference sees all of them; but the lines of what it
+ * has from there are that of `start`. Regions, watches and columns are its own. What it says before its first stage holds
+ * from that stage on, as if it stood in it.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _XOPEN_SOURCE 700
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "hash.h"
+#include "scene.h"
+
+/* ---- what is taken over ---- */
+
+static void *copy_of(const void *array, size_t count, size_t element, bool *made) {
+  void *copy = nb_room(NULL, 0, count + 1, element); /* as an array that grows by nb_room */
+  if (copy && count > 0)
+    memcpy(copy, array, count * element);
+  *made = copy && *made;
+  return copy;
+}
+#define COPY(to, from, things, count)                                                                                  \
+  ((to)->things = copy_of((from)->things, (from)->count, sizeof *(from)->things, made),                                \
+   (to)->count = made ? (from)->count : 0)
+
+static int moved(int line, int start) { return line ? start : 0; }
+
+static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int line, bool *made) {
+  *to = *from;
+  COPY(to, from, motions, motion_count);
+  COPY(to, from, changes, change_count);
+  COPY(to, from, removals, removal_count);
+  COPY(to, from, conditions, condition_count);
+  to->leg = (struct nb_leg){.points = NULL};
+  if (!*made)
+    return;
+  for (size_t k = 0; k < to->motion_count; k++)
+    to->motions[k].line = line;
+  for (size_t k = 0; k < to->change_count; k++)
+    to->changes[k].line = line;
+  for (size_t k = 0; k < to->removal_count; k++)
+    to->removals[k].line = line;
+  for (size_t k = 0; k < to->condition_count; k++)
+    to->conditions[k].line = line, to->conditions[k].quantity.watch = -1; /* its watches are not taken over */
+  to->line = line, to->step.line = line, to->step.set = false;
+  to->gravity.line = moved(to->gravity.line, line);
+  to->damping.contact_line = moved(to->damping.contact_line, line);
+  to->damping.walls_line = moved(to->damping.walls_line, line);
+  to->damping.deep_line = moved(to->damping.deep_line, line);
+  to->damping.global_line = moved(to->damping.global_line, line);
+  to->laws.normal_line = moved(to->laws.normal_line, line), to->laws.shear_line = moved(to->laws.shear_line, line);
+}
+
+/* False: no memory. */
+static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line) {
+  bool whole = true, *made = &whole;
+  COPY(to, from, materials, material_count);
+  COPY(to, from, pair_rules, pair_rule_count);
+  COPY(to, from, bodies, body_count);
+  COPY(to, from, walls, wall_count);
+  to->stages = nb_room(NULL, 0, from->stage_count + 1, sizeof *to->stages);
+  for (size_t s = 0; to->stages && s < from->stage_count; s++)
+    copy_stage(&to->stages[to->stage_count++], &from->stages[s], line, made);
+  if (!to->stages || !whole)
+    return false;
+  for (size_t k = 0; k < to->material_count; k++)
+    to->materials[k].line = line;
+  for (size_t k = 0; k < to->pair_rule_count; k++)
+    to->pair_rules[k].line = line;
+  for (size_t k = 0; k < to->body_count; k++)
+    to->bodies[k].line = line;
+  for (size_t k = 0; k < to->wall_count; k++)
+    to->walls[k].line = line;
+  const bool normal_set = to->normal[0], shear_set = to->shear[0]; /* by --set, which is for what comes */
+  struct nb_laws set = {.pieces = to->pieces};
+  snprintf(set.normal, sizeof set.normal, "%s", normal_set ? to->normal : "");
+  snprintf(set.shear, sizeof set.shear, "%s", shear_set ? to->shear : "");
+  memcpy(to->normal, from->normal, sizeof to->normal), memcpy(to->shear, from->shear, sizeof to->shear);
+  to->normal_line = moved(from->normal_line, line), to->shear_line = moved(from->shear_line, line);
+  to->pieces = from->pieces;
+  to->damping = from->damping, to->gravity = from->gravity;
+  to->gravity.line = moved(to->gravity.line, line);
+  to->allow_unstable = from->allow_unstable;
+  const struct nb_stage *last = &to->stages[to->stage_count - 1];
+  struct nb_stage *opening = &to->stages[to->stage_count]; /* what `stage` will give its name to */
+  *opening = (struct nb_stage){
+      .record = 1, .look = 1, .line = line, .step = last->step, .damping = last->damping, .laws = set};
+  if (to->step.set)
+    opening->step = to->step;
+  to->step = to->stages[0].step;
+  to->stage_count++;
+  return true;
+}
+
+/* ---- the other page ---- */
+
+/* PATH of the page that the word names: beside this page, `.md` unless the word ends in it. Owned by the caller. */
+static char *path_of(const struct nb_page *page, const char *word) {
+  const char *slash = strrchr(page->path, '/');
+  const size_t folder = slash && word[0] != '/' ? (size_t)(slash - page->path) + 1 : 0, length = strlen(word);
+  const bool whole = length > 3 && strcmp(word + length - 3, ".md") == 0;
+  char *path = malloc(folder + length + sizeof ".md");
+  if (path)
+    sprintf(path, "%.*s%s%s", (int)folder, page->path, word, whole ? "" : ".md");
+  return path;
+}
+
+static bool same_file(const char *a, const char *b) {
+  char *one = realpath(a, NULL), *other = realpath(b, NULL);
+  const bool same = one && other && strcmp(one, other) == 0;
+  free(one), free(other);
+  return same;
+}
+
+/* A page that starts from itself, by way of others or not, would never begin. */
+static bool goes_round(const struct nb_scene_reading *reading, const char *path) {
+  for (const struct nb_scene_reading *above = reading; above; above = above->above)
+    if (same_file(above->reader.page->path, path))
+      return true;
+  return false;
+}
+
+/* `with NAME=VALUE …` */
+static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
+  while (nb_token_peek(reader)) {
+    const struct nb_token *token = nb_take(reader, "NAME=VALUE");
+    if (!token || token->hollow)
+      return false;
+    if (!strchr(token->text, '=') || token->text[0] == '=') {
+      reader->next--;
+      nb_expected(reader, NULL, "NAME=VALUE");
+      return false;
+    }
+    const struct nb_token *unit = nb_token_peek(reader);
+    const bool with_unit = unit && !unit->hollow && nb_unit_find(unit->text);
+    void *more = nb_room(start->settings, start->setting_count, 1, sizeof *start->settings);
+    if (!more)
+      return nb_no_memory(reader), false;
+    start->settings = more;
+    char(*setting)[2 * NB_NAME_SIZE] = &start->settings[start->setting_count++];
+    if ((size_t)snprintf(*setting, sizeof *setting, "%s%s%s", token->text, with_unit ? " " : "",
+                         with_unit ? unit->text : "") >= sizeof *setting) {
+      nb_token_mistake(reader, token, NULL, "expected NAME=VALUE shorter than %zu bytes", sizeof *setting);
+      return false;
+    }
+    reader->next += with_unit;
+  }
+  return true;
+}
+
+/* Its scene, with what it is given. */
+static bool read_other(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
+                       const struct nb_token *word) {
+  const char **texts = calloc(start->setting_count + 1, sizeof *texts);
+  struct nb_mistakes *mistakes = reader->mistakes;
+  const size_t before = mistakes->made;
+  size_t runs = 1;
+  if (!texts || !start->page || !start->scene) {
+    free(texts);
+    return nb_no_memory(reader), false;
+  }
+  for (size_t k = 0; k < start->setting_count; k++)
+    texts[k] = start->settings[k];
+  char *path = path_of(reader->page, word->text);
+  if (!path) {
+    nb_no_memory(reader);
+  } else if (goes_round(reading, path)) {
+    nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` starts from itself in the end", path);
+  } else if (!nb_page_read(start->page, path, mistakes)) {
+    nb_scene_read_below(start->scene, start->page, texts, mistakes, reading, &runs);
+    if (mistakes->made == before && start->scene->path)
+      nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a path");
+    else if (mistakes->made == before && runs > 1)
+      nb_token_mistake(reader, word, "give what it sweeps one value: `with NAME=VALUE`",
+                       "expected a page of one run, found one of %zu", runs);
+  }
+  free(path), free(texts);
+  if (mistakes->made > before && !reader->bad)
+    nb_token_mistake(reader, word, NULL, "the page that this one starts from has the mistakes above or below");
+  return mistakes->made == before;
+}
+
+/* Whether up to that stage there is something that a saved state has no records of. */
+static bool driven(const struct nb_scene *scene, size_t last) {
+  bool found = scene->cell.line || scene->circle.line || scene->gravity.inward != 0;
+  for (size_t s = 0; s <= last && !found; s++) {
+    const struct nb_stage *it = &scene->stages[s];
+    found = it->circle.line || it->boundary.line || it->continuum.line || it->rotation != NB_ROTATION_AS_BEFORE ||
+            it->gravity.inward != 0;
+  }
+  return found;
+}
+
+/* Cuts the other page's scene behind that stage. */
+static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct nb_token *name) {
+  char hint[NB_HINT_SIZE];
+  struct nb_guess guess = nb_guess_begin(name->text);
+  size_t s = 0;
+  while (s < other->stage_count && strcmp(other->stages[s].name, name->text) != 0)
+    nb_guess_offer(&guess, other->stages[s++].name);
+  if (s == other->stage_count) {
+    nb_token_mistake(reader, name, nb_guess_hint(&guess, hint), "expected the name of a stage of that page, found `%s`",
+                     name->text);
+    return false;
+  }
+  if (s < other->start.stages) {
+    nb_token_mistake(reader, name, "start from that page instead",
+                     "expected a stage that the page has of its own, `%s` is one that it starts from", name->text);
+    return false;
+  }
+  if (driven(other, s)) {
+    nb_token_mistake(
+        reader, name, NULL,
+        "expected a page without cell, boundary, continuum, `rotation` and gravity towards a point: a saved "
+        "state holds none of them");
+    return false;
+  }
+  other->column_count = 0; /* nobody looks at it */
+  for (size_t k = 0; k <= s; k++)
+    other->stages[k].record = 0, other->stages[k].snapshot = false;
+  nb_stages_free(other, s + 1);
+  return true;
+}
+
+NB_APPLY(nb_apply_start) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
+  struct nb_start *start = &scene->start;
+  const struct nb_token *word = record->value[AT_NAME].token, *name = record->value[AT_NAME2].token;
+  reading->lost = reading->bodies_unsure = true; /* until all is known */
+  if (scene->start.line || reading->first != reader->line) {
+    nb_token_mistake(reader, &reader->tokens[0], NULL,
+                     "expected `start` once, before all but `units`, `let` and `sweep`");
+    return;
+  }
+  start->line = (int)reader->line;
+  start->page = calloc(1, sizeof *start->page), start->scene = calloc(1, sizeof *start->scene);
+  if (nb_token_peek(reader) && (!nb_take_word(reader, "with") || !take_settings(reader, start)))
+    return;
+  if (reader->bad || !read_other(reading, reader, start, word) || !cut(reader, start->scene, name))
+    return;
+  if (reading->units_line && reader->unitless != start->scene->unitless) {
+    nb_token_mistake(reader, word, NULL, "expected a page with the same `units`");
+    return;
+  }
+  reading->reader.unitless = reading->setting.unitless = start->scene->unitless;
+  reading->hash = nb_hash(reading->hash, &start->scene->stages[start->scene->stage_count - 1].hash,
+                          sizeof start->scene->stages->hash);
+  if (!take_over(scene, start->scene, start->line)) {
+    nb_no_memory(reader);
+    return;
+  }
+  start->stages = start->scene->stage_count;
+  reading->lost = reading->bodies_unsure = false;
+  reading->opening = true;
+  reading->here = NB_IN_START;
+}
+
+void nb_start_free(struct nb_start *start) {
+  if (start->scene)
+    nb_scene_free(start->scene);
+  if (start->page)
+    nb_page_free(start->page);
+  free(start->scene), free(start->page), free(start->settings);
+}
+
+/* ---- what a state depends on ---- */
+
+/* What the hash begins with: the program, and settings of statements; those of values are in the statements that use them. */
+unsigned long long nb_hash_settings(nb_settings settings) {
+  static const char *const statements[] = {"normal=", "shear=", "step="};
+  unsigned long long hash = nb_hash(NB_HASH_BEGIN, NB_VERSION, sizeof NB_VERSION);
+  for (size_t k = 0; settings && settings[k]; k++)
+    for (size_t s = 0; s < sizeof statements / sizeof *statements; s++)
+      if (strncmp(settings[k], statements[s], strlen(statements[s])) == 0)
+        hash = nb_hash(hash, settings[k], strlen(settings[k]) + 1);
+  return hash;
+}
+
+/* What a state depends on: the statements as they are with all values in place, but for those that only look. */
+void nb_hash_line(struct nb_scene_reading *reading) {
+  const struct nb_reader *reader = &reading->reader;
+  const char *verb = reader->tokens[0].text;
+  reading->first = reading->first ? reading->first : reader->line;
+  if (strcmp(verb, "record") == 0 || strcmp(verb, "snapshot") == 0 || strcmp(verb, "start") == 0)
+    return; /* `start` adds what the other page comes to */
+  for (size_t k = 0; k < reader->count; k++)
+    reading->hash = nb_hash(reading->hash, reader->tokens[k].text, strlen(reader->tokens[k].text) + 1);
+  reading->hash = nb_hash(reading->hash, "\n", 1);
+}

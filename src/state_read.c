@@ -1,0 +1,198 @@
+/* A saved state from text. First the checksum: a file that is cut off, or in which anything has changed, is not read at all. Then
+ * record by record; whatever is not as docs/STATE.md says is an error with file, line, column and what was expected.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "state_reading.h"
+
+/* "PATH:7:12: expected a number, found `x`" at the field that was taken last. */
+void nb_saved_expected(struct nb_state_reading *reading, const char *format, ...) {
+  char what[160];
+  va_list list;
+  if (reading->bad)
+    return;
+  reading->bad = true;
+  va_start(list, format);
+  vsnprintf(what, sizeof what, format, list);
+  va_end(list);
+  const char *from = reading->taken < reading->end ? reading->taken : reading->end;
+  const int column = (int)(from - reading->line) + 1, length = (int)strcspn(from, " \n");
+  if (length > 0)
+    nb_error_set(reading->error, NB_BAD_USE, "%.150s:%zu:%d: expected %s, found `%.*s`", reading->path, reading->number,
+                 column, what, length < 60 ? length : 60, from);
+  else
+    nb_error_set(reading->error, NB_BAD_USE, "%.150s:%zu:%d: expected %s, found the end of the line", reading->path,
+                 reading->number, column, what);
+}
+
+/* ---- fields ---- */
+
+/* The next field, as a text of its own; empty, and said, when there is none. */
+void nb_saved_take_field(struct nb_state_reading *reading, char field[NB_STATE_FIELD], const char *what) {
+  field[0] = 0;
+  reading->taken = reading->at;
+  const size_t length = reading->at < reading->end ? strcspn(reading->at, " \n") : 0;
+  if (length == 0 || length >= NB_STATE_FIELD) {
+    nb_saved_expected(reading, "%s", what);
+    return;
+  }
+  memcpy(field, reading->at, length);
+  field[length] = 0;
+  reading->at += length;
+  if (reading->at < reading->end)
+    reading->at++;
+}
+
+bool nb_saved_ended(const struct nb_state_reading *reading) { return reading->at >= reading->end; }
+
+double nb_saved_number(struct nb_state_reading *reading) {
+  char field[NB_STATE_FIELD], *end;
+  nb_saved_take_field(reading, field, "a number");
+  if (strcmp(field, "-") == 0)
+    return NAN;
+  const double value = strtod(field, &end);
+  if (*end || !field[0] || isnan(value))
+    nb_saved_expected(reading, "a number");
+  return value;
+}
+
+/* Neither unsaid nor infinite. */
+double nb_saved_finite(struct nb_state_reading *reading) {
+  const double value = nb_saved_number(reading);
+  if (!isfinite(value))
+    nb_saved_expected(reading, "a finite number");
+  return value;
+}
+
+struct nb_vec nb_saved_vector(struct nb_state_reading *reading) {
+  const double x = nb_saved_finite(reading);
+  return vec(x, nb_saved_finite(reading));
+}
+
+unsigned long nb_saved_count(struct nb_state_reading *reading, unsigned long low, unsigned long high) {
+  char field[NB_STATE_FIELD], *end;
+  nb_saved_take_field(reading, field, "a whole number");
+  errno = 0;
+  const unsigned long value = strtoul(field, &end, 10);
+  if (*end || field[0] < '0' || field[0] > '9' || errno || value < low || value > high)
+    nb_saved_expected(reading, "a whole number from %lu to %lu", low, high);
+  return reading->bad ? low : value;
+}
+
+void nb_saved_name(struct nb_state_reading *reading, char name[NB_NAME_SIZE], const char *what) {
+  char field[NB_STATE_FIELD];
+  nb_saved_take_field(reading, field, what);
+  if (strlen(field) >= NB_NAME_SIZE)
+    nb_saved_expected(reading, "%s", what);
+  snprintf(name, NB_NAME_SIZE, "%.*s", NB_NAME_SIZE - 1, field);
+}
+
+/* Which of two or three words. */
+int nb_saved_one_of(struct nb_state_reading *reading, const char *a, const char *b, const char *c) {
+  char field[NB_STATE_FIELD];
+  nb_saved_take_field(reading, field, a);
+  if (strcmp(field, a) == 0)
+    return 0;
+  if (strcmp(field, b) == 0)
+    return 1;
+  if (c && strcmp(field, c) == 0)
+    return 2;
+  nb_saved_expected(reading, "`%s`, `%s`%s%s%s", a, b, c ? " or `" : "", c ? c : "", c ? "`" : "");
+  return 0;
+}
+
+/* The rest of the line, blanks and all. */
+void nb_saved_rest(struct nb_state_reading *reading, char *text, size_t size) {
+  reading->taken = reading->at;
+  const size_t length = reading->at < reading->end ? (size_t)(reading->end - reading->at) : 0;
+  if (length == 0 || length >= size)
+    nb_saved_expected(reading, "a text shorter than %zu bytes", size);
+  snprintf(text, size, "%.*s", (int)(length < size ? length : 0), reading->at);
+  reading->at = reading->end;
+}
+
+static void read_record(struct nb_state_reading *reading) {
+  char word[NB_STATE_FIELD];
+  reading->at = reading->line;
+  nb_saved_take_field(reading, word, "a record");
+  nb_state_record *read = nb_state_record_of(word);
+  if (!read) {
+    nb_saved_expected(reading, "a record that this program knows");
+    return;
+  }
+  read(reading);
+  reading->taken = reading->at;
+  if (!nb_saved_ended(reading))
+    nb_saved_expected(reading, "the end of the line");
+}
+
+/* ---- the whole ---- */
+
+static enum nb_status damaged(const char *path, const char *text, size_t size, size_t last, const char *what,
+                              struct nb_error *error) {
+  size_t line = 1;
+  for (size_t i = 0; i < last && i < size; i++)
+    line += text[i] == '\n';
+  return nb_error_set(error, NB_BAD_USE, "%.200s:%zu:1: %s", path, line, what);
+}
+
+enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, const char *text, size_t size,
+                                  struct nb_error *error) {
+  static const char head[] = "nineball state 1\n";
+  char end[NB_STATE_END + 1];
+  *saved = (struct nb_saved){0};
+  if (size < sizeof head - 1 || memcmp(text, head, sizeof head - 1) != 0)
+    return damaged(path, text, 0, 0, "expected `nineball state 1`: this is no saved state, or one of another version",
+                   error);
+  const size_t last = size - NB_STATE_END;
+  if (size < sizeof head - 1 + NB_STATE_END || memcmp(text + last, "end ", 4) != 0)
+    return damaged(path, text, size, size, "expected a last line `end` with its checksum: the file is cut off", error);
+  snprintf(end, sizeof end, "end %016llx\n", nb_hash(NB_HASH_BEGIN, text, last));
+  if (memcmp(text + last, end, NB_STATE_END) != 0)
+    return damaged(path, text, size, last, "expected another checksum: something in the file has changed", error);
+
+  struct nb_state_reading reading = {
+      .saved = saved, .path = path, .number = 1, .error = error, .line = text + sizeof head - 1};
+  while (reading.line < text + last && !reading.bad) {
+    reading.end = memchr(reading.line, '\n', size); /* the last line ends in one */
+    reading.number++;
+    read_record(&reading);
+    reading.line = reading.end + 1;
+  }
+  if (!reading.bad)
+    return NB_OK;
+  nb_saved_free(saved);
+  return error->status;
+}
+
+enum nb_status nb_saved_read(struct nb_saved *saved, const char *path, struct nb_error *error) {
+  struct stat status;
+  *saved = (struct nb_saved){0};
+  FILE *file = fopen(path, "rb");
+  if (!file || fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode)) {
+    const char *why = !file ? strerror(errno) : "it is no file";
+    nb_error_set(error, NB_BAD_USE, "%.200s: cannot be read: %s", path, why);
+    if (file)
+      fclose(file);
+    return NB_BAD_USE;
+  }
+  const size_t size = (size_t)status.st_size;
+  char *text = malloc(size + 1);
+  enum nb_status read = NB_OK;
+  if (!text)
+    read = nb_error_set(error, NB_BROKEN, "out of memory for %.200s", path);
+  else if (fread(text, 1, size, file) != size)
+    read = nb_error_set(error, NB_BAD_USE, "%.200s: cannot be read: %s", path, strerror(errno));
+  else
+    text[size] = 0, read = nb_saved_read_text(saved, path, text, size, error);
+  free(text);
+  fclose(file);
+  return read;
+}

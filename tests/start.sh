@@ -1,0 +1,140 @@
+#!/bin/sh
+# Pages that start from another page's stage: the same bytes as without the interruption, whether the state is made now or found; once for
+# all who want it at the same time; made anew when the page has changed; and no state where it could not be made whole. TAP.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+pages=$work/pages
+mkdir "$pages"
+states=$work/states
+cp cases/nine-discs.md cases/saved-stage.md "$pages"
+
+# rows FOLDER STAGE: the numbers of that stage.
+rows() { awk -F '\t' -v stage="$2" '/^#/ { next } !head { for (k = 1; k <= NF; k++) at[$k] = k; head = 1; next }
+  $(at["stage"]) == stage { print $(at["cycle/-"]), $(at["C.normal/-"]) }' "$1/table.tsv"; }
+run() {
+  folder=$work/$1
+  shift
+  "$nineball" run "$@" --states "$states" -o "$folder" >"$work/out" 2>"$work/said"
+}
+made() { grep -c 'is made$' "$work/said"; }
+
+"$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" &&
+  grep -q 'nine-discs-load-[0-9a-f]*.state: not there, will be made' "$work/said"
+result $? 'explain says that it will be made'
+
+run whole cases/nine-discs.md
+run now "$pages/saved-stage.md" && test "$(made)" -eq 1
+result $? 'the state is made'
+rows "$work/whole" swing >"$work/wanted"
+rows "$work/now" rest | sed 1d | head -n 400 | diff - "$work/wanted" >"$work/said" && test "$(wc -l <"$work/wanted")" -eq 400
+result $? 'the numbers are those of the page without interruption'
+run found "$pages/saved-stage.md" && test "$(made)" -eq 0 && cmp "$work/now/table.tsv" "$work/found/table.tsv"
+result $? 'and the same when it is found'
+"$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'state: there$' "$work/said"
+result $? 'explain says that it is there'
+run threads "$pages/saved-stage.md" --threads 3 --isa plain && cmp "$work/now/table.tsv" "$work/threads/table.tsv"
+result $? 'with other threads and instruction set too'
+
+# ---- chains ----
+
+cat >"$pages/third.md" <<'END'
+# From a page that starts from another
+```scene
+start   saved-stage stage rest
+watch   C  disc 5 with disc 6
+record  cycle C.normal
+stage   more
+cycles  10
+```
+END
+run third "$pages/third.md" && test "$(made)" -eq 1 && test "$(rows "$work/third" more | tail -n 1 | cut -d ' ' -f 1)" -eq 4050
+result $? 'chains: the nearer state is made from the farther one'
+rm "$states"/*
+run third-anew "$pages/third.md" && test "$(made)" -eq 2 && cmp "$work/third/table.tsv" "$work/third-anew/table.tsv"
+result $? 'or both are'
+sed 's/^start .*/start third stage more/; s/stage   more/stage again/' "$pages/third.md" >"$pages/fourth.md"
+sed 's/^start .*/start fourth stage again/' "$pages/saved-stage.md" >"$pages/other.md"
+mv "$pages/other.md" "$pages/saved-stage.md"
+"$nineball" explain "$pages/third.md" --states "$states" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -q 'starts from itself in the end' "$work/said"
+result $? 'a chain that bites its tail is a mistake'
+cp cases/saved-stage.md "$pages"
+
+# ---- another text of the page ----
+
+sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/nine-discs.md >"$pages/nine-discs.md"
+"$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'stale, will be made anew' "$work/said"
+result $? 'a page that has changed makes its state stale'
+run changed "$pages/saved-stage.md"
+test "$(made)" -eq 1 && ! cmp -s "$work/now/table.tsv" "$work/changed/table.tsv" &&
+  test "$(ls "$states" | grep -c '^nine-discs-load-')" -eq 1
+result $? 'it is made anew, and the old one goes'
+sed 's/^walls     inward 0.12/walls     inward 0.12   # as ever/; s/^cycles    4000/cycles    7/; s/^record .*/record time/' \
+  cases/nine-discs.md >"$pages/nine-discs.md"
+run back "$pages/saved-stage.md" && run again "$pages/saved-stage.md" && test "$(made)" -eq 0
+result $? 'what is only looked at, remarks and what comes later make no difference'
+
+# ---- sweeps, and several at once ----
+
+cat >"$pages/sweep.md" <<'END'
+# Runs side by side, two of which want the same state
+```scene
+sweep   ks 1.35e9 0.9e9
+sweep   n  5 7
+start   nine-discs stage load  with ks=$ks
+watch   C  disc 5 with disc 6
+record  cycle C.normal
+stage   rest
+walls   stop
+cycles  $n
+```
+END
+rm "$states"/*
+run sweep "$pages/sweep.md" --jobs 4
+test "$(made)" -eq 0 && test "$(grep -c 'is made, run' "$work/said")" -eq 2 && test "$(ls "$states" | wc -l)" -eq 2
+result $? 'runs of a sweep make each state once'
+
+# A state that takes a while.
+sed 's/^cycles    40$/cycles    400000/; s/inward 0.12/inward 1e-5/; s/^record .*/record time/; s/^stage     load/&\nrecord none/' cases/nine-discs.md >"$pages/nine-discs.md"
+sed 's/^cycles    4000/cycles    10/; /^```expect/,/^```$/d' cases/saved-stage.md >"$pages/saved-stage.md"
+rm "$states"/*
+for k in 1 2 3; do
+  "$nineball" run "$pages/saved-stage.md" --states "$states" -o "$work/at-once-$k" >"$work/out-$k" 2>"$work/said-$k" &
+done
+wait
+cat "$work"/said-[123] >"$work/said"
+test "$(made)" -eq 1 && test "$(grep -c 'note: waits for process [0-9]*, which makes' "$work/said")" -eq 2 &&
+  cmp "$work/at-once-1/table.tsv" "$work/at-once-2/table.tsv" && cmp "$work/at-once-1/table.tsv" "$work/at-once-3/table.tsv" &&
+  test "$(ls "$states" | wc -l)" -eq 1
+result $? 'three at once: one makes it, the others wait for it'
+
+rm "$states"/*
+"$nineball" run "$pages/saved-stage.md" --states "$states" -o "$work/killed" >"$work/out" 2>"$work/said" &
+maker=$!
+while kill -0 $maker 2>/dev/null && ! ls "$states"/*.lock >/dev/null 2>&1; do sleep 0.01; done
+kill -9 $maker
+wait $maker 2>/dev/null
+test -z "$(ls "$states" | grep '\.state$')"
+result $? 'who is killed while making it leaves none'
+touch "$states/$(basename "$(ls "$states"/*.lock)" .lock).12345.new" # as if he had begun to write
+run after-kill "$pages/saved-stage.md" && test "$(made)" -eq 1 && ! grep -q waits "$work/said" &&
+  cmp "$work/after-kill/table.tsv" "$work/at-once-1/table.tsv" && test "$(ls "$states" | wc -l)" -eq 1
+result $? 'and nobody waits for him'
+
+# ---- what is damaged, what cannot be written ----
+
+state=$(ls "$states"/*.state)
+sed 's/^body 3 disc/body 3 sphere/' "$state" >"$work/damaged" && cp "$work/damaged" "$state"
+run damaged "$pages/saved-stage.md"
+test $? -eq 2 && grep -q 'expected another checksum: something in the file has changed' "$work/said"
+result $? 'a damaged state is not used'
+rm "$states"/*
+(ulimit -f 1 && trap '' XFSZ && run full "$pages/saved-stage.md")
+test $? -eq 2 && grep -q 'cannot write .*state' "$work/said" && test -z "$(ls "$states")"
+result $? 'a full disk: an error, and nothing is left'
+"$nineball" run "$pages/saved-stage.md" --states /dev/null/states -o "$work/none" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -q 'cannot make the folder' "$work/said"
+result $? 'no folder: an error'
+echo "1..$n"

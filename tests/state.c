@@ -1,0 +1,194 @@
+/* A run that goes on from a saved state comes to the very bits of the one that was not interrupted: whatever the laws, whatever has
+ * happened before, and whichever way the second half is run.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../src/state.h"
+#include "suites.h"
+#include "written.h"
+
+/* Twelve bodies that are squeezed, dragged and pulled; a wall that turns, one that is ramped, a body that is held and moves, one
+ * that flies, one that spins, and one that is taken out. */
+static const char scene[] =
+    "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 young 5000 poisson 0.2\nmaterial p density 3 kn "
+    "6000 "
+    "ks 2000 friction 0.2 young 8000 poisson 0.3\npair m p friction 0.25\nnormal %s\nshear %s\nbox 0 0 to 8.1 6.1 p\n"
+    "wall lid 1 7 to 6 8.5 p about 0 9 spin 0.05\n%s lattice 4 by 3 m radius 1 spacing 2.01 from 1.01 1.01\n%s 9.05 3 "
+    "radius "
+    "0.98 p fixed velocity -0.1 0 spin 0.5\n%s 3 7.4 radius 0.7 p velocity 0.3 -1 spin 2\ngravity 0.1 -0.4\n%s\nstep "
+    "0.002\n"
+    "watch C %s 1 with %s 2\nwatch W wall lid\nrecord time C.normal C.shear C.sliding W.fx energy.kinetic\n"
+    "stage a\nwall west velocity 0.2 0.1\nramp wall south velocity 0.1 0.15\nramp material m friction 0.4\nramp "
+    "gravity 0.2 "
+    "-0.5\ncycles %d\nstage b\nremove %s 7\nwall lid spin -0.05\ncycles %d\n"
+    "stage c\nwalls stop\nwall east velocity -0.1 0.3\nmaterial p kn 5000 friction 0.35\ndamping contact-ratio "
+    "0.1\ngravity 0 -0.3\n"
+    "cycles %d\nstage d\ncycles %d\n";
+
+static void page_of(struct written *it, const char *normal, const char *shear, const char *damping) {
+  struct words page = {0};
+  const bool elastic = strncmp(normal, "hertz", 5) == 0;
+  const char *one = elastic ? "sphere" : "disc", *many = elastic ? "spheres" : "discs";
+  const int part =
+      strcmp(shear, "randall_literal") ? 1 : 20; /* by the letter that law comes to what is no number later on */
+  words_add(&page, scene, normal, shear, many, one, one, damping, one, one, 300 / part, one, 200 / part, 150 / part,
+            100 / part);
+  written_scene(it, &page);
+}
+
+static void stages(struct nb_model *model, size_t from, size_t to) {
+  struct nb_error error = {NB_OK, ""};
+  for (size_t s = from; s < to; s++) {
+    const struct nb_stage *stage = &model->scene->stages[s];
+    if (nb_stage_begin(model, stage, &error))
+      printf("# %s\n", error.text);
+    CU_ASSERT_EQUAL_FATAL(error.status, NB_OK);
+    written_cycles(model, (int)stage->cycles);
+  }
+}
+
+/* The state as text; to be freed. */
+static char *text_of(const struct nb_model *model) {
+  struct nb_saved saved;
+  struct nb_error error;
+  size_t size;
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  char *text = nb_saved_text(&saved, &size);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(text);
+  nb_saved_free(&saved);
+  return text;
+}
+
+/* Writes, reads and goes on from stage `from`, to the end. */
+static char *interrupted(struct written *it, size_t from, const char *state, const struct nb_options *options) {
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  size_t size;
+  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(&saved, "a.state", state, strlen(state), &error), NB_OK);
+  char *again = nb_saved_text(&saved, &size);
+  CU_ASSERT_STRING_EQUAL(again, state);
+  free(again);
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it->scene, "a.state", &error), NB_OK);
+  it->scene.start.stages = from;
+  struct nb_model *model = nb_model_resume(&it->scene, options, &saved, &error);
+  if (!model)
+    printf("# %s\n", error.text);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(model);
+  nb_saved_free(&saved);
+  stages(model, from, it->scene.stage_count);
+  char *end = text_of(model);
+  nb_model_free(model);
+  it->scene.start.stages = 0;
+  return end;
+}
+
+static void same_bits(const char *normal, const char *shear, const char *damping) {
+  static const struct nb_options ways[] = {{.threads = 1, .whole = true},
+                                           {.threads = 1, .whole = true, .shuffle = true, .isa = "plain"},
+                                           {.threads = 3, .whole = true}};
+  struct written it;
+  page_of(&it, normal, shear, damping);
+  struct nb_model *model = written_model(&it, &ways[0]);
+  char *states[4] = {0};
+  for (size_t s = 0; s < 4; s++) {
+    stages(model, s, s + 1);
+    states[s] = text_of(model);
+  }
+  for (size_t s = 0; s < 3; s++)
+    for (size_t w = 0; w < sizeof ways / sizeof *ways; w++) {
+      char *end = interrupted(&it, s + 1, states[s], &ways[w]);
+      if (strcmp(end, states[3]) != 0)
+        printf("# not the same: normal %s, shear %s, %s, from the end of stage %zu, way %zu\n", normal, shear, damping,
+               s + 1, w);
+      CU_ASSERT_STRING_EQUAL(end, states[3]);
+      free(end);
+    }
+  for (size_t s = 0; s < 4; s++)
+    free(states[s]);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+static void all_laws(void) {
+  static const char *const shears[] = {
+      "none", "linear", "mindlin", "mindlin_scaled", "mindlin_deresiewicz pieces 5", "randall", "randall_literal"};
+  for (size_t k = 0; k < sizeof shears / sizeof *shears; k++) {
+    if (k < 2)
+      same_bits("linear", shears[k], "");
+    same_bits("hertz", shears[k], "");
+    same_bits("hertz_increment", shears[k], "");
+  }
+}
+
+static void all_dampings(void) {
+  static const char *const dampings[] = {"damping contact-beta 0.002",
+                                         "damping contact-ratio 0.05\ndamping walls none",
+                                         "damping global 0.7",
+                                         "damping con1 0.98 reading cs79",
+                                         "damping con1 0.98 reading velocity",
+                                         "damping con1 0.97 reading all"};
+  for (size_t k = 0; k < sizeof dampings / sizeof *dampings; k++) {
+    same_bits("linear", "linear", dampings[k]);
+    same_bits("hertz", "mindlin_deresiewicz", dampings[k]);
+  }
+}
+
+/* What has been done since the state is counted from there, and closes. */
+static void balances_begin_anew(void) {
+  static const char *const balance[] = {"work.residual", "energy.residual",   "energy.walls",
+                                        "energy.damped", "energy.frictional", "energy.gravity"};
+  static const char *const shears[] = {"linear", "mindlin_deresiewicz"};
+  for (size_t l = 0; l < 2; l++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_saved saved;
+    struct nb_error error;
+    const char *normal = l ? "hertz" : "linear", *one = l ? "sphere" : "disc", *many = l ? "spheres" : "discs";
+    words_add(&page, "units none\n");
+    free(page.text);
+    page = (struct words){0};
+    words_add(&page, scene, normal, shears[l], many, one, one, "damping contact-ratio 0.1", one, one, 300, one, 200,
+              150, 100);
+    char *columns = strstr(page.text, "energy.kinetic\n");
+    char *text = malloc(strlen(page.text) + 256);
+    sprintf(
+        text,
+        "%.*senergy.kinetic energy.stored work.residual energy.residual energy.walls energy.damped energy.frictional "
+        "energy.gravity\n%s",
+        (int)(columns - page.text), page.text, columns + strlen("energy.kinetic\n"));
+    free(page.text);
+    page.text = text, page.length = strlen(text);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+    stages(model, 0, 2);
+    CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+    it.scene.start.stages = 2;
+    struct nb_model *next = nb_model_resume(&it.scene, NULL, &saved, &error);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(next);
+    nb_saved_free(&saved);
+    const double level = written_now(model, "energy.kinetic") + written_now(model, "energy.stored");
+    double before[6], drift = written_now(model, "energy.residual");
+    for (size_t k = 0; k < 6; k++) {
+      CU_ASSERT_DOUBLE_EQUAL(written_now(next, balance[k]), 0, 1e-14 * level);
+      before[k] = written_now(model, balance[k]);
+    }
+    stages(model, 2, 4), stages(next, 2, 4);
+    drift = written_now(model, "energy.residual") - drift;
+    for (size_t k = 0; k < 6; k++)
+      CU_ASSERT_DOUBLE_EQUAL(written_now(next, balance[k]), written_now(model, balance[k]) - before[k], 1e-12 * level);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(next, "energy.residual"), drift, 1e-12 * level);
+    CU_ASSERT(fabs(written_now(next, "energy.walls")) > 0.01 * level);
+    nb_model_free(next), nb_model_free(model);
+    written_free(&it);
+  }
+}
+
+void suite_state(void) {
+  CU_pSuite suite = CU_add_suite("state", NULL, NULL);
+  CU_add_test(suite, "a run goes on to the same bits with every law", all_laws);
+  CU_add_test(suite, "and with every damping", all_dampings);
+  CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
+}

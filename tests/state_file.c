@@ -1,0 +1,193 @@
+/* The file of a saved state: what is wrong in it is found, and it is there whole or not at all.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+#include <CUnit/CUnit.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "../src/save.h"
+#include "../src/state.h"
+#include "suites.h"
+#include "written.h"
+
+/* A small state with every record; to be freed. */
+static char *small(size_t *size) {
+  struct words page = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error;
+  words_add(
+      &page,
+      "units none\nmaterial m density 3 kn 4000 friction 0.3 young 5000 poisson 0.2\npair m m friction 0.2\nnormal "
+      "hertz_increment\nshear mindlin\nwall w -5 0 to 5 0 m\nspheres lattice 2 by 1 m radius 1 spacing 1.99 from "
+      "0 0.995\ngravity 1 -1\nstep 0.001\nstage a\ncycles 20\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 20);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL(saved.contact_count, 3);
+  saved.settings = calloc(1, sizeof *saved.settings);
+  strcpy(saved.settings[0], "v=0.1 m/s"), saved.setting_count = 1;
+  char *text = nb_saved_text(&saved, size);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(text);
+  nb_saved_free(&saved);
+  nb_model_free(model);
+  written_free(&it);
+  return text;
+}
+
+static bool reads(const char *text, size_t size, struct nb_error *error) {
+  struct nb_saved saved;
+  const bool read = nb_saved_read_text(&saved, "a.state", text, size, error) == NB_OK;
+  nb_saved_free(&saved);
+  return read;
+}
+
+static void every_bit(void) {
+  struct nb_error error;
+  size_t size, unseen = 0;
+  char *text = small(&size);
+  CU_ASSERT(reads(text, size, &error));
+  for (size_t bit = 0; bit < 8 * size; bit++) {
+    text[bit / 8] ^= (char)(1 << bit % 8);
+    unseen += reads(text, size, &error) || strncmp(error.text, "a.state:", 8) != 0;
+    text[bit / 8] ^= (char)(1 << bit % 8);
+  }
+  CU_ASSERT_EQUAL(unseen, 0);
+  free(text);
+}
+
+static void every_length(void) {
+  struct nb_error error;
+  size_t size, unseen = 0;
+  char *text = small(&size);
+  for (size_t length = 0; length < size; length++)
+    unseen += reads(text, length, &error) || strncmp(error.text, "a.state:", 8) != 0;
+  CU_ASSERT_EQUAL(unseen, 0);
+  char *longer = malloc(size + 1);
+  memcpy(longer, text, size), longer[size] = '\n';
+  CU_ASSERT(!reads(longer, size + 1, &error));
+  free(longer), free(text);
+}
+
+/* The small state with `from` replaced by `to`, and the checksum that then belongs to it. */
+static char *changed(const char *from, const char *to, size_t *size) {
+  size_t length;
+  char *text = small(&length), *at = strstr(text, from);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(at);
+  char *other = malloc(length + strlen(to) + 1);
+  const size_t body = length - 21 + strlen(to) - strlen(from);
+  memcpy(other, text, (size_t)(at - text));
+  strcpy(other + (at - text), to);
+  strcpy(other + (at - text) + strlen(to), at + strlen(from));
+  sprintf(other + body, "end %016llx\n", nb_hash(NB_HASH_BEGIN, other, body));
+  *size = body + 21;
+  free(text);
+  return other;
+}
+
+static void every_mistake(void) {
+  static const struct {
+    const char *from, *to, *said;
+  } rows[] = {
+      {"nineball state 1", "nineball state 2", "a.state:1:1: expected `nineball state 1`"},
+      {"units none", "unit none", "a.state:9:1: expected a record that this program knows, found `unit`"},
+      {"units none", "units ft", "a.state:9:7: expected `si`, `none`, found `ft`"},
+      {"units none", "units none x", "a.state:9:12: expected the end of the line, found `x`"},
+      {"gravity ", "gravity x ", "a.state:10:9: expected a number, found `x`"},
+      {"gravity ", "gravity inf ", "a.state:10:9: expected a finite number, found `inf`"},
+      {"law normal hertz_increment", "law normal glue", "a.state:11:12: expected a law of this program, found `glue`"},
+      {"cycle 20 20", "cycle 20 21", "a.state:7:10: expected a whole number from 0 to 20, found `21`"},
+      {"cycle 20 20", "cycle 20", "a.state:7:9: expected a whole number, found the end of the line"},
+      {"pair m m", "pair m n", "a.state:14:8: expected the name of a material that stands above, found `n`"},
+      {"body 2", "body 3", "a.state:16:6: expected a whole number from 2 to 2, found `3`"},
+      {"sphere m free", "cube m free", "a.state:15:8: expected `disc`, `sphere`, found `cube`"},
+      {"sphere m free", "sphere m loose", "a.state:15:17: expected `free`, `fixed` or `gone`, found `loose`"},
+      {"free 0x1p+0", "free 0x0p+0", "a.state:15:22: expected a radius above 0, found `0x0p+0`"},
+      {"fields overlap", "fields depth", "a.state:18:8: expected the name of a contact's field, found `depth`"},
+      {"wall w heard", "wall v heard", "expected the name of a wall that stands above, found `v`"},
+      {"body 2 heard", "body 1 heard", "expected a whole number from 2 to 2, found `1`"},
+      {"heard", "seen", "expected `heard`, `muted`, found `seen`"},
+      {"fields", "shear 0x1p+0\nfields", "a.state:18:1: expected such a record once, below its contact, found `shear`"},
+      {"hash 0", "hash ", "expected 16 hexadecimal digits"},
+      {"setting v=0.1 m/s", "setting", "expected a text shorter than 128 bytes, found the end of the line"},
+  };
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    struct nb_error error = {NB_OK, ""};
+    size_t size;
+    char *text = changed(rows[k].from, rows[k].to, &size);
+    CU_ASSERT(!reads(text, size, &error));
+    if (!strstr(error.text, rows[k].said))
+      printf("# said: %s\n# wanted: %s\n", error.text, rows[k].said);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, rows[k].said));
+    free(text);
+  }
+}
+
+static bool holds(const char *path, const char *text) {
+  char bytes[64] = "";
+  FILE *file = fopen(path, "r");
+  const bool same = file && fgets(bytes, sizeof bytes, file) && strcmp(bytes, text) == 0;
+  if (file)
+    fclose(file);
+  return same;
+}
+
+/* What was there stays until the new one is whole: not when the disk is full, not when the process ends while it writes. */
+static void whole_or_not_at_all(void) {
+  char folder[] = "/tmp/nineball-state-XXXXXX", path[64], command[64];
+  struct nb_saved saved;
+  struct nb_error error;
+  size_t size;
+  char *text = small(&size);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(mkdtemp(folder));
+  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(&saved, "a.state", text, size, &error), NB_OK);
+  snprintf(path, sizeof path, "%s/a.state", folder);
+  FILE *old = fopen(path, "w");
+  fputs("old\n", old);
+  fclose(old);
+  for (int kill = 0; kill < 2; kill++) {
+    int status;
+    fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0) {
+      if (kill) {
+        struct nb_save file;
+        if (!nb_save_begin(&file, path, &error) && fwrite(text, 1, size / 2, file.file) && !fflush(file.file))
+          raise(SIGKILL);
+        _exit(9);
+      }
+      signal(SIGXFSZ, SIG_IGN);
+      setrlimit(RLIMIT_FSIZE, &(struct rlimit){size / 2, size / 2});
+      _exit(nb_saved_write(&saved, path, &error) == NB_BAD_USE && strstr(error.text, "cannot write") ? 5 : 9);
+    }
+    waitpid(child, &status, 0);
+    CU_ASSERT(kill ? WIFSIGNALED(status) : WIFEXITED(status) && WEXITSTATUS(status) == 5);
+    CU_ASSERT(holds(path, "old\n"));
+  }
+  CU_ASSERT_EQUAL(nb_saved_write(&saved, path, &error), NB_OK);
+  CU_ASSERT(holds(path, "nineball state 1\n"));
+  CU_ASSERT_EQUAL(nb_saved_write(&saved, "/dev/full/a.state", &error), NB_BAD_USE);
+  nb_saved_free(&saved);
+  CU_ASSERT_EQUAL(nb_saved_read(&saved, folder, &error), NB_BAD_USE);
+  CU_ASSERT_EQUAL(nb_saved_read(&saved, "/nowhere/a.state", &error), NB_BAD_USE);
+  snprintf(command, sizeof command, "rm -r %s", folder);
+  CU_ASSERT_EQUAL(system(command), 0);
+  free(text);
+}
+
+void suite_state_file(void) {
+  CU_pSuite suite = CU_add_suite("state_file", NULL, NULL);
+  CU_add_test(suite, "every flipped bit is found", every_bit);
+  CU_add_test(suite, "a file that is cut off anywhere is found", every_length);
+  CU_add_test(suite, "every mistake is said with file, line and column", every_mistake);
+  CU_add_test(suite, "it is there whole or not at all", whole_or_not_at_all);
+}
