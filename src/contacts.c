@@ -6,6 +6,7 @@
 
 #include "hertz_impact.h"
 #include "near.h"
+#include "since.h"
 
 int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
   const int *number = model->bodies.number;
@@ -54,6 +55,8 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
         carry_fields(now, c, old, o);
       nb_memory_copy(&now->normal_memory, c, &old->normal_memory, o);
       nb_memory_copy(&now->shear_memory, c, &old->shear_memory, o);
+      if (model->since)
+        nb_memory_copy(&now->slid, c, &old->slid, o);
     }
   }
 }
@@ -63,7 +66,7 @@ void nb_contacts_free(struct nb_contacts *contacts) {
   free(contacts->image);
   for (int f = 0; f < NB_FIELDS; f++)
     free(contacts->kept[f]);
-  nb_memory_free(&contacts->normal_memory), nb_memory_free(&contacts->shear_memory);
+  nb_memory_free(&contacts->normal_memory), nb_memory_free(&contacts->shear_memory), nb_memory_free(&contacts->slid);
 }
 
 /* Fixed bodies and walls count as of infinite mass, walls as of infinite radius too. One of a pair is free. */
@@ -109,6 +112,7 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
   }
   made = nb_memory_create(&contacts->normal_memory, normal, n) && made;
   made = nb_memory_create(&contacts->shear_memory, shear, n) && made;
+  made = nb_memory_create(&contacts->slid, (int)nb_since_count(model->since), n) && made;
   if (!made)
     return false;
   for (size_t c = 0; c < n; c++) {

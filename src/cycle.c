@@ -11,6 +11,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "drive.h"
 #include "energy.h"
+#include "since.h"
 #include "step.h"
 
 static void forces_of_block(const struct nb_model *model, const struct nb_view *view) {
@@ -93,6 +94,8 @@ enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
     nb_deep_look(model);
   if (model->fracc_before)
     nb_fracc_forces(model);
+  if (model->since)
+    nb_since_forces(model);
   if (model->balance)
     nb_balance_forces(model);
   return NB_OK;

@@ -148,6 +148,8 @@ static void explain_stages(FILE *out, const struct nb_model *model) {
       fprintf(out, ", a row every %lu", stage->record);
     if (stage->snapshot)
       fprintf(out, ", snapshot at its end");
+    if (stage->snapshot_from >= 0)
+      fprintf(out, " from %s", scene->stages[stage->snapshot_from].name);
     fprintf(out, " (line %d)\n", stage->line);
     if (known)
       nb_explain_changes(out, model, stage, &now);

@@ -4,6 +4,7 @@
 #include "drive.h"
 #include "energy.h"
 #include "region.h"
+#include "since.h"
 #include "start.h"
 #include "state.h"
 #include "step.h"
@@ -152,7 +153,7 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
       !(model->loads = nb_array(scene->body_count, sizeof *model->loads)))
     return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
   model->skin = skin_of(model);
-  if (!nb_cell_create(model))
+  if (!nb_cell_create(model) || !nb_since_create(model))
     return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
   model->smallest = INFINITY;
   for (size_t k = 0; k < scene->body_count; k++)
@@ -266,5 +267,6 @@ void nb_model_free(struct nb_model *model) {
   nb_balance_free(model->balance);
   nb_regions_free(model->regions, model->scene->region_count);
   nb_drive_free(model->drive);
+  nb_since_free(model->since);
   free(model);
 }

@@ -76,7 +76,7 @@ struct nb_contacts {
   struct nb_vec *image;    /* m: the second body is met at x + H m, H the cell's sides; NULL without a cell */
   struct nb_vec *force;    /* on the first body, dashpots included, N */
   double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
-  struct nb_memory normal_memory, shear_memory;
+  struct nb_memory normal_memory, shear_memory, slid; /* slid: m, since each stage that a snapshot is from, since.c */
 };
 
 /* For the motion half: which contacts a body has. */
@@ -161,14 +161,14 @@ struct nb_model {
   struct nb_vec gravity_from;
   struct nb_inward inward_from;
   unsigned long cycle;
-  double time;       /* of cycle 0 of this stage plus its steps, s */
-  double stage_time; /* at its begin, s */
-  double touch;      /* when what `impact` makes first touches, s */
+  double time, stage_time; /* of cycle 0 of this stage plus its steps; at its begin; s */
+  double touch;            /* when what `impact` makes first touches, s */
   unsigned long stage_cycle;
   unsigned long looks;                              /* how often the watch has worked out the safe step */
   unsigned long long updates, searches, candidates; /* candidates: pairs whose distance a search has measured */
   struct nb_balance *balance;                       /* energy.h; NULL: no column and no condition asks for one */
   struct nb_regions *regions;                       /* region.h; NULL: the scene has none */
+  struct nb_since *since;                           /* since.h; NULL: no snapshot asks what has changed */
 };
 
 /* How much a geometry pass has to find out. */

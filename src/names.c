@@ -197,7 +197,7 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 static const struct nb_quantity_kind *row(size_t k) {
   static const struct nb_quantity_kind *const others[] = {
       nb_step_kinds,     nb_drive_kinds,        nb_fill_kinds, nb_impact_kinds, nb_stress_kinds, nb_fabric_kinds,
-      nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds, nb_strain_kinds, nb_cell_kinds};
+      nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds, nb_strain_kinds, nb_chain_kinds,  nb_cell_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -277,7 +277,7 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
       fields |= stage->servo.quantity[k].kind->fields | NB_BIT(NB_OVERLAP) | NB_BIT(NB_STIFFNESS);
     if (stage->snapshot)
       fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |
-                NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS);
+                NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS) | (stage->snapshot_from >= 0 ? NB_BIT(NB_SLIP) : 0);
   }
   return fields;
 }

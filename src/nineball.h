@@ -390,7 +390,8 @@ struct nb_stage {
   unsigned long cycles;      /* how many; with conditions: at most, and reaching it is a failure */
   unsigned long look;        /* conditions are looked at every so many cycles */
   unsigned long record;      /* a row every so many cycles, 0: none */
-  bool snapshot;             /* keep bodies, walls and contacts as they are at its end */
+  bool snapshot;             /* keep bodies, walls and contacts as they are at its end, */
+  int snapshot_from;         /* and what has changed since the stage of this index began; -1: not asked */
   struct nb_step step;       /* as the scene's, unless the stage says otherwise */
   bool allow_unstable;       /* the step is not watched in this stage */
   struct nb_damping damping; /* as the stage before, unless this one says otherwise */
@@ -548,6 +549,7 @@ struct nb_snapshot {
   struct nb_table bodies, walls, contacts;
   struct nb_table body_averages, contact_averages; /* rows: the largest, the smallest, the mean of each column */
   struct nb_table types, rings;                    /* of regions: by size and material; porosity by radius */
+  struct nb_table lattice;                         /* `snapshot from`: which contacts are kept, new and lost */
   struct nb_table traction,
       pieces; /* of a path's contact: q(r), and D(x) from the edge of each piece to that of the next */
 };

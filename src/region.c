@@ -24,7 +24,8 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
     regions->touching = nb_array(model->bodies.count, sizeof(int));
     regions->idle = nb_array(model->bodies.count, sizeof(int));
   }
-  if (!regions || !regions->list || !regions->touching || !regions->idle)
+  const bool chains = nb_fields_watched(scene) & NB_ASKS_CHAINS;
+  if (!regions || !regions->list || !regions->touching || !regions->idle || (chains && !nb_chains_create(model)))
     return nb_error_set(error, NB_BROKEN, "out of memory for %zu regions", scene->region_count);
   for (size_t r = 0; r < scene->region_count; r++)
     regions->list[r].it = &scene->regions[r];
@@ -36,7 +37,7 @@ void nb_regions_free(struct nb_regions *regions, size_t count) {
     return;
   for (size_t r = 0; r < count && regions->list; r++)
     free(regions->list[r].from);
-  free(regions->list), free(regions->touching), free(regions->idle);
+  free(regions->list), free(regions->touching), free(regions->idle), free(regions->chained);
   free(regions);
 }
 

@@ -8,6 +8,7 @@
  *   coordination.c  contacts of a body, rattlers
  *   loads.c         what contacts carry: forces, contact stresses, sliding, out-of-balance
  *   strain.c        how the bodies have moved
+ *   chains.c        force chains
  *
  * Each is worked out at most once a cycle, when somebody asks; a scene without regions has none of this.
  *
@@ -50,7 +51,11 @@ struct nb_loads {
   double sliding, near_sliding;        /* shares of the contacts */
   double unbalance;                    /* mean |sum of the forces on a body| over mean F_n */
 };
-enum nb_measure_of { NB_STRESS, NB_FABRIC, NB_POROSITY, NB_COORDINATION, NB_LOADS, NB_STRAIN, NB_MEASURES };
+struct nb_chains {
+  double count, length, share; /* chains; bodies of one; of the free bodies, those in chains */
+  double turn;                 /* mean angle between successive links, rad */
+};
+enum nb_measure_of { NB_STRESS, NB_FABRIC, NB_POROSITY, NB_COORDINATION, NB_LOADS, NB_STRAIN, NB_CHAINS, NB_MEASURES };
 
 /* A region as it is in a cycle. */
 struct nb_region_now {
@@ -67,11 +72,13 @@ struct nb_region_now {
   struct nb_coordination coordination;
   struct nb_loads loads;
   struct nb_tensor strain;
+  struct nb_chains chains;
   struct nb_vec *from; /* per body number, less 1: where it was when strain began, NAN: outside, m; NULL: nobody asks */
 };
 struct nb_regions {
-  struct nb_region_now *list; /* as many as the scene has */
-  int *touching, *idle;       /* coordination.c: room, per slot */
+  struct nb_region_now *list;    /* as many as the scene has */
+  int *touching, *idle;          /* coordination.c: room, per slot */
+  struct nb_chain_body *chained; /* chains.c: likewise; NULL: nobody asks */
 };
 
 /* strain.c: strain begins with this stage for the regions that say so; -1: the start, for all of them. */
@@ -125,6 +132,9 @@ struct nb_contact_load {
   double ratio;              /* a over the smaller radius */
 };
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact);
+
+#define NB_ASKS_CHAINS (1u << 26)              /* beside what model.h has: chains.c */
+bool nb_chains_create(struct nb_model *model); /* room; false: no memory */
 
 /* What a watch of a region sees, worked out in this cycle. */
 const struct nb_stress *nb_stress_of(const struct nb_model *model, const struct nb_watch *watch);

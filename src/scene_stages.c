@@ -17,7 +17,7 @@ NB_APPLY(nb_apply_stage) {
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
   const struct nb_stage *before = nb_stage_now(scene);
-  struct nb_stage stage = {.record = 1, .look = 1};
+  struct nb_stage stage = {.record = 1, .look = 1, .snapshot_from = -1};
   stage.step = before ? before->step : scene->step;
   stage.damping = before ? before->damping : scene->damping;
   if (reading->opening) { /* what was said behind `start` is said in this one */
@@ -248,10 +248,21 @@ NB_APPLY(nb_apply_record) {
     stage->record = every;
 }
 
+/* `snapshot {from STAGE}`: that stage is this one or an earlier one, and runs: those of another page may not. */
 NB_APPLY(nb_apply_snapshot) {
-  struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
   (void)record;
-  (void)reader;
-  if (stage)
-    stage->snapshot = true;
+  if (!stage)
+    return;
+  stage->snapshot = true;
+  if (scene->path || !nb_token_skip(reader, "from"))
+    return;
+  const struct nb_token *name = nb_take(reader, "the name of this stage or of an earlier one");
+  for (size_t s = scene->start.stages; name && s < scene->stage_count; s++)
+    if (strcmp(scene->stages[s].name, name->text) == 0)
+      stage->snapshot_from = (int)s;
+  if (name && stage->snapshot_from < 0)
+    nb_token_mistake(reader, name, NULL, "expected the name of this stage or of an earlier one, found `%s`",
+                     name->text);
 }

@@ -86,8 +86,13 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
   to->allow_unstable = from->allow_unstable;
   const struct nb_stage *last = &to->stages[to->stage_count - 1];
   struct nb_stage *opening = &to->stages[to->stage_count]; /* what `stage` will give its name to */
-  *opening = (struct nb_stage){
-      .record = 1, .look = 1, .line = line, .step = last->step, .damping = last->damping, .laws = set};
+  *opening = (struct nb_stage){.record = 1,
+                               .look = 1,
+                               .snapshot_from = -1,
+                               .line = line,
+                               .step = last->step,
+                               .damping = last->damping,
+                               .laws = set};
   if (to->step.set)
     opening->step = to->step;
   to->step = to->stages[0].step;
@@ -220,7 +225,7 @@ static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct n
   }
   other->column_count = 0; /* nobody looks at it */
   for (size_t k = 0; k <= s; k++)
-    other->stages[k].record = 0, other->stages[k].snapshot = false;
+    other->stages[k].record = 0, other->stages[k].snapshot = false, other->stages[k].snapshot_from = -1;
   nb_stages_free(other, s + 1);
   return true;
 }

@@ -160,10 +160,11 @@ static const struct nb_keyword table[] = {
   {"record", NB_IN_STAGE | NB_IN_LEG, nothing, "every N cycles | none", 0, false, nb_apply_record,
    "How often a row is added to the table; default every 1 cycle.",
    "  record  every 10 cycles"},
-  {"snapshot", NB_IN_STAGE | NB_IN_LEG, nothing, NULL, 0, false, nb_apply_snapshot,
+  {"snapshot", NB_IN_STAGE | NB_IN_LEG, nothing, "{from STAGE}", 0, false, nb_apply_snapshot,
    "Keeps bodies, walls and contacts as they are at the end of the stage; on the bench the traction over the contact and "
-   "the pieces of its history, which a shear law must keep.",
-   "  snapshot"},
+   "the pieces of its history, which a shear law must keep. With `from` also what has changed since that stage began, which is this one or "
+   "an earlier one: how bodies have moved and turned, which contacts are new and which are lost, how far contacts have slid.",
+   "  snapshot from strike"},
   {"still", NB_IN_STAGE, nothing, NULL, 0, false, nb_apply_still,
    "All bodies stop at the beginning of this stage; walls do not.",
    "stage     halt\n  still\n  cycles  10"},

@@ -5,6 +5,7 @@
 
 #include "observe.h"
 #include "region.h"
+#include "since.h"
 
 bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_head *columns,
                        size_t count) {
@@ -27,10 +28,14 @@ static double touching(const struct nb_model *model, size_t slot) {
 }
 
 static bool see_bodies(struct nb_table *table, const struct nb_model *model, int stage) {
-  static const struct nb_head columns[] = {
-      {"body", "1"}, {"x", "m"},  {"y", "m"},        {"radius", "m"},   {"angle", "rad"},  {"vx", "m/s"}, {"vy", "m/s"},
-      {"fx", "N"},   {"fy", "N"}, {"moment", "N.m"}, {"spin", "rad/s"}, {"contacts", "1"}, {"fixed", "1"}};
-  if (!nb_snapshot_table(table, model->scene, columns, COUNT(columns)))
+  enum { SINCE = 3 }; /* columns of `from` */
+  static const struct nb_head columns[] = {{"body", "1"},    {"x", "m"},        {"y", "m"},        {"radius", "m"},
+                                           {"angle", "rad"}, {"vx", "m/s"},     {"vy", "m/s"},     {"fx", "N"},
+                                           {"fy", "N"},      {"moment", "N.m"}, {"spin", "rad/s"}, {"contacts", "1"},
+                                           {"fixed", "1"},   {"moved_x", "m"},  {"moved_y", "m"},  {"turned", "rad"}};
+  const int from = model->scene->stages[stage].snapshot_from;
+  const size_t count = COUNT(columns) - (from < 0 ? SINCE : 0);
+  if (!nb_snapshot_table(table, model->scene, columns, count))
     return false;
   const struct nb_bodies *bodies = &model->bodies;
   for (size_t k = 0; k < bodies->count; k++) {
@@ -40,6 +45,7 @@ static bool see_bodies(struct nb_table *table, const struct nb_model *model, int
     const struct nb_vec x = nb_cell_place(model, i), carried = nb_carried_now(model, i);
     const struct nb_state v = nb_velocity_now(model, i);
     const struct nb_force force = nb_force_on(model, i);
+    const struct nb_vec moved = from < 0 ? vec(0, 0) : nb_since_moved(model, from, i);
     const double values[COUNT(columns)] = {(double)k + 1,
                                            x.x,
                                            x.y,
@@ -52,11 +58,14 @@ static bool see_bodies(struct nb_table *table, const struct nb_model *model, int
                                            force.moment,
                                            v.spin,
                                            touching(model, i),
-                                           !(bodies->inverse_mass[i] > 0)};
+                                           !(bodies->inverse_mass[i] > 0),
+                                           moved.x,
+                                           moved.y,
+                                           from < 0 ? 0 : nb_since_turned(model, from, i)};
     double *row = nb_table_row(table, stage, (double)model->cycle, model->time);
     if (!row)
       return false;
-    memcpy(row, values, sizeof values);
+    memcpy(row, values, count * sizeof *values);
   }
   return true;
 }
@@ -103,8 +112,11 @@ static bool see_contacts(struct nb_table *table, const struct nb_model *model, i
                                            {"shear_stress", "Pa"},
                                            {"ratio", "1"},
                                            {"limit", "N"},
-                                           {"obliquity", "1"}};
-  if (!nb_snapshot_table(table, model->scene, columns, COUNT(columns)))
+                                           {"obliquity", "1"},
+                                           {"slid", "m"}};
+  const int from = model->scene->stages[stage].snapshot_from;
+  const size_t count = COUNT(columns) - (from < 0);
+  if (!nb_snapshot_table(table, model->scene, columns, count))
     return false;
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_bodies *bodies = &model->bodies;
@@ -141,19 +153,22 @@ static bool see_contacts(struct nb_table *table, const struct nb_model *model, i
                                            load.traction,
                                            load.ratio,
                                            load.limit,
-                                           load.obliquity};
+                                           load.obliquity,
+                                           from < 0 ? 0 : nb_since_slid(model, from, c)};
     double *row = nb_table_row(table, stage, (double)model->cycle, model->time);
     if (!row)
       return false;
-    memcpy(row, values, sizeof values);
+    memcpy(row, values, count * sizeof *values);
   }
   return true;
 }
 
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage) {
+  const int from = model->scene->stages[stage].snapshot_from;
   *snapshot = (struct nb_snapshot){.stage = stage};
   return see_bodies(&snapshot->bodies, model, stage) && see_walls(&snapshot->walls, model, stage) &&
          see_contacts(&snapshot->contacts, model, stage) &&
+         (from < 0 || nb_since_lattice(&snapshot->lattice, model, stage, from)) &&
          nb_summary_averages(&snapshot->body_averages, &snapshot->bodies, 4) &&
          nb_summary_averages(&snapshot->contact_averages, &snapshot->contacts, 9) &&
          (!model->regions ||
@@ -171,6 +186,7 @@ static const struct {
     {"contact_averages", offsetof(struct nb_snapshot, contact_averages)},
     {"types", offsetof(struct nb_snapshot, types)},
     {"rings", offsetof(struct nb_snapshot, rings)},
+    {"lattice", offsetof(struct nb_snapshot, lattice)},
     {"traction", offsetof(struct nb_snapshot, traction)},
     {"pieces", offsetof(struct nb_snapshot, pieces)},
 };

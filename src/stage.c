@@ -17,6 +17,7 @@
 #include "drive.h"
 #include "energy.h"
 #include "region.h"
+#include "since.h"
 #include "step.h"
 
 static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share) {
@@ -185,6 +186,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   model->stage = stage;
   if (nb_regions_stage(model, (int)(stage - model->scene->stages), error))
     return error->status;
+  if (model->since && !nb_since_begin(model, (int)(stage - model->scene->stages)))
+    return nb_error_set(error, NB_BROKEN, "out of memory for stage `%s`", stage->name);
   if (stage->still)
     stop_bodies(model);
   if (stage->reverse)

@@ -1,0 +1,21 @@
+/* What has changed since a stage began: for snapshots that say `from STAGE`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_SINCE_H
+#define NB_SINCE_H
+
+#include "observe.h"
+
+bool nb_since_create(struct nb_model *model); /* leaves model->since NULL where no snapshot asks; false: no memory */
+void nb_since_free(struct nb_since *since);
+size_t nb_since_count(const struct nb_since *since);    /* how many such stages there are; 0 of NULL */
+bool nb_since_begin(struct nb_model *model, int stage); /* a stage begins; false: no memory */
+void nb_since_forces(struct nb_model *model);           /* after the forces: what has slid in the step behind */
+
+/* A body or a contact since that stage began, which some snapshot is `from`. */
+struct nb_vec nb_since_moved(const struct nb_model *model, int stage, size_t slot); /* m */
+double nb_since_turned(const struct nb_model *model, int stage, size_t slot);       /* rad, counterclockwise */
+double nb_since_slid(const struct nb_model *model, int stage, size_t contact);      /* m, sizes added up */
+bool nb_since_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from); /* false: no memory */
+
+#endif

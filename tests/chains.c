@@ -1,0 +1,147 @@
+/* Force chains of which everything is known: rows, zigzags, hexagonal lattices, a chain that branches.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "../src/model.h"
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* Chains of the region A. */
+static void is(struct words *page, double chains, double length, double share, double turn) {
+  struct written it;
+  words_add(page, "region A all\nrecord A.chains A.chains.length A.chains.share A.chains.turn\nstage s\ncycles 1\n");
+  written_scene(&it, page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.shuffle = true});
+  CU_ASSERT_EQUAL(written_now(model, "A.chains"), chains);
+  CU_ASSERT_EQUAL(written_now(model, "A.chains.length"), length);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.share"), share, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.turn"), turn, 1e-12);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+static struct words begin(void) {
+  struct words page = {0};
+  words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\nallow unstable\n");
+  return page;
+}
+
+/* Two rows between walls, five discs and two, and three discs that carry nothing: two are no chain. */
+static void rows(void) {
+  struct words page = begin();
+  words_add(&page, "discs lattice 1 by 5 from 0 0 radius 1 spacing 1.99 m\nwall s -1 -0.99 to 5 -0.99 m\n"
+                   "wall n -1 8.95 to 5 8.95 m\nsphere 4 0 radius 1 m\nsphere 4 1.99 radius 1 m\n"
+                   "wall t 3 2.98 to 5 2.98 m\ndiscs lattice 1 by 3 from 20 0 radius 1 spacing 3 m\n");
+  is(&page, 1, 5, 0.5, 0);
+}
+
+/* n discs between two walls, links at phi from the axis; one that idles brings the mean below. Up to 30 degrees the major axis is
+ * the zigzag's: cos 2 phi > sin phi; there each link turns 2 phi from the one before. Beyond it the walls press more. */
+static void zigzags(void) {
+  for (int degrees = 0; degrees <= 40; degrees += 4) {
+    const double phi = degrees * pi / 180, s = 1.999, wall = 2 * 0.001 * sin(phi); /* its overlap: what balances */
+    struct words page = begin();
+    for (int k = 0; k < 9; k++)
+      words_add(&page, "disc %.17g %.17g radius 1 m\n", k % 2 ? s * sin(phi) : 0, k * s * cos(phi));
+    words_add(&page, "wall w %.17g -2 to %.17g 18 m\nwall e %.17g -2 to %.17g 18 m\n", -1 + wall, -1 + wall,
+              s * sin(phi) + 1 - wall, s * sin(phi) + 1 - wall);
+    words_add(&page, "wall s -2 %.17g to 4 %.17g m\nwall n -2 %.17g to 4 %.17g m\n", -1 + 0.001 * cos(phi),
+              -1 + 0.001 * cos(phi), 8 * s * cos(phi) + 1 - 0.001 * cos(phi), 8 * s * cos(phi) + 1 - 0.001 * cos(phi));
+    words_add(&page, "disc 40 0 radius 1 m\n");
+    if (degrees < 30)
+      is(&page, 1, 9, 0.9, 2 * phi);
+    else
+      is(&page, 0, 0, 0, 0);
+  }
+}
+
+/* A hexagonal lattice in a periodic cell, a thousandth shorter one way: across the rows the links go ahead to both sides, so
+ * half of all turns are none and half go from one side to the other; along the rows all is straight. A small disc in a void
+ * carries nothing. */
+static void hexagonal(void) {
+  const double squeezed = 0.999, high = sqrt(3) * squeezed;
+  struct words page = begin(), other = begin();
+  words_add(&page, "cell 0 0 to 8 %.17g\n", 4 * high),
+      words_add(&other, "cell 0 0 to %.17g %.17g\n", 8 * squeezed, 4 * sqrt(3));
+  for (int row = 0; row < 4; row++)
+    for (int k = 0; k < 4; k++) {
+      words_add(&page, "disc %.17g %.17g radius 1 m\n", 2 * k + row % 2 + 0.25, (row + 0.5) * high);
+      words_add(&other, "disc %.17g %.17g radius 1 m\n", squeezed * (2 * k + row % 2 + 0.25), (row + 0.5) * sqrt(3));
+    }
+  words_add(&page, "disc 1.25 %.17g radius 0.1 m\n", 0.5 * high + high / 3);
+  words_add(&other, "disc %.17g %.17g radius 0.1 m\n", 1.25 * squeezed, (0.5 + 1. / 3) * sqrt(3));
+  is(&page, 1, 16, 16. / 17, atan2(1, high));
+  is(&other, 4, 4, 16. / 17, 0);
+}
+
+/* A row that leans; a row with a body that is pressed on it from aside, along its own axis but not along the row's; a row that
+ * carries less than the mean. */
+static void along_and_above(void) {
+  struct words page = begin(), leaning = begin();
+  words_add(&page, "discs lattice 3 by 1 from 0 0 radius 1 spacing 1.99 m\nwall w -0.99 -0.8 to -0.99 0.8 m\n"
+                   "wall e 4.97 -0.8 to 4.97 0.8 m\ndisc 1.99 1.992 radius 1 m\nwall n 1 2.984 to 3 2.984 m\n"
+                   "wall s 1 -0.992 to 3 -0.992 m\n"
+                   "discs lattice 3 by 1 from 20 0 radius 1 spacing 1.998 m\nwall ww 19.002 -1 to 19.002 1 m\n"
+                   "wall ee 24.994 -1 to 24.994 1 m\ndiscs lattice 4 by 1 from 40 0 radius 1 spacing 3 m\n");
+  is(&page, 1, 3, 3. / 11, 0);
+  for (int k = 0; k < 5; k++)
+    words_add(&leaning, "disc %.17g %.17g radius 1 m%s\n", 1.99 * k * cos(pi / 6), 1.99 * k * sin(pi / 6),
+              k % 4 ? "" : " fixed");
+  words_add(&leaning, "disc 40 0 radius 1 m\n");
+  is(&leaning, 1, 3, 0.75, 0);
+}
+
+/* Of two rows alike the one whose middle disc spins carries more: 1 + sqrt(1 + (T/N)^2) halves of it, T = 3 N. */
+static void shear_counts(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 10 ks 10 friction 3\nnormal linear\nshear linear\nstep 0.001\n"
+                   "disc 0 0 radius 1 m\ndisc 1.99 0 radius 1 m spin 1000\ndisc 3.98 0 radius 1 m\n"
+                   "wall w -0.99 -1 to -0.99 1 m\nwall e 4.97 -1 to 4.97 1 m\n"
+                   "discs lattice 3 by 1 from 20 0 radius 1 spacing 1.99 m\nwall ww 19.01 -1 to 19.01 1 m\n"
+                   "wall ee 24.97 -1 to 24.97 1 m\ndisc 40 0 radius 1 m\nregion A all\nrecord A.chains "
+                   "A.chains.share\nstage s\ncycles 1\nstage t\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(written_now(model, "A.chains"), 2);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 1);
+  CU_ASSERT_EQUAL(written_now(model, "A.chains"), 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.share"), 3 / 7., 1e-15);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* Fixed bodies and those outside are in no chain. */
+static void not_these(void) {
+  struct words page = begin();
+  struct written it;
+  words_add(
+      &page,
+      "discs lattice 1 by 4 from 0 0 radius 1 spacing 1.99 m\ndisc 0 7.96 radius 1 m fixed\n"
+      "disc 0 -1.99 radius 1 m fixed\ndisc 40 0 radius 1 m\nregion B box -1 -1 to 50 5\nrecord B.chains.length\n");
+  struct words copy = {0};
+  words_add(&copy, "%s", page.text);
+  is(&page, 1, 4, 0.8, 0);
+  words_add(&copy, "stage s\ncycles 1\n");
+  written_scene(&it, &copy);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(written_now(model, "B.chains.length"), 3);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+void suite_chains(void) {
+  CU_pSuite suite = CU_add_suite("chains", NULL, NULL);
+  CU_add_test(suite, "a row is straight, two bodies are no chain", rows);
+  CU_add_test(suite, "a zigzag turns by its angle", zigzags);
+  CU_add_test(suite, "hexagonal lattices, across the rows and along", hexagonal);
+  CU_add_test(suite, "along both axes, and above the mean", along_and_above);
+  CU_add_test(suite, "shear forces count", shear_counts);
+  CU_add_test(suite, "fixed bodies and those outside are in none", not_these);
+}

@@ -1,0 +1,172 @@
+/* What has changed since a stage began: contacts lost and new, how bodies have moved and turned, how far contacts have slid.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "suites.h"
+#include "written.h"
+
+static double cell(const struct nb_table *table, size_t row, const char *column) {
+  size_t c = 0;
+  while (c < table->column_count && strcmp(table->names[c], column) != 0)
+    c++;
+  CU_ASSERT_FATAL(c < table->column_count && row < table->row_count);
+  return table->values[row * table->column_count + c];
+}
+
+static void line(const struct nb_table *lattice, size_t row, const double wanted[8]) {
+  static const char *const names[] = {"a", "b", "wall", "x1", "y1", "x2", "y2", "kind"};
+  for (int k = 0; k < 8; k++)
+    CU_ASSERT_DOUBLE_EQUAL(cell(lattice, row, names[k]), wanted[k], 1e-12);
+}
+
+/* Disc 1 leaves disc 2 and comes to disc 3; 4 stays with 5, 6 leaves a wall and 7 comes to it, 8 is taken out. Springs are so
+ * soft that all fly on: 4 units in 4 s. */
+static void goes_over(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\n"
+                   "disc 0 0 radius 1 m velocity 1 0\ndisc -1.9 0 radius 1 m fixed\ndisc 5.9 0 radius 1 m fixed\n"
+                   "disc 0 9 radius 1 m velocity 1 0\ndisc 0 10.9 radius 1 m velocity 1 0\n"
+                   "disc 20 0.9 radius 1 m velocity 0 1\ndisc 30 4.9 radius 1 m velocity 0 -1\n"
+                   "disc 40 0 radius 1 m\ndisc 41.9 0 radius 1 m\nwall w 19 0 to 31 0 m\nskin 0.2\nrecord time\n"
+                   "stage a\ncycles 400\nsnapshot from a\nstage b\nremove disc 8\ncycles 1\nsnapshot from a\n"
+                   "stage c\ncycles 1\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT(result.searches > 10);
+  const struct nb_table *lattice = &result.snapshots[0].lattice, *bodies = &result.snapshots[0].bodies;
+  CU_ASSERT_EQUAL_FATAL(lattice->row_count, 6);
+  line(lattice, 0, (double[]){1, 2, 0, 4, 0, -1.9, 0, -1});
+  line(lattice, 1, (double[]){1, 3, 0, 4, 0, 5.9, 0, 1});
+  line(lattice, 2, (double[]){4, 5, 0, 4, 9, 4, 10.9, 0});
+  line(lattice, 3, (double[]){8, 9, 0, 40, 0, 41.9, 0, 0});
+  line(lattice, 4, (double[]){6, 0, 1, 20, 4.9, 20, 0, -1});
+  line(lattice, 5, (double[]){7, 0, 1, 30, 0.9, 30, 0, 1});
+  CU_ASSERT_DOUBLE_EQUAL(cell(bodies, 0, "moved_x"), 4, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(cell(bodies, 5, "moved_y"), 4, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(cell(bodies, 6, "moved_y"), -4, 1e-12);
+  CU_ASSERT(cell(bodies, 1, "moved_x") == 0 && cell(bodies, 0, "turned") == 0);
+  CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 5); /* nobody draws a line to what is gone */
+  CU_ASSERT_PTR_NULL(result.snapshots[2].lattice.names);
+  CU_ASSERT_EQUAL(result.snapshots[2].bodies.column_count + 3, bodies->column_count);
+  CU_ASSERT_EQUAL(result.snapshots[2].contacts.column_count + 1, result.snapshots[0].contacts.column_count);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* Spheres on an incline: p along it, n into it, from rest with the normal spring pressed as it will be. While it slides, the
+ * slip grows as (p - 7/2 mu n) t^2/2 and what it began with. */
+static const double p = 3, n = 8, ks = 1e7, step = 2e-5;
+static const int cycles = 25000, many = 5;
+
+static void incline(struct nb_result *result, struct written *it, double friction) {
+  const double mass = 2600 * 4 / 3. * 3.14159265358979323846 * 1e-3;
+  struct words page = {0};
+  words_add(&page,
+            "units none\nmaterial m density 2600 kn 1e7 ks %g friction %g\nnormal linear\nshear linear\ngravity %g "
+            "%g\nsphere 0 %.17g radius 0.1 m\nwall w -1 0 to 9 0 m\nstep %g\nrecord time\n",
+            ks, friction, p, -n, 0.1 - mass * n / 1e7, step);
+  words_add(&page, "stage all\ncycles 1\nrecord none\n");
+  for (int s = 0; s < many; s++)
+    words_add(&page, "stage s%d\ncycles %d\nsnapshot from s%d\n", s, cycles / many, s);
+  words_add(&page, "stage last\ncycles 1\nsnapshot from all\n");
+  written_scene(it, &page);
+  written_run(result, it, NULL);
+}
+
+static void slides(void) {
+  const double friction = 0.1, mass = 2600 * 4 / 3. * 3.14159265358979323846 * 1e-3;
+  /* at first the spring takes up the slip, which swings with w^2 = 7/2 k_s/m about p/w^2, up to mu N/k_s; then it slides */
+  const double w2 = 3.5 * ks / mass, spring = friction * mass * n / ks;
+  const double begins = acos(1 - spring * w2 / p) / sqrt(w2), v = sqrt(spring * (2 * p - w2 * spring));
+  const double t = (cycles + 2) * step - begins, way = v * t + (p - 3.5 * friction * n) * t * t / 2;
+  struct nb_result result;
+  struct written it;
+  incline(&result, &it, friction);
+  const struct nb_snapshot *last = &result.snapshots[many];
+  const double slid = cell(&last->contacts, 0, "slid");
+  CU_ASSERT(result.searches > 5);
+  CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way); /* 3 steps of the last speed, 0.1 */
+  /* what it slips in all is its way and its turn; what is no sliding is what the spring takes up, but for one step */
+  const double slip = cell(&last->bodies, 0, "moved_x") + 0.1 * cell(&last->bodies, 0, "turned");
+  CU_ASSERT(slip - slid <= spring * (1 + 1e-9) && slip - slid > 0.8 * spring);
+  double sum = 0;
+  for (int s = 0; s < many; s++) { /* six stages: more than there are fields for */
+    const struct nb_table *bodies = &result.snapshots[s].bodies;
+    const double part = cell(&result.snapshots[s].contacts, 0, "slid");
+    sum += part;
+    if (s > 0)
+      CU_ASSERT_DOUBLE_EQUAL(part, cell(bodies, 0, "moved_x") + 0.1 * cell(bodies, 0, "turned"), 1e-12);
+  }
+  CU_ASSERT_DOUBLE_EQUAL(sum, slid, 1e-4 * way); /* less the one cycle before them and the one after */
+  CU_ASSERT(sum < slid);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+static void rolls(void) {
+  struct nb_result result;
+  struct written it;
+  incline(&result, &it, 0.3);
+  const struct nb_snapshot *last = &result.snapshots[many];
+  CU_ASSERT_EQUAL(cell(&last->contacts, 0, "slid"), 0);
+  CU_ASSERT(cell(&last->bodies, 0, "moved_x") > 0.25); /* it has gone all the same: p/(1 + 2/5) t^2/2 */
+  CU_ASSERT_DOUBLE_EQUAL(cell(&last->bodies, 0, "moved_x"), -0.1 * cell(&last->bodies, 0, "turned"), 2e-5);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* A disc that bounces: of the second touch counts what it has slid in that. */
+static void comes_back(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1e4 ks 1e4 friction 0.05\nnormal linear\nshear linear\n"
+            "gravity 0 -1\ndisc 0 1.01 radius 1 m velocity 9 0\nwall w -50 0 to 50 0 m\nwatch C disc 1 with wall "
+            "w\nstep 1e-4\nrecord time C.overlap C.sliding\nstage down\nuntil C.overlap above 1e-6 at most 100000 "
+            "cycles\nsnapshot from down\nstage up\nuntil C.overlap below 1e-9 at most 100000 cycles\nstage "
+            "down2\nuntil C.overlap above 1e-6 at most 100000 cycles\nstage in\ncycles 150\nsnapshot from down\n"
+            "stage in2\ncycles 1\nsnapshot from down2\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double since_down = cell(&result.snapshots[1].contacts, 0, "slid");
+  const double since_apart = cell(&result.snapshots[2].contacts, 0, "slid");
+  CU_ASSERT(since_down > 0.05); /* 150 steps of 1e-4 at nearly 9 */
+  CU_ASSERT(since_apart > since_down && since_apart < since_down + 1e-3);
+  CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 1);
+  CU_ASSERT_EQUAL(cell(&result.snapshots[1].lattice, 0, "kind"), 1);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* Across the edge of a periodic cell the line goes to the copy that is met. */
+static void across_the_edge(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\ncell 0 0 to 10 10\n"
+                   "disc 0.5 5 radius 1 m\ndisc 8.6 5 radius 1 m velocity 0 -1\ndisc 8.6 2 radius 1 m\n"
+                   "record time\nstage a\ncycles 200\nsnapshot from a\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const struct nb_table *lattice = &result.snapshots[0].lattice;
+  CU_ASSERT_EQUAL_FATAL(lattice->row_count, 2);
+  line(lattice, 0, (double[]){1, 2, 0, 0.5, 5, -1.4, 3, -1});
+  line(lattice, 1, (double[]){2, 3, 0, 8.6, 3, 8.6, 2, 1});
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+void suite_since(void) {
+  CU_pSuite suite = CU_add_suite("since", NULL, NULL);
+  CU_add_test(suite, "contacts lost, new and kept", goes_over);
+  CU_add_test(suite, "a sphere slides down an incline", slides);
+  CU_add_test(suite, "one that rolls slides nothing", rolls);
+  CU_add_test(suite, "a contact that comes back begins at 0", comes_back);
+  CU_add_test(suite, "across the edge of a cell", across_the_edge);
+}
