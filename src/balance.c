@@ -10,9 +10,9 @@
  *           around it; what slides does so over the step from t_N to t_(N+1), at the mean of the two forces:
  *
  *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of global damping, over kicks      [CS79 26-36]
- *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks; what strains a cell (balance_cell.c)
- *             gravity     m g.v tau  over kicks
- *             driven      m dc.v  of what is carried along with the velocity c, and stress on a boundary, over kicks
+ *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks
+ *             gravity     m g.(v + c) tau  over kicks
+ *             driven      what carries bodies along (balance_carry.c), and stress on a boundary times v tau, over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or part with their spring bent, over steps
  *                         what a law says that knows micro-slip
  *             sliding     the part of that in which a contact slides as a whole
@@ -30,7 +30,6 @@
 #include <string.h>
 
 #include "balance.h"
-#include "drive.h"
 
 /* ---- set up ---- */
 
@@ -67,10 +66,9 @@ enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error)
     b->position = nb_array(bodies, sizeof *b->position), b->pivot = nb_array(walls, sizeof *b->pivot);
     b->wall_velocity = nb_array(walls, sizeof *b->wall_velocity), b->wall_spin = nb_array(walls, sizeof(double));
     b->values = nb_array(pairings, sizeof *b->values);
-    b->carried = model->drive ? nb_array(bodies, sizeof *b->carried) : NULL;
   }
-  if (!b || !nb_balance_cell_create(b, model) || !b->before || !b->now || !b->position || !b->pivot ||
-      !b->wall_velocity || !b->wall_spin || !b->values || (model->drive && !b->carried))
+  if (!b || !nb_balance_carry_create(b, model) || !b->before || !b->now || !b->position || !b->pivot ||
+      !b->wall_velocity || !b->wall_spin || !b->values)
     return nb_error_set(error, NB_BROKEN, "out of memory for the balances");
   b->kinetic = nb_energy_kinetic_half(model);
   if (b->energies)
@@ -86,7 +84,7 @@ void nb_balance_free(struct nb_balance *b) {
   if (!b)
     return;
   free(b->before), free(b->now), free(b->position), free(b->pivot), free(b->wall_velocity), free(b->wall_spin);
-  free(b->values), free(b->along), free(b->carried), free(b);
+  free(b->values), free(b->along), free(b);
 }
 
 /* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */
@@ -106,18 +104,18 @@ static struct nb_vec wall_way(const struct nb_model *model, const struct kick *k
   return vec_add(vec_scale(kick->behind, was), vec_scale(kick->ahead, is));
 }
 
-/* Dashpots, walls and cells. */
+/* Dashpots and walls. */
 static void contacts_do(struct nb_sum terms[], const struct nb_model *model, const struct kick *kick) {
   const struct nb_contacts *contacts = &model->contacts;
   const double time = kick->behind + kick->ahead;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    if ((!model->dashpots && !pairing->wall && !model->cell) || !(contacts->kept[NB_OVERLAP][c] > 0))
+    if ((!model->dashpots && !pairing->wall) || !(contacts->kept[NB_OVERLAP][c] > 0))
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
     const double radius = model->bodies.rim[i].x;
-    struct nb_vec way = vec_scale(time, kick->now[i].velocity);
+    struct nb_vec way = vec_add(vec_scale(time, kick->now[i].velocity), nb_balance_carried(model, (size_t)i));
     double rolled = time * kick->now[i].spin * radius;
     if (pairing->wall) {
       const double reach = radius - contacts->kept[NB_OVERLAP][c];
@@ -125,13 +123,9 @@ static void contacts_do(struct nb_sum terms[], const struct nb_model *model, con
       nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(contacts->force[c], wall));
       way = vec_sub(way, wall);
     } else {
-      way = vec_sub(way, vec_scale(time, kick->now[j].velocity));
+      const struct nb_vec carried = vec_add(nb_balance_carried(model, (size_t)j), nb_balance_parted(model, c));
+      way = vec_sub(way, vec_add(vec_scale(time, kick->now[j].velocity), carried));
       rolled += time * kick->now[j].spin * model->bodies.rim[j].x;
-      if (model->cell) {
-        const struct nb_vec carried = nb_balance_carried(model, c);
-        nb_sum_add(&terms[NB_TERM_WALLS], -vec_dot(contacts->force[c], carried));
-        way = vec_add(way, carried);
-      }
     }
     if (!model->dashpots)
       continue;
@@ -149,8 +143,6 @@ void nb_balance_before(struct nb_model *model) {
     if (b->energies)
       b->now[i] = nb_velocity_now(model, i);
   }
-  if (model->drive)
-    memcpy(b->carried, model->drive->carried, model->bodies.count * sizeof *b->carried);
   memcpy(b->pivot, model->walls.pivot, model->walls.count * sizeof *b->pivot);
   nb_balance_carry(model, model->previous_step / 2, model->step / 2);
 }
@@ -162,6 +154,7 @@ void nb_balance_kick(struct nb_model *model) {
   if (!b->energies)
     return;
   nb_balance_bodies(b->terms, model, kick.behind + kick.ahead, 1);
+  nb_balance_carrying(b->terms, model);
   contacts_do(b->terms, model, &kick);
   memcpy(b->wall_velocity, model->walls.velocity, model->walls.count * sizeof *b->wall_velocity);
   memcpy(b->wall_spin, model->walls.spin, model->walls.count * sizeof *b->wall_spin);
@@ -177,9 +170,8 @@ void nb_balance_tail(struct nb_sum terms[], const struct nb_model *model) {
   for (size_t i = 0; i < model->bodies.count; i++)
     b->before[i] = nb_velocity_half(model, i), b->now[i] = nb_velocity_now(model, i);
   memcpy(b->position, model->bodies.position, model->bodies.count * sizeof *b->position);
-  if (model->drive)
-    memcpy(b->carried, model->drive->carried, model->bodies.count * sizeof *b->carried);
   nb_balance_bodies(terms, model, model->previous_step, 0.5);
+  nb_balance_carrying(terms, model);
   contacts_do(terms, model, &kick);
 }
 

@@ -19,12 +19,11 @@ static inline void nb_sum_add(struct nb_sum *to, double value) {
 struct nb_balance {
   bool works, energies;
   struct nb_state *before, *now;        /* per slot: velocities before the kick; those of t_N */
-  struct nb_vec *carried;               /* per slot: of that velocity, what carries it along; NULL: nothing is */
   struct nb_vec *position;              /* per slot: at t_N, m */
   struct nb_vec *pivot, *wall_velocity; /* per wall: P at t_N, m; velocity over the step that ended there, m/s */
   double *wall_spin;                    /* likewise, rad/s */
-  struct nb_vec *along;                 /* per slot: how far a cell carries it over the kick, m; NULL without a cell */
-  struct nb_tensor parted;              /* and a copy a side on besides, m */
+  struct nb_vec *along;                 /* per slot: how far it is carried along over the kick, m; NULL: nothing is */
+  struct nb_tensor parted;              /* and the copy a side on besides, m */
   struct nb_pair *values;               /* per pairing: what its laws were given at t_N; */
   struct nb_in_force laws;              /* which they were then; */
   bool changed, another;                /* some of that is something else now; the shear law is */
@@ -32,11 +31,15 @@ struct nb_balance {
   struct nb_sum work, terms[NB_TERMS];  /* J */
 };
 
-/* balance_cell.c */
-bool nb_balance_cell_create(struct nb_balance *balance, const struct nb_model *model); /* false: no memory */
+/* ---- balance_carry.c ---- */
+bool nb_balance_carry_create(struct nb_balance *balance, const struct nb_model *model); /* false: no memory */
 /* Before a kick that lasts so long before t_N and after it, s: how far bodies are carried over it. */
 void nb_balance_carry(const struct nb_model *model, double behind, double ahead);
-struct nb_vec nb_balance_carried(const struct nb_model *model, size_t contact); /* the first body less the second, m */
+struct nb_vec nb_balance_carried(const struct nb_model *model, size_t slot); /* so far, m; */
+struct nb_vec nb_balance_parted(const struct nb_model *model,
+                                size_t contact); /* the copy that it meets by so much more */
+void nb_balance_carrying(struct nb_sum terms[], const struct nb_model *model); /* the work of that, over the kick */
+
 /* ---- balance_bodies.c ---- */
 /* Bodies, in a kick that lasts `time` and of which `share` is counted, at the velocities of t_N; */
 void nb_balance_bodies(struct nb_sum terms[], const struct nb_model *model, double time, double share);

@@ -31,33 +31,24 @@ static struct nb_state damping_impulse(const struct nb_model *model, size_t i, s
                            -(inertia * (old * was.spin + new *is.spin) + pushed * time * force.moment)};
 }
 
-/* What carries a body along, before the kick and after it. */
-struct along {
-  struct nb_vec was, is; /* m/s */
-};
-static struct along along(const struct nb_model *model, size_t i) {
-  const struct nb_balance *b = model->balance;
-  if (!model->drive)
-    return (struct along){vec(0, 0), vec(0, 0)};
-  return (struct along){b->carried[i], nb_carried_at(model->drive, i, b->position[i])};
+/* What stays in a body's own velocity of what carries it along (carry.h), m/s. */
+static struct nb_vec left(const struct nb_model *model, size_t i) {
+  return model->carry ? nb_carry_left(model->carry, i, model->balance->position[i]) : vec(0, 0);
 }
 
-/* What global damping takes in such a kick, with its mean velocity. It acts on what is not carried along. */
+/* What global damping takes in such a kick, with its mean velocity. */
 static double damped(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state mean,
                      struct nb_force force, double time) {
-  const struct along c = along(model, i);
-  struct nb_state is = {vec_sub(vec_scale(2, mean.velocity), was.velocity), 2 * mean.spin - was.spin};
-  if (model->drive)
-    was.velocity = vec_sub(was.velocity, c.was), is.velocity = vec_sub(is.velocity, c.is);
+  const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), was.velocity);
+  const struct nb_state is = {vec_sub(after, left(model, i)), 2 * mean.spin - was.spin};
   const struct nb_state taken = damping_impulse(model, i, was, is, force, time);
   return -(vec_dot(taken.velocity, mean.velocity) + taken.spin * mean.spin);
 }
 
-/* What carrying a body along, and stress on a boundary, give it in such a kick. */
+/* What that, and stress on a boundary, give a body in such a kick. */
 static double driven(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
-  const struct along c = along(model, i);
-  struct nb_vec impulse = vec_scale(model->bodies.mass[i], vec_sub(c.is, c.was));
-  if (model->drive->pressing)
+  struct nb_vec impulse = vec_scale(model->bodies.mass[i], left(model, i));
+  if (model->drive && model->drive->pressing)
     impulse = vec_add(impulse, vec_scale(time, model->drive->pressed[i]));
   return vec_dot(impulse, mean);
 }
@@ -82,8 +73,9 @@ void nb_balance_bodies(struct nb_sum terms[], const struct nb_model *model, doub
     }
     const struct nb_vec weight = nb_weight(model, i, model->balance->position[i]);
     force.force = vec_add(force.force, outer_forces(model, i));
-    nb_sum_add(&terms[NB_TERM_GRAVITY], share * time * vec_dot(weight, now.velocity));
-    if (model->drive)
+    nb_sum_add(&terms[NB_TERM_GRAVITY],
+               share * time * vec_dot(weight, now.velocity) + vec_dot(weight, nb_balance_carried(model, i)));
+    if (model->carry)
       nb_sum_add(&terms[NB_TERM_DRIVEN], share * driven(model, i, now.velocity, time));
     nb_sum_add(&terms[NB_TERM_DAMPED], share * damped(model, i, was, now, force, time));
   }
@@ -100,7 +92,7 @@ void nb_balance_work(struct nb_sum *work, const struct nb_model *model, double t
     const struct nb_state mean = {vec_scale(0.5, vec_add(was.velocity, is.velocity)), (was.spin + is.spin) / 2};
     struct nb_force force = nb_force_on(model, i);
     force.force = vec_add(force.force, nb_weight(model, i, model->balance->position[i]));
-    if (model->drive)
+    if (model->carry)
       nb_sum_add(work, driven(model, i, mean.velocity, time));
     nb_sum_add(work, time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
     if (model->drive && model->drive->pressing)

@@ -1,7 +1,7 @@
 /* The periodic cell.                                                      [R89 2.3, 4.5.2]
  *
  *   H <- (1 + L dt) H                    L = c_ij, the strain rate tensor                    [R89 4.43, 4.44]
- *   c_i = L (x_i - x_0)                  what carries a body along, besides its own velocity v_i
+ *   c_i = L (x_i - x_0)                  what carries a body along, besides its own velocity v_i (carry.c)
  *   x_i <- x_i + (v_i + c_i) dt          so x_i - x_0 = H s keeps its s when v = 0: a uniform strain
  *   x_j + H m,   v_j + c_j + L H m       place and velocity of the copy of j that i meets
  *
@@ -21,7 +21,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
-#include "model.h"
+#include "carry.h"
 
 static const struct nb_tensor one = {1, 0, 0, 1};
 
@@ -30,8 +30,7 @@ bool nb_cell_create(struct nb_model *model) {
   if (!from->line)
     return true;
   struct nb_cell *cell = model->cell = calloc(1, sizeof *cell);
-  model->bodies.carried = nb_array(model->bodies.count, sizeof *model->bodies.carried);
-  if (!cell || !model->bodies.carried)
+  if (!cell)
     return false;
   cell->centre = vec(from->x, from->y);
   cell->h = cell->first = tensor(from->h[0], from->h[1], from->h[2], from->h[3]);
@@ -50,8 +49,8 @@ int nb_cell_move(struct nb_model *model) {
   struct nb_cell *cell = model->cell;
   if (!(model->skin < INFINITY))
     cell->since = one; /* nothing is searched for */
-  const struct nb_tensor step = tensor_scale(model->step, cell->rate);
-  cell->parting = tensor_product(cell->rate, cell->h);
+  const struct nb_tensor rate = model->carry->rate[NB_CARRIER_CELL], step = tensor_scale(model->step, rate);
+  cell->parting = tensor_product(rate, cell->h);
   cell->h = tensor_add(cell->h, tensor_product(step, cell->h));
   cell->since = tensor_add(cell->since, tensor_product(step, cell->since));
   const struct nb_tensor change = tensor_sub(cell->since, one);

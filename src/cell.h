@@ -12,7 +12,6 @@
 struct nb_cell {
   struct nb_vec centre;      /* the point that straining leaves where it is, m */
   struct nb_tensor h, first; /* H now, and at time 0, m */
-  struct nb_tensor rate; /* L over the step behind; over the one ahead once a stage has begun, 1/s [R89 4.43, 4.44] */
   struct nb_tensor
       parting;            /* L H over the step behind: a copy m sides on is faster than its body by this times m, m/s */
   struct nb_tensor since; /* F since the last search, 1 */
@@ -28,11 +27,6 @@ int nb_cell_move(struct nb_model *model);
 /* Before a search: whether the cell is wide enough for a pair to meet in one place alone. */
 enum nb_status nb_cell_wide(const struct nb_model *model, struct nb_error *error);
 void nb_cell_searched(struct nb_cell *cell, double skin);
-/* What the cell carries a body at x along with, m/s. */
-static inline struct nb_vec nb_cell_carries(const struct nb_cell *cell, struct nb_vec x) {
-  return tensor_times(cell->rate, vec_sub(x, cell->centre));
-}
-
 /* The cell that is nearest to upright, of all whose copies fill the plane alike. */
 struct nb_wrap {
   struct nb_vec centre;

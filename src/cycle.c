@@ -11,6 +11,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "drive.h"
 #include "energy.h"
+#include "servo.h"
 #include "since.h"
 #include "step.h"
 
@@ -68,6 +69,8 @@ enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
     nb_stage_drive(model);
   if (model->drive && nb_drive_before(model, error))
     return error->status;
+  if (model->carry && model->stage && model->stage->servo.line)
+    nb_servo_set(model);
   if (model->balance)
     nb_balance_before(model);
   const int out = motion(model);

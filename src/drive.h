@@ -1,16 +1,12 @@
-/* What moves an assembly from outside: bodies that are carried along with a strain rate, and its boundary.
+/* What moves an assembly from outside: its boundary, and whether bodies turn.
  *
- *   drive.c   carried velocities      ring.c   which bodies are the boundary, its polygon, its stress
+ *   drive.c   what stages do with it      ring.c   which bodies are the boundary, its polygon, its stress
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_DRIVE_H
 #define NB_DRIVE_H
 
-#include "model.h"
-#include "tensor.h"
-
-/* What a body is carried along by. */
-enum nb_carrier { NB_CARRIER_NONE, NB_CARRIER_CONTINUUM, NB_CARRIER_BOUNDARY, NB_CARRIERS };
+#include "carry.h"
 
 struct nb_ring {
   bool begun, held;         /* there is one; its bodies follow the strain rate */
@@ -25,38 +21,20 @@ struct nb_ring {
 };
 
 struct nb_drive {
-  struct nb_vec centre;                /* what the strain rates are about, m */
-  struct nb_tensor rate[NB_CARRIERS];  /* over the step ahead, 1/s */
-  struct nb_tensor level[NB_CARRIERS]; /* what the stage asks for, before any servo, 1/s */
-  struct nb_servo_from {
-    double stress[3]; /* Pa: where the stresses that are servoed began */
-  } servo_from;
-  struct nb_strain_rate asked[NB_CARRIERS]; /* by the page */
-  double remembered[NB_CARRIERS]; /* 1: what carried a body is no part of its own velocity; 0: it stays in it */
-  unsigned char *carrier;         /* per slot: enum nb_carrier */
-  struct nb_vec *carried;         /* per slot: the part of its velocity that is what carries it along, m/s */
-  struct nb_vec *pressed;         /* per slot: force of a stress on the boundary, N; NULL: no stage has one */
-  bool pressing;                  /* there is one now */
-  struct nb_tensor stress;        /* and which, Pa */
-  bool turns;                     /* `rotation on` */
+  struct nb_vec *pressed;  /* per slot: force of a stress on the boundary, N; NULL: no stage has one */
+  bool pressing;           /* there is one now */
+  struct nb_tensor stress; /* and which, Pa */
+  bool turns;              /* `rotation on` */
   struct nb_ring ring;
 };
 
-/* c = L (x - centre): of what carries the body in that slot, were it at x. */
-static inline struct nb_vec nb_carried_at(const struct nb_drive *drive, size_t slot, struct nb_vec x) {
-  return tensor_times(drive->rate[drive->carrier[slot]], vec_sub(x, drive->centre));
-}
-
 /* ---- drive.c ---- */
-bool nb_drive_wanted(
-    const struct nb_scene *scene); /* something is carried along in some stage, or held by a boundary */
 enum nb_status nb_drive_create(struct nb_model *model, struct nb_error *error); /* before the first search */
 void nb_drive_free(struct nb_drive *drive);
 enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
 /* Before the motion and after it. */
 enum nb_status nb_drive_before(struct nb_model *model, struct nb_error *error);
 void nb_drive_after(struct nb_model *model);
-void nb_drive_still(struct nb_model *model);               /* `still`: nothing has been carried along so far */
 void nb_drive_hold(struct nb_model *model, size_t slot);   /* makes a body one of the boundary's */
 void nb_drive_let_go(struct nb_model *model, size_t slot); /* and free again, with the velocity that it has */
 

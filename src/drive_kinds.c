@@ -21,9 +21,9 @@ OF_RING(stress_yy, nb_ring_stress(model).yy)
 OF_RING(stress_mean, tensor_mean(nb_ring_stress(model)))
 OF_RING(stress_deviator, 2 * tensor_radius(nb_ring_stress(model)))
 
-static double perturbation(const struct nb_model *model, const struct nb_watch *watch) {
+static double whole(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
-  return nb_energy_perturbation(model);
+  return nb_energy_kinetic_whole(model);
 }
 
 const struct nb_quantity_kind nb_drive_kinds[] = {
@@ -41,7 +41,7 @@ const struct nb_quantity_kind nb_drive_kinds[] = {
     {"boundary.stress.yy", 0, "Pa", 0, stress_yy, "likewise"},
     {"boundary.stress.mean", 0, "Pa", 0, stress_mean, "(xx + yy)/2"},
     {"boundary.stress.deviator", 0, "Pa", 0, stress_deviator, "major less minor principal stress"},
-    {"energy.kinetic.perturbation", 0, "J", 0, perturbation,
-     "kinetic energy of bodies that are free with the velocities that are not what carries them along; spin included"},
+    {"energy.kinetic.whole", 0, "J", 0, whole,
+     "kinetic energy of bodies that are free with what carries them along, where they are; spin included"},
     {NULL, 0, NULL, 0, NULL, NULL},
 };

@@ -4,11 +4,10 @@
  *   U = sum (U_n + U_s)                         the laws' state functions: F_n^2/2k_n and F_s^2/2k_s for springs
  *   p = sum m v,   L = sum (m x x v + I w)      about the origin
  *
- * Velocities are without what carries a body along (cell.c). Sums run in the order of numbers, over bodies that are free.
+ * Velocities are without what carries a body along (carry.c). Sums run in the order of numbers, over bodies that are free.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
-#include "drive.h"
 
 static double kinetic_of(const struct nb_bodies *bodies, size_t i, struct nb_state v) {
   return (bodies->mass[i] * vec_dot(v.velocity, v.velocity) + bodies->inertia[i] * (v.spin * v.spin)) / 2;
@@ -40,24 +39,13 @@ double nb_energy_of_motion(const struct nb_model *model, size_t slot) {
   return model->bodies.inverse_mass[slot] > 0 ? kinetic_of(&model->bodies, slot, nb_velocity_now(model, slot)) : 0;
 }
 
-/* What carries it along at t_N: the mean of the half steps, unless it stays in its velocity. */
-static struct nb_vec carried(const struct nb_model *model, size_t i) {
-  const struct nb_drive *drive = model->drive;
-  const struct nb_vec next = nb_carried_at(drive, i, model->bodies.position[i]);
-  return vec_scale(drive->remembered[drive->carrier[i]] / 2, vec_add(drive->carried[i], next));
-}
-
-double nb_energy_perturbation(const struct nb_model *model) {
+double nb_energy_kinetic_whole(const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   double sum = 0;
   for (size_t k = 0; k < bodies->count; k++) {
     const size_t i = (size_t)bodies->slot[k];
-    if (!(bodies->inverse_mass[i] > 0))
-      continue;
-    struct nb_state v = nb_velocity_now(model, i);
-    if (model->drive && model->previous_step > 0)
-      v.velocity = vec_sub(v.velocity, carried(model, i));
-    sum += kinetic_of(bodies, i, v);
+    if (bodies->inverse_mass[i] > 0)
+      sum += kinetic_of(bodies, i, (struct nb_state){nb_velocity_whole(model, i), nb_velocity_now(model, i).spin});
   }
   return sum;
 }

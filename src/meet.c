@@ -127,7 +127,7 @@ struct nb_meeting nb_meeting_shortest(const struct nb_model *model) {
   if (!velocity)
     return shortest;
   for (size_t i = 0; i < n; i++)
-    velocity[i] = nb_velocity_now(model, i).velocity;
+    velocity[i] = nb_velocity_whole(model, i);
   for (size_t k = 0; k < n; k++) { /* in the order of numbers: of two that last as long the first one counts */
     const size_t i = (size_t)model->bodies.slot[k];
     if (moving(velocity[i]))

@@ -173,7 +173,9 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
                         model->laws.normal ? scene->shear : scene->normal);
   if (saved)
     nb_saved_put(model, saved);
-  status = nb_drive_create(model, error);
+  status = nb_carry_create(model, error);
+  if (!status)
+    status = nb_drive_create(model, error);
   if (!status)
     status = nb_plan(model, error);
   if (!status)
@@ -266,6 +268,7 @@ void nb_model_free(struct nb_model *model) {
   nb_contacts_free(&model->contacts);
   nb_balance_free(model->balance);
   nb_regions_free(model->regions, model->scene->region_count);
+  nb_carry_free(model->carry);
   nb_drive_free(model->drive);
   nb_since_free(model->since);
   free(model);

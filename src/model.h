@@ -29,14 +29,9 @@ struct nb_bodies {
   double *inverse_mass, *inverse_inertia; /* 0 for what is fixed */
   int *material;
   struct nb_vec *searched; /* where they were at the last search */
-  struct nb_vec *carried;  /* the part of the velocity that a cell carries it along with, m/s; NULL: nothing does */
+  struct nb_vec *carried;  /* c, the part of the velocity that carries it along, m/s; NULL: nothing does (carry.h) */
   bool *gone;              /* taken out of the scene (remove.c); NULL where no stage takes any out */
 };
-
-/* The velocity of a body that does nothing of its own, m/s. */
-static inline struct nb_vec nb_bodies_idle(const struct nb_bodies *bodies, size_t slot) {
-  return bodies->carried ? bodies->carried[slot] : vec(0, 0);
-}
 
 /* How a body or a wall moves. */
 struct nb_state {
@@ -151,7 +146,8 @@ struct nb_model {
     double strength;      /* m/s2; 0: none */
     struct nb_vec to;     /* the point, m */
   } inward;               /* likewise */
-  struct nb_drive *drive; /* drive.h; NULL: nothing is carried along */
+  struct nb_carry *carry; /* carry.h; NULL: nothing is carried along */
+  struct nb_drive *drive; /* drive.h; NULL: there is no boundary, and bodies turn */
   struct nb_properties properties;
   struct nb_in_force laws, coming; /* of the forces behind, and of those ahead: a stage may change them */
   const struct nb_stage *stage;    /* the one that runs, NULL before the first */
@@ -247,7 +243,8 @@ struct nb_force nb_force_on(const struct nb_model *model, size_t slot);      /* 
 struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot); /* at the half step behind, likewise */
 struct nb_state nb_velocity_now(const struct nb_model *model,
                                 size_t slot); /* at t_N: mean of the half steps [CS79 31]; without what carries it */
-struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot); /* what carries it, likewise, m/s */
+struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot);    /* what carries it, likewise, m/s */
+struct nb_vec nb_velocity_whole(const struct nb_model *model, size_t slot); /* with what carries it, likewise, m/s */
 
 struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* m g, were the body at x, N */
 

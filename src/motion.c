@@ -61,9 +61,10 @@ struct part {
   struct nb_factors factors;
   struct nb_vec gravity; /* m/s2 */
   struct nb_inward inward;
-  const struct nb_cell *cell; /* NULL: there is none */
-  struct nb_drive *drive;     /* NULL: nothing is carried along */
-  double time, step, reach;   /* of the kick and of the drift, s; how far a body may go without a new search, m */
+  const struct nb_vec *pressed; /* NULL: no stress on a boundary */
+  const struct nb_carry *carry; /* NULL: nothing is carried along */
+  bool cell;                    /* there is one */
+  double time, step, reach;     /* of the kick and of the drift, s; how far a body may go without a new search, m */
 };
 
 /* Kick and drift, 22, 22a, and what fixed bodies do: they go on as they go, no force and no damping reaches them. Answers how
@@ -85,21 +86,21 @@ static inline NB_FORM int drift(const struct part *part, const struct sums *sums
   return out;
 }
 
-/* The same of bodies that are carried along. */
+/* The same of bodies that are carried along. `literal` leaves what carries them in their own velocity. */
 static inline NB_FORM int drift_along(const struct part *part, const struct sums *sums, size_t from, size_t n) {
   const double *mass = part->bodies.inverse_mass + from;
   const struct nb_vec *searched = part->bodies.searched + from;
   struct nb_vec *velocity = part->bodies.velocity + from, *position = part->bodies.position + from;
-  struct nb_vec *carried = part->drive->carried + from;
+  struct nb_vec *carried = part->bodies.carried + from;
   const double dt = part->step, push = part->factors.push * part->time, reach = part->reach * part->reach;
   int out = 0;
   for (size_t k = 0; k < n; k++) {
     const double keep = mass[k] > 0 ? part->factors.keep : 1;
-    const struct nb_vec along = nb_carried_at(part->drive, from + k, position[k]);
+    const struct nb_vec along = nb_carried_at(part->carry, from + k, position[k]);
     const nb_both own = vec_both(&velocity[k]) - vec_both(&carried[k]);
     const nb_both v = keep * own + (push * mass[k]) * vec_both(&sums->force[k]) + vec_both(&along);
     const nb_both x = vec_both(&position[k]) + dt * v, way = x - vec_both(&searched[k]), square = way * way;
-    carried[k] = vec_scale(part->drive->remembered[part->drive->carrier[from + k]], along);
+    carried[k] = vec_scale(part->carry->remembered[part->carry->by[from + k]], along);
     vec_put(&velocity[k], v);
     vec_put(&position[k], x);
     out += !(square[0] + square[1] <= reach);
@@ -123,23 +124,11 @@ static inline NB_FORM void turn(const struct part *part, const struct sums *sums
   }
 }
 
-/* Before the drift: what carries bodies is taken off their velocity, and moves them and where they were found at the last
- * search; so the drift sees what they do besides. */
-static inline NB_FORM void carry(const struct part *part, size_t from, size_t n) {
-  struct nb_vec *velocity = part->bodies.velocity + from, *position = part->bodies.position + from;
-  struct nb_vec *carried = part->bodies.carried + from, *searched = part->bodies.searched + from;
-  for (size_t k = 0; k < n; k++) {
-    velocity[k] = vec_sub(velocity[k], carried[k]);
-    carried[k] = nb_cell_carries(part->cell, position[k]);
-    position[k] = vec_add(position[k], vec_scale(part->step, carried[k]));
-    searched[k] = vec_add(searched[k], vec_scale(part->step, nb_cell_carries(part->cell, searched[k])));
-  }
-}
-
-/* After it. */
-static inline NB_FORM void carry_on(const struct part *part, size_t from, size_t n) {
+/* A cell carries the whole list of contacts: so the places of the last search, and the reach is for what bodies do besides. */
+static inline NB_FORM void carry_list(const struct part *part, size_t from, size_t n) {
+  struct nb_vec *searched = part->bodies.searched;
   for (size_t k = from; k < from + n; k++)
-    part->bodies.velocity[k] = vec_add(part->bodies.velocity[k], part->bodies.carried[k]);
+    searched[k] = vec_add(searched[k], vec_scale(part->step, nb_carried_at(part->carry, k, searched[k])));
 }
 
 static inline NB_FORM int move(const struct part *part, const struct nb_felt *felt, size_t from, size_t to) {
@@ -152,13 +141,11 @@ static inline NB_FORM int move(const struct part *part, const struct nb_felt *fe
       add_weight(&sums, part->bodies.mass + from, part->gravity, n);
     if (part->inward.strength != 0)
       add_inward(&sums, part->bodies.mass + from, part->bodies.position + from, &part->inward, n);
-    if (part->drive && part->drive->pressing)
-      add_pressed(&sums, part->drive->pressed + from, n);
+    if (part->pressed)
+      add_pressed(&sums, part->pressed + from, n);
     if (part->cell)
-      carry(part, from, n);
-    out += part->drive ? drift_along(part, &sums, from, n) : drift(part, &sums, from, n);
-    if (part->cell)
-      carry_on(part, from, n);
+      carry_list(part, from, n);
+    out += part->carry ? drift_along(part, &sums, from, n) : drift(part, &sums, from, n);
     if (part->bodies.spin)
       turn(part, &sums, from, n);
   }
@@ -190,8 +177,9 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
                             .factors = nb_factors(model, time),
                             .gravity = model->gravity,
                             .inward = model->inward,
-                            .cell = model->cell,
-                            .drive = model->drive,
+                            .pressed = model->drive && model->drive->pressing ? model->drive->pressed : NULL,
+                            .carry = model->carry,
+                            .cell = model->cell != NULL,
                             .time = time,
                             .step = model->step,
                             .reach = model->cell ? model->cell->reach : model->skin / 2};

@@ -63,8 +63,8 @@ static size_t slot(const struct nb_model *model, const struct nb_watch *watch) {
 OF_BODY(body_x, bodies->position[i].x)
 OF_BODY(body_y, bodies->position[i].y)
 OF_BODY(body_angle, bodies->angle ? bodies->angle[i] : 0)
-OF_BODY(body_vx, nb_velocity_now(model, i).velocity.x + nb_carried_now(model, i).x)
-OF_BODY(body_vy, nb_velocity_now(model, i).velocity.y + nb_carried_now(model, i).y)
+OF_BODY(body_vx, nb_velocity_whole(model, i).x)
+OF_BODY(body_vy, nb_velocity_whole(model, i).y)
 OF_BODY(body_spin, nb_velocity_now(model, i).spin)
 OF_BODY(body_vx_half, bodies->velocity[i].x)
 OF_BODY(body_vy_half, bodies->velocity[i].y)
@@ -145,13 +145,13 @@ static const struct nb_quantity_kind kinds[] = {
      "work done against shear forces since the start; for laws without stored energy"},
     {"energy.damped", 0, "J", NB_OF_BALANCE, damped, "lost in dashpots and by global damping since the start"},
     {"energy.walls", 0, "J", NB_OF_BALANCE, by_walls,
-     "supplied since the start by walls and by fixed bodies that move, their force times their velocity; and by "
-     "straining a cell"},
+     "supplied since the start by walls and by fixed bodies that move, their force times their velocity"},
     {"energy.gravity", 0, "J", NB_OF_BALANCE, by_gravity, "supplied by gravity since the start"},
     {"energy.changed", 0, "J", NB_OF_BALANCE, changed,
      "put in by stages: bodies stopped or turned round, loaded springs made stiffer or softer"},
     {"energy.driven", 0, "J", NB_OF_BALANCE, driven,
-     "supplied by what carries bodies along, and by stress on a boundary"},
+     "supplied by what carries bodies along, straining of a cell or by a boundary and a continuum, and by stress on a "
+     "boundary"},
     {"energy.removed", 0, "J", NB_OF_BALANCE, removed,
      "carried away by bodies that stages have taken out or a boundary holds: their kinetic energy and what the springs "
      "of "

@@ -358,7 +358,8 @@ struct nb_servo {
   double stress[3];               /* what they should be, Pa */
   bool held[3];                   /* which of them */
   bool mean;                      /* only (xx + yy)/2 */
-  bool continuum;                 /* the continuum's strain rate is changed as the boundary's is */
+  bool continuum;                 /* the continuum's strain rate is changed as the boundary's is; or */
+  bool cell;                      /* the cell's alone */
   bool ramp;                      /* reached at the end of the stage, along a straight line */
   double most;                    /* largest component of what is added, 1/s or, */
   bool per_cycle;                 /* strain of one cycle */

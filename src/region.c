@@ -108,7 +108,7 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
     break;
   case NB_REGION_INSIDE: /* nothing, while there is no boundary */
     if (model->drive && model->drive->ring.begun)
-      now->centre = model->drive->centre, now->radius = it->radius * nb_ring_radius(model);
+      now->centre = model->carry->centre, now->radius = it->radius * nb_ring_radius(model);
     else
       now->centre = vec(0, 0), now->radius = 0;
     now->area = nb_area_of_disc(now->radius);

@@ -40,9 +40,11 @@ static void take_out(struct nb_model *model, size_t i) {
     let_go(model, (size_t)model->incidence.entry[k]);
   if (model->drive)
     nb_ring_drop(model, i);
+  if (model->carry)
+    nb_carry_drop(model, i);
   bodies->gone[i] = true;
   bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
-  bodies->velocity[i] = nb_bodies_idle(bodies, i);
+  bodies->velocity[i] = vec(0, 0);
   if (bodies->spin)
     bodies->spin[i] = 0;
 }

@@ -27,16 +27,17 @@
 /* ---- the circle ---- */
 
 /* Nearer to the circle than the rounding of its points counts as on it: a page may put bodies there. */
-static bool beyond(const struct nb_drive *drive, struct nb_vec x, double inside) {
-  const struct nb_vec home = tensor_times(tensor_inverse(drive->ring.shape), vec_sub(x, drive->centre));
-  return vec_length(home) >= drive->ring.radius * (1 - 1e-12) - inside;
+static bool beyond(const struct nb_model *model, struct nb_vec x, double inside) {
+  const struct nb_ring *ring = &model->drive->ring;
+  const struct nb_vec home = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->carry->centre));
+  return vec_length(home) >= ring->radius * (1 - 1e-12) - inside;
 }
 
 static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
 
 /* Whether the body in that slot may belong to it: what a page holds, and what is gone, does not. */
 static bool may_join(const struct nb_model *model, size_t i) {
-  return model->bodies.inverse_mass[i] > 0 && model->drive->carrier[i] == NB_CARRIER_CONTINUUM;
+  return model->bodies.inverse_mass[i] > 0 && model->carry->by[i] == NB_CARRIER_CONTINUUM;
 }
 
 /* ---- who belongs to it ---- */
@@ -45,8 +46,8 @@ static bool lower(struct nb_vec a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
 
 /* Whether slot i comes before slot j, counterclockwise from the east. */
 static bool precedes(const struct nb_model *model, int i, int j) {
-  const struct nb_vec a = vec_sub(model->bodies.position[i], model->drive->centre);
-  const struct nb_vec b = vec_sub(model->bodies.position[j], model->drive->centre);
+  const struct nb_vec a = vec_sub(model->bodies.position[i], model->carry->centre);
+  const struct nb_vec b = vec_sub(model->bodies.position[j], model->carry->centre);
   const double turn = a.x * b.y - a.y * b.x;
   if (lower(a) != lower(b))
     return lower(b);
@@ -68,15 +69,14 @@ static void hold(struct nb_model *model, int slot) {
 }
 
 void nb_ring_begin(struct nb_model *model, const struct nb_circle *circle) {
-  struct nb_drive *drive = model->drive;
-  struct nb_ring *ring = &drive->ring;
+  struct nb_ring *ring = &model->drive->ring;
   nb_ring_free(model, true);
-  drive->centre = vec(circle->x, circle->y);
+  model->carry->centre = vec(circle->x, circle->y);
   ring->begun = ring->held = true;
   ring->radius = circle->radius, ring->shape = tensor(1, 0, 0, 1), ring->after = 0;
   for (size_t k = 0; k < model->bodies.count; k++) {
     const int i = model->bodies.slot[k];
-    if (!may_join(model, (size_t)i) || !beyond(drive, model->bodies.position[i], 0))
+    if (!may_join(model, (size_t)i) || !beyond(model, model->bodies.position[i], 0))
       continue;
     hold(model, i);
     add(model, i);
@@ -107,26 +107,23 @@ void nb_ring_free(struct nb_model *model, bool dissolve) {
 }
 
 void nb_ring_drop(struct nb_model *model, size_t slot) {
-  struct nb_drive *drive = model->drive;
+  struct nb_ring *ring = &model->drive->ring;
   size_t left = 0;
-  for (size_t k = 0; k < drive->ring.count; k++)
-    if (drive->ring.member[k] != (int)slot)
-      drive->ring.member[left++] = drive->ring.member[k];
-  drive->ring.count = left;
-  drive->carrier[slot] = NB_CARRIER_NONE;
-  drive->carried[slot] = vec(0, 0);
+  for (size_t k = 0; k < ring->count; k++)
+    if (ring->member[k] != (int)slot)
+      ring->member[left++] = ring->member[k];
+  ring->count = left;
 }
 
 /* ---- who crosses it ---- */
 
 static void look(struct nb_model *model) {
-  const struct nb_drive *drive = model->drive;
   struct nb_ring *ring = &model->drive->ring;
   const double inside = model->skin * size(tensor_inverse(ring->shape));
   ring->rim_count = 0;
   for (size_t k = 0; k < model->bodies.count; k++) {
     const int i = model->bodies.slot[k];
-    if (may_join(model, (size_t)i) && beyond(drive, model->bodies.position[i], inside))
+    if (may_join(model, (size_t)i) && beyond(model, model->bodies.position[i], inside))
       ring->rim[ring->rim_count++] = i;
   }
   ring->looked = ring->shape;
@@ -140,13 +137,13 @@ enum nb_status nb_ring_take_in(struct nb_model *model, struct nb_error *error) {
     look(model);
   bool crossed = false;
   for (size_t k = 0; k < ring->rim_count && !crossed; k++)
-    crossed = beyond(model->drive, model->bodies.position[ring->rim[k]], 0);
+    crossed = beyond(model, model->bodies.position[ring->rim[k]], 0);
   if (!crossed)
     return NB_OK;
   if (model->balance)
     nb_balance_remove(model, true);
   for (size_t k = 0; k < ring->rim_count; k++) {
-    if (!beyond(model->drive, model->bodies.position[ring->rim[k]], 0))
+    if (!beyond(model, model->bodies.position[ring->rim[k]], 0))
       continue;
     hold(model, ring->rim[k]);
     add(model, ring->rim[k]);
@@ -162,7 +159,7 @@ enum nb_status nb_ring_take_in(struct nb_model *model, struct nb_error *error) {
 
 static struct nb_vec place(const struct nb_model *model, size_t k) {
   const struct nb_ring *ring = &model->drive->ring;
-  return vec_sub(model->bodies.position[ring->member[k % ring->count]], model->drive->centre);
+  return vec_sub(model->bodies.position[ring->member[k % ring->count]], model->carry->centre);
 }
 
 double nb_ring_area(const struct nb_model *model) {

@@ -158,6 +158,8 @@ void nb_cell_check(struct nb_scene_reading *reading);
 /* A ramp wants a stage whose length is known. */
 void nb_ramps_check(struct nb_scene_reading *reading);
 bool nb_scene_bounded(const struct nb_scene *scene); /* whether the stage that is being read has a boundary by now */
+/* True, with a message, where the scene has no cell. */
+bool nb_scene_lacks_cell(const struct nb_scene_reading *reading, struct nb_reader *reader);
 /* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`: all of them per cycle, or none; false with a message. */
 bool nb_strain_of(struct nb_strain_rate *strain, struct nb_reader *reader, const struct nb_value value[]);
 /* What is carried along cannot be reversed, nor is there a boundary in a cell. */

@@ -22,8 +22,7 @@ NB_APPLY(nb_apply_cell) {
       .x = x + (x1 - x) / 2, .y = y + (y1 - y) / 2, .h = {x1 - x, 0, 0, y1 - y}, .line = (int)reader->line};
 }
 
-/* True, with a message, where the scene has no cell. */
-static bool no_cell(const struct nb_scene_reading *reading, struct nb_reader *reader) {
+bool nb_scene_lacks_cell(const struct nb_scene_reading *reading, struct nb_reader *reader) {
   if (reading->scene->cell.line || reading->cell_unsure)
     return false;
   nb_token_mistake(reader, &reader->tokens[0], "define it before the stages with `cell X Y to X Y`",
@@ -34,7 +33,7 @@ static bool no_cell(const struct nb_scene_reading *reading, struct nb_reader *re
 NB_APPLY(nb_apply_cell_strain) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_stage_now(reading->scene);
-  if (!stage || no_cell(reading, reader) || reader->bad)
+  if (!stage || nb_scene_lacks_cell(reading, reader) || reader->bad)
     return;
   if (!nb_strain_of(&stage->cell, reader, record->value))
     return;
@@ -45,7 +44,7 @@ NB_APPLY(nb_apply_wave) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   const struct nb_value *value = record->value;
-  if (no_cell(reading, reader) || reader->bad)
+  if (nb_scene_lacks_cell(reading, reader) || reader->bad)
     return;
   double nx, ny;
   if (!nb_take_word(reader, "periods") || !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &nx) ||

@@ -5,10 +5,10 @@
 
 #include "scene.h"
 
-/* `on REGION|boundary`: the three stresses that are looked at. */
+/* `on REGION|boundary|cell`: the three stresses that are looked at. */
 static bool take_place(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_servo *servo) {
   static const char *const parts[] = {"xx", "yy", "xy"};
-  const struct nb_token *place = nb_take_word(reader, "on") ? nb_take(reader, "a region, or `boundary`") : NULL;
+  const struct nb_token *place = nb_take_word(reader, "on") ? nb_take(reader, "a region, `boundary` or `cell`") : NULL;
   if (!place || place->hollow)
     return false;
   for (int k = 0; k < 3; k++) {
@@ -17,17 +17,23 @@ static bool take_place(struct nb_scene_reading *reading, struct nb_reader *reade
     if (nb_quantity_find(&servo->quantity[k], reading->scene, name, NULL))
       continue;
     if (!(reading->reader.unsure & NB_UNSURE_WATCHES))
-      nb_not_known(reader, place, NULL, "a region, or `boundary`");
+      nb_not_known(reader, place, NULL, "a region, `boundary` or `cell`");
     return false;
   }
   return true;
 }
 
-/* `by boundary {continuum} at most RATE {every N cycles}` */
+/* `by boundary {continuum}|cell at most RATE {every N cycles}` */
 static bool take_means(struct nb_reader *reader, struct nb_servo *servo) {
-  if (!nb_take_word(reader, "by") || !nb_take_word(reader, "boundary"))
+  const struct nb_token *by = nb_take_word(reader, "by") ? nb_take(reader, "`boundary` or `cell`") : NULL;
+  if (!by || by->hollow)
     return false;
-  servo->continuum = nb_token_skip(reader, "continuum");
+  servo->cell = strcmp(by->text, "cell") == 0;
+  if (!servo->cell && strcmp(by->text, "boundary") != 0) {
+    nb_not_known(reader, by, NULL, "`boundary` or `cell`");
+    return false;
+  }
+  servo->continuum = !servo->cell && nb_token_skip(reader, "continuum");
   if (!nb_take_word(reader, "at") || !nb_take_word(reader, "most") ||
       !nb_take_number(reader, NB_UNIT_STRAIN_RATE, NB_POSITIVE, &servo->most))
     return false;
@@ -56,6 +62,8 @@ NB_APPLY(nb_apply_servo) {
   else if (stage->servo.line)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is said twice: first on line %d", reader->tokens[0].text,
                      stage->servo.line);
+  else if (servo.cell)
+    nb_scene_lacks_cell(reading, reader);
   else if (!nb_scene_bounded(reading->scene))
     nb_token_mistake(reader, &reader->tokens[0], "begin one with `boundary circle X Y radius R`",
                      "expected a scene with a boundary, found none");

@@ -188,14 +188,14 @@ static const struct nb_keyword table[] = {
    "The centres of the boundary's bodies follow a strain rate about the circle's centre, exactly; they do not turn, and there is no force "
    "between two of them. From this stage on.",
    "stage     squeeze\n  boundary strain -1e-6 per cycle -1e-6 per cycle\n  cycles  10"},
-  {"servo isotropic", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary by boundary {continuum} at most RATE {every N cycles}", 0, false, nb_apply_servo,
-   "Adds to the boundary's strain rate, and to the continuum's if it says so, what brings the stress of a region, or that on the boundary, to P in all directions: "
+  {"servo isotropic", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary|cell by boundary|cell {continuum} at most RATE {every N cycles}", 0, false, nb_apply_servo,
+   "Adds to the boundary's strain rate, and to the continuum's if it says so, or to the cell's, what brings the stress of a region, or that on the boundary or in the cell, to P in all directions: "
    "xx and yy to P, xy to 0 [R89 4.1]. The gain follows from the contacts' stiffness; `at most` bounds the rates that are added. For this stage.",
    "stage     even\n  servo   isotropic 1 kPa  on boundary  by boundary continuum  at most 1e-6 per cycle\n  cycles  10"},
-  {"servo mean", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary by boundary {continuum} at most RATE {every N cycles}", 1, false, nb_apply_servo,
+  {"servo mean", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary|cell by boundary|cell {continuum} at most RATE {every N cycles}", 1, false, nb_apply_servo,
    "Holds (xx + yy)/2 alone, by a change of area: what the stage's own strain rates do to the shape goes on.",
    "stage     shear\n  servo   mean 1 kPa  on boundary  by boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10"},
-  {"servo stress", NB_IN_STAGE | NB_IN_RAMP, servo_stress, "on REGION|boundary by boundary {continuum} at most RATE {every N cycles}", 2, false, nb_apply_servo,
+  {"servo stress", NB_IN_STAGE | NB_IN_RAMP, servo_stress, "on REGION|boundary|cell by boundary|cell {continuum} at most RATE {every N cycles}", 2, false, nb_apply_servo,
    "Holds single components.",
    "stage     biaxial\n  servo   stress yy 2 kPa  on boundary  by boundary  at most 1e-6 per cycle\n  cycles  10"},
   {"boundary stress", NB_IN_STAGE, stress, NULL, 1, false, nb_apply_boundary,

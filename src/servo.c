@@ -5,7 +5,8 @@
  *   s, s0  stress, measured and wanted, compression positive, Pa
  *   B      stiffness against a change of area of an assembly all of whose bodies follow the strain, Pa
  *          dp = -B tr(L) dt,   B = sum k_n l^2/(4 A h): over contacts, k_n their normal stiffness, l the way from centre to centre
- *   T      2 R (rho/B)^(1/2), R the boundary's mean radius: a wave of pressure goes across the assembly in it, s
+ *   T      2 R (rho/B)^(1/2), R the boundary's mean radius; of a cell A^(1/2) in the place of 2 R: a wave of pressure goes across
+ *          the assembly in it, s
  *
  * So what is off goes as exp(-t/T) while B is right. Bodies that may give way are softer than B, then it goes slower, never faster: no
  * gain is too large. T is the shortest time in which the middle can have answered. As B falls to 0 with the load the
@@ -41,17 +42,18 @@ static double limited(double most, double value) { return fabs(value) > most ? f
 
 /* What is to be added to the strain rates now, 1/s. */
 static struct nb_tensor correction(const struct nb_model *model, const struct nb_servo *servo, double share) {
-  const double volume = nb_ring_area(model) * nb_thickness(model),
-               most = servo->per_cycle ? servo->most / model->step : servo->most;
-  const double b = stiffness(model, volume), t = 2 * nb_ring_radius(model) * sqrt(density(model, volume) / b);
+  const double area = servo->cell ? nb_cell_area(model->cell) : nb_ring_area(model);
+  const double width = servo->cell ? sqrt(area) : 2 * nb_ring_radius(model), volume = area * nb_thickness(model);
+  const double most = servo->per_cycle ? servo->most / model->step : servo->most;
+  const double b = stiffness(model, volume), t = width * sqrt(density(model, volume) / b);
   struct nb_tensor off = {0};
   double seen[3];
   for (int k = 0; k < 3; k++)
     seen[k] = servo->quantity[k].kind ? nb_quantity_value(servo->quantity[k], model) : 0;
-  const struct nb_servo_from *from = &model->drive->servo_from;
-  const double want[3] = {from->stress[0] + share * (servo->stress[0] - from->stress[0]),
-                          from->stress[1] + share * (servo->stress[1] - from->stress[1]),
-                          from->stress[2] + share * (servo->stress[2] - from->stress[2])};
+  const double *from = model->carry->servo_from;
+  const double want[3] = {from[0] + share * (servo->stress[0] - from[0]),
+                          from[1] + share * (servo->stress[1] - from[1]),
+                          from[2] + share * (servo->stress[2] - from[2])};
   if (servo->mean)
     off.xx = off.yy = (seen[0] + seen[1] - want[0] - want[1]) / 2;
   else
@@ -64,19 +66,20 @@ static struct nb_tensor correction(const struct nb_model *model, const struct nb
 }
 
 void nb_servo_begin(struct nb_model *model) {
-  struct nb_servo_from *from = &model->drive->servo_from;
   const struct nb_servo *servo = &model->stage->servo;
   for (int k = 0; k < 3; k++)
-    from->stress[k] = servo->ramp ? nb_quantity_value(servo->quantity[k], model) : servo->stress[k];
+    model->carry->servo_from[k] = servo->ramp ? nb_quantity_value(servo->quantity[k], model) : servo->stress[k];
 }
 
 void nb_servo_set(struct nb_model *model) {
-  struct nb_drive *drive = model->drive;
+  struct nb_carry *carry = model->carry;
   const struct nb_servo *servo = &model->stage->servo;
-  if (model->stage_cycle % servo->every != 0)
+  if (model->stage_cycle % servo->every != 0 || !(servo->cell || model->drive->ring.held))
     return;
   const double share = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
   const struct nb_tensor more = correction(model, servo, share);
-  for (int c = NB_CARRIER_CONTINUUM; c <= NB_CARRIER_BOUNDARY; c++)
-    drive->rate[c] = c == NB_CARRIER_BOUNDARY || servo->continuum ? tensor_add(drive->level[c], more) : drive->level[c];
+  const bool moved[NB_CARRIERS] = {
+      [NB_CARRIER_CONTINUUM] = servo->continuum, [NB_CARRIER_BOUNDARY] = !servo->cell, [NB_CARRIER_CELL] = servo->cell};
+  for (int c = 0; c < NB_CARRIERS; c++)
+    carry->rate[c] = moved[c] ? tensor_add(carry->level[c], more) : carry->level[c];
 }

@@ -42,8 +42,7 @@ static bool see_bodies(struct nb_table *table, const struct nb_model *model, int
     const size_t i = (size_t)bodies->slot[k];
     if (nb_gone(model, i))
       continue;
-    const struct nb_vec x = nb_cell_place(model, i), carried = nb_carried_now(model, i);
-    const struct nb_state v = nb_velocity_now(model, i);
+    const struct nb_vec x = nb_cell_place(model, i), v = nb_velocity_whole(model, i);
     const struct nb_force force = nb_force_on(model, i);
     const struct nb_vec moved = from < 0 ? vec(0, 0) : nb_since_moved(model, from, i);
     const double values[COUNT(columns)] = {(double)k + 1,
@@ -51,12 +50,12 @@ static bool see_bodies(struct nb_table *table, const struct nb_model *model, int
                                            x.y,
                                            bodies->rim[i].x,
                                            bodies->angle ? bodies->angle[i] : 0,
-                                           v.velocity.x + carried.x,
-                                           v.velocity.y + carried.y,
+                                           v.x,
+                                           v.y,
                                            force.force.x,
                                            force.force.y,
                                            force.moment,
-                                           v.spin,
+                                           nb_velocity_now(model, i).spin,
                                            touching(model, i),
                                            !(bodies->inverse_mass[i] > 0),
                                            moved.x,

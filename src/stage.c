@@ -17,6 +17,7 @@
 #include "drive.h"
 #include "energy.h"
 #include "region.h"
+#include "servo.h"
 #include "since.h"
 #include "step.h"
 
@@ -30,13 +31,13 @@ static void stop_bodies(struct nb_model *model) {
   if (model->balance)
     nb_balance_jump(model, NB_TERM_CHANGED, true);
   for (size_t i = 0; i < bodies->count; i++) {
-    bodies->velocity[i] = nb_bodies_idle(bodies, i);
+    bodies->velocity[i] = vec(0, 0);
     bodies->rim[i].y = 0;
     if (bodies->spin)
       bodies->spin[i] = 0;
   }
-  if (model->drive)
-    nb_drive_still(model);
+  if (model->carry)
+    nb_carry_still(model);
   model->previous_step = 0; /* as at time 0: nothing has slipped and nothing approaches */
   if (model->dashpots)
     nb_forces(model);
@@ -106,16 +107,6 @@ void nb_stage_drive(struct nb_model *model) {
     model->walls.velocity[to->wall] = between(from->velocity, vec(to->vx, to->vy), share);
     model->walls.spin[to->wall] = from->spin + share * (to->spin - from->spin);
   }
-}
-
-/* ---- the cell ---- */
-
-static void cell_begin(struct nb_model *model) {
-  const struct nb_strain_rate *to = &model->stage->cell;
-  if (model->stage->reverse)
-    model->cell->rate = tensor_scale(-1, model->cell->rate);
-  if (model->stage->cell_line)
-    model->cell->rate = tensor_scale(to->per_cycle ? 1 / model->step : 1, tensor(to->xx, to->xy, to->yx, to->yy));
 }
 
 /* ---- properties ---- */
@@ -199,10 +190,12 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
     return nb_error_set(error, NB_BROKEN, "out of memory for stage `%s`", stage->name);
   const enum nb_status status = nb_step_set(model, &stage->step, error);
   gravity_begin(model);
-  if (model->cell)
-    cell_begin(model);
+  if (model->carry)
+    nb_carry_begin(model, stage);
   if (!status && model->drive && nb_drive_begin(model, stage, error))
     return error->status;
+  if (!status && stage->servo.line)
+    nb_servo_begin(model);
   if (stage->reverse)
     turn_bodies(model);
   model->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||

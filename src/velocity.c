@@ -29,15 +29,11 @@ struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot) {
                            bodies->spin ? bodies->spin[slot] : 0};
 }
 
-/* What is fixed goes on as it goes: no force and no damping reaches it. */
+/* Its own velocity after a kick. What is fixed goes on as it goes: no force and no damping reaches it. */
 static struct nb_state kicked(const struct nb_model *model, const struct nb_felt *felt, size_t slot,
                               struct nb_factors f, double time) {
   const struct nb_bodies *bodies = &model->bodies;
-  const struct nb_drive *drive = model->drive;
   struct nb_state own = nb_velocity_half(model, slot);
-  const struct nb_vec carried = drive ? nb_carried_at(drive, slot, bodies->position[slot]) : vec(0, 0);
-  if (drive)
-    own.velocity = vec_sub(own.velocity, drive->carried[slot]);
   if (bodies->inverse_mass[slot] > 0) {
     const struct nb_force sum = all_forces(model, slot, nb_force_of(felt, slot, bodies->rim[slot].x));
     const double linear = f.push * time * bodies->inverse_mass[slot];
@@ -46,8 +42,8 @@ static struct nb_state kicked(const struct nb_model *model, const struct nb_felt
     own = (struct nb_state){vec_add(vec_scale(f.keep, own.velocity), vec_scale(linear, sum.force)),
                             spin_kept * own.spin + turning * sum.moment};
   }
-  if (drive)
-    own.velocity = vec_add(own.velocity, carried);
+  if (model->carry)
+    own.velocity = vec_add(own.velocity, nb_carry_left(model->carry, slot, bodies->position[slot]));
   return own;
 }
 
@@ -62,11 +58,14 @@ struct nb_state nb_velocity_now(const struct nb_model *model, size_t slot) {
 }
 
 struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot) {
-  const struct nb_vec *carried = model->bodies.carried;
-  if (!carried)
+  if (!model->carry)
     return vec(0, 0);
-  const struct nb_vec ahead = nb_cell_carries(model->cell, model->bodies.position[slot]);
-  return vec_scale(0.5, vec_add(model->previous_step > 0 ? carried[slot] : ahead, ahead));
+  const struct nb_vec ahead = nb_carry_remembered(model->carry, slot, model->bodies.position[slot]);
+  return vec_scale(0.5, vec_add(model->previous_step > 0 ? model->bodies.carried[slot] : ahead, ahead));
+}
+
+struct nb_vec nb_velocity_whole(const struct nb_model *model, size_t slot) {
+  return vec_add(nb_velocity_now(model, slot).velocity, nb_carried_now(model, slot));
 }
 
 /* v_N = (v- + v+)/2 with v+ = keep v- + push (F/m) dt: a force less is made up for by so much more of v-. */

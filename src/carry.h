@@ -1,0 +1,39 @@
+/* What carries bodies along: a velocity c = L (x - x_0) besides their own.      [R89 4.41]
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_CARRY_H
+#define NB_CARRY_H
+
+#include "model.h"
+#include "tensor.h"
+
+/* What a body is carried along by: a cell carries all its bodies, else the boundary its own, the continuum what is free. */
+enum nb_carrier { NB_CARRIER_NONE, NB_CARRIER_CONTINUUM, NB_CARRIER_BOUNDARY, NB_CARRIER_CELL, NB_CARRIERS };
+
+struct nb_carry {
+  struct nb_vec centre;                     /* what the strain rates are about, m */
+  struct nb_tensor rate[NB_CARRIERS];       /* over the step ahead, 1/s */
+  struct nb_tensor level[NB_CARRIERS];      /* what the stage asks for, before any servo, 1/s */
+  struct nb_strain_rate asked[NB_CARRIERS]; /* by the page */
+  double remembered[NB_CARRIERS]; /* 1: what carried a body is no part of its own velocity; 0: it stays in it */
+  unsigned char *by;              /* per slot: enum nb_carrier */
+  double servo_from[3];           /* Pa: where the stresses that are servoed began */
+};
+
+/* c of what carries the body in that slot, were it at x. */
+static inline struct nb_vec nb_carried_at(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
+  return tensor_times(carry->rate[carry->by[slot]], vec_sub(x, carry->centre));
+}
+
+/* ---- carry.c ---- */
+enum nb_status nb_carry_create(struct nb_model *model,
+                               struct nb_error *error); /* model->carry stays NULL: nothing is */
+void nb_carry_free(struct nb_carry *carry);
+void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage); /* once the stage's step is known */
+void nb_carry_still(struct nb_model *model);                               /* nothing has been carried along so far */
+void nb_carry_drop(struct nb_model *model, size_t slot);                   /* that is taken out of the scene */
+/* Of the c of a body at x: what is no part of its own velocity afterwards, and what is (`literal`), m/s. */
+struct nb_vec nb_carry_remembered(const struct nb_carry *carry, size_t slot, struct nb_vec x);
+struct nb_vec nb_carry_left(const struct nb_carry *carry, size_t slot, struct nb_vec x);
+
+#endif

@@ -1,0 +1,108 @@
+/* What carries bodies along is one thing, whether a cell, a boundary or a continuum does: the same motion, and energies that
+ * balance to second order of the step.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "../src/model.h"
+#include "suites.h"
+#include "written.h"
+
+static double ends(struct words *page, const char *name) {
+  struct written it;
+  struct nb_result result;
+  written_scene(&it, page);
+  written_run(&result, &it, NULL);
+  const double value = written_last(&result, name);
+  nb_result_free(&result);
+  written_free(&it);
+  return value;
+}
+
+/* Two discs that strike each other, under gravity and damping: the same bits in a cell and in a continuum about the same point. */
+static void a_cell_and_a_continuum_are_alike(void) {
+  static const char *const carries[] = {"cell", "continuum"};
+  static const char *const names[] = {
+      "A.x", "B.vy", "A.vx.half", "B.angle", "energy.kinetic", "energy.gravity", "energy.damped"};
+  for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+    double value[2];
+    for (int c = 0; c < 2; c++) {
+      struct words page = {0};
+      words_add(
+          &page,
+          "units none\nmaterial m density 1 kn 1000 ks 700 friction 0.3\nshear linear\nstep 1e-3\ngravity 0.4 -0.3\n"
+          "damping contact-ratio 0.1\ndamping con1 0.999 reading velocity\n"
+          "disc -3 0.5 radius 1 m velocity 4 0\ndisc 1 0 radius 1.1 m velocity -2 1\n%swatch A disc 1\nwatch B disc 2\n"
+          "record %s\nstage s\n%s strain 0.2 -0.1 c12 0.3 c21 0.05\ncycles 700\n"
+          "stage t\n%s strain -0.5 0.1\ncycles 300\n",
+          c ? "" : "cell -40 -40 to 40 40\n", names[n], carries[c], carries[c]);
+      value[c] = ends(&page, names[n]);
+    }
+    CU_ASSERT_EQUAL(value[0], value[1]);
+    CU_ASSERT(value[0] != 0);
+  }
+}
+
+/* Discs with no friction, pressed, sheared and sheared back under gravity, with dashpots. */
+static double residual(int which, double dt, double *driven) {
+  static const char *const before[] = {"boundary circle 0 0 radius 4.6\n", "cell -5 -5 to 5 5\n"};
+  static const char *const strain[] = {
+      "continuum strain -0.1 -0.12 shear 0.02\nboundary strain -0.1 -0.12 shear 0.02\n",
+      "cell strain -0.1 -0.12 c12 0.05 c21 -0.01\n"};
+  static const char *const back[] = {"boundary strain 0.03 -0.02\ncontinuum none\n", "cell strain 0.03 0.01\n"};
+  double value[2];
+  for (int k = 0; k < 2; k++) {
+    static const char *const names[] = {"energy.residual", "energy.driven"};
+    struct words page = {0};
+    words_add(&page,
+              "units none\nmaterial m density 2 kn 4000\nstep %g\ngravity 2 -3\n"
+              "damping contact-beta 0.002\ndamping global 0.3\ndiscs lattice 10 by 10 m radius 0.501 spacing 1 from "
+              "-4.5 -4.5\n"
+              "%srecord %s\nstage a\n%scycles %d\nstage b\n%scycles %d\n",
+              dt, before[which], names[k], strain[which], (int)round(0.1 / dt), back[which], (int)round(0.05 / dt));
+    value[k] = ends(&page, names[k]);
+  }
+  *driven = value[1];
+  return value[0];
+}
+
+static void energies_balance(void) {
+  for (int which = 0; which < 2; which++) {
+    double driven, whole;
+    const double coarse = residual(which, 1e-3, &whole), fine = residual(which, 5e-4, &driven);
+    CU_ASSERT(fabs(driven) > 1);
+    CU_ASSERT(fabs(coarse) < 1e-3 * fabs(driven));
+    CU_ASSERT(fabs(fine) < 0.3 * fabs(coarse)); /* a quarter, but for third order */
+    CU_ASSERT(fabs(whole - driven) < 1e-2 * fabs(driven));
+  }
+}
+
+/* `still` is as at time 0: no dashpot has anything to damp, and nothing has a velocity of its own. */
+static void still_is_as_at_time_0(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page,
+            "units none\nmaterial m density 1e9 kn 1000\ndamping contact-beta 0.1\nstep 1e-3\ncell -10 -10 to 10 10\n"
+            "disc 9.4 0 radius 1 m\ndisc -9.4 0 radius 1 m\nwatch P disc 1 with disc 2\nrecord P.dashpot.normal "
+            "energy.kinetic\n"
+            "stage s\ncell strain -0.1 0\ncycles 3\nstage t\nstill\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 3);
+  CU_ASSERT(written_now(model, "P.dashpot.normal") > 1);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+  CU_ASSERT_EQUAL(written_now(model, "P.dashpot.normal"), 0);
+  CU_ASSERT_EQUAL(written_now(model, "energy.kinetic"), 0);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+void suite_carry(void) {
+  CU_pSuite suite = CU_add_suite("carry", NULL, NULL);
+  CU_add_test(suite, "a cell and a continuum are alike", a_cell_and_a_continuum_are_alike);
+  CU_add_test(suite, "energies balance", energies_balance);
+  CU_add_test(suite, "still is as at time 0", still_is_as_at_time_0);
+}
