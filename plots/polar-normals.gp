@@ -26,5 +26,9 @@ do for [i = 1:36] {
 }
 unset print
 set datafile nocolumnheaders
+set xrange [-1.05 * (most > 0 ? most : 1) : 1.05 * (most > 0 ? most : 1)]
+set yrange [-1.05 * (most > 0 ? most : 1) : 1.05 * (most > 0 ? most : 1)]
 plot $wedges using 1:2 with filledcurves closed fc rgb '#0072b2' fs solid, '+' every ::::0 using (0):(0):(most > 0 ? most : 1) with circles lc rgb '#888888' fs empty
+set xrange [*:*]
+set yrange [*:*]
 set datafile columnheaders
