@@ -1,0 +1,210 @@
+/* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs, from their velocities at the start.
+ *
+ * Around rest, with u = U sin(q.x) and the turning psi cos(q.x) of the disc at x, a contact of the branch s e takes
+ *
+ *   along e                u_j.e - u_i.e                            the spring k_n
+ *   across, n = e turned   (u_j - u_i).n - R (theta_i + theta_j)    the spring k_s; and F/s (u_j - u_i).n less, as F turns with e
+ *
+ * Over the contacts of half of all directions, phi = q.e s, that makes the dynamical matrix
+ *
+ *   K_uu = sum 2 (1 - cos phi) (k_n e e' + (k_s - F/s) n n')
+ *   K_up = -sum 2 k_s R sin phi n                K_pp = sum 2 k_s R^2 (1 + cos phi)
+ *
+ * and w^2 are the eigenvalues of M^(-1/2) K M^(-1/2), M = (m, m, I). Where bodies do not turn there is no psi. From the velocities V
+ * at the start each mode goes as cos(w t).
+ *
+ * Known, when NAME watches a body:   NAME.vx, NAME.vy, NAME.spin along time
+ * Exact in continuous time for small waves: left out are terms of the order of u/s. A run lags by w t (w dt)^2/24.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+#include "waves.h"
+
+static void add(gsl_matrix *k, int i, int j, double value) { *gsl_matrix_ptr(k, (size_t)i, (size_t)j) += value; }
+
+/* K, by the contacts of one direction and of the opposite one. */
+static void add_contacts(gsl_matrix *k, const struct waves_lattice *it, double angle, double qx, double qy) {
+  const double e[2] = {cos(angle), sin(angle)}, n[2] = {-e[1], e[0]};
+  const double phi = it->spacing * (qx * e[0] + qy * e[1]), across = it->ks - it->force / it->spacing;
+  for (int i = 0; i < 2; i++) {
+    for (int j = 0; j < 2; j++)
+      add(k, i, j, 2 * (1 - cos(phi)) * (it->kn * e[i] * e[j] + across * n[i] * n[j]));
+    if (it->turns) {
+      add(k, i, 2, -2 * it->ks * it->radius * sin(phi) * n[i]);
+      add(k, 2, i, -2 * it->ks * it->radius * sin(phi) * n[i]);
+    }
+  }
+  if (it->turns)
+    add(k, 2, 2, 2 * it->ks * it->radius * it->radius * (1 + cos(phi)));
+}
+
+struct waves_modes waves_modes(const struct waves_lattice *it, double qx, double qy) {
+  struct waves_modes modes = {.count = it->turns ? 3 : 2};
+  const size_t n = (size_t)modes.count;
+  const double root[WAVES_MODES] = {sqrt(it->mass), sqrt(it->mass), sqrt(it->inertia)};
+  gsl_matrix *k = gsl_matrix_calloc(n, n), *shape = gsl_matrix_alloc(n, n);
+  gsl_vector *square = gsl_vector_alloc(n);
+  gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
+  for (int d = 0; d < (it->hexagonal ? 3 : 2); d++)
+    add_contacts(k, it, it->hexagonal ? d * M_PI / 3 : d * M_PI / 2, qx, qy);
+  for (size_t i = 0; i < n; i++)
+    for (size_t j = 0; j < n; j++)
+      *gsl_matrix_ptr(k, i, j) /= root[i] * root[j];
+  gsl_eigen_symmv(k, square, shape, work);
+  gsl_eigen_symmv_sort(square, shape, GSL_EIGEN_SORT_VAL_ASC);
+  for (size_t m = 0; m < n; m++) {
+    modes.omega[m] = sqrt(fmax(gsl_vector_get(square, m), 0));
+    for (size_t i = 0; i < n; i++) {
+      modes.shape[m][i] = gsl_matrix_get(shape, i, m) / root[i];
+      modes.weight[m][i] = gsl_matrix_get(shape, i, m) * root[i];
+    }
+  }
+  gsl_eigen_symmv_free(work);
+  gsl_matrix_free(k), gsl_matrix_free(shape), gsl_vector_free(square);
+  return modes;
+}
+
+/* ---- the scene ---- */
+
+struct wave {
+  struct waves_lattice lattice;
+  double qx, qy;   /* 1/m */
+  double start[2]; /* V, m/s */
+};
+
+static enum nb_status unfit(struct nb_error *error, const char *what) {
+  return nb_error_set(error, NB_BAD_USE, "reference lattice_waves is for %s", what);
+}
+
+static double phase(const struct nb_scene *scene, const struct nb_body *body, double qx, double qy) {
+  return qx * (body->x - scene->cell.x) + qy * (body->y - scene->cell.y);
+}
+
+/* The only wave vector of which the velocities at the start are a sine; true when there is one. */
+static bool find_wave(struct wave *it, const struct nb_scene *scene) {
+  const int most = (int)sqrt((double)scene->body_count) / 2;
+  for (int nx = 0; nx <= most; nx++)
+    for (int ny = nx > 0 ? -most : 1; ny <= most; ny++) {
+      double vx = 0, vy = 0, squares = 0, off = 0, all = 0;
+      it->qx = 2 * M_PI * nx / scene->cell.h[0], it->qy = 2 * M_PI * ny / scene->cell.h[3];
+      for (size_t k = 0; k < scene->body_count; k++) {
+        const struct nb_body *body = &scene->bodies[k];
+        const double wave = sin(phase(scene, body, it->qx, it->qy));
+        vx += wave * body->vx, vy += wave * body->vy, squares += wave * wave;
+      }
+      it->start[0] = vx / squares, it->start[1] = vy / squares;
+      for (size_t k = 0; k < scene->body_count; k++) {
+        const struct nb_body *body = &scene->bodies[k];
+        const double wave = sin(phase(scene, body, it->qx, it->qy));
+        off = fmax(off, hypot(body->vx - wave * it->start[0], body->vy - wave * it->start[1]));
+        all = fmax(all, hypot(body->vx, body->vy));
+      }
+      if (off < 1e-9 * all)
+        return true;
+    }
+  return false;
+}
+
+/* Spacing and number of the first body's nearest copies of others. */
+static int neighbours(const struct nb_scene *scene, double *spacing) {
+  int count = 0;
+  *spacing = INFINITY;
+  for (int again = 0; again < 2; again++)
+    for (size_t j = 1; j < scene->body_count; j++) {
+      double x = scene->bodies[j].x - scene->bodies[0].x, y = scene->bodies[j].y - scene->bodies[0].y;
+      x -= scene->cell.h[0] * round(x / scene->cell.h[0]), y -= scene->cell.h[3] * round(y / scene->cell.h[3]);
+      *spacing = again ? *spacing : fmin(*spacing, hypot(x, y));
+      count += again && hypot(x, y) < *spacing * (1 + 1e-9);
+    }
+  return count;
+}
+
+static enum nb_status fit(struct wave *it, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_body *first = &scene->bodies[0];
+  const struct nb_stage *stage = &scene->stages[0];
+  double spacing;
+  if (!scene->cell.line || scene->stage_count != 1 || stage->cell_line || stage->damping.contact_kind ||
+      stage->damping.global_kind || scene->gravity.line || stage->gravity.line)
+    return unfit(error, "a periodic cell at rest, one stage, no damping and no gravity");
+  for (size_t k = 0; k < scene->body_count; k++)
+    if (scene->bodies[k].radius != first->radius || scene->bodies[k].material != first->material ||
+        scene->bodies[k].shape != first->shape || scene->bodies[k].fixed || scene->bodies[k].spin != 0)
+      return unfit(error, "equal bodies that are free and do not turn at first");
+  const struct nb_pair pair = nb_scene_pair(scene, first->material, first->material);
+  if (strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0 || pair.friction < 1e6)
+    return unfit(error, "linear springs that never slide");
+  const int count = neighbours(scene, &spacing);
+  if ((count != 4 && count != 6) || spacing >= 2 * first->radius)
+    return unfit(error, "a lattice in which every body overlaps with four others, or six");
+  it->lattice = (struct waves_lattice){.kn = pair.kn,
+                                       .ks = pair.ks,
+                                       .force = pair.kn * (2 * first->radius - spacing),
+                                       .mass = nb_body_mass(scene, first),
+                                       .inertia = nb_body_mass(scene, first) * first->radius * first->radius *
+                                                  (first->shape == NB_SPHERE ? 0.4 : 0.5),
+                                       .radius = first->radius,
+                                       .spacing = spacing,
+                                       .hexagonal = count == 6,
+                                       .turns = stage->rotation != NB_ROTATION_OFF};
+  return find_wave(it, scene) ? NB_OK : unfit(error, "velocities at the start that are one sine wave");
+}
+
+/* ---- what is known ---- */
+
+struct swing {
+  int count;
+  double omega[WAVES_MODES], share[WAVES_MODES];
+};
+
+static double swing_at(const void *data, double time) {
+  const struct swing *it = data;
+  double sum = 0;
+  for (int k = 0; k < it->count; k++)
+    sum += it->share[k] * cos(it->omega[k] * time);
+  return sum;
+}
+
+static void tell(struct nb_known *known, const struct wave *it, const struct waves_modes *modes, const char *watch,
+                 double at) {
+  static const char *const names[WAVES_MODES] = {"vx", "vy", "spin"};
+  for (int i = 0; i < WAVES_MODES; i++) {
+    struct swing *swing = calloc(1, sizeof *swing);
+    char name[3 * NB_NAME_SIZE];
+    snprintf(name, sizeof name, "%s.%s", watch, names[i]);
+    for (int k = 0; swing && k < modes->count; k++) {
+      const double mode = it->start[0] * modes->weight[k][0] + it->start[1] * modes->weight[k][1];
+      swing->omega[k] = modes->omega[k];
+      swing->share[k] = mode * modes->shape[k][i] * (i < 2 ? sin(at) : cos(at));
+      swing->count = modes->count;
+    }
+    known_curve(known, name, "time", swing_at, swing);
+  }
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  struct wave wave;
+  if (scene->body_count == 0)
+    return unfit(error, "bodies");
+  if (fit(&wave, scene, error))
+    return error->status;
+  const struct waves_modes modes = waves_modes(&wave.lattice, wave.qx, wave.qy);
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    if (watch->kind == NB_WATCH_BODY)
+      tell(known, &wave, &modes, watch->name, phase(scene, &scene->bodies[watch->a], wave.qx, wave.qy));
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_lattice_waves = {
+    .name = "lattice_waves",
+    .title = "standing waves in square and hexagonal lattices: eigenvalues of the dynamical matrix",
+    .source = "-",
+    .know = know,
+};
