@@ -176,6 +176,8 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   status = nb_carry_create(model, error);
   if (!status)
     status = nb_drive_create(model, error);
+  if (!status && saved)
+    status = nb_saved_put_driven(model, saved, error);
   if (!status)
     status = nb_plan(model, error);
   if (!status)

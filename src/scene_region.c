@@ -82,18 +82,18 @@ NB_APPLY(nb_apply_region) {
     regions[scene->region_count++] = region;
 }
 
-/* Once all stages are known: which one `from` names. */
+/* Once all stages are known: which one `from` names. It is one that runs: those of another page, from which this one starts, do not. */
 void nb_regions_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   for (size_t r = 0; r < scene->region_count; r++) {
     struct nb_region *region = &scene->regions[r];
-    for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t s = scene->start.stages; s < scene->stage_count; s++)
       if (strcmp(scene->stages[s].name, region->from) == 0)
         region->stage = (int)s;
     if (!region->from[0] || region->stage >= 0 || reading->reader.unsure & NB_UNSURE_STAGES)
       continue;
     nb_line_read(&reading->reader, (size_t)region->line);
     nb_token_mistake(&reading->reader, &reading->reader.tokens[reading->reader.count - 1], NULL,
-                     "expected the name of a stage, found `%s`", region->from);
+                     "expected the name of a stage of this page, found `%s`", region->from);
   }
 }

@@ -51,6 +51,10 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   to->damping.walls_line = moved(to->damping.walls_line, line);
   to->damping.deep_line = moved(to->damping.deep_line, line);
   to->damping.global_line = moved(to->damping.global_line, line);
+  to->circle.line = moved(to->circle.line, line), to->boundary.line = moved(to->boundary.line, line);
+  to->continuum.line = moved(to->continuum.line, line), to->rotation_line = moved(to->rotation_line, line);
+  to->cell_line = moved(to->cell_line, line);
+  to->servo = (struct nb_servo){.line = 0}; /* of what the other page looks at */
   to->laws.normal_line = moved(to->laws.normal_line, line), to->laws.shear_line = moved(to->laws.shear_line, line);
 }
 
@@ -83,6 +87,9 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
   to->pieces = from->pieces;
   to->damping = from->damping, to->gravity = from->gravity;
   to->gravity.line = moved(to->gravity.line, line);
+  to->cell = from->cell, to->cell.line = moved(to->cell.line, line);
+  to->circle = from->circle, to->circle.line = moved(to->circle.line, line);
+  to->origin_x = from->origin_x, to->origin_y = from->origin_y;
   to->allow_unstable = from->allow_unstable;
   const struct nb_stage *last = &to->stages[to->stage_count - 1];
   struct nb_stage *opening = &to->stages[to->stage_count]; /* what `stage` will give its name to */
@@ -188,17 +195,6 @@ static bool read_other(struct nb_scene_reading *reading, struct nb_reader *reade
   return mistakes->made == before;
 }
 
-/* Whether up to that stage there is something that a saved state has no records of. */
-static bool driven(const struct nb_scene *scene, size_t last) {
-  bool found = scene->cell.line || scene->circle.line || scene->gravity.inward != 0;
-  for (size_t s = 0; s <= last && !found; s++) {
-    const struct nb_stage *it = &scene->stages[s];
-    found = it->circle.line || it->boundary.line || it->continuum.line || it->rotation != NB_ROTATION_AS_BEFORE ||
-            it->gravity.inward != 0;
-  }
-  return found;
-}
-
 /* Cuts the other page's scene behind that stage. */
 static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct nb_token *name) {
   char hint[NB_HINT_SIZE];
@@ -214,13 +210,6 @@ static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct n
   if (s < other->start.stages) {
     nb_token_mistake(reader, name, "start from that page instead",
                      "expected a stage that the page has of its own, `%s` is one that it starts from", name->text);
-    return false;
-  }
-  if (driven(other, s)) {
-    nb_token_mistake(
-        reader, name, NULL,
-        "expected a page without cell, boundary, continuum, `rotation` and gravity towards a point: a saved "
-        "state holds none of them");
     return false;
   }
   other->column_count = 0; /* nobody looks at it */

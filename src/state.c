@@ -12,7 +12,7 @@
 
 void nb_saved_free(struct nb_saved *saved) {
   free(saved->settings), free(saved->materials), free(saved->rules), free(saved->bodies), free(saved->walls);
-  free(saved->contacts), free(saved->memory);
+  free(saved->contacts), free(saved->memory), free(saved->carried), free(saved->ring.members);
   *saved = (struct nb_saved){0};
 }
 
@@ -134,7 +134,7 @@ enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *mode
   take_bodies(saved, model);
   take_walls(saved, model);
   take_contacts(saved, model);
-  return NB_OK;
+  return nb_saved_take_driven(saved, model, error);
 }
 
 /* ---- into a model ---- */

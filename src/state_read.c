@@ -147,7 +147,7 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
                                   struct nb_error *error) {
   static const char head[] = "nineball state 1\n";
   char end[NB_STATE_END + 1];
-  *saved = (struct nb_saved){0};
+  *saved = (struct nb_saved){.turns = true};
   if (size < sizeof head - 1 || memcmp(text, head, sizeof head - 1) != 0)
     return damaged(path, text, 0, 0, "expected `nineball state 1`: this is no saved state, or one of another version",
                    error);

@@ -77,6 +77,48 @@ static void read_units(struct nb_state_reading *reading) {
 }
 static void read_gravity(struct nb_state_reading *reading) { reading->saved->gravity = nb_saved_vector(reading); }
 
+static struct nb_tensor take_four(struct nb_state_reading *reading) {
+  const struct nb_vec east = nb_saved_vector(reading);
+  const struct nb_vec north = nb_saved_vector(reading);
+  return tensor(east.x, east.y, north.x, north.y);
+}
+
+static enum nb_carrier take_carrier(struct nb_state_reading *reading) {
+  char name[NB_NAME_SIZE];
+  nb_saved_name(reading, name, "what carries along");
+  for (int c = 0; c < NB_CARRIERS; c++)
+    if (strcmp(nb_saved_carrier_words[c], name) == 0)
+      return (enum nb_carrier)c;
+  nb_saved_expected(reading, "`nothing`, `continuum`, `boundary` or `cell`");
+  return NB_CARRIER_NONE;
+}
+
+static void read_inward(struct nb_state_reading *reading) {
+  reading->saved->inward.strength = nb_saved_finite(reading);
+  reading->saved->inward.to = nb_saved_vector(reading);
+}
+
+static void read_rotation(struct nb_state_reading *reading) {
+  reading->saved->turns = nb_saved_one_of(reading, "off", "on", NULL) == 1;
+}
+
+static void read_cell(struct nb_state_reading *reading) {
+  struct nb_saved_cell *it = &reading->saved->cell;
+  it->is = true;
+  it->h = take_four(reading), it->parting = take_four(reading);
+}
+
+static void read_centre(struct nb_state_reading *reading) { reading->saved->centre = nb_saved_vector(reading); }
+
+static void read_carrier(struct nb_state_reading *reading) {
+  struct nb_saved_carrier *it = &reading->saved->carriers[take_carrier(reading)];
+  it->literal = nb_saved_one_of(reading, "apart", "literal", NULL) == 1;
+  it->rate = take_four(reading);
+  it->asked.per_cycle = nb_saved_one_of(reading, "time", "cycle", NULL) == 1;
+  const struct nb_tensor asked = take_four(reading);
+  it->asked.xx = asked.xx, it->asked.xy = asked.xy, it->asked.yx = asked.yx, it->asked.yy = asked.yy;
+}
+
 static void read_law(struct nb_state_reading *reading) {
   const bool shear = nb_saved_one_of(reading, "normal", "shear", NULL) == 1;
   char *name = shear ? reading->saved->shear : reading->saved->normal;
@@ -120,6 +162,40 @@ static void read_body(struct nb_state_reading *reading) {
     nb_saved_expected(reading, "a radius above 0");
   it->position = nb_saved_vector(reading), it->velocity = nb_saved_vector(reading);
   it->spin = nb_saved_finite(reading), it->angle = nb_saved_finite(reading);
+}
+
+static void read_carried(struct nb_state_reading *reading) {
+  struct nb_saved_carried *it = MORE(reading, carried, carried_count);
+  const size_t number = reading->saved->carried_count;
+  if (!it)
+    return;
+  if (number > reading->saved->body_count)
+    nb_saved_expected(reading, "such a record once for each body above");
+  nb_saved_count(reading, number, number);
+  it->by = take_carrier(reading);
+  it->along = nb_saved_vector(reading);
+}
+
+static void read_boundary(struct nb_state_reading *reading) {
+  struct nb_saved_ring *it = &reading->saved->ring;
+  it->is = true;
+  it->held = nb_saved_one_of(reading, "held", "loose", NULL) == 0;
+  it->pressing = nb_saved_one_of(reading, "pressed", "unpressed", NULL) == 0;
+  it->radius = nb_saved_finite(reading);
+  it->shape = take_four(reading), it->stress = take_four(reading);
+}
+
+static void read_members(struct nb_state_reading *reading) {
+  struct nb_saved *saved = reading->saved;
+  while (!nb_saved_ended(reading) && !reading->bad) {
+    const int member = (int)nb_saved_count(reading, 1, saved->body_count) - 1;
+    for (size_t k = 0; k < saved->ring.member_count; k++)
+      if (saved->ring.members[k] == member)
+        nb_saved_expected(reading, "each body once");
+    int *it = MORE(reading, ring.members, ring.member_count);
+    if (it)
+      *it = member;
+  }
 }
 
 static void read_wall(struct nb_state_reading *reading) {
@@ -192,11 +268,14 @@ static void read_shear(struct nb_state_reading *reading) { read_memory(reading, 
 static const struct {
   const char *word;
   nb_state_record *read;
-} records[] = {{"program", read_program}, {"page", read_page},   {"hash", read_hash},         {"setting", read_setting},
-               {"stage", read_stage},     {"cycle", read_cycle}, {"time", read_time},         {"units", read_units},
-               {"gravity", read_gravity}, {"law", read_law},     {"material", read_material}, {"pair", read_pair},
-               {"body", read_body},       {"wall", read_wall},   {"fields", read_fields},     {"contact", read_contact},
-               {"normal", read_normal},   {"shear", read_shear}};
+} records[] = {
+    {"program", read_program}, {"page", read_page},       {"hash", read_hash},         {"setting", read_setting},
+    {"stage", read_stage},     {"cycle", read_cycle},     {"time", read_time},         {"units", read_units},
+    {"gravity", read_gravity}, {"inward", read_inward},   {"rotation", read_rotation}, {"cell", read_cell},
+    {"centre", read_centre},   {"carrier", read_carrier}, {"law", read_law},           {"material", read_material},
+    {"pair", read_pair},       {"body", read_body},       {"carried", read_carried},   {"boundary", read_boundary},
+    {"members", read_members}, {"wall", read_wall},       {"fields", read_fields},     {"contact", read_contact},
+    {"normal", read_normal},   {"shear", read_shear}};
 enum { RECORDS = sizeof records / sizeof *records };
 
 nb_state_record *nb_state_record_of(const char *word) {

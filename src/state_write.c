@@ -29,6 +29,63 @@ static void write_head(FILE *out, const struct nb_saved *saved) {
   fprintf(out, "\nlaw normal %s\nlaw shear %s %d\n", saved->normal, saved->shear, saved->pieces);
 }
 
+static void four(FILE *out, struct nb_tensor value) {
+  number(out, value.xx), number(out, value.xy), number(out, value.yx), number(out, value.yy);
+}
+
+const char *const nb_saved_carrier_words[NB_CARRIERS] = {[NB_CARRIER_NONE] = "nothing",
+                                                         [NB_CARRIER_CONTINUUM] = "continuum",
+                                                         [NB_CARRIER_BOUNDARY] = "boundary",
+                                                         [NB_CARRIER_CELL] = "cell"};
+
+/* What the scene does not have, or is as it always is, is not written. */
+static void write_outside(FILE *out, const struct nb_saved *saved) {
+  const struct nb_saved_cell *cell = &saved->cell;
+  if (saved->inward.strength != 0) {
+    fputs("inward", out);
+    number(out, saved->inward.strength), vector(out, saved->inward.to);
+    fputc('\n', out);
+  }
+  if (!saved->turns)
+    fputs("rotation off\n", out);
+  if (cell->is) {
+    fputs("cell", out);
+    four(out, cell->h), four(out, cell->parting);
+    fputc('\n', out);
+  }
+  if (saved->carried_count == 0)
+    return;
+  fputs("centre", out);
+  vector(out, saved->centre);
+  fputc('\n', out);
+  for (int c = NB_CARRIER_NONE + 1; c < NB_CARRIERS; c++) {
+    const struct nb_saved_carrier *it = &saved->carriers[c];
+    fprintf(out, "carrier %s %s", nb_saved_carrier_words[c], it->literal ? "literal" : "apart");
+    four(out, it->rate);
+    fputs(it->asked.per_cycle ? " cycle" : " time", out);
+    four(out, tensor(it->asked.xx, it->asked.xy, it->asked.yx, it->asked.yy));
+    fputc('\n', out);
+  }
+}
+
+/* What carries each of them, and the boundary that some of them are. */
+static void write_carried(FILE *out, const struct nb_saved *saved) {
+  const struct nb_saved_ring *ring = &saved->ring;
+  for (size_t k = 0; k < saved->carried_count; k++) {
+    fprintf(out, "carried %zu %s", k + 1, nb_saved_carrier_words[saved->carried[k].by]);
+    vector(out, saved->carried[k].along);
+    fputc('\n', out);
+  }
+  if (!ring->is)
+    return;
+  fprintf(out, "boundary %s %s", ring->held ? "held" : "loose", ring->pressing ? "pressed" : "unpressed");
+  number(out, ring->radius), four(out, ring->shape), four(out, ring->stress);
+  fputs("\nmembers", out);
+  for (size_t k = 0; k < ring->member_count; k++)
+    fprintf(out, " %d", ring->members[k] + 1);
+  fputc('\n', out);
+}
+
 static void write_materials(FILE *out, const struct nb_saved *saved) {
   for (size_t m = 0; m < saved->material_count; m++) {
     const struct nb_material *it = &saved->materials[m];
@@ -105,8 +162,10 @@ char *nb_saved_text(const struct nb_saved *saved, size_t *size) {
   if (!out)
     return NULL;
   write_head(out, saved);
+  write_outside(out, saved);
   write_materials(out, saved);
   write_bodies(out, saved);
+  write_carried(out, saved);
   write_walls(out, saved);
   write_contacts(out, saved);
   bool whole = fflush(out) == 0; /* which makes the text and its size known */

@@ -62,6 +62,67 @@ test $? -eq 2 && grep -q 'starts from itself in the end' "$work/said"
 result $? 'a chain that bites its tail is a mistake'
 cp cases/saved-stage.md "$pages"
 
+# ---- what moves an assembly ----
+
+# in_two NAME: pages NAME and NAME-on in $pages, of which the second goes on behind stage `shear` of the first; the text of both on standard
+# input, with a line --- in the place of `start`.
+in_two() {
+  cat >"$work/text"
+  { sed '/^---$/d' "$work/text"; echo '```'; } >"$pages/$1.md"
+  { sed -n '1,/^```scene/p' "$work/text"; echo "start $1 stage shear"; grep '^region\|^record' "$work/text"; sed '1,/^---$/d' "$work/text"
+    echo '```'; } >"$pages/$1-on.md"
+  run "$1" "$pages/$1.md" && run "$1-on" "$pages/$1-on.md" && test "$(made)" -eq 1 &&
+    grep '^on' "$work/$1/table.tsv" >"$work/wanted" && grep '^on' "$work/$1-on/table.tsv" | sed 1d | diff - "$work/wanted" >"$work/said" &&
+    test "$(wc -l <"$work/wanted")" -eq 300
+}
+in_two ring <<'END'
+# Spheres in a ring
+```scene
+units     none
+material  m density 3 friction 0.3 young 50000 poisson 0.2
+normal    hertz
+shear     mindlin
+grading   g  0.9 8  0.7 25  0.5 30
+spheres   fill circle 0.1 0.2 radius 7 g m seed 1 tries 100000 else skip
+boundary  circle 0.1 0.2 radius 6.3
+region    A inside 0.9
+record    time A.stress.xx A.stress.yy boundary.radius boundary.stress.mean
+step      0.001
+stage     shear
+  boundary  strain -4e-5 per cycle -5e-5 per cycle
+  continuum strain -4e-5 per cycle -5e-5 per cycle
+  servo     mean 20 on A by boundary continuum at most 1e-5 per cycle
+  rotation  off
+  cycles    2000
+---
+stage     on
+  gravity   centripetal 1 about 0 0
+  step      0.0007
+  cycles    300
+END
+result $? 'a boundary, its continuum, and behind a servo'
+in_two cell <<'END'
+# Spheres in a cell
+```scene
+units     none
+material  m density 3 friction 0.3 young 50000 poisson 0.2
+normal    hertz
+shear     mindlin
+cell      0 0 to 8 8
+spheres   lattice 4 by 4 m radius 1 spacing 2 from 1 1
+region    A all
+record    time A.stress.xx A.stress.yy cell.xx cell.strain.volume
+step      0.001
+stage     shear
+  cell      strain -4e-5 per cycle -5e-5 per cycle c12 1e-5 per cycle c21 0 per cycle
+  cycles    500
+---
+stage     on
+  step      0.0007
+  cycles    300
+END
+result $? 'a cell'
+
 # ---- another text of the page ----
 
 sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/nine-discs.md >"$pages/nine-discs.md"

@@ -6,9 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/state.h"
+#include "continued.h"
 #include "suites.h"
-#include "written.h"
 
 /* Twelve bodies that are squeezed, dragged and pulled; a wall that turns, one that is ramped, a body that is held and moves, one
  * that flies, one that spins, and one that is taken out. */
@@ -39,76 +38,12 @@ static void page_of(struct written *it, const char *normal, const char *shear, c
   written_scene(it, &page);
 }
 
-static void stages(struct nb_model *model, size_t from, size_t to) {
-  struct nb_error error = {NB_OK, ""};
-  for (size_t s = from; s < to; s++) {
-    const struct nb_stage *stage = &model->scene->stages[s];
-    if (nb_stage_begin(model, stage, &error))
-      printf("# %s\n", error.text);
-    CU_ASSERT_EQUAL_FATAL(error.status, NB_OK);
-    written_cycles(model, (int)stage->cycles);
-  }
-}
-
-/* The state as text; to be freed. */
-static char *text_of(const struct nb_model *model) {
-  struct nb_saved saved;
-  struct nb_error error;
-  size_t size;
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
-  char *text = nb_saved_text(&saved, &size);
-  CU_ASSERT_PTR_NOT_NULL_FATAL(text);
-  nb_saved_free(&saved);
-  return text;
-}
-
-/* Writes, reads and goes on from stage `from`, to the end. */
-static char *interrupted(struct written *it, size_t from, const char *state, const struct nb_options *options) {
-  struct nb_saved saved;
-  struct nb_error error = {NB_OK, ""};
-  size_t size;
-  CU_ASSERT_EQUAL_FATAL(nb_saved_read_text(&saved, "a.state", state, strlen(state), &error), NB_OK);
-  char *again = nb_saved_text(&saved, &size);
-  CU_ASSERT_STRING_EQUAL(again, state);
-  free(again);
-  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it->scene, "a.state", &error), NB_OK);
-  it->scene.start.stages = from;
-  struct nb_model *model = nb_model_resume(&it->scene, options, &saved, &error);
-  if (!model)
-    printf("# %s\n", error.text);
-  CU_ASSERT_PTR_NOT_NULL_FATAL(model);
-  nb_saved_free(&saved);
-  stages(model, from, it->scene.stage_count);
-  char *end = text_of(model);
-  nb_model_free(model);
-  it->scene.start.stages = 0;
-  return end;
-}
-
 static void same_bits(const char *normal, const char *shear, const char *damping) {
-  static const struct nb_options ways[] = {{.threads = 1, .whole = true},
-                                           {.threads = 1, .whole = true, .shuffle = true, .isa = "plain"},
-                                           {.threads = 3, .whole = true}};
   struct written it;
+  char what[256];
   page_of(&it, normal, shear, damping);
-  struct nb_model *model = written_model(&it, &ways[0]);
-  char *states[4] = {0};
-  for (size_t s = 0; s < 4; s++) {
-    stages(model, s, s + 1);
-    states[s] = text_of(model);
-  }
-  for (size_t s = 0; s < 3; s++)
-    for (size_t w = 0; w < sizeof ways / sizeof *ways; w++) {
-      char *end = interrupted(&it, s + 1, states[s], &ways[w]);
-      if (strcmp(end, states[3]) != 0)
-        printf("# not the same: normal %s, shear %s, %s, from the end of stage %zu, way %zu\n", normal, shear, damping,
-               s + 1, w);
-      CU_ASSERT_STRING_EQUAL(end, states[3]);
-      free(end);
-    }
-  for (size_t s = 0; s < 4; s++)
-    free(states[s]);
-  nb_model_free(model);
+  snprintf(what, sizeof what, "normal %s, shear %s, %s", normal, shear, damping);
+  continued_same(&it, what);
   written_free(&it);
 }
 
@@ -163,7 +98,7 @@ static void balances_begin_anew(void) {
     page.text = text, page.length = strlen(text);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
-    stages(model, 0, 2);
+    continued_stages(model, 0, 2);
     CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
     it.scene.start.stages = 2;
     struct nb_model *next = nb_model_resume(&it.scene, NULL, &saved, &error);
@@ -175,7 +110,7 @@ static void balances_begin_anew(void) {
       CU_ASSERT_DOUBLE_EQUAL(written_now(next, balance[k]), 0, 1e-14 * level);
       before[k] = written_now(model, balance[k]);
     }
-    stages(model, 2, 4), stages(next, 2, 4);
+    continued_stages(model, 2, 4), continued_stages(next, 2, 4);
     drift = written_now(model, "energy.residual") - drift;
     for (size_t k = 0; k < 6; k++)
       CU_ASSERT_DOUBLE_EQUAL(written_now(next, balance[k]), written_now(model, balance[k]) - before[k], 1e-12 * level);

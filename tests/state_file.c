@@ -17,23 +17,32 @@
 #include "suites.h"
 #include "written.h"
 
-/* A small state with every record; to be freed. */
-static char *small(size_t *size) {
+/* Small states, which have every record between them. */
+static const char plain[] =
+    "units none\nmaterial m density 3 kn 4000 friction 0.3 young 5000 poisson 0.2\npair m m friction 0.2\nnormal "
+    "hertz_increment\nshear mindlin\nwall w -5 0 to 5 0 m\nspheres lattice 2 by 1 m radius 1 spacing 1.99 from "
+    "0 0.995\ngravity 1 -1\nstep 0.001\nstage a\ncycles 20\n";
+static const char ring[] =
+    "units none\nmaterial m density 3 kn 4000\ndiscs lattice 3 by 3 m radius 1 spacing 1.99 from -2 -2\nboundary "
+    "circle 0 0 radius 2.5\nstep 0.001\nstage a\nboundary strain 0.1 -0.1\ncontinuum "
+    "strain 1e-4 per cycle 0 per cycle\nrotation off\ngravity centripetal 2 about 1 0\ncycles 20\n";
+static const char cell[] = "units none\nmaterial m density 3 kn 4000\ndiscs lattice 3 by 3 m radius 1 spacing 1.99 "
+                           "from 0.1 0.2\ncell 0 0 to 5.97 "
+                           "5.97\nstep 0.001\nstage a\ncell strain 0.1 -0.1 c12 0.3 c21 0\ncycles 20\n";
+
+/* After twenty cycles; to be freed. */
+static char *state_of(const char *statements, size_t *size) {
   struct words page = {0};
   struct written it;
   struct nb_saved saved;
   struct nb_error error;
-  words_add(
-      &page,
-      "units none\nmaterial m density 3 kn 4000 friction 0.3 young 5000 poisson 0.2\npair m m friction 0.2\nnormal "
-      "hertz_increment\nshear mindlin\nwall w -5 0 to 5 0 m\nspheres lattice 2 by 1 m radius 1 spacing 1.99 from "
-      "0 0.995\ngravity 1 -1\nstep 0.001\nstage a\ncycles 20\n");
+  words_add(&page, "%s", statements);
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 20);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
-  CU_ASSERT_EQUAL(saved.contact_count, 3);
+  CU_ASSERT(saved.contact_count > 2);
   saved.settings = calloc(1, sizeof *saved.settings);
   strcpy(saved.settings[0], "v=0.1 m/s"), saved.setting_count = 1;
   char *text = nb_saved_text(&saved, size);
@@ -43,6 +52,7 @@ static char *small(size_t *size) {
   written_free(&it);
   return text;
 }
+static char *small(size_t *size) { return state_of(plain, size); }
 
 static bool reads(const char *text, size_t size, struct nb_error *error) {
   struct nb_saved saved;
@@ -78,10 +88,10 @@ static void every_length(void) {
   free(longer), free(text);
 }
 
-/* The small state with `from` replaced by `to`, and the checksum that then belongs to it. */
-static char *changed(const char *from, const char *to, size_t *size) {
+/* Such a state with `from` replaced by `to`, and the checksum that then belongs to it. */
+static char *changed(const char *page, const char *from, const char *to, size_t *size) {
   size_t length;
-  char *text = small(&length), *at = strstr(text, from);
+  char *text = state_of(page, &length), *at = strstr(text, from);
   CU_ASSERT_PTR_NOT_NULL_FATAL(at);
   char *other = malloc(length + strlen(to) + 1);
   const size_t body = length - 21 + strlen(to) - strlen(from);
@@ -94,10 +104,26 @@ static char *changed(const char *from, const char *to, size_t *size) {
   return other;
 }
 
+struct mistake {
+  const char *from, *to, *said;
+};
+
+static void mistakes(const char *page, const struct mistake rows[], size_t count) {
+  for (size_t k = 0; k < count; k++) {
+    struct nb_error error = {NB_OK, ""};
+    size_t size;
+    char *text = changed(page, rows[k].from, rows[k].to, &size);
+    CU_ASSERT(!reads(text, size, &error));
+    if (!strstr(error.text, rows[k].said))
+      printf("# said: %s\n# wanted: %s\n", error.text, rows[k].said);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, rows[k].said));
+    free(text);
+  }
+}
+#define MISTAKES(page, rows) mistakes(page, rows, sizeof rows / sizeof *rows)
+
 static void every_mistake(void) {
-  static const struct {
-    const char *from, *to, *said;
-  } rows[] = {
+  static const struct mistake rows[] = {
       {"nineball state 1", "nineball state 2", "a.state:1:1: expected `nineball state 1`"},
       {"units none", "unit none", "a.state:9:1: expected a record that this program knows, found `unit`"},
       {"units none", "units ft", "a.state:9:7: expected `si`, `none`, found `ft`"},
@@ -120,16 +146,28 @@ static void every_mistake(void) {
       {"hash 0", "hash ", "expected 16 hexadecimal digits"},
       {"setting v=0.1 m/s", "setting", "expected a text shorter than 128 bytes, found the end of the line"},
   };
-  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-    struct nb_error error = {NB_OK, ""};
-    size_t size;
-    char *text = changed(rows[k].from, rows[k].to, &size);
-    CU_ASSERT(!reads(text, size, &error));
-    if (!strstr(error.text, rows[k].said))
-      printf("# said: %s\n# wanted: %s\n", error.text, rows[k].said);
-    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, rows[k].said));
-    free(text);
-  }
+  static const struct mistake of_rings[] = {
+      {"inward 0x1p+1 ", "inward ", "a.state:13:21: expected a number, found the end of the line"},
+      {"rotation off", "rotation slow", "a.state:14:10: expected `off`, `on`, found `slow`"},
+      {"carrier boundary", "carrier wind",
+       "a.state:17:9: expected `nothing`, `continuum`, `boundary` or `cell`, found `wind`"},
+      {"continuum apart", "continuum near", "a.state:16:19: expected `apart`, `literal`, found `near`"},
+      {" cycle 0x", " day 0x", "expected `time`, `cycle`, found `day`"},
+      {"carried 9", "carried 8", "expected a whole number from 9 to 9, found `8`"},
+      {"boundary held", "boundary broken", "expected `held`, `loose`, found `broken`"},
+      {"held unpressed", "held tight", "expected `pressed`, `unpressed`, found `tight`"},
+      {"members 9", "members 10", "expected a whole number from 1 to 9, found `10`"},
+      {"members 9 7", "members 9 9", "expected each body once, found `9`"},
+      {"boundary held", "carried 10 nothing 0x0p+0 0x0p+0\nboundary held",
+       "expected such a record once for each body above"},
+  };
+  static const struct mistake of_cells[] = {
+      {"\ncentre", " 0x0p+0\ncentre", "expected the end of the line, found `0x0p+0`"},
+      {"\ncell ", "\ncell x ", "a.state:13:6: expected a number, found `x`"},
+  };
+  MISTAKES(plain, rows);
+  MISTAKES(ring, of_rings);
+  MISTAKES(cell, of_cells);
 }
 
 static bool holds(const char *path, const char *text) {

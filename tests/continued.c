@@ -1,0 +1,87 @@
+/* Runs that go on from a saved state beside the one that is not interrupted.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "continued.h"
+
+#include <CUnit/CUnit.h>
+#include <stdlib.h>
+#include <string.h>
+
+void continued_stages(struct nb_model *model, size_t from, size_t to) {
+  struct nb_error error = {NB_OK, ""};
+  for (size_t s = from; s < to; s++) {
+    const struct nb_stage *stage = &model->scene->stages[s];
+    if (nb_stage_begin(model, stage, &error))
+      printf("# %s\n", error.text);
+    CU_ASSERT_EQUAL_FATAL(error.status, NB_OK);
+    written_cycles(model, (int)stage->cycles);
+  }
+}
+
+/* The state as text; to be freed. */
+static char *text_of(const struct nb_model *model) {
+  struct nb_saved saved;
+  struct nb_error error;
+  size_t size;
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  char *text = nb_saved_text(&saved, &size);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(text);
+  nb_saved_free(&saved);
+  return text;
+}
+
+/* Writes, reads and goes on from stage `from`, to the end. */
+static char *interrupted(struct written *it, size_t from, const char *state, const struct nb_options *options) {
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  size_t size;
+  if (nb_saved_read_text(&saved, "a.state", state, strlen(state), &error))
+    printf("# %s\n", error.text);
+  CU_ASSERT_EQUAL_FATAL(error.status, NB_OK);
+  char *again = nb_saved_text(&saved, &size);
+  CU_ASSERT_STRING_EQUAL(again, state);
+  free(again);
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it->scene, "a.state", &error), NB_OK);
+  it->scene.start.stages = from;
+  struct nb_model *model = nb_model_resume(&it->scene, options, &saved, &error);
+  if (!model)
+    printf("# %s\n", error.text);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(model);
+  nb_saved_free(&saved);
+  char *same = text_of(model);
+  CU_ASSERT_STRING_EQUAL(same, state);
+  free(same);
+  continued_stages(model, from, it->scene.stage_count);
+  char *end = text_of(model);
+  nb_model_free(model);
+  it->scene.start.stages = 0;
+  return end;
+}
+
+void continued_same(struct written *it, const char *what) {
+  static const struct nb_options ways[] = {{.threads = 1, .whole = true},
+                                           {.threads = 1, .whole = true, .shuffle = true, .isa = "plain"},
+                                           {.threads = 3, .whole = true}};
+  const size_t last = it->scene.stage_count;
+  struct nb_model *model = written_model(it, &ways[0]);
+  char **states = calloc(last, sizeof *states);
+  bool touched = false;
+  for (size_t s = 0; s < last; s++) {
+    continued_stages(model, s, s + 1);
+    states[s] = text_of(model);
+    touched = touched || strstr(states[s], "\ncontact ");
+  }
+  CU_ASSERT(touched);
+  for (size_t s = 0; s + 1 < last; s++)
+    for (size_t w = 0; w < sizeof ways / sizeof *ways; w++) {
+      char *end = interrupted(it, s + 1, states[s], &ways[w]);
+      if (strcmp(end, states[last - 1]) != 0)
+        printf("# not the same: %s, from the end of stage `%s`, way %zu\n", what, it->scene.stages[s].name, w);
+      CU_ASSERT_STRING_EQUAL(end, states[last - 1]);
+      free(end);
+    }
+  for (size_t s = 0; s < last; s++)
+    free(states[s]);
+  free(states);
+  nb_model_free(model);
+}

@@ -1,0 +1,77 @@
+/* Assemblies that go on from a saved state: with a boundary, what carries bodies along, a servo, and a cell. Every stage is followed by
+ * one that says no more than another step, so that all that it has set must still be there.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+
+#include "continued.h"
+#include "suites.h"
+
+static void same(const char *what, const char *page, const char *damping) {
+  struct words words = {0};
+  struct written it;
+  words_add(&words, page, damping);
+  written_scene(&it, &words);
+  continued_same(&it, what);
+  written_free(&it);
+}
+
+#define GRAINS                                                                                                         \
+  "units none\nmaterial m density 3 friction 0.3 young 50000 poisson 0.2\nnormal hertz\nshear mindlin\n"               \
+  "grading g 0.9 8 0.7 25 0.5 30\nstep 0.001\n%s\n"
+
+/* Sixty-three spheres. Each stage leaves contacts that rub. */
+static const char ring[] = GRAINS
+    "spheres fill circle 0.1 0.2 radius 7 g m seed 1 tries 100000 else skip\nboundary circle 0.1 0.2 radius 6.3\n"
+    "region A inside 0.9\nrecord time A.stress.mean\n"
+    "stage gather\nboundary strain -4e-5 per cycle -5e-5 per cycle\ncontinuum strain -4e-5 per cycle -5e-5 per "
+    "cycle\ncycles 2500\n"
+    "stage gather-on\nstep 0.0007\ncycles 200\n"
+    "stage shear\nboundary strain -0.01 0.008 c12 0.01 c21 -0.003\ncontinuum strain 0 0.005 shear 0.01\n"
+    "cycles 200\n"
+    "stage shear-on\nstep 0.001\nramp material m friction 0.4\ncycles 100\n"
+    "stage literal\ncontinuum strain -1e-5 per cycle 1e-5 per cycle literal\ncycles 30\n"
+    "stage literal-on\nstep 0.0011\ncycles 20\n"
+    "stage rigid\ncontinuum none\nboundary hold\nrotation off\ncycles 100\n"
+    "stage rigid-on\nstep 0.0008\ncycles 50\n"
+    "stage servo\nservo isotropic 20 on A by boundary continuum at most 1e-5 per cycle every 7 cycles\ncycles "
+    "100\n"
+    "stage ramped\nboundary strain 1e-5 per cycle -1e-5 per cycle\nramp servo mean 40 on A by boundary at most "
+    "1e-5 per cycle\ncycles 100\n"
+    "stage servo-off\nstep 0.001\ncycles 50\n"
+    "stage pressed\nrotation on\nboundary stress 30 20 shear 2\ncycles 150\n"
+    "stage pressed-on\nstep 0.0009\ncycles 100\n"
+    "stage pull\nboundary none\ngravity centripetal 2 about 0.3 -0.2\ncontinuum strain 0.001 0.002\ncycles 100\n"
+    "stage pull-on\nstep 0.001\ncycles 100\n"
+    "stage again\nboundary circle 0.3 -0.1 radius 5\nboundary strain 0.01 -0.01\ncycles 100\n"
+    "stage less\nremove spheres 20 to 30\ncycles 100\n"
+    "stage less-on\nstep 0.0012\ncycles 100\n";
+
+static void a_ring(void) {
+  same("ring", ring, "");
+  same("ring, con1", ring, "damping con1 0.99 reading cs79");
+  same("ring, ratio", ring, "damping contact-ratio 0.1");
+}
+
+static const char cell[] = GRAINS "cell 0 0 to 12 12\nspheres fill box 0.5 0.5 to 11.5 11.5 g m seed 2 tries 100000 "
+                                  "else skip\ngravity 0.01 0\nrecord time "
+                                  "cell.stress.mean\n"
+                                  "stage gather\ncell strain -5e-5 per cycle -6e-5 per cycle\ncycles 2500\n"
+                                  "stage gather-on\nstep 0.0007\ncycles 200\n"
+                                  "stage shear\ncell strain 0 0 c12 0.1 c21 0.02\ncycles 300\n"
+                                  "stage shear-on\nstep 0.001\ncycles 2000\n"
+                                  "stage back\nreverse\ncycles 100\n"
+                                  "stage less\nremove sphere 20\nrotation off\ncycles 100\n"
+                                  "stage less-on\nstep 0.0012\ncycles 100\n";
+
+static void a_cell(void) {
+  same("cell", cell, "");
+  same("cell, con1", cell, "damping con1 0.99 reading velocity");
+  same("cell, ratio", cell, "damping contact-ratio 0.1");
+}
+
+void suite_state_driven(void) {
+  CU_pSuite suite = CU_add_suite("state_driven", NULL, NULL);
+  CU_add_test(suite, "an assembly with a boundary goes on to the same bits from every stage", a_ring);
+  CU_add_test(suite, "and one in a periodic cell", a_cell);
+}
