@@ -135,9 +135,9 @@ static bool goes_round(const struct nb_scene_reading *reading, const char *path)
   return false;
 }
 
-/* `with NAME=VALUE …` */
+/* Behind the first `with`: `NAME=VALUE …`, and `with` again where the page likes. */
 static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
-  while (nb_token_peek(reader)) {
+  while (nb_token_skip(reader, "with"), nb_token_peek(reader)) {
     const struct nb_token *token = nb_take(reader, "NAME=VALUE");
     if (!token || token->hollow)
       return false;

@@ -15,11 +15,11 @@ static const struct nb_keyword table[] = {
    "overrides it.",
    "let       grip 0.3"},
   {"sweep", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, name_of_value, "{with NAME …} VALUE …", 0, true, nb_apply_sweep,
-   "Gives a name several values in turn, one run each; several names take their values together. Several sweeps make "
+   "Gives a name several values in turn, one run each; several names take their values together, and giving one of them a value by --set chooses what goes with it. Several sweeps make "
    "the product, the last one fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
   {"start", NB_IN_SCENE | NB_APART, start, "{with NAME=VALUE …}", 0, false, nb_apply_start,
-   "Goes on where a stage of another page ends: PAGE.md in the same folder, given these values as by --set. Bodies, walls, materials, "
+   "Goes on where a stage of another page ends: PAGE.md in the same folder, given these values as by --set. Bodies, walls, a boundary or a cell, materials, "
    "laws, damping, gravity and step are those of its end, cycles and time count on; watches and columns are this page's own. What "
    "is said before the first stage holds from that stage on. The other page is run up to there once, and its state kept in a "
    "folder: docs/STATE.md. Stands before all but `units`, `let` and `sweep`.",

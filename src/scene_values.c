@@ -187,6 +187,25 @@ static size_t take_rows(struct nb_reader *reader, char (*texts)[NB_NAME_SIZE], s
   return 0;
 }
 
+/* Of several names that take their values together, one that is given its value from outside chooses the turns that have it; a value
+ * that none has takes the place of its own in all of them. Answers how many are left; they move to the front. */
+static size_t choose(char (*texts)[NB_NAME_SIZE], size_t rows, size_t columns, const bool is_set[],
+                     char (*set)[NB_NAME_SIZE]) {
+  for (size_t i = 0; i < columns; i++) {
+    size_t left = 0;
+    for (size_t row = 0; row < rows && is_set[i]; row++)
+      left += strcmp(texts[row * columns + i], set[i]) == 0;
+    if (left == 0)
+      continue;
+    left = 0;
+    for (size_t row = 0; row < rows; row++)
+      if (strcmp(texts[row * columns + i], set[i]) == 0)
+        memmove(texts[left++ * columns], texts[row * columns], columns * sizeof *texts);
+    rows = left;
+  }
+  return rows;
+}
+
 NB_APPLY(nb_apply_sweep) {
   struct nb_scene_reading *reading = subject;
   const struct nb_token *names[SWEPT_MAX] = {record->value[AT_NAME].token};
@@ -210,6 +229,7 @@ NB_APPLY(nb_apply_sweep) {
     is_set[i] = set_value(reading, names[i]->text, set[i]);
     all_set = all_set && is_set[i];
   }
+  rows = choose(texts, rows, columns, is_set, set);
   size_t turns = rows == 0 || all_set ? 1 : rows, row = row_of(reading, reader, turns);
   for (size_t i = 0; i < columns; i++)
     bind(reading, reader, names[i],

@@ -157,6 +157,38 @@ run sweep "$pages/sweep.md" --jobs 4
 test "$(made)" -eq 0 && test "$(grep -c 'is made, run' "$work/said")" -eq 2 && test "$(ls "$states" | wc -l)" -eq 2
 result $? 'runs of a sweep make each state once'
 
+# Names that take their values together: one chooses the others.
+cat >"$pages/turns.md" <<'END'
+# Two turns of two names
+```scene
+units     none
+sweep     x with v  1 0.25  2 0.5
+sweep     n  4 8
+material  m density 3 kn 100
+disc      $x 0 radius 1 m velocity $v 0
+watch     D disc 1
+record    D.x
+step      0.125
+stage     go
+  cycles  $n
+```
+END
+cat >"$pages/turn.md" <<'END'
+# From one of them
+```scene
+sweep     x 2 1
+start     turns stage go with x=$x with n=8
+watch     D disc 1
+record    D.x
+stage     more
+  cycles  8
+```
+END
+run turn "$pages/turn.md" && test "$(cut -f 3 "$work/turn/table.tsv" | tail -n 1)" = 1.5 && grep -q '^2	more	3$' "$work/turn/table.tsv"
+result $? 'a value of several that go together chooses the others'
+run turns "$pages/turns.md" --set v=0.5 --set x=7 --set n=4 && test "$(tail -n 1 "$work/turns/table.tsv")" = 'go	7.25'
+result $? 'a value that no turn has takes the place of its own'
+
 # A state that takes a while.
 sed 's/^cycles    40$/cycles    400000/; s/inward 0.12/inward 1e-5/; s/^record .*/record time/; s/^stage     load/&\nrecord none/' cases/nine-discs.md >"$pages/nine-discs.md"
 sed 's/^cycles    4000/cycles    10/; /^```expect/,/^```$/d' cases/saved-stage.md >"$pages/saved-stage.md"
