@@ -84,7 +84,7 @@ void nb_balance_free(struct nb_balance *b) {
   if (!b)
     return;
   free(b->before), free(b->now), free(b->position), free(b->pivot), free(b->wall_velocity), free(b->wall_spin);
-  free(b->values), free(b->along), free(b);
+  free(b->values), free(b->entered), free(b->along), free(b);
 }
 
 /* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */

@@ -26,9 +26,13 @@ struct nb_balance {
   struct nb_tensor parted;              /* and the copy a side on besides, m */
   struct nb_pair *values;               /* per pairing: what its laws were given at t_N; */
   struct nb_in_force laws;              /* which they were then; */
-  bool changed, another;                /* some of that is something else now; the shear law is */
-  double kinetic, level;                /* K_0; K + U at time 0: what the sums are counted from, J */
-  struct nb_sum work, terms[NB_TERMS];  /* J */
+  struct nb_entered {
+    int a, b;
+  } * entered;                         /* slots of pairs that have come to the list overlapping; NULL: none ever have */
+  size_t entered_count;                /* of the step ahead */
+  bool changed, another;               /* some of that is something else now; the shear law is */
+  double kinetic, level;               /* K_0; K + U at time 0: what the sums are counted from, J */
+  struct nb_sum work, terms[NB_TERMS]; /* J */
 };
 
 /* ---- balance_carry.c ---- */
@@ -49,6 +53,7 @@ void nb_balance_work(struct nb_sum *work, const struct nb_model *model, double t
 /* ---- balance.c ---- */
 /* Adds the half of the kick around t_N that lies behind it. */
 void nb_balance_tail(struct nb_sum terms[], const struct nb_model *model);
+void nb_balance_entry_ends(struct nb_model *model); /* balance_entry.c: after the forces of the step */
 /* balance_jumps.c: what counts begins at t_N. */
 void nb_balance_since(struct nb_model *model);
 

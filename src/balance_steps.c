@@ -127,4 +127,6 @@ void nb_balance_forces(struct nb_model *model) {
   if (b->changed)
     nb_sum_add(&b->terms[NB_TERM_CHANGED], gained(model) / 2);
   b->changed = b->another = false;
+  if (b->entered_count > 0)
+    nb_balance_entry_ends(model);
 }

@@ -17,7 +17,11 @@ struct nb_carry {
   struct nb_strain_rate asked[NB_CARRIERS]; /* by the page */
   double remembered[NB_CARRIERS]; /* 1: what carried a body is no part of its own velocity; 0: it stays in it */
   unsigned char *by;              /* per slot: enum nb_carrier */
-  double servo_from[3];           /* Pa: where the stresses that are servoed began */
+  struct nb_servo_from {
+    double stress[3];          /* Pa: where the stresses that are servoed began */
+    struct nb_tensor gathered; /* Z of servo.c, 1/s */
+    bool begun;                /* it has been set */
+  } servo_from;
 };
 
 /* c of what carries the body in that slot, were it at x. */

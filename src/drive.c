@@ -135,7 +135,7 @@ enum nb_status nb_drive_search(struct nb_model *model, struct nb_error *error) {
   model->keeping = true;
   const enum nb_status status = nb_near(model, error);
   model->keeping = false;
-  return status;
+  return !status && model->balance ? nb_balance_entered(model, error) : status;
 }
 
 /* ---- a cycle ---- */

@@ -53,6 +53,8 @@ void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before);
 void nb_balance_remove(struct nb_model *model, bool before);  /* around what takes bodies out; */
 void nb_balance_removed(struct nb_model *model, size_t slot); /* each of them, while all is as it was */
 void nb_balance_dropped(struct nb_model *model); /* before the search that follows: pairs of bodies that are held */
+enum nb_status nb_balance_entered(struct nb_model *model,
+                                  struct nb_error *error);            /* after it: pairs that overlap at once */
 void nb_balance_held(struct nb_model *model, size_t slot, bool held); /* before a free body is held; after it is free */
 
 double nb_balance_term(const struct nb_model *model, enum nb_term term); /* at t_N, J */

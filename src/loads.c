@@ -6,7 +6,7 @@
  *   obliquity          |F_s|/(mu F_n + c), 1: 1 where a contact slides                     [R89 figure 6.18]
  *   sliding            share of the contacts whose law says that F_s is at its limit [CS79 19]
  *   sliding.near       share of those with |F_s| at 0.99 of the limit mu F_n + c or above
- *   unbalance          mean size of the force sum on a free body, weight included, over mean F_n
+ *   unbalance          mean size of the force sum on a free body, weight and stress on a boundary included, over mean F_n
  *
  *   a   radius of the contact circle, m: laws that know none, such as `linear`, have no contact stress (0)
  *
@@ -44,8 +44,7 @@ static double mean_force_sum(const struct nb_model *model, const struct nb_regio
     const size_t i = (size_t)model->bodies.slot[k];
     if (!nb_region_holds(model, region, i) || !(model->bodies.inverse_mass[i] > 0))
       continue;
-    const struct nb_vec weight = vec_scale(model->bodies.mass[i], model->gravity);
-    sum += vec_length(vec_add(nb_force_on(model, i).force, weight)), count++;
+    sum += vec_length(nb_force_left(model, i)), count++;
   }
   return count > 0 ? sum / count : 0;
 }

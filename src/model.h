@@ -247,6 +247,7 @@ struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot);    /* w
 struct nb_vec nb_velocity_whole(const struct nb_model *model, size_t slot); /* with what carries it, likewise, m/s */
 
 struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* m g, were the body at x, N */
+struct nb_vec nb_force_left(const struct nb_model *model, size_t slot);              /* all that a free body feels, N */
 
 /* Gives a body what a force and a moment that end at t_N have done until then: its velocities at t_N stay what they were. */
 void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending);

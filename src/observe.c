@@ -81,10 +81,7 @@ bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage)
 double nb_unbalance(const struct nb_model *model) {
   double sum = 0, contact = 0;
   for (size_t i = 0; i < model->bodies.count; i++) {
-    struct nb_vec outer = nb_weight(model, i, model->bodies.position[i]);
-    if (model->drive && model->drive->pressing)
-      outer = vec_add(outer, model->drive->pressed[i]);
-    const double size = model->bodies.inverse_mass[i] > 0 ? vec_length(vec_add(nb_force_on(model, i).force, outer)) : 0;
+    const double size = model->bodies.inverse_mass[i] > 0 ? vec_length(nb_force_left(model, i)) : 0;
     sum = size > sum ? size : sum;
   }
   for (size_t c = 0; c < model->contacts.count; c++) {

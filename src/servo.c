@@ -1,6 +1,7 @@
 /* The servo: strain rates that bring a measured stress to where it should be.   [R89 4.1, 6.4.2]
  *
- *   L_ij = (s_ij - s0_ij)/(2 B T)            added to the rates that the stage asks for, of the components that are servoed
+ *   L_ij = P_ij + Z_ij                       added to the rates that the stage asks for, of the components that are servoed
+ *   P_ij = (s_ij - s0_ij)/(2 B T),           dZ_ij/dt = P_ij/(16 T)
  *
  *   s, s0  stress, measured and wanted, compression positive, Pa
  *   B      stiffness against a change of area of an assembly all of whose bodies follow the strain, Pa
@@ -8,10 +9,16 @@
  *   T      2 R (rho/B)^(1/2), R the boundary's mean radius; of a cell A^(1/2) in the place of 2 R: a wave of pressure goes across
  *          the assembly in it, s
  *
- * So what is off goes as exp(-t/T) while B is right. Bodies that may give way are softer than B, then it goes slower, never faster: no
- * gain is too large. T is the shortest time in which the middle can have answered. As B falls to 0 with the load the
- * rates would go beyond all bounds: none of them is larger than `at most`, all are reduced alike. A steady disturbance e_v per second of
- * the volume leaves a stress that is off by B T e_v.
+ * With an assembly of stiffness f B, 0 < f <= 1 since bodies that may give way are softer than B, what is off goes with
+ *
+ *   e'' + f e'/T + f e/(16 T^2) = 0          r = f (1 -+ (1 - 1/4f)^(1/2))/2T
+ *
+ * Both rates r are positive: it is stable for every f, and does not swing for f >= 1/4; T is the shortest time in which the middle can
+ * have answered. P alone leaves a steady dilatation e_v off by B T e_v; Z comes to be what that takes. It begins at -a P,
+ * a = (1 - (3/4)^(1/2))/2, which is the fast of the two ways for f = 1, exp(-0.93 t/T): so coming from afar gathers nothing that goes beyond.
+ *
+ * As B falls to 0 with the load the rates would go beyond all bounds: none of them is larger than `at most`, all are reduced alike, and Z
+ * begins anew.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "servo.h"
@@ -40,35 +47,50 @@ static double density(const struct nb_model *model, double volume) {
 
 static double limited(double most, double value) { return fabs(value) > most ? fabs(value) : most; }
 
+/* What is off, Pa, and 0 where nothing is held. */
+static struct nb_tensor off_by(const struct nb_model *model, const struct nb_servo *servo, double share) {
+  const struct nb_servo_from *from = &model->carry->servo_from;
+  double off[3];
+  for (int k = 0; k < 3; k++) {
+    const double seen = servo->quantity[k].kind ? nb_quantity_value(servo->quantity[k], model) : 0;
+    off[k] = seen - (from->stress[k] + share * (servo->stress[k] - from->stress[k]));
+  }
+  if (servo->mean)
+    return tensor((off[0] + off[1]) / 2, 0, 0, (off[0] + off[1]) / 2);
+  const double shear = servo->held[2] ? off[2] : 0;
+  return tensor(servo->held[0] ? off[0] : 0, shear, shear, servo->held[1] ? off[1] : 0);
+}
+
+static double largest(struct nb_tensor a) { return limited(limited(fabs(a.xx), a.yy), a.xy); }
+
 /* What is to be added to the strain rates now, 1/s. */
-static struct nb_tensor correction(const struct nb_model *model, const struct nb_servo *servo, double share) {
+static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double share) {
   const double area = servo->cell ? nb_cell_area(model->cell) : nb_ring_area(model);
   const double width = servo->cell ? sqrt(area) : 2 * nb_ring_radius(model), volume = area * nb_thickness(model);
   const double most = servo->per_cycle ? servo->most / model->step : servo->most;
   const double b = stiffness(model, volume), t = width * sqrt(density(model, volume) / b);
-  struct nb_tensor off = {0};
-  double seen[3];
-  for (int k = 0; k < 3; k++)
-    seen[k] = servo->quantity[k].kind ? nb_quantity_value(servo->quantity[k], model) : 0;
-  const double *from = model->carry->servo_from;
-  const double want[3] = {from[0] + share * (servo->stress[0] - from[0]),
-                          from[1] + share * (servo->stress[1] - from[1]),
-                          from[2] + share * (servo->stress[2] - from[2])};
-  if (servo->mean)
-    off.xx = off.yy = (seen[0] + seen[1] - want[0] - want[1]) / 2;
-  else
-    off = tensor(servo->held[0] ? seen[0] - want[0] : 0, servo->held[2] ? seen[2] - want[2] : 0,
-                 servo->held[2] ? seen[2] - want[2] : 0, servo->held[1] ? seen[1] - want[1] : 0);
-  const double largest = limited(limited(fabs(off.xx), off.yy), off.xy);
+  struct nb_servo_from *from = &model->carry->servo_from;
+  const struct nb_tensor off = off_by(model, servo, share);
   /* b may be 0, and then t has no end: what is left is the direction */
-  const double rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
-  return largest > 0 ? tensor_scale(rate * largest <= most ? rate : most / largest, off) : off;
+  const double far = largest(off), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
+  const bool too_fast = far > 0 && rate * far > most;
+  const struct nb_tensor p = tensor_scale(too_fast ? most / far : far > 0 ? rate : 0, off);
+  const struct nb_tensor more = tensor_add(p, from->gathered);
+  if (from->begun && !too_fast && largest(more) <= most) {
+    from->gathered = tensor_add(from->gathered, tensor_scale((double)servo->every * model->step / (16 * t), p));
+    return more;
+  }
+  from->begun = true;
+  from->gathered = tensor_scale(-(1 - sqrt(0.75)) / 2, p);
+  return tensor_add(p, from->gathered);
 }
 
 void nb_servo_begin(struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
+  struct nb_servo_from *from = &model->carry->servo_from;
+  *from = (struct nb_servo_from){.begun = false};
   for (int k = 0; k < 3; k++)
-    model->carry->servo_from[k] = servo->ramp ? nb_quantity_value(servo->quantity[k], model) : servo->stress[k];
+    from->stress[k] = servo->ramp ? nb_quantity_value(servo->quantity[k], model) : servo->stress[k];
 }
 
 void nb_servo_set(struct nb_model *model) {

@@ -22,6 +22,10 @@ static struct nb_force all_forces(const struct nb_model *model, size_t slot, str
   return sum;
 }
 
+struct nb_vec nb_force_left(const struct nb_model *model, size_t slot) {
+  return all_forces(model, slot, nb_force_on(model, slot)).force;
+}
+
 struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot) {
   const struct nb_bodies *bodies = &model->bodies;
   const struct nb_vec whole = bodies->velocity[slot];

@@ -1,0 +1,170 @@
+/* Reference: bodies that are carried along and touch nothing, in closed form.           [R89 4.41-4.44, 4.5.2]
+ *
+ * A boundary's body follows its strain rate; one that the continuum carries has besides a velocity v of its own, which damping
+ * alone changes. With A = 1 + L dt, k what a cycle's damping keeps of v:
+ *
+ *   x_N = A^N x_0 + dt k (A - k)^-1 (A^N - k^N) v_0                      v_0 = 0 on the boundary
+ *   K'  = m v_N^2/2,   v_N = k^N (1 + k)/2 v_0                           N >= 1: the mean of the half steps
+ *   the boundary's area goes as (det A)^N
+ *
+ * `literal`, as R89 codes 4.43, adds L x dt to the velocity and keeps it there: x_(N+1) = (2 + L dt) x_N - x_(N-1), x_1 = A x_0.
+ * Along an axis of L with the eigenvalue s, from rest and undamped:
+ *
+ *   x_N = x_0 (sinh((N+1) q) - sinh(N q))/sinh q,   cosh q = 1 + s dt/2, sinh q/2 = (s dt)^(1/2)/2;      s < 0: sin, cos
+ *
+ * L is symmetric: its axes and eigenvalues are GSL's.
+ *
+ * Known, along cycle:  NAME.x  .y of watched bodies, boundary.area, energy.kinetic.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+enum wanted { X, Y, AREA, KINETIC };
+
+struct strained {
+  double axis[2][2];   /* [k][0], [k][1]: of eigenvalue k */
+  double gain[2];      /* s dt */
+  double keep;         /* of v in a cycle */
+  double x[2], way[2]; /* x_0 from the centre, and v_0 dt, along the axes, m */
+  double centre[2];    /* m */
+  double level;        /* area, m2, or m v_0^2/2, J: at cycle 0 */
+  bool literal;
+  enum wanted wanted;
+};
+
+static double literally(double gain, double n) {
+  const double q = gain > 0 ? 2 * asinh(sqrt(gain) / 2) : 2 * asin(sqrt(-gain) / 2);
+  if (gain == 0)
+    return 1;
+  return gain > 0 ? (sinh((n + 1) * q) - sinh(n * q)) / sinh(q) : (sin((n + 1) * q) - sin(n * q)) / sin(q);
+}
+
+static double at(const void *data, double n) {
+  const struct strained *it = data;
+  double x = 0, y = 0;
+  if (it->wanted == AREA)
+    return it->level * pow((1 + it->gain[0]) * (1 + it->gain[1]), n);
+  if (it->wanted == KINETIC)
+    return it->level * (n > 0 ? pow(it->keep, 2 * n) * (1 + it->keep) * (1 + it->keep) / 4 : 1);
+  for (int k = 0; k < 2; k++) {
+    const double a = 1 + it->gain[k], grown = pow(a, n);
+    const double own = it->keep * (grown - pow(it->keep, n)) / (a - it->keep) * it->way[k];
+    const double along = it->literal ? literally(it->gain[k], n) * it->x[k] : grown * it->x[k] + own;
+    x += along * it->axis[k][0], y += along * it->axis[k][1];
+  }
+  return it->wanted == X ? it->centre[0] + x : it->centre[1] + y;
+}
+
+static void tell(struct nb_known *known, const struct strained *it, const char *name) {
+  struct strained *copy = malloc(sizeof *copy);
+  if (copy)
+    *copy = *it;
+  known_curve(known, name, "cycle", at, copy);
+}
+
+static void find_axes(struct strained *it, const struct nb_strain_rate *rate) {
+  double full[4] = {rate->xx, rate->xy, rate->yx, rate->yy}, values[2], vectors[4];
+  gsl_matrix_view m = gsl_matrix_view_array(full, 2, 2), v = gsl_matrix_view_array(vectors, 2, 2);
+  gsl_vector_view e = gsl_vector_view_array(values, 2);
+  gsl_eigen_symmv_workspace *room = gsl_eigen_symmv_alloc(2);
+  gsl_eigen_symmv(&m.matrix, &e.vector, &v.matrix, room);
+  gsl_eigen_symmv_free(room);
+  for (int k = 0; k < 2; k++)
+    it->gain[k] = values[k], it->axis[k][0] = vectors[k], it->axis[k][1] = vectors[2 + k];
+}
+
+static double kept(const struct nb_damping *damping) {
+  switch (damping->global_kind) {
+  case NB_GLOBAL_UNDAMPED:
+    return 1;
+  case NB_GLOBAL_CON1_CS79:
+    return damping->global / (2 - damping->global);
+  case NB_GLOBAL_CON1_VELOCITY:
+  case NB_GLOBAL_CON1_ALL:
+    return damping->global;
+  default:
+    return NAN;
+  }
+}
+
+static bool same(const struct nb_strain_rate *a, const struct nb_strain_rate *b) {
+  return a->xx == b->xx && a->xy == b->xy && a->yx == b->yx && a->yy == b->yy && a->per_cycle == b->per_cycle;
+}
+
+static bool on_boundary(const struct nb_scene *scene, const struct nb_body *body) {
+  const struct nb_circle *circle = &scene->circle;
+  return circle->line && hypot(body->x - circle->x, body->y - circle->y) >= circle->radius * (1 - 1e-12);
+}
+
+/* Of the polygon through the boundary's bodies: they are given counterclockwise. */
+static double area(const struct nb_scene *scene) {
+  const struct nb_body *first = NULL, *last = NULL;
+  double twice = 0;
+  for (size_t k = 0; k < scene->body_count; k++) {
+    const struct nb_body *body = &scene->bodies[k];
+    if (!on_boundary(scene, body))
+      continue;
+    if (last)
+      twice += last->x * body->y - body->x * last->y;
+    first = first ? first : body, last = body;
+  }
+  return first ? (twice + last->x * first->y - first->x * last->y) / 2 : 0;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_stage *stage = scene->stages;
+  const struct nb_strain_rate *rate = &stage->continuum.strain;
+  struct strained it = {.centre = {scene->circle.x, scene->circle.y}, .literal = stage->continuum.literal};
+  if (scene->stage_count != 1 || !scene->circle.line || !stage->continuum.line || !rate->per_cycle ||
+      rate->xy != rate->yx || !same(rate, &stage->boundary.strain) || !(scene->step.value > 0))
+    return nb_error_set(error, NB_BAD_USE,
+                        "ring_strain wants one stage with one symmetric strain per cycle of boundary and continuum");
+  it.keep = kept(&stage->damping);
+  find_axes(&it, rate);
+  double energy = 0;
+  for (size_t k = 0; k < scene->body_count; k++) {
+    const struct nb_body *body = &scene->bodies[k];
+    if (!on_boundary(scene, body))
+      energy += nb_body_mass(scene, body) * (body->vx * body->vx + body->vy * body->vy) / 2;
+  }
+  if (!(it.keep < 1 || energy == 0) || (it.literal && (energy > 0 || it.keep < 1)))
+    return nb_error_set(error, NB_BAD_USE,
+                        "ring_strain wants CON1 where something has a velocity, and `literal` undamped from rest");
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    if (watch->kind != NB_WATCH_BODY)
+      continue;
+    const struct nb_body *body = &scene->bodies[watch->a];
+    const double x = body->x - it.centre[0], y = body->y - it.centre[1];
+    const double dt = on_boundary(scene, body) ? 0 : scene->step.value;
+    it.literal = stage->continuum.literal && dt > 0;
+    char name[2 * NB_NAME_SIZE];
+    for (int k = 0; k < 2; k++) {
+      it.x[k] = x * it.axis[k][0] + y * it.axis[k][1];
+      it.way[k] = dt * (body->vx * it.axis[k][0] + body->vy * it.axis[k][1]);
+    }
+    it.wanted = X;
+    snprintf(name, sizeof name, "%s.x", watch->name), tell(known, &it, name);
+    it.wanted = Y;
+    snprintf(name, sizeof name, "%s.y", watch->name), tell(known, &it, name);
+  }
+  it.wanted = AREA, it.level = area(scene);
+  tell(known, &it, "boundary.area");
+  it.wanted = KINETIC, it.level = energy;
+  if (!stage->continuum.literal)
+    tell(known, &it, "energy.kinetic");
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_ring_strain = {
+    .name = "ring_strain",
+    .title = "bodies that a strain rate carries along, with velocities of their own, and R89's literal reading, in "
+             "closed form",
+    .source = "[R89 4.41-4.44]",
+    .know = know,
+};

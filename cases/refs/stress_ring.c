@@ -1,0 +1,122 @@
+/* Reference: six elastic spheres around a seventh, pressed together by a stress on them.        [R89 4.7, 5.5, 6.4.1]
+ *
+ * The six are the boundary, of radii R_1 and R_2 in turn (they may be equal), at the distances d_1 and d_2 from the one in the middle, R_0. By
+ * symmetry, at rest, there are three forces: middle with 1, middle with 2, and 1 with 2, s = (d_1^2 + d_2^2 - d_1 d_2)^(1/2) apart:
+ *
+ *   N_01 + 2 N_12 (d_1 - d_2/2)/s = p h d_2 3^(1/2)/2           and the same with 1 and 2 exchanged
+ *   N = 4/3 E* R*^(1/2) (R_x + R_y - distance)^(3/2)            or 0
+ *
+ * h is the mean diameter: a body bears p on half of its two sides of the polygon, whose chord is 3^(1/2) times its neighbours' distance. All equal:
+ * N = 3^(1/2)/4 p d h. d_1 and d_2 are found by Newton's method with differences (GSL, hybrids).
+ *
+ *   radius = (d_1 + d_2)/2,  unevenness = |d_1 - d_2|/(d_1 + d_2),  stress on the boundary p, its area 3/2 3^(1/2) d_1 d_2
+ *
+ * Known, at the end of the last stage:  NAME.normal of watched contacts, boundary.radius .unevenness .area .stress.mean
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_multiroots.h>
+#include <math.h>
+
+#include "hertz.h"
+
+struct ring {
+  double radius[3]; /* of the middle one, of 1, of 2, m */
+  double young;     /* E*, Pa */
+  double load;      /* p h 3^(1/2)/2, N/m */
+};
+
+static double normal(const struct ring *ring, int a, int b, double distance) {
+  const double ra = ring->radius[a], rb = ring->radius[b], overlap = ra + rb - distance;
+  return overlap > 0 ? 4 / 3. * ring->young * sqrt(ra * rb / (ra + rb)) * overlap * sqrt(overlap) : 0;
+}
+
+static double between(double d1, double d2) { return sqrt(d1 * d1 + d2 * d2 - d1 * d2); }
+
+/* In overlaps with the middle one, over R_0, so that numbers are small and of one size; forces over those of the load. */
+static int left_over(const gsl_vector *at, void *data, gsl_vector *left) {
+  const struct ring *ring = data;
+  const double r0 = ring->radius[0];
+  const double d1 = r0 + ring->radius[1] - r0 * gsl_vector_get(at, 0);
+  const double d2 = r0 + ring->radius[2] - r0 * gsl_vector_get(at, 1), s = between(d1, d2);
+  const double side = 2 * normal(ring, 1, 2, s) / s;
+  gsl_vector_set(left, 0, (normal(ring, 0, 1, d1) + side * (d1 - d2 / 2)) / (ring->load * d2) - 1);
+  gsl_vector_set(left, 1, (normal(ring, 0, 2, d2) + side * (d2 - d1 / 2)) / (ring->load * d1) - 1);
+  return GSL_SUCCESS;
+}
+
+static bool solve(struct ring *ring, double *d1, double *d2) {
+  gsl_multiroot_fsolver *solver = gsl_multiroot_fsolver_alloc(gsl_multiroot_fsolver_hybrids, 2);
+  gsl_multiroot_function function = {left_over, 2, ring};
+  gsl_vector *at = gsl_vector_alloc(2);
+  const double force = ring->load * ring->radius[0]; /* about half of what presses on each */
+  const double guess = pow(force / (4 / 3. * ring->young * sqrt(ring->radius[0] / 2)), 2 / 3.) / ring->radius[0];
+  gsl_vector_set_all(at, guess);
+  gsl_multiroot_fsolver_set(solver, &function, at);
+  int status = GSL_CONTINUE;
+  for (int n = 0; n < 100 && status == GSL_CONTINUE; n++)
+    status = gsl_multiroot_fsolver_iterate(solver) ? GSL_EFAILED : gsl_multiroot_test_residual(solver->f, 1e-11);
+  *d1 = ring->radius[0] + ring->radius[1] - ring->radius[0] * gsl_vector_get(solver->x, 0);
+  *d2 = ring->radius[0] + ring->radius[2] - ring->radius[0] * gsl_vector_get(solver->x, 1);
+  gsl_multiroot_fsolver_free(solver), gsl_vector_free(at);
+  return status == GSL_SUCCESS;
+}
+
+/* 0: the middle one, 1 and 2 in turn. */
+static int kind(size_t body) { return body == 0 ? 0 : body % 2 ? 1 : 2; }
+
+static bool is_ring(const struct nb_scene *scene) {
+  if (scene->body_count != 7 || scene->wall_count > 0 || !scene->circle.line || scene->stage_count == 0)
+    return false;
+  for (size_t k = 0; k < 7; k++)
+    if (scene->bodies[k].radius != scene->bodies[k < 3 ? k : 2 - k % 2].radius ||
+        scene->bodies[k].material != scene->bodies[0].material || scene->bodies[k].shape != NB_SPHERE)
+      return false;
+  return true;
+}
+
+static void tell(struct nb_known *known, const struct nb_scene *scene, const char *what, double value) {
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%.100s in %.63s", what, scene->stages[scene->stage_count - 1].name);
+  known_value(known, value, name);
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_boundary *load = scene->stage_count ? &scene->stages[scene->stage_count - 1].boundary : NULL;
+  if (!is_ring(scene) || !load->line || load->control != NB_CONTROL_STRESS || load->sxx != load->syy || load->sxy != 0)
+    return nb_error_set(error, NB_BAD_USE,
+                        "stress_ring wants six spheres of two sizes in turn around a seventh, and the same stress on "
+                        "them in all directions");
+  struct ring ring;
+  double h = 0, d1, d2;
+  for (size_t k = 0; k < 7; k++)
+    h += 2 * scene->bodies[k].radius / 7;
+  for (size_t k = 0; k < 3; k++)
+    ring.radius[k] = scene->bodies[k].radius;
+  const struct nb_material *material = &scene->materials[scene->bodies[0].material];
+  ring.young = hertz_young(material, material);
+  ring.load = load->sxx * h * sqrt(3) / 2;
+  if (!solve(&ring, &d1, &d2))
+    return nb_error_set(error, NB_BAD_USE, "stress_ring finds no rest of these spheres under this stress");
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    char name[2 * NB_NAME_SIZE + 1];
+    if (watch->kind != NB_WATCH_BODY_BODY)
+      continue;
+    const int a = kind((size_t)watch->a), b = kind((size_t)watch->b);
+    const double distance = a && b ? between(d1, d2) : a + b == 1 ? d1 : d2;
+    snprintf(name, sizeof name, "%.63s.normal", watch->name);
+    tell(known, scene, name, normal(&ring, a, b, distance));
+  }
+  tell(known, scene, "boundary.radius", (d1 + d2) / 2);
+  tell(known, scene, "boundary.unevenness", fabs(d1 - d2) / (d1 + d2));
+  tell(known, scene, "boundary.area", 1.5 * sqrt(3) * d1 * d2);
+  tell(known, scene, "boundary.stress.mean", load->sxx);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_stress_ring = {
+    .name = "stress_ring",
+    .title = "six elastic spheres around a seventh at rest under a stress on them, from equilibrium",
+    .source = "[R89 4.7, 5.5]",
+    .know = know,
+};

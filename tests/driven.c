@@ -1,0 +1,146 @@
+/* What moves an assembly besides strain: gravity towards a point, bodies that may not turn, a boundary that lets go.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+static double column(const struct nb_result *result, size_t row, size_t column) {
+  return result->table.values[row * result->table.column_count + column];
+}
+
+static void run(struct nb_result *result, const char *statements) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\n%s", statements);
+  written_scene(&it, &page);
+  written_run(result, &it, NULL);
+  written_free(&it);
+}
+
+/* From rest at d it falls along parabolas through the point: period 4 (2d/G)^(1/2). With d = G dt^2 ((N + 1/2)^2 + 1/4)/2 the scheme steps
+ * over the point evenly, so that it is at rest at -d after 2N + 1 steps to rounding, and back after as many more: the period but
+ * for 1/(8 N^2). On its way gravity has done m G (d - r). */
+static void a_body_swings_through_the_point(void) {
+  enum { N = 100 };
+  const double dt = 0.01, g = 0.5, d = g * dt * dt / 2 * ((N + 0.5) * (N + 0.5) + 0.25), mass = 2 * pi;
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 2 kn 1\nstep %g\ndisc %.17g 4 radius 1 m\nwatch D disc 1\n"
+            "record D.x D.y D.vx energy.gravity work.residual energy.residual\n"
+            "stage s\ngravity centripetal %g about 3 4\ncycles %d\n",
+            dt, 3 + d, g, 4 * N + 2);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  for (size_t n = 0; n <= N; n++) {
+    const double t = (double)n * dt;
+    CU_ASSERT_DOUBLE_EQUAL(column(&result, n, 0), 3 + d - g * t * t / 2, 1e-13);
+    CU_ASSERT_DOUBLE_EQUAL(column(&result, n, 3), mass * g * (g * t * t / 2), 1e-13);
+    CU_ASSERT_DOUBLE_EQUAL(column(&result, n, 4), 0, 1e-13);
+  }
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 2 * N + 1, 0), 3 - d, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 2 * N + 1, 2), 0, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 4 * N + 2, 0), 3 + d, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 4 * N + 2, 2), 0, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 4 * N + 2, 3), 0, 1e-13);
+  CU_ASSERT_DOUBLE_EQUAL((4 * N + 2) * dt, 4 * sqrt(2 * d / g), 2e-5 * 4);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* On a circle, v^2 = G r: leapfrog takes it round by 1 - (dt/r v)^2/24 of the angle, and the distance stays. */
+static void a_body_goes_round_the_point(void) {
+  struct nb_result result;
+  run(&result,
+      "material m density 2 kn 1\nstep 0.001\ndisc 2 0 radius 0.5 m velocity 0 1\nwatch D disc 1\n"
+      "record D.x D.y energy.kinetic energy.residual\nstage s\ngravity centripetal 0.5 about 0 0\ncycles 6283\n");
+  const double angle = 6.283 / 2;
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.x"), 2 * cos(angle), 1e-6);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.y"), 2 * sin(angle), 1e-6);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.residual"), 0, 1e-7);
+  nb_result_free(&result);
+}
+
+/* Two discs that are pressed together by m G each are at rest, with their weight in the account; and so are all of a region. */
+static void rest_counts_all_that_is_felt(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  const double depth = pi * 2 * 0.5 / 100; /* m G/k_n */
+  words_add(&page,
+            "units none\nmaterial m density 2 kn 100\nstep 0.001\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n"
+            "region A all\nrecord unbalance A.unbalance\nstage s\ngravity centripetal 0.5 about 0 0\ncycles 5\n"
+            "stage t\ngravity centripetal 0.75 about 0 0\ncycles 1\n",
+            1 - depth / 2, depth / 2 - 1);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT(column(&result, 5, 0) < 1e-12);
+  CU_ASSERT(column(&result, 5, 1) < 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 6, 0), 0.5, 1e-4);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 6, 1), 0.5, 1e-4);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* What may not turn slides with mu g and keeps its angle; what turns again takes I dw = R m dv, to rounding. */
+static void rotation_stops_and_goes_on(void) {
+  struct nb_result result;
+  run(&result, "material m density 2 kn 1e4 ks 1e4 friction 0.25\nshear linear\nstep 0.001\nwall floor -9 0 to 90 0 m\n"
+               "disc 0 0.9993716814692820 radius 1 m velocity 5 0 spin 3\nwatch D disc 1\ngravity 0 -1\n"
+               "record D.vx.half D.spin.half D.angle energy.changed work.residual\n"
+               "stage a\nrotation off\ncycles 1000\nstage b\nrotation on\ncycles 1000\n");
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 1000, 0), 5 - 0.25, 1e-3);
+  CU_ASSERT_EQUAL(column(&result, 1000, 1), 0);
+  CU_ASSERT_EQUAL(column(&result, 1000, 2), 0);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 1000, 3), -pi * 9 / 2, 1e-12); /* I w^2/2, I = pi R^2 rho R^2/2 */
+  const double slower = column(&result, 1000, 0) - column(&result, 2000, 0);
+  CU_ASSERT_DOUBLE_EQUAL(slower, 0.25, 1e-3);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 2000, 1), -2 * slower, 1e-11);
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, 2000, 4), 0, 1e-10); /* 2000 sums of some 78, rounded */
+  nb_result_free(&result);
+}
+
+/* Two bodies of a boundary are carried into each other by a, then let go: they push apart with k a^2/2, which is put in from outside;
+ * the energy balance stays closed but for the error of the step, a part in (k/m) dt^2. Under a stress likewise. */
+static void springs_that_are_let_go_count(void) {
+  static const char *const ends[] = {"boundary none\n", "boundary stress 1e-9 1e-9\n"};
+  for (size_t k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(
+        &page,
+        "units none\nmaterial m density 2 kn 1000\nstep 0.0005\ndisc 1 0 radius 1 m\ndisc -1 0 radius 1 m\n"
+        "boundary circle 0 0 radius 1\nrecord energy.changed energy.kinetic energy.residual energy.stored\n"
+        "stage s\nboundary strain -0.1 0\ncycles 1000\nstage h\nboundary hold\ncycles 1\nstage t\n%scycles 1000\n",
+        ends[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const double depth = 2 - 2 * pow(1 - 0.1 * 0.0005, 1000), held = 1000 * depth * depth / 2;
+    CU_ASSERT_EQUAL(column(&result, 1001, 0), 0);
+    CU_ASSERT_DOUBLE_EQUAL(column(&result, 1002, 0), held, 1e-3 * held);
+    double worst = 0;
+    for (size_t n = 1002; n < result.table.row_count; n++)
+      worst = fmax(worst, fabs(column(&result, n, 2)));
+    CU_ASSERT(worst < 4e-4 * held); /* (k/m*) dt^2, m* half a disc, is 8e-5 */
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.stored"), 0, 0);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "energy.kinetic"), held, 1e-3 * held);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+void suite_driven(void) {
+  CU_pSuite suite = CU_add_suite("driven", NULL, NULL);
+  CU_add_test(suite, "a body swings through the point", a_body_swings_through_the_point);
+  CU_add_test(suite, "a body goes round the point", a_body_goes_round_the_point);
+  CU_add_test(suite, "rest counts all that is felt", rest_counts_all_that_is_felt);
+  CU_add_test(suite, "rotation stops and goes on", rotation_stops_and_goes_on);
+  CU_add_test(suite, "springs that are let go count", springs_that_are_let_go_count);
+}
