@@ -31,10 +31,7 @@ static void page_of(struct written *it, const char *normal, const char *shear, c
   struct words page = {0};
   const bool elastic = strncmp(normal, "hertz", 5) == 0;
   const char *one = elastic ? "sphere" : "disc", *many = elastic ? "spheres" : "discs";
-  const int part =
-      strcmp(shear, "randall_literal") ? 1 : 20; /* by the letter that law comes to what is no number later on */
-  words_add(&page, scene, normal, shear, many, one, one, damping, one, one, 300 / part, one, 200 / part, 150 / part,
-            100 / part);
+  words_add(&page, scene, normal, shear, many, one, one, damping, one, one, 300, one, 200, 150, 100);
   written_scene(it, &page);
 }
 

@@ -13,7 +13,8 @@
  *   - chapter 3 knows positive forces only. Sliding is |T| > mu N, with the sign of T; slip compared with ds_c + DD is ds CDF.
  *   - CDF of a contact without T*, T and T**: the sense of ds.
  *   - Virgin loading is re-established where |T| >= |T*|, by which THETA tells it from reloading; T** goes where T CDF <= T** CDF.
- *   - theta of a negative number is the negative root, and what comes of it is cut at mu N.
+ *   - theta of a negative number is the negative root, and what comes of it is cut at mu N. The contact stiffness 8 G* a theta
+ *     is 0 there: a share of critical damping, which goes with its root, has no value otherwise [R89 4.19].
  *
  * With mu twice in the critical slip a contact that ought to stick slides from first touch on, T = mu N to the last bit of both,
  * and that bit decides whether dT < mu dN: what comes then differs by a third of psi2 (tests/randall_exact.c).
@@ -54,7 +55,7 @@ static inline double theta(const struct history *h, enum the1 the1, bool back, d
   return 1; /* 4.25 */
 }
 
-/* FORD, from the direction of loading to the test for load reversals; answers dT/ds. */
+/* FORD, from the direction of loading to the test for load reversals; answers the stiffness. */
 static inline double move(struct history *h, double slip, double stiffness, double rise, double limit, double mu,
                           bool *reversed) {
   const bool back = h->star != 0 ? h->star < 0 : h->t != 0 ? h->t < 0 : slip < 0; /* CDF = -1 */
@@ -76,7 +77,7 @@ static inline double move(struct history *h, double slip, double stiffness, doub
     h->star2 = before;
   h->t += dt;
   *reversed = unloads || reloads;
-  return share * stiffness;
+  return share > 0 ? share * stiffness : 0;
 }
 
 static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
