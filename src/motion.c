@@ -16,7 +16,7 @@
  *   u_(N+1/2) = keep (u_(N-1/2) - c_(N-1/2)) + push (sum F / m)_N dt + c_(N+1/2)
  *
  * Contacts see u, so L z dt of two bodies that are z apart [R89 4.42], without knowing of it. What is held by a boundary has
- * no v. A scene in which nothing is carried has a loop without c.
+ * no v. A scene in which nothing is carried has the loop without c.
  *
  * The velocities of a page belong to time 0, those of the scheme to half steps: the first kick lasts half a step, and one
  * between two steps of unlike length the mean of both. BALL starts from rest without forces, where that is the same.
@@ -67,40 +67,28 @@ struct part {
   double time, step, reach;     /* of the kick and of the drift, s; how far a body may go without a new search, m */
 };
 
-/* Kick and drift, 22, 22a, and what fixed bodies do: they go on as they go, no force and no damping reaches them. Answers how
- * many are out of reach of the last search, or nowhere: what is not a number is within no reach. */
-static inline NB_FORM int drift(const struct part *part, const struct sums *sums, size_t from, size_t n) {
+/* Kick and drift, 22, 22a, and what fixed bodies do: they go on as they go, no force and no damping reaches them. `along`: of
+ * bodies that are carried along. Answers how many are out of reach of the last search, or nowhere: what is not a number is
+ * within no reach. */
+static inline NB_FORM int drift(const struct part *part, const struct sums *sums, size_t from, size_t n, bool along) {
   const double *mass = part->bodies.inverse_mass + from;
   const struct nb_vec *searched = part->bodies.searched + from;
   struct nb_vec *velocity = part->bodies.velocity + from, *position = part->bodies.position + from;
+  struct nb_vec *carried = along ? part->bodies.carried + from : NULL;
   const double dt = part->step, push = part->factors.push * part->time, reach = part->reach * part->reach;
   int out = 0;
   for (size_t k = 0; k < n; k++) {
     const double keep = mass[k] > 0 ? part->factors.keep : 1;
-    const nb_both v = keep * vec_both(&velocity[k]) + (push * mass[k]) * vec_both(&sums->force[k]);
+    nb_both v = vec_both(&velocity[k]);
+    if (along)
+      v -= vec_both(&carried[k]);
+    v = keep * v + (push * mass[k]) * vec_both(&sums->force[k]);
+    if (along) {
+      const struct nb_vec c = nb_carried_at(part->carry, from + k, position[k]);
+      v += vec_both(&c);
+      carried[k] = vec_scale(part->carry->remembered[part->carry->by[from + k]], c); /* `literal`: it stays in v */
+    }
     const nb_both x = vec_both(&position[k]) + dt * v, way = x - vec_both(&searched[k]), square = way * way;
-    vec_put(&velocity[k], v);
-    vec_put(&position[k], x);
-    out += !(square[0] + square[1] <= reach);
-  }
-  return out;
-}
-
-/* The same of bodies that are carried along. `literal` leaves what carries them in their own velocity. */
-static inline NB_FORM int drift_along(const struct part *part, const struct sums *sums, size_t from, size_t n) {
-  const double *mass = part->bodies.inverse_mass + from;
-  const struct nb_vec *searched = part->bodies.searched + from;
-  struct nb_vec *velocity = part->bodies.velocity + from, *position = part->bodies.position + from;
-  struct nb_vec *carried = part->bodies.carried + from;
-  const double dt = part->step, push = part->factors.push * part->time, reach = part->reach * part->reach;
-  int out = 0;
-  for (size_t k = 0; k < n; k++) {
-    const double keep = mass[k] > 0 ? part->factors.keep : 1;
-    const struct nb_vec along = nb_carried_at(part->carry, from + k, position[k]);
-    const nb_both own = vec_both(&velocity[k]) - vec_both(&carried[k]);
-    const nb_both v = keep * own + (push * mass[k]) * vec_both(&sums->force[k]) + vec_both(&along);
-    const nb_both x = vec_both(&position[k]) + dt * v, way = x - vec_both(&searched[k]), square = way * way;
-    carried[k] = vec_scale(part->carry->remembered[part->carry->by[from + k]], along);
     vec_put(&velocity[k], v);
     vec_put(&position[k], x);
     out += !(square[0] + square[1] <= reach);
@@ -145,7 +133,7 @@ static inline NB_FORM int move(const struct part *part, const struct nb_felt *fe
       add_pressed(&sums, part->pressed + from, n);
     if (part->cell)
       carry_list(part, from, n);
-    out += part->carry ? drift_along(part, &sums, from, n) : drift(part, &sums, from, n);
+    out += part->carry ? drift(part, &sums, from, n, true) : drift(part, &sums, from, n, false);
     if (part->bodies.spin)
       turn(part, &sums, from, n);
   }
