@@ -67,12 +67,14 @@ static NB_SELDOM void make_room(struct corner at[], int pieces) {
     const double x1 = at[i].x - at[i - 1].x, x2 = at[i + 1].x - at[i].x;
     const double wrong = (at[i - 1].e + at[i].e) * (x1 + x2) + bend(at[i - 1].d, at[i].d, x1, x2);
     const double share = wrong / ((x1 + x2) * at[i].x);
-    k = share < lowest ? i : k, lowest = share < lowest ? share : lowest;
+    if (share < lowest)
+      k = i, lowest = share;
   }
   const double moved = join(at, k, pieces);
-  if ((k > 1 && move(at, k - 1, -moved)) || (k < pieces - 1 && move(at, k, -moved)))
+  const int inner = k - 1, last = pieces - 1;
+  if ((inner > 0 && move(at, inner, -moved)) || (k < last && move(at, k, -moved)))
     return;
-  for (int i = k; i < pieces - 1; i++)
+  for (int i = k; i < last; i++)
     at[i].b += moved;
 }
 

@@ -56,11 +56,12 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
     const size_t end = first + LAW_STAGE < view->n ? first + LAW_STAGE : view->n;
     for (size_t c = first; c < end; c++) {
       LAW_GIVEN(c);
-      double *m = rows + c * row;
-      if (c + 2 * NB_AHEAD < view->n)
-        __builtin_prefetch(rows + (c + 2 * NB_AHEAD) * row, 1);
-      if (c + NB_AHEAD < view->n)
-        AHEAD(rows + (c + NB_AHEAD) * row);
+      double *m = &rows[c * row];
+      const size_t soon = c + NB_AHEAD, later = soon + NB_AHEAD;
+      if (later < view->n)
+        __builtin_prefetch(&rows[later * row], 1);
+      if (soon < view->n)
+        AHEAD(&rows[soon * row]);
       union law_found f;
       if (overlap[c] > 0)
         f.it = LAW_LOOK(p, n, m);
@@ -94,7 +95,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
         NB_UNROLLED
         for (int k = 0; k < LAW_SOLVED; k++)
           s.v[k] = solved[k][c - first];
-        LAW_SETTLE(p, n, slip[c], rows + c * row, s.it, &out, counts);
+        LAW_SETTLE(p, n, slip[c], &rows[c * row], s.it, &out, counts);
         force[c] = out.force;
       }
       sliding[c] = out.sliding;

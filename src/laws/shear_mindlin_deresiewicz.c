@@ -62,7 +62,6 @@ struct met {
   double k;          /* the piece that comes to be: behind k others; below 0: none has been met */
   double x, u, d, b; /* the corner */
   double from;       /* where the piece before the new one begins */
-  double ring;       /* 1: nothing slips, the corner is the last one; else 0 */
 };
 
 /* The piece that comes to be, and u at its end. */
@@ -71,24 +70,23 @@ struct leg {
   double x, u, d, b, end;
 };
 
-static inline NB_FORM struct leg makes(struct met at, double x, double u) {
+static inline NB_FORM struct leg makes(struct met at, bool ring, double x, double u) {
   const double h = x - at.x, wanted = u - at.u, s = copysign(1, wanted - at.d * h);
   const double v = fabs(wanted) > h ? s * h : wanted; /* more: it slides */
-  const double part = (at.ring > 0 ? v : h - s * v) / (at.ring > 0 ? h : 1 - s * at.d), in = at.x + part;
-  const double d = at.ring > 0 ? part : s, c = at.ring > 0 ? at.x : in < x ? in : x;
+  const double part = (ring ? v : h - s * v) / (ring ? h : 1 - s * at.d), in = at.x + part;
+  const double d = ring ? part : s, c = ring ? at.x : in < x ? in : x;
   const double x1 = c - at.from, x2 = x - c, end = at.u + v;
-  const double k = bend(at.d, d, x1, x2) >= little * x * (x1 + x2) ? at.k : -1;
+  const double k = bend(at.d, d, x1, x2) > little * x * (x1 + x2) ? at.k : -1;
   return (struct leg){k, c, end - d * x2, d, at.b + (at.d - d) * n_of(c), end};
 }
 
+/* Of all corners; if none stays, all slides from the one at 0. */
 static inline struct met seek(const struct corner at[], int pieces, double x, double u) {
   int k = pieces;
-  while (k >= 0 && !stays(at[k].x, at[k].u, x, u))
+  while (k > 0 && !stays(at[k].x, at[k].u, x, u))
     k--;
-  if (k < 0) /* none: all of it slides */
-    return (struct met){0};
-  const bool ring = k == pieces;
-  return (struct met){ring ? k : k + 1, at[k].x, at[k].u, at[k].d, at[k].b, at[ring && k > 0 ? k - 1 : k].x, ring};
+  const int piece = k < pieces ? k + 1 : k;
+  return (struct met){piece, at[k].x, at[k].u, at[k].d, at[k].b, at[piece > 0 ? piece - 1 : 0].x};
 }
 
 static inline NB_FORM void lay(struct corner at[], int k, double x, const struct leg *leg) {
@@ -98,25 +96,26 @@ static inline NB_FORM void lay(struct corner at[], int k, double x, const struct
 
 /* A piece that is little enough joins the last; so does one that there is no room for. Answers how many there are then. */
 static int lay_or_join(struct corner at[], int k, double x, const struct leg *leg, int most, double *lost) {
-  if (k > 0 && !(leg->x < x)) { /* nothing new */
+  if (!(leg->x < x)) { /* nothing new */
     at[k] = (struct corner){x, leg->end, at[k - 1].d, at[k - 1].b, 0};
     return k;
   }
   if (k > 0 && !(leg->x > at[k - 1].x)) /* nothing left of the one before */
     k--;
   lay(at, k, x, leg);
+  const int pieces = k + 1;
   if (k == 0)
-    return 1;
+    return pieces;
   const double x1 = at[k].x - at[k - 1].x, x2 = x - at[k].x;
   const bool joins = bend(at[k - 1].d, leg->d, x1, x2) < (little * x - at[k - 1].e) * (x1 + x2);
   if (!joins && k < most)
-    return k + 1;
+    return pieces;
   if (lost)
-    *lost += held_by(at, k + 1);
+    *lost += held_by(at, pieces);
   if (joins)
-    join(at, k, k + 1);
+    join(at, k, pieces);
   else
-    make_room(at, k + 1);
+    make_room(at, pieces);
   if (lost)
     *lost -= held_by(at, k);
   at[k].d = at[k - 1].d, at[k].b = at[k - 1].b;
@@ -126,14 +125,16 @@ static int lay_or_join(struct corner at[], int k, double x, const struct leg *le
 /* Int n(x) - n(x') - n'(x')(x - x') dx' up to x', at a middle overlap x: what a front that passes x' loses. */
 static inline double passed(double to, double x, double n) { return n * to + n_of(to) * (to / 5 - x); }
 
-/* What a leg loses, to the front that goes in through the pieces that there are and to a slide; as Int t du. */
-static double loses(const struct corner at[], int pieces, double x, double u, const struct leg *leg) {
-  const double middle = (at[pieces].x + x) / 2, force = n_of(middle), edge = at[pieces].x < x ? at[pieces].x : x;
-  double sum = fabs(u) > x ? (fabs(u) - x) * force : 0;
-  for (int k = 0; k < pieces && at[k].x < edge; k++) {
-    const double from = leg->x > at[k].x ? leg->x : at[k].x, to = at[k + 1].x < edge ? at[k + 1].x : edge;
+/* What a leg loses, to the front, through the end of the piece before the new one and all behind it, and to a slide; as Int t du. */
+static double loses(const struct corner at[], int pieces, double x, double u, int piece, const struct leg *leg) {
+  const double middle = (at[pieces].x + x) / 2, force = n_of(middle);
+  const double s = at[piece].x < x ? copysign(1, u - at[piece].u) : leg->d; /* at a corner leg->d may be rounding */
+  double sum = fabs(u) > x ? (fabs(u) - x) * force : 0, from = leg->x;
+  for (int k = piece > 0 ? piece - 1 : 0; k < pieces && at[k].x < x; k++) {
+    const double to = at[k + 1].x < x ? at[k + 1].x : x;
     if (from < to)
-      sum += (1 - leg->d * at[k].d) * (passed(to, middle, force) - passed(from, middle, force));
+      sum += (1 - s * at[k].d) * (passed(to, middle, force) - passed(from, middle, force));
+    from = to;
   }
   return sum;
 }
@@ -141,10 +142,11 @@ static double loses(const struct corner at[], int pieces, double x, double u, co
 /* Any leg, one by one; answers how many pieces there are then. */
 static NB_SELDOM int go(struct corner at[], int pieces, double x, double u, int most, double *lost) {
   const struct met met = seek(at, pieces, x, u);
-  const struct leg leg = makes(met, x, u);
+  const int piece = (int)met.k;
+  const struct leg leg = makes(met, stays(at[pieces].x, at[pieces].u, x, u), x, u);
   if (lost)
-    *lost += loses(at, pieces, x, u, &leg);
-  return lay_or_join(at, (int)met.k, x, &leg, most, lost);
+    *lost += loses(at, pieces, x, u, piece, &leg);
+  return lay_or_join(at, piece, x, &leg, most, lost);
 }
 
 /* With another friction: the path goes anew, in the same memory, since no leg makes more than one piece. Answers what is lost. */
@@ -178,18 +180,17 @@ static inline struct seen seen(const struct corner *at) { return (struct seen){a
 
 static inline NB_FORM struct found shear_mindlin_deresiewicz_look(struct nb_pair p, struct nb_normal n, double m[]) {
   struct corner *at = (struct corner *)(m + HEAD);
-  if (!rubs(p, n)) {
+  if (!rubs(p, n))
     m[0] = 0;
-    return (struct found){0};
-  }
-  if (m[0] == 0)
-    at[0] = (struct corner){0}, m[1] = unit_of(p);
-  if (m[1] != unit_of(p)) {
+  if (m[0] == 0) {
+    at[0] = (struct corner){0};
+  } else if (m[1] != unit_of(p)) {
     const double lost = go_anew(at, &m[0], m[1] / unit_of(p), (int)p.pieces);
-    m[1] = unit_of(p), at[(int)m[0]].e = lost; /* until it is told */
+    at[(int)m[0]].e = lost; /* until it is told */
   }
-  const struct corner *end = at + (int)m[0], *last = end - (end > at), *next = last - (last > at);
-  return (struct found){m[0], seen(end), seen(last), seen(next), seen(next - (next > at))};
+  m[1] = unit_of(p);
+  const int end = (int)m[0], last = end - (end > 0), next = last - (last > 0), third = next - (next > 0);
+  return (struct found){m[0], seen(&at[end]), seen(&at[last]), seen(&at[next]), seen(&at[third])};
 }
 
 /* This corner, of piece k, if it stays; else what has been met farther in. */
@@ -203,8 +204,7 @@ static inline struct met meets(struct seen at, double k, double x, double u, str
 }
 
 static inline NB_FORM double force_of(struct nb_pair p, struct nb_normal n, double d, double b) {
-  const double share = d + b / (n.radius * n.radius * n.radius);
-  return p.friction * n.force * (share > 1 ? 1 : share < -1 ? -1 : share);
+  return p.friction * n.force * (d + b / (n.radius * n.radius * n.radius));
 }
 
 static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_pair p, struct nb_normal n, double slip,
@@ -215,9 +215,9 @@ static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_
   met = meets(at.next, at.pieces - 1, x, u, met);
   met = meets(at.last, at.pieces, x, u, met);
   met = meets(at.end, at.pieces, x, u, met);
-  met.ring = stays(at.end.x, at.end.u, x, u) ? 1 : 0;
-  met.from = met.ring > 0 ? at.last.x : met.x;
-  *leg = makes(met, x, u);
+  const bool ring = stays(at.end.x, at.end.u, x, u);
+  met.from = ring ? at.last.x : met.x;
+  *leg = makes(met, ring, x, u);
   return (struct nb_shear){.force = force_of(p, n, leg->d, leg->b), .stiffness = 8 * p.shear * n.radius};
 }
 
@@ -241,10 +241,10 @@ static inline NB_FORM void shear_mindlin_deresiewicz_settle(struct nb_pair p, st
                                                             bool counts) {
   struct corner *at = (struct corner *)(m + HEAD);
   const double x = n.radius * n.radius;
-  double lost = counts && m[0] > 0 ? at[(int)m[0]].e : 0; /* before, with another friction */
-  if (leg.k >= 0 && leg.k < p.pieces && m[0] > 0) {
+  double lost = at[(int)m[0]].e; /* before, with another friction */
+  if (leg.k >= 0 && leg.k < p.pieces) {
     if (counts)
-      lost += loses(at, (int)m[0], x, leg.end, &leg);
+      lost += loses(at, (int)m[0], x, leg.end, (int)leg.k, &leg);
     lay(at, (int)leg.k, x, &leg);
     m[0] = leg.k + 1;
   } else {
@@ -275,9 +275,8 @@ static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n
 
 /* The last corners, and room for one more. */
 static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
-  const double *end = m + HEAD + 5 * (int)m[0];
   for (int line = -2; line < 2; line++)
-    __builtin_prefetch(m[0] > 2 ? end + 8 * line + 1 : m, 1);
+    __builtin_prefetch(&m[m[0] > 2 ? HEAD + 5 * (int)m[0] + 8 * line + 1 : 0], 1);
 }
 
 #define LAW shear_mindlin_deresiewicz

@@ -1,0 +1,274 @@
+/* What the exact law keeps of the path of approach and slip: when a piece is one of its own, what joins when there is no room, what
+ * is forgotten, and what is gone anew with another friction. Against sums over the rings (by_hand.h), and geometry.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <string.h>
+
+#include "../src/laws/corners.h"
+#include "by_hand.h"
+#include "chance.h"
+#include "suites.h"
+
+enum { MOST = 40, ROW = 12 + 5 * MOST };
+
+/* mu kappa = 1/4, R* = 1 m and E* = 4 G*, so that u is four times the slip, and x the overlap, to the bit. */
+static const struct nb_pair plain = {.friction = 0.25, .young = 4e9, .shear = 1e9, .radius = 1, .pieces = 32};
+
+struct one {
+  struct nb_pair pair;
+  struct nb_normal n;
+  struct nb_shear s;
+  double before[ROW], m[ROW];
+};
+
+/* Before a contact's row lie corners that would stay, as another contact's may. */
+static struct one one_of(struct nb_pair pair) {
+  struct one it = {.pair = pair};
+  for (int k = 0; 5 * k + 4 < ROW; k++)
+    it.before[ROW - 3 - 5 * k] = 1e-3, it.before[ROW - 1 - 5 * k] = 0.5;
+  return it;
+}
+
+static const struct nb_law *exact(void) { return nb_law_find("shear", "mindlin_deresiewicz"); }
+
+static void one_go(struct one *it, double x, double u) {
+  it->n = nb_law_find("normal", "hertz")->normal(it->pair, x, 0, NULL);
+  it->n.overlap = x;
+  it->s = exact()->shear(it->pair, it->n, u / 4, it->m);
+  CU_ASSERT_EQUAL(it->m[0], floor(it->m[0]));
+}
+static int pieces(const struct one *it) { return (int)it->m[0]; }
+static double share(const struct one *it) { return it->s.force / (it->pair.friction * it->n.force); }
+
+/* ---- the pieces themselves ---- */
+
+/* A path of chance, from rings of chance; the force at each corner as a sum over them. */
+static void path_of(struct corner at[], int count, struct chance *chance, double most) {
+  double t = 0;
+  at[0] = (struct corner){0};
+  for (int k = 0; k < count; k++) {
+    at[k].d = chance_between(chance, -most, most), at[k].e = chance_between(chance, 0, 1e-3);
+    const double x = at[k].x + chance_scale(chance, 0.01, 1);
+    at[k].b = t - at[k].d * n_of(at[k].x), t += at[k].d * (n_of(x) - n_of(at[k].x));
+    at[k + 1] = (struct corner){x, at[k].u + at[k].d * (x - at[k].x), at[k].d, at[k].b, 0};
+  }
+}
+
+static double force(const struct corner at[], int count) {
+  double t = 0;
+  for (int k = 0; k < count; k++)
+    t += at[k].d * (n_of(at[k + 1].x) - n_of(at[k].x));
+  return t;
+}
+
+/* Do u, d and b belong together? */
+static void is_a_path(const struct corner at[], int count) {
+  for (int k = 0; k < count; k++) {
+    CU_ASSERT_DOUBLE_EQUAL(at[k + 1].u, at[k].u + at[k].d * (at[k + 1].x - at[k].x), 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(at[k].b + at[k].d * n_of(at[k + 1].x), force(at, k + 1), 1e-11);
+    CU_ASSERT(fabs(at[k].d) <= 1);
+  }
+}
+
+/* By how much a corner lies off the straight line between its neighbours, at its x. */
+static double off(const struct corner *at) {
+  const double part = (at[0].x - at[-1].x) / (at[1].x - at[-1].x);
+  return fabs(at[0].u - (at[-1].u + part * (at[1].u - at[-1].u)));
+}
+
+/* Of four to nine pieces the corner goes that is least off as a share of x, what was so before included; delta and T at the end
+ * stay, and only three pieces change. */
+static void room_is_made(void) {
+  struct chance chance = chance_begin(8);
+  int kept = 0, first = 0, last = 0, high = 0;
+  for (int path = 0; path < 3000; path++) {
+    struct corner old[12], at[12];
+    const int count = 4 + path % 6;
+    path_of(old, count, &chance, path % 3 ? 0.5 : 1);
+    memcpy(at, old, sizeof at);
+    int goes = 1;
+    double least = INFINITY;
+    for (int k = 1; k < count; k++) {
+      const double wrong = (old[k - 1].e + old[k].e + off(&old[k])) / old[k].x;
+      goes = wrong < least ? k : goes, least = wrong < least ? wrong : least;
+    }
+    make_room(at, count);
+    is_a_path(at, count - 1);
+    CU_ASSERT_EQUAL(at[count - 1].u, old[count].u);
+    CU_ASSERT_EQUAL(at[count - 1].x, old[count].x);
+    const double wrong = old[goes - 1].e + old[goes].e + off(&old[goes]);
+    CU_ASSERT_DOUBLE_EQUAL(at[goes - 1].e, wrong, 1e-12);
+    for (int k = 1; k < count - 1; k++)
+      CU_ASSERT_EQUAL(at[k].x, old[k < goes ? k : k + 1].x);
+    const bool same = fabs(force(at, count - 1) - force(old, count)) < 1e-11;
+    int moved = 0;
+    for (int k = 1; k < count - 1; k++) {
+      const int was = k < goes ? k : k + 1;
+      const bool moves = fabs(at[k].u - old[was].u) > 1e-14;
+      if (moves)
+        CU_ASSERT(same && (k == goes - 1 || k == goes));
+      moved += moves;
+    }
+    CU_ASSERT(moved <= 1);
+    kept += same, first += goes == 1, last += goes == count - 1, high += !same;
+    if (path % 3 && least < 1e-3)
+      CU_ASSERT(same);
+  }
+  CU_ASSERT(kept > 1000 && first > 100 && last > 100 && high > 10);
+}
+
+/* A corner that moves by so much more force does; none whose rings would carry more than their friction does. */
+static void corners_move(void) {
+  struct chance chance = chance_begin(9);
+  int done = 0, refused = 0;
+  for (int path = 0; path < 2000; path++) {
+    struct corner old[4], at[4];
+    path_of(old, 3, &chance, 1);
+    memcpy(at, old, sizeof at);
+    const double more = chance_between(&chance, -0.05, 0.05);
+    /* to where: u by y turns D by y/x1 and -y/x2 */
+    const double x1 = old[1].x - old[0].x, x2 = old[2].x - old[1].x, n1 = n_of(old[1].x), n2 = n_of(old[2].x);
+    const double y = more / ((n1 - n_of(old[0].x)) / x1 - (n2 - n1) / x2);
+    const double d1 = fabs(old[0].d + y / x1), d2 = fabs(old[1].d - y / x2), larger = d1 > d2 ? d1 : d2;
+    if (fabs(larger - 1) < 1e-6)
+      continue;
+    CU_ASSERT_EQUAL(move(at, 1, more), larger < 1);
+    if (larger < 1) {
+      CU_ASSERT_DOUBLE_EQUAL(at[1].u, old[1].u + y, 1e-11);
+      CU_ASSERT_DOUBLE_EQUAL(force(at, 2), force(old, 2) + more, 1e-12);
+      is_a_path(at, 2);
+    } else {
+      CU_ASSERT(memcmp(at, old, sizeof at) == 0);
+    }
+    done += larger < 1, refused += larger >= 1 && larger < 1.05;
+  }
+  CU_ASSERT(done > 300 && refused > 10);
+}
+
+/* ---- what the law makes of them ---- */
+
+/* A piece is one of its own from |D_1 - D_2| x_1 x_2/(x_1 + x_2) = 1e-7/1.5 x on; what is wrong already in the one before comes off
+ * that. Both ways of turning, rings and slip, inside and with a piece before. */
+static void small_pieces_join(void) {
+  for (int sign = -1; sign < 2; sign += 2)
+    for (int way = 0; way < 6; way++)
+      for (int more = 0; more < 2; more++) {
+        const double by = more ? 1.0003 : 0.9997, little = 1e-7 / 1.5;
+        struct one it = one_of(plain);
+        const double d = way < 2 ? 0.5 : 0, first = way % 2 ? 1e-3 : 0;
+        if (first > 0)
+          one_go(&it, first, -0.2 * sign * first);
+        one_go(&it, 2e-3, d * sign * (2e-3 - first));
+        const int had = pieces(&it);
+        const double x1 = 2e-3 - first;
+        if (way < 4) { /* a ring behind, D less or more: equal spans, so that (D - D') x_1/2 = little x */
+          const double x = 2e-3 + x1, turn = by * little * x * 2 / x1 * (way < 2 ? -1 : 1);
+          one_go(&it, x, sign * (d + turn) * x1);
+        } else { /* slip from the edge to c: (1 - D) x_1 x_2/(x_1 + x_2) with x_1 = c, x_2 = x - c */
+          const double all = 2e-3, want = by * little * all * x1, x2 = (x1 - sqrt(x1 * x1 - 4 * want)) / 2;
+          one_go(&it, all, sign * x2);
+        }
+        CU_ASSERT_EQUAL(pieces(&it), had + more);
+      }
+}
+
+/* What has joined counts, and no longer when it has gone. */
+static void joined_pieces_count(void) {
+  const double little = 1e-7 / 1.5;
+  for (int way = 0; way < 3; way++) {
+    const double by = way == 0 ? 0.5999 : way == 1 ? 0.6001 : 0.9999;
+    struct one it = one_of(plain);
+    one_go(&it, 1e-3, 0);
+    one_go(&it, 2e-3, 0.8 * little * 4e-3); /* (D - D') x_1/2 = 0.8 little x, which is 0.4 of the x to come */
+    CU_ASSERT_EQUAL(pieces(&it), 1);
+    if (way == 2) { /* to the limit: D = 1 all over */
+      one_go(&it, 2e-3, 4e-3);
+      CU_ASSERT_EQUAL(pieces(&it), 1);
+    }
+    const double d = way == 2 ? 1 : 0.4 * little * 4;
+    one_go(&it, 4e-3, (d - by * little * 4) * 2e-3);
+    CU_ASSERT_EQUAL(pieces(&it), way == 1 ? 2 : 1);
+  }
+}
+
+/* A closed loop is forgotten: back where it turned, by whatever roundings, the pieces are those of then, and it has lost on its way back
+ * as much as on its way there. */
+static void closed_loops_are_forgotten(void) {
+  struct chance chance = chance_begin(10);
+  for (int path = 0; path < 2000; path++) {
+    struct one it = one_of(plain);
+    const double x = chance_between(&chance, 0.5e-3, 2e-3), u = x * chance_between(&chance, 0.1, 0.9);
+    const double back = u * chance_between(&chance, 0.1, 1.8);
+    one_go(&it, x, 0);
+    one_go(&it, x, u);
+    const double before = share(&it);
+    one_go(&it, x, -back);
+    const double there = it.s.lost;
+    one_go(&it, x, back);
+    CU_ASSERT_DOUBLE_EQUAL(it.s.lost, there, 1e-8 * there);
+    CU_ASSERT_DOUBLE_EQUAL(share(&it), before, 1e-12);
+  }
+  struct one it = one_of(plain); /* without any rounding */
+  one_go(&it, 0x1p-10, 0);
+  one_go(&it, 0x1p-10, 0x1p-11);
+  CU_ASSERT_EQUAL(pieces(&it), 2);
+  one_go(&it, 0x1p-10, -0x1p-11);
+  CU_ASSERT_EQUAL(pieces(&it), 3);
+  one_go(&it, 0x1p-10, 0x1p-11);
+  CU_ASSERT_EQUAL(pieces(&it), 2);
+}
+
+/* With another friction the same pieces, in the new one's measure, are gone anew. */
+static void friction_goes_anew(void) {
+  static struct by_hand hand;
+  struct chance chance = chance_begin(12);
+  int most = 0;
+  for (int path = 0; path < 300; path++) {
+    struct one it = one_of(plain);
+    double x[MOST], d[MOST], begin = 0;
+    for (int leg = 0; leg < 8; leg++)
+      one_go(&it, chance_between(&chance, 0.5e-3, 2e-3), chance_between(&chance, -0.5e-3, 0.5e-3));
+    const int count = exact()->pieces_of(it.pair, it.n, it.m, x, d);
+    const double held = exact()->stored(it.pair, it.n, it.m), new = chance_between(&chance, 0.4, 1.5);
+    it.pair.friction *= new;
+    hand.count = 0;
+    double wanted = 0;
+    for (int k = 0; k < count; k++)
+      wanted = by_hand_go(&hand, x[k], d[k] * (x[k] - begin) / new), begin = x[k];
+    one_go(&it, it.n.overlap, 0);
+    CU_ASSERT_DOUBLE_EQUAL(share(&it), wanted, 1e-6);
+    CU_ASSERT_DOUBLE_EQUAL(it.s.lost, held - exact()->stored(it.pair, it.n, it.m), 1e-6 * held);
+    CU_ASSERT_DOUBLE_EQUAL(it.m[1], it.pair.friction, 1e-15);
+    most = count > most ? count : most;
+  }
+  CU_ASSERT(most > 4);
+}
+
+/* No circle of contact, no force: a normal law may let go before the outlines part. Nor is it a slide; that it is without friction. */
+static void nothing_rubs(void) {
+  struct one it = one_of(plain);
+  it.m[1] = NAN;
+  one_go(&it, 1e-3, 0.9995e-3);
+  CU_ASSERT_EQUAL(it.s.sliding, 0);
+  CU_ASSERT_EQUAL(it.m[1], 0.25);
+  for (int k = 0; k < 3; k++) {
+    const struct nb_normal gone = {.overlap = 1e-3};
+    it.s = exact()->shear(it.pair, gone, k == 1 ? 0 : 1e-4, it.m);
+    CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 0 && it.s.lost == 0);
+  }
+  it.pair.friction = 0;
+  one_go(&it, 1e-3, 1e-4);
+  CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 1 && it.s.lost == 0);
+}
+
+void suite_corners(void) {
+  CU_pSuite suite = CU_add_suite("corners", NULL, NULL);
+  CU_add_test(suite, "room is made", room_is_made);
+  CU_add_test(suite, "corners move", corners_move);
+  CU_add_test(suite, "small pieces join", small_pieces_join);
+  CU_add_test(suite, "joined pieces count", joined_pieces_count);
+  CU_add_test(suite, "closed loops are forgotten", closed_loops_are_forgotten);
+  CU_add_test(suite, "friction goes anew", friction_goes_anew);
+  CU_add_test(suite, "nothing rubs", nothing_rubs);
+}
