@@ -169,6 +169,9 @@ void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *
             model->contacts.count, model->skin, model->skin / 2);
   else
     fprintf(out, "contacts\n  none, and no search: nothing is free to touch anything\n");
+  if (scene->circle.line)
+    fprintf(out, "boundary\n");
+  nb_explain_circle(out, &scene->circle, scene->unitless);
   nb_explain_gravity(out, &scene->gravity, scene->unitless ? "" : " m/s2");
   fprintf(out, "passes of the force half, for each pairing of materials\n");
   for (size_t p = 0; p < model->pairing_count; p++)

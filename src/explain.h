@@ -11,6 +11,10 @@ void nb_explain_gravity(FILE *out, const struct nb_gravity *gravity, const char 
 void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
                         struct nb_properties *now);
 
+/* explain_drive.c: what moves the assembly; nothing where nothing is said. */
+void nb_explain_drive(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage);
+void nb_explain_circle(FILE *out, const struct nb_circle *circle, bool unitless);
+
 /* explain_fill.c: what became of every filling. */
 void nb_explain_fills(FILE *out, const struct nb_scene *scene);
 

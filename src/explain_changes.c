@@ -37,7 +37,10 @@ static void explain_shear(FILE *out, const struct nb_model *model, const struct 
 }
 
 void nb_explain_gravity(FILE *out, const struct nb_gravity *gravity, const char *unit) {
-  if (gravity->line)
+  if (gravity->line && gravity->inward != 0)
+    fprintf(out, "%sgravity centripetal %g%s about %g, %g (line %d)\n", gravity->ramp ? "ramp " : "", gravity->inward,
+            unit, gravity->about_x, gravity->about_y, gravity->line);
+  else if (gravity->line)
     fprintf(out, "%sgravity %g %g%s (line %d)\n", gravity->ramp ? "ramp " : "", gravity->x, gravity->y, unit,
             gravity->line);
 }
@@ -63,6 +66,7 @@ void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb
                         struct nb_properties *now) {
   struct nb_properties before = {0};
   explain_laws(out, model, stage);
+  nb_explain_drive(out, model->scene, stage);
   if (stage->still)
     fprintf(out, "    still: all bodies stop\n");
   for (size_t k = 0; k < stage->removal_count; k++) {
