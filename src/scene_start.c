@@ -24,7 +24,7 @@ static void *copy_of(const void *array, size_t count, size_t element, bool *made
 }
 #define COPY(to, from, things, count)                                                                                  \
   ((to)->things = copy_of((from)->things, (from)->count, sizeof *(from)->things, made),                                \
-   (to)->count = made ? (from)->count : 0)
+   (to)->count = *made ? (from)->count : 0)
 
 static int moved(int line, int start) { return line ? start : 0; }
 
@@ -65,6 +65,15 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
   COPY(to, from, pair_rules, pair_rule_count);
   COPY(to, from, bodies, body_count);
   COPY(to, from, walls, wall_count);
+  COPY(to, from, gradings, grading_count);
+  COPY(to, from, fills, fill_count);
+  for (size_t k = 0; k < to->grading_count; k++) {
+    const struct nb_grading *grading = &from->gradings[k];
+    to->gradings[k].line = line;
+    COPY(&to->gradings[k], grading, sizes, size_count);
+  }
+  for (size_t k = 0; k < to->fill_count; k++)
+    to->fills[k].line = line;
   to->stages = nb_room(NULL, 0, from->stage_count + 1, sizeof *to->stages);
   for (size_t s = 0; to->stages && s < from->stage_count; s++)
     copy_stage(&to->stages[to->stage_count++], &from->stages[s], line, made);

@@ -69,7 +69,7 @@ cp cases/saved-stage.md "$pages"
 in_two() {
   cat >"$work/text"
   { sed '/^---$/d' "$work/text"; echo '```'; } >"$pages/$1.md"
-  { sed -n '1,/^```scene/p' "$work/text"; echo "start $1 stage shear"; grep '^region\|^record' "$work/text"; sed '1,/^---$/d' "$work/text"
+  { sed -n '1,/^```scene/p' "$work/text"; echo "start $1 stage shear"; grep '^region\|^watch\|^record' "$work/text"; sed '1,/^---$/d' "$work/text"
     echo '```'; } >"$pages/$1-on.md"
   run "$1" "$pages/$1.md" && run "$1-on" "$pages/$1-on.md" && test "$(made)" -eq 1 &&
     grep '^on' "$work/$1/table.tsv" >"$work/wanted" && grep '^on' "$work/$1-on/table.tsv" | sed 1d | diff - "$work/wanted" >"$work/said" &&
@@ -86,7 +86,9 @@ grading   g  0.9 8  0.7 25  0.5 30
 spheres   fill circle 0.1 0.2 radius 7 g m seed 1 tries 100000 else skip
 boundary  circle 0.1 0.2 radius 6.3
 region    A inside 0.9
-record    time A.stress.xx A.stress.yy boundary.radius boundary.stress.mean
+watch     G grading g
+watch     H grading g radius 0.5
+record    time A.stress.xx A.stress.yy boundary.radius boundary.stress.mean G.tries H.placed
 step      0.001
 stage     shear
   boundary  strain -4e-5 per cycle -5e-5 per cycle
