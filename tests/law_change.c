@@ -1,0 +1,41 @@
+/* Laws that jump between stages: two spheres, one fixed and one too heavy to move, 0.5 deep in each other, so every
+ * force and energy is known.
+ *
+ *   hertz   E* = 500, R* = 0.5, alpha = 0.5:   F_n = (4/3) E* (R* alpha^3)^(1/2) = 500/3,   U_n = (2/5) F_n alpha = 100/3
+ *   linear  k_n = 100:                         F_n = 50,                                  U_n = 12.5
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+
+#include "suites.h"
+#include "written.h"
+
+static void the_force_jumps_and_the_energy_is_counted(void) {
+  static const double wanted[][3] = {/* F_n, energy.stored, energy.changed */
+                                     {500.0 / 3, 100.0 / 3, 0},
+                                     {500.0 / 3, 100.0 / 3, 0},
+                                     {50, 12.5, 12.5 - 100.0 / 3},
+                                     {50, 12.5, 12.5 - 100.0 / 3},
+                                     {500.0 / 3, 100.0 / 3, 0}};
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0\npair m m kn 100\nnormal hertz\n"
+                   "sphere 0 0 radius 1 m fixed\nsphere 1.5 0 radius 1 m\n"
+                   "watch C sphere 1 with sphere 2\nstep 0.001\nrecord C.normal energy.stored energy.changed\n"
+                   "stage a\ncycles 1\nstage b\nnormal linear\ncycles 2\nstage c\nnormal hertz\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 5);
+  for (size_t row = 0; row < 5; row++)
+    for (size_t k = 0; k < 3; k++)
+      CU_ASSERT_DOUBLE_EQUAL(result.table.values[row * result.table.column_count + k], wanted[row][k], 1e-12);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+void suite_law_change(void) {
+  CU_pSuite suite = CU_add_suite("law_change", NULL, NULL);
+  CU_add_test(suite, "the force is the new law's, and what is stored counts as changed",
+              the_force_jumps_and_the_energy_is_counted);
+}
