@@ -125,10 +125,57 @@ static void what_is_not_held_goes_on(void) {
   nb_result_free(&result);
 }
 
+/* A square lattice of springs k in a cell of side L: p = k (2r - s)/s, B = k/2, T = L (rho/B)^(1/2), so a recursion of the side. The
+ * shape that the stage asks for goes on beside it. */
+static void a_cell_is_servoed_too(void) {
+  const double pi = 3.14159265358979323846, dt = 0.0125, shear = 1e-7;
+  struct nb_result result;
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndiscs lattice 6 by 6 m radius 1 from 1 1\n"
+            "cell 0 0 to 12 12\nrecord cell.xx cell.yy cell.stress.xx cell.stress.yy cycle\nstage s\n"
+            "cell strain %g per cycle %g per cycle\n"
+            "servo mean 5 on cell by cell at most 1e-4 per cycle every 4 cycles\ncycles 1500\n",
+            shear, -shear);
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  double x = 12, y = 12, rate = 0, gathered = NAN;
+  int limited = 0;
+  for (int n = 0; n < 1500; n++) {
+    const double *row = result.table.values + (size_t)n * result.table.column_count;
+    const double px = 1000 * (2 - x / 6) * (x / 6) / (x * y / 36), py = 1000 * (2 - y / 6) * (y / 6) / (x * y / 36);
+    CU_ASSERT_DOUBLE_EQUAL(row[0], x, 1e-11);
+    CU_ASSERT_DOUBLE_EQUAL(row[1], y, 1e-11);
+    if (n > 0) { /* before they touch there is none */
+      CU_ASSERT_DOUBLE_EQUAL(row[2], px, 1e-8);
+      CU_ASSERT_DOUBLE_EQUAL(row[3], py, 1e-8);
+    }
+    if (n % 4 == 0) {
+      const double area = x * y / 36, b = 1000 * (x * x + y * y) / 36 / (4 * area);
+      const double wave = sqrt(x * y) * sqrt(2 * pi / (area * b)), off = (px + py) / 2 - 5;
+      const double asked = n == 0 ? -1 : off / (2 * b * wave) * dt;
+      const double p = fabs(asked) > 1e-4 ? copysign(1e-4, asked) : asked;
+      const bool anew = p != asked || !(fabs(p + gathered) <= 1e-4);
+      const double begin = -(1 - sqrt(3) / 2) / 2 * p;
+      rate = p + (anew ? begin : gathered);
+      gathered = anew ? begin : gathered + p * 4 * dt / (16 * wave);
+      limited += anew;
+    }
+    x *= 1 + rate + shear, y *= 1 + rate - shear;
+  }
+  CU_ASSERT(limited > 0 && limited < 300);
+  CU_ASSERT_DOUBLE_EQUAL((written_last(&result, "cell.stress.xx") + written_last(&result, "cell.stress.yy")) / 2, 5,
+                         0.025);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_servo(void) {
   CU_pSuite suite = CU_add_suite("servo", NULL, NULL);
   CU_add_test(suite, "it comes to its stress as predicted", it_comes_to_its_stress_as_predicted);
   CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
   CU_add_test(suite, "a dilatation leaves nothing", a_dilatation_leaves_nothing);
+  CU_add_test(suite, "a cell is servoed too", a_cell_is_servoed_too);
   CU_add_test(suite, "what is not held goes on", what_is_not_held_goes_on);
 }
