@@ -74,7 +74,8 @@ const struct nb_loads *nb_loads_of(const struct nb_model *model, const struct nb
   loads->obliquity = spread(obliquity);
   loads->sliding = normal.count > 0 ? sliding / normal.count : 0;
   loads->near_sliding = normal.count > 0 ? near_sliding / normal.count : 0;
-  loads->unbalance = loads->normal.mean > 0 ? mean_force_sum(model, region) / loads->normal.mean : 0;
+  loads->force_sum = mean_force_sum(model, region);
+  loads->unbalance = loads->normal.mean > 0 ? loads->force_sum / loads->normal.mean : 0;
   return loads;
 }
 
@@ -109,6 +110,7 @@ SPREAD(obliquity)
 NB_QUANTITY(sliding, LOADS->sliding)
 NB_QUANTITY(near_sliding, LOADS->near_sliding)
 NB_QUANTITY(unbalance, LOADS->unbalance)
+NB_QUANTITY(force_sum, LOADS->force_sum)
 
 #define ROWS(name, unit, stem, what)                                                                                   \
   {name ".mean", NB_OF_REGION, unit, NB_READS_LOADS, stem##_mean, what ", mean"},                                      \
@@ -128,5 +130,6 @@ const struct nb_quantity_kind nb_load_kinds[] = {
      "share of the contacts whose shear force is 0.99 of its limit or more"},
     {"unbalance", NB_OF_REGION, "1", NB_READS_LOADS, unbalance,
      "mean force sum on a free body over the mean normal force of the contacts"},
+    {"unbalance.force", NB_OF_REGION, "N", NB_READS_LOADS, force_sum, "mean size of the force sum on a free body"},
     {NULL, 0, NULL, 0, NULL, NULL},
 };

@@ -9,6 +9,7 @@
  *   loads.c         what contacts carry: forces, contact stresses, sliding, out-of-balance
  *   strain.c        how the bodies have moved
  *   chains.c        force chains
+ *   speeds.c        how fast they go
  *
  * Each is worked out at most once a cycle, when somebody asks; a scene without regions has none of this.
  *
@@ -49,13 +50,26 @@ struct nb_loads {
   struct nb_spread ratio;              /* a over the smaller radius */
   struct nb_spread obliquity;          /* |F_s|/(mu F_n + c) */
   double sliding, near_sliding;        /* shares of the contacts */
-  double unbalance;                    /* mean |sum of the forces on a body| over mean F_n */
+  double force_sum, unbalance;         /* mean |sum of the forces on a free body|, N; over mean F_n */
+};
+struct nb_speeds {
+  double mean, max, carried, ratio; /* m/s, m/s, m/s, 1 */
 };
 struct nb_chains {
   double count, length, share; /* chains; bodies of one; of the free bodies, those in chains */
   double turn;                 /* mean angle between successive links, rad */
 };
-enum nb_measure_of { NB_STRESS, NB_FABRIC, NB_POROSITY, NB_COORDINATION, NB_LOADS, NB_STRAIN, NB_CHAINS, NB_MEASURES };
+enum nb_measure_of {
+  NB_STRESS,
+  NB_FABRIC,
+  NB_POROSITY,
+  NB_COORDINATION,
+  NB_LOADS,
+  NB_STRAIN,
+  NB_SPEEDS,
+  NB_CHAINS,
+  NB_MEASURES
+};
 
 /* A region as it is in a cycle. */
 struct nb_region_now {
@@ -71,6 +85,7 @@ struct nb_region_now {
   struct nb_porosity porosity;
   struct nb_coordination coordination;
   struct nb_loads loads;
+  struct nb_speeds speeds;
   struct nb_tensor strain;
   struct nb_chains chains;
   struct nb_vec *from; /* per body number, less 1: where it was when strain began, NAN: outside, m; NULL: nobody asks */
