@@ -71,7 +71,8 @@ enum {
   AT_SHEAR,
   AT_C12,
   AT_C21,
-  AT_LITERAL
+  AT_LITERAL,
+  AT_APART
 };
 
 /* A column asked for by `record`, until all watches are known. */

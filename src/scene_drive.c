@@ -84,6 +84,8 @@ NB_APPLY(nb_apply_continuum) {
   if (record->keyword->variant == 0)
     nb_strain_of(&continuum.strain, reader, record->value);
   continuum.literal = record->value[AT_LITERAL].token != NULL;
+  if (continuum.literal && record->value[AT_APART].token)
+    nb_token_mistake(reader, record->value[AT_LITERAL].token, NULL, "expected `apart` or `literal`, not both");
   if (stage && !said_twice(reader, stage->continuum.line))
     stage->continuum = continuum;
 }

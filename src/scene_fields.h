@@ -93,7 +93,8 @@ static const struct nb_argument circle[] = {
 static const struct nb_argument strain[] = {STRAIN, END};
 static const struct nb_argument continuum_strain[] = {
   STRAIN,
-  FLAG("literal", AT_LITERAL, "carried along",
+  FLAG("apart", AT_APART, "apart", "What carries a body along is no part of its own velocity [R89 4.41]."),
+  FLAG("literal", AT_LITERAL, "apart",
        "The equations as R89 codes them: what carries a body along is added to its velocity in every cycle and stays there."),
   END
 };

@@ -1,0 +1,68 @@
+/* Speeds of a region beyond what carries its bodies along, and what is out of balance under centripetal gravity.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* What bodies have beyond what carries them along, in either coding; the fixed one is left out. */
+static void speeds(void) {
+  static const char *const codings[] = {"apart", "literal"};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100\nstep 0.125\ndisc 3 4 radius 1 m velocity 0.3 -0.4\n"
+              "disc -8 6 radius 1 m\ndisc 40 9 radius 1 m fixed velocity 7 7\ndisc 0 -30 radius 1 m velocity 9 9\n"
+              "region A box -20 -20 to 60 20\nregion B all\n"
+              "record A.speed.mean A.speed.max A.speed.carried A.speed.ratio B.speed.max\n"
+              "stage s\ncontinuum strain 0.01 -0.02 %s\ncycles 1\n",
+              codings[k]);
+    written_scene(&it, &page);
+    struct nb_result result;
+    written_run(&result, &it, NULL);
+    /* After one cycle u = v + c in both; c at t_1 is the mean of those at x_0 and x_1, and `literal` has added the second one. */
+    const double more = k ? 0.5 : 0; /* of what the kick after it adds */
+    const double x = 3 + 0.125 * (0.3 + 0.03), y = 4 + 0.125 * (-0.4 - 0.08), x2 = -8 - 0.125 * 0.08,
+                 y2 = 6 - 0.125 * 0.12;
+    const double c1x = 0.01 * (3 + x) / 2, c1y = -0.02 * (4 + y) / 2;
+    const double c2x = 0.01 * (-8 + x2) / 2, c2y = -0.02 * (6 + y2) / 2;
+    /* literal: u = (u- + u+)/2, u- = v + c_0, u+ = u- + c_1: w = v + c_0 + c_1/2 - (c_0 + c_1)/2 = v + c_0/2 */
+    const double w1 = hypot(0.3 + more * 0.01 * 3, -0.4 - more * 0.02 * 4),
+                 w2 = hypot(more * 0.01 * 8, more * 0.02 * 6);
+    const double c = hypot(c1x, c1y) + hypot(c2x, c2y);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.speed.mean"), (w1 + w2) / 2, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.speed.max"), w1, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.speed.carried"), c / 2, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.speed.ratio"), (w1 + w2) / c, 1e-13);
+    CU_ASSERT(written_last(&result, "B.speed.max") > 12);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+/* Weight towards a point counts as weight does: 0.5 from (0, -7) to each of two discs, one of which stands on a fixed one. */
+static void weighed_towards_a_point(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\nstep 1e-9\ndisc 0 0 radius 1 m fixed\n"
+                   "disc 0 1.98 radius 1 m\ndisc 9 -7 radius 1 m\nregion A all\n"
+                   "record A.unbalance A.unbalance.force\nstage s\ngravity centripetal 0.5 about 0 -7\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.unbalance.force"), ((2 - pi / 2) + pi / 2) / 2, 1e-9);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.unbalance"), 0.5, 1e-9);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+void suite_speeds(void) {
+  CU_pSuite suite = CU_add_suite("speeds", NULL, NULL);
+  CU_add_test(suite, "speeds beyond what carries along", speeds);
+  CU_add_test(suite, "weight towards a point", weighed_towards_a_point);
+}
