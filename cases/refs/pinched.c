@@ -1,0 +1,105 @@
+/* Reference: an elastic sphere between two others that come towards each other, all without friction.
+ *
+ * By symmetry it moves along y alone, between spheres at -X and X:
+ *
+ *   m y'' = 2 F y/D,   X = X_0 - V t,   D = sqrt(X^2 + y^2),   F = (4/3) E* sqrt(R*) (R + r - D)^(3/2)          [Hertz]
+ *
+ *   m, r   of the small sphere, kg, m      R   radius of the two, m      V   speed of each, m/s
+ *   E* = E/(2 (1 - nu^2)),  R* = R r/(R + r)
+ *
+ * integrated (Runge-Kutta-Prince-Dormand, 1e-12) until the outlines part, where the step is halved down to 1e-12 of itself.
+ *
+ * Known, where NAME watches the small sphere or its contact with one of the two:
+ *   NAME.vy                 after they have parted
+ *   NAME.overlap max        the deepest
+ *   energy.walls            m v^2/2: what the two have done
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <string.h>
+
+#include "reference.h"
+
+struct pinch {
+  double stiffness; /* (4/3) E* sqrt(R*), N/m^(3/2) */
+  double mass, sum; /* kg; R + r, m */
+  double from, speed;
+};
+
+static double overlap(const struct pinch *p, double t, double y) { return p->sum - hypot(p->from - p->speed * t, y); }
+
+static int slope(double t, const double u[], double du[], void *data) {
+  const struct pinch *p = data;
+  const double alpha = overlap(p, t, u[0]), a = alpha > 0 ? alpha : 0;
+  du[0] = u[1];
+  du[1] = 2 * p->stiffness * a * sqrt(a) / p->mass * u[0] / (p->sum - alpha);
+  return GSL_SUCCESS;
+}
+
+/* From touching to parting; the speed then, and the deepest overlap. */
+static bool leave(struct pinch *p, double y, double *speed, double *deepest) {
+  const gsl_odeiv2_system system = {slope, NULL, 2, p};
+  gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-9, 1e-18, 1e-12);
+  if (!driver)
+    return false;
+  double t = 0, u[2] = {y, 0}, step = 1e-7;
+  bool good = true, pressed = false;
+  *deepest = 0;
+  for (long n = 0; n < 10000000 && good; n++) {
+    const double before = t, kept[2] = {u[0], u[1]};
+    good = gsl_odeiv2_driver_apply(driver, &t, t + step, u) == GSL_SUCCESS;
+    const double alpha = overlap(p, t, u[0]);
+    pressed = pressed || alpha > 1e-12 * p->sum;
+    *deepest = alpha > *deepest ? alpha : *deepest;
+    if (!(pressed && alpha <= 0))
+      continue;
+    if (step < 1e-18)
+      break;
+    t = before, u[0] = kept[0], u[1] = kept[1], step /= 4;
+    gsl_odeiv2_driver_reset(driver);
+  }
+  gsl_odeiv2_driver_free(driver);
+  *speed = u[1];
+  return good;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_body *left = &scene->bodies[0], *right = &scene->bodies[1], *small = &scene->bodies[2];
+  if (scene->body_count != 3 || strcmp(scene->normal, "hertz") != 0 || scene->wall_count ||
+      scene->damping.contact_kind || scene->damping.global_kind || !left->fixed || !right->fixed || small->fixed ||
+      left->radius != right->radius || left->x != -right->x || left->vx != -right->vx || !(left->vx > 0) ||
+      small->x != 0 || small->vx != 0 || small->vy != 0 || left->y != 0 || right->y != 0 || small->y <= 0 ||
+      left->vy != 0 || right->vy != 0)
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "pinched wants `normal hertz`, two equal spheres that are fixed and come towards each other along x, "
+        "and a third one at rest between them above the line; no damping");
+  const struct nb_material *glass = &scene->materials[small->material];
+  const double R = right->radius, r = small->radius;
+  struct pinch pinch = {.stiffness =
+                            4. / 3 * glass->young / (2 * (1 - glass->poisson * glass->poisson)) * sqrt(R * r / (R + r)),
+                        .mass = nb_body_mass(scene, small),
+                        .sum = R + r,
+                        .from = right->x,
+                        .speed = left->vx};
+  double speed, deepest;
+  if (!leave(&pinch, small->y, &speed, &deepest))
+    return nb_error_set(error, NB_BROKEN, "pinched: the equation of motion could not be integrated");
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    char name[3 * NB_NAME_SIZE];
+    const bool body = scene->watches[w].kind == NB_WATCH_BODY;
+    snprintf(name, sizeof name, "%s.%s", scene->watches[w].name, body ? "vy" : "overlap max");
+    known_value(known, body ? speed : deepest, name);
+  }
+  known_value(known, pinch.mass * speed * speed / 2, "energy.walls");
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_pinched = {
+    .name = "pinched",
+    .title = "a sphere pinched between two that come towards each other, Hertz: its equation of motion",
+    .source = "[R89 6.4.2]",
+    .know = know,
+};
