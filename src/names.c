@@ -157,9 +157,8 @@ static const struct nb_quantity_kind kinds[] = {
      "of "
      "contacts held that are no more"},
     {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
-     "kinetic, stored, frictional, damped and removed energy less what there was at first and was supplied: the error "
-     "of the "
-     "step"},
+     "kinetic, stored, frictional, damped and removed energy less what there was at first and was supplied: "
+     "the error of the step"},
     {"work.residual", 0, "J", NB_ASKS_WORK, work_residual,
      "kinetic energy at the half step less what there was at first and the work of all forces: rounding"},
     {"momentum.x", 0, "kg.m/s", 0, momentum_x, "of all bodies that are free"},
