@@ -189,8 +189,9 @@ static inline NB_FORM struct found shear_mindlin_deresiewicz_look(struct nb_pair
     at[(int)m[0]].e = lost; /* until it is told */
   }
   m[1] = unit_of(p);
-  const int end = (int)m[0], last = end - (end > 0), next = last - (last > 0), third = next - (next > 0);
-  return (struct found){m[0], seen(&at[end]), seen(&at[last]), seen(&at[next]), seen(&at[third])};
+  const int k = (int)m[0];
+  return (struct found){m[0], seen(&at[k]), seen(&at[k > 0 ? k - 1 : 0]), seen(&at[k > 1 ? k - 2 : 0]),
+                        seen(&at[k > 2 ? k - 3 : 0])};
 }
 
 /* This corner, of piece k, if it stays; else what has been met farther in. */

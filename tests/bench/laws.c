@@ -57,7 +57,8 @@ static void make_scene(struct nb_scene *scene, int side, const char *shear, unsi
   snprintf(scene->shear, sizeof scene->shear, "%s", shear);
   scene->step = (struct nb_step){NB_STEP_TIME, 0.1 / rate, 0, false};
   scene->allow_unstable = true;
-  scene->stages[0] = (struct nb_stage){.name = "shake", .cycles = cycles, .step = scene->step, .allow_unstable = true};
+  scene->stages[0] = (struct nb_stage){
+      .name = "shake", .cycles = cycles, .snapshot_from = -1, .step = scene->step, .allow_unstable = true};
 }
 
 static int by_size(const void *a, const void *b) {
