@@ -48,7 +48,7 @@ static void path_of(struct corner at[], int count, struct chance *chance, double
   double t = 0;
   at[0] = (struct corner){0};
   for (int k = 0; k < count; k++) {
-    at[k].d = chance_between(chance, -most, most), at[k].e = chance_between(chance, 0, 1e-3);
+    at[k].d = chance_between(chance, -most, most), at[k].e = chance_between(chance, 0, 0.05);
     const double x = at[k].x + chance_scale(chance, 0.01, 1);
     at[k].b = t - at[k].d * n_of(at[k].x), t += at[k].d * (n_of(x) - n_of(at[k].x));
     at[k + 1] = (struct corner){x, at[k].u + at[k].d * (x - at[k].x), at[k].d, at[k].b, 0};
@@ -82,7 +82,7 @@ static double off(const struct corner *at) {
 static void room_is_made(void) {
   struct chance chance = chance_begin(8);
   int kept = 0, first = 0, last = 0, high = 0;
-  for (int path = 0; path < 3000; path++) {
+  for (int path = 0; path < 40000; path++) {
     struct corner old[12], at[12];
     const int count = 4 + path % 6;
     path_of(old, count, &chance, path % 3 ? 0.5 : 1);
@@ -122,16 +122,19 @@ static void room_is_made(void) {
 static void corners_move(void) {
   struct chance chance = chance_begin(9);
   int done = 0, refused = 0;
-  for (int path = 0; path < 2000; path++) {
+  for (int path = 0; path < 20000; path++) {
     struct corner old[4], at[4];
     path_of(old, 3, &chance, 1);
     memcpy(at, old, sizeof at);
-    const double more = chance_between(&chance, -0.05, 0.05);
     /* to where: u by y turns D by y/x1 and -y/x2 */
     const double x1 = old[1].x - old[0].x, x2 = old[2].x - old[1].x, n1 = n_of(old[1].x), n2 = n_of(old[2].x);
-    const double y = more / ((n1 - n_of(old[0].x)) / x1 - (n2 - n1) / x2);
+    const double full = copysign(chance_between(&chance, 0.9995, 1.0005), chance_between(&chance, -1, 1));
+    const double y = path % 3 == 0   ? (full - old[0].d) * x1
+                     : path % 3 == 1 ? (old[1].d - full) * x2
+                                     : chance_between(&chance, -0.05, 0.05);
+    const double more = y * ((n1 - n_of(old[0].x)) / x1 - (n2 - n1) / x2);
     const double d1 = fabs(old[0].d + y / x1), d2 = fabs(old[1].d - y / x2), larger = d1 > d2 ? d1 : d2;
-    if (fabs(larger - 1) < 1e-6)
+    if (fabs(larger - 1) < 1e-6 || fabs(more) < 1e-3 * fabs(y))
       continue;
     CU_ASSERT_EQUAL(move(at, 1, more), larger < 1);
     if (larger < 1) {
