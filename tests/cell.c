@@ -24,10 +24,10 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
   for (int k = 0; k < DISCS; k++) {
     const double x = chance_between(&chance, -8, 8), y = chance_between(&chance, -8, 8);
     const double r = chance_scale(&chance, 0.2, 0.8), vx = chance_between(&chance, -5, 5);
+    const double spin = chance_between(&chance, -9, 9), vy = chance_between(&chance, -5, 5);
     const double to_x = 16 * round(chance_between(&copies, -3, 3)), to_y = 16 * round(chance_between(&copies, -3, 3));
     words_add(&page, "disc %.17g %.17g radius %.17g %s velocity %.17g %.17g spin %.17g\n", x + wander * to_x,
-              y + wander * to_y, r, k % 3 ? "a" : "b", vx, chance_between(&chance, -5, 5),
-              chance_between(&chance, -9, 9));
+              y + wander * to_y, r, k % 3 ? "a" : "b", vx, vy, spin);
   }
   words_add(&page,
             "watch A disc 1\nrecord A.x A.angle contacts cell.stress.xx cell.stress.xy cell.stress.yx "

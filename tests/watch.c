@@ -150,15 +150,21 @@ static void three_share_it(void) {
 /* Spheres of two materials, some pressed and some apart, that fly about in a box. */
 static void crowd(struct words *page, struct chance *chance, const char *shear) {
   words_add(page, "units none\nnormal hertz\nshear %s\nskin 0.3\n", shear);
-  for (int m = 0; m < 2; m++)
-    words_add(page, "material %c density %g young %g poisson %g friction %d\n", 'a' + m, chance_scale(chance, 0.1, 10),
-              chance_scale(chance, 1, 30), chance_between(chance, 0, 0.45), m);
+  for (int m = 0; m < 2; m++) { /* one after the other: the order of arguments is the compiler's */
+    const double poisson = chance_between(chance, 0, 0.45);
+    const double young = chance_scale(chance, 1, 30);
+    const double density = chance_scale(chance, 0.1, 10);
+    words_add(page, "material %c density %g young %g poisson %g friction %d\n", 'a' + m, density, young, poisson, m);
+  }
   words_add(page, "box -1 -1 to 7 7 a\n");
-  for (int k = 0; k < 16; k++)
-    words_add(page, "sphere %.17g %.17g radius %.17g %c velocity %.17g %.17g spin %.17g\n",
-              2 * (k % 4) + chance_between(chance, -0.1, 0.1), 2 * (k / 4) + chance_between(chance, -0.1, 0.1),
-              chance_between(chance, 0.85, 1.1), k % 3 ? 'a' : 'b', chance_between(chance, -0.1, 0.1),
-              chance_between(chance, -0.1, 0.1), chance_between(chance, -0.1, 0.1));
+  for (int k = 0; k < 16; k++) {
+    const double spin = chance_between(chance, -0.1, 0.1);
+    const double vy = chance_between(chance, -0.1, 0.1), vx = chance_between(chance, -0.1, 0.1);
+    const double radius = chance_between(chance, 0.85, 1.1);
+    const double y = chance_between(chance, -0.1, 0.1), x = chance_between(chance, -0.1, 0.1);
+    words_add(page, "sphere %.17g %.17g radius %.17g %c velocity %.17g %.17g spin %.17g\n", 2 * (k % 4) + x,
+              2 * (k / 4) + y, radius, k % 3 ? 'a' : 'b', vx, vy, spin);
+  }
 }
 
 static void no_cycle_is_unsure(void) {
