@@ -172,9 +172,9 @@ enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, stru
   struct packing packing = {0};
   struct nb_random random = {fill->seed};
   struct nb_body *bodies = nb_room(scene->bodies, scene->body_count, grading->count, sizeof *bodies);
-  enum nb_filled filled = bodies && begin(&packing, scene, fill) ? NB_FILLED : NB_FILL_NO_MEMORY;
   if (bodies)
     scene->bodies = bodies;
+  enum nb_filled filled = bodies && begin(&packing, scene, fill) ? NB_FILLED : NB_FILL_NO_MEMORY;
   for (size_t s = 0; s < grading->size_count && filled == NB_FILLED; s++) {
     struct nb_size *size = &grading->sizes[s];
     const size_t before = scene->body_count;
