@@ -1,15 +1,20 @@
-# How far bodies have turned since the reference: orange counterclockwise, blue clockwise, the deepest colour the largest turn.
-# The page says before
+# How far bodies have turned since the reference [R89 4.1, 4.2]. The page says before
 #
 #   bodies = '$rest_bodies'    # of `snapshot from STAGE`
+#   turns = 'size'             # orange counterclockwise, blue clockwise, the deepest colour the largest turn
+#   turns = 'direction'        # the two colours alone
+#   turns = 'vector'; longest = 0.001    # arrows, up counterclockwise, down clockwise, the largest turn so long, in units of length
 set size ratio -1
 unset border
 unset tics
 unset grid
 unset key
 unset colorbox
-set offsets graph 0.04, graph 0.04, graph 0.04, graph 0.04
+set offsets graph 0.08, graph 0.08, graph 0.08, graph 0.08
 set palette defined (-1 '#0072b2', 0 '#ffffff', 1 '#d55e00')
 stats @bodies using (abs(column('turned/rad'))) name 'turned' nooutput
-set cbrange [-turned_max:turned_max]
-plot @bodies using 2:3:4:(column('turned/rad')) with circles lc palette fs solid border lc rgb '#444444'
+share(c) = turned_max > 0 ? column('turned/rad') / turned_max : 0
+shade(c) = turns eq 'size' ? share(c) : turns eq 'direction' ? sgn(share(c)) : 0
+set cbrange [-1:1]
+plot @bodies using 2:3:4:(shade(0)) with circles lc palette fs solid border lc rgb '#444444', \
+     @bodies using 2:3:(0):(turns eq 'vector' ? share(0) * longest : NaN) with vectors head filled size graph 0.02,20 lw 1.5 lc rgb '#0072b2'

@@ -6,7 +6,7 @@ unset border
 unset tics
 unset grid
 unset key
-set offsets graph 0.04, graph 0.04, graph 0.04, graph 0.04
+set offsets graph 0.08, graph 0.08, graph 0.08, graph 0.08
 stats @bodies using (sqrt($6**2 + $7**2)) name 'speed' nooutput
 plot @bodies using 2:3:4 with circles lc rgb '#cccccc' fs empty, \
      @bodies using 2:3:(longest * $6 / speed_max):(longest * $7 / speed_max) with vectors head filled size graph 0.02,20 lc rgb '#0072b2'

@@ -167,14 +167,14 @@ enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *fold
   write_script(file.file, outcome);
   if (nb_save_end(&file, error))
     return error->status;
-  snprintf(settings, sizeof settings,
-           "set terminal svg size 840,560 font 'sans,13' background 'white'; set output \"%s/%s.svg\"", folder, name);
-  if (run_gnuplot(settings, script, error))
-    return error->status;
-  snprintf(settings, sizeof settings, "set terminal pngcairo size 840,560 font 'sans,11'; set output \"%s/%s.png\"",
-           folder, name);
-  if (run_gnuplot(settings, script, error))
-    return error->status;
+  static const char *const terminals[][2] = {{"svg font 'sans,13' background 'white'", "svg"},
+                                             {"pngcairo font 'sans,11'", "png"}};
+  for (size_t k = 0; k < sizeof terminals / sizeof *terminals; k++) {
+    snprintf(settings, sizeof settings, "terminal = \"%s\"; set terminal %s size 840,560; set output \"%s/%s.%s\"",
+             terminals[k][0], terminals[k][0], folder, name, terminals[k][1]);
+    if (run_gnuplot(settings, script, error))
+      return error->status;
+  }
   *drawn = true;
   return NB_OK;
 }

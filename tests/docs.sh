@@ -24,6 +24,16 @@ done >"$work/said"
 test ! -s "$work/said"
 result $? "links between documents"
 
+# ---- recipes of figures ----
+
+for recipe in plots/*.gp; do
+  name=${recipe#plots/}
+  test "$name" = style.gp || grep -qF "load plots.'$name'" cases/*.md || echo "no page draws $recipe"
+  grep -qF "$recipe" Makefile.am || echo "$recipe is not installed"
+done >"$work/said"
+test ! -s "$work/said"
+result $? "recipes of figures are drawn by a page, and installed"
+
 # ---- commands ----
 
 # Is it a target of make?

@@ -312,6 +312,15 @@ said 'gnuplot-nox'
 there drawn/passes.gp
 verdict 'no gnuplot: said, and its package named'
 
+if command -v gnuplot >/dev/null; then
+  mkdir -p tree/cases tree/plots && cp "$pages/../../plots/style.gp" tree/plots
+  sed 's/^plot /eval canvas(300, 200)\n&/' "$pages/passes.md" >tree/cases/large.md
+  run 0 figure tree/cases/large.md -o drawn
+  grep -q 'width="300" height="200"' drawn/large.svg || echo 'the figure is not as large as the page says' >>why
+  head -c 4 drawn/large.png | grep -q PNG || echo 'large.png is no PNG' >>why
+  verdict 'a figure of the size that the page says, twice'
+fi
+
 run 0 figure "$pages/swept.md" -o drawn
 out 'has no block of kind `gnuplot`'
 verdict 'a page without a figure'

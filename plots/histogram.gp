@@ -1,0 +1,29 @@
+# How many contacts have which value, several snapshots beside each other. The page says before
+#
+#   tables = '$rest_contacts $shear_contacts'; names = 'before after'    # a step line each
+#   of(c) = column('shear/N') / column('limit/N'); low = -1; high = 1; bins = 20
+#
+# Those of obliquity, with what slides in the bins at the ends [R89 figures 6.18-6.20], and of mean normal contact stress [R89 figures
+# 6.42, 6.43] differ in `of`. What is not from `low` to `high` is counted in the bins at the ends.
+set size noratio
+set border 3
+set tics nomirror
+set autoscale
+set ylabel 'contacts'
+bin(v) = v < low ? 1 : v >= high ? bins : int(1.0 * (v - low) / (high - low) * bins) + 1
+array count[bins]
+put(v) = v == v ? (count[bin(v)] = count[bin(v)] + 1) : 0
+set print $histogram
+do for [k = 1:words(tables)] {
+  do for [i = 1:bins] { count[i] = 0 }
+  stats word(tables, k) using (put(of(0)), 0) nooutput
+  print sprintf("%.9g\t0", low)
+  do for [i = 1:bins] { print sprintf("%.9g\t%d", low + (i - 1.0) * (high - low) / bins, count[i]) }
+  print sprintf("%.9g\t0", high)
+  print ""
+  print ""
+}
+unset print
+set datafile nocolumnheaders
+plot [low:high] [0:*] for [k = 1:words(tables)] $histogram index k - 1 using 1:2 with steps lw 2 lt k title word(names, k)
+set datafile columnheaders

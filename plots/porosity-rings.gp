@@ -1,0 +1,13 @@
+# Porosity against the distance from the centre of a region with `rings`: of each ring, a box, and of all that is within it, a line [R89 figure
+# 6.5]. The page says before
+#
+#   rings = '$rest_rings'
+set key
+set size noratio
+set border 3
+set tics nomirror
+set autoscale
+set offsets 0, 0, 0, 0
+set xlabel 'distance from the centre'
+set ylabel 'porosity'
+plot [0:*] [0:*] @rings using (($2 + $3) / 2):4:($3 - $2) with boxes fs empty lw 1.5 lt 1 title 'in the ring', @rings using 3:5 with lines lw 2 lt 2 title 'within'

@@ -1,0 +1,14 @@
+# The stress path of a region: half the difference of the principal stresses against their mean, one line a table [R89 figure 6.27]; the broken
+# line has the slope given, sin Phi. The page says before
+#
+#   tables = '$table'; region = 'A'; unit = 'Pa'; slope = 0.3    # recorded: region.stress.mean and .deviator
+unset key
+set size noratio
+set border 3
+set tics nomirror
+set autoscale
+set offsets 0, 0, 0, 0
+set xlabel 'mean stress'
+set ylabel '(σ_1 - σ_2)/2'
+plot [0:*] [0:*] for [k = 1:words(tables)] word(tables, k) using (column(region.'.stress.mean/'.unit)):(column(region.'.stress.deviator/'.unit) / 2) with lines lw 1.5 lt k, \
+     slope * x with lines dt 2 lc rgb '#888888'
