@@ -129,9 +129,5 @@ struct nb_tensor nb_cell_strain(const struct nb_cell *cell) {
 }
 
 struct nb_tensor nb_cell_stress(const struct nb_model *model) {
-  const struct nb_contacts *contacts = &model->contacts;
-  struct nb_tensor sum = {0, 0, 0, 0};
-  for (size_t c = 0; c < contacts->count; c++)
-    sum = tensor_sub(sum, tensor_outer(contacts->force[c], nb_contacts_branch(model, c)));
-  return tensor_scale(1 / (nb_cell_area(model->cell) * nb_thickness(model)), sum);
+  return tensor_scale(1 / (nb_cell_area(model->cell) * nb_thickness(model)), nb_contacts_virial(model));
 }

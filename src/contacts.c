@@ -194,6 +194,13 @@ struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {
   return model->cell ? vec_add(apart, tensor_times(model->cell->h, contacts->image[contact])) : apart;
 }
 
+struct nb_tensor nb_contacts_virial(const struct nb_model *model) {
+  struct nb_tensor sum = {0, 0, 0, 0};
+  for (size_t c = 0; c < model->wall_contacts; c++)
+    sum = tensor_sub(sum, tensor_outer(model->contacts.force[c], nb_contacts_branch(model, c)));
+  return sum;
+}
+
 struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values) {
   if (model->contacts.kept[NB_REDUCED])
     values.radius = model->contacts.kept[NB_REDUCED][contact];

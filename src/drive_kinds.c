@@ -21,6 +21,20 @@ OF_RING(stress_yy, nb_ring_stress(model).yy)
 OF_RING(stress_mean, tensor_mean(nb_ring_stress(model)))
 OF_RING(stress_deviator, 2 * tensor_radius(nb_ring_stress(model)))
 
+/* The largest component of the difference to the stress by contacts. */
+static double differs(const struct nb_model *model) {
+  const double volume = nb_ring_area(model) * nb_thickness(model);
+  if (!(volume > 0))
+    return 0;
+  const struct nb_tensor off = tensor_sub(nb_ring_stress(model), tensor_scale(1 / volume, nb_contacts_virial(model)));
+  const double parts[] = {off.xx, off.xy, off.yx, off.yy};
+  double most = 0;
+  for (int k = 0; k < 4; k++)
+    most = fabs(parts[k]) > most ? fabs(parts[k]) : most;
+  return most;
+}
+OF_RING(stress_residual, differs(model))
+
 static double whole(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
   return nb_energy_kinetic_whole(model);
@@ -41,6 +55,10 @@ const struct nb_quantity_kind nb_drive_kinds[] = {
     {"boundary.stress.yy", 0, "Pa", 0, stress_yy, "likewise"},
     {"boundary.stress.mean", 0, "Pa", 0, stress_mean, "(xx + yy)/2"},
     {"boundary.stress.deviator", 0, "Pa", 0, stress_deviator, "major less minor principal stress"},
+    {"boundary.stress.residual", 0, "Pa", 0, stress_residual,
+     "largest difference between it and the stress by all contacts over the same volume: sum F_i X_j of the bodies "
+     "inside, "
+     "0 at rest"},
     {"energy.kinetic.whole", 0, "J", 0, whole,
      "kinetic energy of bodies that are free with what carries them along, where they are; spin included"},
     {NULL, 0, NULL, 0, NULL, NULL},

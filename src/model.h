@@ -14,6 +14,7 @@
 #include "joints.h"
 #include "laws/law.h"
 #include "laws_now.h"
+#include "tensor.h"
 #include "vec.h"
 #include "walls.h"
 
@@ -208,6 +209,7 @@ long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /*
 void nb_contacts_free(struct nb_contacts *contacts);
 /* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */
 struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
+struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs of bodies: -sum f_i l_j, N m */
 /* What the laws of a contact are given: the constants of its pairing, and those of its own. */
 struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values);
 

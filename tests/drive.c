@@ -206,6 +206,16 @@ static void the_work_balances(void) {
   nb_result_free(&result);
 }
 
+/* The largest component of sum F_i X_j/A over the bodies inside, which is what boundary.stress.residual should be. */
+static double out_of_balance(const struct nb_model *model) {
+  struct nb_tensor sum = tensor(0, 0, 0, 0);
+  for (size_t i = 0; i < model->bodies.count; i++)
+    if (model->bodies.inverse_mass[i] > 0)
+      sum = tensor_add(
+          sum, tensor_outer(nb_force_on(model, i).force, vec_sub(model->bodies.position[i], model->carry->centre)));
+  return fmax(fmax(fabs(sum.xx), fabs(sum.xy)), fmax(fabs(sum.yx), fabs(sum.yy))) / nb_ring_area(model);
+}
+
 /* sum F_i X_j of the boundary is that of all contacts once the others are at rest. Bodies that do not turn bear moments, so xy and yx may differ. */
 static void the_stress_is_that_of_the_contacts(void) {
   struct words page = {0};
@@ -214,9 +224,14 @@ static void the_stress_is_that_of_the_contacts(void) {
   crowd(&page, SQUEEZE "stage c\ndamping contact-beta 0.002\ndamping con1 0.9 reading velocity\ncycles 20000\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
+  struct nb_quantity residual;
+  CU_ASSERT_FATAL(nb_quantity_find(&residual, &it.scene, "boundary.stress.residual", NULL));
   for (size_t s = 0; s < it.scene.stage_count; s++) {
     CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
     written_cycles(model, (int)it.scene.stages[s].cycles);
+    const double off = out_of_balance(model);
+    CU_ASSERT(off > 0.1 || s + 1 == it.scene.stage_count);
+    CU_ASSERT_DOUBLE_EQUAL(nb_quantity_value(residual, model), off, 1e-12 * (1 + off));
   }
   struct nb_tensor sum = tensor(0, 0, 0, 0);
   for (size_t c = 0; c < model->contacts.count; c++) {
