@@ -204,7 +204,8 @@ void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
   put_bodies(&model->bodies, saved);
   put_walls(&model->walls, saved);
   memcpy(model->properties.materials, saved->materials, saved->material_count * sizeof *saved->materials);
-  memcpy(model->properties.rules, saved->rules, saved->rule_count * sizeof *saved->rules);
+  for (size_t r = 0; r < saved->rule_count; r++) /* there may be none, and no array */
+    model->properties.rules[r] = saved->rules[r];
   model->properties.rule_count = saved->rule_count;
   for (size_t p = 0; p < model->pairing_count; p++)
     model->pairings[p].values = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b);
