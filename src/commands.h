@@ -10,7 +10,8 @@
 struct nb_use {
   char **pages;
   size_t page_count;
-  const char *folder;    /* NULL: the default */
+  const char *folder;    /* or a file; NULL: the default */
+  const char *stage;     /* at whose end; NULL: the last one */
   const char **settings; /* NULL-terminated */
   char *follow;          /* the one of --follow, owned; NULL: none */
   struct nb_options options;
@@ -22,6 +23,7 @@ enum nb_status nb_command_check(const struct nb_use *use);
 enum nb_status nb_command_figure(const struct nb_use *use);
 enum nb_status nb_command_report(const struct nb_use *use);
 enum nb_status nb_command_explain(const struct nb_use *use);
+enum nb_status nb_command_state(const struct nb_use *use);
 enum nb_status nb_command_laws(const struct nb_use *use);
 enum nb_status nb_command_list(const struct nb_use *use);
 

@@ -1,4 +1,4 @@
-/* Gradings in words: what was wanted, and what became of it.
+/* Bodies that a page has not said one by one, in words: of gradings what was wanted, and what became of it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "explain.h"
@@ -25,4 +25,9 @@ void nb_explain_fills(FILE *out, const struct nb_scene *scene) {
     fprintf(out, "filled\n");
   for (size_t f = 0; f < scene->fill_count; f++)
     explain_fill(out, scene, &scene->fills[f]);
+  for (size_t p = 0; p < scene->packing_count; p++) {
+    const struct nb_packing *packing = &scene->packings[p];
+    fprintf(out, "%s  %s: %zu bodies, bodies %zu to %zu (line %d)\n", p ? "" : "packings\n", packing->path,
+            packing->count, packing->first + 1, packing->first + packing->count, packing->line);
+  }
 }

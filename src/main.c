@@ -20,15 +20,18 @@ static const struct {
     {"figure", nb_command_figure, "PAGE… [-o FOLDER]", "run pages, draw their figures with gnuplot"},
     {"report", nb_command_report, "PAGE… [-o FOLDER]", "all of these, and one page about all of them"},
     {"explain", nb_command_explain, "PAGE…", "the plan: what is switched on, what asked for it, step, cost"},
+    {"state", nb_command_state, "PAGE [--stage NAME] [-o FILE]",
+     "run a page to the end of a stage, keep its bodies and all else in a file"},
     {"laws", nb_command_laws, "", "the contact laws, with their equations"},
     {"list", nb_command_list, "", "the references, and the quantities that a page can record"},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const struct nb_help_row option_rows[] = {
-    {"-o, --output FOLDER", "where files go (default: NAME.out; report: report)"},
+    {"-o, --output FOLDER", "where files go (default: NAME.out; report: report); of `state` a FILE (NAME-STAGE.state)"},
     {"--set NAME=VALUE", "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
     {"--follow FILE", "take a page's contact along a path of your own: columns approach/m and slip/m"},
+    {"--stage NAME", "of `state`: at the end of which stage (default: the last one)"},
     {"--states FOLDER", "where the states lie that pages start from (default: $NINEBALL_STATES, or states)"},
     {"--jobs N", "runs of a sweep side by side (default: as many as there are processors)"},
     {"--threads N", "at most so many (default 1); the results do not depend on it"},
@@ -95,6 +98,7 @@ enum {
   OPTION_SET = 256,
   OPTION_FOLLOW,
   OPTION_JOBS,
+  OPTION_STAGE,
   OPTION_STATES,
   OPTION_THREADS,
   OPTION_ISA,
@@ -106,6 +110,7 @@ static const struct option options[] = {
     {"output", required_argument, NULL, 'o'},
     {"set", required_argument, NULL, OPTION_SET},
     {"follow", required_argument, NULL, OPTION_FOLLOW},
+    {"stage", required_argument, NULL, OPTION_STAGE},
     {"states", required_argument, NULL, OPTION_STATES},
     {"jobs", required_argument, NULL, OPTION_JOBS},
     {"threads", required_argument, NULL, OPTION_THREADS},
@@ -147,6 +152,9 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words, 
       use->settings[settings++] = use->follow;
       break;
     }
+    case OPTION_STAGE:
+      use->stage = optarg;
+      break;
     case OPTION_STATES:
       use->options.states = optarg;
       break;

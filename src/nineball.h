@@ -146,6 +146,13 @@ struct nb_fill {
   int line;
 };
 
+/* `packing`: bodies that a file has put there. */
+struct nb_packing {
+  char *path;          /* owned by the scene */
+  size_t first, count; /* the bodies that have come from it */
+  int line;
+};
+
 /* A wall is the part of a line from P + h1 e to P + h2 e [CS79 figure 4]. It pushes on both sides. */
 struct nb_wall {
   char name[NB_NAME_SIZE];
@@ -455,6 +462,8 @@ struct nb_scene {
   size_t grading_count;
   struct nb_fill *fills;
   size_t fill_count;
+  struct nb_packing *packings;
+  size_t packing_count;
   struct nb_scene_cell cell;
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* laws, by the names of their files: `linear`, `none` */
   int normal_line, shear_line;

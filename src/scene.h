@@ -6,6 +6,7 @@
  *   scene_world.c   materials, laws, walls
  *   scene_bodies.c  bodies and watches
  *   scene_fill.c    gradings, and what is filled with them
+ *   scene_packing.c bodies from a file
  *   scene_cell.c    the periodic cell, and waves in it
  *   scene_impact.c  a sphere that flies at something
  *   scene_region.c  what is measured together
@@ -19,6 +20,7 @@
  *   scene_place.c   the whole scene mirrored, turned, shifted
  *   scene_path.c    of a path: the contact, its legs
  *   scene_follow.c  a path from a file
+ *   columns.c       lengths from a file, for both
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SCENE_H
@@ -126,6 +128,7 @@ int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const str
 struct nb_stage *nb_stage_now(const struct nb_scene *scene); /* the stage that statements belong to; NULL: the scene */
 /* Says so when a scene has as many of them already as it may. */
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what);
+bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
 /* Array growth that failed. */
 void nb_no_memory(struct nb_reader *reader);
 /* The last --set of that name: its line among the settings; 0: none. */
@@ -192,6 +195,7 @@ void nb_start_free(struct nb_start *start);
 unsigned long long nb_hash_settings(nb_settings settings);
 void nb_hash_line(struct nb_scene_reading *reading);
 void nb_stages_free(struct nb_scene *scene, size_t from); /* those from there on */
+void nb_scene_cut(struct nb_scene *scene, size_t stage);  /* behind that stage; nobody looks at it any more */
 
 /* What the rows of the table call. subject is the struct nb_scene_reading. */
 #define NB_APPLY(name) void name(struct nb_reader *reader, const struct nb_record *record, void *subject)
@@ -205,6 +209,7 @@ NB_APPLY(nb_apply_body); /* variant: enum nb_shape, here and below */
 NB_APPLY(nb_apply_lattice);
 NB_APPLY(nb_apply_grading);
 NB_APPLY(nb_apply_fill);
+NB_APPLY(nb_apply_packing); /* variant -1: as the file has them */
 NB_APPLY(nb_apply_box);
 NB_APPLY(nb_apply_wall);
 NB_APPLY(nb_apply_skin);

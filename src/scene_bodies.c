@@ -6,6 +6,14 @@
 
 #include "scene.h"
 
+bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, size_t more) {
+  if (more <= NB_BODIES_MAX && scene->body_count + more <= NB_BODIES_MAX)
+    return false;
+  nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d bodies, with these there are %zu",
+                   NB_BODIES_MAX, scene->body_count + more);
+  return true;
+}
+
 bool nb_body_of(struct nb_body *body, const struct nb_scene *scene, struct nb_reader *reader,
                 const struct nb_record *record, size_t count) {
   const struct nb_value *value = record->value;
@@ -30,10 +38,7 @@ bool nb_body_of(struct nb_body *body, const struct nb_scene *scene, struct nb_re
   if (scene->materials[material].density == 0 && !body->fixed)
     nb_not_known(reader, token, "give the material a `density`, or hold the body with `fixed`",
                  "a material with mass for a free body");
-  else if (count > NB_BODIES_MAX || scene->body_count + count > NB_BODIES_MAX)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d bodies, with these there are %zu",
-                     NB_BODIES_MAX, scene->body_count + count);
-  return !reader->bad;
+  return !nb_too_many_bodies(reader, scene, count) && !reader->bad;
 }
 
 NB_APPLY(nb_apply_body) {

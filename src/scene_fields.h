@@ -145,6 +145,9 @@ static const struct nb_argument fill_box[] = {
   FILLING,
   END
 };
+#define FILE_NAME WORD("FILE", AT_NAME, "the name of a file")
+static const struct nb_argument packing[] = {FILE_NAME, END};
+static const struct nb_argument packing_of[] = {FILE_NAME, MATERIAL, END};
 static const struct nb_argument lattice[] = {
   FLAG("square", AT_SQUARE, "the same", "Rows above each other."),
   FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row half a spacing to the east, rows sqrt(3)/2 of it apart: six neighbours, equally far."),

@@ -23,6 +23,9 @@ void nb_scene_free(struct nb_scene *scene) {
   for (size_t i = 0; i < scene->grading_count; i++)
     free(scene->gradings[i].sizes);
   free(scene->gradings);
+  for (size_t i = 0; i < scene->packing_count; i++)
+    free(scene->packings[i].path);
+  free(scene->packings);
   free(scene->fills);
   free(scene->materials);
   free(scene->pair_rules);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bench.h"
+#include "columns.h"
 #include "names.h"
 #include "scene.h"
 
@@ -101,30 +102,12 @@ static bool take_aim(struct nb_reader *reader, struct nb_aim *aim, bool force, b
   return nb_take_number(reader, force ? NB_UNIT_FORCE : NB_UNIT_LENGTH, push ? NB_NOT_NEGATIVE : NB_ANY, &aim->value);
 }
 
-/* The file beside the page. */
-static bool take_file(struct nb_reader *reader, struct nb_leg *leg) {
-  const struct nb_token *token = nb_take(reader, "the name of a file");
-  if (!token || token->hollow)
-    return false;
-  const char *page = reader->page->path, *slash = strrchr(page, '/');
-  char path[4096];
-  const bool relative = token->text[0] != '/' && slash;
-  snprintf(path, sizeof path, "%.*s%s", relative ? (int)(slash - page) + 1 : 0, page, token->text);
-  FILE *file = fopen(path, "r");
-  if (!file) {
-    nb_token_mistake(reader, token, "it is looked for beside the page", "expected a file that can be read, found `%s`",
-                     token->text);
-    return false;
-  }
-  fclose(file);
-  return nb_follow_read(leg, path, reader->unitless, reader->mistakes);
-}
-
 /* What a leg says, in any order, each once. */
 static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
   static const char *const words[] = {"overlap", "normal", "slip", "shear", "hold", "in", "follow"};
   enum { OVERLAP, NORMAL, SLIP, SHEAR, HOLD, IN, FOLLOW, WORDS };
   struct nb_leg *leg = &stage->leg;
+  char path[NB_PATH_SIZE];
   bool normal_said = false, shear_said = false, steps_said = false;
   while (nb_token_peek(reader)) {
     int word = 0;
@@ -152,7 +135,8 @@ static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
     *said = true;
     struct nb_aim *aim = normal ? &leg->normal : &leg->shear;
     if (word == FOLLOW)
-      return take_file(reader, leg);
+      return nb_file_beside(reader, nb_take(reader, "the name of a file"), path, sizeof path) &&
+             nb_follow_read(leg, path, reader->unitless, reader->mistakes);
     if (word == IN) {
       if (!nb_take_count(reader, 1, STEPS_MAX, &stage->cycles))
         return false;

@@ -204,6 +204,13 @@ static bool read_other(struct nb_scene_reading *reading, struct nb_reader *reade
   return mistakes->made == before;
 }
 
+void nb_scene_cut(struct nb_scene *scene, size_t stage) {
+  scene->column_count = 0;
+  for (size_t k = 0; k <= stage; k++)
+    scene->stages[k].record = 0, scene->stages[k].snapshot = false, scene->stages[k].snapshot_from = -1;
+  nb_stages_free(scene, stage + 1);
+}
+
 /* Cuts the other page's scene behind that stage. */
 static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct nb_token *name) {
   char hint[NB_HINT_SIZE];
@@ -221,10 +228,7 @@ static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct n
                      "expected a stage that the page has of its own, `%s` is one that it starts from", name->text);
     return false;
   }
-  other->column_count = 0; /* nobody looks at it */
-  for (size_t k = 0; k <= s; k++)
-    other->stages[k].record = 0, other->stages[k].snapshot = false, other->stages[k].snapshot_from = -1;
-  nb_stages_free(other, s + 1);
+  nb_scene_cut(other, s);
   return true;
 }
 

@@ -81,6 +81,17 @@ static const struct nb_keyword table[] = {
   {"discs fill box", NB_IN_SCENE, fill_box, NULL, NB_DISC, true, nb_apply_fill,
    "Discs in a box.",
    "discs     fill box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  tries 1000  else stop"},
+  {"packing", NB_IN_SCENE | NB_APART, packing, NULL, -1, true, nb_apply_packing,
+   "Bodies from a file beside the page that `nineball state` has written, in its order: discs and spheres, with their radii where they were, free or fixed, of the page's "
+   "materials of the same names. They are at rest, and the contacts between them remember nothing. Numbers come as they are in the file, to the last bit: docs/STATE.md.",
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state"},
+  {"discs packing", NB_IN_SCENE | NB_APART, packing_of, NULL, NB_DISC, true, nb_apply_packing,
+   "Discs of one material where bodies are in a file: one as for `packing`, or a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, "
+   "parted by tabs or by blanks; other columns are passed over, and lines that begin with `#`. So STAGE-bodies.tsv of any run will do.",
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\ndiscs     packing heap.tsv rock"},
+  {"spheres packing", NB_IN_SCENE | NB_APART, packing_of, NULL, NB_SPHERE, true, nb_apply_packing,
+   "The same with spheres.",
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\nspheres   packing heap.tsv rock"},
   {"box", NB_IN_SCENE, box, NULL, 0, true, nb_apply_box, "Four walls named south, east, north and west.",
    "box       0 mm 0 mm to 80 mm 80 mm  steel"},
   {"wall", NB_IN_SCENE, wall, NULL, 0, true, nb_apply_wall,

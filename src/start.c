@@ -201,12 +201,9 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
     return nb_error_set(error, status, "%s, from which this starts: %.400s", start->page->name, why.text);
   }
   saved->hash = last_of(scene)->hash;
-  saved->settings = calloc(start->setting_count + 1, sizeof *saved->settings);
-  if (!saved->settings)
-    return nb_error_set(error, NB_BROKEN, "out of memory for %.200s", path);
-  if (start->setting_count > 0)
-    memcpy(saved->settings, start->settings, start->setting_count * sizeof *saved->settings);
-  saved->setting_count = start->setting_count;
+  for (size_t k = 0; k < start->setting_count; k++)
+    if (!nb_saved_setting(saved, start->settings[k]))
+      return nb_error_set(error, NB_BROKEN, "out of memory for %.200s", path);
   status = nb_saved_write(saved, path, error);
   if (!status)
     others(scene, options, true);

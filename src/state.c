@@ -10,10 +10,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "reader.h"
+
 void nb_saved_free(struct nb_saved *saved) {
   free(saved->settings), free(saved->materials), free(saved->rules), free(saved->bodies), free(saved->walls);
   free(saved->contacts), free(saved->memory), free(saved->carried), free(saved->ring.members);
   *saved = (struct nb_saved){0};
+}
+
+bool nb_saved_setting(struct nb_saved *saved, const char *text) {
+  void *more = nb_room(saved->settings, saved->setting_count, 1, sizeof *saved->settings);
+  if (!more)
+    return false;
+  saved->settings = more;
+  snprintf(saved->settings[saved->setting_count++], sizeof *saved->settings, "%s", text);
+  return true;
 }
 
 /* ---- from a model ---- */

@@ -139,7 +139,7 @@ run 0 --version
 grep -Eqx 'nineball [0-9]+\.[0-9]+\.[0-9]+' out || echo 'no version' >>why
 out 'GPL-3.0-or-later'
 run 0 --help
-for word in run check figure report explain laws list --set --threads --isa 'exit status'; do out "$word"; done
+for word in run check figure report explain state laws list --set --stage --threads --isa 'exit status'; do out "$word"; done
 run 0 check --help
 out 'usage: nineball COMMAND'
 run 0 --help scene

@@ -1,0 +1,111 @@
+/* Reference: bodies that come from a file, and what they were when it was written.
+ *
+ *   NAME.x, NAME.y at 0 cycles       the numbers of the body's record in the state, read digit by digit
+ *   NAME.normal at 0 cycles          the force in the contact's record
+ *   NAME.shear at 0 cycles           0: a packing remembers no slip
+ *   contacts at 0 cycles             how many records of contacts there are
+ *
+ * The state is the file of the first `packing`, or, of a list, the one beside it that has the same name and ends in `.state`. It is
+ * read here as text, without the reader of states.
+ *
+ * Exact, to the last bit: nothing has moved at cycle 0, and a normal law that has no memory makes the same force of the same numbers.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+enum { LINE = 4096 };
+
+/* The state that belongs to the scene's packing; NULL: there is none. */
+static FILE *open_state(const struct nb_scene *scene) {
+  char path[LINE];
+  const char *from = scene->packings[0].path, *dot = strrchr(from, '.'), *slash = strrchr(from, '/');
+  const int stem = dot && (!slash || dot > slash) ? (int)(dot - from) : (int)strlen(from);
+  if (snprintf(path, sizeof path, "%.*s.state", stem, from) >= LINE)
+    return NULL;
+  return fopen(path, "r");
+}
+
+/* Field number `index` of a record, from 0: its word. */
+static const char *field(const char *line, int index) {
+  for (; index > 0; index--)
+    line += strcspn(line, " ") + 1;
+  return line;
+}
+
+static bool begins(const char *line, const char *words) { return strncmp(line, words, strlen(words)) == 0; }
+
+static void tell(struct nb_known *known, const char *of, const char *what, double value) {
+  char name[3 * NB_NAME_SIZE];
+  snprintf(name, sizeof name, "%s.%s at 0 cycles", of, what);
+  known_value(known, value, name);
+}
+
+/* Where `fields` has the name, counted from the first number behind the force. */
+static int place_of(const char *fields, const char *name) {
+  int place = 0;
+  for (const char *at = field(fields, 1); *at && *at != '\n'; at += strcspn(at, " \n"), at += *at == ' ', place++)
+    if (begins(at, name) && strchr(" \n", at[strlen(name)]))
+      return place;
+  return -1;
+}
+
+static void tell_contact(struct nb_known *known, const struct nb_scene *scene, const char *line, int normal) {
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    char begin[3 * NB_NAME_SIZE];
+    if (watch->kind == NB_WATCH_BODY_BODY)
+      snprintf(begin, sizeof begin, "contact %d body %d ", watch->a < watch->b ? watch->a + 1 : watch->b + 1,
+               watch->a < watch->b ? watch->b + 1 : watch->a + 1);
+    else if (watch->kind == NB_WATCH_BODY_WALL)
+      snprintf(begin, sizeof begin, "contact %d wall %s ", watch->a + 1, scene->walls[watch->b].name);
+    else
+      continue;
+    if (!begins(line, begin))
+      continue;
+    tell(known, watch->name, "normal", strtod(field(line, 7 + normal), NULL));
+    tell(known, watch->name, "shear", 0);
+  }
+}
+
+static void tell_body(struct nb_known *known, const struct nb_scene *scene, const char *line) {
+  const int number = atoi(field(line, 1));
+  for (size_t w = 0; w < scene->watch_count; w++)
+    if (scene->watches[w].kind == NB_WATCH_BODY && scene->watches[w].a == number - 1) {
+      tell(known, scene->watches[w].name, "x", strtod(field(line, 6), NULL));
+      tell(known, scene->watches[w].name, "y", strtod(field(line, 7), NULL));
+    }
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  char line[LINE];
+  int normal = -1;
+  double contacts = 0;
+  if (scene->packing_count != 1 || scene->packings[0].count != scene->body_count ||
+      strcmp(scene->normal, "linear") != 0)
+    return nb_error_set(error, NB_BAD_USE, "packing wants one `packing`, no other bodies, and `normal linear`");
+  FILE *file = open_state(scene);
+  if (!file)
+    return nb_error_set(error, NB_BAD_USE, "packing wants a state beside %.200s, that ends in .state",
+                        scene->packings[0].path);
+  while (fgets(line, sizeof line, file)) {
+    if (begins(line, "body "))
+      tell_body(known, scene, line);
+    if (begins(line, "fields "))
+      normal = place_of(line, "normal");
+    if (begins(line, "contact ") && normal >= 0)
+      contacts++, tell_contact(known, scene, line, normal);
+  }
+  fclose(file);
+  known_value(known, contacts, "contacts at 0 cycles");
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_packing = {
+    .name = "packing",
+    .title = "bodies from a file: where the file has them, and pressed as they were when it was written",
+    .source = "-",
+    .know = know,
+};

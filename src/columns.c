@@ -1,0 +1,161 @@
+/* A file of columns: its head line, then its numbers; every mistake with file, line and column.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "columns.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A field of a line: from its begin, `length` bytes; columns count characters from 1. */
+struct field {
+  const char *at;
+  size_t length;
+  int column;
+};
+
+struct table {
+  struct nb_page file;
+  bool unitless, blanks; /* no units; fields are parted by blanks */
+  struct {
+    int index; /* -1: not there */
+    int shift; /* of its unit */
+  } columns[NB_COLUMNS_MAX];
+  struct nb_mistakes *mistakes;
+};
+
+static void move(struct field *field, size_t bytes) {
+  for (size_t k = 0; k < bytes; k++)
+    field->column += (field->at[k] & 0xC0) != 0x80;
+  field->at += bytes;
+}
+
+/* Field number `index`, from 0; false: the line has fewer, and field is empty at its end. */
+static bool find_field(struct field *field, const struct table *table, size_t line, int index) {
+  const bool blanks = table->blanks;
+  *field = (struct field){table->file.lines[line - 1], 0, 1};
+  for (int k = 0;; k++) {
+    move(field, blanks ? strspn(field->at, " ") : 0);
+    field->length = strcspn(field->at, blanks ? " " : "\t");
+    const bool there = !blanks || field->length > 0;
+    if (k == index && there)
+      return true;
+    if (!there || (!blanks && !field->at[field->length]))
+      break;
+    move(field, field->length + !blanks);
+  }
+  move(field, field->length);
+  field->length = 0;
+  return false;
+}
+
+static void say(const struct table *table, size_t line, struct field field, const char *expected) {
+  const int shown = field.length < 80 ? (int)field.length : 80;
+  if (field.length == 0)
+    nb_mistake(table->mistakes, &table->file, line, field.column, 1, NULL, "expected %s, found nothing", expected);
+  else
+    nb_mistake(table->mistakes, &table->file, line, field.column, (int)field.length, NULL, "expected %s, found `%.*s`",
+               expected, shown, field.at);
+}
+
+/* A field of the head: `slip/um`. */
+static bool is_column(const struct field *field, const char *name, bool unitless, int *shift) {
+  char text[NB_NAME_SIZE];
+  const size_t length = name ? strlen(name) : 0;
+  if (!name || field->length <= length || field->length >= sizeof text || strncmp(field->at, name, length) != 0 ||
+      field->at[length] != '/')
+    return false;
+  memcpy(text, field->at + length + 1, field->length - length - 1);
+  text[field->length - length - 1] = '\0';
+  const struct nb_unit *unit = nb_unit_find(text);
+  *shift = unit && !unitless ? unit->shift : 0;
+  return unitless ? strcmp(text, "-") == 0 : unit && unit->kind == NB_UNIT_LENGTH;
+}
+
+static bool read_head(struct table *table, size_t line, const struct nb_wanted *wanted, int count) {
+  struct field field;
+  char names[256] = "", text[320];
+  const char *head = table->file.lines[line - 1], *unit = table->unitless ? "-" : "m";
+  bool whole = true;
+  table->blanks = !strchr(head, '\t');
+  for (int c = 0; c < count; c++) {
+    table->columns[c].index = -1;
+    for (int k = 0; find_field(&field, table, line, k); k++)
+      if (is_column(&field, wanted[c].name, table->unitless, &table->columns[c].shift) ||
+          is_column(&field, wanted[c].also, table->unitless, &table->columns[c].shift))
+        table->columns[c].index = k;
+    whole = whole && table->columns[c].index >= 0;
+    const size_t used = strlen(names);
+    snprintf(names + used, sizeof names - used, "%s`%s/%s`",
+             c == 0          ? ""
+             : c + 1 < count ? ", "
+                             : " and ",
+             wanted[c].name, unit);
+  }
+  if (whole)
+    return true;
+  snprintf(text, sizeof text, "a head line with columns %s%s", names, table->unitless ? "" : ", in a unit of length");
+  say(table, line, (struct field){head, strlen(head), 1}, text);
+  return false;
+}
+
+static bool read_number(double *value, const struct table *table, size_t line, int c, const struct nb_wanted *wanted) {
+  struct field field;
+  char text[NB_NAME_SIZE] = "";
+  find_field(&field, table, line, table->columns[c].index);
+  if (field.length < sizeof text) {
+    memcpy(text, field.at, field.length);
+    text[field.length] = '\0';
+  }
+  if (nb_number_read(value, text, table->columns[c].shift) == NB_READ && (*value > 0 || !wanted->positive))
+    return true;
+  snprintf(text, sizeof text, "a number%s for the %.20s", wanted->positive ? " above 0" : "", wanted->name);
+  say(table, line, field, text);
+  return false;
+}
+
+bool nb_file_beside(struct nb_reader *reader, const struct nb_token *token, char *path, size_t size) {
+  if (!token || token->hollow)
+    return false;
+  const char *page = reader->page->path, *slash = strrchr(page, '/');
+  const bool beside = token->text[0] != '/' && slash;
+  const int n = snprintf(path, size, "%.*s%s", beside ? (int)(slash - page) + 1 : 0, page, token->text);
+  FILE *file = n >= 0 && (size_t)n < size ? fopen(path, "r") : NULL;
+  if (file)
+    fclose(file);
+  else
+    nb_token_mistake(reader, token, "it is looked for beside the page", "expected a file that can be read, found `%s`",
+                     token->text);
+  return file != NULL;
+}
+
+bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted *wanted, int count,
+                     bool unitless, struct nb_mistakes *mistakes) {
+  struct table table = {.unitless = unitless, .mistakes = mistakes};
+  const size_t before = mistakes->made;
+  bool head = false;
+  *lengths = NULL, *rows = 0;
+  if (nb_page_read(&table.file, path, mistakes))
+    return false;
+  *lengths = calloc(table.file.line_count + 1, (size_t)count * sizeof **lengths);
+  if (!*lengths)
+    nb_mistake(mistakes, &table.file, 0, 0, 0, NULL, "there is not enough memory for its numbers");
+  for (size_t line = 1; line <= table.file.line_count && *lengths; line++) {
+    const char *text = table.file.lines[line - 1];
+    bool whole = true;
+    if (text[0] == '#' || !text[strspn(text, " \t")])
+      continue;
+    if (!head) {
+      head = true;
+      if (!read_head(&table, line, wanted, count))
+        break;
+      continue;
+    }
+    for (int c = 0; c < count; c++)
+      whole = read_number(*lengths + *rows * (size_t)count + c, &table, line, c, &wanted[c]) && whole;
+    *rows += whole;
+  }
+  if (*rows == 0 && mistakes->made == before)
+    nb_mistake(mistakes, &table.file, 0, 0, 0, NULL, "expected a head line and rows of numbers below it, found none");
+  nb_page_free(&table.file);
+  return mistakes->made == before;
+}

@@ -1,0 +1,118 @@
+#!/bin/sh
+# Packings: what `nineball state` writes, `packing` reads, to the last bit; whatever the file is, and wherever it comes from. TAP.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+pages=$work/pages
+states=$work/states
+mkdir "$pages"
+
+# bodies FILE: of a state what a packing takes, without velocities and spin.
+bodies() { grep '^body ' "$1" | cut -d ' ' -f 1-8; }
+
+"$nineball" state cases/nine-discs.md --stage load -o "$work/nine.state" >"$work/said" 2>&1 &&
+  for file in "$work/nine.state" cases/packings/nine-discs-load.state; do
+    grep -v '^program \|^hash \|^end ' "$file" >"$work/$(basename "$file").numbers"
+  done
+diff "$work/nine.state.numbers" "$work/nine-discs-load.state.numbers" >>"$work/said"
+result $? 'the packing that is kept with the cases is the one that nine-discs makes'
+
+# Discs and spheres of two materials at random, one fixed, one that goes; they are shaken first.
+cat >"$pages/made.md" <<'END'
+# At random
+```scene
+material  rock  density 2650 kg/m3  young 70 GPa  poisson 0.25
+material  sand  density 1000 kg/m3  young 7 GPa  poisson 0.1
+normal    hertz
+grading   g  0.92 mm 3  0.61 mm 10  0.46 mm 12
+spheres   fill circle 0 mm 0 mm radius 6 mm  g rock  seed 3  tries 1000  else skip
+spheres   fill box 0.1 m 0 mm to 0.11 m 9 mm  g sand  seed 4  tries 1000  else skip
+sphere    0.2 m 0 m  radius 1 mm  sand  fixed
+box       -7 mm -7 mm to 0.21 m 10 mm  rock
+gravity   1 m/s2 -9.81 m/s2
+step      0.1 of rayleigh
+record    time
+stage     fall
+  remove  sphere 2
+  cycles  500
+  record  none
+  snapshot
+END
+echo '```' >>"$pages/made.md"
+"$nineball" state "$pages/made.md" -o "$pages/heap.state" >"$work/said" 2>&1 && test "$(bodies "$pages/heap.state" | wc -l)" -eq 51
+result $? 'a state is written'
+
+# taken NAME LINE: a page that takes them, of one cycle in which nothing moves by a bit of its place; its bodies as they come out.
+taken() {
+  cat >"$pages/$1.md" <<END
+# Taken from a file
+\`\`\`scene
+material  sand  density 1000 kg/m3  young 7 GPa  poisson 0.1
+material  rock  density 2650 kg/m3  young 70 GPa  poisson 0.25
+normal    hertz
+$2
+step      1e-30 s
+record    time
+stage     look
+  cycles  1
+  record  none
+  snapshot
+\`\`\`
+END
+  "$nineball" state "$pages/$1.md" -o "$work/$1.state" >"$work/said" 2>&1 && bodies "$work/$1.state" >"$work/$1"
+}
+
+# Numbers of bodies close up where one is gone.
+bodies "$pages/heap.state" | grep -v ' gone ' | awk '{ $2 = NR; print }' >"$work/wanted"
+taken whole 'packing heap.state'
+awk '{ print $1, $2, $3, $4, $5, $6 }' "$work/whole" >"$work/a" && awk '{ print $1, $2, $3, $4, $5, $6 }' "$work/wanted" | diff - "$work/a" >"$work/said" &&
+  test "$(wc -l <"$work/a")" -eq 50
+result $? 'kind, material, fixed and radius are those of the file, and who is gone is not there'
+
+# As our tables have it, with 17 digits.
+places() { awk -F '\t' '/^#/ { next } !h { for (k = 1; k <= NF; k++) at[$k] = k; h = 1; next } { print $(at["x/m"]), $(at["y/m"]), $(at["radius/m"]) }' "$1"; }
+"$nineball" run "$pages/made.md" -o "$work/made" >"$work/said" 2>&1 && places "$work/made/fall-bodies.tsv" >"$work/wanted"
+{
+  echo '# from elsewhere: other columns, blanks, in mm and um'
+  echo ' name  radius/um  y/mm  x/m'
+  awk '{ n = split($3, r, "e-"); print "  body" NR, r[1] "e" (n > 1 ? 6 - r[2] : 6), $2, $1 }' "$work/wanted" |
+    awk '{ n = split($3, y, "e-"); print $1, $2, y[1] "e" (n > 1 ? 3 - y[2] : 3), $4 }'
+} >"$pages/heap.txt"
+cp "$work/made/fall-bodies.tsv" "$pages/heap.tsv"
+for file in state tsv txt; do
+  taken "of-$file" "spheres packing heap.$file rock" && "$nineball" run "$pages/of-$file.md" -o "$work/of-$file.d" >"$work/said" 2>&1 &&
+    places "$work/of-$file.d/look-bodies.tsv" >"$work/seen" &&
+    diff "$work/wanted" "$work/seen" >"$work/said" && test "$(wc -l <"$work/seen")" -eq 50
+  result $? "places and radii from heap.$file are the same to the last bit"
+done
+
+# A page whose state another page starts from: it depends on what the file says.
+sed '/^  snapshot/d' "$pages/of-txt.md" >"$pages/first.md"
+printf '# Goes on\n```scene\nstart first stage look\nrecord time\nstage on\ncycles 1\n```\n' >"$pages/second.md"
+"$nineball" run "$pages/second.md" --states "$states" -o "$work/second" >"$work/said" 2>&1 &&
+  "$nineball" explain "$pages/second.md" --states "$states" | grep -q 'state: there$'
+result $? 'a page may start from one that has a packing'
+sed '3s/ [^ ]*$/ 0.5/' "$pages/heap.txt" >"$work/t" && cp "$work/t" "$pages/heap.txt"
+"$nineball" explain "$pages/second.md" --states "$states" >"$work/said" 2>&1 && grep -q 'stale, will be made anew' "$work/said"
+result $? 'and its state is stale when the file has changed'
+
+# ---- what the command says ----
+
+refused() {
+  "$nineball" state "$@" -o "$work/none" >"$work/out" 2>"$work/said"
+  test $? -eq 2 && grep -qF -e "$text" "$work/said" && test ! -e "$work/none"
+  result $? "refused: $text"
+}
+text='has no stage `laod` of its own; did you mean `load`?' refused cases/nine-discs.md --stage laod
+text='has no stage `load` of its own' refused cases/saved-stage.md --stage load
+text='has a path: expected a scene' refused cases/mindlin-loops.md
+text='makes several runs' refused cases/fill-tries.md
+text='a state is one of one page' refused cases/nine-discs.md cases/nine-discs.md
+"$nineball" state cases/nine-discs.md -o "$work/no/folder/x.state" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -q 'No such file' "$work/said"
+result $? 'a folder that is not there'
+(cd "$work" && "$nineball" state "$OLDPWD/cases/nine-discs.md" --stage load --set ks=0.9e9) >"$work/out" 2>"$work/said" &&
+  grep -qx 'setting ks=0.9e9' "$work/nine-discs-load.state"
+result $? 'the file is named by page and stage, and says what the page was given'
+echo "1..$n"
