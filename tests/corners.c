@@ -62,12 +62,12 @@ static double force(const struct corner at[], int count) {
   return t;
 }
 
-/* Do u, d and b belong together? */
+/* Do u, d and b belong together? Fatal, as all in the loops of thousands: CUnit keeps each failure, and takes ever longer. */
 static void is_a_path(const struct corner at[], int count) {
   for (int k = 0; k < count; k++) {
-    CU_ASSERT_DOUBLE_EQUAL(at[k + 1].u, at[k].u + at[k].d * (at[k + 1].x - at[k].x), 1e-12);
-    CU_ASSERT_DOUBLE_EQUAL(at[k].b + at[k].d * n_of(at[k + 1].x), force(at, k + 1), 1e-11);
-    CU_ASSERT(fabs(at[k].d) <= 1);
+    CU_ASSERT_DOUBLE_EQUAL_FATAL(at[k + 1].u, at[k].u + at[k].d * (at[k + 1].x - at[k].x), 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL_FATAL(at[k].b + at[k].d * n_of(at[k + 1].x), force(at, k + 1), 1e-11);
+    CU_ASSERT_FATAL(fabs(at[k].d) <= 1);
   }
 }
 
@@ -95,27 +95,27 @@ static void room_is_made(void) {
     }
     make_room(at, count);
     is_a_path(at, count - 1);
-    CU_ASSERT_EQUAL(at[count - 1].u, old[count].u);
-    CU_ASSERT_EQUAL(at[count - 1].x, old[count].x);
+    CU_ASSERT_EQUAL_FATAL(at[count - 1].u, old[count].u);
+    CU_ASSERT_EQUAL_FATAL(at[count - 1].x, old[count].x);
     const double wrong = old[goes - 1].e + old[goes].e + off(&old[goes]);
-    CU_ASSERT_DOUBLE_EQUAL(at[goes - 1].e, wrong, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL_FATAL(at[goes - 1].e, wrong, 1e-12);
     for (int k = 1; k < count - 1; k++)
-      CU_ASSERT_EQUAL(at[k].x, old[k < goes ? k : k + 1].x);
+      CU_ASSERT_EQUAL_FATAL(at[k].x, old[k < goes ? k : k + 1].x);
     const bool same = fabs(force(at, count - 1) - force(old, count)) < 1e-11;
     int moved = 0;
     for (int k = 1; k < count - 1; k++) {
       const int was = k < goes ? k : k + 1;
       const bool moves = fabs(at[k].u - old[was].u) > 1e-14;
       if (moves)
-        CU_ASSERT(same && (k == goes - 1 || k == goes));
+        CU_ASSERT_FATAL(same && (k == goes - 1 || k == goes));
       moved += moves;
     }
-    CU_ASSERT(moved <= 1);
+    CU_ASSERT_FATAL(moved <= 1);
     kept += same, first += goes == 1, last += goes == count - 1, high += !same;
     if (path % 3 && least < 1e-3)
-      CU_ASSERT(same);
+      CU_ASSERT_FATAL(same);
   }
-  CU_ASSERT(kept > 1000 && first > 100 && last > 100 && high > 10);
+  CU_ASSERT_FATAL(kept > 1000 && first > 100 && last > 100 && high > 10);
 }
 
 /* A corner that moves by so much more force does; none whose rings would carry more than their friction does. */
@@ -136,17 +136,17 @@ static void corners_move(void) {
     const double d1 = fabs(old[0].d + y / x1), d2 = fabs(old[1].d - y / x2), larger = d1 > d2 ? d1 : d2;
     if (fabs(larger - 1) < 1e-6 || fabs(more) < 1e-3 * fabs(y))
       continue;
-    CU_ASSERT_EQUAL(move(at, 1, more), larger < 1);
+    CU_ASSERT_EQUAL_FATAL(move(at, 1, more), larger < 1);
     if (larger < 1) {
-      CU_ASSERT_DOUBLE_EQUAL(at[1].u, old[1].u + y, 1e-11);
-      CU_ASSERT_DOUBLE_EQUAL(force(at, 2), force(old, 2) + more, 1e-12);
+      CU_ASSERT_DOUBLE_EQUAL_FATAL(at[1].u, old[1].u + y, 1e-11);
+      CU_ASSERT_DOUBLE_EQUAL_FATAL(force(at, 2), force(old, 2) + more, 1e-12);
       is_a_path(at, 2);
     } else {
-      CU_ASSERT(memcmp(at, old, sizeof at) == 0);
+      CU_ASSERT_FATAL(memcmp(at, old, sizeof at) == 0);
     }
     done += larger < 1, refused += larger >= 1 && larger < 1.05;
   }
-  CU_ASSERT(done > 300 && refused > 10);
+  CU_ASSERT_FATAL(done > 300 && refused > 10);
 }
 
 /* ---- what the law makes of them ---- */
@@ -265,6 +265,27 @@ static void nothing_rubs(void) {
   CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 1 && it.s.lost == 0);
 }
 
+/* As many doubles are in use as have been written, and the contact goes on from those alone. */
+static void what_is_used(void) {
+  for (int legs = 1; legs < 12; legs++) {
+    struct one it = one_of(plain), other = one_of(plain);
+    for (int k = 1; k < ROW; k++)
+      it.m[k] = NAN, other.m[k] = 1e-3;
+    one_go(&it, 1e-3, 0);
+    double u = 0.9e-3;
+    for (int leg = 1; leg < legs; leg++, u *= -0.9) /* loops within loops: each turn is one piece more */
+      one_go(&it, 1e-3, u);
+    int written = ROW;
+    while (isnan(it.m[written - 1]))
+      written--;
+    CU_ASSERT_EQUAL(pieces(&it), legs);
+    CU_ASSERT_EQUAL(exact()->used(it.m), written);
+    memcpy(other.m, it.m, sizeof *it.m * (size_t)exact()->used(it.m));
+    one_go(&it, 0.99e-3, -0.3 * u), one_go(&other, 0.99e-3, -0.3 * u);
+    CU_ASSERT(it.s.force == other.s.force && it.s.lost == other.s.lost && it.m[0] == other.m[0]);
+  }
+}
+
 void suite_corners(void) {
   CU_pSuite suite = CU_add_suite("corners", NULL, NULL);
   CU_add_test(suite, "room is made", room_is_made);
@@ -274,4 +295,5 @@ void suite_corners(void) {
   CU_add_test(suite, "closed loops are forgotten", closed_loops_are_forgotten);
   CU_add_test(suite, "friction goes anew", friction_goes_anew);
   CU_add_test(suite, "nothing rubs", nothing_rubs);
+  CU_add_test(suite, "what is used", what_is_used);
 }

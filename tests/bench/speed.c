@@ -42,8 +42,8 @@ static void make_scene(struct nb_scene *scene, int side, double friction, double
   scene->step = (struct nb_step){.kind = NB_STEP_CRITICAL, .value = 0.05};
   if (beta > 0)
     scene->damping = (struct nb_damping){.contact_kind = NB_CONTACT_BETA, .contact = beta, .contact_line = 1};
-  scene->stages[0] =
-      (struct nb_stage){.name = "squeeze", .cycles = cycles, .step = scene->step, .damping = scene->damping};
+  scene->stages[0] = (struct nb_stage){
+      .name = "squeeze", .cycles = cycles, .snapshot_from = -1, .step = scene->step, .damping = scene->damping};
 }
 
 static int by_size(const void *a, const void *b) {
