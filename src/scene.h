@@ -126,6 +126,8 @@ void nb_not_known(struct nb_reader *reader, const struct nb_token *token, const 
 int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 struct nb_stage *nb_stage_now(const struct nb_scene *scene); /* the stage that statements belong to; NULL: the scene */
+/* Says so, and is true, when the token names a stage that is run before the state from which this page starts. */
+bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name);
 /* Says so when a scene has as many of them already as it may. */
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what);
 bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, size_t more);

@@ -93,7 +93,9 @@ void nb_regions_check(struct nb_scene_reading *reading) {
     if (!region->from[0] || region->stage >= 0 || reading->reader.unsure & NB_UNSURE_STAGES)
       continue;
     nb_line_read(&reading->reader, (size_t)region->line);
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[reading->reader.count - 1], NULL,
-                     "expected the name of a stage of this page, found `%s`", region->from);
+    const struct nb_token *name = &reading->reader.tokens[reading->reader.count - 1];
+    if (!nb_stage_not_here(scene, &reading->reader, name))
+      nb_token_mistake(&reading->reader, name, NULL, "expected the name of a stage of this page, found `%s`",
+                       region->from);
   }
 }

@@ -248,6 +248,17 @@ NB_APPLY(nb_apply_record) {
     stage->record = every;
 }
 
+bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name) {
+  size_t s = 0;
+  while (s < scene->start.stages && strcmp(scene->stages[s].name, name->text) != 0)
+    s++;
+  if (s < scene->start.stages)
+    nb_token_mistake(reader, name, "the first stage of this page begins with the state: name that one",
+                     "expected a stage of this page: of `%s`, which is run before, the state has only how it ended",
+                     name->text);
+  return s < scene->start.stages;
+}
+
 /* `snapshot {from STAGE}`: that stage is this one or an earlier one, and runs: those of another page may not. */
 NB_APPLY(nb_apply_snapshot) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
@@ -262,7 +273,7 @@ NB_APPLY(nb_apply_snapshot) {
   for (size_t s = scene->start.stages; name && s < scene->stage_count; s++)
     if (strcmp(scene->stages[s].name, name->text) == 0)
       stage->snapshot_from = (int)s;
-  if (name && stage->snapshot_from < 0)
+  if (name && stage->snapshot_from < 0 && !nb_stage_not_here(scene, reader, name))
     nb_token_mistake(reader, name, NULL, "expected the name of this stage or of an earlier one, found `%s`",
                      name->text);
 }
