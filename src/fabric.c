@@ -8,7 +8,8 @@
  *
  * The mean is over the ends of contacts on the bodies inside, so that a contact of two of them counts twice and one with a wall
  * or with a body outside once; in an assembly without walls that is R89's mean over contacts. Weighted by the normal
- * force F_n it is sum F_n n_i n_j over sum F_n, by the shear force sum |F_s| n_i n_j over sum |F_s|: traces are 1 all three times.
+ * force F_n it is sum F_n n_i n_j over sum F_n, by the shear force sum |F_s| n_i n_j over sum |F_s|; of contacts that slide it is over those with |F_s| at 0.99 of its limit or above, as sliding.near
+ * of loads.c. Traces are 1 all four times.
  *
  * n contacts evenly round a body give Phi_ij = delta_ij/2 for n of 3 or more, Phi_xxxx = 3/8 and Phi_xxyy = 1/8 for 3, 5 or more.
  *
@@ -48,15 +49,17 @@ const struct nb_fabric *nb_fabric_of(const struct nb_model *model, const struct 
   if (!nb_region_due(model, region, NB_FABRIC))
     return fabric;
   *fabric = (struct nb_fabric){0};
-  double ends_count = 0, normal = 0, shear = 0;
+  double ends_count = 0, normal = 0, shear = 0, sliding = 0;
   struct nb_end end;
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
-    const bool rubs = model->pairings[model->contacts.pairing[end.contact]].shear;
+    const struct nb_contact_load load = nb_contact_load(model, end.contact);
     add(&fabric->plain, &ends_count, 1, end.e);
-    add(&fabric->normal, &normal, model->contacts.kept[NB_NORMAL][end.contact], end.e);
-    add(&fabric->shear, &shear, rubs ? fabs(model->contacts.kept[NB_SHEAR][end.contact]) : 0, end.e);
+    add(&fabric->normal, &normal, load.normal, end.e);
+    add(&fabric->shear, &shear, load.shear, end.e);
+    add(&fabric->sliding, &sliding, load.near, end.e);
   }
   divide(&fabric->plain, ends_count), divide(&fabric->normal, normal), divide(&fabric->shear, shear);
+  divide(&fabric->sliding, sliding);
   const double volume = region->area * region->thickness;
   fabric->kk = volume > 0 ? ends_count * mean_radius(model, region) / volume : 0;
   return fabric;
@@ -73,9 +76,10 @@ const struct nb_fabric *nb_fabric_of(const struct nb_model *model, const struct 
 QUANTITIES(plain)
 QUANTITIES(normal)
 QUANTITIES(shear)
+QUANTITIES(sliding)
 NB_QUANTITY(kk, FABRIC->kk)
 
-enum { READS = NB_READS_ENDS | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) };
+enum { READS = NB_READS_ENDS | NB_READS_LOADS };
 #define FOURTH(name, stem, index, what)                                                                                \
   { name ".fourth." #index, NB_OF_REGION, "1", READS, stem##_##index, what ", of fourth order" }
 #define ROWS(name, stem, what)                                                                                         \
@@ -88,5 +92,6 @@ const struct nb_quantity_kind nb_fabric_kinds[] = {
     {"fabric.kk", NB_OF_REGION, "1/m2", READS, kk, "F_kk, ends of contacts times mean radius over volume [R89 4.46]"},
     ROWS("fabric.normal", normal, "Phi weighted by the normal force"),
     ROWS("fabric.shear", shear, "Phi weighted by the shear force's size"),
+    ROWS("fabric.sliding", sliding, "Phi of contacts whose shear force is 0.99 of its limit or more"),
     {NULL, 0, NULL, 0, NULL, NULL},
 };

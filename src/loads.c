@@ -19,16 +19,20 @@
 static const double pi = 3.14159265358979323846;
 
 struct gathered {
-  double sum, count, max, min;
+  double sum, count, max, min, first, square; /* of what is off the first: squares of forces far from 0 would cancel */
 };
 
 static void gather(struct gathered *gathered, double value) {
   gathered->max = gathered->count > 0 && gathered->max > value ? gathered->max : value;
   gathered->min = gathered->count > 0 && gathered->min < value ? gathered->min : value;
+  gathered->first = gathered->count > 0 ? gathered->first : value;
+  gathered->square += (value - gathered->first) * (value - gathered->first);
   gathered->sum += value, gathered->count++;
 }
 static struct nb_spread spread(struct gathered g) {
-  return (struct nb_spread){g.count > 0 ? g.sum / g.count : 0, g.max, g.min};
+  const double mean = g.count > 0 ? g.sum / g.count : 0, off = mean - g.first;
+  const double variance = g.count > 0 ? g.square / g.count - off * off : 0;
+  return (struct nb_spread){mean, g.max, g.min, variance > 0 ? sqrt(variance) : 0};
 }
 
 static bool belongs(const struct nb_model *model, const struct nb_region_now *region, size_t c) {
@@ -67,7 +71,7 @@ const struct nb_loads *nb_loads_of(const struct nb_model *model, const struct nb
     if (load.limit > 0)
       gather(&obliquity, load.obliquity);
     sliding += load.sliding;
-    near_sliding += load.limit > 0 && load.shear >= 0.99 * load.limit;
+    near_sliding += load.near;
   }
   loads->normal = spread(normal), loads->shear = spread(shear);
   loads->pressure = spread(pressure), loads->traction = spread(traction), loads->ratio = spread(ratio);
@@ -90,6 +94,7 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
   load.shear = rubs ? fabs(contacts->kept[NB_SHEAR][contact]) : 0;
   load.sliding = rubs ? contacts->kept[NB_SLIDING][contact] : 0;
   load.limit = rubs ? pairing->values.friction * load.normal + pairing->values.cohesion : 0;
+  load.near = load.limit > 0 && load.shear >= 0.99 * load.limit;
   load.obliquity = load.limit > 0 ? load.shear / load.limit : 0;
   load.pressure = a > 0 ? load.normal / area : 0;
   load.traction = a > 0 ? load.shear / area : 0;
@@ -100,7 +105,9 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
 #define LOADS nb_loads_of(model, watch)
 #define SPREAD(stem)                                                                                                   \
   NB_QUANTITY(stem##_mean, LOADS->stem.mean)                                                                           \
-  NB_QUANTITY(stem##_max, LOADS->stem.max) NB_QUANTITY(stem##_min, LOADS->stem.min)
+  NB_QUANTITY(stem##_max, LOADS->stem.max)                                                                             \
+  NB_QUANTITY(stem##_min, LOADS->stem.min)                                                                             \
+  NB_QUANTITY(stem##_deviation, LOADS->stem.deviation)
 SPREAD(normal)
 SPREAD(shear)
 SPREAD(pressure)
@@ -114,8 +121,9 @@ NB_QUANTITY(force_sum, LOADS->force_sum)
 
 #define ROWS(name, unit, stem, what)                                                                                   \
   {name ".mean", NB_OF_REGION, unit, NB_READS_LOADS, stem##_mean, what ", mean"},                                      \
-      {name ".max", NB_OF_REGION, unit, NB_READS_LOADS, stem##_max, what ", the largest"}, {                           \
-    name ".min", NB_OF_REGION, unit, NB_READS_LOADS, stem##_min, what ", the smallest"                                 \
+      {name ".max", NB_OF_REGION, unit, NB_READS_LOADS, stem##_max, what ", the largest"},                             \
+      {name ".min", NB_OF_REGION, unit, NB_READS_LOADS, stem##_min, what ", the smallest"}, {                          \
+    name ".deviation", NB_OF_REGION, unit, NB_READS_LOADS, stem##_deviation, what ", standard deviation"               \
   }
 
 const struct nb_quantity_kind nb_load_kinds[] = {

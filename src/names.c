@@ -197,7 +197,7 @@ static const struct nb_quantity_kind *row(size_t k) {
   static const struct nb_quantity_kind *const others[] = {
       nb_step_kinds,   nb_drive_kinds,    nb_fill_kinds,         nb_impact_kinds, nb_stress_kinds,
       nb_fabric_kinds, nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds,   nb_strain_kinds,
-      nb_speed_kinds,  nb_chain_kinds,    nb_cell_kinds};
+      nb_speed_kinds,  nb_chain_kinds,    nb_parted_kinds,       nb_cell_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;

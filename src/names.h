@@ -32,9 +32,9 @@ extern const struct nb_quantity_kind nb_step_kinds[];   /* step_kinds.c */
 extern const struct nb_quantity_kind nb_drive_kinds[];  /* drive_kinds.c */
 extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c */
 extern const struct nb_quantity_kind nb_fill_kinds[];   /* fill_kinds.c */
-/* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c, speeds.c. */
+/* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c, speeds.c, parted.c. */
 extern const struct nb_quantity_kind nb_stress_kinds[], nb_fabric_kinds[], nb_porosity_kinds[], nb_coordination_kinds[],
-    nb_load_kinds[], nb_strain_kinds[], nb_speed_kinds[], nb_chain_kinds[];
+    nb_load_kinds[], nb_strain_kinds[], nb_speed_kinds[], nb_chain_kinds[], nb_parted_kinds[];
 extern const struct nb_quantity_kind nb_cell_kinds[]; /* cell_kinds.c */
 
 /* bench_names.c: their values are asked for by nb_quantity_on_bench; NULL past the last one. */

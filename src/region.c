@@ -36,7 +36,7 @@ void nb_regions_free(struct nb_regions *regions, size_t count) {
   if (!regions)
     return;
   for (size_t r = 0; r < count && regions->list; r++)
-    free(regions->list[r].from);
+    free(regions->list[r].from), free(regions->list[r].touched.list);
   free(regions->list), free(regions->touching), free(regions->idle), free(regions->chained);
   free(regions);
 }
@@ -48,7 +48,9 @@ enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_err
     for (int k = 0; k < NB_MEASURES; k++)
       region->measured[k] = 0;
   }
-  return model->regions ? nb_strain_begin(model, stage, error) : NB_OK;
+  if (!model->regions || nb_strain_begin(model, stage, error))
+    return model->regions ? error->status : NB_OK;
+  return nb_parted_begin(model, stage, error);
 }
 
 /* ---- where it is ---- */

@@ -8,6 +8,7 @@
  *   coordination.c  contacts of a body, rattlers
  *   loads.c         what contacts carry: forces, contact stresses, sliding, out-of-balance
  *   strain.c        how the bodies have moved
+ *   parted.c        contacts that are lost and new
  *   chains.c        force chains
  *   speeds.c        how fast they go
  *
@@ -18,6 +19,7 @@
 #define NB_REGION_H
 
 #include "names.h"
+#include "near.h"
 #include "tensor.h"
 
 struct nb_stress {
@@ -29,8 +31,12 @@ struct nb_anisotropy {
   double xxxx, xxxy, xxyy, xyyy, yyyy; /* Phi_ijkl */
 };
 struct nb_fabric {
-  struct nb_anisotropy plain, normal, shear; /* all contacts alike; weighted by F_n; by |F_s| */
-  double kk;                                 /* F_kk, 1/m2 */
+  struct nb_anisotropy plain, normal, shear, sliding; /* all contacts alike; weighted by F_n; by |F_s|; near sliding */
+  double kk;                                          /* F_kk, 1/m2 */
+};
+struct nb_parted {
+  double count, ends;   /* contacts; their ends on bodies inside */
+  struct nb_tensor phi; /* of trace 1, or 0 of none */
 };
 struct nb_porosity {
   double areal, volume;
@@ -42,7 +48,7 @@ struct nb_coordination {
   double rattlers; /* bodies */
 };
 struct nb_spread {
-  double mean, max, min; /* 0, 0, 0 of nothing */
+  double mean, max, min, deviation; /* 0 of nothing; deviation: root of the mean square of what is off the mean */
 };
 struct nb_loads {
   struct nb_spread normal, shear;      /* F_n, |F_s|, N */
@@ -67,6 +73,7 @@ enum nb_measure_of {
   NB_LOADS,
   NB_STRAIN,
   NB_SPEEDS,
+  NB_PARTED,
   NB_CHAINS,
   NB_MEASURES
 };
@@ -88,6 +95,8 @@ struct nb_region_now {
   struct nb_speeds speeds;
   struct nb_tensor strain;
   struct nb_chains chains;
+  struct nb_parted lost, made;
+  struct nb_near_pairs touched; /* then; none: nobody asks */
   struct nb_vec *from; /* per body number, less 1: where it was when strain began, NAN: outside, m; NULL: nobody asks */
 };
 struct nb_regions {
@@ -98,6 +107,8 @@ struct nb_regions {
 
 /* strain.c: strain begins with this stage for the regions that say so; -1: the start, for all of them. */
 enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_error *error);
+/* parted.c: likewise, what contacts are counted from. */
+enum nb_status nb_parted_begin(struct nb_model *model, int stage, struct nb_error *error);
 
 enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error);
 /* A stage begins, and may have changed what was measured in this cycle; -1: the run does. */
@@ -140,7 +151,7 @@ enum {
 /* loads.c: what one contact that touches carries. */
 struct nb_contact_load {
   double normal, shear;      /* F_n, |F_s|, N */
-  double sliding;            /* 1 where F_s is at its limit */
+  double sliding, near;      /* 1 where F_s is at its limit; where it is 0.99 of it or more */
   double limit, obliquity;   /* mu F_n + c, N; |F_s| over it; 0 where nothing rubs */
   double radius;             /* a, m; 0 where the law knows none; */
   double pressure, traction; /* F_n/(pi a^2), |F_s|/(pi a^2), Pa; */
@@ -148,7 +159,8 @@ struct nb_contact_load {
 };
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact);
 
-#define NB_ASKS_CHAINS (1u << 26)              /* beside what model.h has: chains.c */
+#define NB_ASKS_CHAINS (1u << 26)              /* beside what model.h has: chains.c, */
+#define NB_ASKS_PARTED (1u << 25)              /* parted.c */
 bool nb_chains_create(struct nb_model *model); /* room; false: no memory */
 
 /* What a watch of a region sees, worked out in this cycle. */

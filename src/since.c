@@ -17,8 +17,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "near.h"
-
 struct reference {
   int stage;
   bool begun;
@@ -80,6 +78,16 @@ static struct nb_near_pair pair_of(const struct nb_contacts *contacts, size_t c)
   return (struct nb_near_pair){contacts->a[c], contacts->b[c], contacts->pairing[c]};
 }
 
+bool nb_since_touching(struct nb_near_pairs *touching, const struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  free(touching->list);
+  *touching = (struct nb_near_pairs){.list = nb_array(contacts->count, sizeof *touching->list)};
+  for (size_t c = 0; touching->list && c < contacts->count; c++)
+    if (touches(contacts, c))
+      touching->list[touching->count++] = pair_of(contacts, c);
+  return touching->list;
+}
+
 bool nb_since_begin(struct nb_model *model, int stage) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_bodies *bodies = &model->bodies;
@@ -87,18 +95,13 @@ bool nb_since_begin(struct nb_model *model, int stage) {
   if (r == model->since->count)
     return true;
   struct reference *reference = &model->since->list[r];
-  struct nb_near_pairs *touching = &reference->touching;
-  touching->list = nb_array(contacts->count, sizeof *touching->list);
-  if (!touching->list)
+  if (!nb_since_touching(&reference->touching, model))
     return false;
   memcpy(reference->position, bodies->position, bodies->count * sizeof *bodies->position);
   if (bodies->angle)
     memcpy(reference->angle, bodies->angle, bodies->count * sizeof *bodies->angle);
-  for (size_t c = 0; c < contacts->count; c++) {
+  for (size_t c = 0; c < contacts->count; c++)
     *slid(contacts, r, c) = 0;
-    if (touches(contacts, c))
-      touching->list[touching->count++] = pair_of(contacts, c);
-  }
   return reference->begun = true;
 }
 
@@ -133,8 +136,7 @@ static bool is_gone(const struct nb_model *model, struct nb_near_pair pair) {
   return nb_gone(model, (size_t)pair.a) || (!model->pairings[pair.pairing].wall && nb_gone(model, (size_t)pair.b));
 }
 
-/* From the first centre to the second one, to the copy of it that is nearest, or to the nearest point of the wall. */
-static struct nb_vec line_of(const struct nb_model *model, struct nb_near_pair pair) {
+struct nb_vec nb_since_line(const struct nb_model *model, struct nb_near_pair pair) {
   const struct nb_vec *x = model->bodies.position;
   if (model->pairings[pair.pairing].wall)
     return vec_sub(nb_wall_nearest(&model->walls, pair.b, x[pair.a]), x[pair.a]);
@@ -150,7 +152,7 @@ static bool draw(struct nb_table *table, const struct nb_model *model, int stage
     return true;
   const bool wall = model->pairings[pair.pairing].wall;
   const int *number = model->bodies.number;
-  const struct nb_vec from = nb_cell_place(model, (size_t)pair.a), to = vec_add(from, line_of(model, pair));
+  const struct nb_vec from = nb_cell_place(model, (size_t)pair.a), to = vec_add(from, nb_since_line(model, pair));
   const double values[] = {
       number[pair.a], wall ? 0 : number[pair.b], wall ? pair.b + 1 : 0, from.x, from.y, to.x, to.y, kind};
   double *row = nb_table_row(table, stage, (double)model->cycle, model->time);
@@ -160,24 +162,30 @@ static bool draw(struct nb_table *table, const struct nb_model *model, int stage
 }
 
 /* Both lists are in the order of contacts: one walk along both. */
+bool nb_since_next(struct nb_since_walk *walk, struct nb_near_pair *pair, int *kind) {
+  const struct nb_contacts *contacts = &walk->model->contacts;
+  while (walk->now < contacts->count && !touches(contacts, walk->now))
+    walk->now++;
+  const bool is = walk->now < contacts->count, was = walk->past < walk->then->count;
+  if (!is && !was)
+    return false;
+  const struct nb_near_pair now = is ? pair_of(contacts, walk->now) : walk->then->list[walk->past];
+  const struct nb_near_pair past = was ? walk->then->list[walk->past] : now;
+  const int order = !is ? -1 : !was ? 1 : nb_contacts_order(walk->model, past, now);
+  *kind = (order > 0) - (order < 0);
+  *pair = *kind < 0 ? past : now;
+  walk->past += *kind <= 0, walk->now += *kind >= 0;
+  return true;
+}
+
 bool nb_since_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from) {
   static const struct nb_head heads[] = {{"a", "1"},  {"b", "1"},  {"wall", "1"}, {"x1", "m"},
                                          {"y1", "m"}, {"x2", "m"}, {"y2", "m"},   {"kind", "1"}};
-  const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_near_pairs *then = &reference_of(model, from)->touching;
+  struct nb_since_walk walk = {.model = model, .then = &reference_of(model, from)->touching};
+  struct nb_near_pair pair;
+  int kind;
   bool whole = nb_snapshot_table(table, model->scene, heads, sizeof heads / sizeof *heads);
-  size_t t = 0;
-  for (size_t c = 0; c < contacts->count && whole; c++) {
-    if (!touches(contacts, c))
-      continue;
-    const struct nb_near_pair now = pair_of(contacts, c);
-    while (whole && t < then->count && nb_contacts_order(model, then->list[t], now) < 0)
-      whole = draw(table, model, stage, then->list[t++], -1);
-    const bool kept = t < then->count && nb_contacts_order(model, then->list[t], now) == 0;
-    t += kept;
-    whole = whole && draw(table, model, stage, now, kept ? 0 : 1);
-  }
-  while (whole && t < then->count)
-    whole = draw(table, model, stage, then->list[t++], -1);
+  while (whole && nb_since_next(&walk, &pair, &kind))
+    whole = draw(table, model, stage, pair, kind);
   return whole;
 }

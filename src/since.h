@@ -4,6 +4,7 @@
 #ifndef NB_SINCE_H
 #define NB_SINCE_H
 
+#include "near.h"
 #include "observe.h"
 
 bool nb_since_create(struct nb_model *model); /* leaves model->since NULL where no snapshot asks; false: no memory */
@@ -17,5 +18,16 @@ struct nb_vec nb_since_moved(const struct nb_model *model, int stage, size_t slo
 double nb_since_turned(const struct nb_model *model, int stage, size_t slot);       /* rad, counterclockwise */
 double nb_since_slid(const struct nb_model *model, int stage, size_t contact);      /* m, sizes added up */
 bool nb_since_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from); /* false: no memory */
+
+/* What touches now beside what touched then, in the order of contacts. kind: 0 both, 1 now alone, -1 then alone. */
+struct nb_since_walk {
+  const struct nb_model *model;
+  const struct nb_near_pairs *then;
+  size_t now, past; /* where it is in the contacts, and in `then` */
+};
+bool nb_since_next(struct nb_since_walk *walk, struct nb_near_pair *pair, int *kind);
+bool nb_since_touching(struct nb_near_pairs *touching, const struct nb_model *model); /* of now; false: no memory */
+/* From the first centre to the second one, to the copy of it that is nearest, or to the nearest point of the wall; m. */
+struct nb_vec nb_since_line(const struct nb_model *model, struct nb_near_pair pair);
 
 #endif

@@ -164,26 +164,29 @@ static void strain(void) {
 static void loads(void) {
   struct words page = {0};
   struct written it;
-  words_add(&page, "units none\nmaterial m density 1 kn 100\nstep 1e-6\ngravity 0 -0.5\n"
-                   "disc 0 0 radius 1 m fixed\ndisc 0 1.98 radius 1 m\ndisc 9 0 radius 1 m fixed\n"
-                   "disc 9 1.46 radius 0.5 m\ndisc 20 0 radius 1 m\nregion A all\nregion B circle 0 2 radius 1\n"
-                   "record A.normal.mean A.normal.max A.normal.min A.unbalance B.unbalance A.contact_stress.mean "
-                   "A.obliquity.max A.sliding A.contacts B.contacts B.bodies B.normal.mean\nstage s\ncycles 1\n");
+  words_add(
+      &page,
+      "units none\nmaterial m density 1 kn 100\nstep 1e-6\ngravity 0 -0.5\n"
+      "disc 0 0 radius 1 m fixed\ndisc 0 1.98 radius 1 m\ndisc 9 0 radius 1 m fixed\n"
+      "disc 9 1.46 radius 0.5 m\ndisc 20 0 radius 1 m\nregion A all\nregion B circle 0 2 radius 1\n"
+      "record A.normal.mean A.normal.max A.normal.min A.normal.deviation A.unbalance B.unbalance A.contact_stress.mean "
+      "A.obliquity.max A.sliding A.contacts B.contacts B.bodies B.normal.mean\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
   CLOSE(model, "A.normal.mean", 3);
   CLOSE(model, "A.normal.max", 4);
   CLOSE(model, "A.normal.min", 2);
+  CLOSE(model, "A.normal.deviation", 1);
   CLOSE(model, "A.unbalance", ((2 - pi / 2) + (4 - pi / 8) + pi / 2) / 3 / 3);
   CLOSE(model, "B.unbalance", (2 - pi / 2) / 2);
   CLOSE(model, "B.normal.mean", 2);
   CLOSE(model, "B.contacts", 1);
   done(&it, model);
 
-  words_add(&page,
-            "units none\nmaterial m density 1 young 1000 poisson 0.25\nnormal hertz\nstep 1e-6\n"
-            "sphere 0 0 radius 2 m fixed\nsphere 2.99 0 radius 1 m\nsphere 9 0 radius 2 m\n"
-            "wall w 7.02 -1 to 7.02 1 m\nregion A all\nrecord A.contact_stress.mean A.contact_stress.max "
-            "A.contact_stress.min A.contact_ratio.max A.contact_ratio.min A.contact_shear.max\nstage s\ncycles 1\n");
+  words_add(&page, "units none\nmaterial m density 1 young 1000 poisson 0.25\nnormal hertz\nstep 1e-6\n"
+                   "sphere 0 0 radius 2 m fixed\nsphere 2.99 0 radius 1 m\nsphere 9 0 radius 2 m\n"
+                   "wall w 7.02 -1 to 7.02 1 m\nregion A all\nrecord A.contact_stress.mean A.contact_stress.max "
+                   "A.contact_stress.min A.contact_stress.deviation A.contact_ratio.max A.contact_ratio.min "
+                   "A.contact_shear.max\nstage s\ncycles 1\n");
   model = model_of(&it, &page);
   /* N/(pi a^2) = 4 E* sqrt(alpha/R*)/(3 pi), a = sqrt(R* alpha), E* = E/2(1 - nu^2) */
   const double E = 1000 / (2 * (1 - 0.0625)), one = 4 * E * sqrt(0.01 / (2. / 3)) / (3 * pi);
@@ -191,9 +194,31 @@ static void loads(void) {
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.mean"), (one + two) / 2, 1e-12 * one);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.max"), fmax(one, two), 1e-12 * one);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.min"), fmin(one, two), 1e-12 * one);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.deviation"), fabs(one - two) / 2, 1e-12 * one);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_ratio.max"), sqrt(2 * 0.02) / 2, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_ratio.min"), sqrt(2. / 3 * 0.01), 1e-12);
   CLOSE(model, "A.contact_shear.max", 0);
+  done(&it, model);
+}
+
+/* A disc that slides along a wall to the east, one that lies on a wall to the west and does not. */
+static void who_slides(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 100 ks 80 friction 0.1\nshear linear\nstep 0.01\n"
+                   "disc 0 0.98 radius 1 m velocity 1 0\nwall s -5 0 to 20 0 m\ndisc 50.98 0 radius 1 m\n"
+                   "wall w 50 -5 to 50 5 m\nregion A all\nrecord A.fabric.xx A.fabric.sliding.xx A.fabric.sliding.yy "
+                   "A.fabric.sliding.fourth.yyyy A.sliding.near\nstage s\ncycles 9\n");
+  struct nb_model *model = model_of(&it, &page);
+  CU_ASSERT(written_now(model, "A.fabric.sliding.yy") == 0); /* nothing has slipped yet */
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 5);
+  CLOSE(model, "A.fabric.xx", 0.5);
+  CLOSE(model, "A.sliding.near", 0.5);
+  CLOSE(model, "A.fabric.sliding.xx", 0);
+  CLOSE(model, "A.fabric.sliding.yy", 1);
+  CLOSE(model, "A.fabric.sliding.fourth.yyyy", 1);
   done(&it, model);
 }
 
@@ -294,6 +319,7 @@ void suite_region(void) {
   CU_add_test(suite, "porosity, thickness and areas", volumes);
   CU_add_test(suite, "strain is the velocity gradient times the time", strain);
   CU_add_test(suite, "what contacts carry, on springs and by Hertz, and what is out of balance", loads);
+  CU_add_test(suite, "which way contacts point that slide", who_slides);
   CU_add_test(suite, "inside a share of the boundary", inside_a_boundary);
   CU_add_test(suite, "particles and contacts, parts and whole: to rounding", sums_agree);
   CU_add_test(suite, "threads, storage and instruction sets change no bit", same_bits);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../src/since.h"
 #include "suites.h"
 #include "written.h"
 
@@ -55,6 +56,47 @@ static void goes_over(void) {
   CU_ASSERT_EQUAL(result.snapshots[2].bodies.column_count + 3, bodies->column_count);
   CU_ASSERT_EQUAL(result.snapshots[2].contacts.column_count + 1, result.snapshots[0].contacts.column_count);
   nb_result_free(&result);
+  written_free(&it);
+}
+
+/* The same of regions: disc 1 has turned from disc 2 to disc 3, which lies under 45 degrees, 4 and 5 part and meet again, and 6 has
+ * left the wall. What is lost and new points from where the bodies are now. */
+static void of_regions(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\n"
+                   "disc 0 0 radius 1 m velocity 1 0\ndisc -1.9 0 radius 1 m fixed\ndisc 5.4 1.4 radius 1 m fixed\n"
+                   "disc 0 9 radius 1 m\ndisc 0 10.9 radius 1 m\ndisc 20 0.9 radius 1 m velocity 0 1\n"
+                   "wall w 19 0 to 31 0 m\nregion A all\nregion B all from b\nregion C circle 4 0 radius 1\n"
+                   "record A.contacts.lost A.contacts.new A.fabric.lost.xx A.fabric.lost.xy A.fabric.lost.yy "
+                   "A.fabric.new.xx A.fabric.new.xy A.fabric.new.anisotropy B.contacts.lost B.contacts.new "
+                   "B.fabric.lost.yy C.contacts.lost C.contacts.new C.fabric.lost.xx\nstage a\ncycles 200\n"
+                   "stage b\ncycles 200\n");
+  written_scene(&it, &page);
+  struct nb_model *model = nb_model_create(&it.scene, NULL, &error);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(model);
+  CU_ASSERT(written_now(model, "A.contacts.lost") == 0 && written_now(model, "A.fabric.new.xx") == 0);
+  for (int s = 0; s < 2; s++) {
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
+    written_cycles(model, 200);
+  }
+  CU_ASSERT_EQUAL(written_now(model, "A.contacts.lost"), 2);
+  CU_ASSERT_EQUAL(written_now(model, "A.contacts.new"), 1);
+  /* ends: two of the discs along x, one of the disc above the wall along y */
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.lost.xx"), 2. / 3, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.lost.yy"), 1. / 3, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.lost.xy"), 0, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.new.xx"), 0.5, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.new.xy"), 0.5, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.fabric.new.anisotropy"), 1, 1e-12);
+  CU_ASSERT_EQUAL(written_now(model, "B.contacts.lost"), 0); /* by then both had parted */
+  CU_ASSERT_EQUAL(written_now(model, "B.contacts.new"), 1);
+  CU_ASSERT_EQUAL(written_now(model, "B.fabric.lost.yy"), 0);
+  CU_ASSERT_EQUAL(written_now(model, "C.contacts.lost"), 1); /* disc 1 alone is in it */
+  CU_ASSERT_EQUAL(written_now(model, "C.contacts.new"), 1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.fabric.lost.xx"), 1, 1e-12);
+  nb_model_free(model);
   written_free(&it);
 }
 
@@ -165,6 +207,7 @@ static void across_the_edge(void) {
 void suite_since(void) {
   CU_pSuite suite = CU_add_suite("since", NULL, NULL);
   CU_add_test(suite, "contacts lost, new and kept", goes_over);
+  CU_add_test(suite, "contacts lost and new of a region, and where they point", of_regions);
   CU_add_test(suite, "a sphere slides down an incline", slides);
   CU_add_test(suite, "one that rolls slides nothing", rolls);
   CU_add_test(suite, "a contact that comes back begins at 0", comes_back);
