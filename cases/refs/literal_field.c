@@ -1,0 +1,50 @@
+/* Reference: an assembly at rest in the field that a strain rate makes which is stored back [R89 4.43].
+ *
+ *   sum F = -m L x/dt,   mean |sum F| = <m> (2/3) R_A e/dt^2
+ *
+ *   e     strain of a cycle, the same along both axes but for its sign, L = e/dt
+ *   R_A   radius of the region, a circle about the centre, m; bodies are spread evenly over it
+ *   <m>   mean mass of all bodies, kg
+ *
+ * dt is F of R89's step [R89 4.33, 4.34]: pi R sqrt(rho/G)/(0.1631 nu + 0.876605), R the mean radius.
+ *
+ * Known: NAME.unbalance.force in S, for each region that is a circle and the last stage S.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "reference.h"
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_stage *last = scene->stage_count ? &scene->stages[scene->stage_count - 1] : NULL;
+  const struct nb_strain_rate *strain = last ? &last->continuum.strain : NULL;
+  if (!last || !last->continuum.line || !last->continuum.literal || !strain->per_cycle || strain->xx != -strain->yy ||
+      strain->xy != 0 || strain->yx != 0 || last->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN || last->damping.global_kind)
+    return nb_error_set(error, NB_BAD_USE,
+                        "literal_field wants a last stage with `continuum strain E -E literal` per cycle, a step that "
+                        "is a share of rayleigh-fit-mean, and no damping but at contacts");
+  double mass = 0, radius = 0;
+  for (size_t k = 0; k < scene->body_count; k++)
+    mass += nb_body_mass(scene, &scene->bodies[k]), radius += scene->bodies[k].radius;
+  mass /= (double)scene->body_count, radius /= (double)scene->body_count;
+  const struct nb_material *glass = &scene->materials[scene->bodies[0].material];
+  const double shear = glass->young / (2 * (1 + glass->poisson));
+  const double step = last->step.value * 3.14159265358979323846 * radius * sqrt(glass->density / shear) /
+                      (0.1631 * glass->poisson + 0.876605);
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    if (watch->kind != NB_WATCH_REGION || scene->regions[watch->a].kind != NB_REGION_CIRCLE)
+      continue;
+    char name[3 * NB_NAME_SIZE];
+    snprintf(name, sizeof name, "%s.unbalance.force in %s", watch->name, last->name);
+    known_value(known, mass * 2 / 3 * scene->regions[watch->a].radius * fabs(strain->xx) / (step * step), name);
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_literal_field = {
+    .name = "literal_field",
+    .title = "an assembly at rest in the field of a continuum that is stored back",
+    .source = "[R89 4.43]",
+    .know = know,
+};
