@@ -1,0 +1,161 @@
+/* Reference: a square lattice of springs in a periodic cell that is servoed, while the strain is small.
+ *
+ * All discs follow the cell, and none turns, so that
+ *
+ *   s_xx' = -k_n (l_xx + L_xx),   s_yy likewise,   s_xy' = -k_s (l_xy + L_xy)     l what the page strains the cell with, L what the servo adds
+ *   B = k_n/2,   T = W (rho/B)^(1/2),   W = (area of the cell)^(1/2)
+ *
+ * Of a stress that is held, e = s - s0 is what is off, and s0 goes at the rate q where it is ramped. With f = 1, of xy f = k_s/k_n:
+ *
+ *   e' = -f e/T - f k_n Z - c,   Z' = e/(16 k_n T^2),   c = f k_n l + q,   so   e'' + f e'/T + f e/(16 T^2) = 0
+ *   e  = a exp(-u t) + b exp(-v t),   u, v = f (1 -+ (1 - 1/4f)^(1/2))/2T
+ *
+ * from e(0) and e'(0) at the beginning of the stage, where Z is -g e/(k_n T), g = (1 - (3/4)^(1/2))/2. What is off by more than k_n T `at most` is
+ * beyond what the servo may do: until it is down to that, e' = -f k_n `at most` (1 - g) - c. What is not held goes as s' = -k l.
+ * `servo mean` holds (xx + yy)/2, and their difference goes on.
+ *
+ * Exact while s/k_n and dt/T are small: it is wrong by their order. One component alone may be too far off, or xx and yy alike.
+ *
+ * Known: cell.stress.xx, cell.stress.yy, cell.stress.xy along time.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <complex.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference.h"
+
+struct lattice {
+  double kn, ks, wave; /* N/m, of discs 1 m thick Pa; T, s */
+  double step;         /* s */
+};
+
+/* One stress over one stage. */
+struct piece {
+  double begin;      /* s */
+  double from, rate; /* s0 and q; of what is not held s and s' */
+  bool held;
+  double far;            /* e as it begins, */
+  double slope, limited; /* e' while that is too far, and for how long, s */
+  double complex a, b, u, v;
+};
+
+struct course {
+  size_t count;
+  struct piece piece[];
+};
+
+static double value(const struct piece *it, double time) {
+  const double t = time - it->begin, late = t - it->limited;
+  if (!it->held)
+    return it->from + it->rate * t;
+  const double e =
+      late < 0 ? it->far + it->slope * t : creal(it->a * cexp(-it->u * late) + it->b * cexp(-it->v * late));
+  return it->from + it->rate * t + e;
+}
+
+static double at(const void *data, double time) {
+  const struct course *course = data;
+  size_t k = course->count - 1;
+  while (k > 0 && course->piece[k].begin > time)
+    k--;
+  return value(&course->piece[k], time);
+}
+
+/* What is off goes from `far`; `most` is the largest rate of the servo. */
+static void solve(struct piece *it, const struct lattice *lattice, double f, double far, double c, double most) {
+  const double t = lattice->wave, g = (1 - sqrt(0.75)) / 2, reach = copysign(lattice->kn * t * most, far);
+  const double complex root = csqrt(1 - 1 / (4 * f));
+  it->held = true, it->far = far;
+  it->u = f * (1 - root) / (2 * t), it->v = f * (1 + root) / (2 * t);
+  it->slope = -copysign(f * lattice->kn * most * (1 - g), far) - c;
+  it->limited = fabs(far) > fabs(reach) ? (reach - far) / it->slope : 0;
+  const double e = fabs(far) > fabs(reach) ? reach : far;
+  it->a = (it->v * e - f * (1 - g) * e / t - c) / (it->v - it->u); /* e' is -f (1 - g) e/T - c */
+  it->b = e - it->a;
+}
+
+/* xx, yy and xy over a stage that begins with s. */
+static void go(struct piece *const now[3], const struct lattice *lattice, const struct nb_stage *stage,
+               struct nb_strain_rate strain, double begin, const double s[3]) {
+  const struct nb_servo *servo = &stage->servo;
+  const double length = (double)stage->cycles * lattice->step, l[3] = {strain.xx, strain.yy, strain.xy};
+  for (int k = 0; k < 3; k++) {
+    struct piece *it = now[k];
+    const double f = k < 2 ? 1 : lattice->ks / lattice->kn;
+    *it = (struct piece){.begin = begin, .from = s[k], .rate = -f * lattice->kn * l[k]};
+    if (!servo->line || !servo->held[k] || (servo->mean && k == 2))
+      continue;
+    /* of `mean` s is the mean and a part beside it that goes on as the page says */
+    const double change = servo->mean ? (l[0] + l[1]) / 2 : l[k], begun = servo->mean ? (s[0] + s[1]) / 2 : s[k];
+    const double wanted = servo->stress[k], q = servo->ramp ? (wanted - begun) / length : 0;
+    const double from = servo->ramp ? begun : wanted;
+    solve(it, lattice, f, begun - from, f * lattice->kn * change + q, servo->most);
+    it->from = from + s[k] - begun, it->rate = q - f * lattice->kn * (l[k] - change);
+  }
+}
+
+/* A square lattice of equal discs in a cell, and stages that it can judge. */
+static bool fits(const struct nb_scene *scene) {
+  bool right = scene->cell.line && scene->wall_count == 0 && scene->body_count > 0 && scene->stage_count > 0 &&
+               strcmp(scene->normal, "linear") == 0 && strcmp(scene->shear, "linear") == 0 &&
+               scene->step.kind == NB_STEP_TIME && scene->cell.h[1] == 0 && scene->cell.h[2] == 0;
+  for (size_t b = 0; b < scene->body_count && right; b++) {
+    const struct nb_body *body = &scene->bodies[b], *first = &scene->bodies[0];
+    const double spacing = sqrt(scene->cell.h[0] * scene->cell.h[3] / (double)scene->body_count);
+    right = body->radius == first->radius && fabs(remainder(body->x - first->x, spacing)) < 1e-9 * spacing &&
+            fabs(remainder(body->y - first->y, spacing)) < 1e-9 * spacing;
+  }
+  for (size_t s = 0; s < scene->stage_count && right; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    right = stage->condition_count == 0 && stage->step.kind == NB_STEP_TIME && stage->step.value == scene->step.value &&
+            !stage->cell.per_cycle && !stage->servo.per_cycle && stage->cell.xy == stage->cell.yx &&
+            (!stage->servo.line || stage->servo.cell);
+  }
+  return right;
+}
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  if (!fits(scene))
+    return nb_error_set(error, NB_BAD_USE,
+                        "servo_lattice wants a square lattice of equal discs in an upright cell, `normal linear`, no "
+                        "shear, a step in seconds, "
+                        "and stages of so many "
+                        "cycles that strain, without turning it, or servo the cell at rates in 1/s");
+  const struct nb_body *body = &scene->bodies[0];
+  const double area = scene->cell.h[0] * scene->cell.h[3], n = (double)scene->body_count;
+  const struct nb_pair pair = nb_scene_pair(scene, body->material, body->material);
+  const double density = n * nb_body_mass(scene, body) / area,
+               first = pair.kn * (2 * body->radius / sqrt(area / n) - 1);
+  const struct lattice lattice = {pair.kn, pair.ks, sqrt(area * density / (pair.kn / 2)), scene->step.value};
+  static const char *const names[] = {"cell.stress.xx", "cell.stress.yy", "cell.stress.xy"};
+  double s[3] = {first, first, 0}, begin = 0;
+  struct course *course[3];
+  for (int c = 0; c < 3; c++)
+    course[c] = calloc(1, sizeof **course + scene->stage_count * sizeof(struct piece));
+  if (!course[0] || !course[1] || !course[2]) {
+    free(course[0]), free(course[1]), free(course[2]);
+    return nb_error_set(error, NB_BROKEN, "out of memory");
+  }
+  struct nb_strain_rate strain = {0};
+  for (size_t i = 0; i < scene->stage_count; i++) {
+    struct piece *const now[] = {&course[0]->piece[i], &course[1]->piece[i], &course[2]->piece[i]};
+    if (scene->stages[i].cell_line)
+      strain = scene->stages[i].cell;
+    go(now, &lattice, &scene->stages[i], strain, begin, s);
+    begin += (double)scene->stages[i].cycles * lattice.step;
+    for (int c = 0; c < 3; c++)
+      s[c] = value(now[c], begin), course[c]->count++;
+  }
+  for (int c = 0; c < 3; c++)
+    known_curve(known, names[c], "time", at, course[c]);
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_servo_lattice = {
+    .name = "servo_lattice",
+    .title = "a square lattice in a cell that is servoed: what is off in closed form",
+    .source = "[R89 4.1]",
+    .know = know,
+};
