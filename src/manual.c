@@ -10,6 +10,13 @@
 
 /* ---- one statement ---- */
 
+/* As far as the full stop of the first sentence: there may be one within, in an equation's number. */
+static int first_sentence(const char *help) {
+  const char *end = strstr(help, ". ");
+  const size_t all = strlen(help);
+  return (int)(end ? (size_t)(end - help) : all - (all > 0 && help[all - 1] == '.'));
+}
+
 /* "a length above 0; 2R if it is not there. From centre to centre; 2R: touching." */
 static void argument(FILE *out, const struct nb_manner *manner, const struct nb_argument *field) {
   char name[128], text[512];
@@ -23,7 +30,7 @@ static void argument(FILE *out, const struct nb_manner *manner, const struct nb_
     snprintf(text, sizeof text, "%s%s%s. %s", number ? nb_unit_kind_name(field->unit) : "a whole number, 1 or more",
              number ? nb_range_words(field->range) : "", otherwise, field->help);
   else
-    snprintf(text, sizeof text, "%.*s%s.", (int)strcspn(field->help, "."), field->help, otherwise);
+    snprintf(text, sizeof text, "%.*s%s.", first_sentence(field->help), field->help, otherwise);
   manner->part(out, name, text);
 }
 
