@@ -2,6 +2,7 @@
 #
 #   tables = '$rest_contacts $shear_contacts'; names = 'before after'    # a step line each
 #   of(c) = column('shear/N') / column('limit/N'); low = -1; high = 1; bins = 20
+#   curve(v) = NaN    # or what is drawn beside them
 #
 # Those of obliquity, with what slides in the bins at the ends [R89 figures 6.18-6.20], and of mean normal contact stress [R89 figures
 # 6.42, 6.43] differ in `of`. What is not from `low` to `high` is counted in the bins at the ends.
@@ -25,5 +26,5 @@ do for [k = 1:words(tables)] {
 }
 unset print
 set datafile nocolumnheaders
-plot [low:high] [0:*] for [k = 1:words(tables)] $histogram index k - 1 using 1:2 with steps lw 2 lt k title word(names, k)
+plot [low:high] [0:*] for [k = 1:words(tables)] $histogram index k - 1 using 1:2 with steps lw 2 lt k title word(names, k), curve(x) with lines lw 1.5 dt 2 lc rgb '#888888' notitle
 set datafile columnheaders

@@ -1,16 +1,17 @@
 # How many contacts there are in each direction, ten degrees a bin, both ends of each contact [R89 figures 6.15, 6.16, 6.36-6.41].
 # The page says before
 #
-#   contacts = '$rest_contacts'; weight = 'all'    # or 'normal': weighted by the normal force; 'sliding': those alone
+#   contacts = '$rest_contacts'; weight = 'all'    # or 'normal': weighted by the normal force; 'sliding': those alone;
+#                                                  # 'near': those with a shear force of 0.99 of its limit or more
 set size ratio -1
 unset border
 unset tics
 unset key
 unset grid
-# columns of a table of contacts: wall 3, normal force 11, sliding 13, angle 16; contacts with walls are left out
+# columns of a table of contacts: wall 3, normal force 11, sliding 13, angle 16, obliquity 22; contacts with walls are left out
 array bins[36]
 do for [i = 1:36] { bins[i] = 0 }
-share(w) = column(3) > 0 ? 0 : w eq 'normal' ? column(11) : w eq 'sliding' ? column(13) : 1
+share(w) = column(3) > 0 ? 0 : w eq 'normal' ? column(11) : w eq 'sliding' ? column(13) : w eq 'near' ? column(22) >= 0.99 : 1
 bin(a) = int(floor((a + 720) / 10)) % 36 + 1
 put(i, w) = (bins[i] = bins[i] + w)
 both(a, w) = put(bin(a), w) + put(bin(a + 180), w)
