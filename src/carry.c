@@ -18,11 +18,13 @@
 
 #include "carry.h"
 
+#include "box.h"
+
 static bool wanted(const struct nb_scene *scene) {
   bool carries = scene->cell.line || scene->circle.line;
   for (size_t s = 0; s < scene->stage_count; s++)
-    carries =
-        carries || scene->stages[s].circle.line || scene->stages[s].boundary.line || scene->stages[s].continuum.line;
+    carries = carries || scene->stages[s].circle.line || scene->stages[s].boundary.line ||
+              scene->stages[s].continuum.line || scene->stages[s].box_line || scene->stages[s].servo.box;
   return carries;
 }
 
@@ -61,6 +63,11 @@ void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage) {
     cell->xx *= -1, cell->xy *= -1, cell->yx *= -1, cell->yy *= -1;
   if (stage->cell_line)
     *cell = stage->cell;
+  model->boxed = nb_box_follows(model->scene, (size_t)(stage - model->scene->stages));
+  if (stage->box_line)
+    asked[NB_CARRIER_BOX] = stage->box;
+  else if (!model->boxed)
+    asked[NB_CARRIER_BOX] = (struct nb_strain_rate){.xx = 0};
   if (stage->boundary.line)
     asked[NB_CARRIER_BOUNDARY] = stage->boundary.strain;
   if (stage->continuum.line) {

@@ -7,8 +7,16 @@
 #include "model.h"
 #include "tensor.h"
 
-/* What a body is carried along by: a cell carries all its bodies, else the boundary its own, the continuum what is free. */
-enum nb_carrier { NB_CARRIER_NONE, NB_CARRIER_CONTINUUM, NB_CARRIER_BOUNDARY, NB_CARRIER_CELL, NB_CARRIERS };
+/* What a body is carried along by: a cell carries all its bodies, else the boundary its own, the continuum what is free. A box has
+ * a strain rate likewise, which carries its walls. */
+enum nb_carrier {
+  NB_CARRIER_NONE,
+  NB_CARRIER_CONTINUUM,
+  NB_CARRIER_BOUNDARY,
+  NB_CARRIER_CELL,
+  NB_CARRIER_BOX,
+  NB_CARRIERS
+};
 
 struct nb_carry {
   struct nb_vec centre;                     /* what the strain rates are about, m */

@@ -9,6 +9,7 @@
  * in fixed parts; every contact and every body is worked out by one of them alone, so their number changes no bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "box.h"
 #include "drive.h"
 #include "energy.h"
 #include "servo.h"
@@ -71,6 +72,8 @@ enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
     return error->status;
   if (model->carry && model->stage && model->stage->servo.line)
     nb_servo_set(model);
+  if (model->boxed)
+    nb_box_drive(model);
   if (model->balance)
     nb_balance_before(model);
   const int out = motion(model);

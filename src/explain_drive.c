@@ -38,6 +38,7 @@ static void explain_servo(FILE *out, const struct nb_servo *servo, bool unitless
       fprintf(out, " %s at %g", parts[k], servo->stress[k]);
   fprintf(out, "%s by %s, looked at every %lu cycles, at most %g%s (line %d)\n", unitless ? "" : " Pa",
           servo->cell        ? "the cell"
+          : servo->box       ? "the walls of the box"
           : servo->continuum ? "boundary and continuum"
                              : "the boundary",
           servo->every, servo->most,
@@ -59,6 +60,8 @@ void nb_explain_drive(FILE *out, const struct nb_scene *scene, const struct nb_s
          stage->continuum.line);
   if (stage->cell_line)
     rate(out, "cell", &stage->cell, unitless, "", stage->cell_line);
+  if (stage->box_line)
+    rate(out, "walls of the box", &stage->box, unitless, "", stage->box_line);
   if (stage->rotation_line)
     fprintf(out, "    rotation %s (line %d)\n", stage->rotation == NB_ROTATION_ON ? "on" : "off", stage->rotation_line);
   if (stage->servo.line)

@@ -147,6 +147,7 @@ struct nb_model {
     double strength;      /* m/s2; 0: none */
     struct nb_vec to;     /* the point, m */
   } inward;               /* likewise */
+  bool boxed;             /* the walls of the box follow its strain rate */
   struct nb_carry *carry; /* carry.h; NULL: nothing is carried along */
   struct nb_drive *drive; /* drive.h; NULL: there is no boundary, and bodies turn */
   struct nb_properties properties;

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "box.h"
 #include "energy.h"
 #include "guess.h"
 #include "names.h"
@@ -197,7 +198,7 @@ static const struct nb_quantity_kind *row(size_t k) {
   static const struct nb_quantity_kind *const others[] = {
       nb_step_kinds,   nb_drive_kinds,    nb_fill_kinds,         nb_impact_kinds, nb_stress_kinds,
       nb_fabric_kinds, nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds,   nb_strain_kinds,
-      nb_speed_kinds,  nb_chain_kinds,    nb_parted_kinds,       nb_cell_kinds};
+      nb_speed_kinds,  nb_chain_kinds,    nb_parted_kinds,       nb_cell_kinds,   nb_box_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -215,7 +216,7 @@ static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *
   if (w >= 0)
     return kind->watches & 1u << scene->watches[w].kind;
   return !kind->watches || (kind->watches == NB_OF_IMPACT && scene->impact.line) ||
-         (kind->watches == NB_OF_CELL && scene->cell.line);
+         (kind->watches == NB_OF_CELL && scene->cell.line) || (kind->watches == NB_OF_BOX && nb_box_of(scene) >= 0);
 }
 
 /* Row `kind` as the scene would call it, of watch w: "C.normal", "time". Empty when it does not belong to it. */
@@ -294,6 +295,7 @@ bool nb_quantity_row(size_t k, const char **name, const char **unit, const char 
         : watches & GRADING       ? "a grading"
         : watches == NB_OF_IMPACT ? "an impact"
         : watches == NB_OF_CELL   ? "a periodic cell"
+        : watches == NB_OF_BOX    ? "a box of walls"
         : watches == NB_OF_BENCH  ? "the contact on the bench"
                                   : "the scene";
   return true;

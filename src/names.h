@@ -9,7 +9,7 @@
 struct nb_quantity_kind {
   const char *name;
   unsigned
-      watches; /* set of watch kinds it belongs to; 0: the whole scene; NB_OF_IMPACT: one with an impact; NB_OF_CELL, or NB_OF_BENCH */
+      watches; /* set of watch kinds it belongs to; 0: the whole scene; NB_OF_IMPACT: one with an impact; NB_OF_CELL, NB_OF_BOX, or NB_OF_BENCH */
   const char *unit;
   unsigned fields; /* contact fields it reads, to be kept; on the bench what it asks of the laws */
   double (*value)(const struct nb_model *model, const struct nb_watch *watch);
@@ -17,6 +17,7 @@ struct nb_quantity_kind {
 };
 #define NB_OF_IMPACT (1u << 31)
 #define NB_OF_CELL (1u << 29)  /* of a periodic cell */
+#define NB_OF_BOX (1u << 28)   /* of a box of walls */
 #define NB_OF_BENCH (1u << 30) /* of a path's contact */
 enum { NB_OF_REGION = 1 << NB_WATCH_REGION };
 
@@ -36,6 +37,7 @@ extern const struct nb_quantity_kind nb_fill_kinds[];   /* fill_kinds.c */
 extern const struct nb_quantity_kind nb_stress_kinds[], nb_fabric_kinds[], nb_porosity_kinds[], nb_coordination_kinds[],
     nb_load_kinds[], nb_strain_kinds[], nb_speed_kinds[], nb_chain_kinds[], nb_parted_kinds[];
 extern const struct nb_quantity_kind nb_cell_kinds[]; /* cell_kinds.c */
+extern const struct nb_quantity_kind nb_box_kinds[];  /* box_kinds.c */
 
 /* bench_names.c: their values are asked for by nb_quantity_on_bench; NULL past the last one. */
 const struct nb_quantity_kind *nb_bench_row(size_t k);

@@ -366,7 +366,8 @@ struct nb_servo {
   bool held[3];                   /* which of them */
   bool mean;                      /* only (xx + yy)/2 */
   bool continuum;                 /* the continuum's strain rate is changed as the boundary's is; or */
-  bool cell;                      /* the cell's alone */
+  bool cell;                      /* the cell's alone; or */
+  bool box;                       /* the box's */
   bool ramp;                      /* reached at the end of the stage, along a straight line */
   double most;                    /* largest component of what is added, 1/s or, */
   bool per_cycle;                 /* strain of one cycle */
@@ -389,6 +390,8 @@ struct nb_stage {
   struct nb_gravity gravity;   /* line 0: as before */
   struct nb_strain_rate cell;  /* how the cell is strained */
   int cell_line;               /* 0: as before */
+  struct nb_strain_rate box;   /* how the walls of the box follow */
+  int box_line;                /* 0: as before */
   struct nb_removal *removals; /* owned by the scene */
   size_t removal_count;
   bool still;                      /* it begins with all bodies at rest */

@@ -154,6 +154,7 @@ static void check_whole(struct nb_scene_reading *reading) {
   nb_regions_check(reading);
   nb_cell_check(reading);
   nb_drives_check(reading);
+  nb_boxes_check(reading);
   if (scene->body_count == 0 && !reading->bodies_unsure)
     nb_say_of_scene(reading, "`disc`, `sphere`, `discs` and `spheres` make them",
                     "expected a scene with bodies, found none");

@@ -13,6 +13,7 @@
  *   scene_step.c    step and damping
  *   scene_stages.c  stages, walls in them, how they end; what is recorded
  *   scene_changes.c what else changes in them: materials, gravity; ramps
+ *   scene_box.c     a box whose walls are strained
  *   scene_drive.c   what moves an assembly: its boundary, what carries it along
  *   scene_remove.c  bodies that stages take out
  *   scene_start.c   a scene that goes on where another page's stage ends
@@ -166,8 +167,11 @@ void nb_ramps_check(struct nb_scene_reading *reading);
 bool nb_scene_bounded(const struct nb_scene *scene); /* whether the stage that is being read has a boundary by now */
 /* True, with a message, where the scene has no cell. */
 bool nb_scene_lacks_cell(const struct nb_scene_reading *reading, struct nb_reader *reader);
+bool nb_scene_lacks_box(const struct nb_scene *scene, struct nb_reader *reader); /* likewise a box of walls */
 /* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`: all of them per cycle, or none; false with a message. */
 bool nb_strain_of(struct nb_strain_rate *strain, struct nb_reader *reader, const struct nb_value value[]);
+/* What follows a box moves in one way, and does not turn. */
+void nb_boxes_check(struct nb_scene_reading *reading);
 /* What is carried along cannot be reversed, nor is there a boundary in a cell. */
 void nb_drives_check(struct nb_scene_reading *reading);
 /* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
@@ -239,6 +243,7 @@ NB_APPLY(nb_apply_leg);
 NB_APPLY(nb_apply_repeat);
 NB_APPLY(nb_apply_cell);
 NB_APPLY(nb_apply_cell_strain);
+NB_APPLY(nb_apply_box_strain);
 NB_APPLY(nb_apply_wave);
 NB_APPLY(nb_apply_remove);
 NB_APPLY(nb_apply_circle);

@@ -115,6 +115,7 @@ void nb_drives_check(struct nb_scene_reading *reading) {
     const struct nb_strain_rate *rate = &stage->boundary.strain;
     const bool strained = rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0;
     line = line ? line : strained ? stage->boundary.line : stage->continuum.line;
+    line = line ? line : stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
     if (!stage->reverse || !line)
       continue;
     nb_line_read(&reading->reader, (size_t)stage->line);

@@ -91,6 +91,11 @@ static const struct nb_argument circle[] = {
   CLAUSE("c12", "C", NB_UNIT_STRAIN_RATE, NB_ANY, AT_C12, 1, "0", "Velocity to the east for a unit of way to the north."), \
   CLAUSE("c21", "C", NB_UNIT_STRAIN_RATE, NB_ANY, AT_C21, 1, "0", "Velocity to the north for a unit of way to the east.")
 static const struct nb_argument strain[] = {STRAIN, END};
+static const struct nb_argument box_strain[] = {
+  VALUE("EXX", NB_UNIT_STRAIN_RATE, NB_ANY, AT_X, "Of length to the east; extension is positive."),
+  VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, AT_Y, "Of length to the north."),
+  END
+};
 static const struct nb_argument continuum_strain[] = {
   STRAIN,
   FLAG("apart", AT_APART, "apart", "What carries a body along is no part of its own velocity [R89 4.41]."),

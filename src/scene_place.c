@@ -81,12 +81,12 @@ static bool move_circle(const struct nb_place *place, struct nb_circle *circle) 
 }
 
 static bool move_drives(const struct nb_place *place, struct nb_stage *stage) {
-  struct nb_strain_rate *strains[] = {&stage->boundary.strain, &stage->continuum.strain, &stage->cell};
+  struct nb_strain_rate *strains[] = {&stage->boundary.strain, &stage->continuum.strain, &stage->cell, &stage->box};
   struct nb_boundary *boundary = &stage->boundary;
   struct nb_strain_rate stress = {boundary->sxx, boundary->sxy, boundary->sxy, boundary->syy, false};
   bool held = move_circle(place, &stage->circle) && turn_rate(place, &stress);
   boundary->sxx = stress.xx, boundary->sxy = stress.xy, boundary->syy = stress.yy;
-  for (size_t k = 0; k < 3; k++)
+  for (size_t k = 0; k < 4; k++)
     held = turn_rate(place, strains[k]) && held;
   return held;
 }

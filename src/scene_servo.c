@@ -5,10 +5,11 @@
 
 #include "scene.h"
 
-/* `on REGION|boundary|cell`: the three stresses that are looked at. */
+/* `on REGION|boundary|cell|box`: the three stresses that are looked at. */
 static bool take_place(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_servo *servo) {
   static const char *const parts[] = {"xx", "yy", "xy"};
-  const struct nb_token *place = nb_take_word(reader, "on") ? nb_take(reader, "a region, `boundary` or `cell`") : NULL;
+  const struct nb_token *place =
+      nb_take_word(reader, "on") ? nb_take(reader, "a region, `boundary`, `cell` or `box`") : NULL;
   if (!place || place->hollow)
     return false;
   for (int k = 0; k < 3; k++) {
@@ -17,23 +18,24 @@ static bool take_place(struct nb_scene_reading *reading, struct nb_reader *reade
     if (nb_quantity_find(&servo->quantity[k], reading->scene, name, NULL))
       continue;
     if (!(reading->reader.unsure & NB_UNSURE_WATCHES))
-      nb_not_known(reader, place, NULL, "a region, `boundary` or `cell`");
+      nb_not_known(reader, place, NULL, "a region, `boundary`, `cell` or `box`");
     return false;
   }
   return true;
 }
 
-/* `by boundary {continuum}|cell at most RATE {every N cycles}` */
+/* `by boundary {continuum}|cell|box at most RATE {every N cycles}` */
 static bool take_means(struct nb_reader *reader, struct nb_servo *servo) {
-  const struct nb_token *by = nb_take_word(reader, "by") ? nb_take(reader, "`boundary` or `cell`") : NULL;
+  const struct nb_token *by = nb_take_word(reader, "by") ? nb_take(reader, "`boundary`, `cell` or `box`") : NULL;
   if (!by || by->hollow)
     return false;
-  servo->cell = strcmp(by->text, "cell") == 0;
-  if (!servo->cell && strcmp(by->text, "boundary") != 0) {
-    nb_not_known(reader, by, NULL, "`boundary` or `cell`");
+  servo->cell = strcmp(by->text, "cell") == 0, servo->box = strcmp(by->text, "box") == 0;
+  const bool boundary = strcmp(by->text, "boundary") == 0;
+  if (!servo->cell && !servo->box && !boundary) {
+    nb_not_known(reader, by, NULL, "`boundary`, `cell` or `box`");
     return false;
   }
-  servo->continuum = !servo->cell && nb_token_skip(reader, "continuum");
+  servo->continuum = boundary && nb_token_skip(reader, "continuum");
   if (!nb_take_word(reader, "at") || !nb_take_word(reader, "most") ||
       !nb_take_number(reader, NB_UNIT_STRAIN_RATE, NB_POSITIVE, &servo->most))
     return false;
@@ -57,6 +59,7 @@ NB_APPLY(nb_apply_servo) {
   }
   if (!stage || !take_place(reading, reader, &servo) || !take_means(reader, &servo))
     return;
+  servo.held[2] = servo.held[2] && !(servo.box && variant == 0); /* walls do not turn */
   if (!servo.held[0] && !servo.held[1] && !servo.held[2])
     nb_token_mistake(reader, &reader->tokens[1], NULL, "expected `xx`, `yy` or `xy`, or several of them, found none");
   else if (stage->servo.line)
@@ -64,6 +67,10 @@ NB_APPLY(nb_apply_servo) {
                      stage->servo.line);
   else if (servo.cell)
     nb_scene_lacks_cell(reading, reader);
+  else if (servo.box && variant == 2 && servo.held[2])
+    nb_token_mistake(reader, value[AT_SHEAR].token, NULL, "expected `xx` or `yy` of a box: its walls do not turn");
+  else if (servo.box)
+    nb_scene_lacks_box(reading->scene, reader);
   else if (!nb_scene_bounded(reading->scene))
     nb_token_mistake(reader, &reader->tokens[0], "begin one with `boundary circle X Y radius R`",
                      "expected a scene with a boundary, found none");

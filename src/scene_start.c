@@ -53,8 +53,8 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   to->damping.global_line = moved(to->damping.global_line, line);
   to->circle.line = moved(to->circle.line, line), to->boundary.line = moved(to->boundary.line, line);
   to->continuum.line = moved(to->continuum.line, line), to->rotation_line = moved(to->rotation_line, line);
-  to->cell_line = moved(to->cell_line, line);
-  to->servo = (struct nb_servo){.line = 0}; /* of what the other page looks at */
+  to->cell_line = moved(to->cell_line, line), to->box_line = moved(to->box_line, line);
+  to->servo = (struct nb_servo){.box = from->servo.box}; /* of what the other page looks at */
   to->laws.normal_line = moved(to->laws.normal_line, line), to->laws.shear_line = moved(to->laws.shear_line, line);
 }
 

@@ -199,16 +199,16 @@ static const struct nb_keyword table[] = {
    "The centres of the boundary's bodies follow a strain rate about the circle's centre, exactly; they do not turn, and there is no force "
    "between two of them. From this stage on.",
    "stage     squeeze\n  boundary strain -1e-6 per cycle -1e-6 per cycle\n  cycles  10"},
-  {"servo isotropic", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary|cell by boundary|cell {continuum} at most RATE {every N cycles}", 0, false, nb_apply_servo,
-   "Adds to the boundary's strain rate, and to the continuum's if it says so, or to the cell's, what brings the stress of a region, or that on the boundary or in the cell, to P in all directions: "
-   "xx and yy to P, xy to 0 [R89 4.1]. The gain follows from the contacts' stiffness; `at most` bounds the rates that are added. For this stage.",
+  {"servo isotropic", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary|cell|box by boundary {continuum}|cell|box at most RATE {every N cycles}", 0, false, nb_apply_servo,
+   "Adds to the boundary's strain rate, and to the continuum's if it says so, or to the cell's or the box's, what brings the stress of a region, or that on the boundary, in the cell or on the box, to P in all directions: "
+   "xx and yy to P, xy to 0 [R89 4.1], which the walls of a box leave alone: they follow its strain rate as with `box strain`, of xx and yy. The gain follows from the contacts' stiffness; `at most` bounds the rates that are added. For this stage.",
    "stage     even\n  servo   isotropic 1 kPa  on boundary  by boundary continuum  at most 1e-6 per cycle\n  cycles  10"},
-  {"servo mean", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary|cell by boundary|cell {continuum} at most RATE {every N cycles}", 1, false, nb_apply_servo,
+  {"servo mean", NB_IN_STAGE | NB_IN_RAMP, pressure, "on REGION|boundary|cell|box by boundary {continuum}|cell|box at most RATE {every N cycles}", 1, false, nb_apply_servo,
    "Holds (xx + yy)/2 alone, by a change of area: what the stage's own strain rates do to the shape goes on.",
    "stage     shear\n  servo   mean 1 kPa  on boundary  by boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10"},
-  {"servo stress", NB_IN_STAGE | NB_IN_RAMP, servo_stress, "on REGION|boundary|cell by boundary|cell {continuum} at most RATE {every N cycles}", 2, false, nb_apply_servo,
+  {"servo stress", NB_IN_STAGE | NB_IN_RAMP, servo_stress, "on REGION|boundary|cell|box by boundary {continuum}|cell|box at most RATE {every N cycles}", 2, false, nb_apply_servo,
    "Holds single components.",
-   "stage     biaxial\n  servo   stress yy 2 kPa  on boundary  by boundary  at most 1e-6 per cycle\n  cycles  10"},
+   "stage     biaxial\n  servo   stress yy 2 kPa  on boundary  by boundary  at most 1e-6 per cycle\n  cycles  10\nstage     walled\n  servo   stress xx 2 kPa yy 1 kPa  on box  by box  at most 1e-6 per cycle\n  cycles  10"},
   {"boundary stress", NB_IN_STAGE, stress, NULL, 1, false, nb_apply_boundary,
    "The boundary's bodies are free, and on each acts the force of a stress on its share of the polygon through their centres. From this "
    "stage on.",
@@ -219,6 +219,10 @@ static const struct nb_keyword table[] = {
   {"boundary none", NB_IN_STAGE, nothing, NULL, 3, false, nb_apply_boundary,
    "There is no boundary from this stage on: its bodies are free again, with the velocity that they have.",
    "stage     loose\n  boundary none\n  cycles  10"},
+  {"box strain", NB_IN_STAGE, box_strain, NULL, 0, false, nb_apply_box_strain,
+   "The walls of the box follow a strain rate about its middle, exactly; they grow or shrink with it, so that its corners stay closed. From this stage on, until a stage moves one "
+   "of them by `wall` or `walls`.",
+   "stage     narrow\n  box     strain -1e-6 per cycle 1e-7 per cycle\n  cycles  10"},
   {"continuum strain", NB_IN_STAGE, continuum_strain, NULL, 0, false, nb_apply_continuum,
    "All bodies that are free and no boundary's are carried along with a strain rate about the boundary's centre, or the origin of the page. "
    "Forces and damping change what their velocities are beyond it [R89 4.41, 4.42]. From this stage on.",

@@ -5,8 +5,9 @@
  *
  *   s, s0  stress, measured and wanted, compression positive, Pa
  *   B      stiffness against a change of area of an assembly all of whose bodies follow the strain, Pa
- *          dp = -B tr(L) dt,   B = sum k_n l^2/(4 A h): over contacts, k_n their normal stiffness, l the way from centre to centre
- *   T      2 R (rho/B)^(1/2), R the boundary's mean radius; of a cell A^(1/2) in the place of 2 R: a wave of pressure goes across
+ *          dp = -B tr(L) dt,   B = sum k_n l^2/(4 A h): over contacts, k_n their normal stiffness, l the way from centre to centre,
+ *          or, of a box, from a centre to the wall
+ *   T      2 R (rho/B)^(1/2), R the boundary's mean radius; of a cell or a box A^(1/2) in the place of 2 R: a wave of pressure goes across
  *          the assembly in it, s
  *
  * With an assembly of stiffness f B, 0 < f <= 1 since bodies that may give way are softer than B, what is off goes with
@@ -22,16 +23,19 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "servo.h"
+#include "box.h"
 #include "region.h"
 
 /* B, Pa, and M/(A h), kg/m3: of all that is there. */
-static double stiffness(const struct nb_model *model, double volume) {
+static double stiffness(const struct nb_model *model, const struct nb_servo *servo, double volume) {
   const struct nb_contacts *contacts = &model->contacts;
   double sum = 0;
   for (size_t c = 0; c < contacts->count; c++) {
-    if (model->pairings[contacts->pairing[c]].wall || !(contacts->kept[NB_OVERLAP][c] > 0))
+    const bool wall = model->pairings[contacts->pairing[c]].wall;
+    if ((wall && !servo->box) || !(contacts->kept[NB_OVERLAP][c] > 0))
       continue;
-    const struct nb_vec l = nb_contacts_branch(model, c);
+    const struct nb_vec l = wall ? nb_wall_apart(&model->walls, contacts->b[c], model->bodies.position[contacts->a[c]])
+                                 : nb_contacts_branch(model, c);
     sum += contacts->kept[NB_STIFFNESS][c] * vec_dot(l, l);
   }
   return sum / (4 * volume);
@@ -65,10 +69,12 @@ static double largest(struct nb_tensor a) { return limited(limited(fabs(a.xx), a
 
 /* What is to be added to the strain rates now, 1/s. */
 static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double share) {
-  const double area = servo->cell ? nb_cell_area(model->cell) : nb_ring_area(model);
-  const double width = servo->cell ? sqrt(area) : 2 * nb_ring_radius(model), volume = area * nb_thickness(model);
+  const struct nb_vec sides = servo->box ? nb_box_sides(model) : vec(0, 0);
+  const double area = servo->cell ? nb_cell_area(model->cell) : servo->box ? sides.x * sides.y : nb_ring_area(model);
+  const double width = servo->cell || servo->box ? sqrt(area) : 2 * nb_ring_radius(model);
+  const double volume = area * nb_thickness(model);
   const double most = servo->per_cycle ? servo->most / model->step : servo->most;
-  const double b = stiffness(model, volume), t = width * sqrt(density(model, volume) / b);
+  const double b = stiffness(model, servo, volume), t = width * sqrt(density(model, volume) / b);
   struct nb_servo_from *from = &model->carry->servo_from;
   const struct nb_tensor off = off_by(model, servo, share);
   /* b may be 0, and then t has no end: what is left is the direction */
@@ -96,12 +102,16 @@ void nb_servo_begin(struct nb_model *model) {
 void nb_servo_set(struct nb_model *model) {
   struct nb_carry *carry = model->carry;
   const struct nb_servo *servo = &model->stage->servo;
-  if (model->stage_cycle % servo->every != 0 || !(servo->cell || model->drive->ring.held))
+  if (model->stage_cycle % servo->every != 0 || !(servo->cell || servo->box || model->drive->ring.held))
     return;
   const double share = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
   const struct nb_tensor more = correction(model, servo, share);
   const bool moved[NB_CARRIERS] = {
-      [NB_CARRIER_CONTINUUM] = servo->continuum, [NB_CARRIER_BOUNDARY] = !servo->cell, [NB_CARRIER_CELL] = servo->cell};
+      [NB_CARRIER_CONTINUUM] = servo->continuum,
+      [NB_CARRIER_BOUNDARY] = !servo->cell && !servo->box,
+      [NB_CARRIER_CELL] = servo->cell,
+      [NB_CARRIER_BOX] = servo->box,
+  };
   for (int c = 0; c < NB_CARRIERS; c++)
     carry->rate[c] = moved[c] ? tensor_add(carry->level[c], more) : carry->level[c];
 }

@@ -89,7 +89,7 @@ static enum nb_carrier take_carrier(struct nb_state_reading *reading) {
   for (int c = 0; c < NB_CARRIERS; c++)
     if (strcmp(nb_saved_carrier_words[c], name) == 0)
       return (enum nb_carrier)c;
-  nb_saved_expected(reading, "`nothing`, `continuum`, `boundary` or `cell`");
+  nb_saved_expected(reading, "`nothing`, `continuum`, `boundary`, `cell` or `box`");
   return NB_CARRIER_NONE;
 }
 

@@ -36,7 +36,8 @@ static void four(FILE *out, struct nb_tensor value) {
 const char *const nb_saved_carrier_words[NB_CARRIERS] = {[NB_CARRIER_NONE] = "nothing",
                                                          [NB_CARRIER_CONTINUUM] = "continuum",
                                                          [NB_CARRIER_BOUNDARY] = "boundary",
-                                                         [NB_CARRIER_CELL] = "cell"};
+                                                         [NB_CARRIER_CELL] = "cell",
+                                                         [NB_CARRIER_BOX] = "box"};
 
 /* What the scene does not have, or is as it always is, is not written. */
 static void write_outside(FILE *out, const struct nb_saved *saved) {

@@ -124,6 +124,27 @@ stage     on
   cycles    300
 END
 result $? 'a cell'
+in_two box <<'END'
+# Spheres between walls that follow a servo, and rest behind it
+```scene
+units     none
+material  m density 3 friction 0.3 young 50000 poisson 0.2
+normal    hertz
+shear     mindlin
+box       0 0 to 8 8 m
+spheres   lattice 4 by 4 m radius 1 spacing 2 from 1 1
+region    A all
+record    time A.stress.xx A.stress.yy box.width box.stress.yy
+step      0.001
+stage     shear
+  servo     stress xx 20 yy 10 on box by box at most 1e-5 per cycle
+  cycles    500
+---
+stage     on
+  step      0.0007
+  cycles    300
+END
+result $? 'walls that follow a servo'
 
 # ---- another text of the page ----
 

@@ -70,8 +70,24 @@ static void a_cell(void) {
   same("cell, ratio", cell, "damping contact-ratio 0.1");
 }
 
+static const char box[] = GRAINS "box 0 0 to 12 12 m\nspheres fill box 0.1 0.1 to 11.9 11.9 g m seed 2 tries 100000 "
+                                 "else skip\ngravity 0.01 0\nrecord time box.stress.mean box.width\n"
+                                 "stage gather\nbox strain -5e-5 per cycle -6e-5 per cycle\ncycles 2500\n"
+                                 "stage gather-on\nstep 0.0007\ncycles 200\n"
+                                 "stage servo\nservo isotropic 20 on box by box at most 1e-5 per cycle every 7 cycles\n"
+                                 "cycles 100\nstage servo-on\nstep 0.001\ncycles 100\n"
+                                 "stage push\nwalls inward 0.01\ncycles 100\n"
+                                 "stage again\nservo mean 30 on box by box at most 1e-5 per cycle\ncycles 100\n"
+                                 "stage still\nwalls stop\ncycles 50\nstage still-on\nstep 0.0012\ncycles 50\n";
+
+static void a_box(void) {
+  same("box", box, "");
+  same("box, ratio", box, "damping contact-ratio 0.1");
+}
+
 void suite_state_driven(void) {
   CU_pSuite suite = CU_add_suite("state_driven", NULL, NULL);
   CU_add_test(suite, "an assembly with a boundary goes on to the same bits from every stage", a_ring);
   CU_add_test(suite, "and one in a periodic cell", a_cell);
+  CU_add_test(suite, "and one between walls that follow", a_box);
 }

@@ -1,0 +1,119 @@
+/* A box whose walls follow a strain rate or a servo.
+ *
+ * One disc of radius 1 in the middle of a square box of side W: F = k (1 - W/2), p = F/W, and with the way from its centre to a wall W/2
+ * B = 4 k (W/2)^2/(4 W^2) = k/4, T = W (M/W^2/B)^(1/2). The disc stays where it is, so all is a recursion of W alone.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+
+#include "suites.h"
+#include "written.h"
+
+#define DISC "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 1 m\nbox -1 -1 to 1 1 m\n"
+
+static void run(struct nb_result *result, const char *page) {
+  struct words words = {0};
+  struct written it;
+  words_add(&words, "%s", page);
+  written_scene(&it, &words);
+  written_run(result, &it, NULL);
+  written_free(&it);
+}
+
+static const double *row(const struct nb_result *result, size_t n) {
+  return result->table.values + n * result->table.column_count;
+}
+
+static void the_servo_goes_as_predicted(void) {
+  const double pi = 3.14159265358979323846, dt = 0.0125, most = 1e-4, wanted = 7;
+  const double b = 1000 / 4., t = sqrt(2 * pi / b);
+  struct nb_result result;
+  run(&result, DISC "record box.width box.height box.stress.xx box.stress.yy cycle\nstage s\n"
+                    "servo isotropic 7 on box by box at most 1e-4 per cycle every 3 cycles\ncycles 1500\n");
+  double side = 2, rate = 0, gathered = NAN;
+  int limited = 0;
+  for (int n = 0; n <= 1500; n++) {
+    const double p = 1000 * (1 - side / 2) / side;
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[0], side, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[1], side, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[2], p, 1e-9);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[3], p, 1e-9);
+    const double asked = p > 0 ? (p - wanted) / (2 * b * t) * dt : -INFINITY;
+    if (n % 3 == 0) { /* as in tests/servo.c */
+      const bool fast = !(fabs(asked) <= most);
+      const double first = fast ? copysign(most, asked) : asked;
+      const bool anew = fast || !(fabs(first + gathered) <= most);
+      rate = anew ? first * (1 - (1 - sqrt(0.75)) / 2) : first + gathered;
+      gathered = anew ? -(1 - sqrt(0.75)) / 2 * first : gathered + first * 3 * dt / (16 * t);
+    }
+    limited += fabs(rate) > 0.9 * most;
+    side *= 1 + rate;
+  }
+  CU_ASSERT(limited > 10 && limited < 300);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "box.stress.xx"), wanted, 0.005 * wanted);
+  nb_result_free(&result);
+}
+
+/* Each wall by its ends: the corners of the box, wherever it lies. */
+static void corners_stay_closed(void) {
+  static const char *const places[] = {"", "place mirror x turn 0.52359877559829882 shift 0.5 -0.25\n"};
+  static const double angles[] = {0, 30 * 3.14159265358979323846 / 180};
+  for (int k = 0; k < 2; k++) {
+    struct words words = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&words,
+              "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nbox -3 -2 to 3 2 m\n%s"
+              "record box.width box.height box.strain.width box.area\nstage s\n"
+              "box strain 1e-4 per cycle -2e-4 per cycle\ncycles 500\nsnapshot\n",
+              places[k]);
+    written_scene(&it, &words);
+    written_run(&result, &it, NULL);
+    const double wide = 6 * pow(1 + 1e-4, 500), high = 4 * pow(1 - 2e-4, 500);
+    const double x[] = {-wide / 2, wide / 2, wide / 2, -wide / 2}, y[] = {-high / 2, -high / 2, high / 2, high / 2};
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[0], wide, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[1], high, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[2], wide / 6 - 1, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[3], wide * high, 1e-11);
+    for (int w = 0; w < 4; w++) {
+      const double *wall = result.snapshots[0].walls.values + 5 * w;
+      for (int end = 0; end < 2; end++) {
+        const int corner = (w + end) % 4;
+        const double px = k ? -x[corner] : x[corner], c = cos(angles[k]), s = sin(angles[k]);
+        CU_ASSERT_DOUBLE_EQUAL(wall[1 + 2 * end], c * px - s * y[corner] + 0.5 * k, 1e-12);
+        CU_ASSERT_DOUBLE_EQUAL(wall[2 + 2 * end], s * px + c * y[corner] - 0.25 * k, 1e-12);
+      }
+    }
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
+/* Until a stage moves them otherwise, and again when one strains the box; a servo takes the walls as well. */
+static void walls_follow_until_they_are_moved(void) {
+  static const double wanted[] = {4 * 1.001, 4 * 1.001 * 1.001, 4 * 1.001 * 1.001, 4 * 1.001 * 1.001 - 0.025,
+                                  4 * 1.001 * 1.001 - 0.025};
+  struct nb_result result;
+  run(&result, "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nbox -2 -2 to 2 2 m\n"
+               "record box.width box.height\nstage a\nbox strain 1e-3 per cycle 0 per cycle\ncycles 1\n"
+               "stage b\nstep 0.025\ncycles 1\nstage c\nwalls stop\ncycles 1\nstage d\nwalls inward 1\nstep 0.0125\n"
+               "cycles 1\nstage e\nbox strain 0 per cycle 1e-3 per cycle\ncycles 1\n"
+               "stage f\nwalls inward -1\ncycles 1\n"
+               "stage g\nservo mean 1 on box by box at most 1e-3 per cycle\ncycles 1\n");
+  for (size_t n = 0; n < 5; n++)
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, n + 1)[0], wanted[n], 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(row(&result, 4)[1], 4 - 0.025, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(row(&result, 5)[1], (4 - 0.025) * 1.001, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(row(&result, 6)[0], wanted[4] + 0.025, 1e-12);
+  CU_ASSERT(row(&result, 7)[0] < row(&result, 6)[0]); /* nothing is left of that velocity, nor of the strain rate before */
+  CU_ASSERT_DOUBLE_EQUAL(row(&result, 7)[1] / row(&result, 6)[1], row(&result, 7)[0] / row(&result, 6)[0], 1e-12);
+  nb_result_free(&result);
+}
+
+void suite_box(void) {
+  CU_pSuite suite = CU_add_suite("box", NULL, NULL);
+  CU_add_test(suite, "a servo by the box goes as it is predicted", the_servo_goes_as_predicted);
+  CU_add_test(suite, "corners stay closed, wherever the box lies", corners_stay_closed);
+  CU_add_test(suite, "walls follow until they are moved otherwise", walls_follow_until_they_are_moved);
+}
