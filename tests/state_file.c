@@ -150,7 +150,7 @@ static void every_mistake(void) {
       {"inward 0x1p+1 ", "inward ", "a.state:13:21: expected a number, found the end of the line"},
       {"rotation off", "rotation slow", "a.state:14:10: expected `off`, `on`, found `slow`"},
       {"carrier boundary", "carrier wind",
-       "a.state:17:9: expected `nothing`, `continuum`, `boundary` or `cell`, found `wind`"},
+       "a.state:17:9: expected `nothing`, `continuum`, `boundary`, `cell` or `box`, found `wind`"},
       {"continuum apart", "continuum near", "a.state:16:19: expected `apart`, `literal`, found `near`"},
       {" cycle 0x", " day 0x", "expected `time`, `cycle`, found `day`"},
       {"carried 9", "carried 8", "expected a whole number from 9 to 9, found `8`"},
