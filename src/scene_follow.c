@@ -20,7 +20,7 @@ bool nb_follow_read(struct nb_leg *leg, const char *path, bool unitless, struct 
 
 void nb_path_follow(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
-  struct nb_stage stage = {.name = "follow", .record = 1, .cycles = 1};
+  struct nb_stage stage = {.name = "follow", .record = 1, .look = 1, .cycles = 1, .snapshot_from = -1};
   for (size_t s = 0; s < scene->stage_count; s++) {
     stage.snapshot = stage.snapshot || scene->stages[s].snapshot;
     free(scene->stages[s].leg.points);

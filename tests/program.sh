@@ -209,6 +209,14 @@ run 0 run "$pages/bench.md" --follow path.tsv -o path
 test "$(column slip/m path/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 ' || echo 'the path was not followed' >>why
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'nor was its unit' >>why
 column stage path/table.tsv | grep -qv follow && echo 'a leg of the page is left' >>why
+{
+  sed '/^leg/,$d' "$pages/bench.md"
+  printf 'leg user follow path.tsv\nleg on slip by 1 um in 1 step\n```\n```expect\nslip in user stated -0.1 um within 0 um [path.tsv]\n```\n'
+} >own.md
+run 0 check own.md
+out '1 of 1 checks passed'
+run 0 run own.md -o own
+test "$(column slip/m own/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 8.9999999999999996e-07 ' || echo 'the leg did not follow its file' >>why
 run 0 explain "$pages/bench.md" --follow path.tsv
 out 'from point to point of a file'
 run 2 check "$pages/bench.md" --follow path.tsv
