@@ -31,6 +31,7 @@ for recipe in plots/*.gp; do
   test "$name" = style.gp || grep -qF "load plots.'$name'" cases/*.md || echo "no page draws $recipe"
   grep -qF "$recipe" Makefile.am || echo "$recipe is not installed"
 done >"$work/said"
+grep -n '^ *set term' cases/*.md plots/*.gp | sed 's/$/: eval canvas(WIDE, HIGH) draws the PNG as well/' >>"$work/said"
 test ! -s "$work/said"
 result $? "recipes of figures are drawn by a page, and installed"
 

@@ -1,0 +1,54 @@
+#!/bin/sh
+# docs/THESIS.md has a row for every figure of R89's chapter 6, the pages it names are cases, and where it claims to show a figure one of
+# these pages says in its heading that it is about that figure. TAP. $srcdir is the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+table=docs/THESIS.md
+
+# The figures that a text names: `figures 6.31–6.33, 6.35` gives 6.31 6.32 6.33 6.35.
+figures() {
+  sed 's/–/ - /g; s/[^0-9. -]/ /g' | awk '{
+    for (k = 1; k <= NF; k++) {
+      if ($k == "-") { range = 1; continue }
+      if ($k !~ /^[0-9]\.[0-9]+$/) { range = 0; continue }
+      split($k, now, "."); split(last, before, ".")
+      if (range && now[1] == before[1])
+        for (f = before[2] + 1; f < now[2]; f++) print now[1] "." f
+      print last = $k
+      range = 0
+    }
+  }'
+}
+
+grep '^| [0-9]' $table >"$work/rows"
+
+{ echo 4.1 && awk 'BEGIN { for (f = 1; f <= 43; f++) print "6." f }'; } >"$work/wanted"
+cut -d '|' -f 2 "$work/rows" | figures >"$work/there"
+diff "$work/wanted" "$work/there" >"$work/said"
+result $? "a row for every figure, in their order, and none twice"
+
+while IFS= read -r row; do
+  mine=$(echo "$row" | cut -d '|' -f 2 | figures)
+  shown=$(echo "$row" | cut -d '|' -f 3 | grep -o 'cases/[^)]*\.md')
+  verdict=$(echo "$row" | cut -d '|' -f 6)
+  for page in $(echo "$row" | grep -o 'cases/[^)]*\.md'); do
+    grep -q "^  $page\( \\\\\)*$" Makefile.am || echo "$mine: $page is no case"
+  done
+  case $verdict in
+  *'**holds**'* | *'**among ours**'* | *'**in part**'* | *'**does not**'*)
+    for figure in $mine; do
+      for page in $shown; do
+        grep -m 1 '^\[' "$page" | grep -o 'figure.*' | sed 's/section.*//' | figures
+      done | grep -Fqx "$figure" || echo "$figure: no page named in its row is about it"
+    done
+    ;;
+  *'**not shown**'*) ;;
+  *) echo "$mine: there is no verdict" ;;
+  esac
+done <"$work/rows" >"$work/said"
+test ! -s "$work/said"
+result $? "pages that are there, about the figure, and a verdict"
+
+echo "1..$n"
