@@ -191,7 +191,7 @@ struct nb_saved;
 struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
                                  const struct nb_saved *saved, struct nb_error *error);
 
-/* names.c: fields that some column or condition of the scene reads, and what else is to be kept for it: */
+/* observe.c: fields that some column or condition of the scene reads, and what else is to be kept for it: */
 #define NB_ASKS_FRACC (1u << 27)  /* fracc.c */
 #define NB_ASKS_STRAIN (1u << 28) /* strain.c */
 #define NB_ASKS_WORK (1u << 29)   /* the work balance, energy.h */

@@ -266,23 +266,6 @@ double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *mod
   return quantity.kind->value(model, quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch]);
 }
 
-unsigned nb_fields_watched(const struct nb_scene *scene) {
-  unsigned fields = 0;
-  for (size_t c = 0; c < scene->column_count; c++)
-    fields |= scene->columns[c].quantity.kind->fields;
-  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
-    const struct nb_stage *stage = &scene->stages[s];
-    for (size_t k = 0; k < stage->condition_count; k++)
-      fields |= stage->conditions[k].quantity.kind->fields;
-    for (int k = 0; k < 3 && stage->servo.line; k++)
-      fields |= stage->servo.quantity[k].kind->fields | NB_BIT(NB_OVERLAP) | NB_BIT(NB_STIFFNESS);
-    if (stage->snapshot)
-      fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |
-                NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS) | (stage->snapshot_from >= 0 ? NB_BIT(NB_SLIP) : 0);
-  }
-  return fields;
-}
-
 bool nb_quantity_row(size_t k, const char **name, const char **unit, const char **of, const char **help) {
   if (!row(k))
     return false;

@@ -57,7 +57,24 @@ void nb_table_free(struct nb_table *table) {
   *table = (struct nb_table){0};
 }
 
-/* ---- the columns of a page ---- */
+/* ---- the columns of a page, and what they read ---- */
+
+unsigned nb_fields_watched(const struct nb_scene *scene) {
+  unsigned fields = 0;
+  for (size_t c = 0; c < scene->column_count; c++)
+    fields |= scene->columns[c].quantity.kind->fields;
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    for (size_t k = 0; k < stage->condition_count; k++)
+      fields |= stage->conditions[k].quantity.kind->fields;
+    for (int k = 0; k < 3 && stage->servo.line; k++)
+      fields |= stage->servo.quantity[k].kind->fields | NB_BIT(NB_OVERLAP) | NB_BIT(NB_STIFFNESS);
+    if (stage->snapshot)
+      fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |
+                NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS) | (stage->snapshot_from >= 0 ? NB_BIT(NB_SLIP) : 0);
+  }
+  return fields;
+}
 
 bool nb_observe_begin(struct nb_table *table, const struct nb_scene *scene) {
   if (!nb_table_create(table, scene->column_count))

@@ -106,7 +106,8 @@ static void walls_follow_until_they_are_moved(void) {
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 4)[1], 4 - 0.025, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 5)[1], (4 - 0.025) * 1.001, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 6)[0], wanted[4] + 0.025, 1e-12);
-  CU_ASSERT(row(&result, 7)[0] < row(&result, 6)[0]); /* nothing is left of that velocity, nor of the strain rate before */
+  CU_ASSERT(row(&result, 7)[0] <
+            row(&result, 6)[0]); /* nothing is left of that velocity, nor of the strain rate before */
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 7)[1] / row(&result, 6)[1], row(&result, 7)[0] / row(&result, 6)[0], 1e-12);
   nb_result_free(&result);
 }
