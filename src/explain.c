@@ -180,6 +180,7 @@ void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *
   if (model->balance)
     fprintf(out, "balances\n  %s%s%s, summed up every cycle by one thread\n", model->balance->works ? "work" : "",
             model->balance->works && model->balance->energies ? " and " : "", model->balance->energies ? "energy" : "");
+  nb_explain_regions(out, model);
   explain_step(out, model);
   explain_stages(out, model);
 }

@@ -12,8 +12,11 @@ void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb
                         struct nb_properties *now);
 
 /* explain_drive.c: what moves the assembly; nothing where nothing is said. */
-void nb_explain_drive(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage);
+void nb_explain_drive(FILE *out, const struct nb_model *model, const struct nb_stage *stage);
 void nb_explain_circle(FILE *out, const struct nb_circle *circle, bool unitless);
+
+/* explain_region.c: what is measured together, and who looks at it. */
+void nb_explain_regions(FILE *out, const struct nb_model *model);
 
 /* explain_fill.c: what became of every filling. */
 void nb_explain_fills(FILE *out, const struct nb_scene *scene);

@@ -66,7 +66,7 @@ void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb
                         struct nb_properties *now) {
   struct nb_properties before = {0};
   explain_laws(out, model, stage);
-  nb_explain_drive(out, model->scene, stage);
+  nb_explain_drive(out, model, stage);
   if (stage->still)
     fprintf(out, "    still: all bodies stop\n");
   for (size_t k = 0; k < stage->removal_count; k++) {

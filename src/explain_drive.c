@@ -1,7 +1,11 @@
 /* What moves the assembly in a stage, in words: circle, boundary, continuum, cell, rotation, servo.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
 #include "explain.h"
+#include "names.h"
+#include "servo.h"
 
 static void rate(FILE *out, const char *what, const struct nb_strain_rate *strain, bool unitless, const char *more,
                  int line) {
@@ -28,15 +32,36 @@ static void explain_boundary(FILE *out, const struct nb_boundary *to, bool unitl
   }
 }
 
-static void explain_servo(FILE *out, const struct nb_servo *servo, bool unitless) {
+/* The region that is looked at, or `boundary`, `cell`, `box`: what stands before `.stress` or is watched. */
+static void explain_place(FILE *out, const struct nb_scene *scene, const struct nb_servo *servo) {
+  const struct nb_quantity *seen = &servo->quantity[0];
+  const char *name = seen->watch < 0 ? seen->kind->name : scene->watches[seen->watch].name;
+  fprintf(out, " on %.*s", (int)strcspn(name, "."), name);
+}
+
+/* B and T as the scene begins, where something is pressed then. */
+static void explain_gain(FILE *out, const struct nb_model *model, const struct nb_servo *servo) {
+  double b, t;
+  fputs("      gain: rate = off/(2 B T), and what has gathered of it over 16 T; ", out);
+  if (nb_servo_scales(model, servo, &b, &t))
+    fprintf(out, "now B is %g%s, from the contacts' stiffness, and T %g%s, a wave's time across\n", b,
+            model->scene->unitless ? "" : " Pa", t, model->scene->unitless ? "" : " s");
+  else
+    fputs("B from the contacts' stiffness, T a wave's time across; nothing is pressed yet\n", out);
+}
+
+static void explain_servo(FILE *out, const struct nb_model *model, const struct nb_servo *servo) {
   static const char *const parts[] = {"xx", "yy", "xy"};
+  const bool unitless = model->scene->unitless;
   fprintf(out, "    %sservo holds", servo->ramp ? "ramp " : "");
   if (servo->mean)
     fprintf(out, " (xx + yy)/2 at %g", servo->stress[0]);
   for (int k = 0; k < 3 && !servo->mean; k++)
     if (servo->held[k])
       fprintf(out, " %s at %g", parts[k], servo->stress[k]);
-  fprintf(out, "%s by %s, looked at every %lu cycles, at most %g%s (line %d)\n", unitless ? "" : " Pa",
+  fputs(unitless ? "" : " Pa", out);
+  explain_place(out, model->scene, servo);
+  fprintf(out, " by %s, looked at every %lu cycles, at most %g%s (line %d)\n",
           servo->cell        ? "the cell"
           : servo->box       ? "the walls of the box"
           : servo->continuum ? "boundary and continuum"
@@ -46,12 +71,11 @@ static void explain_servo(FILE *out, const struct nb_servo *servo, bool unitless
           : unitless       ? ""
                            : " 1/s",
           servo->line);
-  fprintf(out, "      gain: rate = off/(2 B T), and what has gathered of it over 16 T; B from the contacts' stiffness, "
-               "T a wave's time across\n");
+  explain_gain(out, model, servo);
 }
 
-void nb_explain_drive(FILE *out, const struct nb_scene *scene, const struct nb_stage *stage) {
-  const bool unitless = scene->unitless;
+void nb_explain_drive(FILE *out, const struct nb_model *model, const struct nb_stage *stage) {
+  const bool unitless = model->scene->unitless;
   nb_explain_circle(out, &stage->circle, unitless);
   if (stage->boundary.line)
     explain_boundary(out, &stage->boundary, unitless);
@@ -65,7 +89,7 @@ void nb_explain_drive(FILE *out, const struct nb_scene *scene, const struct nb_s
   if (stage->rotation_line)
     fprintf(out, "    rotation %s (line %d)\n", stage->rotation == NB_ROTATION_ON ? "on" : "off", stage->rotation_line);
   if (stage->servo.line)
-    explain_servo(out, &stage->servo, unitless);
+    explain_servo(out, model, &stage->servo);
 }
 
 void nb_explain_circle(FILE *out, const struct nb_circle *circle, bool unitless) {

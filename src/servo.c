@@ -67,14 +67,24 @@ static struct nb_tensor off_by(const struct nb_model *model, const struct nb_ser
 
 static double largest(struct nb_tensor a) { return limited(limited(fabs(a.xx), a.yy), a.xy); }
 
-/* What is to be added to the strain rates now, 1/s. */
-static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double share) {
+bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
   const struct nb_vec sides = servo->box ? nb_box_sides(model) : vec(0, 0);
+  *b = *t = 0;
+  if (!servo->cell && !servo->box && !(model->drive && model->drive->ring.begun))
+    return false;
   const double area = servo->cell ? nb_cell_area(model->cell) : servo->box ? sides.x * sides.y : nb_ring_area(model);
   const double width = servo->cell || servo->box ? sqrt(area) : 2 * nb_ring_radius(model);
   const double volume = area * nb_thickness(model);
+  *b = stiffness(model, servo, volume);
+  *t = width * sqrt(density(model, volume) / *b); /* without end, where nothing is pressed */
+  return *b > 0;
+}
+
+/* What is to be added to the strain rates now, 1/s. */
+static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double share) {
   const double most = servo->per_cycle ? servo->most / model->step : servo->most;
-  const double b = stiffness(model, servo, volume), t = width * sqrt(density(model, volume) / b);
+  double b, t;
+  nb_servo_scales(model, servo, &b, &t);
   struct nb_servo_from *from = &model->carry->servo_from;
   const struct nb_tensor off = off_by(model, servo, share);
   /* b may be 0, and then t has no end: what is left is the direction */

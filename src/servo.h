@@ -7,6 +7,8 @@
 #include "drive.h"
 
 void nb_servo_begin(struct nb_model *model); /* once the stage's other statements hold */
-void nb_servo_set(struct nb_model *model);   /* before a motion: the strain rates over the steps to come */
+/* B, Pa, and T, s, that gains are made of now; false: there is nothing yet that a servo could move, or nothing is pressed. */
+bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t);
+void nb_servo_set(struct nb_model *model); /* before a motion: the strain rates over the steps to come */
 
 #endif

@@ -165,13 +165,19 @@ out '1500 cycles'
 absent same-bits.out
 run 0 explain "$pages/drives.md"
 out 'boundary begins: bodies 10 from 0, 0 or beyond, held (line 9)'
-out 'boundary carried by xx 0.0001, yy -0.0001, xy 2e-05, yx 2e-05 per cycle (line 13)'
-out 'continuum carried by xx 0.01, yy 0.03, xy 0, yx 0, literal (line 14)'
-out 'rotation off (line 15)'
-out 'gravity centripetal 0.5 about 1, 2 (line 16)'
-out 'ramp servo holds (xx + yy)/2 at 12 by boundary and continuum, looked at every 5 cycles, at most 0.0001 per cycle (line 22)'
-out 'boundary free, under a stress of xx 3, yy 4, xy 1 (line 25)'
-out 'boundary none: its bodies are free (line 28)'
+out 'boundary carried by xx 0.0001, yy -0.0001, xy 2e-05, yx 2e-05 per cycle (line 15)'
+out 'continuum carried by xx 0.01, yy 0.03, xy 0, yx 0, literal (line 16)'
+out 'rotation off (line 17)'
+out 'gravity centripetal 0.5 about 1, 2 (line 18)'
+out 'ramp servo holds (xx + yy)/2 at 12 on boundary by boundary and continuum, looked at every 5 cycles, at most 0.0001 per cycle (line 24)'
+out 'boundary free, under a stress of xx 3, yy 4, xy 1 (line 27)'
+out 'boundary none: its bodies are free (line 34)'
+out 'servo holds xx at 12 on B by the boundary, looked at every 10 cycles, at most 0.0001 per cycle (line 31)'
+out 'nothing is pressed yet'
+out 'A: circle of 5 about 1, 2: 1 bodies now; strain since stage b; 3 rings (line 10)'
+out '2 columns, the snapshot of stage `d`'
+out "B: inside 0.5 of the boundary's mean radius: 1 bodies now; strain since the start (line 11)"
+out '0 columns, the end of stage `c2`, the servo of stage `c2`'
 verdict 'explain'
 
 # ---- what a run leaves ----
