@@ -2,7 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "observe.h"
-#include "drive.h"
+#include "names.h"
 
 #include <stdlib.h>
 #include <string.h>
