@@ -7,11 +7,12 @@ unset border
 unset tics
 unset grid
 unset key
-stats @contacts using (sqrt(column('fx/N')**2 + column('fy/N')**2)) name 'force' nooutput
-strong(from, to) = (f = sqrt(column('fx/N')**2 + column('fy/N')**2) / force_mean, f > from && f <= to)
+# columns of a table of contacts: x 4, y 5, radii 6 and 7, direction 8 and 9, force 14 and 15
+stats @contacts using (sqrt($14**2 + $15**2)) name 'force' nooutput
+strong(from, to) = (f = sqrt(column(14)**2 + column(15)**2) / force_mean, f > from && f <= to)
 array from[4] = [0, 0.5, 1, 2]
 array to[4] = [0.5, 1, 2, 1e9]
 array width[4] = [0.3, 0.8, 1.8, 3.5]
 # between the two outlines is x, y: half an overlap, which no one sees, beside the end of the radius
-plot @bodies using 'x/m':'y/m':'radius/m' with circles lc rgb '#bbbbbb' lw 0.3 fs empty, \
-     for [k = 1:4] @contacts using (strong(from[k], to[k]) ? column('x/m') - column('ra/m') * column('ex/-') : NaN):(column('y/m') - column('ra/m') * column('ey/-')):((column('ra/m') + column('rb/m')) * column('ex/-')):((column('ra/m') + column('rb/m')) * column('ey/-')) with vectors nohead lw width[k] lc rgb '#0072b2'
+plot @bodies using 2:3:4 with circles lc rgb '#bbbbbb' lw 0.3 fs empty, \
+     for [k = 1:4] @contacts using (strong(from[k], to[k]) ? $4 - $6 * $8 : NaN):($5 - $6 * $9):(($6 + $7) * $8):(($6 + $7) * $9) with vectors nohead lw width[k] lc rgb '#0072b2'

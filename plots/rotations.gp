@@ -12,8 +12,9 @@ unset key
 unset colorbox
 set offsets graph 0.08, graph 0.08, graph 0.08, graph 0.08
 set palette defined (-1 '#0072b2', 0 '#ffffff', 1 '#d55e00')
-stats @bodies using (abs(column('turned/rad'))) name 'turned' nooutput
-share(c) = turned_max > 0 ? column('turned/rad') / turned_max : 0
+# columns of a table of bodies: x 2, y 3, radius 4, turned 16
+stats @bodies using (abs($16)) name 'turned' nooutput
+share(c) = turned_max > 0 ? column(16) / turned_max : 0
 shade(c) = turns eq 'size' ? share(c) : turns eq 'direction' ? sgn(share(c)) : 0
 set cbrange [-1:1]
 plot @bodies using 2:3:4:(shade(0)) with circles lc palette fs solid border lc rgb '#444444', \
