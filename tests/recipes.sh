@@ -12,7 +12,7 @@ if ! command -v gnuplot >/dev/null; then
 fi
 
 # Two rows of three discs, those at the ends fixed: pressed with 2 and 2, and with 2 and 1; a disc on a wall, pressed with 1. The last one has turned.
-mkdir -p "$work/cases" && cp -R plots "$work" && cd "$work/cases" || exit 1
+mkdir -p "$work/cases" && cp -R plots "$work" && chmod -R u+w "$work" && cd "$work/cases" || exit 1
 cat >known.md <<'EOF'
 # Known contacts
 
