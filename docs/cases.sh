@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes cases/README.md: the pages in reading order, and which feature each tries, read off the pages themselves.
+# Writes cases/README.md: the pages in reading order, and what is tried where: words from docs/LANGUAGE.md, laws from src/laws, uses from the pages.
 #
 #   docs/cases.sh >cases/README.md
 #
@@ -33,40 +33,133 @@ cat <<'TEXT'
 
 ## What is tried where
 
+Every word of the language and every law, with the pages that say it themselves; of words that more than a dozen pages say, how many do. What a page `start`s from is not counted again. What no page says is tried by tests alone.
 TEXT
 awk '
-  # A feature: its head, the block it is said in, and what a line of that block matches.
-  function feature(head, block, pattern) { heads[++n] = head; blocks[n] = block; patterns[n] = pattern }
-  BEGIN {
-    feature("spheres", "scene", "^spheres? ")
-    feature("shear", "scene", "^shear +[^n]")
-    feature("gravity", "scene", "^(ramp +)?gravity ")
-    feature("walls move", "scene", "^(walls +inward|(ramp +)?wall .*velocity)")
-    feature("walls turn", "scene", "^(ramp +)?wall .*spin")
-    feature("dashpots", "scene", "^damping +contact")
-    feature("global damping", "scene", "^damping +(global|con1)")
-    feature("unlike materials", "scene", "^(pair |material +[^ ]+ .*)")
-    feature("sweep", "scene", "^sweep ")
-    feature("until", "scene", "^until ")
-    feature("energy", "expect", "^(energy|work|momentum)")
-    feature("curve", "expect", " along ")
-    feature("trend", "expect", " (rises|falls|same|below|above|order) ")
-    feature("stated", "expect", " stated ")
-    feature("picture", "scene", "^snapshot")
-    printf "| page |"; for (k = 1; k <= n; k++) printf " %s |", heads[k]; printf "\n| --- |"
-    for (k = 1; k <= n; k++) printf " --- |"; printf "\n"
-    for (p = 1; p < ARGC; p++) {
-      file = ARGV[p]; block = ""; delete has; materials = 0
-      while ((getline line < file) > 0) {
-        if (line ~ /^```/) { block = block == "" ? substr(line, 4) : ""; continue }
-        if (block == "scene" && line ~ /^material /) materials++
-        for (k = 1; k <= n; k++) if (block == blocks[k] && line ~ patterns[k]) has[k] = 1
+  # ---- the rows: words from the manual, laws from their files, the rest from here ----
+  function row(part, name) { if (!((part, name) in is_row)) { is_row[part, name] = 1; parts[++n] = part; names[n] = name } }
+  function word_rows(  line, part, word, of) {
+    while ((getline line < "docs/LANGUAGE.md") > 0) {
+      if (line ~ /^## /) part = substr(line, 4)
+      if (line ~ /^### /) {
+        word = substr(line, 5)
+        row(part, word)
+        if (part != "Expectations") known[word] = 1
       }
-      close(file)
-      name = file; sub(/.*\//, "", name); sub(/\.md$/, "", name)
-      printf "| [%s](%s.md) |", name, name
-      for (k = 1; k <= n; k++) printf " %s |", (heads[k] == "unlike materials" ? materials > 1 : (k in has)) ? "x" : ""
-      printf "\n"
+      if (line ~ /In the scene and in stages/ && word != "stage") row("In a stage", word)
+      if (part == "Quantities" && line ~ /^Of .*:$/) of = substr(line, 4, length(line) - 4)
+      if (part == "Quantities" && of != "" && line ~ /^- `/) {
+        word = substr(line, 4, index(substr(line, 4), "`") - 1)
+        sub(/\..*/, "", word)
+        row(held, of ": " word)
+        if (of !~ /body|wall|pair|region|grading|bench/ || of == "a box of walls") alone[word] = of
+      }
+    }
+  }
+  function law_rows(  i, law) {
+    for (i = 1; i <= law_count; i++) {
+      law = laws[i]
+      sub(/.*\//, "", law); sub(/\.c$/, "", law); sub(/_/, " ", law)
+      row("Laws", law)
+    }
+  }
+  function kinds(part, verb, list,  i, m, all) {
+    m = split(list, all, " ")
+    for (i = 1; i <= m; i++) row(part, verb " … " all[i])
+  }
+  # ---- what a page says ----
+  function found(part, name) { if (!((part, name, page) in has)) { has[part, name, page] = 1; pages[part, name] = pages[part, name] " " page; count[part, name]++ } }
+  # The longest word of the language that the line begins with.
+  function verb_of(text,  m, all, k, try, best) {
+    m = split(text, all, /[ \t]+/)
+    for (k = 1; k <= m && k <= 3; k++) {
+      try = try (k > 1 ? " " : "") all[k]
+      if (try in known) best = try
+    }
+    return best
+  }
+  function holds(text, word) { return index(" " text " ", " " word " ") > 0 }
+  function kind_of(text) {
+    if (text ~ /^region /) return "a region"
+    if (text ~ / grading /) return "a grading"
+    if (text ~ / with /) return "a pair"
+    return text ~ /^watch +[^ ]+ +wall / ? "a wall" : "a body"
+  }
+  function scene_line(text, place,  verb, i, m, all) {
+    if (text ~ /^ramp /) { found("In a stage", "ramp"); sub(/^ramp +/, "", text) }
+    verb = verb_of(text)
+    if (verb == "") return
+    found(place, verb)
+    split(text, all, /[ \t]+/)
+    if (verb == "watch" || verb == "region") kind[all[2]] = kind_of(text)
+    if (verb == "sweep" || verb == "let") swept = swept " " text
+    if (verb == "normal" || verb == "shear") {
+      m = split(text, all, /[ \t]+/)
+      if (all[2] !~ /^\$/) found("Laws", verb " " all[2])
+      else chosen[verb] = 1
+    }
+    for (i = 1; i <= n; i++)
+      if (names[i] ~ / … / && parts[i] == "What is said with them" && substr(names[i], 1, index(names[i], " …") - 1) == verb_kind(verb) && holds(text, substr(names[i], index(names[i], "… ") + 4)))
+        found(parts[i], names[i])
+  }
+  function verb_kind(verb) { return verb ~ /^servo / ? "servo" : verb }
+  function expect_line(text, path,  i, all, word, of) {
+    for (i = 1; i <= n; i++)
+      if (parts[i] == "Expectations" && holds(text, names[i])) found(parts[i], names[i])
+    if (text ~ /^reference /) return
+    split(text, all, /[ \t]+/)
+    word = all[1]
+    of = index(word, ".") ? kind[substr(word, 1, index(word, ".") - 1)] : ""
+    if (of != "") sub(/^[^.]*\./, "", word)
+    sub(/\..*/, "", word)
+    if (path) of = "the contact on the bench"
+    if (of == "") of = alone[word]
+    found(held, of ": " word)
+  }
+  function look(file,  line, block, place, path, i) {
+    page = file; sub(/.*\//, "", page); sub(/\.md$/, "", page)
+    swept = ""; delete chosen; delete kind; path = 0; place = "The scene"; block = ""
+    while ((getline line < file) > 0) {
+      if (line ~ /^```/) { block = block == "" ? substr(line, 4) : ""; continue }
+      sub(/#.*/, "", line); gsub(/^[ \t]+|[ \t\r]+$/, "", line)
+      if (line == "") continue
+      if (block == "path") path = 1
+      if (block == "path" && line ~ /^(contact|leg|repeat) /) place = "On the bench"
+      if (block == "scene" || block == "path") scene_line(line, line ~ /^stage / ? "The scene" : place)
+      if (block == "scene" && line ~ /^stage /) place = "In a stage"
+      if (block == "expect") expect_line(line, path)
+    }
+    close(file)
+    for (i = 1; i <= n; i++) # laws that a sweep gives
+      if (parts[i] == "Laws" && (substr(names[i], 1, index(names[i], " ") - 1) in chosen) && holds(swept, substr(names[i], index(names[i], " ") + 1)))
+        found("Laws", names[i])
+  }
+  function links(list,  m, all, k, text) {
+    m = split(list, all, " ")
+    for (k = 1; k <= m; k++) text = text (k > 1 ? ", " : "") "[" all[k] "](" all[k] ".md)"
+    return text
+  }
+  BEGIN {
+    while ((("ls src/laws/normal_*.c src/laws/shear_*.c") | getline line) > 0) laws[++law_count] = line
+    held = "Quantities that are held against something"
+    word_rows()
+    law_rows()
+    kinds("What is said with them", "damping", "contact-beta contact-fraction contact-ratio walls critical global con1")
+    kinds("What is said with them", "step", "per safe critical contact rayleigh rayleigh-mean rayleigh-fit rayleigh-fit-mean")
+    kinds("What is said with them", "region", "circle box inside all rings from")
+    kinds("What is said with them", "servo", "boundary cell box continuum")
+    kinds("What is said with them", "snapshot", "from")
+    kinds("What is said with them", "units", "none")
+    row("Expectations", "among"); row("Expectations", "of peak")
+    for (k = 1; k < ARGC; k++) look(ARGV[k])
+    split("The scene|In a stage|On the bench|Laws|What is said with them|Expectations|" held, order, "|")
+    for (p = 1; p <= 7; p++) {
+      printf "\n### %s\n\n| | pages |\n| --- | --- |\n", order[p]
+      for (i = 1; i <= n; i++) {
+        if (parts[i] != order[p]) continue
+        c = count[parts[i], names[i]] + 0
+        printf "| %s | %s |\n", names[i] ~ /: / ? names[i] : "`" names[i] "`", (c == 0 ? "none" : c > 12 ? c " pages" : links(pages[parts[i], names[i]]))
+      }
     }
     exit
   }' $pages

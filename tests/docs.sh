@@ -35,6 +35,9 @@ grep -n '^ *set term' cases/*.md plots/*.gp | sed 's/$/: eval canvas(WIDE, HIGH)
 test ! -s "$work/said"
 result $? "recipes of figures are drawn by a page, and installed"
 
+docs/cases.sh >"$work/README.md" && diff -u cases/README.md "$work/README.md" >"$work/said"
+result $? 'cases/README.md is what docs/cases.sh makes'
+
 # ---- commands ----
 
 # Is it a target of make?
