@@ -76,26 +76,40 @@ static unsigned unsure_after(const struct nb_reader *reader) {
   return 0;
 }
 
-static void read_lines(struct nb_scene_reading *reading) {
+/* A statement, if there is one in that line. */
+static void read_line(struct nb_scene_reading *reading, size_t line) {
   struct nb_reader *reader = &reading->reader;
-  const struct nb_page *page = reader->page;
-  for (size_t i = 0; i < page->line_count; i++) {
-    if (page->kind_of[i] != 1 + (reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE) || !nb_line_read(reader, i + 1))
-      continue;
-    const char *verb = reader->tokens[0].text;
-    bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
-    if (!value && reading->survey)
-      continue;
-    if (!value && !reading->survey)
-      nb_hash_line(reading);
-    nb_statement_read(reader, nb_keywords(), reading->here, reading);
-    reading->cell_unsure = reading->cell_unsure || (reader->bad && strcmp(verb, "cell") == 0);
-    if (reading->lost)
-      return;
-    if (reader->bad && !reading->survey)
-      reader->unsure |= unsure_after(reader);
-    if (reading->scene->stage_count > 0 && !reading->survey)
-      nb_stage_now(reading->scene)->hash = reading->hash;
+  if (reader->page->kind_of[line - 1] != 1 + (reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE) ||
+      !nb_line_read(reader, line))
+    return;
+  const char *verb = reader->tokens[0].text;
+  bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
+  if (value ? reading->repeat.now > 0 : reading->survey)
+    return;
+  if (!value)
+    nb_hash_line(reading);
+  nb_statement_read(reader, nb_keywords(), reading->here, reading);
+  reading->cell_unsure = reading->cell_unsure || (reader->bad && strcmp(verb, "cell") == 0);
+  if (reading->lost)
+    return;
+  if (reader->bad && !reading->survey)
+    reader->unsure |= unsure_after(reader);
+  if (reading->scene->stage_count > 0 && !reading->survey)
+    nb_stage_now(reading->scene)->hash = reading->hash;
+}
+
+static void read_lines(struct nb_scene_reading *reading) {
+  struct nb_repeat *repeat = &reading->repeat;
+  for (size_t line = 1; line <= reading->reader.page->line_count && !reading->lost; line++) {
+    read_line(reading, line);
+    const unsigned long times = repeat->times;
+    repeat->times = 0;
+    for (unsigned long k = 0; k < times && !reading->reader.bad; k++) {
+      repeat->now = 2 + k;
+      for (size_t again = repeat->from; again < line && !reading->reader.bad; again++)
+        read_line(reading, again);
+    }
+    repeat->now = 0;
   }
 }
 

@@ -117,6 +117,12 @@ struct nb_scene_reading {
   bool bodies_unsure;     /* a statement about bodies was wrong: numbers of bodies cannot be checked */
   struct nb_asked *asked; /* owned */
   size_t asked_count;
+  struct nb_repeat {
+    size_t from;         /* line of the first stage or leg that is read again */
+    unsigned long times; /* how often; 0: nothing is */
+    unsigned long now;   /* 2, 3, …: which time this is, 0: the first */
+    size_t until;        /* line of the last `repeat` */
+  } repeat;
   const char *follow; /* --follow: the name of a file, NULL: none */
   int contact_line;   /* of a path */
 };
@@ -241,6 +247,8 @@ NB_APPLY(nb_apply_ramp);
 NB_APPLY(nb_apply_contact);
 NB_APPLY(nb_apply_leg);
 NB_APPLY(nb_apply_repeat);
+/* Names a stage or a leg; one that is read again NAME-2, NAME-3, … */
+void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *reading, const struct nb_token *name);
 NB_APPLY(nb_apply_cell);
 NB_APPLY(nb_apply_cell_strain);
 NB_APPLY(nb_apply_box_strain);

@@ -163,58 +163,15 @@ NB_APPLY(nb_apply_leg) {
   reading->here = NB_IN_LEG;
   if (!name)
     return;
-  snprintf(stage.name, sizeof stage.name, "%s", name->text);
-  const int same = find_leg(scene, name->text);
+  nb_stage_name(&stage, reading, name);
+  const int same = find_leg(scene, stage.name);
   if (same >= 0)
-    nb_token_mistake(reader, name, NULL, "there is a leg `%s` already, on line %d", name->text,
+    nb_token_mistake(reader, name, NULL, "there is a leg `%s` already, on line %d", stage.name,
                      scene->stages[same].line);
   else if (!reader->bad && take_leg(reader, &stage) && stage.leg.points)
     stage.cycles = stage.leg.point_count;
   if (!add_leg(scene, reader, stage))
     free(stage.leg.points);
-}
-
-NB_APPLY(nb_apply_repeat) {
-  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  unsigned long times;
-  char hint[NB_HINT_SIZE];
-  (void)record;
-  if (!nb_take_word(reader, "from"))
-    return;
-  const struct nb_token *token = nb_take(reader, "the name of a leg");
-  if (!token || token->hollow)
-    return;
-  const int first = find_leg(scene, token->text), count = (int)scene->stage_count - first;
-  if (first < 0) {
-    struct nb_guess guess = nb_guess_begin(token->text);
-    for (size_t s = 0; s < scene->stage_count; s++)
-      nb_guess_offer(&guess, scene->stages[s].name);
-    nb_not_known(reader, token, nb_guess_hint(&guess, hint), "the name of a leg above");
-    return;
-  }
-  if (!nb_take_count(reader, 1, NB_NAMED_MAX, &times) ||
-      (!nb_token_skip(reader, "time") && !nb_take_word(reader, "times")))
-    return;
-  for (int k = 0; k < count * (int)times; k++) {
-    struct nb_stage stage = scene->stages[first + k % count];
-    struct nb_leg *leg = &stage.leg;
-    char number[16];
-    const int letters = snprintf(number, sizeof number, "-%d", 2 + k / count);
-    const size_t most = sizeof stage.name - 1 - (size_t)letters, length = strlen(stage.name);
-    strcpy(stage.name + (length < most ? length : most), number);
-    if (leg->points) {
-      struct nb_point *points = malloc(leg->point_count * sizeof *points);
-      if (!points) {
-        nb_no_memory(reader);
-        return;
-      }
-      leg->points = memcpy(points, leg->points, leg->point_count * sizeof *points);
-    }
-    if (!add_leg(scene, reader, stage)) {
-      free(leg->points);
-      return;
-    }
-  }
 }
 
 /* ---- the whole ---- */

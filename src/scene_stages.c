@@ -26,10 +26,10 @@ NB_APPLY(nb_apply_stage) {
   }
   stage.line = (int)reader->line;
   if (name)
-    snprintf(stage.name, sizeof stage.name, "%s", name->text);
+    nb_stage_name(&stage, reading, name);
   for (size_t i = 0; i < scene->stage_count; i++)
-    if (name && strcmp(scene->stages[i].name, name->text) == 0)
-      nb_token_mistake(reader, name, NULL, "there is a stage `%s` already, on line %d", name->text,
+    if (name && strcmp(scene->stages[i].name, stage.name) == 0)
+      nb_token_mistake(reader, name, NULL, "there is a stage `%s` already, on line %d", stage.name,
                        scene->stages[i].line);
   if (nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "stages"))
     return;

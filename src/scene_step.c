@@ -61,7 +61,8 @@ NB_APPLY(nb_apply_step) {
   }
   if (nb_token_peek(reader))
     return; /* which the engine says */
-  if (!setting && here->line > (stage ? stage->line : 0)) {
+  /* one that is inherited stands above the stage, or below when it is read again */
+  if (!setting && here->line > (stage ? stage->line : 0) && here->line < (int)reader->line) {
     said_twice(reader, here->line);
     return;
   }
@@ -199,7 +200,7 @@ NB_APPLY(nb_apply_damping) {
                {said.global, &damping->global_line},
                {said.deep, &damping->deep_line}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-    if (parts[k].said && *parts[k].line > since) {
+    if (parts[k].said && *parts[k].line > since && *parts[k].line < line) {
       said_twice(reader, *parts[k].line);
       return;
     }

@@ -235,6 +235,9 @@ static const struct nb_keyword table[] = {
    "stage     stiff\n  rotation off\n  cycles  10"},
   {"rotation on", NB_IN_STAGE, nothing, NULL, 0, false, nb_apply_rotation, "They turn again.",
    "stage     roll\n  rotation on\n  cycles  10"},
+  {"repeat", NB_IN_STAGE, nothing, "from STAGE N times", 1, false, nb_apply_repeat,
+   "The lines from STAGE down to here once more, so often; those stages are called STAGE-2, STAGE-3 and so on.",
+   "stage     again\n  cycles  10\nrepeat    from again 2 times"},
   {"contact", NB_IN_PATH, nothing, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, true,
    nb_apply_contact,
    "The contact on the bench: of two bodies, or of one with a wall. They just touch at first.",
@@ -248,7 +251,7 @@ static const struct nb_keyword table[] = {
    "leg       press  overlap to 10 um  in 5 steps\nleg       load   shear to 15 N  hold normal\n"
    "leg       back   slip by -2 um  overlap by -1 um  in 1 step"},
   {"repeat", NB_IN_LEG, nothing, "from LEG N times", 0, false, nb_apply_repeat,
-   "The legs from LEG to the last one once more, so often; they are called LEG-2, LEG-3 and so on.",
+   "The lines from LEG down to here once more, so often; those legs are called LEG-2, LEG-3 and so on.",
    "repeat    from load 2 times"},
   {NULL, 0, NULL, NULL, 0, false, NULL, NULL, NULL},
 };

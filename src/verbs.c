@@ -90,6 +90,15 @@ static bool same_verb(const struct nb_keyword *table, const struct nb_keyword *r
   return false;
 }
 
+/* Whether the row is the bench's and another one of this word the scene's, where that is wanted; or the other way round. */
+static bool other_side(const struct nb_keyword *table, const struct nb_keyword *row, unsigned here) {
+  const unsigned bench = NB_IN_PATH | NB_IN_LEG, side = here & bench ? bench : ~bench;
+  for (const struct nb_keyword *other = table; other->apply && !(row->where & side); other++)
+    if (other->word && strcmp(other->word, row->word) == 0 && other->where & side)
+      return true;
+  return false;
+}
+
 /* The verb is unknown, or known but not here. Answers the row that was probably meant, or NULL. */
 static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struct nb_keyword *table, unsigned here) {
   static const char *const places[] = {[NB_IN_SCENE] = "a statement of the scene",
@@ -111,7 +120,7 @@ static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struc
   for (const struct nb_keyword *row = table; row->apply; row++) {
     if (row->word)
       nb_first_word(word, row->word);
-    if (here != NB_IN_RAMP && row->word && strcmp(word, verb->text) == 0) {
+    if (here != NB_IN_RAMP && row->word && strcmp(word, verb->text) == 0 && !other_side(table, row, here)) {
       snprintf(hint, sizeof hint, "`%s` belongs %s", row->word, where_words(row->where, here));
       nb_expected(reader, hint, "%s", places[here]);
       return row;

@@ -168,6 +168,41 @@ static void looked_at_seldom(void) {
   }
 }
 
+/* Stages that are read again are those that would be there if they were written out: laws, steps and damping go on from one to the
+ * next, each has the hash of a page of its own. */
+static void stages_once_more(void) {
+  static const char *const head =
+      "units none\nmaterial m density 1 kn 1e3 ks 1e3 friction 0.3\nnormal linear\nshear linear\n"
+      "disc 0 0 radius 1 m\ndisc 1.9 0.3 radius 1 m velocity -1 0.2\nbox -1.1 -1.1 to 3.2 1.5 m\n"
+      "step 1e-3\nwatch D disc 2\nrecord D.x D.y D.angle D.vx\n";
+  static const char *const in = "walls inward 0.1\nmaterial m friction 0.2\ncycles 20\n";
+  static const char *const out = "damping global 3\nstep 2e-3\nwalls inward -0.1\ncycles 10\n";
+  struct words shorter = {0}, longer = {0};
+  struct written it, full;
+  struct nb_result result, whole;
+  words_add(&shorter, "%sstage a\ncycles 5\nstage in\n%sstage out\n%srepeat from in 2 times\nstage z\ncycles 7\n", head,
+            in, out);
+  words_add(&longer, "%sstage a\ncycles 5\n", head);
+  static const char *const names[] = {"a", "in", "out", "in-2", "out-2", "in-3", "out-3", "z"};
+  for (int k = 0; k < 3; k++)
+    words_add(&longer, "stage %s\n%sstage %s\n%s", names[1 + 2 * k], in, names[2 + 2 * k], out);
+  words_add(&longer, "stage z\ncycles 7\n");
+  written_scene(&it, &shorter);
+  written_scene(&full, &longer);
+  CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 8);
+  for (size_t s = 0; s < 8; s++) {
+    CU_ASSERT_STRING_EQUAL(it.scene.stages[s].name, names[s]);
+    CU_ASSERT(s == 0 || it.scene.stages[s].hash != it.scene.stages[s - 1].hash);
+  }
+  written_run(&result, &it, NULL);
+  written_run(&whole, &full, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, whole.table.row_count);
+  const size_t count = result.table.row_count * result.table.column_count;
+  CU_ASSERT(memcmp(result.table.values, whole.table.values, count * sizeof(double)) == 0);
+  nb_result_free(&result), nb_result_free(&whole);
+  written_free(&it), written_free(&full);
+}
+
 void suite_run(void) {
   CU_pSuite suite = CU_add_suite("run", NULL, NULL);
   CU_add_test(suite, "rows come when they are asked for", rows_come_when_they_are_asked_for);
@@ -177,4 +212,5 @@ void suite_run(void) {
   CU_add_test(suite, "a body that is nowhere", a_body_that_is_nowhere);
   CU_add_test(suite, "a snapshot holds what touches", a_snapshot_holds_what_touches);
   CU_add_test(suite, "until ... every N cycles", looked_at_seldom);
+  CU_add_test(suite, "stages once more", stages_once_more);
 }
