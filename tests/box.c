@@ -10,7 +10,9 @@
 #include "suites.h"
 #include "written.h"
 
-#define DISC "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 1 m\nbox -1 -1 to 1 1 m\n"
+#define DISC                                                                                                           \
+  "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 1 m\nwall shelf 5 5 to 6 5 m\nbox -1 -1 to " \
+  "1 1 m\nwall rail 5 7 to 6 7 m\n"
 
 static void run(struct nb_result *result, const char *page) {
   struct words words = {0};
