@@ -162,6 +162,8 @@ static void no_step_for_spheres(void) {
   /* pressed, they have one: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
   NEAR(step_of(SPHERES "spheres lattice 2 by 1 radius 1 spacing 1.9 m\nstep 0.5 of safe\n"), sqrt(0.5 / sqrt(0.05)),
        1e-14);
+  NEAR(step_of(SPHERES "spheres lattice 2 by 1 radius 1e-3 spacing 1.9999e-3 m\nstep 0.5 of safe\n"),
+       sqrt(5e-10 / sqrt(5e-11)), 1e-10);
 }
 
 /* A stage that says nothing keeps the step, though nothing approaches any more; one that says it again looks again. */
