@@ -209,11 +209,8 @@ static void pieces_of_memory(void) {
   static const struct {
     double pieces, rough, rough_mean, smooth, smooth_mean;
   } wanted[] = {
-      {2, 0.4, 0.1, 0.4, 0.1},
-      {8, 1e-2, 1.2e-3, 2.5e-3, 3e-4},
-      {16, 8e-4, 3e-5, 2e-4, 3e-5},
-      {32, 1e-12, 1e-13, 4e-6, 8e-7},
-      {64, 1e-12, 1e-13, 1e-12, 1e-13},
+      {2, 0.4, 0.1, 0.4, 0.1},        {8, 1e-2, 1.2e-3, 2.5e-3, 3e-4},  {16, 8e-4, 3e-5, 2e-4, 3e-5},
+      {32, 1e-12, 1e-13, 4e-6, 8e-7}, {64, 1e-12, 1e-13, 1e-12, 1e-13},
   };
   for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
     const struct off off[] = {rough(wanted[k].pieces), smooth(wanted[k].pieces)};
