@@ -125,6 +125,45 @@ static void what_is_not_held_goes_on(void) {
   nb_result_free(&result);
 }
 
+/* `on` a region: what is held is its stress, not the boundary's. All contacts are in a circle of radius 2.5, so p there is the boundary's times A/(6.25 pi). */
+static void a_region_is_looked_at(void) {
+  const double pi = 3.14159265358979323846;
+  struct nb_result result;
+  struct words page = {0};
+  struct written it;
+  words_add(&page, RING "region A circle 0 0 radius 2.5\nrecord A.stress.mean boundary.area\nstage s\n"
+                        "servo isotropic 5 on A by boundary at most 1e-3 per cycle every 1 cycle\ncycles 3000\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const double boundary = written_last(&result, "boundary.stress.mean") * written_last(&result, "boundary.area");
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "A.stress.mean"), 5, 0.025);
+  CU_ASSERT_DOUBLE_EQUAL(boundary, 6.25 * pi * written_last(&result, "A.stress.mean"), 1e-9);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* `by boundary continuum`: a disc that touches nothing goes as the ring does; `by boundary`: it stays. */
+static void the_continuum_goes_along(void) {
+  static const char *const by[] = {"boundary", "boundary continuum"};
+  for (int k = 0; k < 2; k++) {
+    struct nb_result result;
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              RING "material h density 500 kn 1000\ndisc 1 0.57 radius 0.1 h\nwatch D disc 8\nrecord D.x D.y\nstage s\n"
+                   "servo isotropic 9 on boundary by %s at most 1e-3 per cycle every 1 cycle\ncycles 2000\n",
+              by[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    const double shrunk = k ? written_last(&result, "boundary.radius") / 2 : 1;
+    CU_ASSERT(written_last(&result, "boundary.radius") < 1.995);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.x"), shrunk, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.y"), 0.57 * shrunk, 1e-12);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* A square lattice of springs k in a cell of side L: p = k (2r - s)/s, B = k/2, T = L (rho/B)^(1/2), so a recursion of the side. The
  * shape that the stage asks for goes on beside it. */
 static void a_cell_is_servoed_too(void) {
@@ -177,5 +216,7 @@ void suite_servo(void) {
   CU_add_test(suite, "a ramp is followed", a_ramp_is_followed);
   CU_add_test(suite, "a dilatation leaves nothing", a_dilatation_leaves_nothing);
   CU_add_test(suite, "a cell is servoed too", a_cell_is_servoed_too);
+  CU_add_test(suite, "a region is looked at", a_region_is_looked_at);
+  CU_add_test(suite, "the continuum goes along", the_continuum_goes_along);
   CU_add_test(suite, "what is not held goes on", what_is_not_held_goes_on);
 }
