@@ -9,6 +9,7 @@
  *   $STAGE_body_averages, $STAGE_contact_averages, of regions $STAGE_types, $STAGE_rings;
  *   of `snapshot from` $STAGE_lattice
  *   plots       folder of the recipes: load plots.'force-rectangles.gp'
+ *   canvas(w, h)   a size of its own, of style.gp: eval canvas(1100, 760)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
