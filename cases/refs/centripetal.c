@@ -1,0 +1,49 @@
+/* Reference: bodies that a pull G towards a point has drawn together, without friction and at rest.            [R89 6.4.2]
+ *
+ *   dp/dr = -rho (1 - n) G,   p = p_0 (1 - r/R),   p_0 = G M/(pi R t),   mean over a circle of radius a: p_0 (1 - 2a/(3R))
+ *
+ *   M   mass of all, kg      t   mean diameter, m       pi R^2 (1 - n) = sum pi r_i^2
+ *
+ * n = 0.155, a random packing of discs without friction between 0.14 and 0.17; a circle wholly inside hardly feels it.
+ *
+ * Known: NAME.stress.mean in S, for each region that is a circle about the point; S is the last stage.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "reference.h"
+
+static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+  static const double pi = 3.14159265358979323846, porosity = 0.155;
+  const struct nb_gravity *pull = &scene->gravity;
+  double mass = 0, diameter = 0, section = 0;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].gravity.line)
+      pull = &scene->stages[s].gravity;
+  if (!(pull->inward > 0) || scene->body_count == 0 || scene->wall_count > 0 || scene->circle.line)
+    return nb_error_set(error, NB_BAD_USE,
+                        "centripetal wants bodies without walls and boundary, and `gravity centripetal` to the end");
+  for (size_t k = 0; k < scene->body_count; k++) {
+    const struct nb_body *body = &scene->bodies[k];
+    mass += nb_body_mass(scene, body), diameter += 2 * body->radius, section += pi * body->radius * body->radius;
+  }
+  const double R = sqrt(section / (1 - porosity) / pi);
+  const double middle = pull->inward * mass / (pi * R * diameter / (double)scene->body_count);
+  const struct nb_stage *last = &scene->stages[scene->stage_count - 1];
+  for (size_t w = 0; w < scene->watch_count; w++) {
+    const struct nb_watch *watch = &scene->watches[w];
+    if (watch->kind != NB_WATCH_REGION || scene->regions[watch->a].kind != NB_REGION_CIRCLE)
+      continue;
+    char name[3 * NB_NAME_SIZE];
+    snprintf(name, sizeof name, "%s.stress.mean in %s", watch->name, last->name);
+    known_value(known, middle * (1 - 2 * scene->regions[watch->a].radius / (3 * R)), name);
+  }
+  return known_full(known, error);
+}
+
+const struct nb_reference reference_centripetal = {
+    .name = "centripetal",
+    .title = "bodies drawn together by a pull towards a point: their weight, ring upon ring",
+    .source = "[R89 6.4.2]",
+    .know = know,
+};
