@@ -173,7 +173,8 @@ static void the_step_of_a_contact_stays(void) {
   struct nb_result result;
   words_add(&page,
             "%swall w -9 0 to 9 0 r\nsphere 0 1.1 radius 1 m velocity 0 -1\nstep 40 per contact\nrecord step\n"
-            "stage hit\ncycles 1\nstage off\nreverse\nrecord none\ncycles 3\nstage slow\nwall w velocity 0 3\nstep 40 "
+            "stage hit\ncycles 1\nstage off\nreverse\nrecord none\ncycles 1\nstage out\nrecord none\ncycles 2\n"
+            "stage slow\nwall w velocity 0 3\nstep 40 "
             "per contact\ncycles 1\n",
             SPHERES);
   written_scene(&it, &page);
