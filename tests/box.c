@@ -97,9 +97,11 @@ static void walls_follow_until_they_are_moved(void) {
   static const double wanted[] = {4 * 1.001, 4 * 1.001 * 1.001, 4 * 1.001 * 1.001, 4 * 1.001 * 1.001 - 0.025,
                                   4 * 1.001 * 1.001 - 0.025};
   struct nb_result result;
-  run(&result, "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nbox -2 -2 to 2 2 m\n"
+  run(&result, "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nbox -2 -2 to 2 2 m\nwall "
+               "rail 5 7 to 6 7 m\n"
                "record box.width box.height\nstage a\nbox strain 1e-3 per cycle 0 per cycle\ncycles 1\n"
-               "stage b\nstep 0.025\ncycles 1\nstage c\nwalls stop\ncycles 1\nstage d\nwalls inward 1\nstep 0.0125\n"
+               "stage b\nstep 0.025\nwall rail velocity 1 0\ncycles 1\nstage c\nwalls stop\ncycles 1\nstage d\nwalls "
+               "inward 1\nstep 0.0125\n"
                "cycles 1\nstage e\nbox strain 0 per cycle 1e-3 per cycle\ncycles 1\n"
                "stage f\nwalls inward -1\ncycles 1\n"
                "stage g\nservo mean 1 on box by box at most 1e-3 per cycle\ncycles 1\n");
