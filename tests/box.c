@@ -67,7 +67,7 @@ static void corners_stay_closed(void) {
     struct nb_result result;
     words_add(&words,
               "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nbox -3 -2 to 3 2 m\n%s"
-              "record box.width box.height box.strain.width box.area\nstage s\n"
+              "record box.width box.height box.strain.width box.area box.strain.height\nstage s\n"
               "box strain 1e-4 per cycle -2e-4 per cycle\ncycles 500\nsnapshot\n",
               places[k]);
     written_scene(&it, &words);
@@ -78,6 +78,7 @@ static void corners_stay_closed(void) {
     CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[1], high, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[2], wide / 6 - 1, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[3], wide * high, 1e-11);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[4], high / 4 - 1, 1e-12);
     for (int w = 0; w < 4; w++) {
       const double *wall = result.snapshots[0].walls.values + 5 * w;
       for (int end = 0; end < 2; end++) {
@@ -116,9 +117,22 @@ static void walls_follow_until_they_are_moved(void) {
   nb_result_free(&result);
 }
 
+/* F = 10 at each of its walls; a disc between two others presses on them alone. */
+static void its_stress_is_that_on_its_own_walls(void) {
+  static const double wanted[] = {5, 0, 0, 5};
+  struct nb_result result;
+  run(&result, "units none\nmaterial m density 2 kn 1000\nstep 0.0125\nwall shelf 5 5 to 6 5 m\nbox -1 -1 to 1 1 m\n"
+               "wall rail 5 7 to 6 7 m\ndisc 0 0 radius 1.01 m\ndisc 5.5 6 radius 1.01 m\n"
+               "record box.stress.xx box.stress.xy box.stress.yx box.stress.yy\nstage s\ncycles 1\n");
+  for (size_t k = 0; k < 4; k++)
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 0)[k], wanted[k], 1e-10);
+  nb_result_free(&result);
+}
+
 void suite_box(void) {
   CU_pSuite suite = CU_add_suite("box", NULL, NULL);
   CU_add_test(suite, "a servo by the box goes as it is predicted", the_servo_goes_as_predicted);
   CU_add_test(suite, "corners stay closed, wherever the box lies", corners_stay_closed);
+  CU_add_test(suite, "its stress is that on its own walls", its_stress_is_that_on_its_own_walls);
   CU_add_test(suite, "walls follow until they are moved otherwise", walls_follow_until_they_are_moved);
 }
