@@ -127,6 +127,13 @@ static void overlaps_are_counted(void) {
        11, ""},
       {"sphere 0 0.86005 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 0, ""},
       {"sphere 0 0.85995 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 11, "body 1 at wall w"},
+      /* of two the first that is deep has the name */
+      {"sphere 0 0 radius 3 m\nsphere 3.86005 0 radius 1 m\nsphere 5.66 0 radius 1 m\n", 11, "body 2 at body 3"},
+      {"sphere 0 0 radius 3 m\nsphere 3.85995 0 radius 1 m\nsphere 5.66 0 radius 1 m\n", 22, "body 1 at body 2"},
+      {"sphere 0 0 radius 1 m\nsphere 3.86005 0 radius 3 m\nsphere 9.35 0 radius 3 m\n", 11, "body 2 at body 3"},
+      {"sphere 0 0 radius 1 m\nsphere 3.85995 0 radius 3 m\nsphere 9.35 0 radius 3 m\n", 22, "body 1 at body 2"},
+      {"sphere 0 0.86005 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 8 0.8 radius 1 m\n", 11, "body 2 at wall w"},
+      {"sphere 0 0.85995 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 8 0.8 radius 1 m\n", 22, "body 1 at wall w"},
   };
   for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
     struct words page = {0};
@@ -144,7 +151,7 @@ static void overlaps_are_counted(void) {
   }
 }
 
-/* The count goes on through searches, on any number of threads; linear springs count nothing. */
+/* The count goes on through searches, many or few, on any number of threads; linear springs count nothing. */
 static void counts_go_on(void) {
   double counts[3];
   for (int k = 0; k < 3; k++) {
@@ -153,8 +160,8 @@ static void counts_go_on(void) {
     struct nb_result result;
     words_add(&page,
               "units none\n%sspheres lattice 20 by 20 radius 1 spacing 1.85 m\nsphere 60 5 radius 1 m velocity -40 0\n"
-              "step 1e-3\nrecord contacts.deep contacts\nstage s\nrecord none\ncycles 100\nstage e\ncycles 1\n",
-              k == 2 ? "material m density 1 kn 1\n" : SPHERE);
+              "step 1e-3\n%srecord contacts.deep contacts\nstage s\nrecord none\ncycles 100\nstage e\ncycles 1\n",
+              k == 2 ? "material m density 1 kn 1\n" : SPHERE, k == 1 ? "skin 0.3\n" : "");
     written_scene(&it, &page);
     written_run(&result, &it, &(struct nb_options){.threads = 1 + k});
     CU_ASSERT(result.searches > 2);
