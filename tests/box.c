@@ -117,16 +117,26 @@ static void walls_follow_until_they_are_moved(void) {
   nb_result_free(&result);
 }
 
-/* F = 10 at each of its walls; a disc between two others presses on them alone. */
+/* F = 10 at each of its walls; a body between two others presses on them alone. Discs are 1 thick, spheres their diameter. */
 static void its_stress_is_that_on_its_own_walls(void) {
-  static const double wanted[] = {5, 0, 0, 5};
-  struct nb_result result;
-  run(&result, "units none\nmaterial m density 2 kn 1000\nstep 0.0125\nwall shelf 5 5 to 6 5 m\nbox -1 -1 to 1 1 m\n"
-               "wall rail 5 7 to 6 7 m\ndisc 0 0 radius 1.01 m\ndisc 5.5 6 radius 1.01 m\n"
-               "record box.stress.xx box.stress.xy box.stress.yx box.stress.yy\nstage s\ncycles 1\n");
-  for (size_t k = 0; k < 4; k++)
-    CU_ASSERT_DOUBLE_EQUAL(row(&result, 0)[k], wanted[k], 1e-10);
-  nb_result_free(&result);
+  static const double wanted[] = {5, 0, 0, 5}, thick[] = {1, 2.02};
+  static const char *const shapes[] = {"disc", "sphere"};
+  for (int shape = 0; shape < 2; shape++) {
+    struct words words = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&words,
+              "units none\nmaterial m density 2 kn 1000\nstep 0.0125\nwall shelf 5 5 to 6 5 m\nbox -1 -1 to 1 1 m\n"
+              "wall rail 5 7 to 6 7 m\n%s 0 0 radius 1.01 m\n%s 5.5 6 radius 1.01 m\n"
+              "record box.stress.xx box.stress.xy box.stress.yx box.stress.yy\nstage s\ncycles 1\n",
+              shapes[shape], shapes[shape]);
+    written_scene(&it, &words);
+    written_run(&result, &it, NULL);
+    for (size_t k = 0; k < 4; k++)
+      CU_ASSERT_DOUBLE_EQUAL(row(&result, 0)[k], wanted[k] / thick[shape], 1e-10);
+    nb_result_free(&result);
+    written_free(&it);
+  }
 }
 
 void suite_box(void) {
