@@ -20,7 +20,7 @@ static const struct {
     {"figure", nb_command_figure, "PAGE… [-o FOLDER]", "run pages, draw their figures with gnuplot"},
     {"report", nb_command_report, "PAGE… [-o FOLDER]", "all of these, and one page about all of them"},
     {"explain", nb_command_explain, "PAGE…", "the plan: what is switched on, what asked for it, step, cost"},
-    {"state", nb_command_state, "PAGE [--stage NAME] [-o FILE]",
+    {"state", nb_command_state, "PAGE [-o FILE]",
      "run a page to the end of a stage, keep its bodies and all else in a file"},
     {"laws", nb_command_laws, "", "the contact laws, with their equations"},
     {"list", nb_command_list, "", "the references, and the quantities that a page can record"},
@@ -49,7 +49,10 @@ static void print_help(FILE *out) {
   for (int k = 0; k < COMMANDS; k++) {
     char call[64];
     snprintf(call, sizeof call, "%s %s", commands[k].name, commands[k].arguments);
-    fprintf(out, "  %-28s %s\n", call, commands[k].help);
+    int width = 28; /* columns; a character of several bytes takes one of them */
+    for (const char *c = call; *c; c++)
+      width += (*c & 0xC0) == 0x80;
+    fprintf(out, "  %-*s %s\n", width, call, commands[k].help);
   }
   fputc('\n', out);
   for (const struct nb_help_row *row = option_rows; row->term; row++)
