@@ -146,6 +146,20 @@ static void stuck_is_of_first_order(void) {
     }
 }
 
+/* A ten-thousandth below its limit T is what the slip makes of it, above it the limit. */
+static void stuck_up_to_the_limit(void) {
+  const double radius = 1e-3, limit = pair.friction * normal("hertz", radius * radius / pair.radius, 0, NULL).force;
+  static const char *const laws[] = {"mindlin", "mindlin_scaled"};
+  for (int law = 0; law < 2; law++)
+    for (int above = 0; above < 2; above++) {
+      struct stuck it = {.law = nb_law_find("shear", laws[law])};
+      const double share = above ? 1.0001 : 0.9999;
+      stuck_go(&it, radius, 0);
+      stuck_go(&it, radius, share * limit / (8 * pair.shear * radius));
+      CU_ASSERT_DOUBLE_EQUAL(it.force, above ? limit : share * limit, 1e-12 * limit);
+    }
+}
+
 /* T goes with the radius as it falls, in one step or in many, and stays as it is when it grows. */
 static void scaled_goes_with_the_radius(void) {
   struct stuck it = {.law = nb_law_find("shear", "mindlin_scaled")};
@@ -168,5 +182,6 @@ void suite_elastic(void) {
   CU_add_test(suite, "increments part before the outlines do", increments_part_before_the_outlines);
   CU_add_test(suite, "without slip: energy around a square", squares);
   CU_add_test(suite, "without slip: first order while N changes", stuck_is_of_first_order);
+  CU_add_test(suite, "without slip: up to the limit", stuck_up_to_the_limit);
   CU_add_test(suite, "scaled: T goes with the radius", scaled_goes_with_the_radius);
 }
