@@ -175,6 +175,21 @@ static void counts_go_on(void) {
   CU_ASSERT(counts[0] == counts[1] && counts[2] == 0);
 }
 
+/* What was counted stays when a later stage has other springs, which count nothing. */
+static void counts_stay(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 young 1 poisson 0.3 kn 1\nnormal hertz\n"
+                   "spheres lattice 20 by 20 radius 1 spacing 1.85 m\nstep 1e-9\nrecord contacts.deep\n"
+                   "stage s\ncycles 10\nstage t\nnormal linear\ncycles 5\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(written_last(&result, "contacts.deep"), 11 * 2 * 20 * 19);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* Critical where they are deep, as the page says elsewhere; the safe step knows. */
 static void deep_ones_are_damped_critically(void) {
   for (int is_deep = 0; is_deep < 2; is_deep++) {
@@ -205,5 +220,6 @@ void suite_deep(void) {
   CU_add_test(suite, "the safe step knows walls", the_safe_step_knows_walls);
   CU_add_test(suite, "overlaps are counted", overlaps_are_counted);
   CU_add_test(suite, "counts go on", counts_go_on);
+  CU_add_test(suite, "counts stay", counts_stay);
   CU_add_test(suite, "deep ones are damped critically", deep_ones_are_damped_critically);
 }
