@@ -4,9 +4,9 @@
 #include <limits.h>
 #include <stdlib.h>
 
-#include "hertz_impact.h"
+#include "bench/hertz_impact.h"
+#include "measure/since.h"
 #include "near.h"
-#include "since.h"
 
 int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
   const int *number = model->bodies.number;

@@ -9,12 +9,12 @@
  * in fixed parts; every contact and every body is worked out by one of them alone, so their number changes no bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "box.h"
-#include "drive.h"
-#include "energy.h"
-#include "servo.h"
-#include "since.h"
-#include "step.h"
+#include "drive/box.h"
+#include "drive/drive.h"
+#include "drive/servo.h"
+#include "energy/energy.h"
+#include "measure/since.h"
+#include "step/step.h"
 
 static void forces_of_block(const struct nb_model *model, const struct nb_view *view) {
   const struct nb_pairing *pairing = view->pairing;

@@ -7,7 +7,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
-#include "step.h"
+#include "step/step.h"
 
 double nb_deep_share(const struct nb_model *model) { return model->damping.deep > 0 ? model->damping.deep : 0.07; }
 

@@ -13,8 +13,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
-#include "hertz_impact.h"
-#include "step.h"
+#include "bench/hertz_impact.h"
+#include "step/step.h"
 
 /* How two that are to meet do. */
 struct meeting {

@@ -1,13 +1,13 @@
 /* From the scene to what runs: bodies, walls, pairings of materials, the plan, the first search, the forces at time 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "drive.h"
-#include "energy.h"
-#include "region.h"
-#include "since.h"
-#include "start.h"
-#include "state.h"
-#include "step.h"
+#include "drive/drive.h"
+#include "energy/energy.h"
+#include "measure/region.h"
+#include "measure/since.h"
+#include "state/start.h"
+#include "state/state.h"
+#include "step/step.h"
 
 #include <stdlib.h>
 #include <string.h>

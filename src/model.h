@@ -8,9 +8,9 @@
 #ifndef NB_MODEL_H
 #define NB_MODEL_H
 
+#include "bench/impact.h"
 #include "block.h"
-#include "cell.h"
-#include "impact.h"
+#include "drive/cell.h"
 #include "joints.h"
 #include "laws/law.h"
 #include "laws_now.h"

@@ -4,7 +4,7 @@
 #ifndef NB_MOTION_H
 #define NB_MOTION_H
 
-#include "drive.h"
+#include "drive/drive.h"
 
 static inline double nb_kick_time(const struct nb_model *model) { return (model->previous_step + model->step) / 2; }
 

@@ -7,11 +7,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "box.h"
-#include "energy.h"
-#include "guess.h"
+#include "drive/box.h"
+#include "energy/energy.h"
 #include "names.h"
 #include "observe.h"
+#include "page/guess.h"
 
 /* ---- the whole scene ---- */
 

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "state.h"
-#include "step.h"
+#include "state/state.h"
+#include "step/step.h"
 
 static void add(struct nb_pairing *pairing, nb_run_pass *run, int line, const char *kind, const char *name) {
   struct nb_planned *planned = &pairing->passes[pairing->pass_count++];

@@ -10,8 +10,8 @@
  * It carries away its kinetic energy at t_0 and what the springs of its contacts hold then, by the laws' state functions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "drive.h"
-#include "energy.h"
+#include "drive/drive.h"
+#include "energy/energy.h"
 #include "near.h"
 
 bool nb_gone(const struct nb_model *model, size_t slot) { return model->bodies.gone && model->bodies.gone[slot]; }

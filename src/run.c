@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench.h"
+#include "bench/bench.h"
 #include "clock.h"
 #include "observe.h"
-#include "start.h"
+#include "state/start.h"
 
 struct run {
   struct nb_result *result;

@@ -14,12 +14,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drive.h"
-#include "energy.h"
-#include "region.h"
-#include "servo.h"
-#include "since.h"
-#include "step.h"
+#include "drive/drive.h"
+#include "drive/servo.h"
+#include "energy/energy.h"
+#include "measure/region.h"
+#include "measure/since.h"
+#include "step/step.h"
 
 static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share) {
   return vec_add(from, vec_scale(share, vec_sub(to, from)));

@@ -5,7 +5,7 @@
 #include <gsl/gsl_integration.h>
 #include <math.h>
 
-#include "../src/areas.h"
+#include "../src/measure/areas.h"
 #include "chance.h"
 #include "suites.h"
 

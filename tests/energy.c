@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/energy.h"
+#include "../src/energy/energy.h"
 #include "suites.h"
 #include "written.h"
 

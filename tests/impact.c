@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "../src/model.h"
-#include "../src/reader.h"
+#include "../src/page/reader.h"
 #include "suites.h"
 #include "written.h"
 

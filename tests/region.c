@@ -4,7 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
-#include "../src/region.h"
+#include "../src/measure/region.h"
 #include "suites.h"
 #include "written.h"
 

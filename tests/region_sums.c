@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/region.h"
+#include "../src/measure/region.h"
 #include "suites.h"
 #include "written.h"
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/since.h"
+#include "../src/measure/since.h"
 #include "suites.h"
 #include "written.h"
 

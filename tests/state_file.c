@@ -12,8 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "../src/save.h"
-#include "../src/state.h"
+#include "../src/state/save.h"
+#include "../src/state/state.h"
 #include "suites.h"
 #include "written.h"
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/areas.h"
+#include "../src/measure/areas.h"
 #include "suites.h"
 #include "written.h"
 

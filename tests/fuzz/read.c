@@ -15,8 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../src/expect.h"
-#include "../../src/reader.h"
+#include "../../src/page/reader.h"
+#include "../../src/verdict/expect.h"
 
 /* ---- what must hold ---- */
 

@@ -1,0 +1,127 @@
+/* The servo: strain rates that bring a measured stress to where it should be.   [R89 4.1, 6.4.2]
+ *
+ *   L_ij = P_ij + Z_ij                       added to the rates that the stage asks for, of the components that are servoed
+ *   P_ij = (s_ij - s0_ij)/(2 B T),           dZ_ij/dt = P_ij/(16 T)
+ *
+ *   s, s0  stress, measured and wanted, compression positive, Pa
+ *   B      stiffness against a change of area of an assembly all of whose bodies follow the strain, Pa
+ *          dp = -B tr(L) dt,   B = sum k_n l^2/(4 A h): over contacts, k_n their normal stiffness, l the way from centre to centre,
+ *          or, of a box, from a centre to the wall
+ *   T      2 R (rho/B)^(1/2), R the boundary's mean radius; of a cell or a box A^(1/2) in the place of 2 R: a wave of pressure goes across
+ *          the assembly in it, s
+ *
+ * With an assembly of stiffness f B, 0 < f <= 1 since bodies that may give way are softer than B, what is off goes with
+ *
+ *   e'' + f e'/T + f e/(16 T^2) = 0          r = f (1 -+ (1 - 1/4f)^(1/2))/2T
+ *
+ * Both rates r are positive: it is stable for every f, and does not swing for f >= 1/4; T is the shortest time in which the middle can
+ * have answered. P alone leaves a steady dilatation e_v off by B T e_v; Z comes to be what that takes. It begins at -a P,
+ * a = (1 - (3/4)^(1/2))/2, which is the fast of the two ways for f = 1, exp(-0.93 t/T): so coming from afar gathers nothing that goes beyond.
+ *
+ * As B falls to 0 with the load the rates would go beyond all bounds: none of them is larger than `at most`, all are reduced alike, and Z
+ * begins anew.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "servo.h"
+#include "box.h"
+#include "measure/region.h"
+
+/* B, Pa, and M/(A h), kg/m3: of all that is there. */
+static double stiffness(const struct nb_model *model, const struct nb_servo *servo, double volume) {
+  const struct nb_contacts *contacts = &model->contacts;
+  double sum = 0;
+  for (size_t c = 0; c < contacts->count; c++) {
+    const bool wall = model->pairings[contacts->pairing[c]].wall;
+    if ((wall && !servo->box) || !(contacts->kept[NB_OVERLAP][c] > 0))
+      continue;
+    const struct nb_vec l = wall ? nb_wall_apart(&model->walls, contacts->b[c], model->bodies.position[contacts->a[c]])
+                                 : nb_contacts_branch(model, c);
+    sum += contacts->kept[NB_STIFFNESS][c] * vec_dot(l, l);
+  }
+  return sum / (4 * volume);
+}
+
+static double density(const struct nb_model *model, double volume) {
+  double sum = 0;
+  for (size_t k = 0; k < model->bodies.count; k++)
+    if (!nb_gone(model, (size_t)model->bodies.slot[k]))
+      sum += model->bodies.mass[model->bodies.slot[k]];
+  return sum / volume;
+}
+
+static double limited(double most, double value) { return fabs(value) > most ? fabs(value) : most; }
+
+/* What is off, Pa, and 0 where nothing is held. */
+static struct nb_tensor off_by(const struct nb_model *model, const struct nb_servo *servo, double share) {
+  const struct nb_servo_from *from = &model->carry->servo_from;
+  double off[3];
+  for (int k = 0; k < 3; k++) {
+    const double seen = servo->quantity[k].kind ? nb_quantity_value(servo->quantity[k], model) : 0;
+    off[k] = seen - (from->stress[k] + share * (servo->stress[k] - from->stress[k]));
+  }
+  if (servo->mean)
+    return tensor((off[0] + off[1]) / 2, 0, 0, (off[0] + off[1]) / 2);
+  const double shear = servo->held[2] ? off[2] : 0;
+  return tensor(servo->held[0] ? off[0] : 0, shear, shear, servo->held[1] ? off[1] : 0);
+}
+
+static double largest(struct nb_tensor a) { return limited(limited(fabs(a.xx), a.yy), a.xy); }
+
+bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
+  const struct nb_vec sides = servo->box ? nb_box_sides(model) : vec(0, 0);
+  *b = *t = 0;
+  if (!servo->cell && !servo->box && !(model->drive && model->drive->ring.begun))
+    return false;
+  const double area = servo->cell ? nb_cell_area(model->cell) : servo->box ? sides.x * sides.y : nb_ring_area(model);
+  const double width = servo->cell || servo->box ? sqrt(area) : 2 * nb_ring_radius(model);
+  const double volume = area * nb_thickness(model);
+  *b = stiffness(model, servo, volume);
+  *t = width * sqrt(density(model, volume) / *b); /* without end, where nothing is pressed */
+  return *b > 0;
+}
+
+/* What is to be added to the strain rates now, 1/s. */
+static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double share) {
+  const double most = servo->per_cycle ? servo->most / model->step : servo->most;
+  double b, t;
+  nb_servo_scales(model, servo, &b, &t);
+  struct nb_servo_from *from = &model->carry->servo_from;
+  const struct nb_tensor off = off_by(model, servo, share);
+  /* b may be 0, and then t has no end: what is left is the direction */
+  const double far = largest(off), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
+  const bool too_fast = far > 0 && rate * far > most;
+  const struct nb_tensor p = tensor_scale(too_fast ? most / far : far > 0 ? rate : 0, off);
+  const struct nb_tensor more = tensor_add(p, from->gathered);
+  if (from->begun && !too_fast && largest(more) <= most) {
+    from->gathered = tensor_add(from->gathered, tensor_scale((double)servo->every * model->step / (16 * t), p));
+    return more;
+  }
+  from->begun = true;
+  from->gathered = tensor_scale(-(1 - sqrt(0.75)) / 2, p);
+  return tensor_add(p, from->gathered);
+}
+
+void nb_servo_begin(struct nb_model *model) {
+  const struct nb_servo *servo = &model->stage->servo;
+  struct nb_servo_from *from = &model->carry->servo_from;
+  *from = (struct nb_servo_from){.begun = false};
+  for (int k = 0; k < 3; k++)
+    from->stress[k] = servo->ramp ? nb_quantity_value(servo->quantity[k], model) : servo->stress[k];
+}
+
+void nb_servo_set(struct nb_model *model) {
+  struct nb_carry *carry = model->carry;
+  const struct nb_servo *servo = &model->stage->servo;
+  if (model->stage_cycle % servo->every != 0 || !(servo->cell || servo->box || model->drive->ring.held))
+    return;
+  const double share = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
+  const struct nb_tensor more = correction(model, servo, share);
+  const bool moved[NB_CARRIERS] = {
+      [NB_CARRIER_CONTINUUM] = servo->continuum,
+      [NB_CARRIER_BOUNDARY] = !servo->cell && !servo->box,
+      [NB_CARRIER_CELL] = servo->cell,
+      [NB_CARRIER_BOX] = servo->box,
+  };
+  for (int c = 0; c < NB_CARRIERS; c++)
+    carry->rate[c] = moved[c] ? tensor_add(carry->level[c], more) : carry->level[c];
+}

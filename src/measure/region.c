@@ -1,0 +1,220 @@
+/* Regions: which bodies are inside, area, thickness, and the ends of their contacts.
+ *
+ * A body is inside when its centre is. The thickness, normal to the plane, is the mean over all bodies, inside or not, of
+ * what each measures there: a sphere its diameter [R89 4.4], a disc 1 m.
+ *
+ * `inside F` is the circle about the boundary's centre whose radius is F of the boundary's mean radius now.
+ * `all` is the smallest upright box that holds the outlines of all bodies, or the periodic cell.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "region.h"
+
+#include <stdlib.h>
+
+#include "areas.h"
+#include "drive/drive.h"
+
+enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error) {
+  const struct nb_scene *scene = model->scene;
+  if (scene->region_count == 0)
+    return NB_OK;
+  struct nb_regions *regions = model->regions = calloc(1, sizeof *regions);
+  if (regions) {
+    regions->list = nb_array(scene->region_count, sizeof *regions->list);
+    regions->touching = nb_array(model->bodies.count, sizeof(int));
+    regions->idle = nb_array(model->bodies.count, sizeof(int));
+  }
+  const bool chains = nb_fields_watched(scene) & NB_ASKS_CHAINS;
+  if (!regions || !regions->list || !regions->touching || !regions->idle || (chains && !nb_chains_create(model)))
+    return nb_error_set(error, NB_BROKEN, "out of memory for %zu regions", scene->region_count);
+  for (size_t r = 0; r < scene->region_count; r++)
+    regions->list[r].it = &scene->regions[r];
+  return NB_OK;
+}
+
+void nb_regions_free(struct nb_regions *regions, size_t count) {
+  if (!regions)
+    return;
+  for (size_t r = 0; r < count && regions->list; r++)
+    free(regions->list[r].from), free(regions->list[r].touched.list);
+  free(regions->list), free(regions->touching), free(regions->idle), free(regions->chained);
+  free(regions);
+}
+
+enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error) {
+  for (size_t r = 0; model->regions && r < model->scene->region_count; r++) {
+    struct nb_region_now *region = &model->regions->list[r];
+    region->placed = 0;
+    for (int k = 0; k < NB_MEASURES; k++)
+      region->measured[k] = 0;
+  }
+  if (!model->regions || nb_strain_begin(model, stage, error))
+    return model->regions ? error->status : NB_OK;
+  return nb_parted_begin(model, stage, error);
+}
+
+/* ---- where it is ---- */
+
+double nb_thickness(const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  double sum = 0, count = 0;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    if (nb_gone(model, i))
+      continue;
+    sum += model->scene->bodies[k].shape == NB_SPHERE ? 2 * bodies->rim[i].x : 1;
+    count++;
+  }
+  return count > 0 ? sum / count : 1;
+}
+
+static void box(struct nb_region_now *now, struct nb_vec centre, struct nb_vec along, struct nb_vec half) {
+  const struct nb_vec left = vec(-along.y, along.x);
+  const struct nb_vec east = vec_scale(half.x, along), north = vec_scale(half.y, left);
+  now->centre = centre, now->radius = 0;
+  now->corners[0] = vec_sub(vec_sub(centre, east), north);
+  now->corners[1] = vec_sub(vec_add(centre, east), north);
+  now->corners[2] = vec_add(vec_add(centre, east), north);
+  now->corners[3] = vec_add(vec_sub(centre, east), north);
+  now->area = 4 * half.x * half.y;
+}
+
+static void round_all(struct nb_region_now *now, const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  struct nb_vec low = vec(INFINITY, INFINITY), high = vec(-INFINITY, -INFINITY);
+  for (size_t i = 0; i < bodies->count; i++) {
+    if (nb_gone(model, i))
+      continue;
+    const struct nb_vec x = bodies->position[i];
+    const double r = bodies->rim[i].x;
+    low = vec(x.x - r < low.x ? x.x - r : low.x, x.y - r < low.y ? x.y - r : low.y);
+    high = vec(x.x + r > high.x ? x.x + r : high.x, x.y + r > high.y ? x.y + r : high.y);
+  }
+  if (low.x <= high.x)
+    box(now, vec_scale(0.5, vec_add(low, high)), vec(1, 0), vec_scale(0.5, vec_sub(high, low)));
+  else
+    box(now, vec(0, 0), vec(1, 0), vec(0, 0));
+}
+
+struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
+  struct nb_region_now *now = &model->regions->list[region];
+  const struct nb_region *it = now->it;
+  if (now->placed == model->cycle + 1)
+    return now;
+  now->placed = model->cycle + 1;
+  now->thickness = nb_thickness(model);
+  switch (it->kind) {
+  case NB_REGION_CIRCLE:
+    now->centre = vec(it->x, it->y), now->radius = it->radius;
+    now->area = nb_area_of_disc(it->radius);
+    break;
+  case NB_REGION_INSIDE: /* nothing, while there is no boundary */
+    if (model->drive && model->drive->ring.begun)
+      now->centre = model->carry->centre, now->radius = it->radius * nb_ring_radius(model);
+    else
+      now->centre = vec(0, 0), now->radius = 0;
+    now->area = nb_area_of_disc(now->radius);
+    break;
+  case NB_REGION_BOX:
+    box(now, vec(it->x, it->y), vec(it->ex, it->ey), vec(it->half_x, it->half_y));
+    break;
+  case NB_REGION_ALL:
+    round_all(now, model);
+    if (model->cell)
+      now->centre = model->cell->centre, now->area = nb_cell_area(model->cell);
+    break;
+  }
+  return now;
+}
+
+bool nb_region_due(const struct nb_model *model, struct nb_region_now *region, enum nb_measure_of which) {
+  const bool due = region->measured[which] != model->cycle + 1;
+  region->measured[which] = model->cycle + 1;
+  return due;
+}
+
+/* ---- what is inside ---- */
+
+/* In a periodic cell the copy that is nearest to the region's middle. */
+static struct nb_vec place_of(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
+  if (!model->cell)
+    return model->bodies.position[slot];
+  struct nb_wrap wrap = nb_cell_wrap(model->cell);
+  wrap.centre = region->centre;
+  return nb_wrapped(&wrap, model->bodies.position[slot]);
+}
+
+bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
+  if (nb_gone(model, slot))
+    return false;
+  const struct nb_vec x = vec_sub(place_of(model, region, slot), region->centre);
+  if (region->it->kind == NB_REGION_ALL)
+    return true;
+  if (region->radius > 0 || region->it->kind == NB_REGION_INSIDE)
+    return region->radius > 0 && vec_dot(x, x) <= region->radius * region->radius;
+  const struct nb_vec along = vec(region->it->ex, region->it->ey);
+  return fabs(vec_dot(x, along)) <= region->it->half_x && fabs(along.x * x.y - along.y * x.x) <= region->it->half_y;
+}
+
+double nb_region_part(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
+  const double radius = model->bodies.rim[slot].x;
+  const struct nb_vec x = place_of(model, region, slot);
+  if (nb_gone(model, slot))
+    return 0;
+  if (region->it->kind == NB_REGION_ALL)
+    return nb_area_of_disc(radius);
+  if (region->radius > 0 || region->it->kind == NB_REGION_INSIDE)
+    return nb_area_of_lens(radius, region->radius, vec_length(vec_sub(x, region->centre)));
+  return nb_area_in_polygon(x, radius, region->corners, 4);
+}
+
+/* ---- ends of contacts ---- */
+
+double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot) {
+  const bool wall = model->pairings[model->contacts.pairing[contact]].wall;
+  const double overlap = model->contacts.kept[NB_OVERLAP][contact];
+  return model->bodies.rim[slot].x - (wall ? overlap : overlap / 2);
+}
+
+struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_now *region) {
+  return (struct nb_ends){.model = model, .region = region};
+}
+
+/* The next body inside that has contacts listed. */
+static bool next_body(struct nb_ends *ends) {
+  const struct nb_model *model = ends->model;
+  while (ends->body < model->bodies.count) {
+    const size_t slot = (size_t)model->bodies.slot[ends->body++];
+    if (!nb_region_holds(model, ends->region, slot))
+      continue;
+    ends->slot = slot;
+    ends->entry = model->incidence.first[slot], ends->stop = model->incidence.first[slot + 1];
+    if (ends->entry < ends->stop)
+      return true;
+  }
+  return false;
+}
+
+bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
+  const struct nb_model *model = ends->model;
+  const struct nb_contacts *contacts = &model->contacts;
+  for (;; ends->entry++) {
+    if (ends->entry == ends->stop && !next_body(ends))
+      return false;
+    const size_t c = (size_t)model->incidence.entry[ends->entry];
+    if (!(contacts->kept[NB_OVERLAP][c] > 0))
+      continue;
+    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+    const bool first = (size_t)contacts->a[c] == ends->slot;
+    const double sign = first ? 1 : -1;
+    const enum nb_field push = model->dashpots ? NB_PUSH : NB_NORMAL;
+    end->slot = ends->slot, end->contact = c;
+    end->partner = pairing->wall ? -1 : first ? contacts->b[c] : contacts->a[c];
+    end->e = vec(sign * contacts->kept[NB_EX][c], sign * contacts->kept[NB_EY][c]);
+    end->arm = nb_contact_arm(model, c, ends->slot);
+    end->push = contacts->kept[push][c];
+    end->drag = pairing->shear ? contacts->kept[model->drag][c] : 0;
+    ends->entry++;
+    return true;
+  }
+}

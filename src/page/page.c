@@ -1,0 +1,241 @@
+/* A page: a Markdown file and its fenced blocks.
+ *
+ * A fence is a line of three or more backticks or tildes, indented by at most three blanks; it ends at a line with at
+ * least as many of the same sign, or the page is wrong (CommonMark 0.30, section 4.5, which would close it at the end
+ * of the file). The first word after the opening fence says the kind. Blocks of other kinds are prose, and so is what
+ * they hold.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reader.h"
+#include "scene/hash.h"
+
+static const char *const kinds[NB_BLOCK_KINDS] = {
+    [NB_BLOCK_SCENE] = "scene", [NB_BLOCK_EXPECT] = "expect", [NB_BLOCK_GNUPLOT] = "gnuplot", [NB_BLOCK_PATH] = "path"};
+
+void nb_page_free(struct nb_page *page) {
+  for (size_t i = 0; i < page->line_count; i++)
+    free(page->lines[i]);
+  free(page->lines);
+  free(page->kind_of);
+  free(page->path);
+  memset(page, 0, sizeof *page);
+}
+
+/* The whole file, at most NB_PAGE_MAX + 1 bytes of it; NULL with errno when it cannot be read. */
+static char *slurp(const char *path, size_t *size) {
+  FILE *file = fopen(path, "rb");
+  if (!file)
+    return NULL;
+  char *bytes = malloc(NB_PAGE_MAX + 2);
+  if (bytes) {
+    errno = 0;
+    *size = fread(bytes, 1, NB_PAGE_MAX + 1, file);
+    if (ferror(file)) {
+      int why = errno;
+      free(bytes);
+      bytes = NULL;
+      errno = why;
+    }
+  }
+  int why = errno;
+  fclose(file);
+  errno = why;
+  return bytes;
+}
+
+/* How many bytes of UTF-8 make the character at c (RFC 3629, without control characters but tab); 0: none. */
+static size_t character(const unsigned char *c, size_t left) {
+  static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
+  size_t n = c[0] < 0x80 ? 1 : (c[0] & 0xE0) == 0xC0 ? 2 : (c[0] & 0xF0) == 0xE0 ? 3 : (c[0] & 0xF8) == 0xF0 ? 4 : 0;
+  if (n == 0 || n > left)
+    return 0;
+  if (n == 1)
+    return c[0] == '\t' || (c[0] >= 0x20 && c[0] != 0x7F) ? 1 : 0;
+  unsigned long code = c[0] & (0x7FU >> n);
+  for (size_t i = 1; i < n; i++) {
+    if ((c[i] & 0xC0) != 0x80)
+      return 0;
+    code = code << 6 | (c[i] & 0x3FU);
+  }
+  bool control = code >= 0x80 && code < 0xA0, surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return code < least[n] || code > 0x10FFFF || control || surrogate ? 0 : n;
+}
+
+/* Replaces what is no text by question marks, so that nothing later can stumble over it, and says the first one. */
+static void check_text(struct nb_page *page, size_t line, char *text, size_t length, struct nb_mistakes *mistakes) {
+  int column = 0, first = 0;
+  unsigned byte = 0;
+  for (size_t i = 0; i < length;) {
+    size_t n = character((const unsigned char *)text + i, length - i);
+    column++;
+    if (n == 0 && !first) {
+      first = column;
+      byte = (unsigned char)text[i];
+    }
+    if (n == 0)
+      text[i] = '?';
+    i += n ? n : 1;
+  }
+  if (first)
+    nb_mistake(mistakes, page, line, first, 1, "save the page as plain text, UTF-8",
+               "expected text, found the byte 0x%02X (shown as `?`)", byte);
+}
+
+static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
+  size_t at = size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0; /* a byte order mark is no text */
+  while (at < size) {
+    const char *end = memchr(bytes + at, '\n', size - at);
+    size_t length = end ? (size_t)(end - bytes) - at : size - at, next = at + length + 1;
+    if (length > 0 && bytes[at + length - 1] == '\r')
+      length--;
+    char **lines = nb_room(page->lines, page->line_count, 1, sizeof *lines);
+    if (lines)
+      page->lines = lines;
+    char *line = malloc(length + 1);
+    if (!lines || !line) {
+      free(line);
+      return false;
+    }
+    memcpy(line, bytes + at, length);
+    line[length] = '\0';
+    page->lines[page->line_count++] = line;
+    check_text(page, page->line_count, line, length, mistakes);
+    if (length > NB_LINE_MAX) {
+      line[60] = '\0'; /* enough to recognise it by */
+      nb_mistake(mistakes, page, page->line_count, 1, 1, NULL, "expected at most %d bytes in a line, found %zu",
+                 NB_LINE_MAX, length);
+    }
+    at = next;
+  }
+  return true;
+}
+
+/* The length of the fence that a line is, its sign and where its info string begins; 0: it is none. */
+static size_t fence(const char *line, char *sign, const char **info) {
+  *sign = '\0';
+  *info = "";
+  size_t blanks = strspn(line, " ");
+  const char *c = line + blanks;
+  if (blanks > 3 || (*c != '`' && *c != '~'))
+    return 0;
+  char both[2] = {*c, '\0'};
+  size_t n = strspn(c, both);
+  *sign = *c;
+  *info = c + n + strspn(c + n, " \t");
+  return n < 3 || (*sign == '`' && strchr(*info, '`')) ? 0 : n;
+}
+
+/* The kind of block that an opening fence begins; a near miss is a mistake: it would be passed over in silence. */
+static int kind_of_info(const struct nb_page *page, size_t line, const char *info, struct nb_mistakes *mistakes) {
+  char word[NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  size_t length = strcspn(info, " \t");
+  if (length == 0 || length >= sizeof word)
+    return -1;
+  memcpy(word, info, length);
+  word[length] = '\0';
+  struct nb_guess guess = nb_guess_begin(word);
+  for (int kind = 0; kind < NB_BLOCK_KINDS; kind++) {
+    if (strcmp(word, kinds[kind]) == 0)
+      return kind;
+    nb_guess_offer(&guess, kinds[kind]);
+  }
+  if (guess.distance <= 1)
+    nb_mistake(mistakes, page, line, (int)(info - page->lines[line - 1]) + 1, (int)length, nb_guess_hint(&guess, hint),
+               "expected a block of a known kind (scene, path, expect, gnuplot), found `%s`", word);
+  return -1;
+}
+
+static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
+  size_t open = 0, opened_on = 0;
+  char sign = 0;
+  int kind = -1;
+  for (size_t i = 0; i < page->line_count; i++) {
+    const char *line = page->lines[i], *info;
+    char s;
+    size_t n = fence(line, &s, &info);
+    if (open && n >= open && s == sign && *info == '\0') {
+      open = 0;
+    } else if (open) {
+      page->kind_of[i] = (unsigned char)(kind + 1);
+    } else if (n) {
+      open = n;
+      sign = s;
+      opened_on = i + 1;
+      kind = kind_of_info(page, i + 1, info, mistakes);
+    } else if (!page->title[0] && strncmp(line, "# ", 2) == 0) {
+      size_t length = strlen(line + 2);
+      if (length >= sizeof page->title)
+        length = sizeof page->title - 1;
+      while (length > 0 && (line[2 + length] & 0xC0) == 0x80)
+        length--; /* never half a character */
+      memcpy(page->title, line + 2, length);
+      page->title[length] = '\0';
+    }
+  }
+  if (open) {
+    int column = (int)strspn(page->lines[opened_on - 1], " ") + 1;
+    nb_mistake(mistakes, page, opened_on, column, (int)open, "close it with a line of as many signs, alone on the line",
+               "expected the end of the block that begins here, found the end of the page");
+  }
+}
+
+size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind) {
+  for (size_t i = 1; i < page->line_count; i++)
+    if (page->kind_of[i] == 1 + kind && page->kind_of[i - 1] == 0)
+      return i; /* the line before lines[i], counted from 1 */
+  return 0;
+}
+
+static void name_page(struct nb_page *page, struct nb_mistakes *mistakes) {
+  const char *slash = strrchr(page->path, '/'), *name = slash ? slash + 1 : page->path;
+  size_t length = strlen(name);
+  if (length > 3 && strcmp(name + length - 3, ".md") == 0)
+    length -= 3;
+  if (length >= sizeof page->name) {
+    nb_mistake(mistakes, page, 0, 0, 0, NULL, "expected a file name shorter than %d bytes", NB_NAME_SIZE);
+    length = sizeof page->name - 1;
+  }
+  memcpy(page->name, name, length);
+  page->name[length] = '\0';
+}
+
+enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
+                                  struct nb_mistakes *mistakes) {
+  memset(page, 0, sizeof *page);
+  size_t before = mistakes->made;
+  page->path = malloc(strlen(path) + 1);
+  if (page->path)
+    strcpy(page->path, path);
+  else
+    return mistakes->count++, mistakes->made++, NB_BAD_USE;
+  name_page(page, mistakes);
+
+  if (!bytes) {
+    nb_mistake(mistakes, page, 0, 0, 0, NULL, "cannot be read: %s", strerror(errno));
+  } else if (size > NB_PAGE_MAX) {
+    nb_mistake(mistakes, page, 0, 0, 0, NULL, "expected a page of at most %d bytes, this one is longer", NB_PAGE_MAX);
+  } else {
+    page->hash = nb_hash(NB_HASH_BEGIN, bytes, size);
+    page->kind_of = calloc(size + 1, 1); /* no more lines than bytes; and a page that is a file has this array */
+    if (page->kind_of && cut_lines(page, bytes, size, mistakes))
+      find_blocks(page, mistakes);
+    else
+      nb_mistake(mistakes, page, 0, 0, 0, NULL, "there is not enough memory to read this page");
+  }
+  if (mistakes->made == before)
+    return NB_OK;
+  nb_page_free(page);
+  return NB_BAD_USE;
+}
+
+enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
+  size_t size = 0;
+  char *bytes = slurp(path, &size);
+  const enum nb_status status = nb_page_read_bytes(page, path, bytes, size, mistakes);
+  free(bytes);
+  return status;
+}

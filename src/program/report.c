@@ -1,0 +1,116 @@
+/* The report: one static page about all pages, with their verdicts and figures. It needs no server and no script.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "state/save.h"
+#include "tables.h"
+
+enum { MANY = 20 }; /* so many checks are folded away, unless one failed */
+
+static void text(FILE *out, const char *words) {
+  for (; *words; words++)
+    switch (*words) {
+    case '<':
+      fputs("&lt;", out);
+      break;
+    case '>':
+      fputs("&gt;", out);
+      break;
+    case '&':
+      fputs("&amp;", out);
+      break;
+    case '"':
+      fputs("&quot;", out);
+      break;
+    default:
+      fputc(*words, out);
+    }
+}
+
+static const char style[] =
+    "body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}"
+    "table{border-collapse:collapse;width:100%;margin:1rem 0;font-size:.85rem}"
+    "td,th{text-align:left;padding:.25rem .6rem;border-bottom:1px solid #ddd;vertical-align:top}"
+    "img{max-width:100%}.pass{color:#17652b}.fail{color:#a3123a;font-weight:bold}h2{margin-top:3rem}"
+    "@media(prefers-color-scheme:dark){body{background:#111;color:#ddd}td,th{border-color:#444}.pass{color:#7ccf8f}"
+    ".fail{color:#ff8095}a{color:#9cf}}";
+
+static void write_summary(FILE *out, const struct nb_report_line *lines, size_t count) {
+  fputs("<table><tr><th>page</th><th>about</th><th>checks</th><th>failed</th><th>seconds</th></tr>\n", out);
+  for (size_t k = 0; k < count; k++) {
+    const struct nb_report_line *line = &lines[k];
+    fprintf(out, "<tr><td><a href=\"#%s\">%s</a></td><td>", line->name, line->name);
+    text(out, line->title);
+    if (line->status <= NB_FAILED)
+      fprintf(out, "</td><td>%zu</td><td class=\"%s\">%zu</td><td>%.2f</td></tr>\n", line->checks,
+              line->failed ? "fail" : "pass", line->failed, line->seconds);
+    else
+      fputs("</td><td colspan=\"3\" class=\"fail\">did not run</td></tr>\n", out);
+  }
+  fputs("</table>\n", out);
+}
+
+static void write_page(FILE *out, const struct nb_report_line *line) {
+  fprintf(out, "<h2 id=\"%s\">", line->name);
+  text(out, line->title);
+  fputs("</h2>\n", out);
+  if (line->message[0]) {
+    fputs("<p class=\"fail\">", out);
+    text(out, line->message);
+    fputs("</p>\n", out);
+  }
+  if (line->drawn)
+    fprintf(out, "<p><img src=\"%s/%s.svg\" alt=\"figure of %s\"></p>\n", line->name, line->name, line->name);
+  if (line->checks)
+    fprintf(out,
+            "<details%s><summary>%zu checks, %zu "
+            "failed</summary>\n<table><tr><th></th><th>expected</th><th>seen</th></tr>\n",
+            line->checks < MANY || line->failed ? " open" : "", line->checks, line->failed);
+  for (size_t k = 0; k < line->checks; k++) {
+    const struct nb_check *check = &line->verdicts[k];
+    fprintf(out, "<tr><td class=\"%s\">%s</td><td>", check->passed ? "pass" : "fail", check->passed ? "pass" : "FAIL");
+    text(out, check->label);
+    fputs("</td><td>", out);
+    text(out, check->words);
+    fputs("</td></tr>\n", out);
+  }
+  if (line->checks)
+    fputs("</table></details>\n", out);
+  if (line->status <= NB_FAILED)
+    fprintf(out,
+            "<p>Files: <a href=\"%s/table.tsv\">table</a>, <a href=\"%s/values.tsv\">values</a>, <a "
+            "href=\"%s/verdict.tsv\">verdict</a>",
+            line->name, line->name, line->name);
+  if (line->drawn)
+    fprintf(out, ", figure as <a href=\"%s/%s.png\">PNG</a> and <a href=\"%s/%s.gp\">script</a>", line->name,
+            line->name, line->name, line->name);
+  fputs("</p>\n", out);
+}
+
+enum nb_status nb_report_write(const char *folder, const struct nb_report_line *lines, size_t count,
+                               struct nb_error *error) {
+  char path[4096];
+  struct nb_save file;
+  if ((size_t)snprintf(path, sizeof path, "%s/index.html", folder) >= sizeof path)
+    return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
+  if (nb_save_begin(&file, path, error))
+    return error->status;
+  size_t checks = 0, failed = 0, broken = 0;
+  for (size_t k = 0; k < count; k++)
+    checks += lines[k].checks, failed += lines[k].failed, broken += lines[k].status > NB_FAILED;
+  FILE *out = file.file;
+  fprintf(out,
+          "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>nineball report</title><style>%s</style>\n",
+          style);
+  fprintf(out, "<h1>nineball %s</h1>\n<p>%zu pages, %zu checks, <span class=\"%s\">%zu failed</span>", NB_VERSION,
+          count, checks, failed ? "fail" : "pass", failed);
+  if (broken)
+    fprintf(out, ", <span class=\"fail\">%zu did not run</span>", broken);
+  fputs(".</p>\n", out);
+  write_summary(out, lines, count);
+  for (size_t k = 0; k < count; k++)
+    write_page(out, &lines[k]);
+  fputs("</html>\n", out);
+  return nb_save_end(&file, error);
+}

@@ -1,0 +1,127 @@
+/* Expectations over a sweep: what rises, falls, stays, or has an order. Those over samples: verdict_sample.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "page/units.h"
+#include "verdict.h"
+
+/* There is one: expectations name only what is swept. */
+const struct nb_binding *nb_sweep_binding(const struct nb_page_run *run, const char *name) {
+  size_t k = 0;
+  while (k + 1 < run->scene.binding_count && strcmp(run->scene.bindings[k].name, name) != 0)
+    k++;
+  return &run->scene.bindings[k];
+}
+
+bool nb_sweep_same_but(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
+  const int sweep = name[0] ? nb_sweep_binding(a, name)->sweep : -1;
+  const int second = other[0] ? nb_sweep_binding(a, other)->sweep : -1;
+  for (size_t k = 0; k < a->scene.binding_count; k++) {
+    const struct nb_binding *binding = &a->scene.bindings[k];
+    const bool free = binding->sweep >= 0 && (binding->sweep == sweep || binding->sweep == second);
+    if (!free && strcmp(binding->text, b->scene.bindings[k].text) != 0)
+      return false;
+  }
+  return true;
+}
+
+void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
+  const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
+  double smallest = INFINITY, largest = -INFINITY, before = NAN, sum = 0, count = 0;
+  bool ordered = true;
+  check->words[0] = 0;
+  for (size_t r = first; r < outcome->run_count; r++) {
+    struct nb_error error;
+    double seen;
+    if (!nb_sweep_same_but(&outcome->runs[first], &outcome->runs[r], e->along, ""))
+      continue;
+    if (!nb_measure_seen(&seen, &outcome->runs[r].expectations.list[index].measure, &outcome->runs[r].result.table,
+                         &error)) {
+      nb_check_say(check, false, "%s", error.text);
+      return;
+    }
+    if (count > 0)
+      ordered = ordered && (e->kind == NB_RISES ? seen > before : seen < before);
+    smallest = seen < smallest ? seen : smallest, largest = seen > largest ? seen : largest;
+    sum += seen, count++, before = seen;
+    const size_t length = strlen(check->words);
+    snprintf(check->words + length, sizeof check->words - length, "%s%.6g at %s", count > 1 ? ", " : "seen ", seen,
+             nb_sweep_binding(&outcome->runs[r], e->along)->text);
+  }
+  const double spread = largest - smallest, scale = e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(sum / count);
+  check->passed = count > 1 && (e->kind == NB_SAME ? spread <= e->tolerance.value * scale : ordered);
+}
+
+/* A swept value as a number: `50 us` is 5e-5. */
+static bool number_of(double *value, const struct nb_binding *binding) {
+  char number[NB_NAME_SIZE];
+  const size_t length = strcspn(binding->text, " ");
+  snprintf(number, sizeof number, "%.*s", (int)length, binding->text);
+  const struct nb_unit *unit = binding->text[length] ? nb_unit_find(binding->text + length + 1) : NULL;
+  if (nb_number_read(value, number, unit ? unit->shift : 0) != NB_READ)
+    return false;
+  *value *= unit ? unit->factor : 1;
+  return *value > 0;
+}
+
+/* Slope of the straight line nearest to log(error) over log(value) of all runs in a sweep. */
+void nb_check_slope(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
+  const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  char errors[256] = "";
+  for (size_t r = first; r < outcome->run_count; r++) {
+    const struct nb_page_run *run = &outcome->runs[r];
+    const struct nb_measure *measure = &run->expectations.list[index].measure;
+    struct nb_error error;
+    double seen, value;
+    if (!nb_sweep_same_but(&outcome->runs[first], run, e->along, ""))
+      continue;
+    const double *known = nb_check_known(run, measure);
+    const struct nb_binding *binding = nb_sweep_binding(run, e->along);
+    if (!known || !number_of(&value, binding)) {
+      nb_check_say(check, false, known ? "`%s` is not a number above 0" : "the reference does not know `%s`",
+                   known ? binding->text : measure->label);
+      return;
+    }
+    if (!nb_measure_seen(&seen, measure, &run->result.table, &error)) {
+      nb_check_say(check, false, "%s", error.text);
+      return;
+    }
+    const double lx = log(value), ly = log(fabs(seen - *known));
+    n++, x += lx, y += ly, xx += lx * lx, xy += lx * ly;
+    const size_t length = strlen(errors);
+    snprintf(errors + length, sizeof errors - length, "%s%.3g at %s", n > 1 ? ", " : "", fabs(seen - *known),
+             binding->text);
+  }
+  const double slope = (n * xy - x * y) / (n * xx - x * x);
+  nb_check_say(check, fabs(slope - e->stated) <= e->tolerance.value, "seen order %.4g: errors %s", slope, errors);
+}
+
+static bool along_sweep(enum nb_expectation_kind kind) {
+  return kind == NB_RISES || kind == NB_FALLS || kind == NB_SAME || kind == NB_ORDER;
+}
+
+bool nb_over_sweep(const struct nb_expectation *e) { return along_sweep(e->kind) || e->among[0]; }
+
+bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *e) {
+  const struct nb_page_run *it = &outcome->runs[run];
+  const char *along = along_sweep(e->kind) ? e->along : "";
+  for (size_t r = 0; r < run; r++)
+    if (nb_sweep_same_but(&outcome->runs[r], it, along, e->among))
+      return false;
+  return (!along[0] || nb_sweep_binding(it, along)->swept) && (!e->among[0] || nb_sweep_binding(it, e->among)->swept);
+}
+
+void nb_sweep_group(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *e) {
+  const int along = along_sweep(e->kind) ? nb_sweep_binding(run, e->along)->sweep : -1;
+  const int among = e->among[0] ? nb_sweep_binding(run, e->among)->sweep : -1;
+  text[0] = 0;
+  for (size_t k = 0; k < run->scene.binding_count; k++) {
+    const struct nb_binding *binding = &run->scene.bindings[k];
+    const size_t length = strlen(text);
+    if (binding->swept && binding->sweep != along && binding->sweep != among)
+      snprintf(text + length, size - length, "%s%s=%s", length ? ", " : "", binding->name, binding->text);
+  }
+}
