@@ -88,6 +88,8 @@ static void read_line(struct nb_scene_reading *reading, size_t line) {
     return;
   if (!value)
     nb_hash_line(reading);
+  if (!value && nb_repeat_closed(reading))
+    return;
   nb_statement_read(reader, nb_keywords(), reading->here, reading);
   reading->cell_unsure = reading->cell_unsure || (reader->bad && strcmp(verb, "cell") == 0);
   if (reading->lost)

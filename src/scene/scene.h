@@ -148,6 +148,8 @@ void nb_settings_read(struct nb_scene_reading *reading);
 size_t nb_runs(const struct nb_scene_reading *reading);
 /* A quantity by its name; false with a message in place when there is none, unless an earlier mistake explains that. */
 bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked);
+/* Says so, and is true, when a line below a `repeat` would belong to what is repeated. */
+bool nb_repeat_closed(struct nb_scene_reading *reading);
 /* What a scene or a path must have that has been read to its end. */
 void nb_whole_check(struct nb_scene_reading *reading);
 /* What the laws ask of materials and bodies. */

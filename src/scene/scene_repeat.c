@@ -14,6 +14,19 @@ void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *readin
   snprintf(stage->name, sizeof stage->name, "%.*s%s", (int)(length < most ? length : most), name->text, number);
 }
 
+bool nb_repeat_closed(struct nb_scene_reading *reading) {
+  struct nb_reader *reader = &reading->reader;
+  const struct nb_scene *scene = reading->scene;
+  const char *begins = scene->path ? "leg" : "stage", *verb = reader->tokens[0].text;
+  if (reading->repeat.now || reading->repeat.until == 0 || strcmp(verb, begins) == 0 || strcmp(verb, "repeat") == 0 ||
+      (size_t)nb_stage_now(scene)->line > reading->repeat.until)
+    return false;
+  nb_token_mistake(reader, &reader->tokens[0],
+                   "above the `repeat` it is said of all of them, here of the last one only",
+                   "expected `%s` below the `repeat` of line %zu", begins, reading->repeat.until);
+  return true;
+}
+
 NB_APPLY(nb_apply_repeat) {
   struct nb_scene_reading *reading = subject;
   const struct nb_scene *scene = reading->scene;
