@@ -72,11 +72,11 @@ static void rest_counts_all_that_is_felt(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
-  const double depth = pi * 2 * 0.5 / 100; /* m G/k_n */
+  const double depth = pi * 2 / 100; /* m G/k_n, G = 1 */
   words_add(&page,
             "units none\nmaterial m density 2 kn 100\nstep 0.001\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n"
-            "region A all\nrecord unbalance A.unbalance\nstage s\ngravity centripetal 0.5 about 0 0\ncycles 5\n"
-            "stage t\ngravity centripetal 0.75 about 0 0\ncycles 1\n",
+            "region A all\nrecord unbalance A.unbalance\nstage s\ngravity centripetal 1 about 0 0\ncycles 5\n"
+            "stage t\ngravity centripetal 1.5 about 0 0\ncycles 1\n",
             1 - depth / 2, depth / 2 - 1);
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
