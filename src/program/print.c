@@ -47,7 +47,7 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
     const struct nb_check *check = &outcome->checks[k];
     printf("%s %zu - ", check->passed ? "ok" : "not ok", k + 1);
     tap_text(check->label);
-    if (check->noted && !check->passed)
+    if (check->noted && !check->passed) /* TAP's word for what is not ok and yet fails nothing */
       fputs(" # TODO outside of the sample", stdout);
     printf("\n# line %d: ", check->line);
     tap_text(check->words);
