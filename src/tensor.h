@@ -49,6 +49,13 @@ static inline struct nb_tensor tensor_symmetric(struct nb_tensor a) {
   return tensor(a.xx, mixed, mixed, a.yy);
 }
 static inline double tensor_trace(struct nb_tensor a) { return a.xx + a.yy; }
+static inline double tensor_largest(struct nb_tensor a) { /* of its components, without sign */
+  const double parts[] = {fabs(a.xx), fabs(a.xy), fabs(a.yx), fabs(a.yy)};
+  double most = 0;
+  for (int k = 0; k < 4; k++)
+    most = parts[k] > most ? parts[k] : most;
+  return most;
+}
 
 static inline double tensor_mean(struct nb_tensor a) { return (a.xx + a.yy) / 2; } /* centre of Mohr's circle */
 static inline double tensor_radius(struct nb_tensor a) {

@@ -67,9 +67,18 @@ static void directions(void) {
   CU_ASSERT(tensor_angle(tensor(0, 1, -1, 0)) == 0); /* a rotation stretches nothing */
 }
 
+static void largest_component(void) {
+  CU_ASSERT_EQUAL(tensor_largest(tensor(0, 0, 0, 0)), 0);
+  CU_ASSERT_EQUAL(tensor_largest(tensor(-9, 1, 2, -3)), 9);
+  CU_ASSERT_EQUAL(tensor_largest(tensor(1, -8, 2, 3)), 8);
+  CU_ASSERT_EQUAL(tensor_largest(tensor(-1, 2, -7, 3)), 7);
+  CU_ASSERT_EQUAL(tensor_largest(tensor(1, -2, 3, -6)), 6);
+}
+
 void suite_tensor(void) {
   CU_pSuite suite = CU_add_suite("tensor", NULL, NULL);
   CU_add_test(suite, "sums and products are component by component", sums_and_products);
   CU_add_test(suite, "principal values and direction are eigenvalues and eigenvector", principal);
   CU_add_test(suite, "the direction is the major one's, whatever the quadrant", directions);
+  CU_add_test(suite, "the largest component, whichever it is", largest_component);
 }

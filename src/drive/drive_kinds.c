@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "drive.h"
 #include "energy/energy.h"
+#include "measure/region.h"
 #include "names.h"
 
 #define OF_RING(function, expression)                                                                                  \
@@ -14,26 +15,20 @@ OF_RING(bodies, (double)model->drive->ring.count)
 OF_RING(radius, nb_ring_radius(model))
 OF_RING(area, nb_ring_area(model))
 OF_RING(unevenness, nb_ring_unevenness(model))
-OF_RING(stress_xx, nb_ring_stress(model).xx)
-OF_RING(stress_xy, nb_ring_stress(model).xy)
-OF_RING(stress_yx, nb_ring_stress(model).yx)
-OF_RING(stress_yy, nb_ring_stress(model).yy)
-OF_RING(stress_mean, tensor_mean(nb_ring_stress(model)))
-OF_RING(stress_deviator, 2 * tensor_radius(nb_ring_stress(model)))
-
 /* The largest component of the difference to the stress by contacts. */
 static double differs(const struct nb_model *model) {
   const double volume = nb_ring_area(model) * nb_thickness(model);
   if (!(volume > 0))
     return 0;
-  const struct nb_tensor off = tensor_sub(nb_ring_stress(model), tensor_scale(1 / volume, nb_contacts_virial(model)));
-  const double parts[] = {off.xx, off.xy, off.yx, off.yy};
-  double most = 0;
-  for (int k = 0; k < 4; k++)
-    most = fabs(parts[k]) > most ? fabs(parts[k]) : most;
-  return most;
+  return tensor_largest(tensor_sub(nb_ring_stress(model), tensor_scale(1 / volume, nb_contacts_virial(model))));
 }
 OF_RING(stress_residual, differs(model))
+
+static struct nb_tensor stress_of(const struct nb_model *model) {
+  return model->drive && model->drive->ring.begun ? nb_ring_stress(model) : tensor(0, 0, 0, 0);
+}
+NB_TENSOR_QUANTITIES(stress, stress_of(model))
+NB_QUANTITY(stress_mean, tensor_mean(stress_of(model)))
 
 static double whole(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
@@ -46,15 +41,10 @@ const struct nb_quantity_kind nb_drive_kinds[] = {
     {"boundary.area", 0, "m2", 0, area, "of the polygon through their centres"},
     {"boundary.unevenness", 0, "1", 0, unevenness,
      "root of the mean square of their distances' deviations from boundary.radius, over it [R89 6.4.1]"},
-    {"boundary.stress.xx", 0, "Pa", 0, stress_xx,
-     "from the contact forces on the boundary's bodies, sum F_i X_j over the polygon's area and the thickness; "
-     "compression "
-     "is positive"},
-    {"boundary.stress.xy", 0, "Pa", 0, stress_xy, "force to the east, on places to the north"},
-    {"boundary.stress.yx", 0, "Pa", 0, stress_yx, "force to the north, on places to the east"},
-    {"boundary.stress.yy", 0, "Pa", 0, stress_yy, "likewise"},
+    NB_TENSOR_ROWS("boundary.stress", 0, "Pa", 0, stress, "deviator",
+                   "from the contact forces on the boundary's bodies, sum F_i X_j over the polygon's area and the "
+                   "thickness, compression positive"),
     {"boundary.stress.mean", 0, "Pa", 0, stress_mean, "(xx + yy)/2"},
-    {"boundary.stress.deviator", 0, "Pa", 0, stress_deviator, "major less minor principal stress"},
     {"boundary.stress.residual", 0, "Pa", 0, stress_residual,
      "largest difference between it and the stress by all contacts over the same volume: sum F_i X_j of the bodies "
      "inside, "

@@ -49,8 +49,6 @@ static double density(const struct nb_model *model, double volume) {
   return sum / volume;
 }
 
-static double limited(double most, double value) { return fabs(value) > most ? fabs(value) : most; }
-
 /* What is off, Pa, and 0 where nothing is held. */
 static struct nb_tensor off_by(const struct nb_model *model, const struct nb_servo *servo, double share) {
   const struct nb_servo_from *from = &model->carry->servo_from;
@@ -64,8 +62,6 @@ static struct nb_tensor off_by(const struct nb_model *model, const struct nb_ser
   const double shear = servo->held[2] ? off[2] : 0;
   return tensor(servo->held[0] ? off[0] : 0, shear, shear, servo->held[1] ? off[1] : 0);
 }
-
-static double largest(struct nb_tensor a) { return limited(limited(fabs(a.xx), a.yy), a.xy); }
 
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
   const struct nb_vec sides = servo->box ? nb_box_sides(model) : vec(0, 0);
@@ -88,11 +84,11 @@ static struct nb_tensor correction(struct nb_model *model, const struct nb_servo
   struct nb_servo_from *from = &model->carry->servo_from;
   const struct nb_tensor off = off_by(model, servo, share);
   /* b may be 0, and then t has no end: what is left is the direction */
-  const double far = largest(off), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
+  const double far = tensor_largest(off), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
   const bool too_fast = far > 0 && rate * far > most;
   const struct nb_tensor p = tensor_scale(too_fast ? most / far : far > 0 ? rate : 0, off);
   const struct nb_tensor more = tensor_add(p, from->gathered);
-  if (from->begun && !too_fast && largest(more) <= most) {
+  if (from->begun && !too_fast && tensor_largest(more) <= most) {
     from->gathered = tensor_add(from->gathered, tensor_scale((double)servo->every * model->step / (16 * t), p));
     return more;
   }

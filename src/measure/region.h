@@ -170,27 +170,4 @@ const struct nb_porosity *nb_porosity_of(const struct nb_model *model, const str
 const struct nb_coordination *nb_coordination_of(const struct nb_model *model, const struct nb_watch *watch);
 const struct nb_loads *nb_loads_of(const struct nb_model *model, const struct nb_watch *watch);
 
-/* Rows of quantities: a function for each, and the rows of a tensor, which all tensors have alike. */
-#define NB_QUANTITY(function, expression)                                                                              \
-  static double function(const struct nb_model *model, const struct nb_watch *watch) { return expression; }
-#define NB_TENSOR_QUANTITIES(stem, expression)                                                                         \
-  NB_QUANTITY(stem##_xx, (expression).xx)                                                                              \
-  NB_QUANTITY(stem##_xy, (expression).xy)                                                                              \
-  NB_QUANTITY(stem##_yx, (expression).yx)                                                                              \
-  NB_QUANTITY(stem##_yy, (expression).yy)                                                                              \
-  NB_QUANTITY(stem##_major, tensor_major(expression))                                                                  \
-  NB_QUANTITY(stem##_minor, tensor_minor(expression))                                                                  \
-  NB_QUANTITY(stem##_deviator, 2 * tensor_radius(expression))                                                          \
-  NB_QUANTITY(stem##_angle, tensor_angle(expression))
-#define NB_TENSOR_ROWS(name, of, unit, fields, stem, deviator, what)                                                   \
-  {name ".xx", of, unit, fields, stem##_xx, what ", component"},                                                       \
-      {name ".xy", of, unit, fields, stem##_xy, what ", component"},                                                   \
-      {name ".yx", of, unit, fields, stem##_yx, what ", component"},                                                   \
-      {name ".yy", of, unit, fields, stem##_yy, what ", component"},                                                   \
-      {name ".major", of, unit, fields, stem##_major, what ", major principal value [R89 4.52]"},                      \
-      {name ".minor", of, unit, fields, stem##_minor, what ", minor principal value [R89 4.53]"},                      \
-      {name "." deviator, of, unit, fields, stem##_deviator, what ", major less minor principal value"}, {             \
-    name ".angle", of, "rad", fields, stem##_angle, what ", from x to the major principal axis [R89 4.54]"             \
-  }
-
 #endif

@@ -102,11 +102,8 @@ static double residual(const struct nb_stress *stress) {
       tensor_sub(tensor_add(stress->fabric, stress->variation), stress->normal),
   };
   double most = 0;
-  for (size_t k = 0; k < sizeof zeros / sizeof *zeros; k++) {
-    const double parts[] = {zeros[k].xx, zeros[k].xy, zeros[k].yx, zeros[k].yy};
-    for (int p = 0; p < 4; p++)
-      most = fabs(parts[p]) > most ? fabs(parts[p]) : most;
-  }
+  for (size_t k = 0; k < sizeof zeros / sizeof *zeros; k++)
+    most = fmax(most, tensor_largest(zeros[k]));
   return most;
 }
 
