@@ -11,7 +11,7 @@
 #include "nineball.h"
 #include "vec.h"
 
-enum { NB_BLOCK = 256 };
+enum { NB_BLOCK = 64 };
 
 enum nb_field {
   NB_OVERLAP, /* alpha >= 0, m */
@@ -28,7 +28,8 @@ enum nb_field {
   NB_LOST,                   /* lost in the step behind to micro-slip and sliding, by a law that says it, J */
   NB_PUSH,                   /* F_n + D_n, N: what is felt; may pull while damped */
   NB_DRAG,                   /* F_s + D_s, N */
-  NB_MASS,                   /* M*, reduced mass, kg [R89 4.6]; these two stay what they are while a pair is listed */
+  NB_REACH,                  /* R_x + R_y, m; these three stay what they are while a pair is listed */
+  NB_MASS,                   /* M*, reduced mass, kg [R89 4.6] */
   NB_REDUCED,                /* R*, reduced radius, m [R89 4.5] */
   NB_DEEP,                   /* 1 where the overlap is more than a Hertz contact is good for, else 0 */
   NB_SURE,                   /* overlap up to which the step is sure to be stable, m: watch.c */
@@ -88,10 +89,11 @@ typedef void nb_run_pass(const struct nb_model *model, const struct nb_view *vie
   { name##_plain, name##_plain, name##_plain }
 #endif
 
-/* The share of the step behind in which a pair touched: all of it, unless it was apart a step ago, when it has overlapped by
- * less than it has closed. Slip counts while they touch, or the first step would be of first order in a law's slip. */
+/* Whether a pair has met in the step behind: it was apart a step ago when it has overlapped by less than it has closed. And the
+ * share of that step in which it touched. Slip counts while they touch, or the first step would be of first order in a law's slip. */
+static inline bool nb_met(double overlap, double closing) { return overlap > 0 && overlap < closing; }
 static inline double nb_touched(double overlap, double closing) {
-  return overlap > 0 && overlap < closing ? overlap / closing : 1;
+  return nb_met(overlap, closing) ? overlap / closing : 1;
 }
 
 /* ---- memory.c ---- */
@@ -119,5 +121,14 @@ struct nb_view {
   struct nb_sure *sure; /* watch.c */
   const struct nb_pairing *pairing;
 };
+
+/* Of pairs that have met in the step behind slip is what there was of it since then. Few have, so it is no part of a wide loop. */
+static inline void nb_slip_since_met(const struct nb_view *view) {
+  const double *overlap = view->f[NB_OVERLAP], *closing = view->f[NB_CLOSING];
+  double *slip = view->f[NB_SLIP];
+  for (size_t c = 0; c < view->n; c++)
+    if (nb_met(overlap[c], closing[c]))
+      slip[c] *= overlap[c] / closing[c];
+}
 
 #endif

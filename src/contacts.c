@@ -75,6 +75,7 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
   const int a = contacts->a[c], b = contacts->b[c];
   const bool wall = model->pairings[contacts->pairing[c]].wall;
   const double radius = bodies->rim[a].x;
+  contacts->kept[NB_REACH][c] = radius + (wall ? 0 : bodies->rim[b].x);
   if (contacts->kept[NB_MASS])
     contacts->kept[NB_MASS][c] = 1 / (bodies->inverse_mass[a] + (wall ? 0 : bodies->inverse_mass[b]));
   if (contacts->kept[NB_REDUCED])
@@ -139,11 +140,11 @@ static bool incidence_renew(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const size_t n = model->bodies.count;
   free(incidence->first), free(incidence->middle), free(incidence->entry);
-  incidence->first = nb_array(n + 1, sizeof(size_t)), incidence->middle = nb_array(n + 1, sizeof(size_t));
+  incidence->first = nb_array(n + 1, sizeof(int)), incidence->middle = nb_array(n + 1, sizeof(int));
   incidence->entry = nb_array(2 * contacts->count, sizeof(int));
   if (!incidence->first || !incidence->middle || !incidence->entry)
     return false;
-  size_t *first = incidence->first, *end = incidence->middle; /* `middle` is filled last */
+  int *first = incidence->first, *end = incidence->middle; /* `middle` is filled last */
   for (size_t c = 0; c < contacts->count; c++) {
     first[contacts->a[c] + 1]++;
     if (!model->pairings[contacts->pairing[c]].wall)
@@ -158,9 +159,9 @@ static bool incidence_renew(struct nb_model *model) {
   }
   for (int i = 0; i < (int)n; i++) {
     int *entry = incidence->entry;
-    for (size_t p = first[i] + 1; p < first[i + 1]; p++) {
+    for (int p = first[i] + 1; p < first[i + 1]; p++) {
       const int it = entry[p];
-      size_t q = p;
+      int q = p;
       for (; q > first[i] && partner(model, it, i) < partner(model, entry[q - 1], i); q--)
         entry[q] = entry[q - 1];
       entry[q] = it;
@@ -209,9 +210,9 @@ struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, 
 
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_incidence *incidence = &model->incidence;
-  for (size_t k = incidence->first[a]; k < incidence->first[a + 1]; k++) {
-    const int c = incidence->entry[k];
+  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, (size_t)a);
+  for (const int *entry = its.first; entry < its.end; entry++) {
+    const int c = *entry;
     if (model->pairings[contacts->pairing[c]].wall != wall)
       continue;
     if (contacts->b[c] == b || (!wall && contacts->a[c] == b))

@@ -88,18 +88,15 @@ static void let_others_be_heard(struct nb_model *model) {
 }
 
 bool nb_joints_find(struct nb_model *model) {
-  const struct nb_incidence *incidence = &model->incidence;
   const struct nb_contacts *contacts = &model->contacts;
   model->joint_count = 0;
   if (!contacts->muted)
     return true;
   for (size_t c = model->wall_contacts; c < contacts->count; c++) {
-    const int i = contacts->a[c];
-    for (size_t k = incidence->middle[i]; k < incidence->first[i + 1]; k++) { /* walls in the order of the page */
-      const int d = incidence->entry[k];
-      if (d >= (int)model->wall_contacts && contacts->b[d] > contacts->b[c] && !find_between(model, (int)c, d))
+    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, (size_t)contacts->a[c]);
+    for (const int *d = its.middle; d < its.end; d++) /* walls in the order of the page */
+      if (*d >= (int)model->wall_contacts && contacts->b[*d] > contacts->b[c] && !find_between(model, (int)c, *d))
         return false;
-    }
   }
   let_others_be_heard(model);
   return true;

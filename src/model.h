@@ -10,6 +10,7 @@
 
 #include "bench/impact.h"
 #include "block.h"
+#include "contacts.h"
 #include "drive/cell.h"
 #include "joints.h"
 #include "laws/law.h"
@@ -63,25 +64,6 @@ struct nb_pairing {
   const struct nb_law *coming_shear; /* and the law that they ask for: for stable.c */
 };
 
-/* Every pair that is near: touching, or closer than the skin. Sorted by pairing, then number of a, then of b. */
-struct nb_contacts {
-  size_t count;
-  int *a, *b;              /* slots; a has the smaller number; b a wall's index where the pairing is with walls */
-  int *pairing;            /* index */
-  int *muted;              /* 1 where another wall's contact with this body stands for it (joints.c); NULL: nowhere */
-  struct nb_vec *image;    /* m: the second body is met at x + H m, H the cell's sides; NULL without a cell */
-  struct nb_vec *force;    /* on the first body, dashpots included, N */
-  double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
-  struct nb_memory normal_memory, shear_memory, slid; /* slid: m, since each stage that a snapshot is from, since.c */
-};
-
-/* For the motion half: which contacts a body has. */
-struct nb_incidence {
-  size_t *first;  /* slot -> its first entry; one more than bodies */
-  size_t *middle; /* slot -> the first entry in which it is the contact's first body */
-  int *entry;     /* contact */
-};
-
 /* Materials and pairs as they are now; stages change them. */
 struct nb_properties {
   struct nb_material *materials; /* as the scene's; */
@@ -127,6 +109,7 @@ struct nb_model {
   enum nb_field drag;    /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
   bool whole;            /* of contacts all is kept that a saved state holds */
   bool keeping;          /* no forces follow the search to come: contacts keep those that they have */
+  bool rubs;             /* some pairing has a shear law now */
   bool joined;           /* two walls have a common end */
   bool pressed;  /* at the last search some centre was within the skin of a wall: it may cross it before the next one */
   bool dashpots; /* some stage has contact damping */
@@ -204,15 +187,6 @@ double nb_thickness(const struct nb_model *model); /* of discs 1 m, of spheres t
 
 /* near.c: makes the list of contacts anew; an error when a body is nowhere */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
-
-/* contacts.c */
-long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
-void nb_contacts_free(struct nb_contacts *contacts);
-/* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */
-struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
-struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs of bodies: -sum f_i l_j, N m */
-/* What the laws of a contact are given: the constants of its pairing, and those of its own. */
-struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values);
 
 /* properties.c */
 bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene); /* as at time 0 */

@@ -16,7 +16,7 @@
  *   u_(N+1/2) = keep (u_(N-1/2) - c_(N-1/2)) + push (sum F / m)_N dt + c_(N+1/2)
  *
  * Contacts see u, so L z dt of two bodies that are z apart [R89 4.42], without knowing of it. What is held by a boundary has
- * no v. A scene in which nothing is carried has the loop without c.
+ * no v. A scene in which nothing but a boundary is carried has the loop without c.
  *
  * The velocities of a page belong to time 0, those of the scheme to half steps: the first kick lasts half a step, and one
  * between two steps of unlike length the mean of both. BALL starts from rest without forces, where that is the same.
@@ -24,16 +24,23 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "motion.h"
 
-/* The sums of a block of bodies, which stay in the first-level cache. */
-enum { BODIES = 256 };
+/* What there is of a bunch of bodies while they are moved: it stays in the first-level cache. */
+enum { BODIES = 128 };
 struct sums {
-  struct nb_vec force[BODIES];
-  double moment[BODIES];
+  struct nb_vec force[BODIES], c[BODIES];                     /* N, m/s */
+  double moment[BODIES];                                      /* N: over the radius */
+  double keep[2 * BODIES], kick[2 * BODIES], way[2 * BODIES]; /* for each component */
 };
 
-static void sum_up(struct sums *sums, const struct nb_felt *felt, const struct nb_vec *rim, size_t from, size_t n) {
+static inline NB_FORM void sum_up(struct sums *sums, const struct nb_felt *by, const struct nb_incidence *all,
+                                  size_t from, size_t n, bool turned) {
+  const struct nb_felt felt = *by;
+  const struct nb_incidence incidence = *all;
+  const int *middle = incidence.middle + from, *end = incidence.first + from + 1;
+  struct nb_contacts_of its = {.end = incidence.entry + incidence.first[from]};
   for (size_t k = 0; k < n; k++) {
-    const struct nb_force sum = nb_force_of(felt, from + k, rim[from + k].x);
+    its = (struct nb_contacts_of){its.end, incidence.entry + middle[k], incidence.entry + end[k]};
+    const struct nb_force sum = nb_sum_of(felt, its, turned);
     sums->force[k] = sum.force;
     sums->moment[k] = sum.moment;
   }
@@ -58,42 +65,72 @@ static void add_pressed(struct sums *sums, const struct nb_vec *pressed, size_t 
 /* What one thread needs for its bodies. */
 struct part {
   struct nb_bodies bodies; /* a copy: no store through one pointer can be thought to change another */
+  const struct nb_incidence *incidence;
   struct nb_factors factors;
   struct nb_vec gravity; /* m/s2 */
   struct nb_inward inward;
   const struct nb_vec *pressed; /* NULL: no stress on a boundary */
   const struct nb_carry *carry; /* NULL: nothing is carried along */
+  bool along;                   /* the step carries all bodies */
   bool cell;                    /* there is one */
   double time, step, reach;     /* of the kick and of the drift, s; how far a body may go without a new search, m */
 };
 
+/* v, without what carries the body, and c over the step to come, of which with `literal` nothing is remembered: it stays in v.
+ * `alike`: one rate is that of all. */
+static inline NB_FORM void carry(const struct part *part, struct sums *sums, size_t from, size_t n, bool alike) {
+  struct nb_vec *velocity = part->bodies.velocity + from, *carried = part->bodies.carried + from;
+  const struct nb_vec *position = part->bodies.position + from;
+  const struct nb_carry it = *part->carry;
+  const unsigned char *by = it.by + from, first = by[0];
+  NB_WIDE
+  for (size_t k = 0; k < n; k++) {
+    const int which = alike ? first : by[k];
+    sums->c[k] = tensor_times(it.rate[which], vec_sub(position[k], it.centre));
+    velocity[k] = vec_sub(velocity[k], carried[k]);
+    carried[k] = vec_scale(it.remembered[which], sums->c[k]);
+  }
+}
+
 /* Kick and drift, 22, 22a, and what fixed bodies do: they go on as they go, no force and no damping reaches them. `along`: of
  * bodies that are carried along. Answers how many are out of reach of the last search, or nowhere: what is not a number is
- * within no reach. */
-static inline NB_FORM int drift(const struct part *part, const struct sums *sums, size_t from, size_t n, bool along) {
-  const double *mass = part->bodies.inverse_mass + from;
-  const struct nb_vec *searched = part->bodies.searched + from;
-  struct nb_vec *velocity = part->bodies.velocity + from, *position = part->bodies.position + from;
-  struct nb_vec *carried = along ? part->bodies.carried + from : NULL;
-  const double dt = part->step, push = part->factors.push * part->time, reach = part->reach * part->reach;
-  int out = 0;
+ * within no reach. Components are taken one after the other, the loops are wide. */
+static inline NB_FORM int drift(const struct part *part, struct sums *sums, size_t from, size_t n, bool along) {
+  const double *mass = part->bodies.inverse_mass + from, *searched = vec_flat(part->bodies.searched + from);
+  double *velocity = vec_flat(part->bodies.velocity + from), *position = vec_flat(part->bodies.position + from);
+  double *keep = sums->keep, *kick = sums->kick, *way = sums->way;
+  const double *force = vec_flat(sums->force), *c = vec_flat(sums->c);
+  const double dt = part->step, push = part->factors.push * part->time, damped = part->factors.keep;
+  const double reach = part->reach * part->reach;
+  NB_WIDE
   for (size_t k = 0; k < n; k++) {
-    const double keep = mass[k] > 0 ? part->factors.keep : 1;
-    nb_both v = vec_both(&velocity[k]);
-    if (along)
-      v -= vec_both(&carried[k]);
-    v = keep * v + (push * mass[k]) * vec_both(&sums->force[k]);
-    if (along) {
-      const struct nb_vec c = nb_carried_at(part->carry, from + k, position[k]);
-      v += vec_both(&c);
-      carried[k] = vec_scale(part->carry->remembered[part->carry->by[from + k]], c); /* `literal`: it stays in v */
-    }
-    const nb_both x = vec_both(&position[k]) + dt * v, way = x - vec_both(&searched[k]), square = way * way;
-    vec_put(&velocity[k], v);
-    vec_put(&position[k], x);
-    out += !(square[0] + square[1] <= reach);
+    keep[2 * k] = keep[2 * k + 1] = mass[k] > 0 ? damped : 1;
+    kick[2 * k] = kick[2 * k + 1] = push * mass[k];
+  }
+  NB_WIDE
+  for (size_t k = 0; k < 2 * n; k++) {
+    const double own = keep[k] * velocity[k] + kick[k] * force[k];
+    const double v = along ? own + c[k] : own, x = position[k] + dt * v;
+    velocity[k] = v;
+    position[k] = x;
+    way[k] = (x - searched[k]) * (x - searched[k]);
+  }
+  int out = 0;
+  NB_WIDE
+  for (size_t k = 0; k < n; k++) {
+    out += !(way[2 * k] + way[2 * k + 1] <= reach);
   }
   return out;
+}
+
+/* Whether anything turns: without shear forces nothing begins to. */
+static inline NB_FORM bool spins(const double *spin, size_t n) {
+  unsigned long count = 0;
+  NB_WIDE
+  for (size_t k = 0; k < n; k++) {
+    count += spin[k] != 0;
+  }
+  return count > 0;
 }
 
 /* The same for turning, 23, 23a. */
@@ -101,15 +138,16 @@ static inline NB_FORM void turn(const struct part *part, const struct sums *sums
   const double *inertia = part->bodies.inverse_inertia + from;
   double *spin = part->bodies.spin + from, *angle = part->bodies.angle + from;
   struct nb_vec *rim = part->bodies.rim + from;
-  const double dt = part->step, push = part->factors.push * part->time;
+  const double dt = part->step, push = part->factors.push * part->time, damped = part->factors.keep;
   NB_WIDE
   for (size_t k = 0; k < n; k++) {
-    const double keep = inertia[k] > 0 ? part->factors.keep : 1;
-    const double w = keep * spin[k] + push * inertia[k] * sums->moment[k];
+    const double keep = inertia[k] > 0 ? damped : 1;
+    const double w = keep * spin[k] + push * inertia[k] * (sums->moment[k] * rim[k].x);
     spin[k] = w;
     angle[k] += w * dt;
-    rim[k].y = w * rim[k].x;
   }
+  for (size_t k = 0; k < n; k++)
+    rim[k].y = spin[k] * rim[k].x;
 }
 
 /* A cell carries the whole list of contacts: so the places of the last search, and the reach is for what bodies do besides. */
@@ -124,7 +162,10 @@ static inline NB_FORM int move(const struct part *part, const struct nb_felt *fe
   for (; from < to; from += BODIES) {
     const size_t n = to - from < BODIES ? to - from : BODIES;
     struct sums sums;
-    sum_up(&sums, felt, part->bodies.rim, from, n);
+    if (felt->drag)
+      sum_up(&sums, felt, part->incidence, from, n, true);
+    else
+      sum_up(&sums, felt, part->incidence, from, n, false);
     if (nb_pulls(part->gravity))
       add_weight(&sums, part->bodies.mass + from, part->gravity, n);
     if (part->inward.strength != 0)
@@ -133,8 +174,12 @@ static inline NB_FORM int move(const struct part *part, const struct nb_felt *fe
       add_pressed(&sums, part->pressed + from, n);
     if (part->cell)
       carry_list(part, from, n);
-    out += part->carry ? drift(part, &sums, from, n, true) : drift(part, &sums, from, n, false);
-    if (part->bodies.spin)
+    if (part->along && part->carry->alike)
+      carry(part, &sums, from, n, true);
+    else if (part->along)
+      carry(part, &sums, from, n, false);
+    out += part->along ? drift(part, &sums, from, n, true) : drift(part, &sums, from, n, false);
+    if (part->bodies.spin && (felt->drag || spins(part->bodies.spin + from, n)))
       turn(part, &sums, from, n);
   }
   return out;
@@ -162,11 +207,13 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
   const struct nb_felt felt = nb_felt_by(model);
   const double time = nb_kick_time(model);
   const struct part mine = {.bodies = model->bodies,
+                            .incidence = &model->incidence,
                             .factors = nb_factors(model, time),
                             .gravity = model->gravity,
                             .inward = model->inward,
                             .pressed = model->drive && model->drive->pressing ? model->drive->pressed : NULL,
                             .carry = model->carry,
+                            .along = model->carry && model->carry->all,
                             .cell = model->cell != NULL,
                             .time = time,
                             .step = model->step,

@@ -31,33 +31,29 @@ static inline struct nb_factors nb_factors(const struct nb_model *model, double 
 
 /* Where the forces on bodies are found. */
 struct nb_felt {
-  const size_t *first, *middle;
-  const int *entry;
   const struct nb_vec *force;
   const double *drag; /* NULL: no shear */
 };
 
 static inline struct nb_felt nb_felt_by(const struct nb_model *model) {
-  return (struct nb_felt){model->incidence.first, model->incidence.middle, model->incidence.entry,
-                          model->contacts.force, model->contacts.kept[model->drag]};
+  return (struct nb_felt){model->contacts.force, model->rubs ? model->contacts.kept[model->drag] : NULL};
 }
 
-/* The force stored is the one on the contact's first body, so where a body is second it feels the opposite. The moment is
- * F_s R counterclockwise on both [CS79, The force-displacement law]. */
-static inline struct nb_force nb_force_of(const struct nb_felt *felt, size_t slot, double radius) {
-  const size_t first = felt->first[slot], middle = felt->middle[slot], end = felt->first[slot + 1];
+/* The force stored is the one on the contact's first body, so where a body is second it feels the opposite. The shear forces
+ * F_s are counterclockwise on both [CS79, The force-displacement law]: their sum is left in `moment`, without the radius. */
+static inline NB_FORM struct nb_force nb_sum_of(struct nb_felt felt, struct nb_contacts_of its, bool turned) {
   struct nb_force sum = {.moment = 0};
   nb_both both = {0, 0};
-  for (size_t k = first; k < middle; k++)
-    both -= vec_both(&felt->force[felt->entry[k]]);
-  for (size_t k = middle; k < end; k++)
-    both += vec_both(&felt->force[felt->entry[k]]);
+  const int *c = its.first;
+  for (; c < its.middle; c++) {
+    both -= vec_both(&felt.force[*c]);
+    sum.moment += turned ? felt.drag[*c] : 0;
+  }
+  for (; c < its.end; c++) {
+    both += vec_both(&felt.force[*c]);
+    sum.moment += turned ? felt.drag[*c] : 0;
+  }
   vec_put(&sum.force, both);
-  if (!felt->drag)
-    return sum;
-  for (size_t k = first; k < end; k++)
-    sum.moment += felt->drag[felt->entry[k]];
-  sum.moment *= radius;
   return sum;
 }
 

@@ -97,7 +97,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   model->joined = nb_joints_meet(scene);
   model->dashpots = first_damped_line(scene) > 0;
   model->drag = model->dashpots ? NB_DRAG : NB_SHEAR;
-  model->kept = nb_fields_watched(scene) & (NB_BIT(NB_FIELDS) - 1);
+  model->kept = (nb_fields_watched(scene) & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_REACH);
   if (model->whole)
     model->kept |= NB_SAVED_MASK;
   if (nb_laws_elastic(scene)) /* whenever that is: of a law that goes it is asked once more what it has stored */
@@ -108,6 +108,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
     shears = shears || model->pairings[p].shear;
     loses = loses || (model->pairings[p].shear && model->pairings[p].shear->loses);
   }
+  model->rubs = shears;
   if (shears)
     model->kept |= NB_BIT(model->drag);
   else

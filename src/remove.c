@@ -36,8 +36,9 @@ static void take_out(struct nb_model *model, size_t i) {
   struct nb_bodies *bodies = &model->bodies;
   if (model->balance)
     nb_balance_removed(model, i);
-  for (size_t k = model->incidence.first[i]; k < model->incidence.first[i + 1]; k++)
-    let_go(model, (size_t)model->incidence.entry[k]);
+  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+  for (const int *c = its.first; c < its.end; c++)
+    let_go(model, (size_t)*c);
   if (model->drive)
     nb_ring_drop(model, i);
   if (model->carry)

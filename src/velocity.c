@@ -5,7 +5,9 @@
 
 struct nb_force nb_force_on(const struct nb_model *model, size_t slot) {
   const struct nb_felt felt = nb_felt_by(model);
-  return nb_force_of(&felt, slot, model->bodies.rim[slot].x);
+  struct nb_force sum = nb_sum_of(felt, nb_contacts_of(&model->incidence, slot), felt.drag != NULL);
+  sum.moment *= model->bodies.rim[slot].x;
+  return sum;
 }
 
 struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x) {
@@ -34,12 +36,11 @@ struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot) {
 }
 
 /* Its own velocity after a kick. What is fixed goes on as it goes: no force and no damping reaches it. */
-static struct nb_state kicked(const struct nb_model *model, const struct nb_felt *felt, size_t slot,
-                              struct nb_factors f, double time) {
+static struct nb_state kicked(const struct nb_model *model, size_t slot, struct nb_factors f, double time) {
   const struct nb_bodies *bodies = &model->bodies;
   struct nb_state own = nb_velocity_half(model, slot);
   if (bodies->inverse_mass[slot] > 0) {
-    const struct nb_force sum = all_forces(model, slot, nb_force_of(felt, slot, bodies->rim[slot].x));
+    const struct nb_force sum = all_forces(model, slot, nb_force_on(model, slot));
     const double linear = f.push * time * bodies->inverse_mass[slot];
     const double turning = f.push * time * bodies->inverse_inertia[slot];
     const double spin_kept = bodies->inverse_inertia[slot] > 0 ? f.keep : 1;
@@ -56,8 +57,7 @@ struct nb_state nb_velocity_now(const struct nb_model *model, size_t slot) {
   const double dt = model->previous_step;
   if (!(dt > 0))
     return before; /* the start: a page's velocities are those of time 0 */
-  const struct nb_felt felt = nb_felt_by(model);
-  const struct nb_state next = kicked(model, &felt, slot, nb_factors(model, dt), dt);
+  const struct nb_state next = kicked(model, slot, nb_factors(model, dt), dt);
   return (struct nb_state){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
 }
 
@@ -87,12 +87,11 @@ void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force endi
  * behind must become -v_(N+1/2). At the start there is none behind: the velocities are those of time 0. */
 void nb_motion_reverse(struct nb_model *model) {
   struct nb_bodies *bodies = &model->bodies;
-  const struct nb_felt felt = nb_felt_by(model);
   const double time = nb_kick_time(model);
   for (size_t i = 0; i < bodies->count; i++) {
     struct nb_state v = nb_velocity_half(model, i);
     if (model->previous_step > 0)
-      v = kicked(model, &felt, i, nb_factors(model, time), time);
+      v = kicked(model, i, nb_factors(model, time), time);
     bodies->velocity[i] = vec_scale(-1, v.velocity);
     if (bodies->carried)
       bodies->velocity[i] = vec_add(bodies->velocity[i], bodies->carried[i]);

@@ -56,7 +56,8 @@ static void bench_fill(struct bench *it, unsigned seed) {
       it->velocity[k] = vec(chance_between(&chance, -2, 2), chance_between(&chance, -2, 2));
       it->wall_velocity[c] = vec(chance_between(&chance, -2, 2), chance_between(&chance, -2, 2));
     }
-    const double apart = reach * (it->rim[2 * c].x + (it->pairing.wall ? 0 : it->rim[2 * c + 1].x));
+    it->f[NB_REACH][c] = it->rim[2 * c].x + (it->pairing.wall ? 0 : it->rim[2 * c + 1].x);
+    const double apart = reach * it->f[NB_REACH][c];
     it->position[2 * c] = vec(x, y);
     it->position[2 * c + 1] = vec(x + apart * cos(turn), y + apart * sin(turn));
     it->along[c] = vec(-sin(turn), cos(turn));

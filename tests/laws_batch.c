@@ -137,7 +137,7 @@ static bool runs_here(enum nb_isa isa) {
 }
 
 static void same_bits(void) {
-  static const size_t sizes[] = {0, 1, 7, 8, 9, 255, 256};
+  static const size_t sizes[] = {0, 1, 7, 8, 9, NB_BLOCK - 1, NB_BLOCK};
   static const char *const isas[] = {"plain", "avx2", "avx512"};
   static struct fields given, wanted, seen; /* too large for some stacks */
   struct chance chance = chance_begin(2);

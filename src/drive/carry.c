@@ -19,6 +19,7 @@
 #include "carry.h"
 
 #include "box.h"
+#include "drive.h"
 
 static bool wanted(const struct nb_scene *scene) {
   bool carries = scene->cell.line || scene->circle.line;
@@ -37,11 +38,15 @@ enum nb_status nb_carry_create(struct nb_model *model, struct nb_error *error) {
   bodies->carried = nb_array(bodies->count, sizeof *bodies->carried);
   if (!carry || !bodies->carried || !(carry->by = nb_array(bodies->count, sizeof *carry->by)))
     return nb_error_set(error, NB_BROKEN, "out of memory for what carries %zu bodies along", bodies->count);
+  carry->free_before = true; /* nobody knows */
   carry->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_CARRIERS; c++)
     carry->remembered[c] = 1;
   for (size_t i = 0; i < bodies->count; i++)
-    carry->by[i] = model->cell ? NB_CARRIER_CELL : bodies->inverse_mass[i] > 0 ? NB_CARRIER_CONTINUUM : NB_CARRIER_NONE;
+    nb_carry_by(carry, i,
+                model->cell                   ? NB_CARRIER_CELL
+                : bodies->inverse_mass[i] > 0 ? NB_CARRIER_CONTINUUM
+                                              : NB_CARRIER_NONE);
   return NB_OK;
 }
 
@@ -78,12 +83,42 @@ void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage) {
     carry->rate[c] = carry->level[c] = rate_of(model, &asked[c]);
 }
 
+/* u - c_(N-1/2) + c_(N+1/2): all that happens to what a boundary holds. */
+static void carry_ring(struct nb_model *model, const struct nb_ring *ring) {
+  struct nb_bodies *bodies = &model->bodies;
+  for (size_t k = 0; k < ring->count && ring->held; k++) {
+    const size_t i = (size_t)ring->member[k];
+    const struct nb_vec c = nb_carried_at(model->carry, i, bodies->position[i]);
+    bodies->velocity[i] = vec_add(vec_sub(bodies->velocity[i], bodies->carried[i]), c);
+    bodies->carried[i] = nb_carry_remembered(model->carry, i, bodies->position[i]);
+  }
+}
+
+/* Whether one rate, and one way to remember it, stands for those of all that are carried. */
+static bool alike(const struct nb_carry *carry, enum nb_carrier one) {
+  for (int c = 0; c < NB_CARRIERS; c++)
+    if (carry->carries[c] && (tensor_largest(tensor_sub(carry->rate[c], carry->rate[one])) != 0 ||
+                              carry->remembered[c] != carry->remembered[one]))
+      return false;
+  return true;
+}
+
+void nb_carry_step(struct nb_model *model) {
+  struct nb_carry *carry = model->carry;
+  const bool free = tensor_largest(carry->rate[NB_CARRIER_CONTINUUM]) > 0 || model->cell;
+  carry->all = free || carry->free_before;
+  carry->free_before = free;
+  carry->alike = alike(carry, model->cell ? NB_CARRIER_CELL : NB_CARRIER_CONTINUUM);
+  if (!carry->all && model->drive)
+    carry_ring(model, &model->drive->ring);
+}
+
 void nb_carry_still(struct nb_model *model) {
   memset(model->bodies.carried, 0, model->bodies.count * sizeof *model->bodies.carried);
 }
 
 void nb_carry_drop(struct nb_model *model, size_t slot) {
-  model->carry->by[slot] = NB_CARRIER_NONE;
+  nb_carry_by(model->carry, slot, NB_CARRIER_NONE);
   model->bodies.carried[slot] = vec(0, 0);
 }
 

@@ -25,6 +25,9 @@ struct nb_carry {
   struct nb_strain_rate asked[NB_CARRIERS]; /* by the page */
   double remembered[NB_CARRIERS]; /* 1: what carried a body is no part of its own velocity; 0: it stays in it */
   unsigned char *by;              /* per slot: enum nb_carrier */
+  bool carries[NB_CARRIERS];      /* some body, now or before */
+  bool all, free_before;          /* the step goes through all bodies; free ones were carried in the one behind */
+  bool alike;                     /* all bodies have the same rate */
   struct nb_servo_from {
     double stress[3];          /* Pa: where the stresses that are servoed began */
     struct nb_tensor gathered; /* Z of servo.c, 1/s */
@@ -37,11 +40,17 @@ static inline struct nb_vec nb_carried_at(const struct nb_carry *carry, size_t s
   return tensor_times(carry->rate[carry->by[slot]], vec_sub(x, carry->centre));
 }
 
+static inline void nb_carry_by(struct nb_carry *carry, size_t slot, enum nb_carrier carrier) {
+  carry->by[slot] = (unsigned char)carrier;
+  carry->carries[carrier] = true;
+}
+
 /* ---- carry.c ---- */
 enum nb_status nb_carry_create(struct nb_model *model,
                                struct nb_error *error); /* model->carry stays NULL: nothing is */
 void nb_carry_free(struct nb_carry *carry);
 void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage); /* once the stage's step is known */
+void nb_carry_step(struct nb_model *model);                                /* before the motion: whom it carries */
 void nb_carry_still(struct nb_model *model);                               /* nothing has been carried along so far */
 void nb_carry_drop(struct nb_model *model, size_t slot);                   /* that is taken out of the scene */
 /* Of the c of a body at x: what is no part of its own velocity afterwards, and what is (`literal`), m/s. */

@@ -65,7 +65,7 @@ static void set_spin(struct nb_bodies *bodies, size_t i, double spin) {
 
 void nb_drive_hold(struct nb_model *model, size_t i) {
   struct nb_bodies *bodies = &model->bodies;
-  model->carry->by[i] = NB_CARRIER_BOUNDARY;
+  nb_carry_by(model->carry, i, NB_CARRIER_BOUNDARY);
   bodies->carried[i] = bodies->velocity[i] = nb_carried_at(model->carry, i, bodies->position[i]);
   bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
   set_spin(bodies, i, 0);
@@ -73,7 +73,7 @@ void nb_drive_hold(struct nb_model *model, size_t i) {
 
 void nb_drive_let_go(struct nb_model *model, size_t i) {
   struct nb_bodies *bodies = &model->bodies;
-  model->carry->by[i] = NB_CARRIER_CONTINUUM;
+  nb_carry_by(model->carry, i, NB_CARRIER_CONTINUUM);
   bodies->carried[i] = nb_carry_remembered(model->carry, i, bodies->position[i]);
   bodies->inverse_mass[i] = 1 / bodies->mass[i];
   bodies->inverse_inertia[i] = model->drive->turns ? 1 / bodies->inertia[i] : 0;

@@ -80,10 +80,10 @@ double nb_energy_of_contact(const struct nb_model *model, size_t c) {
 }
 
 double nb_energy_of_body(const struct nb_model *model, size_t slot) {
-  const struct nb_incidence *incidence = &model->incidence;
+  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, slot);
   double sum = nb_energy_of_motion(model, slot);
-  for (size_t k = incidence->first[slot]; k < incidence->first[slot + 1]; k++)
-    add_stored(&sum, model, (size_t)incidence->entry[k]);
+  for (const int *c = its.first; c < its.end; c++)
+    add_stored(&sum, model, (size_t)*c);
   return sum;
 }
 

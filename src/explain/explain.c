@@ -50,7 +50,7 @@ static void explain_pairing(FILE *out, const struct nb_model *model, const struc
 static void explain_memory(FILE *out, const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   const size_t memory = (size_t)(model->contacts.normal_memory.doubles + model->contacts.shear_memory.doubles);
-  const size_t per_body = sizeof(double) * (bodies->spin ? 14 : 12) + 3 * sizeof(int) + 2 * sizeof(size_t);
+  const size_t per_body = sizeof(double) * (bodies->spin ? 14 : 12) + 5 * sizeof(int);
   const size_t per_contact = sizeof(double) * (2 + bits(model->kept) + memory) + 5 * sizeof(int);
   fprintf(out, "memory\n  %zu bytes a body%s, %zu a contact (%zu fields kept, %zu remembered by laws)\n", per_body,
           bodies->spin ? "" : " (no spin)", per_contact, bits(model->kept) + 2, memory);

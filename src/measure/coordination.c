@@ -30,12 +30,12 @@ static bool may_rattle(const struct nb_model *model, size_t slot) {
 /* Leaves in `touching` how many contacts each body has with others that are no rattlers, -1 for a rattler. */
 static void find_rattlers(const struct nb_model *model) {
   int *touching = model->regions->touching, *idle = model->regions->idle;
-  const struct nb_incidence *incidence = &model->incidence;
   size_t waiting = 0;
   for (size_t i = 0; i < model->bodies.count; i++) {
+    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
     touching[i] = 0;
-    for (size_t k = incidence->first[i]; k < incidence->first[i + 1]; k++)
-      touching[i] += touches(model, (size_t)incidence->entry[k]);
+    for (const int *c = its.first; c < its.end; c++)
+      touching[i] += touches(model, (size_t)*c);
   }
   for (size_t i = 0; i < model->bodies.count; i++)
     if (may_rattle(model, i))
@@ -44,8 +44,9 @@ static void find_rattlers(const struct nb_model *model) {
     touching[idle[k]] = -1;
   while (waiting > 0) {
     const size_t i = (size_t)idle[--waiting];
-    for (size_t k = incidence->first[i]; k < incidence->first[i + 1]; k++) {
-      const size_t c = (size_t)incidence->entry[k];
+    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+    for (const int *entry = its.first; entry < its.end; entry++) {
+      const size_t c = (size_t)*entry;
       const int other = touches(model, c) ? partner(model, c, i) : -1;
       if (other < 0 || touching[other] < 0)
         continue;
@@ -72,8 +73,9 @@ const struct nb_coordination *nb_coordination_of(const struct nb_model *model, c
     it->bodies++, inner += free;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
     it->loaded += touching[i] >= 0 ? touching[i] : 0;
-    for (size_t k = model->incidence.first[i]; k < model->incidence.first[i + 1]; k++) {
-      const size_t c = (size_t)model->incidence.entry[k];
+    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+    for (const int *entry = its.first; entry < its.end; entry++) {
+      const size_t c = (size_t)*entry;
       if (!touches(model, c))
         continue;
       const int other = partner(model, c, i);

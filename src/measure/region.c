@@ -170,51 +170,20 @@ double nb_region_part(const struct nb_model *model, const struct nb_region_now *
 
 /* ---- ends of contacts ---- */
 
-double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot) {
-  const bool wall = model->pairings[model->contacts.pairing[contact]].wall;
-  const double overlap = model->contacts.kept[NB_OVERLAP][contact];
-  return model->bodies.rim[slot].x - (wall ? overlap : overlap / 2);
-}
-
 struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_now *region) {
   return (struct nb_ends){.model = model, .region = region};
 }
 
-/* The next body inside that has contacts listed. */
-static bool next_body(struct nb_ends *ends) {
+bool nb_ends_body(struct nb_ends *ends) {
   const struct nb_model *model = ends->model;
   while (ends->body < model->bodies.count) {
     const size_t slot = (size_t)model->bodies.slot[ends->body++];
     if (!nb_region_holds(model, ends->region, slot))
       continue;
-    ends->slot = slot;
-    ends->entry = model->incidence.first[slot], ends->stop = model->incidence.first[slot + 1];
-    if (ends->entry < ends->stop)
+    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, slot);
+    ends->slot = slot, ends->next = its.first, ends->end = its.end;
+    if (ends->next < ends->end)
       return true;
   }
   return false;
-}
-
-bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
-  const struct nb_model *model = ends->model;
-  const struct nb_contacts *contacts = &model->contacts;
-  for (;; ends->entry++) {
-    if (ends->entry == ends->stop && !next_body(ends))
-      return false;
-    const size_t c = (size_t)model->incidence.entry[ends->entry];
-    if (!(contacts->kept[NB_OVERLAP][c] > 0))
-      continue;
-    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    const bool first = (size_t)contacts->a[c] == ends->slot;
-    const double sign = first ? 1 : -1;
-    const enum nb_field push = model->dashpots ? NB_PUSH : NB_NORMAL;
-    end->slot = ends->slot, end->contact = c;
-    end->partner = pairing->wall ? -1 : first ? contacts->b[c] : contacts->a[c];
-    end->e = vec(sign * contacts->kept[NB_EX][c], sign * contacts->kept[NB_EY][c]);
-    end->arm = nb_contact_arm(model, c, ends->slot);
-    end->push = contacts->kept[push][c];
-    end->drag = pairing->shear ? contacts->kept[model->drag][c] : 0;
-    ends->entry++;
-    return true;
-  }
 }

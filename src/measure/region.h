@@ -67,6 +67,7 @@ struct nb_chains {
 };
 enum nb_measure_of {
   NB_STRESS,
+  NB_STRESS_PARTS,
   NB_FABRIC,
   NB_POROSITY,
   NB_COORDINATION,
@@ -134,12 +135,41 @@ struct nb_end {
 struct nb_ends {
   const struct nb_model *model;
   const struct nb_region_now *region; /* NULL: everywhere */
-  size_t body, entry, stop, slot;
+  size_t body, slot;
+  const int *next, *end;
 };
-struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_now *region);
-bool nb_ends_next(struct nb_ends *ends, struct nb_end *end);
 /* From the centre of a body to where the contact is: half-way between two outlines, on the face of a wall; m. */
-double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot);
+static inline double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot) {
+  const bool wall = model->pairings[model->contacts.pairing[contact]].wall;
+  const double overlap = model->contacts.kept[NB_OVERLAP][contact];
+  return model->bodies.rim[slot].x - (wall ? overlap : overlap / 2);
+}
+struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_now *region);
+bool nb_ends_body(
+    struct nb_ends *ends); /* goes on to the next body inside that has contacts listed; false: there is none */
+static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
+  const struct nb_model *model = ends->model;
+  const struct nb_contacts *contacts = &model->contacts;
+  for (;; ends->next++) {
+    if (ends->next == ends->end && !nb_ends_body(ends))
+      return false;
+    const size_t c = (size_t)*ends->next;
+    if (!(contacts->kept[NB_OVERLAP][c] > 0))
+      continue;
+    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+    const bool first = (size_t)contacts->a[c] == ends->slot;
+    const double sign = first ? 1 : -1;
+    const enum nb_field push = model->dashpots ? NB_PUSH : NB_NORMAL;
+    end->slot = ends->slot, end->contact = c;
+    end->partner = pairing->wall ? -1 : first ? contacts->b[c] : contacts->a[c];
+    end->e = vec(sign * contacts->kept[NB_EX][c], sign * contacts->kept[NB_EY][c]);
+    end->arm = nb_contact_arm(model, c, ends->slot);
+    end->push = contacts->kept[push][c];
+    end->drag = pairing->shear ? contacts->kept[model->drag][c] : 0;
+    ends->next++;
+    return true;
+  }
+}
 
 /* Fields of contacts that ends are made of. */
 enum {
@@ -164,6 +194,7 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
 bool nb_chains_create(struct nb_model *model); /* room; false: no memory */
 
 /* What a watch of a region sees, worked out in this cycle. */
+struct nb_tensor nb_stress_whole(const struct nb_model *model, const struct nb_watch *watch); /* by particles, Pa */
 const struct nb_stress *nb_stress_of(const struct nb_model *model, const struct nb_watch *watch);
 const struct nb_fabric *nb_fabric_of(const struct nb_model *model, const struct nb_watch *watch);
 const struct nb_porosity *nb_porosity_of(const struct nb_model *model, const struct nb_watch *watch);

@@ -21,9 +21,10 @@ bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, con
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 static double touching(const struct nb_model *model, size_t slot) {
+  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, slot);
   double count = 0;
-  for (size_t k = model->incidence.first[slot]; k < model->incidence.first[slot + 1]; k++)
-    count += model->contacts.kept[NB_OVERLAP][model->incidence.entry[k]] > 0;
+  for (const int *c = its.first; c < its.end; c++)
+    count += model->contacts.kept[NB_OVERLAP][*c] > 0;
   return count;
 }
 

@@ -33,13 +33,21 @@ static double mean_push(const struct nb_model *model, const struct nb_region_now
   return count > 0 ? sum / count : 0;
 }
 
-static void by_particles(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_now *region) {
+static struct nb_tensor by_particles(const struct nb_model *model, const struct nb_region_now *region) {
+  struct nb_tensor sum = {0, 0, 0, 0};
+  struct nb_end end;
+  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
+    const struct nb_vec felt = vec_add(vec_scale(end.push, end.e), vec_scale(end.drag, vec_clockwise(end.e)));
+    sum = tensor_add(sum, tensor_outer(felt, vec_scale(end.arm, end.e)));
+  }
+  return sum;
+}
+
+static void parts(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_now *region) {
   const double mean = mean_push(model, region);
   struct nb_end end;
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
     const struct nb_vec branch = vec_scale(end.arm, end.e), t = vec_clockwise(end.e);
-    const struct nb_vec felt = vec_add(vec_scale(end.push, end.e), vec_scale(end.drag, t));
-    stress->whole = tensor_add(stress->whole, tensor_outer(felt, branch));
     stress->normal = tensor_add(stress->normal, tensor_scale(end.push, tensor_outer(end.e, branch)));
     stress->shear = tensor_add(stress->shear, tensor_scale(end.drag, tensor_outer(t, branch)));
     stress->fabric = tensor_add(stress->fabric, tensor_scale(mean, tensor_outer(end.e, branch)));
@@ -47,7 +55,8 @@ static void by_particles(struct nb_stress *stress, const struct nb_model *model,
   }
 }
 
-static void by_contacts(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_now *region) {
+static struct nb_tensor by_contacts(const struct nb_model *model, const struct nb_region_now *region) {
+  struct nb_tensor sum = {0, 0, 0, 0};
   const struct nb_contacts *contacts = &model->contacts;
   for (size_t c = 0; c < contacts->count; c++) {
     if (!(contacts->kept[NB_OVERLAP][c] > 0))
@@ -63,23 +72,35 @@ static void by_contacts(struct nb_stress *stress, const struct nb_model *model, 
       branch = vec_scale(nb_contact_arm(model, c, a), e);
     else if (b_in)
       branch = vec_scale(nb_contact_arm(model, c, b), e);
-    stress->contacts = tensor_sub(stress->contacts, tensor_outer(contacts->force[c], branch));
+    sum = tensor_sub(sum, tensor_outer(contacts->force[c], branch));
   }
+  return sum;
+}
+
+static double per_volume(const struct nb_region_now *region) {
+  const double volume = region->area * region->thickness;
+  return volume > 0 ? 1 / volume : 0;
+}
+
+struct nb_tensor nb_stress_whole(const struct nb_model *model, const struct nb_watch *watch) {
+  struct nb_region_now *region = nb_region_now(model, watch->a);
+  if (nb_region_due(model, region, NB_STRESS))
+    region->stress.whole = tensor_scale(per_volume(region), by_particles(model, region));
+  return region->stress.whole;
 }
 
 const struct nb_stress *nb_stress_of(const struct nb_model *model, const struct nb_watch *watch) {
   struct nb_region_now *region = nb_region_now(model, watch->a);
   struct nb_stress *stress = &region->stress;
-  if (!nb_region_due(model, region, NB_STRESS))
+  if (!nb_region_due(model, region, NB_STRESS_PARTS))
     return stress;
-  *stress = (struct nb_stress){0};
-  by_particles(stress, model, region);
-  by_contacts(stress, model, region);
-  const double volume = region->area * region->thickness;
-  struct nb_tensor *const sums[] = {&stress->whole,  &stress->normal,    &stress->shear,
-                                    &stress->fabric, &stress->variation, &stress->contacts};
+  const double per = per_volume(region);
+  *stress = (struct nb_stress){.whole = nb_stress_whole(model, watch)};
+  parts(stress, model, region);
+  struct nb_tensor *const sums[] = {&stress->normal, &stress->shear, &stress->fabric, &stress->variation};
   for (size_t k = 0; k < sizeof sums / sizeof *sums; k++)
-    *sums[k] = tensor_scale(volume > 0 ? 1 / volume : 0, *sums[k]);
+    *sums[k] = tensor_scale(per, *sums[k]);
+  stress->contacts = tensor_scale(per, by_contacts(model, region));
   return stress;
 }
 
@@ -107,20 +128,21 @@ static double residual(const struct nb_stress *stress) {
   return most;
 }
 
+#define WHOLE nb_stress_whole(model, watch)
 #define STRESS nb_stress_of(model, watch)
-NB_TENSOR_QUANTITIES(whole, STRESS->whole)
+NB_TENSOR_QUANTITIES(whole, WHOLE)
 NB_TENSOR_QUANTITIES(contacts, STRESS->contacts)
 NB_TENSOR_QUANTITIES(normal, STRESS->normal)
 NB_TENSOR_QUANTITIES(shear, STRESS->shear)
 NB_TENSOR_QUANTITIES(fabric, STRESS->fabric)
 NB_TENSOR_QUANTITIES(variation, STRESS->variation)
-NB_QUANTITY(whole_mean, tensor_mean(STRESS->whole))
+NB_QUANTITY(whole_mean, tensor_mean(WHOLE))
 NB_QUANTITY(contacts_mean, tensor_mean(STRESS->contacts))
 NB_QUANTITY(normal_mean, tensor_mean(STRESS->normal))
 NB_QUANTITY(shear_mean, tensor_mean(STRESS->shear))
 NB_QUANTITY(fabric_mean, tensor_mean(STRESS->fabric))
 NB_QUANTITY(variation_mean, tensor_mean(STRESS->variation))
-NB_QUANTITY(sinphi, sin_phi(STRESS->whole))
+NB_QUANTITY(sinphi, sin_phi(WHOLE))
 NB_QUANTITY(sinphi_contacts, sin_phi(STRESS->contacts))
 NB_QUANTITY(stress_residual, residual(STRESS))
 NB_QUANTITY(normal_share, share(STRESS->normal, STRESS->whole))

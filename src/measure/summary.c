@@ -52,8 +52,9 @@ static int before(const void *a, const void *b) {
 
 static struct type of_body(const struct nb_model *model, size_t i) {
   struct type type = {.material = model->bodies.material[i], .radius = model->bodies.rim[i].x, .bodies = 1};
-  for (size_t k = model->incidence.first[i]; k < model->incidence.first[i + 1]; k++)
-    type.ends += model->contacts.kept[NB_OVERLAP][model->incidence.entry[k]] > 0;
+  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+  for (const int *c = its.first; c < its.end; c++)
+    type.ends += model->contacts.kept[NB_OVERLAP][*c] > 0;
   const int touching = model->regions->touching[i];
   type.rattlers = touching<0, type.loaded = touching> 0 ? touching : 0;
   return type;

@@ -32,36 +32,47 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
   return (struct nb_dashpot){0};
 }
 
-static inline NB_FORM double coefficient(struct nb_dashpot pot, double stiffness, double swing, double deep) {
-  return deep > 0 ? 2 * swing : pot.time * stiffness + pot.ratio * swing;
+/* What makes the coefficients of a block. */
+struct dashpots {
+  struct nb_dashpot pot;
+  bool swings, critical; /* some go with sqrt(M* k); some contacts may be too deep */
+  const double *mass, *deep;
+};
+
+static inline NB_FORM double coefficient(const struct dashpots *of, double stiffness, size_t c) {
+  const double swing = of->swings ? sqrt(of->mass[c] * stiffness) : 0; /* sqrt(M* k) */
+  return of->critical && of->deep[c] > 0 ? 2 * swing : of->pot.time * stiffness + of->pot.ratio * swing;
 }
 
 static inline NB_FORM void damp(const struct nb_model *model, const struct nb_view *view, enum nb_dashpots form) {
-  const bool swings = form >= NB_DASHPOTS_SWING, critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0;
-  const struct nb_dashpot pot = nb_dashpot(model, view->pairing->wall);
-  const double *deep = view->f[NB_DEEP];
+  const struct dashpots of = {.pot = nb_dashpot(model, view->pairing->wall),
+                              .swings = form >= NB_DASHPOTS_SWING,
+                              .critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0,
+                              .mass = view->f[NB_MASS],
+                              .deep = view->f[NB_DEEP]};
   const double *normal = view->f[NB_NORMAL], *stiffness = view->f[NB_STIFFNESS];
   const double *closing = view->f[NB_CLOSING];
-  const double *mass = view->f[NB_MASS];
   double *push = view->f[NB_PUSH];
   const double rate = model->previous_step > 0 ? 1 / model->previous_step : 0;
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
-    const double swing = swings ? sqrt(mass[c] * stiffness[c]) : 0; /* sqrt(M* k) */
-    const double dashpot = coefficient(pot, stiffness[c], swing, critical ? deep[c] : 0);
-    push[c] = normal[c] + dashpot * (closing[c] * rate);
+    push[c] = normal[c] + coefficient(&of, stiffness[c], c) * (closing[c] * rate);
   }
   if (!view->pairing->shear)
     return;
   const double *shear = view->f[NB_SHEAR], *shear_stiffness = view->f[NB_SHEAR_STIFFNESS];
   const double *slip = view->f[NB_SLIP], *sliding = view->f[NB_SLIDING], *overlap = view->f[NB_OVERLAP];
   double *drag = view->f[NB_DRAG];
+  unsigned long met = 0;
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
-    const double swing = swings ? sqrt(mass[c] * shear_stiffness[c]) : 0;
-    const double dashpot = coefficient(pot, shear_stiffness[c], swing, critical ? deep[c] : 0);
+    drag[c] = shear[c] + (1 - sliding[c]) * (coefficient(&of, shear_stiffness[c], c) * (slip[c] * rate));
+    met += nb_met(overlap[c], closing[c]);
+  }
+  for (size_t c = 0; c < view->n && met > 0; c++) { /* the few of which `slip` is not that of the whole step */
     const double touched = nb_touched(overlap[c], closing[c]), moved = touched > 0 ? slip[c] / touched : slip[c];
-    drag[c] = shear[c] + (1 - sliding[c]) * (dashpot * (moved * rate));
+    if (nb_met(overlap[c], closing[c]))
+      drag[c] = shear[c] + (1 - sliding[c]) * (coefficient(&of, shear_stiffness[c], c) * (moved * rate));
   }
 }
 

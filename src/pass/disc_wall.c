@@ -15,6 +15,7 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
   double *overlap = view->f[NB_OVERLAP], *ex = view->f[NB_EX], *ey = view->f[NB_EY];
   double *closing = view->f[NB_CLOSING], *slip = view->f[NB_SLIP];
   const double dt = model->previous_step;
+  unsigned long met = 0;
   NB_WIDE
   for (size_t c = 0; c < view->n; c++) {
     const int i = view->a[c], w = view->b[c];
@@ -29,9 +30,13 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
     const struct nb_vec v = vec_sub(velocity[i], nb_wall_velocity(walls, w, q));
     if (approach >= NB_APPROACH_CLOSING)
       closing[c] = vec_dot(v, e) * dt;
-    if (approach >= NB_APPROACH_SLIP)
-      slip[c] = nb_touched(alpha, closing[c]) * ((vec_dot(v, vec_clockwise(e)) - rim[i].y) * dt);
+    if (approach >= NB_APPROACH_SLIP) {
+      slip[c] = (vec_dot(v, vec_clockwise(e)) - rim[i].y) * dt;
+      met += nb_met(alpha, closing[c]);
+    }
   }
+  if (met)
+    nb_slip_since_met(view);
 }
 
 static inline NB_FORM void overlap_only(const struct nb_model *model, const struct nb_view *view) {

@@ -70,7 +70,7 @@ static void put_carry(struct nb_model *model, const struct nb_saved *saved) {
   }
   for (size_t k = 0; k < saved->carried_count; k++) {
     const size_t i = (size_t)bodies->slot[k];
-    carry->by[i] = (unsigned char)saved->carried[k].by;
+    nb_carry_by(carry, i, saved->carried[k].by);
     bodies->carried[i] = saved->carried[k].along;
     if (carry->by[i] == NB_CARRIER_BOUNDARY)
       bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;

@@ -1,0 +1,47 @@
+/* The list of contacts, and which of them a body has: contacts.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_CONTACTS_H
+#define NB_CONTACTS_H
+
+#include "block.h"
+#include "laws/law.h"
+#include "tensor.h"
+
+/* Every pair that is near: touching, or closer than the skin. Sorted by pairing, then number of a, then of b. */
+struct nb_contacts {
+  size_t count;
+  int *a, *b;              /* slots; a has the smaller number; b a wall's index where the pairing is with walls */
+  int *pairing;            /* index */
+  int *muted;              /* 1 where another wall's contact with this body stands for it (joints.c); NULL: nowhere */
+  struct nb_vec *image;    /* m: the second body is met at x + H m, H the cell's sides; NULL without a cell */
+  struct nb_vec *force;    /* on the first body, dashpots included, N */
+  double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
+  struct nb_memory normal_memory, shear_memory, slid; /* slid: m, since each stage that a snapshot is from, since.c */
+};
+
+/* For the motion half: which contacts a body has. */
+struct nb_incidence {
+  int *first;  /* slot -> its first entry; one more than bodies */
+  int *middle; /* slot -> the first entry in which it is the contact's first body */
+  int *entry;  /* contact */
+};
+
+/* Those of one body, in the order in which forces are summed: of its partners' numbers, walls last. */
+struct nb_contacts_of {
+  const int *first, *middle, *end;
+};
+static inline struct nb_contacts_of nb_contacts_of(const struct nb_incidence *all, size_t slot) {
+  return (struct nb_contacts_of){all->entry + all->first[slot], all->entry + all->middle[slot],
+                                 all->entry + all->first[slot + 1]};
+}
+
+long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
+void nb_contacts_free(struct nb_contacts *contacts);
+/* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */
+struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
+struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs of bodies: -sum f_i l_j, N m */
+/* What the laws of a contact are given: the constants of its pairing, and those of its own. */
+struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values);
+
+#endif
