@@ -46,8 +46,8 @@ void nb_forces(struct nb_model *model) {
 static int motion(struct nb_model *model) {
   const int threads = model->busy;
   int out = nb_motion_walls(model);
-  if (model->carry)
-    nb_carry_step(model);
+  if (model->carry && !nb_carry_step(model) && model->drive)
+    nb_ring_carry(model);
   if (model->cell)
     out += nb_cell_move(model);
   if (threads == 1)

@@ -19,7 +19,6 @@
 #include "carry.h"
 
 #include "box.h"
-#include "drive.h"
 
 static bool wanted(const struct nb_scene *scene) {
   bool carries = scene->cell.line || scene->circle.line;
@@ -83,17 +82,6 @@ void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage) {
     carry->rate[c] = carry->level[c] = rate_of(model, &asked[c]);
 }
 
-/* u - c_(N-1/2) + c_(N+1/2): all that happens to what a boundary holds. */
-static void carry_ring(struct nb_model *model, const struct nb_ring *ring) {
-  struct nb_bodies *bodies = &model->bodies;
-  for (size_t k = 0; k < ring->count && ring->held; k++) {
-    const size_t i = (size_t)ring->member[k];
-    const struct nb_vec c = nb_carried_at(model->carry, i, bodies->position[i]);
-    bodies->velocity[i] = vec_add(vec_sub(bodies->velocity[i], bodies->carried[i]), c);
-    bodies->carried[i] = nb_carry_remembered(model->carry, i, bodies->position[i]);
-  }
-}
-
 /* Whether one rate, and one way to remember it, stands for those of all that are carried. */
 static bool alike(const struct nb_carry *carry, enum nb_carrier one) {
   for (int c = 0; c < NB_CARRIERS; c++)
@@ -103,14 +91,13 @@ static bool alike(const struct nb_carry *carry, enum nb_carrier one) {
   return true;
 }
 
-void nb_carry_step(struct nb_model *model) {
+bool nb_carry_step(struct nb_model *model) {
   struct nb_carry *carry = model->carry;
   const bool free = tensor_largest(carry->rate[NB_CARRIER_CONTINUUM]) > 0 || model->cell;
   carry->all = free || carry->free_before;
   carry->free_before = free;
   carry->alike = alike(carry, model->cell ? NB_CARRIER_CELL : NB_CARRIER_CONTINUUM);
-  if (!carry->all && model->drive)
-    carry_ring(model, &model->drive->ring);
+  return carry->all;
 }
 
 void nb_carry_still(struct nb_model *model) {

@@ -48,6 +48,7 @@ void nb_ring_free(struct nb_model *model, bool dissolve);
 void nb_ring_drop(struct nb_model *model, size_t slot); /* that is taken out of the scene */
 /* Takes in who has crossed the circle since it was last asked; NB_OK. */
 enum nb_status nb_ring_take_in(struct nb_model *model, struct nb_error *error);
+void nb_ring_carry(struct nb_model *model);              /* before the motion, where nothing else is carried */
 void nb_ring_press(struct nb_model *model);              /* sets drive->pressed for where the bodies are now */
 double nb_ring_area(const struct nb_model *model);       /* of the polygon through the centres of its bodies, m2 */
 double nb_ring_radius(const struct nb_model *model);     /* mean distance of their centres from the circle's, m */

@@ -155,6 +155,20 @@ enum nb_status nb_ring_take_in(struct nb_model *model, struct nb_error *error) {
   return status;
 }
 
+/* ---- what carries it ---- */
+
+/* u - c_(N-1/2) + c_(N+1/2) is all that happens to the velocity of what it holds (motion.c). */
+void nb_ring_carry(struct nb_model *model) {
+  const struct nb_ring *ring = &model->drive->ring;
+  struct nb_bodies *bodies = &model->bodies;
+  for (size_t k = 0; k < ring->count && ring->held; k++) {
+    const size_t i = (size_t)ring->member[k];
+    const struct nb_vec c = nb_carried_at(model->carry, i, bodies->position[i]);
+    bodies->velocity[i] = vec_add(vec_sub(bodies->velocity[i], bodies->carried[i]), c);
+    bodies->carried[i] = nb_carry_remembered(model->carry, i, bodies->position[i]);
+  }
+}
+
 /* ---- its polygon ---- */
 
 static struct nb_vec place(const struct nb_model *model, size_t k) {
