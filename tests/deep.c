@@ -213,6 +213,23 @@ static void deep_ones_are_damped_critically(void) {
   }
 }
 
+/* Which contacts were deep does not outlive the stage that wants to know. */
+static void marks_end_with_their_stage(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\n" SPHERE "damping critical above 0.05\nsphere 0 0 radius 1 m velocity 0.1 0\n"
+                   "sphere 1.8 0 radius 1 m\nstep 1e-6\nwatch C sphere 1 with sphere 2\nrecord C.dashpot.normal\n"
+                   "stage deep\ncycles 4\nstage free\ndamping none\ncycles 4\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 9);
+  for (size_t row = 1; row < 9; row++)
+    CU_ASSERT(row <= 4 ? result.table.values[row] > 1e-3 : result.table.values[row] == 0);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 void suite_deep(void) {
   CU_pSuite suite = CU_add_suite("deep", NULL, NULL);
   CU_add_test(suite, "coefficients of elastic spheres", elastic_coefficients);
@@ -222,4 +239,5 @@ void suite_deep(void) {
   CU_add_test(suite, "counts go on", counts_go_on);
   CU_add_test(suite, "counts stay", counts_stay);
   CU_add_test(suite, "deep ones are damped critically", deep_ones_are_damped_critically);
+  CU_add_test(suite, "marks end with their stage", marks_end_with_their_stage);
 }
