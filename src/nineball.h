@@ -241,7 +241,7 @@ struct nb_region {
   enum nb_region_kind kind;
   double x, y;             /* centre, m */
   double radius;           /* m; of NB_REGION_INSIDE its share of the boundary's mean radius, 1 */
-  double ex, ey;           /* of a box: unit vector along one side; */
+  double ex, ey;           /* of a box, and of all: unit vector along one side; */
   double half_x, half_y;   /* half its length along e and across, m */
   int rings;               /* how many rings of equal width a snapshot measures; 0: none */
   char from[NB_NAME_SIZE]; /* the stage with which strain begins; empty: the start */
@@ -361,9 +361,10 @@ struct nb_continuum {
 
 /* `servo`: strain rates are added to the stage's so that a stress comes to be what it should. */
 struct nb_servo {
-  struct nb_quantity quantity[3]; /* that are looked at: xx, yy, xy */
+  struct nb_quantity quantity[4]; /* that are looked at: xx, xy, yx, yy */
   double stress[3];               /* what they should be, Pa */
   bool held[3];                   /* which of them */
+  double east[2], north[2];       /* x and y of the unit vectors that xx, yy and xy are about */
   bool mean;                      /* only (xx + yy)/2 */
   bool continuum;                 /* the continuum's strain rate is changed as the boundary's is; or */
   bool cell;                      /* the cell's alone; or */

@@ -67,7 +67,7 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
     const struct nb_stage *stage = &scene->stages[s];
     for (size_t k = 0; k < stage->condition_count; k++)
       fields |= stage->conditions[k].quantity.kind->fields;
-    for (int k = 0; k < 3 && stage->servo.line; k++)
+    for (int k = 0; k < 4 && stage->servo.line; k++)
       fields |= stage->servo.quantity[k].kind->fields | NB_BIT(NB_OVERLAP) | NB_BIT(NB_STIFFNESS);
     if (stage->snapshot)
       fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |

@@ -36,6 +36,10 @@ static inline struct nb_tensor tensor_product(struct nb_tensor a, struct nb_tens
   return tensor(a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx,
                 a.yx * b.xy + a.yy * b.yy);
 }
+static inline struct nb_tensor tensor_transpose(struct nb_tensor a) { return tensor(a.xx, a.yx, a.xy, a.yy); }
+static inline struct nb_tensor tensor_turned(struct nb_tensor q, struct nb_tensor a) { /* Q A Q^T */
+  return tensor_product(q, tensor_product(a, tensor_transpose(q)));
+}
 static inline double tensor_determinant(struct nb_tensor a) { return a.xx * a.yy - a.xy * a.yx; }
 static inline struct nb_tensor tensor_inverse(struct nb_tensor a) {
   return tensor_scale(1 / tensor_determinant(a), tensor(a.yy, -a.xy, -a.yx, a.xx));

@@ -18,6 +18,9 @@
  * have answered. P alone leaves a steady dilatation e_v off by B T e_v; Z comes to be what that takes. It begins at -a P,
  * a = (1 - (3/4)^(1/2))/2, which is the fast of the two ways for f = 1, exp(-0.93 t/T): so coming from afar gathers nothing that goes beyond.
  *
+ * The components that are servoed, and the bound `at most`, are those of the servo's own axes, which `place` turns and mirrors
+ * with the scene.
+ *
  * As B falls to 0 with the load the rates would go beyond all bounds: none of them is larger than `at most`, all are reduced alike, and Z
  * begins anew.
  *
@@ -49,14 +52,26 @@ static double density(const struct nb_model *model, double volume) {
   return sum / volume;
 }
 
-/* What is off, Pa, and 0 where nothing is held. */
+/* The axes of the servo are the columns. */
+static struct nb_tensor axes(const struct nb_servo *servo) {
+  return tensor(servo->east[0], servo->north[0], servo->east[1], servo->north[1]);
+}
+
+/* The stress that the servo looks at, in the axes of the servo, Pa. */
+static struct nb_tensor stress(const struct nb_model *model, const struct nb_servo *servo) {
+  double seen[4];
+  for (int k = 0; k < 4; k++)
+    seen[k] = nb_quantity_value(servo->quantity[k], model);
+  return tensor_turned(tensor_transpose(axes(servo)), tensor(seen[0], seen[1], seen[2], seen[3]));
+}
+
+/* What is off, in the axes of the servo, Pa, and 0 where nothing is held. */
 static struct nb_tensor off_by(const struct nb_model *model, const struct nb_servo *servo, double share) {
   const struct nb_servo_from *from = &model->carry->servo_from;
-  double off[3];
-  for (int k = 0; k < 3; k++) {
-    const double seen = servo->quantity[k].kind ? nb_quantity_value(servo->quantity[k], model) : 0;
-    off[k] = seen - (from->stress[k] + share * (servo->stress[k] - from->stress[k]));
-  }
+  const struct nb_tensor seen = stress(model, servo);
+  double off[3] = {seen.xx, seen.yy, seen.xy};
+  for (int k = 0; k < 3; k++)
+    off[k] -= from->stress[k] + share * (servo->stress[k] - from->stress[k]);
   if (servo->mean)
     return tensor((off[0] + off[1]) / 2, 0, 0, (off[0] + off[1]) / 2);
   const double shear = servo->held[2] ? off[2] : 0;
@@ -76,7 +91,7 @@ bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo,
   return *b > 0;
 }
 
-/* What is to be added to the strain rates now, 1/s. */
+/* What is to be added to the strain rates now, in the axes of the servo, 1/s. */
 static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double share) {
   const double most = servo->per_cycle ? servo->most / model->step : servo->most;
   double b, t;
@@ -101,8 +116,10 @@ void nb_servo_begin(struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
   struct nb_servo_from *from = &model->carry->servo_from;
   *from = (struct nb_servo_from){.begun = false};
+  const struct nb_tensor now = stress(model, servo);
+  const double first[3] = {now.xx, now.yy, now.xy};
   for (int k = 0; k < 3; k++)
-    from->stress[k] = servo->ramp ? nb_quantity_value(servo->quantity[k], model) : servo->stress[k];
+    from->stress[k] = servo->ramp ? first[k] : servo->stress[k];
 }
 
 void nb_servo_set(struct nb_model *model) {
@@ -111,7 +128,7 @@ void nb_servo_set(struct nb_model *model) {
   if (model->stage_cycle % servo->every != 0 || !(servo->cell || servo->box || model->drive->ring.held))
     return;
   const double share = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
-  const struct nb_tensor more = correction(model, servo, share);
+  const struct nb_tensor more = tensor_turned(axes(servo), correction(model, servo, share));
   const bool moved[NB_CARRIERS] = {
       [NB_CARRIER_CONTINUUM] = servo->continuum,
       [NB_CARRIER_BOUNDARY] = !servo->cell && !servo->box,

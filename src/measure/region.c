@@ -4,7 +4,8 @@
  * what each measures there: a sphere its diameter [R89 4.4], a disc 1 m.
  *
  * `inside F` is the circle about the boundary's centre whose radius is F of the boundary's mean radius now.
- * `all` is the smallest upright box that holds the outlines of all bodies, or the periodic cell.
+ * `all` is the smallest box upright on the page, before `place` turns the scene, that holds the outlines of all bodies, or the
+ * periodic cell.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
@@ -81,19 +82,21 @@ static void box(struct nb_region_now *now, struct nb_vec centre, struct nb_vec a
 
 static void round_all(struct nb_region_now *now, const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_vec along = vec(now->it->ex, now->it->ey), left = vec(-along.y, along.x);
   struct nb_vec low = vec(INFINITY, INFINITY), high = vec(-INFINITY, -INFINITY);
   for (size_t i = 0; i < bodies->count; i++) {
     if (nb_gone(model, i))
       continue;
-    const struct nb_vec x = bodies->position[i];
+    const struct nb_vec x = vec(vec_dot(bodies->position[i], along), vec_dot(bodies->position[i], left));
     const double r = bodies->rim[i].x;
     low = vec(x.x - r < low.x ? x.x - r : low.x, x.y - r < low.y ? x.y - r : low.y);
     high = vec(x.x + r > high.x ? x.x + r : high.x, x.y + r > high.y ? x.y + r : high.y);
   }
+  const struct nb_vec middle = vec_scale(0.5, vec_add(low, high));
   if (low.x <= high.x)
-    box(now, vec_scale(0.5, vec_add(low, high)), vec(1, 0), vec_scale(0.5, vec_sub(high, low)));
+    box(now, vec_add(vec_scale(middle.x, along), vec_scale(middle.y, left)), along, vec_scale(0.5, vec_sub(high, low)));
   else
-    box(now, vec(0, 0), vec(1, 0), vec(0, 0));
+    box(now, vec(0, 0), along, vec(0, 0));
 }
 
 struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {

@@ -29,10 +29,9 @@ static void say(struct nb_scene_reading *reading, int line, const char *hint, co
     nb_token_mistake(&reading->reader, &reading->reader.tokens[0], hint, "%s", what);
 }
 
-/* Walls that follow the box do nothing else, and are upright for a servo, which knows nothing but xx and yy. */
+/* Walls that follow the box do nothing else. */
 void nb_boxes_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
-  const struct nb_place *place = &reading->place;
   const int first = nb_box_of(scene);
   bool turned = false;
   for (int w = first; w < first + 4 && first >= 0; w++)
@@ -51,7 +50,5 @@ void nb_boxes_check(struct nb_scene_reading *reading) {
       say(reading, line, NULL, "expected a stage that moves the walls of the box in one way, found two");
     if (turned)
       say(reading, line, NULL, "expected a box whose walls do not turn");
-    if (stage->servo.box && place->line && place->cosine != 0 && place->sine != 0)
-      say(reading, stage->servo.line, "`place` may turn it by quarters", "expected an upright box for a servo by it");
   }
 }

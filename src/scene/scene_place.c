@@ -91,6 +91,11 @@ static bool move_drives(const struct nb_place *place, struct nb_stage *stage) {
   return held;
 }
 
+/* The axes of its components are turned, so the components stay as the page has them. */
+static bool turn_servo(const struct nb_place *place, struct nb_servo *servo) {
+  return turn(place, &servo->east[0], &servo->east[1]) && turn(place, &servo->north[0], &servo->north[1]);
+}
+
 static bool turn_gravity(const struct nb_place *place, struct nb_gravity *gravity) {
   return turn(place, &gravity->x, &gravity->y) && move(place, &gravity->about_x, &gravity->about_y);
 }
@@ -130,6 +135,7 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     held = turn_gravity(place, &scene->stages[s].gravity) && held;
     held = move_drives(place, &scene->stages[s]) && held;
+    held = turn_servo(place, &scene->stages[s].servo) && held;
   }
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t m = 0; m < scene->stages[s].motion_count; m++) {

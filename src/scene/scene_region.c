@@ -45,6 +45,7 @@ static bool take_region(struct nb_reader *reader, struct nb_region *region) {
   if (!nb_token_skip(reader, "all"))
     return nb_expected(reader, NULL, "`circle X Y radius R`, `box X1 Y1 to X2 Y2`, `inside F` or `all`"), false;
   region->kind = NB_REGION_ALL;
+  region->ex = 1, region->ey = 0;
   return true;
 }
 

@@ -5,14 +5,14 @@
 
 #include "scene.h"
 
-/* `on REGION|boundary|cell|box`: the three stresses that are looked at. */
+/* `on REGION|boundary|cell|box`: the components of the stress that is looked at. */
 static bool take_place(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_servo *servo) {
-  static const char *const parts[] = {"xx", "yy", "xy"};
+  static const char *const parts[] = {"xx", "xy", "yx", "yy"};
   const struct nb_token *place =
       nb_take_word(reader, "on") ? nb_take(reader, "a region, `boundary`, `cell` or `box`") : NULL;
   if (!place || place->hollow)
     return false;
-  for (int k = 0; k < 3; k++) {
+  for (int k = 0; k < 4; k++) {
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "%.63s.stress.%s", place->text, parts[k]);
     if (nb_quantity_find(&servo->quantity[k], reading->scene, name, NULL))
@@ -51,7 +51,8 @@ NB_APPLY(nb_apply_servo) {
   struct nb_stage *stage = nb_stage_now(reading->scene);
   const struct nb_value *value = record->value;
   const int variant = record->keyword->variant;
-  struct nb_servo servo = {.every = 10, .mean = variant == 1, .line = (int)reader->line};
+  struct nb_servo servo = {
+      .east = {1, 0}, .north = {0, 1}, .every = 10, .mean = variant == 1, .line = (int)reader->line};
   static const int slots[] = {AT_X, AT_Y, AT_SHEAR};
   for (int k = 0; k < 3; k++) {
     servo.held[k] = variant < 2 || value[slots[k]].token;

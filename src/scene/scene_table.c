@@ -114,7 +114,7 @@ static const struct nb_keyword table[] = {
    "Names a body, a contact, a wall, or a grading or one size of it, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`.",
    "watch     A  disc 1\nwatch     C  disc 1 with sphere 2\nwatch     F  sphere 9 with wall shelf\nwatch     S  wall shelf\nwatch     G  grading mixed\nwatch     H  grading mixed radius 5 mm"},
   {"region", NB_IN_SCENE | NB_IN_START, region, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, true, nb_apply_region,
-   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest upright box round all outlines, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain, and what contacts are lost and new, are counted from the stage of this page that `from` names, else from the start of its run.",
+   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest box round all outlines that is upright before `place`, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain, and what contacts are lost and new, are counted from the stage of this page that `from` names, else from the start of its run.",
    "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {"impact", NB_IN_SCENE, impact, NULL, 0, false, nb_apply_impact,
    "Lets the first body of a watched contact strike the other one, or the wall: from the side where the page has put it, "
@@ -123,8 +123,9 @@ static const struct nb_keyword table[] = {
    "impact    F  speed 0.4 m/s  angle 20 deg  phase 0.5"},
   {"place", NB_IN_SCENE, place, NULL, 0, false, nb_apply_place,
    "Moves the whole scene, as it is at the end of the page: positions, velocities, walls and what they do in stages. "
-   "First it is mirrored, then turned about the origin, then shifted. The physics stays the same, the directions that "
-   "are recorded do not.",
+   "First it is mirrored, then turned about the origin, then shifted. All that the page says with a direction turns with it, "
+   "the components that a `servo` holds too. The physics stays the same; quantities with a direction, recorded or waited for by `until`, "
+   "do not: they are those of the plane.",
    "place     mirror none  turn 0 deg  shift 0.5 m 0 m"},
   {"step", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing, "TIME | N per contact | F of contact|safe|critical|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, nb_apply_step,
    "How long a cycle is: a time, or a share of what is sure to be stable as a stage begins, of 2 sqrt(m/k) [CS79, "

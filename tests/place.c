@@ -1,0 +1,295 @@
+/* `place`: every word of the language that has a direction is mirrored and turned with the scene.
+ *
+ * For each such word there is a short scene in which it matters: without its line the scene is none, or something moves
+ * otherwise. The scene is run as it stands and in other places; bodies and walls must end where the mirrored, turned and shifted
+ * ones of the first run are. The words come from the table of keywords: one that is not in the list fails, and so does one that
+ * is listed without a direction but takes values that have one.
+ *
+ * Tolerance: a turned scene differs by rounding alone, of 1e-16 of coordinates below 20; the runs are so short that contacts
+ * make no more than 1e-10 of it. What the lines change is above 1e-6 in each scene.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../src/scene/scene.h"
+#include "suites.h"
+#include "written.h"
+
+/* A page is HEAD, the lines before, the line of the word, and those after it. */
+#define HEAD                                                                                                           \
+  "units none\nmaterial m density 2 kn 1000 ks 700 friction 0.3\nshear linear\ndamping contact-ratio 0.1\nstep "       \
+  "0.004\n"
+#define FEW "disc 1 2 radius 0.6 m velocity 1 -2\ndisc 2.1 2.3 radius 0.7 m spin 3\ndisc 1.7 3.4 radius 0.5 m\n"
+#define MANY "discs lattice hexagonal 7 by 7 from 0.3 0.2 radius 0.5 spacing 0.97 m\n"
+#define RING MANY "boundary circle 3.2 2.9 radius 2.1\n"
+#define GO "stage go\ncycles 30\nsnapshot\n"
+#define STAGE "stage go\n"
+#define END "cycles 30\nsnapshot\n"
+#define BOX "box 0 0 to 6 7 m\n"
+#define WALL "wall floor 0 1.5 to 5 1.2 m about 1 -3\n"
+#define CELL "cell -0.2 -0.1 to 6.8 6.2\n"
+#define BY " by boundary at most 1e-4 per cycle every 3 cycles\n"
+
+struct row {
+  const char *word;
+  unsigned where; /* one bit */
+  const char *before, *line, *after;
+};
+
+static const struct row rows[] = {
+    {"gravity", NB_IN_SCENE, FEW, "gravity 3 -5\n", GO},
+    {"gravity", NB_IN_STAGE, FEW STAGE, "gravity 3 -5\n", END},
+    {"gravity", NB_IN_RAMP, FEW STAGE, "ramp gravity 3 -5\n", END},
+    {"gravity centripetal", NB_IN_STAGE, FEW STAGE, "gravity centripetal 10 about 4 1\n", END},
+    {"gravity centripetal", NB_IN_RAMP, FEW STAGE, "ramp gravity centripetal 10 about 4 1\n", END},
+    {"disc", NB_IN_SCENE, FEW, "disc 3 3 radius 0.9 m velocity -4 1 spin 2\n", GO},
+    {"sphere", NB_IN_SCENE, FEW, "sphere 3 3 radius 0.9 m velocity -4 1 spin 2\n", GO},
+    {"discs lattice", NB_IN_SCENE, FEW, "discs lattice 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
+    {"spheres lattice", NB_IN_SCENE, FEW, "spheres lattice hexagonal 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
+    {"spheres fill circle", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "spheres fill circle 4 5 radius 1.5 g m seed 1 tries 1000 else stop\n", GO},
+    {"spheres fill box", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "spheres fill box 4 5 to 6 9 g m seed 1 tries 1000 else stop\n", GO},
+    {"discs fill circle", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "discs fill circle 4 5 radius 1.5 g m seed 1 tries 1000 else stop\n", GO},
+    {"discs fill box", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "discs fill box 4 5 to 6 9 g m seed 1 tries 1000 else stop\n", GO},
+    {"box", NB_IN_SCENE, FEW, "box 0.5 1.5 to 2.7 3.8 m\n", GO},
+    {"wall", NB_IN_SCENE, FEW, "wall floor 0 1.5 to 5 1.2 m about 1 -3 velocity 0.3 1 spin 0.2\n", GO},
+    {"wall", NB_IN_STAGE, FEW WALL STAGE, "wall floor velocity 0.3 1 spin 0.2\n", END},
+    {"wall", NB_IN_RAMP, FEW WALL STAGE, "ramp wall floor velocity 0.3 1 spin 0.2\n", END},
+    {"walls", NB_IN_STAGE, MANY BOX STAGE, "walls inward 2\n", END},
+    {"walls", NB_IN_RAMP, MANY BOX STAGE, "ramp walls inward 2\n", END},
+    {"cell", NB_IN_SCENE, MANY, CELL, GO},
+    {"cell strain", NB_IN_STAGE, MANY CELL STAGE, "cell strain -0.1 0.05 shear 0.02\n", END},
+    {"cell strain", NB_IN_STAGE, MANY CELL STAGE, "cell strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
+    {"wave", NB_IN_SCENE, MANY CELL, "wave 0.3 1 periods 1 2\n", GO},
+    {"impact", NB_IN_SCENE, FEW "disc 9 9 radius 0.5 m spin 2\nwatch C disc 4 with disc 2\n",
+     "impact C speed 3 angle 0.7\n", GO},
+    {"region", NB_IN_SCENE, RING, "region A circle 2.6 2.5 radius 1.3\n", STAGE "servo stress xx 90 on A" BY END},
+    {"region", NB_IN_SCENE, RING, "region A box 2 2 to 4.2 3\n", STAGE "servo stress xx 90 xy 10 on A" BY END},
+    {"region", NB_IN_SCENE, RING, "region A inside 0.8\n", STAGE "servo stress yy 90 on A" BY END},
+    {"region", NB_IN_SCENE, RING, "region A all\n", STAGE "servo stress yy 90 xy 20 on A" BY END},
+    {"boundary circle", NB_IN_SCENE, MANY, "boundary circle 3.2 2.9 radius 2.1\n", GO},
+    {"boundary circle", NB_IN_STAGE, MANY STAGE, "boundary circle 3.2 2.9 radius 2.1\n", END},
+    {"boundary strain", NB_IN_STAGE, RING STAGE, "boundary strain -0.1 0.05 shear 0.02\n", END},
+    {"boundary strain", NB_IN_STAGE, RING STAGE, "boundary strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
+    {"boundary strain", NB_IN_STAGE, RING STAGE,
+     "boundary strain -1e-3 per cycle 5e-4 per cycle shear 2e-4 per cycle\n", END},
+    {"boundary stress", NB_IN_STAGE, RING STAGE, "boundary stress 90 30 shear 20\n", END},
+    {"continuum strain", NB_IN_STAGE, RING STAGE, "continuum strain -0.1 0.05 shear 0.02\n", END},
+    {"continuum strain", NB_IN_STAGE, RING STAGE, "continuum strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
+    {"continuum strain", NB_IN_STAGE, MANY STAGE, "continuum strain -0.01 0.005 c12 0.01 literal\n", END},
+    {"servo isotropic", NB_IN_STAGE, RING STAGE, "servo isotropic 90 on boundary" BY, END},
+    {"servo isotropic", NB_IN_STAGE, MANY CELL STAGE, "servo isotropic 90 on cell by cell at most 1e-4 per cycle\n",
+     END},
+    {"servo isotropic", NB_IN_STAGE, MANY BOX STAGE, "servo isotropic 90 on box by box at most 1e-4 per cycle\n", END},
+    {"servo isotropic", NB_IN_RAMP, RING STAGE, "ramp servo isotropic 90 on boundary" BY, END},
+    {"servo mean", NB_IN_STAGE, RING STAGE "boundary strain 0.1 -0.1\n", "servo mean 90 on boundary" BY, END},
+    {"servo mean", NB_IN_RAMP, RING STAGE "boundary strain 0.1 -0.1\n", "ramp servo mean 90 on boundary" BY, END},
+    {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 on boundary" BY, END},
+    {"servo stress", NB_IN_STAGE, RING STAGE,
+     "servo stress yy 90 on boundary by boundary continuum at most 1e-4 per cycle\n", END},
+    {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xy 20 on boundary" BY, END},
+    {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 yy 40 on boundary" BY, END},
+    {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 yy 40 xy 5 on boundary" BY, END},
+    {"servo stress", NB_IN_STAGE, MANY CELL STAGE, "servo stress xx 90 xy 20 on cell by cell at most 1e-4 per cycle\n",
+     END},
+    {"servo stress", NB_IN_STAGE, MANY BOX STAGE, "servo stress xx 90 yy 40 on box by box at most 1e-4 per cycle\n",
+     END},
+    {"servo stress", NB_IN_RAMP, RING STAGE, "ramp servo stress xx 90 yy 50 xy 20 on boundary" BY, END},
+    {"box strain", NB_IN_STAGE, MANY BOX STAGE, "box strain -1e-3 per cycle 5e-4 per cycle\n", END},
+};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
+/* Words that have no direction, in a scene, in a stage and behind `ramp`. A packing has places from a file, which then are those
+ * of bodies; `until` waits for what would be recorded, which is not turned, as the manual says. */
+static const char *const scalars[] = {
+    "|packing|discs packing|spheres "
+    "packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|watch|"
+    "step|allow|record|stage|",
+    "|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|still|reverse|remove|"
+    "boundary hold|boundary none|continuum none|rotation on|rotation off|repeat|",
+    "|material|pair|",
+};
+
+static const struct {
+  const char *line;
+  double flip_x, flip_y, angle, x, y;
+} places[] = {{"place mirror x\n", -1, 1, 0, 0, 0},
+              {"place mirror y turn 1.5707963267948966\n", 1, -1, 1.5707963267948966, 0, 0},
+              {"place turn 0.7 shift 3 -2\n", 1, 1, 0.7, 3, -2},
+              {"place mirror x turn 2.5 shift -1 5\n", -1, 1, 2.5, -1, 5}};
+enum { PLACES = sizeof places / sizeof *places };
+
+/* Bodies and walls at the end of the page; false: there is a mistake in it. */
+static bool ran(struct nb_result *result, const struct row *row, const char *line, const char *place) {
+  struct words words = {0};
+  struct nb_mistakes mistakes = {0};
+  struct nb_page page = {0};
+  struct nb_scene scene = {0};
+  struct nb_error error = {0};
+  words_add(&words, "```scene\n" HEAD "%s%s%s%s```\n", place, row->before, line, row->after);
+  nb_page_read_bytes(&page, "place.md", words.text, words.length, &mistakes);
+  nb_scene_read(&scene, &page, 0, NULL, &mistakes);
+  const bool right = mistakes.count == 0;
+  if (right && nb_run(result, &scene, NULL, NULL, &error)) {
+    printf("# %s: %s\n", row->line, error.text);
+    CU_FAIL("a scene does not run");
+  }
+  if (!right && line[0])
+    printf("# %s", mistakes.text);
+  nb_mistakes_free(&mistakes), nb_scene_free(&scene), nb_page_free(&page);
+  free(words.text);
+  return right;
+}
+
+static double column(const struct nb_table *table, size_t row, const char *name) {
+  for (size_t c = 0; c < table->column_count; c++)
+    if (strcmp(table->names[c], name) == 0)
+      return table->values[row * table->column_count + c];
+  CU_FAIL("no such column");
+  return NAN;
+}
+
+/* The largest difference between what vectors `x`, `y` of table b are and what those of a become in that place. */
+static double vectors_off(const struct nb_table *a, const struct nb_table *b, const char *x, const char *y, int place,
+                          bool shifted) {
+  const double angle = places[place].angle;
+  double off = 0;
+  for (size_t r = 0; r < a->row_count; r++) {
+    const double u = places[place].flip_x * column(a, r, x), v = places[place].flip_y * column(a, r, y);
+    const double to_x = cos(angle) * u - sin(angle) * v + shifted * places[place].x;
+    const double to_y = sin(angle) * u + cos(angle) * v + shifted * places[place].y;
+    off = fmax(off, hypot(column(b, r, x) - to_x, column(b, r, y) - to_y));
+  }
+  return off;
+}
+
+static double turns_off(const struct nb_table *a, const struct nb_table *b, const char *name, int place) {
+  double off = 0;
+  for (size_t r = 0; r < a->row_count; r++)
+    off = fmax(off, fabs(column(b, r, name) - places[place].flip_x * places[place].flip_y * column(a, r, name)));
+  return off;
+}
+
+static double farthest(const struct nb_result *one, const struct nb_result *other, int place) {
+  const struct nb_table *a = &one->snapshots[0].bodies, *b = &other->snapshots[0].bodies;
+  const struct nb_table *walls = &one->snapshots[0].walls, *there = &other->snapshots[0].walls;
+  CU_ASSERT_EQUAL_FATAL(a->row_count, b->row_count);
+  const double off[] = {vectors_off(a, b, "x", "y", place, true),
+                        vectors_off(a, b, "vx", "vy", place, false),
+                        vectors_off(a, b, "fx", "fy", place, false),
+                        turns_off(a, b, "spin", place),
+                        turns_off(a, b, "angle", place),
+                        turns_off(a, b, "moment", place),
+                        vectors_off(walls, there, "x1", "y1", place, true),
+                        vectors_off(walls, there, "x2", "y2", place, true)};
+  double most = 0;
+  for (size_t k = 0; k < sizeof off / sizeof *off; k++)
+    most = off[k] <= most ? most : off[k];
+  return most;
+}
+
+/* Whether the line of the word matters to where bodies go. */
+static bool matters(const struct row *row, const struct nb_result *with) {
+  struct nb_result without = {0};
+  if (!ran(&without, row, "", ""))
+    return true; /* what follows cannot do without it */
+  const struct nb_table *a = &with->snapshots[0].bodies, *b = &without.snapshots[0].bodies;
+  double off = a->row_count == b->row_count ? 0 : 1;
+  for (size_t r = 0; r < a->row_count && r < b->row_count; r++)
+    off = fmax(off, hypot(column(a, r, "x") - column(b, r, "x"), column(a, r, "y") - column(b, r, "y")));
+  nb_result_free(&without);
+  return off > 1e-6;
+}
+
+static void whole_scenes_are_moved(void) {
+  for (int r = 0; r < ROWS; r++) {
+    const struct row *row = &rows[r];
+    struct nb_result here = {0};
+    CU_ASSERT_FATAL(ran(&here, row, row->line, ""));
+    if (!matters(row, &here)) {
+      printf("# does not matter: %s", row->line);
+      CU_FAIL("a line of the list does nothing");
+    }
+    for (int place = 0; place < PLACES; place++) {
+      struct nb_result there = {0};
+      CU_ASSERT_FATAL(ran(&there, row, row->line, places[place].line));
+      const double off = farthest(&here, &there, place);
+      if (!(off < 1e-9)) {
+        printf("# off by %g: %s# %s", off, places[place].line, row->line);
+        CU_FAIL("a scene is not moved as a whole");
+      }
+      nb_result_free(&there);
+    }
+    nb_result_free(&here);
+  }
+}
+
+/* What references read of a wall of the box: the normal that points to its middle. */
+static void walls_of_the_box_point_inward(void) {
+  for (int place = 0; place < PLACES; place++) {
+    struct words words = {0};
+    struct written it;
+    words_add(&words, HEAD FEW BOX "%s" GO, places[place].line);
+    written_scene(&it, &words);
+    const struct nb_wall *walls = it.scene.walls;
+    for (int w = 0; w < 4; w++) {
+      const struct nb_wall *wall = &walls[w], *other = &walls[(w + 2) % 4];
+      CU_ASSERT_DOUBLE_EQUAL(wall->inx * wall->ex + wall->iny * wall->ey, 0, 1e-15);
+      CU_ASSERT_DOUBLE_EQUAL((other->x - wall->x) * wall->inx + (other->y - wall->y) * wall->iny, w % 2 ? 6 : 7, 1e-12);
+    }
+    written_free(&it);
+  }
+}
+
+/* ---- is the list whole? ---- */
+
+static bool directed(const struct nb_argument *argument) {
+  static const int slots[] = {AT_X,      AT_Y,     AT_X1,      AT_Y1,      AT_VX,    AT_VY,  AT_SPIN,
+                              AT_INWARD, AT_ANGLE, AT_ABOUT_X, AT_ABOUT_Y, AT_SHEAR, AT_C12, AT_C21};
+  bool is = argument->count > 1;
+  for (size_t k = 0; k < sizeof slots / sizeof *slots; k++)
+    is = is || argument->slot == slots[k];
+  return is;
+}
+
+/* All lines of the list with this word in such a place, one after the other. */
+static void lines_of(char *lines, size_t size, const char *word, unsigned where) {
+  snprintf(lines, size, " ");
+  for (int r = 0; r < ROWS; r++)
+    if (strcmp(rows[r].word, word) == 0 && rows[r].where == where)
+      snprintf(lines + strlen(lines), size - strlen(lines), "%s", rows[r].line);
+}
+
+static void every_word_is_in_the_list(void) {
+  for (const struct nb_keyword *keyword = nb_keywords(); keyword->apply; keyword++)
+    for (int w = 0; w < 3; w++) {
+      char lines[4096], clause[64], word[64];
+      if (!(keyword->where & wheres[w]) || strcmp(keyword->word, "place") == 0)
+        continue;
+      lines_of(lines, sizeof lines, keyword->word, wheres[w]);
+      snprintf(word, sizeof word, "|%s|", keyword->word);
+      bool listed = lines[1] || strstr(scalars[w], word);
+      for (const struct nb_argument *argument = keyword->arguments; argument->count; argument++) {
+        snprintf(clause, sizeof clause, " %s ", argument->word ? argument->word : "");
+        if (directed(argument))
+          listed = listed && lines[1] && (!argument->word || strstr(lines, clause));
+      }
+      if (!listed)
+        printf("# not in the list, or not with all that has a direction: %s\n", keyword->word);
+      CU_ASSERT(listed);
+    }
+}
+
+void suite_place(void) {
+  CU_pSuite suite = CU_add_suite("place", NULL, NULL);
+  CU_ADD_TEST(suite, whole_scenes_are_moved);
+  CU_ADD_TEST(suite, walls_of_the_box_point_inward);
+  CU_ADD_TEST(suite, every_word_is_in_the_list);
+}
