@@ -72,8 +72,44 @@ static void known_keeps_what_it_is_told(void) {
   CU_ASSERT_PTR_NULL(nb_reference_find("nine_disks"));
 }
 
+/* Numbers worked out by hand; and the simulator's own, which came another way, are the same. */
+static void matter_is_what_books_say(void) {
+  struct nb_material materials[3] = {
+      {.density = 3, .kn = 6, .ks = 2, .friction = 0.5, .cohesion = 7, .young = 182, .poisson = 0.3},
+      {.density = 5, .kn = 3, .ks = 2, .friction = 0.25, .cohesion = 9, .young = 75, .poisson = 0.25},
+      {.young = INFINITY}};
+  struct nb_pair_rule rule = {.a = 1, .b = 0, .kn = NAN, .ks = 11, .friction = 0, .cohesion = NAN};
+  const struct nb_body disc = {.shape = NB_DISC, .radius = 2},
+                       sphere = {.shape = NB_SPHERE, .radius = 3, .material = 1};
+  struct nb_scene scene = {.materials = materials, .material_count = 3};
+  CU_ASSERT_DOUBLE_EQUAL(matter_mass(&scene, &disc), 37.69911184307752, 1e-13);    /* 12 pi */
+  CU_ASSERT_DOUBLE_EQUAL(matter_inertia(&scene, &disc), 75.39822368615503, 1e-13); /* 24 pi */
+  CU_ASSERT_DOUBLE_EQUAL(matter_mass(&scene, &sphere), 565.4866776461628, 1e-12);  /* 180 pi */
+  CU_ASSERT_DOUBLE_EQUAL(matter_inertia(&scene, &sphere), 2035.7520395261859, 1e-11);
+  CU_ASSERT_DOUBLE_EQUAL(matter_radius(2, 3), 1.2, 1e-15);
+  CU_ASSERT_EQUAL(matter_radius(2, INFINITY), 2);
+  struct matter_pair pair = matter_pair(&scene, 0, 1);
+  CU_ASSERT_DOUBLE_EQUAL(pair.kn, 4, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(pair.ks, 2, 1e-15);
+  CU_ASSERT(pair.friction == 0.25 && pair.cohesion == 7);
+  CU_ASSERT_DOUBLE_EQUAL(pair.young, 1 / (0.005 + 0.0125), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(pair.shear, 1 / (1.7 / 70 + 1.75 / 30), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(matter_pair(&scene, 0, 2).young, 200, 1e-12); /* one is rigid */
+  scene.pair_rules = &rule, scene.pair_rule_count = 1;
+  pair = matter_pair(&scene, 0, 1);
+  CU_ASSERT_DOUBLE_EQUAL(pair.kn, 4, 1e-15);
+  CU_ASSERT(pair.ks == 11 && pair.friction == 0 && pair.cohesion == 7);
+  const struct nb_pair theirs = nb_scene_pair(&scene, 0, 1);
+  REFS_NEAR(theirs.kn, pair.kn, 1e-15, 4.);
+  REFS_NEAR(theirs.young, pair.young, 1e-15, 60.);
+  REFS_NEAR(theirs.shear, pair.shear, 1e-15, 12.);
+  REFS_NEAR(nb_body_mass(&scene, &disc), matter_mass(&scene, &disc), 1e-15, 40.);
+  REFS_NEAR(nb_body_inertia(&scene, &sphere), matter_inertia(&scene, &sphere), 1e-15, 2000.);
+}
+
 void suite_refs(void) {
   CU_pSuite suite = CU_add_suite("refs", NULL, NULL);
+  CU_add_test(suite, "masses and constants of contacts are what books say", matter_is_what_books_say);
   CU_add_test(suite, "what a reference knows is kept", known_keeps_what_it_is_told);
   CU_add_test(suite, "what cannot be judged is refused", what_cannot_be_judged_is_refused);
 }

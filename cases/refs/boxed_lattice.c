@@ -90,7 +90,7 @@ static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
   while (nx < scene->body_count && scene->bodies[nx].y == first->y)
     nx++;
   *it = (struct lattice){(double)nx, (double)(scene->body_count / nx), first->radius,
-                         nb_scene_pair(scene, first->material, first->material).kn};
+                         matter_pair(scene, first->material, first->material).kn};
   bool is = scene->wall_count == 4 && scene->body_count % nx == 0 && strcmp(scene->normal, "linear") == 0 &&
             strcmp(scene->shear, "none") == 0 && !scene->gravity.line;
   for (size_t k = 0; k < scene->body_count; k++) {
@@ -100,7 +100,7 @@ static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
          fabs(body->x - x) + fabs(body->y - y) < 1e-12 * it->r * it->nx * it->ny;
   }
   for (size_t w = 0; w < scene->wall_count; w++)
-    is = is && nb_scene_pair(scene, first->material, scene->walls[w].material).kn == it->k;
+    is = is && matter_pair(scene, first->material, scene->walls[w].material).kn == it->k;
   return is;
 }
 

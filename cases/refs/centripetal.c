@@ -25,7 +25,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
                         "centripetal wants bodies without walls and boundary, and `gravity centripetal` to the end");
   for (size_t k = 0; k < scene->body_count; k++) {
     const struct nb_body *body = &scene->bodies[k];
-    mass += nb_body_mass(scene, body), diameter += 2 * body->radius, section += pi * body->radius * body->radius;
+    mass += matter_mass(scene, body), diameter += 2 * body->radius, section += pi * body->radius * body->radius;
   }
   const double R = sqrt(section / (1 - porosity) / pi);
   const double middle = pull->inward * mass / (pi * R * diameter / (double)scene->body_count);

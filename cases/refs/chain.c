@@ -201,7 +201,7 @@ static enum nb_status fit(struct chain *chain, const struct nb_scene *scene, str
   }
   for (size_t w = 0; w < 2; w++)
     if (scene->walls[w].vx != 0 || scene->walls[w].vy != 0 ||
-        nb_scene_pair(scene, first->material, scene->walls[w].material).kn != chain->k)
+        matter_pair(scene, first->material, scene->walls[w].material).kn != chain->k)
       return unfit(error, "walls that stand, as stiff as the bodies");
   if (!pressed_alike(chain, scene))
     return unfit(error, "a row from the west to the east, in which every contact is pressed alike");
@@ -219,8 +219,8 @@ static enum nb_status fit(struct chain *chain, const struct nb_scene *scene, str
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_body *first = &scene->bodies[0];
-  struct chain chain = {.n = scene->body_count, .m = nb_body_mass(scene, first)};
-  chain.k = nb_scene_pair(scene, first->material, first->material).kn;
+  struct chain chain = {.n = scene->body_count, .m = matter_mass(scene, first)};
+  chain.k = matter_pair(scene, first->material, first->material).kn;
   if (fit(&chain, scene, error))
     return error->status;
   chain.velocity = calloc(chain.n, sizeof *chain.velocity);

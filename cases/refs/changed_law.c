@@ -30,7 +30,7 @@
 enum { STAGES = 32 };
 
 struct story {
-  struct nb_pair pair;
+  struct matter_pair pair;
   double radius, overlap, v; /* m, m, slip's rate, m/s */
   size_t count;
   struct part {
@@ -121,7 +121,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_set(error, NB_BAD_USE, "changed_law wants one sphere at rest, one wall, no gravity and no damping");
   const double dx = body->x - wall->x, dy = body->y - wall->y, away = dy * wall->ex - dx * wall->ey;
   const double side = away > 0 ? 1 : -1; /* t is e turned clockwise, e points from the body to the wall */
-  struct story it = {.pair = nb_scene_pair(scene, body->material, wall->material),
+  struct story it = {.pair = matter_pair(scene, body->material, wall->material),
                      .radius = body->radius,
                      .overlap = body->radius - fabs(away),
                      .v = side * (wall->vx * wall->ex + wall->vy * wall->ey)};
@@ -129,7 +129,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_set(error, NB_BAD_USE,
                         "changed_law wants a wall that moves along itself, stages of so many cycles that change laws "
                         "which it knows, and no sliding");
-  const double end = it.parts[it.count - 1].end, mass = nb_body_mass(scene, body);
+  const double end = it.parts[it.count - 1].end, mass = matter_mass(scene, body);
   const double most = fmax(it.pair.kn * it.overlap, 4. / 3 * it.pair.young * circle(&it) * it.overlap);
   if (!(most * end * end / 2 < 1e-13 * mass * it.overlap))
     return nb_error_set(error, NB_BAD_USE, "changed_law wants a sphere so heavy that its contact does not move it");

@@ -67,8 +67,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_set(error, NB_BAD_USE,
                         "cohesion is for one body between two plates that press, drag it and part, and a stop");
   const int body = scene->bodies[0].material;
-  const struct nb_pair pair = nb_scene_pair(scene, body, scene->walls[0].material);
-  const struct nb_pair stop = nb_scene_pair(scene, body, scene->walls[2].material);
+  const struct matter_pair pair = matter_pair(scene, body, scene->walls[0].material);
+  const struct matter_pair stop = matter_pair(scene, body, scene->walls[2].material);
   const double normal = pair.kn * drag.press / 2, limit = normal * pair.friction + pair.cohesion;
   const double stuck = pair.ks * drag.way / (1 + 2 * pair.ks / stop.kn);
   const double shear = fabs(stuck) < limit ? stuck : copysign(limit, stuck);

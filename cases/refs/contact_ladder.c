@@ -187,7 +187,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     made = (columns[c] = path_column(scene)) != NULL && made;
   struct state state = {.law = laws[which]};
   const bool fits =
-      made && walk_path(&state, &contact, nb_scene_pair(scene, bodies[0].material, other).ks, scene, columns);
+      made && walk_path(&state, &contact, matter_pair(scene, bodies[0].material, other).ks, scene, columns);
   for (int c = 0; c < COLUMNS; c++)
     if (fits)
       path_tell(known, scene, names[c], columns[c]);

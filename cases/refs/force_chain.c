@@ -33,7 +33,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const double length = hypot(last->x - first->x, last->y - first->y), R = first->radius;
   const double ux = (last->x - first->x) / length, uy = (last->y - first->y) / length;
   const double overlap = 2 * R - length / (double)(n - 1);
-  const double force = nb_scene_pair(scene, first->material, first->material).kn * overlap;
+  const double force = matter_pair(scene, first->material, first->material).kn * overlap;
   const double across = length + 2 * (R - overlap); /* from wall to wall, if they press as the discs do */
   for (int w = 0; w < 2; w++) {
     const struct nb_wall *wall = &scene->walls[w];

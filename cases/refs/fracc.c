@@ -38,9 +38,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       stage->condition_count || !nb_damping_none(&stage->damping) || disc->y != 0 || disc->vx != 0)
     return nb_error_set(error, NB_BAD_USE,
                         "reference fracc is for one disc between four walls, undamped, `step F of critical`");
-  const double kn = nb_scene_pair(scene, disc->material, scene->walls[0].material).kn;
+  const double kn = matter_pair(scene, disc->material, scene->walls[0].material).kn;
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
-  const double dt = 2 * h / sqrt(2 * kn / nb_body_mass(scene, disc));
+  const double dt = 2 * h / sqrt(2 * kn / matter_mass(scene, disc));
   double hy = 0; /* no walls near in y */
   for (int w = 0; w < 4; w++)
     hy = scene->walls[w].ex != 0 && fabs(scene->walls[w].y) < disc->radius ? h : hy;

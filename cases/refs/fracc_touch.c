@@ -21,7 +21,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       scene->step.kind != NB_STEP_CRITICAL || !nb_damping_none(&scene->damping))
     return nb_error_set(error, NB_BAD_USE,
                         "reference fracc_touch is for two like discs, the first of which strikes the second along x");
-  const double mass = nb_body_mass(scene, a), k = nb_scene_pair(scene, a->material, b->material).kn;
+  const double mass = matter_mass(scene, a), k = matter_pair(scene, a->material, b->material).kn;
   const double step = scene->step.value * 2 * sqrt(mass / k), gap = b->x - a->x - a->radius - b->radius;
   const double first = (floor(gap / (a->vx * step)) + 1) * a->vx * step - gap;
   const double growth = (a->vx - 2 * k * first * step / mass) * step;

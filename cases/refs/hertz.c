@@ -15,10 +15,6 @@
 
 double hertz_time(void) { return 4 * sqrt(M_PI) / 5 * gsl_sf_gamma(0.4) / gsl_sf_gamma(0.9); }
 
-double hertz_young(const struct nb_material *a, const struct nb_material *b) {
-  return 1 / ((1 - a->poisson * a->poisson) / a->young + (1 - b->poisson * b->poisson) / b->young);
-}
-
 double hertz_restitution(double beta) {
   const double square = 1.2 * beta * beta;
   return square < 1 ? exp(-M_PI * sqrt(square / (1 - square))) : 0;
@@ -85,9 +81,9 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
   const struct nb_body *a = &scene->bodies[0], *b = scene->body_count == 2 ? &scene->bodies[1] : NULL;
   const struct nb_wall *wall = b ? NULL : &scene->walls[0];
   *hertz = (struct hertz){.bodies = {a, b}, .scene = scene};
-  hertz->mass = 1 / (1 / nb_body_mass(scene, a) + (b && !b->fixed ? 1 / nb_body_mass(scene, b) : 0));
-  hertz->radius = 1 / (1 / a->radius + (b ? 1 / b->radius : 0));
-  hertz->young = hertz_young(&scene->materials[a->material], &scene->materials[b ? b->material : wall->material]);
+  hertz->mass = 1 / (1 / matter_mass(scene, a) + (b && !b->fixed ? 1 / matter_mass(scene, b) : 0));
+  hertz->radius = matter_radius(a->radius, b ? b->radius : INFINITY);
+  hertz->young = matter_pair(scene, a->material, b ? b->material : wall->material).young;
   if (!(hertz->young > 0) || !isfinite(hertz->young) || (b && b->shape != NB_SPHERE))
     return refuse(who, "elastic spheres, whose materials say `young`", error);
   if (!meet(hertz, wall))

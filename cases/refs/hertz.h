@@ -27,8 +27,6 @@ struct hertz {
 
 /* T_c V_N/alpha* = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) = 2.9432751843247047  [R89 5.12] */
 double hertz_time(void);
-/* 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2, Pa [R89 4.7] */
-double hertz_young(const struct nb_material *a, const struct nb_material *b);
 
 /* What a dashpot of the share beta of critical leaves of the speed, e = exp(-pi z/(1 - z^2)^(1/2)), z = (6/5)^(1/2) beta: in the
  * plane of alpha^(5/4) and alpha' the damped equation of impact is that of a linear spring and dashpot (Antypov and Elliott 2011). 0

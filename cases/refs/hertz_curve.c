@@ -106,8 +106,8 @@ static enum nb_status column(struct press *press, const struct nb_scene *scene, 
     const struct nb_body *below = c ? &scene->bodies[c - 1] : NULL, *above = c < n ? &scene->bodies[c] : NULL;
     const int a = below ? below->material : scene->walls[0].material,
               b = above ? above->material : scene->walls[1].material;
-    press[c].radius = 1 / ((below ? 1 / below->radius : 0) + (above ? 1 / above->radius : 0));
-    press[c].young = hertz_young(&scene->materials[a], &scene->materials[b]);
+    press[c].radius = matter_radius(below ? below->radius : INFINITY, above ? above->radius : INFINITY);
+    press[c].young = matter_pair(scene, a, b).young;
     press[c].share = pow(press[c].young * sqrt(press[c].radius), -2. / 3); /* of one over another, to be scaled */
     soft += press[c].share;
     top += above ? 2 * above->radius : 0;
@@ -124,9 +124,8 @@ static enum nb_status column(struct press *press, const struct nb_scene *scene, 
 /* Body 1 with body 2, or with the wall. */
 static enum nb_status know_bench(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_body *a = &scene->bodies[0], *b = scene->body_count > 1 ? &scene->bodies[1] : NULL;
-  const struct nb_material *other = &scene->materials[b ? b->material : scene->walls[0].material];
-  struct press press = {.radius = 1 / (1 / a->radius + (b ? 1 / b->radius : 0)),
-                        .young = hertz_young(&scene->materials[a->material], other)};
+  struct press press = {.radius = matter_radius(a->radius, b ? b->radius : INFINITY),
+                        .young = matter_pair(scene, a->material, b ? b->material : scene->walls[0].material).young};
   if (!(press.young > 0) || strcmp(scene->normal, "hertz") != 0)
     return refuse(error, "elastic spheres with `normal hertz`");
   tell(known, "normal", "overlap", force_at, &press);

@@ -23,8 +23,8 @@ static struct nb_vec toward_wall(const struct nb_body *body, const struct nb_wal
   return vec_scale(1 / length, way);
 }
 
-static struct nb_pair springs_of(const struct nb_scene *scene, int material_a, int material_b) {
-  struct nb_pair pair = nb_scene_pair(scene, material_a, material_b);
+static struct matter_pair springs_of(const struct nb_scene *scene, int material_a, int material_b) {
+  struct matter_pair pair = matter_pair(scene, material_a, material_b);
   if (!strcmp(scene->shear, "none") || (pair.friction == 0 && pair.cohesion == 0))
     pair.ks = 0;
   return pair;
@@ -96,7 +96,7 @@ static void fill_stretch(struct lattice *lattice, const struct nb_scene *scene, 
     return;
   const struct lattice_contact *contact = &lattice->contacts[c];
   struct nb_vec e = vec(contact->ex, contact->ey), t = vec_clockwise(e);
-  double heavy = sqrt(nb_body_mass(scene, body)), lazy = sqrt(nb_body_inertia(scene, body));
+  double heavy = sqrt(matter_mass(scene, body)), lazy = sqrt(matter_inertia(scene, body));
   size_t x = 3 * (size_t)index;
   gsl_matrix_set(lattice->stretch, 2 * c, x, sign * e.x / heavy);
   gsl_matrix_set(lattice->stretch, 2 * c, x + 1, sign * e.y / heavy);

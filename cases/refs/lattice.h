@@ -26,11 +26,11 @@
 enum { LATTICE_WALL = 3 }; /* numbers for each wall: P's way to the east and to the north, and the turn about P */
 
 struct lattice_contact {
-  int a;               /* body index */
-  int b;               /* body index, or wall index */
-  bool wall;           /* b is a wall */
-  double ex, ey;       /* unit vector from a to b */
-  struct nb_pair pair; /* ks = 0 where the scene lets no shear force arise */
+  int a;                   /* body index */
+  int b;                   /* body index, or wall index */
+  bool wall;               /* b is a wall */
+  double ex, ey;           /* unit vector from a to b */
+  struct matter_pair pair; /* ks = 0 where the scene lets no shear force arise */
 };
 
 /* At `cycle` the velocities of the walls change by these, x, y and spin of each in turn, m/s and rad/s. */

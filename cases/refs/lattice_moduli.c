@@ -25,7 +25,7 @@
 struct lattice {
   bool hexagonal, hertz;
   double radius, spacing, thickness; /* m */
-  struct nb_pair pair;
+  struct matter_pair pair;
   double xx, yy, xy; /* stress, Pa */
 };
 
@@ -87,7 +87,7 @@ static enum nb_status fit(struct lattice *it, const struct nb_scene *scene, stru
   const struct nb_body *first = &scene->bodies[0];
   *it = (struct lattice){.radius = first->radius, .hertz = strcmp(scene->normal, "hertz") == 0};
   it->thickness = first->shape == NB_SPHERE ? 2 * first->radius : 1;
-  it->pair = nb_scene_pair(scene, first->material, first->material);
+  it->pair = matter_pair(scene, first->material, first->material);
   if (!scene->cell.line || scene->cell.h[1] != 0 || scene->cell.h[2] != 0)
     return unfit(error, "an upright periodic cell");
   for (size_t k = 0; k < scene->body_count; k++)

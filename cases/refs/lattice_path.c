@@ -68,7 +68,7 @@ static void walk_end(struct walk *walk) {
 /* Forces after stretches d, by the rules above. */
 static void forces_after(const struct walk *walk, const gsl_vector *d, gsl_vector *forces) {
   for (size_t c = 0; c < walk->lattice->contact_count; c++) {
-    const struct nb_pair *pair = &walk->lattice->contacts[c].pair;
+    const struct matter_pair *pair = &walk->lattice->contacts[c].pair;
     int slides = walk->slides[c];
     double normal = pair->kn * (gsl_vector_get(walk->overlap, c) + gsl_vector_get(d, 2 * c));
     double held = gsl_vector_get(walk->forces, 2 * c + 1) + pair->ks * gsl_vector_get(d, 2 * c + 1);
@@ -83,7 +83,7 @@ static void step(struct walk *walk) {
   size_t n = lattice->freedom_count;
   gsl_matrix_memcpy(walk->pulled, lattice->stretch);
   for (size_t c = 0; c < lattice->contact_count; c++) {
-    const struct nb_pair *pair = &lattice->contacts[c].pair;
+    const struct matter_pair *pair = &lattice->contacts[c].pair;
     gsl_vector_view normal = gsl_matrix_row(walk->pulled, 2 * c), shear = gsl_matrix_row(walk->pulled, 2 * c + 1);
     gsl_vector_scale(&normal.vector, walk->slides[c] == OPEN ? 0 : pair->kn);
     gsl_vector_scale(&shear.vector, walk->slides[c] == OPEN ? 0 : pair->ks);
@@ -113,7 +113,7 @@ static bool correct(struct walk *walk) {
   double spare = rounding * fmax(gsl_vector_max(walk->next), -gsl_vector_min(walk->next));
   bool more = false;
   for (size_t c = 0; c < walk->lattice->contact_count; c++) {
-    const struct nb_pair *pair = &walk->lattice->contacts[c].pair;
+    const struct matter_pair *pair = &walk->lattice->contacts[c].pair;
     double normal = gsl_vector_get(walk->next, 2 * c), shear = gsl_vector_get(walk->next, 2 * c + 1);
     double held = gsl_vector_get(walk->forces, 2 * c + 1) + pair->ks * gsl_vector_get(walk->stretches, 2 * c + 1);
     double overlap = gsl_vector_get(walk->overlap, c) + gsl_vector_get(walk->stretches, 2 * c);

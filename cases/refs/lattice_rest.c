@@ -59,7 +59,7 @@ static enum nb_status solve(const struct lattice *lattice, const gsl_matrix *law
 static gsl_matrix *law_of(const struct lattice *lattice, const int slides[]) {
   gsl_matrix *law = gsl_matrix_calloc(2 * lattice->contact_count, 2 * lattice->contact_count);
   for (size_t c = 0; c < lattice->contact_count; c++) {
-    const struct nb_pair *pair = &lattice->contacts[c].pair;
+    const struct matter_pair *pair = &lattice->contacts[c].pair;
     gsl_matrix_set(law, 2 * c, 2 * c, pair->kn);
     if (slides && slides[c])
       gsl_matrix_set(law, 2 * c + 1, 2 * c, slides[c] * pair->friction * pair->kn);
@@ -107,7 +107,7 @@ static bool let_slide(const struct lattice *lattice, const gsl_vector *forces, i
   bool more = false;
   double spare = rounding * force_scale(forces);
   for (size_t c = 0; c < lattice->contact_count; c++) {
-    const struct nb_pair *pair = &lattice->contacts[c].pair;
+    const struct matter_pair *pair = &lattice->contacts[c].pair;
     double normal = gsl_vector_get(forces, 2 * c), shear = gsl_vector_get(forces, 2 * c + 1);
     if (slides[c] || pair->ks <= 0 || normal < 0 || fabs(shear) <= pair->friction * normal + spare)
       continue;

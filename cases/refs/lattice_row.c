@@ -79,7 +79,7 @@ enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene 
   for (size_t i = 0; i < 3; i++)
     row->k[i] = row->lattice.contacts[row->contact[i]].pair.kn;
   for (size_t i = 0; i < 2; i++)
-    row->m[i] = nb_body_mass(scene, &scene->bodies[i]);
+    row->m[i] = matter_mass(scene, &scene->bodies[i]);
   return NB_OK;
 }
 

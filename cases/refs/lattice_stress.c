@@ -101,7 +101,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     const double cells = 4 * region->half_x * region->half_y / lattice.area;
     if (region->kind != NB_REGION_BOX || fabs(cells - round(cells)) > 1e-9)
       return nb_error_set(error, NB_BAD_USE, "lattice_stress wants regions that are boxes of whole cells");
-    know_region(known, scene->watches[w].name, &lattice, scene->bodies[0].radius, nb_scene_pair(scene, m, m).kn);
+    know_region(known, scene->watches[w].name, &lattice, scene->bodies[0].radius, matter_pair(scene, m, m).kn);
   }
   return known_full(known, error);
 }

@@ -18,10 +18,10 @@ static double step_length(const struct nb_scene *scene, const struct nb_step *st
   for (size_t i = 0; i < scene->body_count; i++) {
     const struct nb_body *body = &scene->bodies[i];
     if (!body->fixed)
-      lightest = fmin(lightest, nb_body_mass(scene, body));
+      lightest = fmin(lightest, matter_mass(scene, body));
     for (size_t j = 0; j < scene->body_count + scene->wall_count; j++) {
       int other = j < scene->body_count ? scene->bodies[j].material : scene->walls[j - scene->body_count].material;
-      stiffest = fmax(stiffest, nb_scene_pair(scene, body->material, other).kn);
+      stiffest = fmax(stiffest, matter_pair(scene, body->material, other).kn);
     }
   }
   return step->value * 2 * sqrt(lightest / stiffest);

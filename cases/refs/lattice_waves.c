@@ -136,7 +136,7 @@ static enum nb_status fit(struct wave *it, const struct nb_scene *scene, struct 
     if (scene->bodies[k].radius != first->radius || scene->bodies[k].material != first->material ||
         scene->bodies[k].shape != first->shape || scene->bodies[k].fixed || scene->bodies[k].spin != 0)
       return unfit(error, "equal bodies that are free and do not turn at first");
-  const struct nb_pair pair = nb_scene_pair(scene, first->material, first->material);
+  const struct matter_pair pair = matter_pair(scene, first->material, first->material);
   if (strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0 || pair.friction < 1e6)
     return unfit(error, "linear springs that never slide");
   const int count = neighbours(scene, &spacing);
@@ -145,9 +145,8 @@ static enum nb_status fit(struct wave *it, const struct nb_scene *scene, struct 
   it->lattice = (struct waves_lattice){.kn = pair.kn,
                                        .ks = pair.ks,
                                        .force = pair.kn * (2 * first->radius - spacing),
-                                       .mass = nb_body_mass(scene, first),
-                                       .inertia = nb_body_mass(scene, first) * first->radius * first->radius *
-                                                  (first->shape == NB_SPHERE ? 0.4 : 0.5),
+                                       .mass = matter_mass(scene, first),
+                                       .inertia = matter_inertia(scene, first),
                                        .radius = first->radius,
                                        .spacing = spacing,
                                        .hexagonal = count == 6,

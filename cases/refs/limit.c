@@ -21,9 +21,9 @@ static const double grows = 1e-6;
 
 static double reduced_mass(const struct nb_scene *scene, const struct lattice_contact *contact) {
   const struct nb_body *a = &scene->bodies[contact->a];
-  double inverse = a->fixed ? 0 : 1 / nb_body_mass(scene, a);
+  double inverse = a->fixed ? 0 : 1 / matter_mass(scene, a);
   if (!contact->wall && !scene->bodies[contact->b].fixed)
-    inverse += 1 / nb_body_mass(scene, &scene->bodies[contact->b]);
+    inverse += 1 / matter_mass(scene, &scene->bodies[contact->b]);
   return 1 / inverse;
 }
 
@@ -32,11 +32,11 @@ static double critical_step(const struct nb_scene *scene) {
   for (size_t i = 0; i < scene->body_count; i++) {
     const struct nb_body *body = &scene->bodies[i];
     if (!body->fixed)
-      lightest = fmin(lightest, nb_body_mass(scene, body));
+      lightest = fmin(lightest, matter_mass(scene, body));
     for (size_t j = 0; j < scene->body_count; j++)
-      stiffest = fmax(stiffest, nb_scene_pair(scene, body->material, scene->bodies[j].material).kn);
+      stiffest = fmax(stiffest, matter_pair(scene, body->material, scene->bodies[j].material).kn);
     for (size_t j = 0; j < scene->wall_count; j++)
-      stiffest = fmax(stiffest, nb_scene_pair(scene, body->material, scene->walls[j].material).kn);
+      stiffest = fmax(stiffest, matter_pair(scene, body->material, scene->walls[j].material).kn);
   }
   return 2 * sqrt(lightest / stiffest);
 }

@@ -25,7 +25,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
                         "is a share of rayleigh-fit-mean, and no damping but at contacts");
   double mass = 0, radius = 0;
   for (size_t k = 0; k < scene->body_count; k++)
-    mass += nb_body_mass(scene, &scene->bodies[k]), radius += scene->bodies[k].radius;
+    mass += matter_mass(scene, &scene->bodies[k]), radius += scene->bodies[k].radius;
   mass /= (double)scene->body_count, radius /= (double)scene->body_count;
   const struct nb_material *glass = &scene->materials[scene->bodies[0].material];
   const double shear = glass->young / (2 * (1 + glass->poisson));

@@ -132,7 +132,7 @@ static void add_pair(struct sums *sums, const struct nb_scene *scene, const stru
   const double deep = overlap(a, b), apart = hypot(b->x - a->x, b->y - a->y);
   if (!(deep > 0))
     return;
-  const double force = nb_scene_pair(scene, a->material, b->material).kn * deep;
+  const double force = matter_pair(scene, a->material, b->material).kn * deep;
   const double x = (b->x - a->x) / apart, y = (b->y - a->y) / apart;
   add(sums->stress, force * (a->radius - deep / 2), x, y);
   add(sums->fabric, 1, x, y);

@@ -29,10 +29,10 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   }
   for (size_t k = 0; k < scene->body_count; k++) {
     const struct nb_body *body = &scene->bodies[k];
-    const double m = nb_body_mass(scene, body);
+    const double m = matter_mass(scene, body);
     alone = alone && !body->fixed;
     x += m * body->vx, y += m * body->vy;
-    angular += m * (body->x * body->vy - body->y * body->vx) + nb_body_inertia(scene, body) * body->spin;
+    angular += m * (body->x * body->vy - body->y * body->vx) + matter_inertia(scene, body) * body->spin;
   }
   if (!alone)
     return nb_error_set(error, NB_BAD_USE,

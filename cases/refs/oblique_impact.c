@@ -42,10 +42,10 @@ struct pair {
 };
 
 static double share(const struct nb_scene *scene, const struct nb_body *body) {
-  return body->fixed ? 0 : 1 / nb_body_mass(scene, body);
+  return body->fixed ? 0 : 1 / matter_mass(scene, body);
 }
 static double turning(const struct nb_scene *scene, const struct nb_body *body) {
-  return body->fixed ? 0 : body->radius * body->radius / nb_body_inertia(scene, body);
+  return body->fixed ? 0 : body->radius * body->radius / matter_inertia(scene, body);
 }
 
 static void read_pair(struct pair *p, const struct nb_scene *scene) {
@@ -53,14 +53,14 @@ static void read_pair(struct pair *p, const struct nb_scene *scene) {
   const struct nb_body *a = &scene->bodies[watch->a];
   const struct nb_body *b = watch->kind == NB_WATCH_BODY_BODY ? &scene->bodies[watch->b] : NULL;
   const struct nb_wall *wall = b ? NULL : &scene->walls[watch->b];
-  const struct nb_pair pair = nb_scene_pair(scene, a->material, b ? b->material : wall->material);
+  const struct matter_pair pair = matter_pair(scene, a->material, b ? b->material : wall->material);
   const double vx = a->vx - (b ? b->vx : wall->vx), vy = a->vy - (b ? b->vy : wall->vy);
   /* from what is struck to the sphere: the other's centre, or square to the wall on the sphere's side */
   double nx = b ? a->x - b->x : -wall->ey, ny = b ? a->y - b->y : wall->ex;
   const double side = b || (a->x - wall->x) * nx + (a->y - wall->y) * ny > 0 ? 1 / hypot(nx, ny) : -1;
   nx *= side, ny *= side;
   const double centre = vx * ny - vy * nx, rim = a->spin * a->radius + (b ? b->spin * b->radius : 0);
-  const double radius = b ? 1 / (1 / a->radius + 1 / b->radius) : a->radius;
+  const double radius = matter_radius(a->radius, b ? b->radius : INFINITY);
   *p = (struct pair){
       .mass = 1 / (share(scene, a) + (b ? share(scene, b) : 0)),
       .inverse = share(scene, a) + turning(scene, a) + (b ? share(scene, b) + turning(scene, b) : 0),
@@ -71,7 +71,7 @@ static void read_pair(struct pair *p, const struct nb_scene *scene) {
       .vt = fabs(centre + rim),
       .centre = centre + rim < 0 ? -centre : centre,
       .rotation =
-          (nb_body_inertia(scene, a) * a->spin * a->spin + (b ? nb_body_inertia(scene, b) * b->spin * b->spin : 0)) / 2,
+          (matter_inertia(scene, a) * a->spin * a->spin + (b ? matter_inertia(scene, b) * b->spin * b->spin : 0)) / 2,
   };
   /* [R89 5.5, 5.9]: K alpha^(3/2), and all of the energy in it at alpha_max */
   const double stiffness = 4. / 3 * sqrt(radius) * pair.young;

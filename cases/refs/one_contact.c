@@ -30,7 +30,7 @@ enum { LOOKS = 1000 }; /* moments at which the limit of friction is looked at */
 struct pair {
   double mass[2], inertia[2], radius[2]; /* infinite for what is held; 0 radius for a wall */
   const struct nb_wall *wall;            /* NULL: two bodies */
-  struct nb_pair values;
+  struct matter_pair values;
   double cn, cs; /* N s/m */
   bool shears;
 };
@@ -84,8 +84,8 @@ static void put_body(struct pair *pair, double y[], const struct nb_scene *scene
   const struct nb_body *body = &scene->bodies[k];
   y += k * SECOND;
   y[X] = body->x, y[Y] = body->y, y[VX] = body->vx, y[VY] = body->vy, y[SPIN] = body->spin;
-  pair->mass[k] = body->fixed ? INFINITY : nb_body_mass(scene, body);
-  pair->inertia[k] = body->fixed ? INFINITY : nb_body_inertia(scene, body);
+  pair->mass[k] = body->fixed ? INFINITY : matter_mass(scene, body);
+  pair->inertia[k] = body->fixed ? INFINITY : matter_inertia(scene, body);
   pair->radius[k] = body->radius;
 }
 
@@ -124,7 +124,7 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
     if (wall->spin != 0 || wall->h0 != 0)
       return refuse(error, "wants a wall that does not turn, given by its ends");
   }
-  pair->values = nb_scene_pair(scene, a, pair->wall ? pair->wall->material : scene->bodies[1].material);
+  pair->values = matter_pair(scene, a, pair->wall ? pair->wall->material : scene->bodies[1].material);
   pair->shears = strcmp(scene->shear, "none") != 0 && (pair->values.friction > 0 || pair->values.cohesion > 0);
   const double reduced = 1 / (1 / pair->mass[0] + 1 / pair->mass[1]);
   double value;

@@ -13,10 +13,10 @@ enum nb_status path_contact(struct path_contact *contact, const struct nb_scene 
     return nb_error_set(error, NB_BAD_USE, "%s wants a path, with `normal hertz`", reference);
   const struct nb_body *bodies = scene->bodies;
   const bool wall = scene->body_count == 1;
-  const struct nb_pair pair =
-      nb_scene_pair(scene, bodies[0].material, wall ? scene->walls[0].material : bodies[1].material);
+  const struct matter_pair pair =
+      matter_pair(scene, bodies[0].material, wall ? scene->walls[0].material : bodies[1].material);
   *contact = (struct path_contact){
-      .radius = wall ? bodies[0].radius : 1 / (1 / bodies[0].radius + 1 / bodies[1].radius),
+      .radius = matter_radius(bodies[0].radius, wall ? INFINITY : bodies[1].radius),
       .young = pair.young,
       .shear = pair.shear,
       .friction = pair.friction,

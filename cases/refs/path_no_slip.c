@@ -87,8 +87,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_set(error, NB_BAD_USE, "path_no_slip knows no equation of `shear %s`", scene->shear);
   const struct nb_body *bodies = scene->bodies;
   contact.ks =
-      nb_scene_pair(scene, bodies[0].material, scene->body_count == 1 ? scene->walls[0].material : bodies[1].material)
-          .ks;
+      matter_pair(scene, bodies[0].material, scene->body_count == 1 ? scene->walls[0].material : bodies[1].material).ks;
   bool made = true;
   for (int c = 0; c < COLUMNS; c++)
     made = (columns[c] = path_column(scene)) != NULL && made;

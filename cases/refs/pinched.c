@@ -80,7 +80,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const double R = right->radius, r = small->radius;
   struct pinch pinch = {.stiffness =
                             4. / 3 * glass->young / (2 * (1 - glass->poisson * glass->poisson)) * sqrt(R * r / (R + r)),
-                        .mass = nb_body_mass(scene, small),
+                        .mass = matter_mass(scene, small),
                         .sum = R + r,
                         .from = right->x,
                         .speed = left->vx};

@@ -47,8 +47,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_set(error, NB_BAD_USE,
                         "reference rayleigh_cycle is for two bodies of one material that meet along x, and `step F of "
                         "rayleigh-fit-mean`");
-  const double m[2] = {nb_body_mass(scene, x), nb_body_mass(scene, y)}, sum = m[0] + m[1];
-  const double young = nb_scene_pair(scene, x->material, y->material).young;
+  const double m[2] = {matter_mass(scene, x), matter_mass(scene, y)}, sum = m[0] + m[1];
+  const double young = matter_pair(scene, x->material, y->material).young;
   const double apart = parting(x, y, young, m[0] * m[1] / sum, step_of(scene));
   const double centre = (m[0] * x->vx + m[1] * y->vx) / sum;
   for (size_t w = 0; w < scene->watch_count; w++) {

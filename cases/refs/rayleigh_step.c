@@ -49,8 +49,8 @@ static double half_round(struct grain grain, bool fit) {
 
 /* e of two like spheres that meet head-on after flying through the gap between them, in steps of dt. */
 static double rebound(const struct nb_scene *scene, const struct nb_body *a, const struct nb_body *b, double dt) {
-  const double young = hertz_young(&scene->materials[a->material], &scene->materials[b->material]);
-  const double mass = nb_body_mass(scene, a) / 2, speed = hypot(a->vx - b->vx, a->vy - b->vy);
+  const double young = matter_pair(scene, a->material, b->material).young;
+  const double mass = matter_mass(scene, a) / 2, speed = hypot(a->vx - b->vx, a->vy - b->vy);
   const double gap = hypot(a->x - b->x, a->y - b->y) - a->radius - b->radius;
   const double depth = pow(15 * mass * speed * speed / (16 * young * sqrt(a->radius / 2)), 0.4); /* [R89 5.9] */
   const double unit = depth / speed;

@@ -49,7 +49,7 @@ static const char *meet(struct meeting *it, const struct nb_scene *scene) {
   const struct nb_wall *wall = watch->kind == NB_WATCH_BODY_WALL ? &scene->walls[watch->b] : NULL;
   *it = (struct meeting){.body = {&scene->bodies[watch->a], wall ? NULL : &scene->bodies[watch->b]}};
   const struct nb_body *a = it->body[0], *b = it->body[1];
-  const struct nb_pair pair = nb_scene_pair(scene, a->material, wall ? wall->material : b->material);
+  const struct matter_pair pair = matter_pair(scene, a->material, wall ? wall->material : b->material);
   if (!hertz && strcmp(scene->normal, "linear") != 0)
     return "`normal hertz` or `normal linear`";
   if (damped && scene->damping.contact_kind != NB_CONTACT_RATIO)
@@ -58,7 +58,7 @@ static const char *meet(struct meeting *it, const struct nb_scene *scene) {
     return "a contact with friction, without cohesion";
   for (int k = 0; k < 2; k++)
     if (it->body[k] && !it->body[k]->fixed) {
-      it->m[k] = nb_body_mass(scene, it->body[k]), it->i[k] = nb_body_inertia(scene, it->body[k]);
+      it->m[k] = matter_mass(scene, it->body[k]), it->i[k] = matter_inertia(scene, it->body[k]);
       it->r[k] = it->body[k]->radius, it->mass += 1 / it->m[k];
       it->yield += 1 / it->m[k] + it->r[k] * it->r[k] / it->i[k];
     }

@@ -9,6 +9,7 @@
 #ifndef NB_REFERENCE_H
 #define NB_REFERENCE_H
 
+#include "matter.h"
 #include "nineball.h"
 
 /* A curve: the known value at x; `data` is what the reference computed once. */

@@ -26,8 +26,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
                         "rigid_impact is for a body without spin that strikes a wall, `normal hertz` and no damping");
   const struct nb_body *body = &scene->bodies[0];
   const struct nb_wall *wall = &scene->walls[0];
-  const struct nb_pair pair = nb_scene_pair(scene, body->material, wall->material);
-  const double q = nb_body_mass(scene, body) * body->radius * body->radius / nb_body_inertia(scene, body);
+  const struct matter_pair pair = matter_pair(scene, body->material, wall->material);
+  const double q = matter_mass(scene, body) * body->radius * body->radius / matter_inertia(scene, body);
   const double vx = body->vx - wall->vx, vy = body->vy - wall->vy;
   const double vt = fabs(vx * wall->ex + vy * wall->ey), vn = fabs(vx * wall->ey - vy * wall->ex);
   const double slides = vt - 2 * pair.friction * (1 + q) * vn, after = slides > 0 ? slides : 0;

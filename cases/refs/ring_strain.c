@@ -130,7 +130,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   for (size_t k = 0; k < scene->body_count; k++) {
     const struct nb_body *body = &scene->bodies[k];
     if (!on_boundary(scene, body))
-      energy += nb_body_mass(scene, body) * (body->vx * body->vx + body->vy * body->vy) / 2;
+      energy += matter_mass(scene, body) * (body->vx * body->vx + body->vy * body->vy) / 2;
   }
   if (!(it.keep < 1 || energy == 0) || (it.literal && (energy > 0 || it.keep < 1)))
     return nb_error_set(error, NB_BAD_USE,

@@ -70,10 +70,10 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       scene->gravity.x != 0 || !(scene->gravity.y < 0) || !(body->vx > 0) || body->vy != 0)
     return nb_error_set(error, NB_BAD_USE,
                         "rotation_off wants one body that moves east on a level floor, under gravity");
-  const struct nb_pair pair = nb_scene_pair(scene, body->material, scene->walls[0].material);
+  const struct matter_pair pair = matter_pair(scene, body->material, scene->walls[0].material);
   struct motion m = {.v = body->vx, .w = body->spin, .r = body->radius, .mu = pair.friction, .turns = true};
-  m.g = -scene->gravity.y, m.inertia = nb_body_inertia(scene, body);
-  m.q = nb_body_mass(scene, body) * m.r * m.r / m.inertia;
+  m.g = -scene->gravity.y, m.inertia = matter_inertia(scene, body);
+  m.q = matter_mass(scene, body) * m.r * m.r / m.inertia;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     char name[2 * NB_NAME_SIZE];

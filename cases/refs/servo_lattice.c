@@ -125,9 +125,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
                         "cycles that strain, without turning it, or servo the cell at rates in 1/s");
   const struct nb_body *body = &scene->bodies[0];
   const double area = scene->cell.h[0] * scene->cell.h[3], n = (double)scene->body_count;
-  const struct nb_pair pair = nb_scene_pair(scene, body->material, body->material);
-  const double density = n * nb_body_mass(scene, body) / area,
-               first = pair.kn * (2 * body->radius / sqrt(area / n) - 1);
+  const struct matter_pair pair = matter_pair(scene, body->material, body->material);
+  const double density = n * matter_mass(scene, body) / area, first = pair.kn * (2 * body->radius / sqrt(area / n) - 1);
   const struct lattice lattice = {pair.kn, pair.ks, sqrt(area * density / (pair.kn / 2)), scene->step.value};
   static const char *const names[] = {"cell.stress.xx", "cell.stress.yy", "cell.stress.xy"};
   double s[3] = {first, first, 0}, begin = 0;

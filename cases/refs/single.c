@@ -38,12 +38,12 @@ enum nb_status single_of(struct single *single, const struct nb_scene *scene, st
     return refuse(error, "a wall at rest along x, below the body");
   if (scene->damping.global_kind)
     return refuse(error, "a body that nothing damps but its contact");
-  const double m = nb_body_mass(scene, body);
-  const struct nb_pair pair = nb_scene_pair(scene, body->material, wall->material);
+  const double m = matter_mass(scene, body);
+  const struct matter_pair pair = matter_pair(scene, body->material, wall->material);
   const double critical = 2 * sqrt(m / pair.kn);
   *single = (struct single){
       .m = m,
-      .q = m * body->radius * body->radius / nb_body_inertia(scene, body),
+      .q = m * body->radius * body->radius / matter_inertia(scene, body),
       .radius = body->radius,
       .pair = pair,
       .height = body->y - wall->y,

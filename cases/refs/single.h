@@ -7,14 +7,14 @@
 #include "reference.h"
 
 struct single {
-  double m, q;         /* mass, kg; m R^2/I: 2 for a disc, 5/2 for a sphere */
-  double radius;       /* m */
-  struct nb_pair pair; /* of body and wall */
-  double height;       /* of the centre above the wall at time 0, m */
-  double gravity_n;    /* toward the wall, m/s2 */
-  double cn, cs;       /* of the dashpots, N s/m */
-  double step;         /* of the scene, s */
-  const char *body;    /* names of the watches; NULL: not watched */
+  double m, q;             /* mass, kg; m R^2/I: 2 for a disc, 5/2 for a sphere */
+  double radius;           /* m */
+  struct matter_pair pair; /* of body and wall */
+  double height;           /* of the centre above the wall at time 0, m */
+  double gravity_n;        /* toward the wall, m/s2 */
+  double cn, cs;           /* of the dashpots, N s/m */
+  double step;             /* of the scene, s */
+  const char *body;        /* names of the watches; NULL: not watched */
   const char *contact;
 };
 

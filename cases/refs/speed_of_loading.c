@@ -38,8 +38,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       scene->stages[0].condition_count > 0 || scene->stages[0].motion_count != 4 ||
       strcmp(scene->normal, "linear") != 0)
     return refuse(error);
-  const struct nb_pair pair = nb_scene_pair(scene, scene->bodies[0].material, scene->walls[0].material);
-  const double m = nb_body_mass(scene, &scene->bodies[0]), critical = 2 * sqrt(m / pair.kn);
+  const struct matter_pair pair = matter_pair(scene, scene->bodies[0].material, scene->walls[0].material);
+  const double m = matter_mass(scene, &scene->bodies[0]), critical = 2 * sqrt(m / pair.kn);
   const double v = hypot(scene->stages[0].motions[0].vx, scene->stages[0].motions[0].vy);
   for (int k = 0; k < 4; k++)
     if (scene->stages[0].motions[k].ramp || hypot(scene->stages[0].motions[k].vx, scene->stages[0].motions[k].vy) != v)

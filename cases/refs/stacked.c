@@ -106,12 +106,12 @@ static enum nb_status build(struct stack *stack, const struct nb_scene *scene, s
     if (scene->stages[s].motion_count || scene->stages[s].change_count || scene->stages[s].gravity.line ||
         scene->stages[s].damping.contact != scene->damping.contact)
       return refuse(error, "stages that change nothing");
-  const double m1 = nb_body_mass(scene, &b[0]), m2 = nb_body_mass(scene, &b[1]);
+  const double m1 = matter_mass(scene, &b[0]), m2 = matter_mass(scene, &b[1]);
   const double reduced[] = {m1, m1 * m2 / (m1 + m2), m2};
   *stack = (struct stack){.mass = {m1, m2}, .radius = {b[0].radius, b[1].radius}, .gravity = -scene->gravity.y};
   stack->floor = w[0].y, stack->ceiling = w[1].y, stack->beat = INFINITY;
   for (int c = 0; c < CONTACTS; c++) {
-    stack->k[c] = nb_scene_pair(scene, material[c], material[c + 1]).kn;
+    stack->k[c] = matter_pair(scene, material[c], material[c + 1]).kn;
     stack->c[c] = 2 * beta * sqrt(reduced[c] * stack->k[c]);
     stack->beat = fmin(stack->beat, sqrt(reduced[c] / stack->k[c]));
   }

@@ -92,8 +92,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     h += 2 * scene->bodies[k].radius / 7;
   for (size_t k = 0; k < 3; k++)
     ring.radius[k] = scene->bodies[k].radius;
-  const struct nb_material *material = &scene->materials[scene->bodies[0].material];
-  ring.young = hertz_young(material, material);
+  ring.young = matter_pair(scene, scene->bodies[0].material, scene->bodies[0].material).young;
   ring.load = load->sxx * h * sqrt(3) / 2;
   if (!solve(&ring, &d1, &d2))
     return nb_error_set(error, NB_BAD_USE, "stress_ring finds no rest of these spheres under this stress");

@@ -57,14 +57,12 @@ static double carried_away(const struct nb_scene *scene) {
     const bool gone = stage_of(scene, i) < scene->stage_count;
     for (size_t j = i + 1; j < scene->body_count; j++)
       if (gone || stage_of(scene, j) < scene->stage_count)
-        sum += spring(nb_scene_pair(scene, a->material, scene->bodies[j].material).kn, between(a, &scene->bodies[j]));
+        sum += spring(matter_pair(scene, a->material, scene->bodies[j].material).kn, between(a, &scene->bodies[j]));
     if (!gone)
       continue;
-    sum +=
-        (nb_body_mass(scene, a) * (a->vx * a->vx + a->vy * a->vy) + nb_body_inertia(scene, a) * a->spin * a->spin) / 2;
+    sum += (matter_mass(scene, a) * (a->vx * a->vx + a->vy * a->vy) + matter_inertia(scene, a) * a->spin * a->spin) / 2;
     for (size_t w = 0; w < scene->wall_count; w++)
-      sum +=
-          spring(nb_scene_pair(scene, a->material, scene->walls[w].material).kn, at_wall(a, &scene->walls[w], normal));
+      sum += spring(matter_pair(scene, a->material, scene->walls[w].material).kn, at_wall(a, &scene->walls[w], normal));
   }
   return sum;
 }
@@ -95,7 +93,7 @@ static bool pressed(struct swing *swing, double normal[2], const struct nb_scene
     if (!(overlap > 0))
       continue;
     walls++, swing->overlap = overlap, normal[0] = away[0], normal[1] = away[1];
-    swing->q = sqrt(nb_scene_pair(scene, body->material, scene->walls[w].material).kn / nb_body_mass(scene, body));
+    swing->q = sqrt(matter_pair(scene, body->material, scene->walls[w].material).kn / matter_mass(scene, body));
   }
   swing->begin = (double)scene->stages[0].cycles * scene->stages[0].step.value;
   return walls == 1 && bodies == 1 && swing->q * (end - swing->begin) > pi / 2;

@@ -105,13 +105,13 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const double dx = body->x - wall->x, dy = body->y - wall->y;
   struct rolling it = {
       .px = wall->x, .py = wall->y, .ex = wall->ex, .ey = wall->ey, .w = wall->spin, .radius = body->radius};
-  it.mass = nb_body_mass(scene, body), it.inertia = nb_body_inertia(scene, body);
+  it.mass = matter_mass(scene, body), it.inertia = matter_inertia(scene, body);
   it.s0 = dx * wall->ex + dy * wall->ey, it.n = dy * wall->ex - dx * wall->ey;
   it.sigma = it.n > wall->h0 ? 1 : -1;
   it.q = it.w / sqrt(1 + it.inertia / (it.mass * it.radius * it.radius));
   const char *why = wrong(scene, &it);
   if (!why)
-    why = ends(scene, &it, nb_scene_pair(scene, body->material, wall->material).friction);
+    why = ends(scene, &it, matter_pair(scene, body->material, wall->material).friction);
   if (why)
     return nb_error_set(error, NB_BAD_USE, "turning_wall wants %s", why);
   for (size_t w = 0; w < scene->watch_count; w++) {
