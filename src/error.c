@@ -1,7 +1,9 @@
 /* One error, in words.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <errno.h>
 #include <stdarg.h>
+#include <string.h>
 
 #include "nineball.h"
 
@@ -14,4 +16,20 @@ enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const
     error->status = status;
   }
   return status;
+}
+
+enum nb_status nb_error_memory(struct nb_error *error) {
+  return nb_error_set(error, NB_NO_MEMORY, "out of memory; fewer runs side by side (--jobs 1) need less");
+}
+
+enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) {
+  const int why = errno;
+  char what[sizeof error->text - 100];
+  if (why == ENOMEM)
+    return nb_error_memory(error);
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(what, sizeof what, format, arguments);
+  va_end(arguments);
+  return nb_error_set(error, NB_BAD_USE, "%s: %s", what, strerror(why));
 }

@@ -151,10 +151,10 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   if (!make_bodies(&model->bodies, scene, options && options->shuffle) || !make_walls(&model->walls, scene) ||
       !nb_properties_create(&model->properties, scene) || !make_pairings(model) ||
       !(model->loads = nb_array(scene->body_count, sizeof *model->loads)))
-    return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
+    return nb_error_memory(error);
   model->skin = skin_of(model);
   if (!nb_cell_create(model) || !nb_since_create(model))
-    return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", scene->body_count);
+    return nb_error_memory(error);
   model->smallest = INFINITY;
   for (size_t k = 0; k < scene->body_count; k++)
     model->smallest = fmin(model->smallest, scene->bodies[k].radius);
@@ -190,7 +190,7 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   if (!status)
     status = feel(model, saved, error);
   if (!status && nb_fields_watched(scene) & NB_ASKS_FRACC && !nb_fracc_begin(model))
-    status = nb_error_set(error, NB_BROKEN, "out of memory for FRACC");
+    status = nb_error_memory(error);
   if (!status && !(status = nb_regions_create(model, error)))
     status = nb_regions_stage(model, -1, error);
   return status ? status : nb_balance_create(model, error);
@@ -200,7 +200,7 @@ struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_o
                                  const struct nb_saved *saved, struct nb_error *error) {
   struct nb_model *model = calloc(1, sizeof *model);
   if (!model) {
-    nb_error_set(error, NB_BROKEN, "out of memory");
+    nb_error_memory(error);
     return NULL;
   }
   model->scene = scene;

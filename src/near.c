@@ -71,7 +71,7 @@ enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
   const bool made = found && nb_contacts_renew(model, &pairs) && nb_joints_find(model);
   free(pairs.list);
   if (!made)
-    return nb_error_set(error, NB_BROKEN, "out of memory while searching for contacts");
+    return nb_error_memory(error);
   memcpy(model->bodies.searched, model->bodies.position, model->bodies.count * sizeof(struct nb_vec));
   nb_walls_searched(&model->walls);
   if (model->cell)

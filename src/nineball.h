@@ -19,9 +19,10 @@ enum { NB_NAME_SIZE = 64 }; /* longest word a page may use as a name, with its t
 /* What a program answers to its caller; also the exit status of `nineball`. */
 enum nb_status {
   NB_OK = 0,
-  NB_FAILED = 1,  /* a check of a page failed */
-  NB_BAD_USE = 2, /* the command line or the page is wrong, or a file cannot be read or written */
-  NB_BROKEN = 3   /* the physics broke: not a number, a stage that never ended */
+  NB_FAILED = 1,   /* a check of a page failed */
+  NB_BAD_USE = 2,  /* the command line or the page is wrong, or a file cannot be read or written */
+  NB_BROKEN = 3,   /* the physics broke: not a number, a stage that never ended */
+  NB_NO_MEMORY = 4 /* memory ran out: whatever else is said, nothing has been decided */
 };
 
 /* One error, in words. The caller owns it; a function that fails fills it once. */
@@ -33,6 +34,9 @@ struct nb_error {
 /* Fills `error` as printf would; returns its status, so that a function can end with it. */
 enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+enum nb_status nb_error_memory(struct nb_error *error); /* every allocation that fails ends here: NB_NO_MEMORY */
+/* "WHAT: reason", the reason by errno. */
+enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* ---- mistakes.c: what is wrong with a page, every mistake of it at once ------------------------------------------ */
 
@@ -40,6 +44,7 @@ struct nb_mistakes {
   char *text;                      /* the messages, ready to print; NULL while there are none; owned here */
   size_t count;                    /* how many that differ */
   size_t made;                     /* how many times one was made, the same one again too */
+  bool no_memory;                  /* memory ran out, which counts as made and has no text; it stays so */
   struct nb_mistake_place *places; /* where in the text each one begins: mistakes.c's own; owned here */
 };
 void nb_mistakes_free(struct nb_mistakes *mistakes);

@@ -123,7 +123,7 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   }
   free(model->scratch);
   model->scratch = nb_array((size_t)model->threads * NB_FIELDS * NB_BLOCK, sizeof(double));
-  return model->scratch ? NB_OK : nb_error_set(error, NB_BROKEN, "out of memory while planning");
+  return model->scratch ? NB_OK : nb_error_memory(error);
 }
 
 bool nb_plan_stands(const struct nb_model *model) {
@@ -160,10 +160,10 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
   model->views = nb_array(most, sizeof *model->views);
   model->stiff = nb_array(contacts->count, sizeof *model->stiff);
   if (!model->views || !model->stiff)
-    return nb_error_set(error, NB_BROKEN, "out of memory while planning");
+    return nb_error_memory(error);
   size_t *start = nb_array(most + 1, sizeof *start);
   if (!start)
-    return nb_error_set(error, NB_BROKEN, "out of memory while planning");
+    return nb_error_memory(error);
   size_t n = 0;
   for (size_t c = 0; c < contacts->count; c++)
     if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
@@ -176,7 +176,7 @@ enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
   if ((model->laws.normal->elastic && !nb_deep_begin(model, n)) ||
       (model->kept & NB_BIT(NB_SURE) && !nb_sure_begin(model, n))) {
     free(start);
-    return nb_error_set(error, NB_BROKEN, "out of memory while planning");
+    return nb_error_memory(error);
   }
   for (size_t v = 0; v < n; v++) {
     size_t thread = 0;

@@ -21,10 +21,6 @@ struct run {
   unsigned long planned; /* cycles of all stages, at most */
 };
 
-static enum nb_status out_of_memory(struct nb_error *error) {
-  return nb_error_set(error, NB_BROKEN, "out of memory while recording");
-}
-
 static void tell(struct run *run, const struct nb_stage *stage) {
   if (!run->progress || !run->progress->call || run->until_clock-- > 0)
     return;
@@ -91,7 +87,7 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
     ended = stage->condition_count ? holds(stage, model) : model->stage_cycle >= stage->cycles;
     if (stage->record && (model->stage_cycle % stage->record == 0 || ended))
       if (!nb_observe(&result->table, model, index))
-        status = out_of_memory(error);
+        status = nb_error_memory(error);
     if (!ended && model->stage_cycle >= stage->cycles)
       status = never_ended(stage, model, error);
     tell(run, stage);
@@ -100,10 +96,10 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
   if (!status && stage->snapshot) {
     struct nb_snapshot *more = realloc(result->snapshots, (result->snapshot_count + 1) * sizeof *more);
     if (!more)
-      return out_of_memory(error);
+      return nb_error_memory(error);
     result->snapshots = more;
     if (!nb_snapshot_take(&more[result->snapshot_count++], model, index))
-      status = out_of_memory(error);
+      status = nb_error_memory(error);
   }
   return status;
 }
@@ -127,14 +123,14 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
   if (result->stage_cycles && nb_observe_begin(&result->table, scene))
     run->model = nb_model_resume(scene, options, first > 0 ? &start : NULL, error);
   else
-    out_of_memory(error);
+    nb_error_memory(error);
   nb_saved_free(&start);
   if (!run->model)
     return error->status;
   run->from = run->model->cycle;
   enum nb_status status = NB_OK;
   if (scene->stages[first].record && !nb_observe(&result->table, run->model, (int)first))
-    status = out_of_memory(error);
+    status = nb_error_memory(error);
   for (size_t s = first; s < scene->stage_count && !status; s++)
     status = run_stage(run, (int)s, error);
   if (!status && end)

@@ -178,7 +178,7 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   if (nb_regions_stage(model, (int)(stage - model->scene->stages), error))
     return error->status;
   if (model->since && !nb_since_begin(model, (int)(stage - model->scene->stages)))
-    return nb_error_set(error, NB_BROKEN, "out of memory for stage `%s`", stage->name);
+    return nb_error_memory(error);
   if (stage->still)
     stop_bodies(model);
   if (stage->reverse)
@@ -187,7 +187,7 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   model->coming = nb_laws_of(stage, model->laws);
   model->properties.pieces = model->coming.pieces;
   if (!walls_begin(model, stage) || !properties_begin(model))
-    return nb_error_set(error, NB_BROKEN, "out of memory for stage `%s`", stage->name);
+    return nb_error_memory(error);
   const enum nb_status status = nb_step_set(model, &stage->step, error);
   gravity_begin(model);
   if (model->carry)

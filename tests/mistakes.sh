@@ -91,7 +91,7 @@ limit 'legs' 'expected at most 2000 legs, with this there are more'
 { page '' && many 65536 "$(many 63 x)
 "; } | head -c 4194304 >"$work/right.md"
 { cat "$work/right.md" && echo x; } >"$work/wrong.md"
-limit 'bytes in a page' 'expected a page of at most 4194304 bytes'
+limit 'bytes in a page' 'expected at most 4194304 bytes, found 4194306'
 
 page '' >"$work/right.md"
 page "$(many 1200 'frobnicate
@@ -115,10 +115,32 @@ tail -n 1 "$work/heard" >"$work/why"
 grep -q 'none.md: error: cannot be read: ' "$work/heard"
 result $? 'a page that is not there'
 
+# ---- files that are none: a pipe that nobody writes to would be waited for without end ----
+
+mkfifo "$work/pipe.md" "$work/pipe.tsv" && mkdir "$work/folder.md"
+# refused NAME TEXT COMMAND...: ends at once with status 2 and this text.
+refused() {
+  name=$1 text=$2
+  shift 2
+  timeout 20 "$@" >"$work/out" 2>"$work/why"
+  test $? -eq 2 && grep -qF -e "$text" "$work/why"
+  result $? "$name"
+}
+no_file='it is a pipe or a device, a regular file is expected'
+refused 'a pipe as a page' "$no_file" "$nineball" check "$work/pipe.md"
+refused 'a device as a page' "$no_file" "$nineball" check /dev/zero
+refused 'a folder as a page' 'it is a folder' "$nineball" check "$work/folder.md"
+page 'discs packing pipe.tsv rock' >"$work/page.md"
+refused 'a pipe as a packing' "$no_file" "$nineball" check "$work/page.md"
+path 'leg l follow pipe.tsv' >"$work/page.md"
+refused 'a pipe as a path' "$no_file" "$nineball" check "$work/page.md"
+printf '```scene\nstart pipe stage go\nrecord time\nstage on\ncycles 1\n```\n' >"$work/page.md"
+refused 'a pipe as the page that another starts from' "$no_file" "$nineball" check "$work/page.md"
+
 # ---- every message has been heard ----
 
-# What cannot be brought about here: memory that runs out; and what the program itself says of a --set without `=`.
-unheard='^there is not enough memory|^expected NAME=VALUE'
+# What cannot be brought about here: what the program itself says of a --set without `=`.
+unheard='^expected NAME=VALUE'
 
 # A text of the sources as a pattern: % and what belongs to it stands for anything.
 as_pattern() {

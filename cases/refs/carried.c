@@ -99,7 +99,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   for (size_t k = 0; k < scene->watch_count; k++)
     if (scene->watches[k].kind == NB_WATCH_BODY &&
         !(tell(known, scene, &scene->watches[k], false) && tell(known, scene, &scene->watches[k], true)))
-      return nb_error_set(error, NB_BROKEN, "out of memory");
+      return nb_error_memory(error);
   return known_full(known, error);
 }
 

@@ -225,7 +225,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return error->status;
   chain.velocity = calloc(chain.n, sizeof *chain.velocity);
   if (!chain.velocity)
-    return nb_error_set(error, NB_BROKEN, "out of memory for %zu bodies", chain.n);
+    return nb_error_memory(error);
   for (size_t j = 1; j <= chain.n; j++)
     for (size_t l = 1; l <= chain.n; l++)
       chain.velocity[j - 1] += 2 * shape(&chain, j, l) * scene->bodies[l - 1].vx / (double)(chain.n + 1);

@@ -198,7 +198,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const bool exact = laws[which].most == BRANCHES;
   if (!laws[which].literal)
     known_value(known, exact ? 0 : psi2_error(scene->shear, contact.kappa), "psi2 error");
-  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "contact_ladder ran out of memory");
+  return made ? known_full(known, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_contact_ladder = {

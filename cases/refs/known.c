@@ -49,7 +49,7 @@ void known_curve(struct nb_known *known, const char *name, const char *along, do
 
 enum nb_status known_full(const struct nb_known *known, struct nb_error *error) {
   if (known->lacking)
-    return nb_error_set(error, NB_BROKEN, "a reference ran out of memory");
+    return nb_error_memory(error);
   return NB_OK;
 }
 

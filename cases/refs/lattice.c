@@ -76,7 +76,7 @@ static enum nb_status find_contacts(struct lattice *lattice, const struct nb_sce
   size_t most = scene->body_count * (scene->body_count + scene->wall_count);
   lattice->contacts = calloc(most + 1, sizeof *lattice->contacts);
   if (!lattice->contacts)
-    return nb_error_set(error, NB_BROKEN, "out of memory for %zu contacts", most);
+    return nb_error_memory(error);
   enum nb_status status = NB_OK;
   for (size_t a = 0; a < scene->body_count; a++) {
     for (size_t b = a + 1; b < scene->body_count && status == NB_OK; b++)
@@ -185,7 +185,7 @@ enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scen
   *lattice = (struct lattice){.freedom_count = 3 * n};
   lattice->contacts = calloc(most + 1, sizeof *lattice->contacts);
   if (!lattice->contacts)
-    return nb_error_set(error, NB_BROKEN, "out of memory for %zu contacts", most);
+    return nb_error_memory(error);
   for (size_t a = 0; a < n; a++)
     for (size_t b = a + 1; b < n + scene->wall_count; b++) {
       bool wall = b >= n;

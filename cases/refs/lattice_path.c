@@ -133,7 +133,7 @@ enum nb_status lattice_path(const struct lattice *lattice, lattice_path_seen *se
                             struct nb_error *error) {
   struct walk walk = walk_begin(lattice);
   gsl_vector *way = gsl_vector_calloc(lattice->push->size2);
-  enum nb_status status = walk.slides ? NB_OK : nb_error_set(error, NB_BROKEN, "out of memory for a path");
+  enum nb_status status = walk.slides ? NB_OK : nb_error_memory(error);
   for (size_t s = 0; s < lattice->stage_count && status == NB_OK; s++) {
     gsl_vector_memcpy(way, lattice->travel[s]);
     if (s > 0)

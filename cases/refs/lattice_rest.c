@@ -136,7 +136,7 @@ enum nb_status lattice_rest_slipping(const struct lattice *lattice, const gsl_ve
       return nb_error_set(error, NB_BAD_USE, "this reference is for friction without cohesion");
   int *slides = calloc(lattice->contact_count, sizeof *slides);
   if (!slides)
-    return nb_error_set(error, NB_BROKEN, "out of memory for %zu contacts", lattice->contact_count);
+    return nb_error_memory(error);
   gsl_vector *stretches = gsl_vector_alloc(forces->size);
   enum nb_status status;
   do {

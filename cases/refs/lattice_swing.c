@@ -96,7 +96,7 @@ struct swing *swing_create(const struct lattice *lattice, const struct swing_mod
     return NULL;
   struct swing *swing = calloc(1, sizeof *swing + most * sizeof swing->terms[0]);
   if (!swing) {
-    nb_error_set(error, NB_BROKEN, "out of memory for %zu modes", n);
+    nb_error_memory(error);
     return NULL;
   }
   swing->unit = unit;

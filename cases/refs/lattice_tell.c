@@ -70,7 +70,7 @@ enum nb_status lattice_stays(const struct lattice *lattice, const struct swing_m
   size_t rows = 2 * lattice->contact_count;
   struct swing **swings = calloc(rows, sizeof *swings);
   if (!swings)
-    return nb_error_set(error, NB_BROKEN, "out of memory for %zu forces", rows);
+    return nb_error_memory(error);
   gsl_vector *forces = gsl_vector_alloc(rows);
   enum nb_status status = NB_OK;
   for (size_t i = 0; i < rows && status == NB_OK; i++) {

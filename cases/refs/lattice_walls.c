@@ -60,7 +60,7 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
   lattice->turns = calloc(scene->stage_count, sizeof *lattice->turns);
   lattice->travel = calloc(scene->stage_count, sizeof *lattice->travel);
   if (!lattice->turns || !lattice->travel)
-    return nb_error_set(error, NB_BROKEN, "out of memory for the stages");
+    return nb_error_memory(error);
   gsl_vector *before = gsl_vector_calloc(LATTICE_WALL * scene->wall_count),
              *now = gsl_vector_calloc(LATTICE_WALL * scene->wall_count);
   gsl_vector *travel = gsl_vector_calloc(LATTICE_WALL * scene->wall_count);

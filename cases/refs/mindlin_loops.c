@@ -196,7 +196,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (made && !constant)
     return nb_error_set(error, NB_BAD_USE,
                         "mindlin_loops wants a normal force that stays what it is once there is shear");
-  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "mindlin_loops ran out of memory");
+  return made ? known_full(known, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_mindlin_loops = {

@@ -75,7 +75,7 @@ static enum nb_status look(struct looked *looked, const struct lattice *lattice,
         looked->traces[looked->count++] = trace;
     }
   }
-  return made ? NB_OK : nb_error_set(error, NB_BROKEN, "out of memory for a path");
+  return made ? NB_OK : nb_error_memory(error);
 }
 
 /* Hands the traces over to what is known, in the order of `look`. */

@@ -207,7 +207,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (made)
     tell_stages(known, scene, &path, p.friction * p.kappa * p.depth), tell(known, scene, &p, &path, chi);
   impact_path_free(&path);
-  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "a reference ran out of memory");
+  return made ? known_full(known, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_oblique_impact = {

@@ -174,7 +174,7 @@ static enum nb_status solve(struct pair *pair, double y[], double end, struct nb
   gsl_odeiv2_driver *driver =
       gsl_odeiv2_driver_alloc_scaled_new(&system, gsl_odeiv2_step_rk8pd, beat / 100, 1e-13, 0, 1, 0, scale);
   if (!driver)
-    return nb_error_set(error, NB_BROKEN, "out of memory for the equations of motion");
+    return nb_error_memory(error);
   gsl_odeiv2_driver_set_hmax(driver, beat / 5);
   enum nb_status status = look(pair, y, error);
   double time = 0;

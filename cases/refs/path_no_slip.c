@@ -99,7 +99,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       free(columns[c]);
   if (made && !sticks)
     return nb_error_set(error, NB_BAD_USE, "path_no_slip wants a path on which nothing slides");
-  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "path_no_slip ran out of memory");
+  return made ? known_full(known, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_path_no_slip = {

@@ -189,7 +189,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
         error, NB_BAD_USE,
         "path_randall wants overlap and slip, or the normal force and slip, to move by turns, first out, "
         "and nothing that slides or is rubbed back beyond the loading");
-  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "path_randall ran out of memory");
+  return made ? known_full(known, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_path_randall = {

@@ -148,7 +148,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     else
       free(columns[c]);
   free(row), free(room);
-  return made ? known_full(known, error) : nb_error_set(error, NB_BROKEN, "path_springs ran out of memory");
+  return made ? known_full(known, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_path_springs = {

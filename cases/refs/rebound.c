@@ -156,7 +156,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_set(error, NB_BAD_USE, "rebound is for %s", wants);
   const double psi2 = psi_after(&it, psi1);
   if (isnan(psi2))
-    return nb_error_set(error, NB_BROKEN, "a reference ran out of memory");
+    return nb_error_memory(error);
   tell(known, scene, &it, psi1, psi2);
   return known_full(known, error);
 }

@@ -36,7 +36,7 @@ struct nb_known {
 void known_value(struct nb_known *known, double value, const char *name);
 void known_curve(struct nb_known *known, const char *name, const char *along, double (*at)(const void *data, double x),
                  void *data);
-enum nb_status known_full(const struct nb_known *known, struct nb_error *error); /* NB_OK, or NB_BROKEN: no memory */
+enum nb_status known_full(const struct nb_known *known, struct nb_error *error); /* NB_OK or NB_NO_MEMORY */
 const double *known_find(const struct nb_known *known, const char *name); /* NULL: this reference does not know it */
 const struct nb_known_curve *known_find_curve(const struct nb_known *known, const char *name, const char *along);
 void known_free(struct nb_known *known);

@@ -135,7 +135,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     course[c] = calloc(1, sizeof **course + scene->stage_count * sizeof(struct piece));
   if (!course[0] || !course[1] || !course[2]) {
     free(course[0]), free(course[1]), free(course[2]);
-    return nb_error_set(error, NB_BROKEN, "out of memory");
+    return nb_error_memory(error);
   }
   struct nb_strain_rate strain = {0};
   for (size_t i = 0; i < scene->stage_count; i++) {

@@ -174,7 +174,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct hand *hand = calloc(1, sizeof *hand);
   if (!hand) {
     lattice_row_free(&row);
-    return nb_error_set(error, NB_BROKEN, "out of memory for the hand calculation");
+    return nb_error_memory(error);
   }
   calculate(hand);
   status = tell_cycles(known, scene, &row, hand, error);

@@ -28,7 +28,7 @@ enum nb_status nb_bench_create(struct nb_bench *bench, const struct nb_scene *sc
   if (make_memory(&bench->now, bench) && make_memory(&bench->trial, bench))
     return NB_OK;
   nb_bench_free(bench);
-  return nb_error_set(error, NB_BROKEN, "out of memory for the bench");
+  return nb_error_memory(error);
 }
 
 void nb_bench_free(struct nb_bench *bench) {

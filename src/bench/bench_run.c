@@ -38,7 +38,7 @@ static enum nb_status run_leg(struct nb_result *result, struct nb_bench *bench, 
   }
   if (whole && stage->snapshot)
     whole = keep_snapshot(result, bench, index);
-  return whole ? NB_OK : nb_error_set(error, NB_BROKEN, "out of memory while recording");
+  return whole ? NB_OK : nb_error_memory(error);
 }
 
 enum nb_status nb_bench_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_progress *progress,
@@ -49,12 +49,12 @@ enum nb_status nb_bench_run(struct nb_result *result, const struct nb_scene *sce
   *result = (struct nb_result){0};
   result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
   if (!result->stage_cycles || !nb_observe_begin(&result->table, scene))
-    return nb_error_set(error, NB_BROKEN, "out of memory while recording");
+    return nb_error_memory(error);
   enum nb_status status = nb_bench_create(&bench, scene, error);
   if (status)
     return status;
   if (!observe(&result->table, &bench, 0))
-    status = nb_error_set(error, NB_BROKEN, "out of memory while recording");
+    status = nb_error_memory(error);
   for (size_t s = 0; s < scene->stage_count && !status; s++) {
     status = run_leg(result, &bench, (int)s, error);
     if (progress && progress->call && nb_clock() - told > 0.1) {

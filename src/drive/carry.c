@@ -36,7 +36,7 @@ enum nb_status nb_carry_create(struct nb_model *model, struct nb_error *error) {
   struct nb_carry *carry = model->carry = calloc(1, sizeof *carry);
   bodies->carried = nb_array(bodies->count, sizeof *bodies->carried);
   if (!carry || !bodies->carried || !(carry->by = nb_array(bodies->count, sizeof *carry->by)))
-    return nb_error_set(error, NB_BROKEN, "out of memory for what carries %zu bodies along", bodies->count);
+    return nb_error_memory(error);
   carry->free_before = true; /* nobody knows */
   carry->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_CARRIERS; c++)

@@ -42,7 +42,7 @@ enum nb_status nb_drive_create(struct nb_model *model, struct nb_error *error) {
     drive->ring.rim = nb_array(bodies->count, sizeof *drive->ring.rim);
   }
   if (!drive || !drive->ring.member || !drive->ring.rim || (presses(scene) && !drive->pressed))
-    return nb_error_set(error, NB_BROKEN, "out of memory for a boundary of %zu bodies", bodies->count);
+    return nb_error_memory(error);
   if (scene->circle.line && scene->start.stages == 0) /* else it is as the state has it */
     nb_ring_begin(model, &scene->circle);
   return NB_OK;

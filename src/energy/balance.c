@@ -69,7 +69,7 @@ enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error)
   }
   if (!b || !nb_balance_carry_create(b, model) || !b->before || !b->now || !b->position || !b->pivot ||
       !b->wall_velocity || !b->wall_spin || !b->values)
-    return nb_error_set(error, NB_BROKEN, "out of memory for the balances");
+    return nb_error_memory(error);
   b->kinetic = nb_energy_kinetic_half(model);
   if (b->energies)
     b->level = nb_energy_kinetic(model) + nb_energy_stored(model);

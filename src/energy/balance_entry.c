@@ -39,7 +39,7 @@ enum nb_status nb_balance_entered(struct nb_model *model, struct nb_error *error
   b->entered_count = 0;
   b->entered = nb_array(contacts->count, sizeof *b->entered);
   if (!b->entered)
-    return nb_error_set(error, NB_BROKEN, "out of memory for the energy balance of %zu contacts", contacts->count);
+    return nb_error_memory(error);
   for (size_t c = 0; c < contacts->count; c++) {
     if (model->pairings[contacts->pairing[c]].wall || contacts->kept[NB_OVERLAP][c] > 0)
       continue;

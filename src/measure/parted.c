@@ -16,7 +16,7 @@ enum nb_status nb_parted_begin(struct nb_model *model, int stage, struct nb_erro
     return NB_OK;
   for (size_t r = 0; r < scene->region_count; r++)
     if ((stage < 0 || scene->regions[r].stage == stage) && !nb_since_touching(&model->regions->list[r].touched, model))
-      return nb_error_set(error, NB_BROKEN, "out of memory for the contacts of a region");
+      return nb_error_memory(error);
   return NB_OK;
 }
 

@@ -27,7 +27,7 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
   }
   const bool chains = nb_fields_watched(scene) & NB_ASKS_CHAINS;
   if (!regions || !regions->list || !regions->touching || !regions->idle || (chains && !nb_chains_create(model)))
-    return nb_error_set(error, NB_BROKEN, "out of memory for %zu regions", scene->region_count);
+    return nb_error_memory(error);
   for (size_t r = 0; r < scene->region_count; r++)
     regions->list[r].it = &scene->regions[r];
   return NB_OK;

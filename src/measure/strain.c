@@ -29,7 +29,7 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
   for (size_t r = 0; r < scene->region_count; r++) {
     struct nb_region_now *region = nb_region_now(model, (int)r);
     if (!region->from && !(region->from = nb_array(model->bodies.count, sizeof *region->from)))
-      return nb_error_set(error, NB_BROKEN, "out of memory for the strain of a region");
+      return nb_error_memory(error);
     if (stage < 0 || scene->regions[r].stage == stage)
       remember(model, region);
   }

@@ -119,12 +119,15 @@ bool nb_file_beside(struct nb_reader *reader, const struct nb_token *token, char
   const char *page = reader->page->path, *slash = strrchr(page, '/');
   const bool beside = token->text[0] != '/' && slash;
   const int n = snprintf(path, size, "%.*s%s", beside ? (int)(slash - page) + 1 : 0, page, token->text);
-  FILE *file = n >= 0 && (size_t)n < size ? fopen(path, "r") : NULL;
+  struct nb_error error = {NB_BAD_USE, "has too long a name"};
+  FILE *file = n >= 0 && (size_t)n < size ? nb_file_open(path, &error) : NULL;
   if (file)
     fclose(file);
+  else if (error.status == NB_NO_MEMORY)
+    nb_no_memory(reader);
   else
-    nb_token_mistake(reader, token, "it is looked for beside the page", "expected a file that can be read, found `%s`",
-                     token->text);
+    nb_token_mistake(reader, token, "it is looked for beside the page",
+                     "expected a file that can be read, found `%s`, which %s", token->text, error.text);
   return file != NULL;
 }
 
@@ -134,11 +137,11 @@ bool nb_columns_read(double **lengths, size_t *rows, const char *path, const str
   const size_t before = mistakes->made;
   bool head = false;
   *lengths = NULL, *rows = 0;
-  if (nb_page_read(&table.file, path, mistakes))
+  if (nb_page_read_most(&table.file, path, NB_FILE_MAX, mistakes))
     return false;
   *lengths = calloc(table.file.line_count + 1, (size_t)count * sizeof **lengths);
   if (!*lengths)
-    nb_mistake(mistakes, &table.file, 0, 0, 0, NULL, "there is not enough memory for its numbers");
+    nb_mistake_memory(mistakes);
   for (size_t line = 1; line <= table.file.line_count && *lengths; line++) {
     const char *text = table.file.lines[line - 1];
     bool whole = true;

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "reader.h"
+#include "text.h"
 
 enum { MISTAKES_MAX = 1000 };
 
@@ -38,34 +39,6 @@ void *nb_room(void *array, size_t count, size_t more, size_t element) {
   return have >= need ? array : realloc(array, need * element);
 }
 
-/* A text under way; once too long for memory it is NULL and stays so. */
-struct text {
-  char *at;
-  size_t length;
-};
-
-static void add(struct text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void add_list(struct text *text, const char *format, va_list list) {
-  va_list again;
-  va_copy(again, list);
-  int n = vsnprintf(NULL, 0, format, list);
-  char *longer = text->at && n >= 0 ? realloc(text->at, text->length + (size_t)n + 1) : NULL;
-  if (longer) {
-    vsnprintf(longer + text->length, (size_t)n + 1, format, again);
-    text->length += (size_t)n;
-  } else {
-    free(text->at);
-  }
-  text->at = longer;
-  va_end(again);
-}
-static void add(struct text *text, const char *format, ...) {
-  va_list list;
-  va_start(list, format);
-  add_list(text, format, list);
-  va_end(list);
-}
-
 /* The bytes of the first n characters. */
 static int bytes_of(const char *c, int n) {
   int bytes = 0;
@@ -80,25 +53,25 @@ static int bytes_of(const char *c, int n) {
 
 /* The line, and a caret under the characters from column on. A tab is copied so that the two stay aligned; of a long
  * line the part around the caret is shown. */
-static void add_line(struct text *text, const char *line, size_t number, int column, int length) {
+static void add_line(struct nb_text *text, const char *line, size_t number, int column, int length) {
   enum { WIDEST = 110 };
   int first = column > WIDEST - 30 ? column - 60 : 1;
   const char *shown = line + bytes_of(line, first - 1);
   int bytes = bytes_of(shown, WIDEST);
   bool before = shown > line, after = shown[bytes] != '\0';
   if (number)
-    add(text, "%5zu | ", number);
+    nb_text_add(text, "%5zu | ", number);
   else
-    add(text, "      | ");
-  add(text, "%s%.*s%s\n      | %s", before ? "…" : "", bytes, shown, after ? "…" : "", before ? " " : "");
+    nb_text_add(text, "      | ");
+  nb_text_add(text, "%s%.*s%s\n      | %s", before ? "…" : "", bytes, shown, after ? "…" : "", before ? " " : "");
   for (int i = first; i < column; i++) {
-    add(text, "%c", *shown == '\t' ? '\t' : ' ');
+    nb_text_add(text, "%c", *shown == '\t' ? '\t' : ' ');
     shown += bytes_of(shown, 1);
   }
-  add(text, "^");
+  nb_text_add(text, "^");
   for (int i = 1; i < length && column + i < first + WIDEST; i++)
-    add(text, "~");
-  add(text, "\n");
+    nb_text_add(text, "~");
+  nb_text_add(text, "\n");
 }
 
 /* Where a message belongs: after all of other pages and all of this one that stand before it on the page. */
@@ -115,7 +88,7 @@ static size_t place_of(const struct nb_mistakes *mistakes, const char *path, siz
 }
 
 /* Whether the very same was said before. */
-static bool is_said(const struct nb_mistakes *mistakes, size_t line, int column, const struct text *message) {
+static bool is_said(const struct nb_mistakes *mistakes, size_t line, int column, const struct nb_text *message) {
   for (size_t i = 0; i < mistakes->count; i++)
     if (mistakes->places[i].line == line && mistakes->places[i].column == column &&
         strncmp(mistakes->text + mistakes->places[i].start, message->at, message->length) == 0)
@@ -124,7 +97,7 @@ static bool is_said(const struct nb_mistakes *mistakes, size_t line, int column,
 }
 
 static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, int column,
-                   const struct text *message) {
+                   const struct nb_text *message) {
   size_t count = mistakes->count, at = place_of(mistakes, path, line, column);
   size_t end = mistakes->text ? strlen(mistakes->text) : 0;
   size_t start = at < count ? mistakes->places[at].start : end;
@@ -134,8 +107,10 @@ static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, 
   char *text = realloc(mistakes->text, end + message->length + 1);
   if (text)
     mistakes->text = text;
-  if (!places || !text)
+  if (!places || !text) {
+    mistakes->no_memory = true;
     return;
+  }
   memmove(text + start + message->length, text + start, end - start);
   memcpy(text + start, message->at, message->length);
   text[end + message->length] = '\0';
@@ -146,33 +121,44 @@ static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, 
   mistakes->count++;
 }
 
+void nb_mistake_memory(struct nb_mistakes *mistakes) { mistakes->made++, mistakes->no_memory = true; }
+
+void nb_no_memory(struct nb_reader *reader) {
+  reader->bad = true;
+  nb_mistake_memory(reader->mistakes);
+}
+
+enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before) {
+  return mistakes->no_memory ? NB_NO_MEMORY : mistakes->made > before ? NB_BAD_USE : NB_OK;
+}
+
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) {
   mistakes->made++;
   if (mistakes->count > MISTAKES_MAX)
     return;
-  struct text message = {calloc(1, 1), 0};
+  struct nb_text message = {0};
   bool in_file = page->kind_of != NULL;
   if (line && in_file)
-    add(&message, "%s:%zu:%d: error: ", page->path, line, column);
+    nb_text_add(&message, "%s:%zu:%d: error: ", page->path, line, column);
   else
-    add(&message, "%s: error: ", page->path);
+    nb_text_add(&message, "%s: error: ", page->path);
   va_list list;
   va_start(list, format);
-  add_list(&message, format, list);
+  nb_text_add_list(&message, format, list);
   va_end(list);
-  add(&message, "\n");
+  nb_text_add(&message, "\n");
   if (line && line <= page->line_count)
     add_line(&message, page->lines[line - 1], in_file ? line : 0, column, length);
   if (hint && hint[0])
-    add(&message, "  hint: %s\n", hint);
-  bool said = message.at && is_said(mistakes, line, column, &message);
-  if (message.at && !said && mistakes->count == MISTAKES_MAX) {
+    nb_text_add(&message, "  hint: %s\n", hint);
+  bool said = !message.failed && is_said(mistakes, line, column, &message);
+  if (!message.failed && !said && mistakes->count == MISTAKES_MAX) {
     line = page->line_count + 1, message.length = 0;
-    add(&message, "%s: error: more than %d mistakes: the others are left unsaid\n", page->path, MISTAKES_MAX);
+    nb_text_add(&message, "%s: error: more than %d mistakes: the others are left unsaid\n", page->path, MISTAKES_MAX);
   }
-  if (!message.at)
-    mistakes->count++; /* no memory even for the message: the page must still not pass */
+  if (message.failed)
+    mistakes->no_memory = true;
   else if (!said)
     insert(mistakes, page->path, line, column, &message);
   free(message.at);

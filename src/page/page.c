@@ -6,7 +6,6 @@
  * they hold.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,28 +22,6 @@ void nb_page_free(struct nb_page *page) {
   free(page->kind_of);
   free(page->path);
   memset(page, 0, sizeof *page);
-}
-
-/* The whole file, at most NB_PAGE_MAX + 1 bytes of it; NULL with errno when it cannot be read. */
-static char *slurp(const char *path, size_t *size) {
-  FILE *file = fopen(path, "rb");
-  if (!file)
-    return NULL;
-  char *bytes = malloc(NB_PAGE_MAX + 2);
-  if (bytes) {
-    errno = 0;
-    *size = fread(bytes, 1, NB_PAGE_MAX + 1, file);
-    if (ferror(file)) {
-      int why = errno;
-      free(bytes);
-      bytes = NULL;
-      errno = why;
-    }
-  }
-  int why = errno;
-  fclose(file);
-  errno = why;
-  return bytes;
 }
 
 /* How many bytes of UTF-8 make the character at c (RFC 3629, without control characters but tab); 0: none. */
@@ -203,39 +180,57 @@ static void name_page(struct nb_page *page, struct nb_mistakes *mistakes) {
   page->name[length] = '\0';
 }
 
+/* A page with its path and its name; false: no memory. */
+static bool begin(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
+  *page = (struct nb_page){.path = malloc(strlen(path) + 1)};
+  if (!page->path)
+    return nb_mistake_memory(mistakes), false;
+  strcpy(page->path, path);
+  name_page(page, mistakes);
+  return true;
+}
+
+static enum nb_status end(struct nb_page *page, struct nb_mistakes *mistakes, size_t before) {
+  const enum nb_status status = nb_mistakes_status(mistakes, before);
+  if (status)
+    nb_page_free(page);
+  return status;
+}
+
+static void take(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
+  page->hash = nb_hash(NB_HASH_BEGIN, bytes, size);
+  page->kind_of = calloc(size + 1, 1); /* no more lines than bytes; and a page that is a file has this array */
+  if (page->kind_of && cut_lines(page, bytes, size, mistakes))
+    find_blocks(page, mistakes);
+  else
+    nb_mistake_memory(mistakes);
+}
+
 enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
                                   struct nb_mistakes *mistakes) {
-  memset(page, 0, sizeof *page);
-  size_t before = mistakes->made;
-  page->path = malloc(strlen(path) + 1);
-  if (page->path)
-    strcpy(page->path, path);
-  else
-    return mistakes->count++, mistakes->made++, NB_BAD_USE;
-  name_page(page, mistakes);
+  const size_t before = mistakes->made;
+  if (begin(page, path, mistakes))
+    take(page, bytes, size, mistakes);
+  return end(page, mistakes, before);
+}
 
-  if (!bytes) {
-    nb_mistake(mistakes, page, 0, 0, 0, NULL, "cannot be read: %s", strerror(errno));
-  } else if (size > NB_PAGE_MAX) {
-    nb_mistake(mistakes, page, 0, 0, 0, NULL, "expected a page of at most %d bytes, this one is longer", NB_PAGE_MAX);
-  } else {
-    page->hash = nb_hash(NB_HASH_BEGIN, bytes, size);
-    page->kind_of = calloc(size + 1, 1); /* no more lines than bytes; and a page that is a file has this array */
-    if (page->kind_of && cut_lines(page, bytes, size, mistakes))
-      find_blocks(page, mistakes);
-    else
-      nb_mistake(mistakes, page, 0, 0, 0, NULL, "there is not enough memory to read this page");
-  }
-  if (mistakes->made == before)
-    return NB_OK;
-  nb_page_free(page);
-  return NB_BAD_USE;
+enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes) {
+  const size_t before = mistakes->made;
+  struct nb_error error;
+  size_t size;
+  if (!begin(page, path, mistakes))
+    return NB_NO_MEMORY;
+  char *bytes = nb_file_read(path, most, &size, &error);
+  if (bytes)
+    take(page, bytes, size, mistakes);
+  else if (error.status == NB_NO_MEMORY)
+    nb_mistake_memory(mistakes);
+  else
+    nb_mistake(mistakes, page, 0, 0, 0, NULL, "%s", error.text);
+  free(bytes);
+  return end(page, mistakes, before);
 }
 
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
-  size_t size = 0;
-  char *bytes = slurp(path, &size);
-  const enum nb_status status = nb_page_read_bytes(page, path, bytes, size, mistakes);
-  free(bytes);
-  return status;
+  return nb_page_read_most(page, path, NB_PAGE_MAX, mistakes);
 }

@@ -32,6 +32,10 @@ enum {
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) __attribute__((format(printf, 7, 8)));
 
+void nb_mistake_memory(struct nb_mistakes *mistakes); /* memory ran out: the page cannot be judged */
+/* Of what has been made since there were `before`. */
+enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before);
+
 /* ---- words.c ---- */
 
 struct nb_token {
@@ -73,7 +77,8 @@ void nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, co
 /* The most usual one: "expected WHAT, found `token`". Moves to the end of the line: what follows is not read. */
 void nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-bool nb_is_name(const char *text); /* a letter, then letters, digits, _ and -; shorter than NB_NAME_SIZE */
+void nb_no_memory(struct nb_reader *reader); /* nb_mistake_memory, and the statement is bad */
+bool nb_is_name(const char *text);           /* a letter, then letters, digits, _ and -; shorter than NB_NAME_SIZE */
 
 /* ---- keywords.c: values one by one ---- */
 
@@ -174,6 +179,20 @@ size_t nb_page_fence(const struct nb_page *page,
                      enum nb_block_kind kind); /* line of the fence of the first such block, 0: none */
 
 /* A page from memory, under this path; without bytes it could not be read, and errno says why. */
+/* ---- file.c ---- */
+
+enum { NB_FILE_MAX = 1 << 30 }; /* bytes that are read at most, of a list or a state */
+
+/* A regular file, open for reading; NULL with an error, "cannot be read: …", without the path. A folder is none, nor is a pipe or a device: one that never ends would
+ * be waited for without end. */
+FILE *nb_file_open(const char *path, struct nb_error *error);
+/* All of a regular file of at most so many bytes, with a terminating zero; to be freed. NULL with an error. */
+char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error *error);
+
+/* ---- page.c ---- */
+
+/* A page of at most so many bytes. */
+enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes);
 enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
                                   struct nb_mistakes *mistakes);
 

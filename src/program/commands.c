@@ -134,7 +134,7 @@ static void report_one(const struct nb_use *use, const char *path, const char *f
       line->seconds += outcome.runs[r].result.seconds;
   } else {
     snprintf(line->message, sizeof line->message, "%s",
-             outcome.mistakes.count ? outcome.mistakes.text : outcome.error.text);
+             outcome.mistakes.text ? outcome.mistakes.text : outcome.error.text);
   }
   line->checks = outcome.check_count, line->failed = outcome.failed;
   line->verdicts = outcome.checks, outcome.checks = NULL;
@@ -149,8 +149,11 @@ enum nb_status nb_command_report(const struct nb_use *use) {
   enum nb_status worst = NB_OK;
   struct nb_error error;
   struct nb_report_line *lines = calloc(use->page_count, sizeof *lines);
-  if (!lines)
-    return NB_BROKEN;
+  if (!lines) {
+    nb_error_memory(&error);
+    fprintf(stderr, "nineball: %s\n", error.text);
+    return error.status;
+  }
   for (size_t k = 0; k < use->page_count; k++) {
     report_one(use, use->pages[k], folder, &lines[k]);
     worst = worse(worst, lines[k].status);
@@ -234,7 +237,7 @@ static enum nb_status write_state(struct nb_scene *scene, size_t stage, const ch
   nb_print_progress_end(&line);
   for (size_t k = 0; use->settings[k] && !status; k++)
     if (!nb_saved_setting(&saved, use->settings[k]))
-      status = nb_error_set(error, NB_BROKEN, "out of memory for %.200s", path);
+      status = nb_error_memory(error);
   if (!status)
     saved.hash = scene->stages[stage].hash, status = nb_saved_write(&saved, path, error);
   nb_saved_free(&saved);

@@ -58,7 +58,9 @@ static void print_help(FILE *out) {
   for (const struct nb_help_row *row = option_rows; row->term; row++)
     fprintf(out, "  %s%-*s %s\n", row->term[1] == '-' ? "    " : "", row->term[1] == '-' ? 19 : 23, row->term,
             row->help);
-  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 the physics broke\n", out);
+  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 the physics broke, 4 out of "
+        "memory\n",
+        out);
 }
 
 /* `nineball --help WORD`. */
@@ -95,6 +97,13 @@ static enum nb_status usage(const char *format, const char *word) {
   fprintf(stderr, format, word);
   fputs("; nineball --help tells\n", stderr);
   return NB_BAD_USE;
+}
+
+static enum nb_status no_memory(void) {
+  struct nb_error error;
+  nb_error_memory(&error);
+  fprintf(stderr, "nineball: %s\n", error.text);
+  return error.status;
 }
 
 enum {
@@ -150,7 +159,7 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words, 
       free(use->follow);
       use->follow = malloc(size);
       if (!use->follow)
-        return NB_BROKEN;
+        return no_memory();
       snprintf(use->follow, size, "follow=%s", optarg);
       use->settings[settings++] = use->follow;
       break;
@@ -215,7 +224,7 @@ int main(int count, char **words) {
   use.options.states = getenv("NINEBALL_STATES");
   use.settings = calloc((size_t)count + 1, sizeof *use.settings);
   if (!use.settings)
-    return NB_BROKEN;
+    return no_memory();
   bool done = false;
   enum nb_status status = read_options(&use, count, words, &done);
   if (!status && done) {

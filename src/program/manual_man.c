@@ -86,6 +86,7 @@ void nb_manual_man(FILE *out, const struct nb_help_row *commands, const struct n
       {"1", "a check failed"},
       {"2", "bad use, a mistake in a page, or a file that cannot be read or written"},
       {"3", "the physics broke: a number that is none, a stage that never ended"},
+      {"4", "out of memory"},
       {NULL, NULL},
   };
   static const struct nb_help_row files[] = {

@@ -71,9 +71,9 @@ static void warn_deep(const struct nb_outcome *outcome, const char *path) {
 }
 
 void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
-  if (outcome->mistakes.count)
+  if (outcome->mistakes.text)
     fputs(outcome->mistakes.text, stderr);
-  else if (outcome->status > NB_FAILED)
+  if (outcome->error.text[0] && outcome->status > NB_FAILED)
     fprintf(stderr, "%s: %s: %s\n", path, outcome->status == NB_BROKEN ? "stopped" : "error", outcome->error.text);
   warn_deep(outcome, path);
 }

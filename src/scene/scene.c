@@ -11,10 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void nb_no_memory(struct nb_reader *reader) {
-  nb_token_mistake(reader, &reader->tokens[0], NULL, "there is not enough memory for this");
-}
-
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what) {
   if (count < (size_t)most)
     return false;
@@ -121,9 +117,11 @@ static void survey(struct nb_scene_reading *reading, struct nb_mistakes *mistake
   reading->survey = true;
   reading->reader.mistakes = reading->setting.mistakes = &unsaid;
   read_lines(reading);
-  nb_mistakes_free(&unsaid);
   reading->survey = false;
   reading->reader.mistakes = reading->setting.mistakes = mistakes;
+  if (unsaid.no_memory)
+    nb_mistake_memory(mistakes);
+  nb_mistakes_free(&unsaid);
   nb_settings_read(reading);
   reading->scene->binding_count = reading->reader.binding_count = 0;
   reading->sweep = 0;
@@ -197,7 +195,7 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
     read_scene(reading, mistakes);
     *runs = nb_runs(reading);
   } else {
-    nb_mistake(mistakes, page, 0, 0, 0, NULL, "there is not enough memory to read this page");
+    nb_mistake_memory(mistakes);
   }
   if (reading) {
     for (size_t i = 0; reading->settings.lines && i < reading->settings.line_count; i++)
@@ -207,7 +205,7 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
     free(reading->asked);
     free(reading);
   }
-  return mistakes->made == before ? NB_OK : NB_BAD_USE;
+  return nb_mistakes_status(mistakes, before);
 }
 
 size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes) {

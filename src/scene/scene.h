@@ -139,7 +139,6 @@ bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, c
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what);
 bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
 /* Array growth that failed. */
-void nb_no_memory(struct nb_reader *reader);
 /* The last --set of that name: its line among the settings; 0: none. */
 size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name);
 /* Says every --set that nothing on the page answers to, and obeys those for laws and step. */

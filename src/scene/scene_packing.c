@@ -14,7 +14,8 @@
 static bool is_state(const char *path) {
   static const char head[] = "nineball state ";
   char begin[sizeof head] = "";
-  FILE *file = fopen(path, "rb");
+  struct nb_error error;
+  FILE *file = nb_file_open(path, &error);
   const bool is = file && fread(begin, 1, sizeof head - 1, file) == sizeof head - 1 && strcmp(begin, head) == 0;
   if (file)
     fclose(file);
@@ -52,8 +53,10 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
 /* Those that are not gone; with `all` of its shape and material, and free. */
 static bool from_state(struct nb_scene *scene, struct nb_reader *reader, const char *path, const struct nb_body *all) {
   struct nb_saved saved;
-  struct nb_error error;
-  if (nb_saved_read(&saved, path, &error))
+  struct nb_error error = {NB_OK, ""};
+  if (nb_saved_read(&saved, path, &error) == NB_NO_MEMORY)
+    nb_no_memory(reader);
+  else if (error.status)
     nb_token_mistake(reader, file_of(reader, all), NULL, "no bodies can be taken from the file: %s", error.text);
   else if (saved.unitless != reader->unitless)
     nb_token_mistake(reader, file_of(reader, all), NULL, "expected a file from a page with the same `units`");

@@ -44,10 +44,11 @@ static bool add_wall(struct nb_scene *scene, struct nb_reader *reader) {
   wall.material = material && !material->hollow ? nb_material_of(scene, reader, material) : -1;
   if (wall.material < 0)
     return false;
-  scene->walls = calloc(1, sizeof *scene->walls);
-  if (!scene->walls)
+  struct nb_wall *walls = nb_room(scene->walls, scene->wall_count, 1, sizeof *walls);
+  if (!walls)
     return nb_no_memory(reader), false;
-  scene->walls[scene->wall_count++] = wall;
+  scene->walls = walls;
+  walls[scene->wall_count++] = wall;
   return true;
 }
 
@@ -56,6 +57,8 @@ NB_APPLY(nb_apply_contact) {
   struct nb_scene *scene = reading->scene;
   struct nb_body body;
   (void)record;
+  if (!scene->path) /* in a scene it is a mistake that has been reported, and defines nothing */
+    return;
   if (reading->contact_line) {
     nb_token_mistake(reader, &reader->tokens[0], NULL, "`contact` is said twice: first on line %d",
                      reading->contact_line);
@@ -160,6 +163,8 @@ NB_APPLY(nb_apply_leg) {
   const struct nb_token *name = record->value[AT_NAME].token;
   struct nb_stage stage = {.record = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
   stage.leg.normal.by = stage.leg.shear.by = true;
+  if (!scene->path)
+    return;
   reading->here = NB_IN_LEG;
   if (!name)
     return;
@@ -190,6 +195,8 @@ void nb_path_check(struct nb_scene_reading *reading) {
   if (scene->column_count || reading->asked_count)
     return;
   scene->columns = calloc(USUAL, sizeof *scene->columns);
+  if (!scene->columns)
+    nb_no_memory(&reading->reader);
   for (size_t k = 0; k < USUAL && scene->columns; k++) {
     struct nb_column *column = &scene->columns[scene->column_count++];
     strcpy(column->name, usual[k]);

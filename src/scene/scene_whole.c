@@ -12,7 +12,7 @@ static void find_columns(struct nb_scene_reading *reading) {
     return;
   scene->columns = calloc(reading->asked_count, sizeof *scene->columns);
   if (!scene->columns) {
-    nb_say_of_scene(reading, NULL, "there is not enough memory for the columns");
+    nb_no_memory(&reading->reader);
     return;
   }
   for (size_t i = 0; i < reading->asked_count; i++) {

@@ -21,36 +21,36 @@ enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_e
   *save = (struct nb_save){.path = strdup(path), .temporary = malloc(size)};
   if (!save->path || !save->temporary) {
     forget(save);
-    return nb_error_set(error, NB_BROKEN, "out of memory for %s", path);
+    return nb_error_memory(error);
   }
   snprintf(save->temporary, size, "%s.%ld.new", path, (long)getpid()); /* pages run side by side */
   save->file = fopen(save->temporary, "w");
   if (save->file)
     return NB_OK;
-  nb_error_set(error, NB_BAD_USE, "cannot write %s: %s", path, strerror(errno));
+  const enum nb_status status = nb_error_system(error, "cannot write %s", path);
   forget(save);
-  return NB_BAD_USE;
+  return status;
 }
 
 enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error) {
-  bool whole = !ferror(save->file) && fflush(save->file) == 0 && fsync(fileno(save->file)) == 0;
-  int reason = errno;
-  if (fclose(save->file) != 0 && whole)
-    whole = false, reason = errno;
-  if (whole && rename(save->temporary, save->path) != 0)
-    whole = false, reason = errno;
-  if (!whole) {
+  enum nb_status status = NB_OK;
+  errno = EIO; /* if nothing says more of a write that failed earlier */
+  if (fflush(save->file) != 0 || ferror(save->file) || fsync(fileno(save->file)) != 0)
+    status = nb_error_system(error, "cannot write %s", save->path);
+  if (fclose(save->file) != 0 && !status)
+    status = nb_error_system(error, "cannot write %s", save->path);
+  if (!status && rename(save->temporary, save->path) != 0)
+    status = nb_error_system(error, "cannot write %s", save->path);
+  if (status)
     remove(save->temporary);
-    nb_error_set(error, NB_BAD_USE, "cannot write %s: %s", save->path, strerror(reason));
-  }
   forget(save);
-  return whole ? NB_OK : NB_BAD_USE;
+  return status;
 }
 
 enum nb_status nb_save_folder(const char *path, struct nb_error *error) {
   char *part = strdup(path);
   if (!part)
-    return nb_error_set(error, NB_BROKEN, "out of memory for %s", path);
+    return nb_error_memory(error);
   for (char *slash = strchr(part + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
     *slash = 0;
     mkdir(part, 0777); /* one that is there already is no mistake; the last one below tells */
@@ -58,7 +58,7 @@ enum nb_status nb_save_folder(const char *path, struct nb_error *error) {
   }
   struct stat status;
   if (mkdir(part, 0777) != 0 && !(errno == EEXIST && stat(part, &status) == 0 && S_ISDIR(status.st_mode)))
-    nb_error_set(error, NB_BAD_USE, "cannot make the folder %s: %s", path, strerror(errno));
+    nb_error_system(error, "cannot make the folder %s", path);
   else
     error->status = NB_OK;
   free(part);

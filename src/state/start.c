@@ -141,10 +141,10 @@ static enum nb_status wait_for(struct lock *lock, const struct nb_progress *prog
     say(progress, text);
     while (flock(lock->file, LOCK_EX) != 0)
       if (errno != EINTR)
-        return nb_error_set(error, NB_BAD_USE, "cannot lock %.300s: %s", lock->path, strerror(errno));
+        return nb_error_system(error, "cannot lock %s", lock->path);
     return NB_OK;
   }
-  return nb_error_set(error, NB_BAD_USE, "cannot lock %.300s: %s", lock->path, strerror(errno));
+  return nb_error_system(error, "cannot lock %s", lock->path);
 }
 
 /* Until it is had, or what it is for is there. */
@@ -155,7 +155,7 @@ static enum nb_status lock_take(struct lock *lock, const char *path, const struc
     struct stat mine, there;
     lock->file = open(lock->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (lock->file < 0)
-      return nb_error_set(error, NB_BAD_USE, "cannot write %.300s: %s", lock->path, strerror(errno));
+      return nb_error_system(error, "cannot write %s", lock->path);
     const enum nb_status status = wait_for(lock, progress, error);
     if (status) {
       close(lock->file);
@@ -203,7 +203,7 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
   saved->hash = last_of(scene)->hash;
   for (size_t k = 0; k < start->setting_count; k++)
     if (!nb_saved_setting(saved, start->settings[k]))
-      return nb_error_set(error, NB_BROKEN, "out of memory for %.200s", path);
+      return nb_error_memory(error);
   status = nb_saved_write(saved, path, error);
   if (!status)
     others(scene, options, true);

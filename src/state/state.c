@@ -139,7 +139,7 @@ enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *mode
   snprintf(saved->normal, sizeof saved->normal, "%s", model->laws.normal->name);
   snprintf(saved->shear, sizeof saved->shear, "%s", model->laws.shear->name);
   if (!make_room(saved, model))
-    return nb_error_set(error, NB_BROKEN, "out of memory for the state of %zu bodies", model->bodies.count);
+    return nb_error_memory(error);
   memcpy(saved->materials, model->properties.materials, saved->material_count * sizeof *saved->materials);
   memcpy(saved->rules, model->properties.rules, saved->rule_count * sizeof *saved->rules);
   take_bodies(saved, model);

@@ -53,7 +53,7 @@ enum nb_status nb_saved_take_driven(struct nb_saved *saved, const struct nb_mode
     saved->cell = (struct nb_saved_cell){true, model->cell->h, model->cell->parting};
   if ((model->carry && !take_carry(saved, model)) ||
       (model->drive && model->drive->ring.begun && !take_ring(saved, model)))
-    return nb_error_set(error, NB_BROKEN, "out of memory for the state of %zu bodies", model->bodies.count);
+    return nb_error_memory(error);
   return NB_OK;
 }
 

@@ -2,13 +2,10 @@
  * record by record; whatever is not as docs/STATE.md says is an error with file, line, column and what was expected.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "state_reading.h"
 
@@ -173,26 +170,13 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
 }
 
 enum nb_status nb_saved_read(struct nb_saved *saved, const char *path, struct nb_error *error) {
-  struct stat status;
+  size_t size;
   *saved = (struct nb_saved){0};
-  FILE *file = fopen(path, "rb");
-  if (!file || fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode)) {
-    const char *why = !file ? strerror(errno) : "it is no file";
-    nb_error_set(error, NB_BAD_USE, "%.200s: cannot be read: %s", path, why);
-    if (file)
-      fclose(file);
-    return NB_BAD_USE;
-  }
-  const size_t size = (size_t)status.st_size;
-  char *text = malloc(size + 1);
-  enum nb_status read = NB_OK;
-  if (!text)
-    read = nb_error_set(error, NB_BROKEN, "out of memory for %.200s", path);
-  else if (fread(text, 1, size, file) != size)
-    read = nb_error_set(error, NB_BAD_USE, "%.200s: cannot be read: %s", path, strerror(errno));
-  else
-    text[size] = 0, read = nb_saved_read_text(saved, path, text, size, error);
+  char *text = nb_file_read(path, NB_FILE_MAX, &size, error);
+  const struct nb_error why = text ? (struct nb_error){NB_OK, ""} : *error;
+  if (why.status == NB_BAD_USE)
+    nb_error_set(error, NB_BAD_USE, "%.200s: %.200s", path, why.text);
+  const enum nb_status status = text ? nb_saved_read_text(saved, path, text, size, error) : why.status;
   free(text);
-  fclose(file);
-  return read;
+  return status;
 }

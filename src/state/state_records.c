@@ -31,7 +31,7 @@ static void *more(struct nb_state_reading *reading, void **array, size_t *count,
   void *room = nb_room(*array, *count, 1, element);
   if (!room) {
     reading->bad = true;
-    nb_error_set(reading->error, NB_BROKEN, "out of memory for %.200s", reading->path);
+    nb_error_memory(reading->error);
     return NULL;
   }
   *array = room;

@@ -40,7 +40,7 @@ static void apply_expectation(struct nb_reader *reader, const struct nb_record *
     return;
   struct nb_expectation *list = nb_room(all->list, all->count, 1, sizeof *list);
   if (!list) {
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "there is not enough memory for this");
+    nb_no_memory(reader);
     return;
   }
   all->list = list;
@@ -85,8 +85,8 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   struct reading reading = {expectations, scene};
   struct nb_reader *reader = calloc(1, sizeof *reader);
   if (!reader) {
-    nb_mistake(mistakes, page, 0, 0, 0, NULL, "there is not enough memory to read this page");
-    return NB_BAD_USE;
+    nb_mistake_memory(mistakes);
+    return NB_NO_MEMORY;
   }
   reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless, reader->unsure = scene->unsure;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
@@ -107,10 +107,10 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
     }
   }
   free(reader);
-  if (mistakes->made == before)
-    return NB_OK;
-  nb_expectations_free(expectations);
-  return NB_BAD_USE;
+  const enum nb_status status = nb_mistakes_status(mistakes, before);
+  if (status)
+    nb_expectations_free(expectations);
+  return status;
 }
 
 void nb_expectations_free(struct nb_expectations *expectations) {

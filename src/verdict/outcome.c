@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "clock.h"
+#include "page/reader.h"
 
 enum { ENOUGH = 100000 }; /* mistakes, most of them the same ones of many runs: then the other runs are not read */
 
@@ -24,23 +25,27 @@ static void make_label(struct nb_page_run *run) {
   }
 }
 
-enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings) {
-  *outcome = (struct nb_outcome){0};
-  outcome->status = nb_page_read(&outcome->page, path, &outcome->mistakes);
-  if (outcome->status)
-    return outcome->status;
+/* All runs of the page; an error only if memory runs out. */
+static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
   const size_t runs = nb_scene_runs(&outcome->page, settings, &outcome->mistakes);
   outcome->runs = calloc(runs + 1, sizeof *outcome->runs);
   if (!outcome->runs)
-    return outcome->status = nb_error_set(&outcome->error, NB_BROKEN, "out of memory for %zu runs", runs);
-  for (size_t r = 0; r < runs && outcome->mistakes.made < ENOUGH; r++) {
+    nb_mistake_memory(&outcome->mistakes);
+  for (size_t r = 0; r < runs && outcome->runs && outcome->mistakes.made < ENOUGH; r++) {
     struct nb_page_run *run = &outcome->runs[outcome->run_count++];
     nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
     make_label(run);
   }
-  if (outcome->mistakes.count)
-    outcome->status = NB_BAD_USE;
+}
+
+enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings) {
+  *outcome = (struct nb_outcome){0};
+  if (!nb_page_read(&outcome->page, path, &outcome->mistakes))
+    read_runs(outcome, settings);
+  outcome->status = nb_mistakes_status(&outcome->mistakes, 0);
+  if (outcome->status == NB_NO_MEMORY)
+    nb_error_memory(&outcome->error);
   return outcome->status;
 }
 
@@ -109,7 +114,7 @@ static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_option
   const size_t runs = outcome->run_count;
   struct together all = {outcome, progress, calloc(runs + 1, sizeof *all.shares), nb_clock()};
   if (!all.shares)
-    return nb_error_set(&outcome->error, NB_BROKEN, "out of memory for %zu runs", runs);
+    return nb_error_memory(&outcome->error);
   const int jobs = jobs_of(outcome, options);
   bool broken = false;
 #pragma omp parallel for num_threads(jobs) schedule(dynamic, 1)

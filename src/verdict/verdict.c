@@ -192,7 +192,7 @@ enum nb_status nb_verdict(struct nb_outcome *outcome) {
         continue;
       struct nb_check *check = new_check(outcome);
       if (!check)
-        return nb_error_set(&outcome->error, NB_BROKEN, "out of memory for the verdict");
+        return nb_error_memory(&outcome->error);
       judge(check, outcome, r, k);
       outcome->failed += !check->passed && !check->noted;
     }

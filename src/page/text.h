@@ -1,0 +1,20 @@
+/* A text that grows. When memory runs out it is empty, `failed`, and stays so, whatever is added.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_TEXT_H
+#define NB_TEXT_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+struct nb_text {
+  char *at; /* with a terminating zero; NULL while it is empty; owned */
+  size_t length, capacity;
+  bool failed;
+};
+
+void nb_text_add(struct nb_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void nb_text_add_list(struct nb_text *text, const char *format, va_list list) __attribute__((format(printf, 2, 0)));
+
+#endif
