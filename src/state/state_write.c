@@ -87,10 +87,11 @@ static void write_carried(FILE *out, const struct nb_saved *saved) {
   fputc('\n', out);
 }
 
+#define ROW(name, ...) it->name,
 static void write_materials(FILE *out, const struct nb_saved *saved) {
   for (size_t m = 0; m < saved->material_count; m++) {
     const struct nb_material *it = &saved->materials[m];
-    const double values[] = {it->density, it->kn, it->ks, it->friction, it->cohesion, it->young, it->poisson};
+    const double values[] = {it->density, NB_PAIR_ROWS(ROW) it->young, it->poisson};
     fprintf(out, "material %s", it->name);
     for (size_t k = 0; k < sizeof values / sizeof *values; k++)
       number(out, values[k]);
@@ -99,10 +100,13 @@ static void write_materials(FILE *out, const struct nb_saved *saved) {
   for (size_t r = 0; r < saved->rule_count; r++) {
     const struct nb_pair_rule *it = &saved->rules[r];
     fprintf(out, "pair %s %s", saved->materials[it->a].name, saved->materials[it->b].name);
-    number(out, it->kn), number(out, it->ks), number(out, it->friction), number(out, it->cohesion);
+    const double values[] = {NB_PAIR_ROWS(ROW)};
+    for (size_t k = 0; k < sizeof values / sizeof *values; k++)
+      number(out, values[k]);
     fputc('\n', out);
   }
 }
+#undef ROW
 
 static void write_bodies(FILE *out, const struct nb_saved *saved) {
   static const char *const shapes[] = {[NB_DISC] = "disc", [NB_SPHERE] = "sphere"};
