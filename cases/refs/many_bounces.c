@@ -38,5 +38,9 @@ const struct nb_reference reference_many_bounces = {
     .name = "many_bounces",
     .title = "the heights of a hard sphere's bounces",
     .source = "[MFiX DEM-02]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_CONTACT_DAMPING, HAS_UNTIL},
+    .needs = {HAS_WALLS, HAS_GRAVITY},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };
