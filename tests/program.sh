@@ -279,6 +279,11 @@ run 2 run "$pages/passes.md" -o file
 said 'cannot make the folder file'
 verdict 'a folder that cannot be made'
 
+sed 's/^stage .*/&\n  rotation off/' "$pages/../../cases/chung-ooi-6.md" >held.md
+run 2 check held.md
+said 'held.md: error: the reference `rebound` does not cover `rotation off` (line 35)'
+verdict 'what a reference does not cover is refused, with its line'
+
 run 0 run "$pages/same-bits.md" -o kept
 cp -r kept before
 (

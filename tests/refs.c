@@ -20,9 +20,9 @@ static void what_cannot_be_judged_is_refused(void) {
   known_free(&known);
   refs_nine_discs(&it, kn, 2, 40, 400);
   it.stages[1].step.value = 0.05;
-  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "step"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "step in a stage"));
   refs_nine_discs(&it, kn, 2, 40, 400);
-  it.stages[0].step.value = it.stages[1].step.value = 0.3; /* the fastest mode's limit is 0.267 */
+  it.scene.step.value = it.stages[0].step.value = it.stages[1].step.value = 0.3; /* the fastest mode's limit is 0.267 */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "too long"));
   refs_nine_discs(&it, kn, 2, 40, 400);
   for (size_t i = 0; i < 4; i++)

@@ -98,7 +98,7 @@ struct nb_known refs_known(const char *name, const struct refs_scene *it) {
   struct nb_error error = {0};
   const struct nb_reference *reference = nb_reference_find(name);
   CU_ASSERT_PTR_NOT_NULL_FATAL(reference);
-  enum nb_status status = reference->know(&known, &it->scene, &error);
+  enum nb_status status = nb_reference_ask(reference, &known, &it->scene, &error);
   if (status != NB_OK)
     printf("# %s: %s\n", name, error.text);
   CU_ASSERT_EQUAL(status, NB_OK);
@@ -118,7 +118,7 @@ struct nb_error refs_refused(const char *name, const struct refs_scene *it) {
   struct nb_error error = {0};
   const struct nb_reference *reference = nb_reference_find(name);
   CU_ASSERT_PTR_NOT_NULL_FATAL(reference);
-  CU_ASSERT_EQUAL(reference->know(&known, &it->scene, &error), NB_BAD_USE);
+  CU_ASSERT_EQUAL(nb_reference_ask(reference, &known, &it->scene, &error), NB_BAD_USE);
   CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
   known_free(&known);
   return error;

@@ -166,5 +166,10 @@ const struct nb_reference reference_boxed_lattice = {
     .name = "boxed_lattice",
     .title = "a square lattice of discs between four walls at rest: springs in rows and columns",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_BOX_STRAIN, HAS_SERVO, HAS_RAMP, HAS_STILL, HAS_STEP_CHANGE, HAS_DAMPING_CHANGE,
+                HAS_ALL_DAMPING},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

@@ -107,5 +107,9 @@ const struct nb_reference reference_carried = {
     .name = "carried",
     .title = "bodies that meet nothing, carried along with a strain rate: the recurrence solved",
     .source = "[R89 4.41, 4.43]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL, HAS_CONTINUUM_LITERAL},
+    .needs = {HAS_CONTINUUM},
+    .normal = NB_ANY_LAW,
+    .shear = "none",
     .know = know,
 };

@@ -45,5 +45,9 @@ const struct nb_reference reference_centripetal = {
     .name = "centripetal",
     .title = "bodies drawn together by a pull towards a point: their weight, ring upon ring",
     .source = "[R89 6.4.2]",
+    .accepts = {HAS_SPHERES, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_GRAVITY_CHANGE, HAS_UNTIL},
+    .needs = {HAS_CENTRIPETAL_GRAVITY},
+    .normal = NB_ANY_LAW,
+    .shear = "none",
     .know = know,
 };

@@ -239,5 +239,9 @@ const struct nb_reference reference_chain = {
     .title =
         "equal bodies in a row between two walls: normal modes in closed form, in the steps of the calculation cycle",
     .source = "[CS79 22, 22a]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

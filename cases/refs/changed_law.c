@@ -152,5 +152,9 @@ const struct nb_reference reference_changed_law = {
     .name = "changed_law",
     .title = "a contact of constant overlap that is sheared under one law after the other, in closed form",
     .source = "[CS79 17] [R89 3.13, 3.25, 3.27]",
+    .accepts = {HAS_SPHERES, HAS_MOVING_WALLS, HAS_FRICTION, HAS_PIECES, HAS_LAW_CHANGE, HAS_STEP_CHANGE},
+    .needs = {HAS_WALLS},
+    .normal = "linear hertz hertz_increment",
+    .shear = "none linear mindlin mindlin_deresiewicz",
     .know = know,
 };

@@ -93,5 +93,9 @@ const struct nb_reference reference_cohesion = {
     .name = "cohesion",
     .title = "a body dragged by two plates: it slips at F_n tan(phi) + c",
     .source = "[CS79 19]",
+    .accepts = {HAS_DISCS, HAS_MOVING_WALLS, HAS_FRICTION, HAS_COHESION, HAS_CONTACT_DAMPING},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "linear",
     .know = know,
 };

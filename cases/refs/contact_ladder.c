@@ -205,5 +205,9 @@ const struct nb_reference reference_contact_ladder = {
     .name = "contact_ladder",
     .title = "shear laws along a path of slip at one normal force in closed form, and their errors in an impact",
     .source = "[R89 3.25, 3.40, 3.50]",
+    .accepts = {HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
+    .needs = {HAS_CONTACT_TEST},
+    .normal = "hertz",
+    .shear = "linear mindlin mindlin_scaled mindlin_deresiewicz randall randall_literal",
     .know = know,
 };

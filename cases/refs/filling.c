@@ -91,5 +91,8 @@ const struct nb_reference reference_filling = {
     .name = "filling",
     .title = "what was filled at random: counts, porosity, and the smallest gap of all pairs",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FRICTION},
+    .normal = NB_ANY_LAW,
+    .shear = NB_ANY_LAW,
     .know = know,
 };

@@ -77,5 +77,9 @@ const struct nb_reference reference_force_chain = {
     .name = "force_chain",
     .title = "a straight row of discs pressed between two walls: stress F L/A, fabric of one direction",
     .source = "[R89 4.48]",
+    .accepts = {HAS_DISCS},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

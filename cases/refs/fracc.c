@@ -60,5 +60,9 @@ const struct nb_reference reference_fracc = {
     .name = "fracc",
     .title = "FRACC of a disc that swings between two walls or circles amid four, by the cycle itself",
     .source = "[R89 4.35-4.40]",
+    .accepts = {HAS_DISCS, HAS_VELOCITIES},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

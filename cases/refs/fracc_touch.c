@@ -33,5 +33,8 @@ const struct nb_reference reference_fracc_touch = {
     .name = "fracc_touch",
     .title = "FRACC of a disc that is struck, from the first two forces",
     .source = "[R89 4.35-4.40]",
+    .accepts = {HAS_DISCS, HAS_VELOCITIES},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

@@ -130,5 +130,9 @@ const struct nb_reference reference_free_fall = {
     .name = "free_fall",
     .title = "fall, bounce on a spring and a dashpot, flight: piecewise closed form",
     .source = "[MFiX DEM-01]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_CONTACT_DAMPING, HAS_UNTIL},
+    .needs = {HAS_WALLS, HAS_GRAVITY},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

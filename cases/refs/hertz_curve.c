@@ -169,5 +169,8 @@ const struct nb_reference reference_hertz_curve = {
     .name = "hertz_curve",
     .title = "elastic spheres squeezed between two walls: Sneddon's integrals, and equilibrium",
     .source = "[R89 3.13, 5.2]",
+    .accepts = {HAS_SPHERES, HAS_WALLS, HAS_MOVING_WALLS, HAS_CONTACT_TEST, HAS_CONTACT_RATIO, HAS_RAMP},
+    .normal = "hertz",
+    .shear = "none",
     .know = know,
 };

@@ -108,5 +108,9 @@ const struct nb_reference reference_hertz_damped = {
     .name = "hertz_damped",
     .title = "Hertz's impact with a dashpot of constant share of critical damping: ODE by GSL at 1e-13",
     .source = "[R89 4.13, 5.6]",
+    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL,
+                HAS_CONTACT_RATIO, HAS_WALL_DAMPING},
+    .normal = "hertz",
+    .shear = "none",
     .know = know,
 };

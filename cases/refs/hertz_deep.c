@@ -57,5 +57,10 @@ const struct nb_reference reference_hertz_deep = {
     .name = "hertz_deep",
     .title = "Hertz's impact, damped critically where it is deep: ODE by GSL at 1e-13",
     .source = "[R89 4.13, 6.4.3]",
+    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL,
+                HAS_CONTACT_RATIO, HAS_WALL_DAMPING},
+    .needs = {HAS_DEEP_DAMPING},
+    .normal = "hertz",
+    .shear = "none",
     .know = know,
 };

@@ -49,5 +49,8 @@ const struct nb_reference reference_hertz_increment = {
     .name = "hertz_increment",
     .title = "what R89's increments of Hertz's force lose in an impact, to first order in the step",
     .source = "[R89 4.11-4.14]",
+    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
+    .normal = "hertz_increment",
+    .shear = "none",
     .know = know,
 };

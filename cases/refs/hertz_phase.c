@@ -25,5 +25,8 @@ const struct nb_reference reference_hertz_phase = {
     .name = "hertz_phase",
     .title = "Hertz's impact in steps: rebound and duration to the lowest order in the step, any phase of first touch",
     .source = "[R89 5.6]",
+    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
+    .normal = "hertz",
+    .shear = "none",
     .know = know,
 };

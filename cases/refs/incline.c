@@ -122,5 +122,9 @@ const struct nb_reference reference_incline = {
     .name = "incline",
     .title = "a body on a plane that is tilted: rolling, or sliding and turning",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FRICTION, HAS_GRAVITY, HAS_CONTACT_DAMPING, HAS_GRAVITY_CHANGE, HAS_RAMP},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "linear",
     .know = know,
 };

@@ -95,3 +95,9 @@ const struct nb_reference *nb_reference_find(const char *name) {
       return *reference;
   return NULL;
 }
+
+enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_known *known,
+                                const struct nb_scene *scene, struct nb_error *error) {
+  const enum nb_status status = nb_reference_covers(reference, scene, error);
+  return status ? status : reference->know(known, scene, error);
+}

@@ -131,5 +131,9 @@ const struct nb_reference reference_lattice_moduli = {
     .name = "lattice_moduli",
     .title = "square and hexagonal lattices in a periodic cell: stress from their elastic moduli in closed form",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FRICTION, HAS_CELL_STRAIN},
+    .needs = {HAS_CELL},
+    .normal = "linear hertz",
+    .shear = "none linear",
     .know = know,
 };

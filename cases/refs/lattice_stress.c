@@ -110,5 +110,8 @@ const struct nb_reference reference_lattice_stress = {
     .name = "lattice_stress",
     .title = "stress, fabric and porosity of a strained lattice without end, in closed form",
     .source = "[R89 4.45-4.53]",
+    .accepts = {HAS_DISCS},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

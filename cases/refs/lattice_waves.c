@@ -205,5 +205,9 @@ const struct nb_reference reference_lattice_waves = {
     .name = "lattice_waves",
     .title = "standing waves in square and hexagonal lattices: eigenvalues of the dynamical matrix",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_FRICTION, HAS_ROTATION_OFF},
+    .needs = {HAS_CELL},
+    .normal = "linear",
+    .shear = "linear",
     .know = know,
 };

@@ -46,5 +46,10 @@ const struct nb_reference reference_literal_field = {
     .name = "literal_field",
     .title = "an assembly at rest in the field of a continuum that is stored back",
     .source = "[R89 4.43]",
+    .accepts = {HAS_SPHERES, HAS_FRICTION, HAS_CONTACT_DAMPING, HAS_BOUNDARY, HAS_BOUNDARY_STRAIN, HAS_CONTINUUM,
+                HAS_START, HAS_STILL, HAS_UNTIL, HAS_STEP_CHANGE, HAS_MATERIAL_CHANGE},
+    .needs = {HAS_CONTINUUM_LITERAL},
+    .normal = "hertz",
+    .shear = "mindlin",
     .know = know,
 };

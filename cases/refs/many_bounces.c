@@ -63,5 +63,9 @@ const struct nb_reference reference_many_bounces = {
     .name = "many_bounces",
     .title = "the heights of bounces on a spring and a dashpot, under weight",
     .source = "[MFiX DEM-02]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_CONTACT_DAMPING, HAS_UNTIL},
+    .needs = {HAS_WALLS, HAS_GRAVITY},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

@@ -224,5 +224,8 @@ const struct nb_reference reference_measures = {
     .name = "measures",
     .title = "stress, fabric, coordination and porosity of regions at time 0, by their definitions, pair by pair",
     .source = "[R89 4.45-4.54]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

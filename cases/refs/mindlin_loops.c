@@ -203,5 +203,9 @@ const struct nb_reference reference_mindlin_loops = {
     .name = "mindlin_loops",
     .title = "loops of two elastic spheres under a constant normal force, any number of reversals, in closed form",
     .source = "[R89 3.24, 3.25, 3.40, 3.50]",
+    .accepts = {HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
+    .needs = {HAS_CONTACT_TEST},
+    .normal = "hertz",
+    .shear = "mindlin mindlin_scaled mindlin_deresiewicz randall",
     .know = know,
 };

@@ -47,5 +47,10 @@ const struct nb_reference reference_momentum = {
     .name = "momentum",
     .title = "free bodies keep their momentum; without shear forces their angular momentum too",
     .source = "[CS79 20-23]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_CELL, HAS_CELL_STRAIN, HAS_FRICTION,
+                HAS_COHESION, HAS_PIECES, HAS_CONTACT_BETA, HAS_CONTACT_FRACTION, HAS_CONTACT_RATIO, HAS_DEEP_DAMPING,
+                HAS_UNTIL, HAS_STEP_CHANGE, HAS_DAMPING_CHANGE, HAS_MATERIAL_CHANGE},
+    .normal = NB_ANY_LAW,
+    .shear = NB_ANY_LAW,
     .know = know,
 };

@@ -89,5 +89,10 @@ const struct nb_reference reference_nine_discs = {
     .name = "nine_discs",
     .title = "touching discs between walls, undamped: sum over the normal modes, in the steps of the calculation cycle",
     .source = "[CS79 22, 22a, figures 6, 7]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
+                HAS_COHESION, HAS_START},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

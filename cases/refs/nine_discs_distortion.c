@@ -123,5 +123,10 @@ const struct nb_reference reference_nine_discs_distortion = {
     .name = "nine_discs_distortion",
     .title = "touching discs between walls that close in and turn slowly: the network followed along its path",
     .source = "[CS79 16-19]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
+                HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_STEP_CHANGE, HAS_UNTIL},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

@@ -20,5 +20,10 @@ const struct nb_reference reference_nine_discs_slip = {
     .name = "nine_discs_slip",
     .title = "touching discs between walls, slowly loaded with friction: the network solved with sliding contacts",
     .source = "[CS79 16, 17, 19]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
+                HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_STEP_CHANGE, HAS_UNTIL},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

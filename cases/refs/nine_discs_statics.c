@@ -29,5 +29,10 @@ const struct nb_reference reference_nine_discs_statics = {
     .name = "nine_discs_statics",
     .title = "touching discs between walls, at rest without slip: the linear network solved",
     .source = "[CS79 16, 17, figures 5, 6]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
+                HAS_COHESION, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_STEP_CHANGE, HAS_UNTIL},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

@@ -214,5 +214,10 @@ const struct nb_reference reference_oblique_impact = {
     .name = "oblique_impact",
     .title = "an oblique impact: exact contact as independent springs, simplified laws as differential equations",
     .source = "[R89 5.5, 5.6, 5.9, 5.12, 5.14, 5.15]",
+    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS, HAS_FRICTION,
+                HAS_PIECES, HAS_UNTIL},
+    .needs = {HAS_IMPACT},
+    .normal = "hertz",
+    .shear = "none linear mindlin mindlin_scaled mindlin_deresiewicz randall",
     .know = know,
 };

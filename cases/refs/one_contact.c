@@ -242,5 +242,9 @@ const struct nb_reference reference_one_contact = {
     .name = "one_contact",
     .title = "one contact that does not slide: the equations of motion in continuous time, by GSL at 1e-13",
     .source = "[CS79 8-23, 26-28] [R89 4.13]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
+                HAS_FRICTION, HAS_COHESION, HAS_CONTACT_BETA, HAS_CONTACT_RATIO, HAS_WALL_DAMPING},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

@@ -107,5 +107,8 @@ const struct nb_reference reference_packing = {
     .name = "packing",
     .title = "bodies from a file: where the file has them, and pressed as they were when it was written",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

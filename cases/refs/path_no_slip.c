@@ -106,5 +106,9 @@ const struct nb_reference reference_path_no_slip = {
     .name = "path_no_slip",
     .title = "simplified shear laws along a path as equations, and the exact one by springs",
     .source = "[R89 3.27]",
+    .accepts = {HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
+    .needs = {HAS_CONTACT_TEST},
+    .normal = "hertz",
+    .shear = "linear mindlin mindlin_scaled mindlin_deresiewicz",
     .know = know,
 };

@@ -196,5 +196,9 @@ const struct nb_reference reference_path_randall = {
     .name = "path_randall",
     .title = "R89's law in the limit of small steps, where approach and slip move by turns",
     .source = "[R89 3.70-3.98, 4.20-4.24]",
+    .accepts = {HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
+    .needs = {HAS_CONTACT_TEST},
+    .normal = "hertz",
+    .shear = "randall randall_literal",
     .know = know,
 };

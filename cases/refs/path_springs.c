@@ -155,5 +155,9 @@ const struct nb_reference reference_path_springs = {
     .name = "path_springs",
     .title = "any path of two elastic spheres: springs side by side, each with its own friction",
     .source = "Popov and Hess",
+    .accepts = {HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
+    .needs = {HAS_CONTACT_TEST},
+    .normal = "hertz",
+    .shear = "mindlin_deresiewicz",
     .know = know,
 };

@@ -101,5 +101,9 @@ const struct nb_reference reference_pinched = {
     .name = "pinched",
     .title = "a sphere pinched between two that come towards each other, Hertz: its equation of motion",
     .source = "[R89 6.4.2]",
+    .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
+    .needs = {HAS_FIXED_BODIES},
+    .normal = "hertz",
+    .shear = "none",
     .know = know,
 };

@@ -66,5 +66,8 @@ const struct nb_reference reference_rayleigh_cycle = {
     .name = "rayleigh_cycle",
     .title = "two spheres that meet head-on, by the calculation cycle with R89's step",
     .source = "[CS79 22, 22a] [R89 3.13, 4.33, 4.34]",
+    .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
+    .normal = "hertz",
+    .shear = "none",
     .know = know,
 };

@@ -107,5 +107,8 @@ const struct nb_reference reference_rayleigh_step = {
     .name = "rayleigh_step",
     .title = "R89's step, the wave's speed from the cubic; two like spheres that meet head-on",
     .source = "[R89 4.29-4.34]",
+    .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
+    .normal = "hertz",
+    .shear = "none",
     .know = know,
 };

@@ -165,5 +165,10 @@ const struct nb_reference reference_rebound = {
     .name = "rebound",
     .title = "velocities and spins after an impact: impulses in gross sliding, else the exact contact as springs",
     .source = "[R89 5.14, 5.15]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
+                HAS_PIECES, HAS_CONTACT_RATIO, HAS_UNTIL},
+    .needs = {HAS_IMPACT, HAS_FRICTION},
+    .normal = "linear hertz",
+    .shear = "linear mindlin mindlin_scaled mindlin_deresiewicz randall randall_literal",
     .know = know,
 };

@@ -9,6 +9,7 @@
 #ifndef NB_REFERENCE_H
 #define NB_REFERENCE_H
 
+#include "coverage.h"
 #include "matter.h"
 #include "nineball.h"
 
@@ -41,14 +42,23 @@ const double *known_find(const struct nb_known *known, const char *name); /* NUL
 const struct nb_known_curve *known_find_curve(const struct nb_known *known, const char *name, const char *along);
 void known_free(struct nb_known *known);
 
+#define NB_ANY_LAW "*"
+
 struct nb_reference {
   const char *name;   /* the word after `reference`, and the name of the file */
   const char *title;  /* one line: what it computes and how */
   const char *source; /* equation tags: "[CS79 1-7]" */
-  /* NB_OK, or NB_BAD_USE with an error in words when the scene is none this reference can judge. */
+  /* What its theory covers, and what it cannot do without; a list ends with HAS_NOTHING, as all that is left unsaid is. */
+  enum nb_feature accepts[NB_FEATURES], needs[4];
+  const char *normal, *shear; /* names of laws, separated by blanks, or NB_ANY_LAW */
+  /* NB_OK, or NB_BAD_USE with an error in words when the numbers of the scene are none this reference can judge. It is asked
+   * about scenes that it covers alone. */
   enum nb_status (*know)(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error);
 };
 
+/* What the reference knows of the scene, after comparing what it covers with what the scene has. known_free it in any case. */
+enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_known *known,
+                                const struct nb_scene *scene, struct nb_error *error);
 const struct nb_reference *nb_reference_find(const char *name); /* NULL: there is none of that name */
 const struct nb_reference *const *nb_references(void);          /* NULL-terminated */
 

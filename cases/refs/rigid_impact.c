@@ -41,5 +41,9 @@ const struct nb_reference reference_rigid_impact = {
     .name = "rigid_impact",
     .title = "an oblique impact of rigid bodies: it slides throughout, or sticks for good",
     .source = "[R89 5.3.2]",
+    .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
+    .needs = {HAS_IMPACT, HAS_WALLS, HAS_FRICTION},
+    .normal = "hertz",
+    .shear = "mindlin_deresiewicz",
     .know = know,
 };

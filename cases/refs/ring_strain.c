@@ -166,5 +166,10 @@ const struct nb_reference reference_ring_strain = {
     .title = "bodies that a strain rate carries along, with velocities of their own, and R89's literal reading, in "
              "closed form",
     .source = "[R89 4.41-4.44]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL,
+                HAS_BOUNDARY_STRAIN, HAS_CONTINUUM_LITERAL},
+    .needs = {HAS_BOUNDARY, HAS_CONTINUUM},
+    .normal = NB_ANY_LAW,
+    .shear = "none",
     .know = know,
 };

@@ -96,5 +96,10 @@ const struct nb_reference reference_rotation_off = {
     .name = "rotation_off",
     .title = "a body that slides, while it may turn and while it may not: Coulomb's friction of rigid bodies",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_FRICTION, HAS_CONTACT_DAMPING, HAS_ROTATION_OFF,
+                HAS_UNTIL, HAS_DAMPING_CHANGE, HAS_MATERIAL_CHANGE},
+    .needs = {HAS_WALLS, HAS_GRAVITY},
+    .normal = "linear",
+    .shear = "linear",
     .know = know,
 };

@@ -156,5 +156,9 @@ const struct nb_reference reference_servo_lattice = {
     .name = "servo_lattice",
     .title = "a square lattice in a cell that is servoed: what is off in closed form",
     .source = "[R89 4.1]",
+    .accepts = {HAS_DISCS, HAS_FRICTION, HAS_CELL_STRAIN, HAS_SERVO, HAS_RAMP},
+    .needs = {HAS_CELL},
+    .normal = "linear",
+    .shear = "linear",
     .know = know,
 };

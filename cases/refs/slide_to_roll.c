@@ -138,5 +138,9 @@ const struct nb_reference reference_slide_to_roll = {
     .name = "slide_to_roll",
     .title = "a body that slides until it rolls: friction, spring and dashpot in closed form",
     .source = "[MFiX DEM-04]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_FRICTION, HAS_COHESION, HAS_CONTACT_DAMPING, HAS_UNTIL},
+    .needs = {HAS_WALLS, HAS_GRAVITY},
+    .normal = "linear",
+    .shear = "linear",
     .know = know,
 };

@@ -60,5 +60,9 @@ const struct nb_reference reference_speed_of_loading = {
     .name = "speed_of_loading",
     .title = "how far from equilibrium evenly loaded discs are: in proportion to the speed",
     .source = "[CS79, Speed of loading]",
+    .accepts = {HAS_DISCS, HAS_MOVING_WALLS},
+    .needs = {HAS_WALLS, HAS_GLOBAL_DAMPING},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

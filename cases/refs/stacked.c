@@ -139,5 +139,9 @@ const struct nb_reference reference_stacked = {
     .name = "stacked",
     .title = "two spheres squeezed between floor and ceiling: coupled oscillators by GSL at 1e-13",
     .source = "[MFiX DEM-03]",
+    .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_GRAVITY, HAS_CONTACT_RATIO},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

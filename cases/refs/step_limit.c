@@ -38,5 +38,9 @@ const struct nb_reference reference_step_limit = {
     .name = "step_limit",
     .title = "the longest step that touching bodies stand: eigenvalues of the calculation cycle",
     .source = "[CS79 20-23a, 26-28]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_WALLS, HAS_MOVING_WALLS, HAS_FRICTION,
+                HAS_CONTACT_DAMPING, HAS_GLOBAL_DAMPING, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

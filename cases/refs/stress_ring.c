@@ -117,5 +117,9 @@ const struct nb_reference reference_stress_ring = {
     .name = "stress_ring",
     .title = "six elastic spheres around a seventh at rest under a stress on them, from equilibrium",
     .source = "[R89 4.7, 5.5]",
+    .accepts = {HAS_SPHERES, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_UNTIL},
+    .needs = {HAS_BOUNDARY, HAS_BOUNDARY_STRESS},
+    .normal = "hertz",
+    .shear = "none",
     .know = know,
 };

@@ -137,5 +137,9 @@ const struct nb_reference reference_taken_out = {
     .name = "taken_out",
     .title = "bodies taken out of a row at rest: energy from the springs, neighbours on their walls' springs",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS},
+    .needs = {HAS_REMOVE},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

@@ -55,5 +55,10 @@ const struct nb_reference reference_time_reversal = {
     .name = "time_reversal",
     .title = "forward, turned round and back: the scene as it began, with opposite velocities",
     .source = "-",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS, HAS_TURNING_WALLS,
+                HAS_GRAVITY},
+    .needs = {HAS_REVERSE},
+    .normal = "linear hertz",
+    .shear = "none",
     .know = know,
 };

@@ -129,5 +129,9 @@ const struct nb_reference reference_turning_wall = {
     .name = "turning_wall",
     .title = "a body that rolls along a turning wall: its motion in the frame of the wall",
     .source = "[CS79 figure 4]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_CONTACT_DAMPING, HAS_DAMPING_CHANGE},
+    .needs = {HAS_WALLS, HAS_TURNING_WALLS, HAS_FRICTION},
+    .normal = "linear",
+    .shear = "linear",
     .know = know,
 };

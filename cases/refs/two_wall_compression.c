@@ -189,5 +189,10 @@ const struct nb_reference reference_two_wall_compression = {
     .name = "two_wall_compression",
     .title = "two discs between two walls that close in: the first cycles by hand, in whole numbers",
     .source = "[CS79 1-7]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_MOVING_WALLS, HAS_FRICTION, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE,
+                HAS_STEP_CHANGE},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

@@ -40,5 +40,10 @@ const struct nb_reference reference_two_wall_statics = {
     .name = "two_wall_statics",
     .title = "two discs between two walls, at rest: three springs in series",
     .source = "[CS79 figure 1, 16]",
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_MOVING_WALLS, HAS_FRICTION, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE,
+                HAS_STEP_CHANGE, HAS_UNTIL},
+    .needs = {HAS_WALLS},
+    .normal = "linear",
+    .shear = "none linear",
     .know = know,
 };

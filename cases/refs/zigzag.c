@@ -72,5 +72,9 @@ const struct nb_reference reference_zigzag = {
     .name = "zigzag",
     .title = "force chains of a zigzag between two walls, from the balance of each disc",
     .source = "-",
+    .accepts = {HAS_DISCS},
+    .needs = {HAS_WALLS, HAS_FIXED_BODIES},
+    .normal = "linear",
+    .shear = "none",
     .know = know,
 };

@@ -91,7 +91,7 @@ static void note(void *data, const char *words) {
 static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
   run->status = NB_OK;
   if (run->expectations.reference)
-    run->status = run->expectations.reference->know(&run->known, &run->scene, &run->error);
+    run->status = nb_reference_ask(run->expectations.reference, &run->known, &run->scene, &run->error);
   if (!run->status)
     run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
 }

@@ -1,0 +1,253 @@
+/* Which features a scene has, and whether a reference covers them: the one place where the two are compared.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "coverage.h"
+
+#include <string.h>
+
+#include "reference.h"
+
+static const char *const names[NB_FEATURES] = {
+    [HAS_NOTHING] = "",
+    [HAS_DISCS] = "disc",
+    [HAS_SPHERES] = "sphere",
+    [HAS_FIXED_BODIES] = "fixed",
+    [HAS_VELOCITIES] = "velocity",
+    [HAS_SPINS] = "spin",
+    [HAS_IMPACT] = "impact",
+    [HAS_WALLS] = "wall",
+    [HAS_MOVING_WALLS] = "wall velocity",
+    [HAS_TURNING_WALLS] = "wall spin",
+    [HAS_CELL] = "cell",
+    [HAS_CONTACT_TEST] = "contact",
+    [HAS_FRICTION] = "friction",
+    [HAS_COHESION] = "cohesion",
+    [HAS_PIECES] = "pieces",
+    [HAS_GRAVITY] = "gravity",
+    [HAS_CENTRIPETAL_GRAVITY] = "gravity centripetal",
+    [HAS_CONTACT_BETA] = "damping contact-beta",
+    [HAS_CONTACT_FRACTION] = "damping contact-fraction",
+    [HAS_CONTACT_RATIO] = "damping contact-ratio",
+    [HAS_WALL_DAMPING] = "damping walls",
+    [HAS_DEEP_DAMPING] = "damping critical above",
+    [HAS_GLOBAL_DAMPING] = "damping global",
+    [HAS_CON1_CS79] = "damping con1 reading cs79",
+    [HAS_CON1_VELOCITY] = "damping con1 reading velocity",
+    [HAS_CON1_ALL] = "damping con1 reading all",
+    [HAS_BOUNDARY] = "boundary circle",
+    [HAS_BOUNDARY_STRAIN] = "boundary strain",
+    [HAS_BOUNDARY_STRESS] = "boundary stress",
+    [HAS_BOUNDARY_NONE] = "boundary none",
+    [HAS_CONTINUUM] = "continuum strain",
+    [HAS_CONTINUUM_LITERAL] = "continuum strain literal",
+    [HAS_CELL_STRAIN] = "cell strain",
+    [HAS_BOX_STRAIN] = "box strain",
+    [HAS_SERVO] = "servo",
+    [HAS_START] = "start",
+    [HAS_ROTATION_OFF] = "rotation off",
+    [HAS_STILL] = "still",
+    [HAS_REVERSE] = "reverse",
+    [HAS_REMOVE] = "remove",
+    [HAS_UNTIL] = "until",
+    [HAS_RAMP] = "ramp",
+    [HAS_STEP_CHANGE] = "step in a stage",
+    [HAS_DAMPING_CHANGE] = "damping in a stage",
+    [HAS_LAW_CHANGE] = "normal or shear in a stage",
+    [HAS_GRAVITY_CHANGE] = "gravity in a stage",
+    [HAS_MATERIAL_CHANGE] = "material or pair in a stage",
+};
+
+const char *nb_feature_name(enum nb_feature feature) { return names[feature]; }
+
+/* Notes the first line that asks for it. */
+static void note(int lines[], enum nb_feature feature, bool has, int line) {
+  if (has && lines[feature] < 0)
+    lines[feature] = line;
+}
+
+static bool has_law(const char *law) { return law[0] && strcmp(law, "none") != 0; }
+
+static void note_bodies(int lines[], const struct nb_scene *scene) {
+  for (size_t k = 0; k < scene->body_count; k++) {
+    const struct nb_body *it = &scene->bodies[k];
+    note(lines, it->shape == NB_DISC ? HAS_DISCS : HAS_SPHERES, true, it->line);
+    note(lines, HAS_FIXED_BODIES, it->fixed, it->line);
+    note(lines, HAS_VELOCITIES, it->vx != 0 || it->vy != 0, it->line);
+    note(lines, HAS_SPINS, it->spin != 0, it->line);
+  }
+  for (size_t w = 0; w < scene->wall_count; w++) {
+    const struct nb_wall *it = &scene->walls[w];
+    note(lines, HAS_WALLS, true, it->line);
+    note(lines, HAS_MOVING_WALLS, it->vx != 0 || it->vy != 0, it->line);
+    note(lines, HAS_TURNING_WALLS, it->spin != 0, it->line);
+  }
+  note(lines, HAS_IMPACT, scene->impact.line, scene->impact.line);
+  note(lines, HAS_CELL, scene->cell.line, scene->cell.line);
+  note(lines, HAS_CONTACT_TEST, scene->path, scene->stage_count ? scene->stages[0].line : 0);
+  note(lines, HAS_START, scene->start.stages > 0, scene->start.line);
+}
+
+/* Of the pairs that may touch: a body's material with that of another body, or of a wall. */
+static void note_friction(int lines[], const struct nb_scene *scene) {
+  for (size_t a = 0; a < scene->material_count; a++)
+    for (size_t b = 0; b < scene->material_count; b++) {
+      bool first = false, second = false;
+      for (size_t k = 0; k < scene->body_count; k++)
+        first = first || scene->bodies[k].material == (int)a, second = second || scene->bodies[k].material == (int)b;
+      for (size_t w = 0; w < scene->wall_count; w++)
+        second = second || scene->walls[w].material == (int)b;
+      const struct matter_pair pair = matter_pair(scene, (int)a, (int)b);
+      note(lines, HAS_FRICTION, first && second && pair.friction > 0, scene->materials[a].line);
+      note(lines, HAS_COHESION, first && second && pair.cohesion > 0, scene->materials[a].line);
+    }
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].change_count; k++) {
+      const struct nb_change *it = &scene->stages[s].changes[k];
+      note(lines, HAS_FRICTION, it->friction > 0, it->line);
+      note(lines, HAS_COHESION, it->cohesion > 0, it->line);
+    }
+}
+
+static void note_contact_damping(int lines[], enum nb_contact_damping kind, double value, int line) {
+  note(lines, HAS_CONTACT_BETA, kind == NB_CONTACT_BETA && value != 0, line);
+  note(lines, HAS_CONTACT_FRACTION, kind == NB_CONTACT_FRACTION && value != 0, line);
+  note(lines, HAS_CONTACT_RATIO, kind == NB_CONTACT_RATIO && value != 0, line);
+}
+
+static void note_damping(int lines[], const struct nb_damping *it) {
+  note_contact_damping(lines, it->contact_kind, it->contact, it->contact_line);
+  note_contact_damping(lines, it->walls_apart ? it->walls_kind : NB_CONTACT_UNDAMPED, it->walls, it->walls_line);
+  note(lines, HAS_WALL_DAMPING, it->walls_apart, it->walls_line);
+  note(lines, HAS_DEEP_DAMPING, it->deep > 0, it->deep_line);
+  note(lines, HAS_GLOBAL_DAMPING, it->global_kind == NB_GLOBAL_ALPHA && it->global != 0, it->global_line);
+  note(lines, HAS_CON1_CS79, it->global_kind == NB_GLOBAL_CON1_CS79, it->global_line);
+  note(lines, HAS_CON1_VELOCITY, it->global_kind == NB_GLOBAL_CON1_VELOCITY, it->global_line);
+  note(lines, HAS_CON1_ALL, it->global_kind == NB_GLOBAL_CON1_ALL, it->global_line);
+}
+
+static void note_gravity(int lines[], const struct nb_gravity *it) {
+  note(lines, HAS_GRAVITY, it->x != 0 || it->y != 0, it->line);
+  note(lines, HAS_CENTRIPETAL_GRAVITY, it->inward != 0, it->line);
+  note(lines, HAS_RAMP, it->ramp, it->line);
+}
+
+static bool strains(const struct nb_strain_rate *it) {
+  return it->xx != 0 || it->xy != 0 || it->yx != 0 || it->yy != 0;
+}
+
+static void note_loading(int lines[], const struct nb_stage *it) {
+  const int boundary = it->boundary.line;
+  note(lines, HAS_BOUNDARY, it->circle.line, it->circle.line);
+  note(lines, HAS_BOUNDARY_STRAIN, boundary && it->boundary.control == NB_CONTROL_STRAIN, boundary);
+  note(lines, HAS_BOUNDARY_STRESS, boundary && it->boundary.control == NB_CONTROL_STRESS, boundary);
+  note(lines, HAS_BOUNDARY_NONE, boundary && it->boundary.control == NB_CONTROL_NONE, boundary);
+  note(lines, HAS_CONTINUUM, it->continuum.line && strains(&it->continuum.strain), it->continuum.line);
+  note(lines, HAS_CONTINUUM_LITERAL, it->continuum.line && it->continuum.literal, it->continuum.line);
+  note(lines, HAS_CELL_STRAIN, it->cell_line && strains(&it->cell), it->cell_line);
+  note(lines, HAS_BOX_STRAIN, it->box_line && strains(&it->box), it->box_line);
+  note(lines, HAS_SERVO, it->servo.line, it->servo.line);
+  note(lines, HAS_RAMP, it->servo.line && it->servo.ramp, it->servo.line);
+}
+
+static void note_changes(int lines[], const struct nb_scene *scene, const struct nb_stage *it) {
+  const struct nb_step *step = &it->step;
+  note(lines, HAS_ROTATION_OFF, it->rotation == NB_ROTATION_OFF, it->rotation_line);
+  note(lines, HAS_STILL, it->still, it->line);
+  note(lines, HAS_REVERSE, it->reverse, it->line);
+  note(lines, HAS_UNTIL, it->condition_count > 0, it->condition_count ? it->conditions[0].line : 0);
+  note(lines, HAS_REMOVE, it->removal_count > 0, it->removal_count ? it->removals[0].line : 0);
+  note(lines, HAS_STEP_CHANGE, step->kind != scene->step.kind || step->value != scene->step.value, step->line);
+  note(lines, HAS_DAMPING_CHANGE, !nb_damping_alike(&it->damping, &scene->damping), it->line);
+  note(lines, HAS_GRAVITY_CHANGE, it->gravity.line, it->gravity.line);
+  note(lines, HAS_MATERIAL_CHANGE, it->change_count > 0, it->change_count ? it->changes[0].line : 0);
+  note(lines, HAS_LAW_CHANGE, it->laws.normal[0], it->laws.normal_line);
+  note(lines, HAS_LAW_CHANGE, it->laws.shear[0], it->laws.shear_line);
+  note(lines, HAS_PIECES, it->laws.pieces, it->laws.shear_line);
+  for (size_t k = 0; k < it->change_count; k++)
+    note(lines, HAS_RAMP, it->changes[k].ramp, it->changes[k].line);
+  for (size_t k = 0; k < it->motion_count; k++) {
+    const struct nb_wall_motion *motion = &it->motions[k];
+    note(lines, HAS_MOVING_WALLS, motion->vx != 0 || motion->vy != 0, motion->line);
+    note(lines, HAS_TURNING_WALLS, motion->spin != 0, motion->line);
+    note(lines, HAS_RAMP, motion->ramp, motion->line);
+  }
+}
+
+void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene) {
+  bool shears = has_law(scene->shear);
+  for (int f = 0; f < NB_FEATURES; f++)
+    lines[f] = -1;
+  note_bodies(lines, scene);
+  note_damping(lines, &scene->damping);
+  note_gravity(lines, &scene->gravity);
+  note(lines, HAS_BOUNDARY, scene->circle.line, scene->circle.line);
+  note(lines, HAS_PIECES, scene->pieces, scene->shear_line);
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    note_damping(lines, &stage->damping);
+    note_gravity(lines, &stage->gravity);
+    note_loading(lines, stage);
+    note_changes(lines, scene, stage);
+    shears = shears || has_law(stage->laws.shear);
+  }
+  if (shears)
+    note_friction(lines, scene);
+}
+
+static bool lists(const enum nb_feature list[], enum nb_feature feature) {
+  for (int k = 0; k < NB_FEATURES && list[k] != HAS_NOTHING; k++)
+    if (list[k] == feature)
+      return true;
+  return false;
+}
+
+/* Whether `laws`, names separated by blanks, has this one; an empty name is that of no law. */
+static bool lists_law(const char *laws, const char *law) {
+  const size_t length = strlen(law);
+  if (length == 0 || (laws && strcmp(laws, NB_ANY_LAW) == 0))
+    return true;
+  for (const char *at = laws; at && *at; at += strcspn(at, " "), at += strspn(at, " "))
+    if (strcspn(at, " ") == length && strncmp(at, law, length) == 0)
+      return true;
+  return false;
+}
+
+static enum nb_status refuse(const struct nb_reference *reference, const char *kind, const char *what, int line,
+                             struct nb_error *error) {
+  char where[32] = "";
+  if (line > 0)
+    snprintf(where, sizeof where, " (line %d)", line);
+  return nb_error_set(error, NB_BAD_USE, "the reference `%s` does not cover `%s%s`%s", reference->name, kind, what,
+                      where);
+}
+
+static enum nb_status covers_laws(const struct nb_reference *reference, const char *normal, int normal_line,
+                                  const char *shear, int shear_line, struct nb_error *error) {
+  if (!lists_law(reference->normal, normal))
+    return refuse(reference, "normal ", normal, normal_line, error);
+  if (!lists_law(reference->shear, shear))
+    return refuse(reference, "shear ", shear, shear_line, error);
+  return NB_OK;
+}
+
+enum nb_status nb_reference_covers(const struct nb_reference *reference, const struct nb_scene *scene,
+                                   struct nb_error *error) {
+  int lines[NB_FEATURES];
+  nb_features(lines, scene);
+  for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES; f++) {
+    const bool needed = lists(reference->needs, f);
+    if (lines[f] >= 0 && !needed && !lists(reference->accepts, f))
+      return refuse(reference, "", names[f], lines[f], error);
+    if (lines[f] < 0 && needed)
+      return nb_error_set(error, NB_BAD_USE, "the reference `%s` is for a scene with `%s`, and this one has none",
+                          reference->name, names[f]);
+  }
+  if (covers_laws(reference, scene->normal, scene->normal_line, scene->shear, scene->shear_line, error))
+    return error->status;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_laws *laws = &scene->stages[s].laws;
+    if (covers_laws(reference, laws->normal, laws->normal_line, laws->shear, laws->shear_line, error))
+      return error->status;
+  }
+  return NB_OK;
+}

@@ -1,0 +1,288 @@
+/* Every reference against every feature that a scene may have: what it does not list, it refuses, and says what and where.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <string.h>
+
+#include "refs_scenes.h"
+#include "suites.h"
+
+enum {
+  LINE = 12, /* of the page, that asks for the feature */
+  NEEDS = sizeof((struct nb_reference *)0)->needs / sizeof(enum nb_feature)
+};
+
+static bool lists(const enum nb_feature list[], size_t room, enum nb_feature feature) {
+  for (size_t k = 0; k < room && list[k] != HAS_NOTHING; k++)
+    if (list[k] == feature)
+      return true;
+  return false;
+}
+
+static bool covered(const struct nb_reference *it, enum nb_feature feature) {
+  return lists(it->accepts, NB_FEATURES, feature) || lists(it->needs, NEEDS, feature);
+}
+
+static void first_word(char to[NB_NAME_SIZE], const char *words, const char *any) {
+  if (strcmp(words, NB_ANY_LAW) == 0)
+    words = any;
+  snprintf(to, NB_NAME_SIZE, "%.*s", (int)strcspn(words, " "), words);
+}
+
+/* One body and two stages, of which the first has what the reference needs and the second what is added. */
+static void plain(struct refs_scene *it, const struct nb_reference *reference) {
+  memset(it, 0, sizeof *it);
+  first_word(it->scene.normal, reference->normal, "linear");
+  first_word(it->scene.shear, reference->shear, "none");
+  it->scene.materials = it->materials, it->scene.material_count = 1;
+  it->scene.bodies = it->bodies, it->scene.body_count = 1;
+  it->scene.walls = it->walls;
+  it->scene.stages = it->stages, it->scene.stage_count = 2;
+  it->bodies[0].radius = 1;
+  it->bodies[0].shape = covered(reference, HAS_SPHERES) ? NB_SPHERE : NB_DISC;
+}
+
+static void add_to_stage(struct nb_stage *stage, enum nb_feature feature);
+static void add_damping(struct nb_damping *it, enum nb_feature feature);
+
+static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
+  struct nb_scene *scene = &it->scene;
+  struct nb_body *body = &it->bodies[0];
+  switch (feature) {
+  case HAS_DISCS:
+  case HAS_SPHERES:
+    it->bodies[1] = *body, it->bodies[1].shape = feature == HAS_DISCS ? NB_DISC : NB_SPHERE, it->bodies[1].line = LINE;
+    scene->body_count = 2;
+    break;
+  case HAS_FIXED_BODIES:
+    body->fixed = 1, body->line = LINE;
+    break;
+  case HAS_VELOCITIES:
+    body->vy = -1, body->line = LINE;
+    break;
+  case HAS_SPINS:
+    body->spin = -1, body->line = LINE;
+    break;
+  case HAS_IMPACT:
+    scene->impact.line = LINE;
+    break;
+  case HAS_WALLS:
+    it->walls[0].line = LINE, scene->wall_count = 1;
+    break;
+  case HAS_CELL:
+    scene->cell.line = LINE;
+    break;
+  case HAS_CONTACT_TEST:
+    scene->path = true, it->stages[0].line = LINE; /* of its first segment */
+    break;
+  case HAS_FRICTION:
+  case HAS_COHESION:
+    *(feature == HAS_FRICTION ? &it->materials[0].friction : &it->materials[0].cohesion) = 1;
+    it->materials[0].line = LINE;
+    if (strcmp(scene->shear, "none") == 0)
+      strcpy(scene->shear, "linear");
+    it->bodies[1] = *body, scene->body_count = 2;
+    break;
+  case HAS_PIECES:
+    scene->pieces = 1, scene->shear_line = LINE;
+    break;
+  case HAS_GRAVITY:
+    scene->gravity.y = -1, scene->gravity.line = LINE;
+    break;
+  case HAS_CENTRIPETAL_GRAVITY:
+    scene->gravity.inward = 1, scene->gravity.line = LINE;
+    break;
+  case HAS_BOUNDARY:
+    scene->circle.line = LINE;
+    break;
+  case HAS_START:
+    scene->start.stages = 1, scene->start.line = LINE;
+    break;
+  case HAS_CONTACT_BETA:
+  case HAS_CONTACT_FRACTION:
+  case HAS_CONTACT_RATIO:
+  case HAS_WALL_DAMPING:
+  case HAS_DEEP_DAMPING:
+  case HAS_GLOBAL_DAMPING:
+  case HAS_CON1_CS79:
+  case HAS_CON1_VELOCITY:
+  case HAS_CON1_ALL: /* in all stages, so that none changes it; but not in the place of what is needed */
+    if (scene->damping.global_kind && feature > HAS_GLOBAL_DAMPING) {
+      add_damping(&it->stages[stage].damping, feature);
+      break;
+    }
+    add_damping(&scene->damping, feature);
+    it->stages[0].damping = it->stages[1].damping = scene->damping;
+    break;
+  default:
+    it->stages[stage].motions = it->motions + stage;
+    add_to_stage(&it->stages[stage], feature);
+  }
+}
+
+static void add_damping(struct nb_damping *it, enum nb_feature feature) {
+  static const enum nb_contact_damping contact[] = {NB_CONTACT_BETA, NB_CONTACT_FRACTION, NB_CONTACT_RATIO};
+  static const enum nb_global_damping global[] = {NB_GLOBAL_ALPHA, NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY,
+                                                  NB_GLOBAL_CON1_ALL};
+  if (feature == HAS_WALL_DAMPING)
+    it->walls_apart = true, it->walls_line = LINE;
+  else if (feature == HAS_DEEP_DAMPING)
+    it->deep = 0.1, it->deep_line = LINE;
+  else if (feature < HAS_WALL_DAMPING)
+    it->contact_kind = contact[feature - HAS_CONTACT_BETA], it->contact = 0.1, it->contact_line = LINE;
+  else
+    it->global_kind = global[feature - HAS_GLOBAL_DAMPING], it->global = 0.1, it->global_line = LINE;
+}
+
+static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
+  static struct nb_change change = {.b = -1, .line = LINE};
+  static struct nb_removal removal = {.line = LINE};
+  static struct nb_condition condition = {.line = LINE};
+  const struct nb_strain_rate strain = {.yx = -1};
+  stage->line = LINE;
+  switch (feature) {
+  case HAS_BOUNDARY_STRAIN:
+  case HAS_BOUNDARY_STRESS:
+  case HAS_BOUNDARY_NONE:
+    stage->boundary.control = feature == HAS_BOUNDARY_STRAIN   ? NB_CONTROL_STRAIN
+                              : feature == HAS_BOUNDARY_STRESS ? NB_CONTROL_STRESS
+                                                               : NB_CONTROL_NONE;
+    stage->boundary.line = LINE;
+    break;
+  case HAS_CONTINUUM:
+    stage->continuum.strain = strain, stage->continuum.line = LINE;
+    break;
+  case HAS_CONTINUUM_LITERAL:
+    stage->continuum.literal = true, stage->continuum.line = LINE;
+    break;
+  case HAS_CELL_STRAIN:
+    stage->cell = strain, stage->cell_line = LINE;
+    break;
+  case HAS_BOX_STRAIN:
+    stage->box = strain, stage->box_line = LINE;
+    break;
+  case HAS_SERVO:
+    stage->servo.line = LINE;
+    break;
+  case HAS_MOVING_WALLS:
+    stage->motions[0] = (struct nb_wall_motion){.vx = -1, .line = LINE}, stage->motion_count = 1;
+    break;
+  case HAS_TURNING_WALLS:
+    stage->motions[0] = (struct nb_wall_motion){.spin = -1, .line = LINE}, stage->motion_count = 1;
+    break;
+  case HAS_ROTATION_OFF:
+    stage->rotation = NB_ROTATION_OFF, stage->rotation_line = LINE;
+    break;
+  case HAS_STILL:
+    stage->still = true;
+    break;
+  case HAS_REVERSE:
+    stage->reverse = true;
+    break;
+  case HAS_REMOVE:
+    stage->removals = &removal, stage->removal_count = 1;
+    break;
+  case HAS_UNTIL:
+    stage->conditions = &condition, stage->condition_count = 1;
+    break;
+  case HAS_RAMP:
+    stage->motions[0] = (struct nb_wall_motion){.ramp = true, .line = LINE}, stage->motion_count = 1;
+    break;
+  case HAS_STEP_CHANGE:
+    stage->step.value = 1, stage->step.line = LINE;
+    break;
+  case HAS_DAMPING_CHANGE: /* 0 is none, and another kind of none */
+    stage->damping.contact_kind = NB_CONTACT_BETA;
+    break;
+  case HAS_LAW_CHANGE:
+    strcpy(stage->laws.normal, "linear"), stage->laws.normal_line = LINE;
+    break;
+  case HAS_GRAVITY_CHANGE:
+    stage->gravity.line = LINE;
+    break;
+  case HAS_MATERIAL_CHANGE:
+    stage->changes = &change, stage->change_count = 1;
+    break;
+  default:
+    CU_FAIL("a feature that this test does not know");
+  }
+}
+
+/* What the reference needs, and this feature if it is another one. */
+static void with(struct refs_scene *it, const struct nb_reference *reference, enum nb_feature feature) {
+  plain(it, reference);
+  for (int k = 0; k < NEEDS; k++)
+    if (reference->needs[k] != HAS_NOTHING && reference->needs[k] != feature)
+      add(it, reference->needs[k], 0);
+  if (feature != HAS_NOTHING)
+    add(it, feature, 1);
+}
+
+static void what_is_not_listed_is_refused(void) {
+  for (const struct nb_reference *const *it = nb_references(); *it; it++)
+    for (enum nb_feature feature = HAS_NOTHING; feature < NB_FEATURES; feature++) {
+      struct refs_scene scene;
+      struct nb_error error = {0};
+      char expected[512];
+      with(&scene, *it, feature);
+      const enum nb_status status = nb_reference_covers(*it, &scene.scene, &error);
+      const bool fits = feature == HAS_NOTHING || covered(*it, feature);
+      snprintf(expected, sizeof expected, "the reference `%s` does not cover `%s` (line %d)", (*it)->name,
+               nb_feature_name(feature), LINE);
+      if (status != (fits ? NB_OK : NB_BAD_USE) || (!fits && strcmp(error.text, expected) != 0))
+        printf("# %s, %s: %s\n", (*it)->name, nb_feature_name(feature), error.text);
+      CU_ASSERT_EQUAL(status, fits ? NB_OK : NB_BAD_USE);
+      if (!fits)
+        CU_ASSERT_STRING_EQUAL(error.text, expected);
+    }
+}
+
+static void what_is_needed_must_be_there(void) {
+  for (const struct nb_reference *const *it = nb_references(); *it; it++)
+    for (int left = 0; left < NEEDS && (*it)->needs[left] != HAS_NOTHING; left++) {
+      struct refs_scene scene;
+      struct nb_error error = {0};
+      char expected[512];
+      plain(&scene, *it);
+      for (int k = 0; k < NEEDS; k++)
+        if ((*it)->needs[k] != HAS_NOTHING && k != left)
+          add(&scene, (*it)->needs[k], 0);
+      snprintf(expected, sizeof expected, "the reference `%s` is for a scene with `%s`, and this one has none",
+               (*it)->name, nb_feature_name((*it)->needs[left]));
+      CU_ASSERT_EQUAL(nb_reference_covers(*it, &scene.scene, &error), NB_BAD_USE);
+      CU_ASSERT_STRING_EQUAL(error.text, expected);
+    }
+}
+
+static void other_laws_are_refused(void) {
+  for (const struct nb_reference *const *it = nb_references(); *it; it++)
+    for (int shear = 0; shear < 2; shear++) {
+      struct refs_scene scene;
+      struct nb_error error = {0};
+      const char *laws = shear ? (*it)->shear : (*it)->normal;
+      with(&scene, *it, HAS_NOTHING);
+      CU_ASSERT_PTR_NOT_NULL_FATAL(laws);
+      strcpy(shear ? scene.scene.shear : scene.scene.normal, "line"); /* the beginning of a name is no name */
+      scene.scene.normal_line = scene.scene.shear_line = LINE;
+      const enum nb_status any = strcmp(laws, NB_ANY_LAW) == 0 ? NB_OK : NB_BAD_USE;
+      CU_ASSERT_EQUAL(nb_reference_covers(*it, &scene.scene, &error), any);
+      if (any != NB_OK)
+        CU_ASSERT_PTR_NOT_NULL(strstr(error.text, shear ? "`shear line` (line 12)" : "`normal line` (line 12)"));
+    }
+}
+
+static void every_feature_has_a_name(void) {
+  for (enum nb_feature a = HAS_NOTHING; a < NB_FEATURES; a++) {
+    CU_ASSERT_PTR_NOT_NULL_FATAL(nb_feature_name(a));
+    for (enum nb_feature b = HAS_NOTHING; b < a; b++)
+      CU_ASSERT_STRING_NOT_EQUAL(nb_feature_name(a), nb_feature_name(b));
+  }
+}
+
+void suite_refs_covers(void) {
+  CU_pSuite suite = CU_add_suite("refs_covers", NULL, NULL);
+  CU_add_test(suite, "every feature has a name of its own", every_feature_has_a_name);
+  CU_add_test(suite, "what a reference does not list is refused", what_is_not_listed_is_refused);
+  CU_add_test(suite, "what a reference needs must be there", what_is_needed_must_be_there);
+  CU_add_test(suite, "other laws are refused", other_laws_are_refused);
+}
