@@ -124,8 +124,8 @@ struct nb_model {
   struct nb_load *loads;      /* per slot, and */
   struct nb_stiff *stiff;     /* per contact, room for stable.c */
   bool allow_unstable;        /* the step is not watched now */
-  struct nb_damping damping;
-  struct nb_vec gravity; /* over the kick to come, m/s2 */
+  struct nb_damping damping, damping_before; /* of this stage; of the one before */
+  struct nb_vec gravity;                     /* over the kick to come, m/s2 */
   struct nb_inward {
     double strength;      /* m/s2; 0: none */
     struct nb_vec to;     /* the point, m */
@@ -227,6 +227,7 @@ struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec
 struct nb_vec nb_force_left(const struct nb_model *model, size_t slot);              /* all that a free body feels, N */
 
 /* Gives a body what a force and a moment that end at t_N have done until then: its velocities at t_N stay what they were. */
+void nb_motion_begin(struct nb_model *model, size_t slot, struct nb_state now);
 void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */

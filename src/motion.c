@@ -208,7 +208,7 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
   const double time = nb_kick_time(model);
   const struct part mine = {.bodies = model->bodies,
                             .incidence = &model->incidence,
-                            .factors = nb_factors(model, time),
+                            .factors = nb_factors(model, time, nb_kick_before(model)),
                             .gravity = model->gravity,
                             .inward = model->inward,
                             .pressed = model->drive && model->drive->pressing ? model->drive->pressed : NULL,

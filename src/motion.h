@@ -8,25 +8,51 @@
 
 static inline double nb_kick_time(const struct nb_model *model) { return (model->previous_step + model->step) / 2; }
 
+/* What global damping takes in a kick of dt seconds: shares of m v-, of m v+ and of the forces' impulse. */
+struct nb_shares {
+  double old, new, pushed;
+};
+
+static inline struct nb_shares nb_shares_of(const struct nb_damping *damping, double dt) {
+  const double g = damping->global, half = g * dt / 2;
+  switch (damping->global_kind) {
+  case NB_GLOBAL_ALPHA: /* C = alpha m on the mean velocity [CS79 34] */
+    return (struct nb_shares){half, half, 0};
+  case NB_GLOBAL_CON1_CS79: /* alpha dt/2 = 1 - CON1 */
+    return (struct nb_shares){1 - g, 1 - g, 0};
+  case NB_GLOBAL_CON1_VELOCITY:
+    return (struct nb_shares){1 - g, 0, 0};
+  case NB_GLOBAL_CON1_ALL:
+    return (struct nb_shares){1 - g, 0, 1 - g};
+  case NB_GLOBAL_UNDAMPED:
+    break;
+  }
+  return (struct nb_shares){0, 0, 0};
+}
+
+/* Of the kick around a stage's t_0 the part before t_0 is damped as the stage before was: `before` is its share of the kick. */
+static inline struct nb_shares nb_shares(const struct nb_model *model, double dt, double before) {
+  const struct nb_shares now = nb_shares_of(&model->damping, dt);
+  if (model->stage_cycle > 0 || before == 0 ||
+      (model->damping.global_kind == model->damping_before.global_kind &&
+       model->damping.global == model->damping_before.global))
+    return now;
+  const struct nb_shares was = nb_shares_of(&model->damping_before, dt);
+  const double after = 1 - before;
+  return (struct nb_shares){before * was.old + after * now.old, before * was.new + after *now.new,
+                            before *was.pushed + after *now.pushed};
+}
+static inline double nb_kick_before(const struct nb_model *model) {
+  return model->previous_step / (model->previous_step + model->step);
+}
+
 struct nb_factors {
   double keep, push;
 };
 
-static inline struct nb_factors nb_factors(const struct nb_model *model, double dt) {
-  const double g = model->damping.global, half = g * dt / 2;
-  switch (model->damping.global_kind) {
-  case NB_GLOBAL_ALPHA:
-    return (struct nb_factors){(1 - half) / (1 + half), 1 / (1 + half)};
-  case NB_GLOBAL_CON1_CS79:
-    return (struct nb_factors){g / (2 - g), 1 / (2 - g)};
-  case NB_GLOBAL_CON1_VELOCITY:
-    return (struct nb_factors){g, 1};
-  case NB_GLOBAL_CON1_ALL:
-    return (struct nb_factors){g, g};
-  case NB_GLOBAL_UNDAMPED:
-    break;
-  }
-  return (struct nb_factors){1, 1};
+static inline struct nb_factors nb_factors(const struct nb_model *model, double dt, double before) {
+  const struct nb_shares taken = nb_shares(model, dt, before);
+  return (struct nb_factors){(1 - taken.old) / (1 + taken.new), (1 - taken.pushed) / (1 + taken.new)};
 }
 
 /* Where the forces on bodies are found. */

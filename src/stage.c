@@ -8,7 +8,7 @@
  *
  * What does not ramp jumps at t_0. The forces at t_0 have been worked out with the old properties and laws by then; the new ones
  * hold for those at t_1. Half of the kick around t_0 lies before it, so gravity is there the mean of the old and the new one, each
- * for the time it lasts. `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
+ * for the time it lasts; global damping likewise (motion.h), and a stress on a boundary (drive.c). `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -169,6 +169,7 @@ static void gravity_begin(struct nb_model *model) {
 /* ---- the stage ---- */
 
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+  model->damping_before = model->damping;
   model->stage_time = model->time;
   model->stage_cycle = 0;
   if (stage->removal_count > 0 && nb_remove(model, stage, error))

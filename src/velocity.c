@@ -57,7 +57,7 @@ struct nb_state nb_velocity_now(const struct nb_model *model, size_t slot) {
   const double dt = model->previous_step;
   if (!(dt > 0))
     return before; /* the start: a page's velocities are those of time 0 */
-  const struct nb_state next = kicked(model, slot, nb_factors(model, dt), dt);
+  const struct nb_state next = kicked(model, slot, nb_factors(model, dt, 1), dt);
   return (struct nb_state){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
 }
 
@@ -76,11 +76,29 @@ struct nb_vec nb_velocity_whole(const struct nb_model *model, size_t slot) {
 void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending) {
   struct nb_bodies *bodies = &model->bodies;
   const double dt = model->previous_step;
-  const struct nb_factors f = nb_factors(model, dt);
+  const struct nb_factors f = nb_factors(model, dt, 1);
   const double time = f.push * dt / (1 + f.keep);
   bodies->velocity[slot] = vec_add(bodies->velocity[slot], vec_scale(time * bodies->inverse_mass[slot], ending.force));
   if (bodies->spin)
     bodies->spin[slot] += time * bodies->inverse_inertia[slot] * ending.moment;
+}
+
+/* The velocity behind with which a body has this one at t_N, by the forces that it has now. */
+void nb_motion_begin(struct nb_model *model, size_t slot, struct nb_state now) {
+  struct nb_bodies *bodies = &model->bodies;
+  const double dt = model->previous_step;
+  const struct nb_vec v = nb_velocity_half(model, slot).velocity;
+  const struct nb_factors f = nb_factors(model, dt, 1);
+  const struct nb_state next = kicked(model, slot, f, dt); /* keep v + what else there is */
+  const double spin_kept = bodies->inverse_inertia[slot] > 0 ? f.keep : 1;
+  const struct nb_vec rest = vec_sub(next.velocity, vec_scale(f.keep, v));
+  const double turned = next.spin - spin_kept * (bodies->spin ? bodies->spin[slot] : 0);
+  if (!(dt > 0))
+    return;
+  const struct nb_vec behind = vec_scale(1 / (1 + f.keep), vec_sub(vec_scale(2, now.velocity), rest));
+  bodies->velocity[slot] = bodies->carried ? vec_add(behind, bodies->carried[slot]) : behind;
+  if (bodies->spin)
+    bodies->spin[slot] = (2 * now.spin - turned) / (1 + spin_kept);
 }
 
 /* A kick by the forces at t_N makes v_(N+1/2) of v_(N-1/2). For it to make -v_(N-1/2), which leads back to x_(N-1), the velocity
@@ -91,7 +109,7 @@ void nb_motion_reverse(struct nb_model *model) {
   for (size_t i = 0; i < bodies->count; i++) {
     struct nb_state v = nb_velocity_half(model, i);
     if (model->previous_step > 0)
-      v = kicked(model, i, nb_factors(model, time), time);
+      v = kicked(model, i, nb_factors(model, time, nb_kick_before(model)), time);
     bodies->velocity[i] = vec_scale(-1, v.velocity);
     if (bodies->carried)
       bodies->velocity[i] = vec_add(bodies->velocity[i], bodies->carried[i]);

@@ -77,6 +77,7 @@ void nb_drive_let_go(struct nb_model *model, size_t i) {
   bodies->carried[i] = nb_carry_remembered(model->carry, i, bodies->position[i]);
   bodies->inverse_mass[i] = 1 / bodies->mass[i];
   bodies->inverse_inertia[i] = model->drive->turns ? 1 / bodies->inertia[i] : 0;
+  nb_motion_begin(model, i, nb_velocity_half(model, i));
 }
 
 /* ---- a stage ---- */
@@ -90,29 +91,43 @@ static void rotation_begin(struct nb_model *model, bool turns) {
   for (size_t i = 0; i < bodies->count; i++) {
     if (!(bodies->inverse_mass[i] > 0))
       continue;
+    const struct nb_state now = nb_velocity_now(model, i);
     bodies->inverse_inertia[i] = turns ? 1 / bodies->inertia[i] : 0;
-    if (!turns)
+    if (turns)
+      nb_motion_begin(model, i, now);
+    else
       set_spin(bodies, i, 0);
   }
   if (model->balance)
     nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
+/* A stress begins or ends at t_0, and leaves the velocities of t_0 as they were. The half of the kick around t_0 that lies behind it
+ * is without one that begins, and with one that ends. */
+static void pressing(struct nb_model *model, bool on) {
+  struct nb_drive *drive = model->drive;
+  if (on)
+    nb_ring_press(model);
+  for (size_t i = 0; i < model->bodies.count && (on || drive->pressing); i++)
+    nb_motion_release(model, i, (struct nb_force){vec_scale(on ? -1 : 1, drive->pressed[i]), 0});
+  drive->pressing = on;
+}
+
 static void ring_begins(struct nb_model *model, const struct nb_stage *stage) {
   struct nb_drive *drive = model->drive;
   const struct nb_boundary *to = &stage->boundary;
+  pressing(model, false);
   if (stage->circle.line)
     nb_ring_begin(model, &stage->circle);
   if (!to->line)
     return;
-  drive->pressing = to->control == NB_CONTROL_STRESS;
   drive->stress = tensor(to->sxx, to->sxy, to->sxy, to->syy);
   if (to->control == NB_CONTROL_STRAIN && !drive->ring.held)
     nb_ring_hold(model);
   else if (to->control != NB_CONTROL_STRAIN)
     nb_ring_free(model, to->control == NB_CONTROL_NONE);
-  if (drive->pressing)
-    nb_ring_press(model);
+  if (to->control == NB_CONTROL_STRESS)
+    pressing(model, true);
 }
 
 enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {

@@ -3,32 +3,21 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "balance.h"
 #include "drive/drive.h"
+#include "motion.h"
 
-/* What global damping gives a body in one kick, against its motion: shares of m v-, of m v+, and of the forces'
- * impulse. */
+/* A kick that lasts `time`, of which `before` is damped as before the stage. */
+struct kick {
+  double time, before;
+};
+
+/* What global damping gives a body in one kick, against its motion. */
 static struct nb_state damping_impulse(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state is,
-                                       struct nb_force force, double time) {
-  const double g = model->damping.global, m = model->bodies.mass[i], inertia = model->bodies.inertia[i];
-  double old = 0, new = 0, pushed = 0;
-  switch (model->damping.global_kind) {
-  case NB_GLOBAL_ALPHA: /* C = alpha m on the mean velocity [CS79 34] */
-    old = new = g *time / 2;
-    break;
-  case NB_GLOBAL_CON1_CS79: /* alpha dt/2 = 1 - CON1 */
-    old = new = 1 - g;
-    break;
-  case NB_GLOBAL_CON1_VELOCITY:
-    old = 1 - g;
-    break;
-  case NB_GLOBAL_CON1_ALL:
-    old = pushed = 1 - g;
-    break;
-  case NB_GLOBAL_UNDAMPED:
-    break;
-  }
-  const struct nb_vec linear = vec_scale(m, vec_add(vec_scale(old, was.velocity), vec_scale(new, is.velocity)));
-  return (struct nb_state){vec_scale(-1, vec_add(linear, vec_scale(pushed * time, force.force))),
-                           -(inertia * (old * was.spin + new *is.spin) + pushed * time * force.moment)};
+                                       struct nb_force force, struct kick kick) {
+  const double m = model->bodies.mass[i], inertia = model->bodies.inertia[i];
+  const struct nb_shares by = nb_shares(model, kick.time, kick.before);
+  const struct nb_vec linear = vec_scale(m, vec_add(vec_scale(by.old, was.velocity), vec_scale(by.new, is.velocity)));
+  return (struct nb_state){vec_scale(-1, vec_add(linear, vec_scale(by.pushed * kick.time, force.force))),
+                           -(inertia * (by.old * was.spin + by.new *is.spin) + by.pushed * kick.time * force.moment)};
 }
 
 /* What stays in a body's own velocity of what carries it along (carry.h), m/s. */
@@ -38,10 +27,10 @@ static struct nb_vec left(const struct nb_model *model, size_t i) {
 
 /* What global damping takes in such a kick, with its mean velocity. */
 static double damped(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state mean,
-                     struct nb_force force, double time) {
+                     struct nb_force force, struct kick kick) {
   const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), was.velocity);
   const struct nb_state is = {vec_sub(after, left(model, i)), 2 * mean.spin - was.spin};
-  const struct nb_state taken = damping_impulse(model, i, was, is, force, time);
+  const struct nb_state taken = damping_impulse(model, i, was, is, force, kick);
   return -(vec_dot(taken.velocity, mean.velocity) + taken.spin * mean.spin);
 }
 
@@ -62,6 +51,7 @@ static struct nb_vec outer_forces(const struct nb_model *model, size_t i) {
 /* Bodies, in a kick that lasts `time` and of which `share` is counted, at the velocities of t_N. */
 void nb_balance_bodies(struct nb_sum terms[], const struct nb_model *model, double time, double share) {
   const struct nb_bodies *bodies = &model->bodies;
+  const struct kick kick = {time, share < 1 ? 1 : nb_kick_before(model)};
   for (size_t k = 0; k < bodies->count; k++) {
     const size_t i = (size_t)bodies->slot[k];
     const struct nb_state was = model->balance->before[i], now = model->balance->now[i];
@@ -77,13 +67,14 @@ void nb_balance_bodies(struct nb_sum terms[], const struct nb_model *model, doub
                share * time * vec_dot(weight, now.velocity) + vec_dot(weight, nb_balance_carried(model, i)));
     if (model->carry)
       nb_sum_add(&terms[NB_TERM_DRIVEN], share * driven(model, i, now.velocity, time));
-    nb_sum_add(&terms[NB_TERM_DAMPED], share * damped(model, i, was, now, force, time));
+    nb_sum_add(&terms[NB_TERM_DAMPED], share * damped(model, i, was, now, force, kick));
   }
 }
 
 /* All forces on free bodies, at the mean of the velocities before and after the kick. */
 void nb_balance_work(struct nb_sum *work, const struct nb_model *model, double time) {
   const struct nb_bodies *bodies = &model->bodies;
+  const struct kick kick = {time, nb_kick_before(model)};
   for (size_t k = 0; k < bodies->count; k++) {
     const size_t i = (size_t)bodies->slot[k];
     if (!(bodies->inverse_mass[i] > 0))
@@ -97,6 +88,6 @@ void nb_balance_work(struct nb_sum *work, const struct nb_model *model, double t
     nb_sum_add(work, time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
     if (model->drive && model->drive->pressing)
       force.force = vec_add(force.force, model->drive->pressed[i]);
-    nb_sum_add(work, -damped(model, i, was, mean, force, time));
+    nb_sum_add(work, -damped(model, i, was, mean, force, kick));
   }
 }
