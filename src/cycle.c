@@ -91,7 +91,7 @@ enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
   if (model->changing && change(model, &searched, error))
     return error->status;
   const bool search = out && !searched;
-  if (search ? nb_near(model, error) : model->pressed && nb_walls_crossed(model, false, error))
+  if (search ? nb_near(model, error) : nb_guard_cycle(model, error))
     return error->status;
   if ((out || searched || model->cycle % NB_WATCH_CYCLES == 0) && nb_stable_watch(model, error))
     return error->status;

@@ -92,7 +92,7 @@ struct nb_model {
   struct nb_incidence incidence;
   struct nb_view *views; /* one per block */
   size_t view_count;
-  double smallest;             /* radius of all bodies, m */
+  double smallest;             /* radius of all particles, m */
   double fracc, *fracc_before; /* fracc.c: of the cycle behind; per slot |SF| then, N; NULL: nobody asks */
   struct nb_deep {
     unsigned long *counts;        /* per block since the last search, NB_DEEP_APART apart; NULL: nothing is elastic */
@@ -112,6 +112,7 @@ struct nb_model {
   bool rubs;             /* some pairing has a shear law now */
   bool joined;           /* two walls have a common end */
   bool pressed;  /* at the last search some centre was within the skin of a wall: it may cross it before the next one */
+  bool squeezed; /* and some pair was within the skin of the overlap that guard.c allows */
   bool dashpots; /* some stage has contact damping */
   size_t wall_contacts;    /* the first contact with a wall: they are the last ones of the list */
   struct nb_joint *joints; /* where a disc may touch a common end of two walls before the next search */
@@ -185,7 +186,18 @@ unsigned nb_fields_watched(const struct nb_scene *scene);
 /* region.c */
 double nb_thickness(const struct nb_model *model); /* of discs 1 m, of spheres the mean diameter, m */
 
-/* near.c: makes the list of contacts anew; an error when a body is nowhere */
+/* guard.c: particles do not pass through each other, or through walls */
+bool nb_guard_turns(const struct nb_model *model, size_t wall, double angle); /* too far for one step, rad */
+/* NB_BROKEN when a position is NaN or infinite; when a particle moved, or a wall turned, too far in the step behind. */
+enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error);
+enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error);
+/* An error when a listed pair of particles overlaps by more than the smaller radius. */
+enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *error);
+
+/* All that must be asked in a cycle without a search. */
+enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error);
+
+/* near.c: makes the list of contacts anew, if no guard objects */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
 
 /* properties.c */

@@ -44,29 +44,14 @@ static bool pairs_sort(struct nb_near_pairs *pairs, const struct nb_model *model
   return done;
 }
 
-/* The first body whose position is not a number: infinity less itself is none either. */
-static enum nb_status find_lost(const struct nb_model *model, struct nb_error *error) {
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const struct nb_vec x = model->bodies.position[model->bodies.slot[k]];
-    if (x.x - x.x == 0 && x.y - x.y == 0)
-      continue;
-    return nb_error_set(
-        error, NB_BROKEN,
-        "body %zu (line %d) is nowhere: its position is not a number after cycle %lu, at %g s; the step is %g s, the "
-        "critical one %g s: try a smaller step",
-        k + 1, model->scene->bodies[k].line, model->cycle, model->time, model->step, model->critical);
-  }
-  return NB_OK;
-}
-
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
-  if (find_lost(model, error) || nb_walls_crossed(model, true, error))
+  if (nb_guard_positions(model, error) || nb_walls_crossed(model, true, error) || nb_guard_motion(model, error))
     return error->status;
   struct nb_near_pairs pairs = {0};
   const bool searching = model->skin < INFINITY;
   if (model->cell && searching && nb_cell_wide(model, error))
     return error->status;
-  model->pressed = false;
+  model->pressed = model->squeezed = false;
   const bool found = !searching || (nb_near_find(&pairs, model) && pairs_sort(&pairs, model));
   const bool made = found && nb_contacts_renew(model, &pairs) && nb_joints_find(model);
   free(pairs.list);
@@ -77,5 +62,7 @@ enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
   if (model->cell)
     nb_cell_searched(model->cell, model->skin);
   model->searches += searching;
+  if (model->squeezed && nb_guard_pairs(model, error))
+    return error->status;
   return nb_plan_views(model, error);
 }

@@ -133,13 +133,15 @@ static int pairing_of(const struct nb_model *model, int material_a, int material
 static bool near_pair(struct nb_near_pairs *pairs, struct nb_model *model, int i, int j, struct nb_vec apart) {
   const struct nb_bodies *bodies = &model->bodies;
   model->candidates++;
-  if (!(vec_length(apart) < bodies->rim[i].x + bodies->rim[j].x + model->skin))
+  const double distance = vec_length(apart), larger = fmax(bodies->rim[i].x, bodies->rim[j].x);
+  if (!(distance < bodies->rim[i].x + bodies->rim[j].x + model->skin))
     return true;
   if (!(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
     return true; /* both are fixed */
   if (nb_gone(model, (size_t)i) || nb_gone(model, (size_t)j))
     return true;
   const int a = bodies->number[i] < bodies->number[j] ? i : j, b = a == i ? j : i;
+  model->squeezed = model->squeezed || !(distance > larger + model->skin);
   return pairs_add(pairs, a, b, pairing_of(model, bodies->material[a], bodies->material[b], false));
 }
 

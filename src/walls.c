@@ -23,7 +23,7 @@ static struct nb_vec turned(struct nb_vec e, struct nb_vec by) {
   return vec_scale(1 / vec_length(to), to);
 }
 
-/* Answers how many walls have an end farther from where the last search found it than half the skin. */
+/* Returns how many walls have an end farther from where the last search found it than half the skin, or moved too far. */
 int nb_motion_walls(struct nb_model *model) {
   struct nb_walls *walls = &model->walls;
   int out = 0;
@@ -38,7 +38,7 @@ int nb_motion_walls(struct nb_model *model) {
     }
     walls->angle[w] += angle;
     walls->point[w] = vec_add(walls->pivot[w], vec_scale(-walls->h0[w], vec_clockwise(walls->along[w])));
-    bool far = false;
+    bool far = nb_guard_turns(model, w, angle); /* its ends may be where they were */
     for (int end = 0; end < 2; end++)
       far = far || !(vec_length(vec_sub(nb_wall_end(walls, (int)w, end), walls->searched[2 * w + (size_t)end])) <=
                      model->skin / 2);

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "../src/near.h"
-#include "chance.h"
+#include "placed.h"
 #include "suites.h"
 #include "written.h"
 
@@ -18,13 +18,15 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
   struct words page = {0};
   struct chance chance = chance_begin(seed), copies = chance_begin(99);
   words_add(&page,
-            "units none\nmaterial a density 1 kn 100 ks 80 friction 0.4\nmaterial b density 2 kn 300 ks 100 friction "
+            "units none\nmaterial a density 1 kn 3e3 ks 2e3 friction 0.4\nmaterial b density 2 kn 9e3 ks 3e3 friction "
             "0.2\nshear linear\nstep 1e-3\ncell -8 -8 to 8 8\n%s",
             more);
+  struct placed placed = {.share = 0.5, .side = 16};
   for (int k = 0; k < DISCS; k++) {
-    const double x = chance_between(&chance, -8, 8), y = chance_between(&chance, -8, 8);
     const double r = chance_scale(&chance, 0.2, 0.8), vx = chance_between(&chance, -5, 5);
     const double spin = chance_between(&chance, -9, 9), vy = chance_between(&chance, -5, 5);
+    placed_find(&placed, &chance, -8, 8, r);
+    const double x = placed.disc[k][0], y = placed.disc[k][1];
     const double to_x = 16 * round(chance_between(&copies, -3, 3)), to_y = 16 * round(chance_between(&copies, -3, 3));
     words_add(&page, "disc %.17g %.17g radius %.17g %s velocity %.17g %.17g spin %.17g\n", x + wander * to_x,
               y + wander * to_y, r, k % 3 ? "a" : "b", vx, vy, spin);
@@ -96,7 +98,7 @@ static void all_copies_are_found(void) {
         for (int cycle = 0; cycle < 250; cycle++) {
           CU_ASSERT_EQUAL_FATAL(nb_cycle(model, &error), NB_OK);
           if (cycle % 25 == 24)
-            CU_ASSERT(compare(model, 0) > 10); /* between searches, whatever touches */
+            CU_ASSERT(compare(model, 0) > 3); /* between searches, whatever touches */
         }
       }
       CU_ASSERT(model->searches > 15 && model->searches < 1500);
@@ -159,7 +161,7 @@ static void the_skin_changes_no_bit(void) {
     nb_model_free(model);
     written_free(&it);
   }
-  CU_ASSERT(searches[1] > 900 && searches[0] < 600 && searches[2] < 60);
+  CU_ASSERT(searches[1] > 900 && searches[0] < 800 && searches[2] < 60);
 }
 
 static void storage_threads_and_instructions_change_no_bit(void) {

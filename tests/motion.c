@@ -34,7 +34,7 @@ static void free_flight_is_exact(void) {
       &page,
       "units none\nmaterial m density 1 kn 1 ks 1 friction 1\nshear linear\nstep 0.0009765625\n"
       "disc 1 2 radius 0.5 m velocity 0.5 -0.25 spin 3\ndisc 9 9 radius 0.5 m fixed velocity 0.25 1 spin -1\n"
-      "disc 30 9 radius 0.5 m fixed velocity -4 0\ndisc 20 9 radius 0.5 m velocity 0 0\n"
+      "disc 30 9 radius 0.5 m fixed velocity -4 0\ndisc 20 9.9 radius 0.5 m velocity 0 0\n"
       "watch A disc 1\nwatch B disc 2\nwatch C disc 3\nrecord A.x A.y A.angle A.vx A.spin B.x B.y B.angle C.x C.y\n"
       "damping con1 0.5 reading all\nstage s\ndamping none\ncycles 1024\nstage t\ndamping con1 0.5 reading all\n"
       "cycles 3072\n");

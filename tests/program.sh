@@ -76,11 +76,26 @@ absent mistaken
 verdict 'a page with a mistake: 2, with its place, and nothing is written'
 
 run 3 check "$pages/nowhere.md"
-said 'body 2 (line 9) is nowhere'
-said 'after cycle 1, at 0.125 s'
+said 'particle 2 (line 9): its position is NaN or infinite'
+said 'after cycle 1, at 1 s'
 run 3 run "$pages/nowhere.md" -o nowhere
 absent nowhere
 verdict 'physics that breaks: 3, naming body, line and moment'
+
+run 3 run "$pages/past-each-other.md"
+said 'particle 1 (line 7): in cycle 1, at 0.000396333 s, it moved by 0.396333 m in one step of 0.000396333 s'
+said 'its radius, 0.01 m'
+verdict 'two discs that would change sides in one step: 3, naming particle, moment and limit'
+
+run 3 run "$pages/pushed-through.md"
+said 'particle 1 (line 9) and particle 2 (line 10): at cycle '
+said 's, they overlap by 0.01000'
+said 'the smaller radius, 0.01 m'
+verdict 'a disc that is pushed through another one: 3, naming both, moment and limit'
+
+run 3 run "$pages/whole-turn.md"
+said 'wall `blade` (line 6): in cycle 1, at 0.001 s, it turned by 6.28319 rad in one step of 0.001 s'
+verdict 'a wall that turns too far in one step: 3, naming it, moment and limit'
 
 run 3 check "$pages/never-ends.md"
 said 'stage `wait` (line 10) did not end within 20 cycles: D.x is 5 and should be above 6'

@@ -52,7 +52,7 @@ static void walls(void) {
   struct words page = {0};
   struct written it;
   struct chance chance = chance_begin(6);
-  words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.5\ndisc -9 -9 radius 1 m\n");
+  words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.5\ndisc -9 -9 radius 3 m\n");
   for (int k = 0; k < WALLS; k++)
     words_add(&page, "wall w%d %d %d to %d %d m velocity %.17g %.17g spin %.17g\n", k, 9 * (k % 20), 9 * (k / 20),
               9 * (k % 20) + 3, 9 * (k / 20) + 4, chance_between(&chance, -1, 1), chance_between(&chance, -1, 1),

@@ -131,7 +131,7 @@ static void strain(void) {
   words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.01\n");
   for (int k = 0; k < 12; k++) {
     const double x = 5 * (k % 4), y = 4 * (k / 4) + 0.3 * k;
-    words_add(&page, "disc %.17g %.17g radius 0.1 m velocity %.17g %.17g\n", x, y, 3 + rate.xx * x + rate.xy * y,
+    words_add(&page, "disc %.17g %.17g radius 0.3 m velocity %.17g %.17g\n", x, y, 3 + rate.xx * x + rate.xy * y,
               1 + rate.yx * x + rate.yy * y);
   }
   words_add(&page, "region A all\nregion B circle 6 6 radius 6 from b\nrecord A.strain.xx A.strain.xy A.strain.yx "

@@ -96,7 +96,7 @@ static void never_there(void) {
       words_add(&page, many ? "discs lattice 6 by 6 m radius 0.98 spacing 1.97 from 1 1\n"
                             : "discs lattice 3 by 2 m radius 0.98 spacing 1.95 from 1 1\n");
       if (with)
-        words_add(&page, "disc 2.5 4.4 radius 1.7 m spin 3 velocity 0 -1\n");
+        words_add(&page, "disc 1.98 1.98 radius 0.6 m spin 3 velocity 0 -1\n");
       words_add(&page,
                 "watch A disc 2\nwatch S wall south\nrecord A.x A.vy A.angle S.fy energy.removed\nstep 0.002\n"
                 "stage a\n%scycles 300\n",

@@ -17,7 +17,7 @@ static void speeds(void) {
     struct written it;
     words_add(&page,
               "units none\nmaterial m density 1 kn 100\nstep 0.125\ndisc 3 4 radius 1 m velocity 0.3 -0.4\n"
-              "disc -8 6 radius 1 m\ndisc 40 9 radius 1 m fixed velocity 7 7\ndisc 0 -30 radius 1 m velocity 9 9\n"
+              "disc -8 6 radius 1 m\ndisc 40 9 radius 2 m fixed velocity 7 7\ndisc 0 -30 radius 2 m velocity 9 9\n"
               "region A box -20 -20 to 60 20\nregion B all\n"
               "record A.speed.mean A.speed.max A.speed.carried A.speed.ratio B.speed.max\n"
               "stage s\ncontinuum strain 0.01 -0.02 %s\ncycles 1\n",

@@ -193,7 +193,7 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
         nb_explain_start(stdout, &run->scene, &use->options);
         nb_explain(stdout, &run->scene, model);
       } else {
-        fprintf(stderr, "nineball: %s\n", error.text);
+        fprintf(stderr, "%s: error: %s\n", use->pages[k], error.text);
         worst = worse(worst, error.status);
       }
       nb_model_free(model);

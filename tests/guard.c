@@ -1,0 +1,185 @@
+/* The guards against passing through, at both edges of each limit.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/model.h"
+#include "suites.h"
+#include "written.h"
+
+#define HEAD "units none\nmaterial m density 1 kn 1\nallow unstable\nstep 0.5\n"
+
+/* Makes the model and runs one stage of so many cycles; the status, and how many cycles were done. */
+static enum nb_status outcome(struct nb_error *error, const char *statements, unsigned long cycles,
+                              unsigned long *done) {
+  struct words page = {0};
+  struct written it;
+  *error = (struct nb_error){0};
+  words_add(&page, "%s\nstage s\ncycles 1\n", statements);
+  written_scene(&it, &page);
+  struct nb_model *model = nb_model_create(&it.scene, NULL, error);
+  if (model)
+    nb_stage_begin(model, &it.scene.stages[0], error);
+  while (model && !error->status && model->cycle < cycles)
+    nb_cycle(model, error);
+  *done = model ? model->cycle : 0;
+  nb_model_free(model);
+  written_free(&it);
+  return error->status;
+}
+
+static bool has(const struct nb_error *error, const char *words) {
+  if (!strstr(error->text, words))
+    printf("# `%s` is not in: %s\n", words, error->text);
+  return strstr(error->text, words) != NULL;
+}
+
+/* Radii 2 and 1 at a distance of 2: the overlap is the smaller radius, 1. Whichever comes first; of copies in a cell too. */
+static void overlap_at_the_start(void) {
+  static const struct {
+    const char *below, *above;
+  } cases[] = {
+      {"disc 0 0 radius 2 m\ndisc 2 0 radius 1 m", "disc 0 0 radius 2 m\ndisc 1.9999999999999996 0 radius 1 m"},
+      {"disc 0 0 radius 1 m\ndisc 0 2 radius 2 m", "disc 0 0 radius 1 m\ndisc 0 1.9999999999999996 radius 2 m"},
+      {"disc 0 0 radius 1 m fixed\ndisc 0 1 radius 1 m",
+       "disc 0 0 radius 1 m fixed\ndisc 0 0.9999999999999998 radius 1 m"},
+      {"cell -8 -8 to 8 8\ndisc 7 0 radius 2 m\ndisc -7 0 radius 1 m",
+       "cell -8 -8 to 8 8\ndisc 7 0 radius 2 m\ndisc -7.000000000000002 0 radius 1 m"},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[512];
+    struct nb_error error;
+    unsigned long done;
+    snprintf(text, sizeof text, HEAD "%s", cases[k].below);
+    CU_ASSERT_EQUAL(outcome(&error, text, 0, &done), NB_OK);
+    snprintf(text, sizeof text, HEAD "%s", cases[k].above);
+    CU_ASSERT_EQUAL(outcome(&error, text, 0, &done), NB_BAD_USE);
+    CU_ASSERT(has(&error, k == 3 ? "line 8: particle 2 overlaps particle 1 (line 7) by 1"
+                                 : "line 7: particle 2 overlaps particle 1 (line 6) by 1"));
+    CU_ASSERT(has(&error, "smaller radius, 1 m"));
+  }
+  struct nb_error error;
+  unsigned long done; /* what is fixed cannot be pushed apart, and does not meet */
+  CU_ASSERT_EQUAL(
+      outcome(&error, HEAD "disc 0 0 radius 1 m fixed\ndisc 0 0 radius 1 m fixed\ndisc 9 9 radius 1 m", 1, &done),
+      NB_OK);
+}
+
+/* Radius 1, a step of 1/2: 2 m/s is the limit, in any direction, for what is fixed too; whatever the skin is. */
+static void way_in_a_step(void) {
+  static const struct {
+    const char *statements;
+    bool broken;
+  } cases[] = {
+      {"disc 0 0 radius 1 m velocity 2 0\ndisc 90 0 radius 3 m", false},
+      {"disc 0 0 radius 1 m velocity 0 -2.0000000000000004\ndisc 90 0 radius 3 m", true},
+      {"disc 0 0 radius 1 m velocity 1.2 1.6\ndisc 90 0 radius 1 m", false},
+      {"disc 0 0 radius 1 m velocity 1.3 1.6\ndisc 90 0 radius 1 m", true},
+      {"disc 0 0 radius 1 m fixed velocity 2.1 0\ndisc 90 0 radius 1 m", true},
+      {"skin 30\ndisc 0 0 radius 1 m velocity 2 0\ndisc 90 0 radius 3 m", false},
+      {"skin 30\ndisc 0 0 radius 1 m velocity 2.1 0\ndisc 90 0 radius 3 m", true},
+      {"skin 1\ndisc 0 0 radius 1 m velocity 2.1 0\ndisc 90 0 radius 3 m", true},
+      {"disc 0 0 radius 1 m velocity 99 0", false}, /* alone: there is nothing to pass through */
+      {"disc 0 0 radius 1 m velocity 99 0 fixed\ndisc 9 0 radius 1 m fixed", false},
+      {"cell -8 -8 to 8 8\ndisc 0 0 radius 1 m velocity 1.9 0\ndisc 4 4 radius 1 m", false},
+      {"cell -8 -8 to 8 8\ndisc 0 0 radius 1 m velocity 2.1 0\ndisc 4 4 radius 1 m", true},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[512];
+    struct nb_error error;
+    unsigned long done;
+    snprintf(text, sizeof text, HEAD "%s", cases[k].statements);
+    const enum nb_status status = outcome(&error, text, 2, &done);
+    CU_ASSERT_EQUAL(status, cases[k].broken ? NB_BROKEN : NB_OK);
+    if ((status == NB_BROKEN) != cases[k].broken)
+      printf("# %s: %s\n", cases[k].statements, error.text);
+    CU_ASSERT_EQUAL(done, cases[k].broken ? 1 : 2);
+    CU_ASSERT(!cases[k].broken || has(&error, "in cycle 1, at 0.5 s, it moved by 1"));
+    CU_ASSERT(!cases[k].broken || has(&error, "its radius, 1 m"));
+  }
+}
+
+/* A cell carries its copies along, those that lie far out by more than a radius in each step: they move together. */
+static void carried_by_a_cell(void) {
+  struct nb_error error;
+  unsigned long done;
+  struct words page = {0};
+  struct written it;
+  words_add(&page, HEAD "cell -8 -8 to 8 8\ndisc 160 160 radius 1 m\ndisc 4 4 radius 1 m\nstage s\ncell strain -0.1 "
+                        "-0.1\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  CU_ASSERT_EQUAL(nb_cycle(model, &error), NB_OK);
+  done = model->cycle;
+  CU_ASSERT(done == 1 && fabs(model->bodies.position[0].x - 152) < 1e-12); /* 8 of it in one step */
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* angle^2 h = 8 r is the limit; h is the distance of the far end, and at least r, which is 0.5 here. */
+static void turn_in_a_step(void) {
+  static const struct {
+    const char *wall;
+    double h;
+  } walls[] = {{"-3 0 to 1 0 m about 0 0", 3},
+               {"-1 0 to 4 0 m about 0 0", 4},
+               {"-1 2 to 3 2 m about 0 0", 5},
+               {"-1 -2 to 3 -2 m about 0 0", 5},
+               {"-0.1 0 to 0.1 0 m about 0 0", 0.5}};
+  for (size_t k = 0; k < sizeof walls / sizeof *walls; k++)
+    for (int sign = -1; sign < 2; sign += 2) {
+      struct words page = {0};
+      struct written it;
+      words_add(&page, HEAD "disc 90 0 radius 3 m\ndisc 80 0 radius 0.5 m\nwall w %s\nstage s\ncycles 1\n",
+                walls[k].wall);
+      written_scene(&it, &page);
+      struct nb_model *model = written_model(&it, NULL);
+      const double limit = sign * sqrt(8 * 0.5 / walls[k].h);
+      CU_ASSERT_FALSE(nb_guard_turns(model, 0, limit * (1 - 1e-12)));
+      CU_ASSERT(nb_guard_turns(model, 0, limit * (1 + 1e-12)));
+      nb_model_free(model);
+      written_free(&it);
+    }
+  struct nb_error error;
+  unsigned long done;
+#define BLADE HEAD "disc 90 0 radius 3 m\ndisc 80 0 radius 0.5 m\nwall blade -2 0 to 2 0 m spin "
+  CU_ASSERT_EQUAL(outcome(&error, BLADE "-2.828", 2, &done), NB_OK); /* 2^(1/2) rad in a step of 1/2 */
+  CU_ASSERT_EQUAL(outcome(&error, BLADE "-2.829", 2, &done), NB_BROKEN);
+  CU_ASSERT(has(&error, "wall `blade` (line 8): in cycle 1, at 0.5 s, it turned by -1.4145 rad in one step of 0.5 s"));
+  CU_ASSERT(has(&error, "smallest radius, 0.5 m"));
+  CU_ASSERT_EQUAL(outcome(&error, BLADE "25.132741228718345", 2, &done),
+                  NB_BROKEN); /* two whole turns: its ends are back */
+  CU_ASSERT_EQUAL(outcome(&error, HEAD "disc 90 0 radius 3 m fixed\nwall w -2 0 to 2 0 m spin 99", 2, &done), NB_OK);
+}
+
+/* A fixed disc moves slowly into one that is held as well as fixed by its mass: 1/16 in each step, so that the overlap is the radius
+ * after 16 cycles and more than it after 17. Between two searches too, when the skin is wide. */
+static void overlap_later(void) {
+  static const char *const skins[] = {"", "skin 0.01\n", "skin 0.9\n", "skin 1\n", "skin 7\n"};
+  for (size_t k = 0; k < sizeof skins / sizeof *skins; k++) {
+    char text[512];
+    struct nb_error error;
+    unsigned long done;
+    snprintf(text, sizeof text,
+             HEAD "material heavy density 1e30 kn 1\n%sdisc 0 0 radius 1 m fixed velocity 0.125 0\ndisc 2 0 radius 1 "
+                  "heavy\ndisc 2 40 radius 1 m",
+             skins[k]);
+    CU_ASSERT_EQUAL(outcome(&error, text, 16, &done), NB_OK);
+    CU_ASSERT_EQUAL(outcome(&error, text, 99, &done), NB_BROKEN);
+    CU_ASSERT_EQUAL(done, 17);
+    CU_ASSERT(has(&error, "and particle 2 (line "));
+    CU_ASSERT(has(&error, "at cycle 17, 8.5 s, they overlap by 1.0625 m. The limit is the smaller radius, 1 m"));
+  }
+}
+
+void suite_guard(void) {
+  CU_pSuite suite = CU_add_suite("guard", NULL, NULL);
+  CU_add_test(suite, "overlap at the start", overlap_at_the_start);
+  CU_add_test(suite, "way in a step", way_in_a_step);
+  CU_add_test(suite, "carried by a cell", carried_by_a_cell);
+  CU_add_test(suite, "turn in a step", turn_in_a_step);
+  CU_add_test(suite, "overlap later", overlap_later);
+}

@@ -1,0 +1,33 @@
+/* Discs at random that overlap by no more than a share of the smaller radius: a model with deeper ones is not made.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_PLACED_H
+#define NB_PLACED_H
+
+#include <stdbool.h>
+
+#include "chance.h"
+
+struct placed {
+  double share, side; /* of the smaller radius; of a periodic square, 0: none */
+  int count;
+  double disc[2000][3]; /* x, y, radius */
+};
+
+/* Finds a place for one more disc of this radius, in a square from (low, low) to (high, high). */
+static inline void placed_find(struct placed *placed, struct chance *chance, double low, double high, double radius) {
+  double *to = placed->disc[placed->count];
+  for (bool taken = true; taken;) {
+    taken = false;
+    to[0] = chance_between(chance, low, high), to[1] = chance_between(chance, low, high), to[2] = radius;
+    for (int k = 0; k < placed->count && !taken; k++) {
+      const double *other = placed->disc[k], side = placed->side;
+      const double x = to[0] - other[0], y = to[1] - other[1];
+      const double distance = side > 0 ? hypot(remainder(x, side), remainder(y, side)) : hypot(x, y);
+      taken = radius + other[2] - distance > placed->share * fmin(radius, other[2]);
+    }
+  }
+  placed->count++;
+}
+
+#endif
