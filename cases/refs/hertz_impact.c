@@ -104,7 +104,7 @@ const struct nb_reference reference_hertz_impact = {
     .title = "two elastic spheres, or a sphere and a wall, head-on: alpha(t) by quadrature and its inverse",
     .source = "[R89 5.5-5.12]",
     .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
-    .normal = "hertz",
+    .normal = "hertz hertz_increment", /* R89's sum of increments, which is meant to miss */
     .shear = "none",
     .know = know,
 };
