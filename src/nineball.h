@@ -51,7 +51,15 @@ void nb_mistakes_free(struct nb_mistakes *mistakes);
 
 /* ---- page.c: a Markdown file and its fenced blocks ---------------------------------------------------------------- */
 
-enum nb_block_kind { NB_BLOCK_SCENE, NB_BLOCK_EXPECT, NB_BLOCK_GNUPLOT, NB_BLOCK_PATH, NB_BLOCK_KINDS };
+enum nb_block_kind {
+  NB_BLOCK_SCENE,
+  NB_BLOCK_EXPECT,
+  NB_BLOCK_GNUPLOT,
+  NB_BLOCK_PATH,
+  NB_BLOCK_KINDS,
+  NB_BLOCK_HIDDEN =
+      NB_BLOCK_KINDS /* an expect block that is not read: in a quote, in a list or indented by four spaces */
+};
 
 struct nb_page {
   char *path;              /* as given, for messages; owned */
@@ -59,7 +67,7 @@ struct nb_page {
   char title[128];         /* first heading, without its `#` */
   char **lines;            /* the text, line by line, without line ends; owned */
   size_t line_count;       /* lines[0] is line 1 of the file */
-  unsigned char *kind_of;  /* per line: 1 + enum nb_block_kind inside such a block, 0 in prose and on fences; owned */
+  unsigned char *kind_of; /* per line: 1 + enum nb_block_kind inside of such a block, 0 in prose and on fences; owned */
   unsigned long long hash; /* FNV-1a of the whole file: what a table says it was made from */
 };
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes);

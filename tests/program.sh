@@ -226,7 +226,8 @@ test "$(column slip/m own/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-0
 run 0 explain "$pages/bench.md" --follow path.tsv
 out 'from point to point of a file'
 run 2 check "$pages/bench.md" --follow path.tsv
-said 'nothing is expected'
+out 'another path is followed than that of the page'
+said 'none of its expectations was checked'
 printf 'approach/m\tslip/m\n1e-6\tnought\n' >path.tsv
 run 2 run "$pages/bench.md" --follow path.tsv -o bad
 said 'path.tsv:2:6: error: expected a number for the slip, found `nought`'
@@ -246,11 +247,12 @@ verdict 'sweeps'
 run 0 check "$pages/sample.md"
 out 'stated 3, within 4 of seed: 2 to 5, mean 3.5, deviation 1.3; at the 38 % point'
 out 'note  D.x stated 70 among seed [a number outside] (T=1, n=8)'
+out 'note  D.x stated 3 among seed [a number within] (T=1, n=8)'
 out 'pass  D.x rises with T among seed'
 out 'from 1 to 2 +2.5 (0.4457 to 4.554) on 4.75'
-out '4 of 8 checks passed, 4 noted'
+out '2 of 2 checks passed, 6 noted'
 run 0 check "$pages/sample.md" --tap
-out 'not ok 3 - D.x stated 0.5 of D.x max among seed [a share, 1 in all] (T=1, n=8) # TODO outside of the sample'
+out 'ok 3 - D.x stated 0.5 of D.x max among seed [a share, 1 in all] (T=1, n=8) # SKIP noted, not judged'
 run 1 check "$pages/sample.md" --set push=-2 # all distances less by 3: the interval holds 0, and its end is beyond 4.6 no more
 out 'FAIL  D.x rises with T among seed'
 out 'from 1 to 2 -0.5 (-2.554 to 1.554)'
@@ -258,6 +260,35 @@ run 1 check "$pages/sample.md" --set push=0.1
 out 'FAIL  D.x same over T among seed within 4.6'
 run 2 check "$pages/sample.md" --set seed=1 # nothing is left to judge by
 verdict 'samples: where a stated number lies, and differences with their confidence'
+
+# ---- nothing that is expected vanishes ----
+run 0 check "$pages/hidden.md"
+out '4 of 4 checks passed'
+out '6 expectations were not checked:'
+out 'line 22: D.x stated 99 within 0 [in a quote]'
+out 'line 27: D.x stated 98 within 0 [indented]'
+out 'line 29: D.x above time'
+out 'line 35: D.x stated 97 within 0 [in a list]'
+out 'line 45: D.x same over v within 0'
+out '`w` has one value only, so there is nothing to compare'
+run 0 check "$pages/hidden.md" --tap
+out '1..10'
+out 'ok 2 - D.x same over v within 0 # SKIP `v` has one value only, so there is nothing to compare'
+run 0 run "$pages/hidden.md" -o hidden
+grep -q '^skip	45	' hidden/verdict.tsv || echo 'the verdict as a table does not have it' >>why
+run 0 report "$pages/hidden.md" -o hidden
+grep -q '<td class="pass">skip</td><td>D.x same over v' hidden/index.html || echo 'nor has the report' >>why
+run 2 check "$pages/swept.md" --set v=1
+out '1 expectation was not checked:'
+said 'none of its expectations was checked'
+run 2 check --tap "$pages/swept.md" --set v=1
+out 'not ok 2'
+sed -n '/^D.x *stated.* among/!p' "$pages/sample.md" | grep -v '^D.x  *[rs]' >unasked.md
+printf '```expect\nD.x stated 3 among seed [alone]\n```\n' >>unasked.md
+run 2 check unasked.md
+out ' noted'
+said 'none of its expectations was checked'
+verdict 'what is expected and not checked is said, and a page of nothing else does not pass'
 
 for jobs in 1 2 3; do
   run 0 run "$pages/swept.md" -o "jobs$jobs" --jobs $jobs

@@ -106,24 +106,47 @@ static size_t fence(const char *line, char *sign, const char **info) {
   return n < 3 || (*sign == '`' && strchr(*info, '`')) ? 0 : n;
 }
 
+/* The kind that a word was meant to name: it differs by one letter, or has the name and more; NULL: none. */
+static const char *near_kind(const char *word) {
+  static const char *const others[] = {"math", "patch"}; /* GitHub's own tags, one letter off `path` */
+  struct nb_guess guess = nb_guess_begin(word);
+  for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+    if (strcmp(word, others[k]) == 0)
+      return NULL;
+  for (int kind = 0; kind < NB_BLOCK_KINDS; kind++) {
+    nb_guess_offer(&guess, kinds[kind]);
+    if (guess.distance <= 1 || strncmp(word, kinds[kind], strlen(kinds[kind])) == 0)
+      return kinds[kind];
+  }
+  return NULL;
+}
+
 /* The kind of block that an opening fence begins; a near miss is a mistake: it would be passed over in silence. */
 static int kind_of_info(const struct nb_page *page, size_t line, const char *info, struct nb_mistakes *mistakes) {
   char word[NB_NAME_SIZE], hint[NB_HINT_SIZE];
-  size_t length = strcspn(info, " \t");
+  const size_t signs = strspn(info, "{."), length = strcspn(info + signs, " \t}");
   if (length == 0 || length >= sizeof word)
     return -1;
-  memcpy(word, info, length);
+  memcpy(word, info + signs, length);
   word[length] = '\0';
-  struct nb_guess guess = nb_guess_begin(word);
-  for (int kind = 0; kind < NB_BLOCK_KINDS; kind++) {
+  for (int kind = 0; kind < NB_BLOCK_KINDS && !signs; kind++)
     if (strcmp(word, kinds[kind]) == 0)
       return kind;
-    nb_guess_offer(&guess, kinds[kind]);
+  const char *near = near_kind(word);
+  const int whole = (int)strcspn(info, " \t");
+  if (near) {
+    snprintf(hint, sizeof hint, "did you mean `%s`?", near);
+    nb_mistake(mistakes, page, line, (int)(info + signs - page->lines[line - 1]) + 1, (int)length, hint,
+               "expected a block of a known kind (scene, path, expect, gnuplot), found `%.*s`", whole, info);
   }
-  if (guess.distance <= 1)
-    nb_mistake(mistakes, page, line, (int)(info - page->lines[line - 1]) + 1, (int)length, nb_guess_hint(&guess, hint),
-               "expected a block of a known kind (scene, path, expect, gnuplot), found `%s`", word);
   return -1;
+}
+
+/* A fence of an expect block that is no block for us: in a quote, in a list, or indented by more than three blanks. */
+static size_t hidden_fence(const char *line, char *sign) {
+  const char *info;
+  const size_t n = fence(line + strspn(line, " \t>*+-"), sign, &info);
+  return strcspn(info, " \t") == strlen("expect") && strncmp(info, "expect", strlen("expect")) == 0 ? n : 0;
 }
 
 static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
@@ -132,8 +155,12 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
   int kind = -1;
   for (size_t i = 0; i < page->line_count; i++) {
     const char *line = page->lines[i], *info;
+    const size_t prefix = strspn(line, " \t>");
+    const bool hidden = open && kind == NB_BLOCK_HIDDEN;
     char s;
-    size_t n = fence(line, &s, &info);
+    if (hidden && prefix == 0 && *line)
+      open = 0; /* the quote or the list ends */
+    size_t n = fence(open && hidden ? line + prefix : line, &s, &info);
     if (open && n >= open && s == sign && *info == '\0') {
       open = 0;
     } else if (open) {
@@ -143,6 +170,8 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
       sign = s;
       opened_on = i + 1;
       kind = kind_of_info(page, i + 1, info, mistakes);
+    } else if ((open = hidden_fence(line, &sign))) {
+      kind = NB_BLOCK_HIDDEN;
     } else if (!page->title[0] && strncmp(line, "# ", 2) == 0) {
       size_t length = strlen(line + 2);
       if (length >= sizeof page->title)
@@ -153,7 +182,7 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
       page->title[length] = '\0';
     }
   }
-  if (open) {
+  if (open && kind != NB_BLOCK_HIDDEN) {
     int column = (int)strspn(page->lines[opened_on - 1], " ") + 1;
     nb_mistake(mistakes, page, opened_on, column, (int)open, "close it with a line of as many signs, alone on the line",
                "expected the end of the block that begins here, found the end of the page");

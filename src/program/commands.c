@@ -72,15 +72,16 @@ enum nb_status nb_command_check(const struct nb_use *use) {
   for (size_t k = 0; k < use->page_count; k++) {
     struct nb_outcome outcome;
     carry_out(&outcome, use, use->pages[k]);
-    if (outcome.status <= NB_FAILED && outcome.check_count == 0)
-      outcome.status = nb_error_set(&outcome.error, NB_BAD_USE,
-                                    "nothing is expected: no page passes by asking nothing; add a block "
-                                    "of kind `expect`, or use `nineball run`");
+    if (!use->tap && outcome.status <= NB_FAILED)
+      nb_print_verdict(&outcome);
+    if (outcome.status == NB_OK && !outcome.marked[NB_PASS])
+      outcome.status = nb_error_set(
+          &outcome.error, NB_BAD_USE, "%s: no page passes unless something is checked; %s or use `nineball run`",
+          outcome.check_count ? "none of its expectations was checked" : "nothing is expected",
+          outcome.check_count ? "see the reasons," : "add a block of kind `expect`,");
     nb_print_trouble(&outcome, use->pages[k]);
     if (use->tap)
       nb_print_tap(&outcome, use->pages[k]);
-    else if (outcome.status <= NB_FAILED)
-      nb_print_verdict(&outcome);
     worst = worse(worst, outcome.status);
     nb_outcome_free(&outcome);
   }
@@ -136,7 +137,7 @@ static void report_one(const struct nb_use *use, const char *path, const char *f
     snprintf(line->message, sizeof line->message, "%s",
              outcome.mistakes.text ? outcome.mistakes.text : outcome.error.text);
   }
-  line->checks = outcome.check_count, line->failed = outcome.failed;
+  line->checks = outcome.check_count, line->failed = outcome.marked[NB_FAIL];
   line->verdicts = outcome.checks, outcome.checks = NULL;
   printf("%-28s %4zu checks, %zu failed%s\n", line->name, line->checks, line->failed,
          line->status > NB_FAILED ? "; did not run" : "");

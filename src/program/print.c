@@ -9,25 +9,33 @@
 #include "commands.h"
 #include "verdict/outcome.h"
 
+/* What was expected and not checked, each with its line and the reason. */
+static void print_skipped(const struct nb_outcome *outcome) {
+  const size_t skipped = outcome->marked[NB_SKIP];
+  if (skipped)
+    printf("  %zu expectation%s not checked:\n", skipped, skipped == 1 ? " was" : "s were");
+  for (size_t k = 0; k < outcome->check_count; k++) {
+    const struct nb_check *check = &outcome->checks[k];
+    if (check->mark == NB_SKIP)
+      printf("        line %d: %s\n        %s\n", check->line, check->label, check->words);
+  }
+}
+
 void nb_print_verdict(const struct nb_outcome *outcome) {
+  const size_t *marked = outcome->marked;
   printf("%s: %s\n", outcome->page.name, outcome->page.title);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
-    printf("  %s  %s\n        %s\n",
-           check->passed  ? "pass"
-           : check->noted ? "note"
-                          : "FAIL",
-           check->label, check->words);
+    if (check->mark != NB_SKIP)
+      printf("  %s  %s\n        %s\n", nb_mark_word(check->mark), check->label, check->words);
   }
-  size_t noted = 0;
-  for (size_t k = 0; k < outcome->check_count; k++)
-    noted += outcome->checks[k].noted && !outcome->checks[k].passed;
-  if (outcome->check_count)
-    printf("  %zu of %zu checks passed", outcome->check_count - outcome->failed - noted, outcome->check_count);
-  if (noted)
-    printf(", %zu noted", noted);
-  if (outcome->check_count)
+  if (marked[NB_PASS] + marked[NB_FAIL])
+    printf("  %zu of %zu checks passed", marked[NB_PASS], marked[NB_PASS] + marked[NB_FAIL]);
+  if (marked[NB_NOTE])
+    printf("%s%zu noted", marked[NB_PASS] + marked[NB_FAIL] ? ", " : "  ", marked[NB_NOTE]);
+  if (marked[NB_PASS] + marked[NB_FAIL] + marked[NB_NOTE])
     puts("");
+  print_skipped(outcome);
 }
 
 /* A `#` would begin a directive of TAP. */
@@ -37,22 +45,27 @@ static void tap_text(const char *words) {
 }
 
 void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
-  if (outcome->status > NB_FAILED) {
-    printf("1..1\nnot ok 1 - %s %s\n# %s\n", path, outcome->mistakes.count ? "has mistakes" : "did not run",
-           outcome->mistakes.count ? "" : outcome->error.text);
-    return;
-  }
-  printf("1..%zu\n", outcome->check_count);
-  for (size_t k = 0; k < outcome->check_count; k++) {
+  const size_t count = outcome->check_count;
+  const bool stopped = outcome->status > NB_FAILED;
+  printf("1..%zu\n", count + stopped);
+  for (size_t k = 0; k < count; k++) {
     const struct nb_check *check = &outcome->checks[k];
-    printf("%s %zu - ", check->passed ? "ok" : "not ok", k + 1);
+    printf("%s %zu - ", check->mark == NB_FAIL ? "not ok" : "ok", k + 1);
     tap_text(check->label);
-    if (check->noted && !check->passed) /* TAP's word for what is not ok and yet fails nothing */
-      fputs(" # TODO outside of the sample", stdout);
+    if (check->mark == NB_NOTE)
+      fputs(" # SKIP noted, not judged", stdout);
+    if (check->mark == NB_SKIP)
+      fputs(" # SKIP ", stdout), tap_text(check->words);
     printf("\n# line %d: ", check->line);
     tap_text(check->words);
     putchar('\n');
   }
+  if (stopped)
+    printf("not ok %zu - %s %s\n# %s\n", count + 1, path,
+           outcome->mistakes.count ? "has mistakes"
+           : count                 ? "was not checked"
+                                   : "did not run",
+           outcome->mistakes.count ? "" : outcome->error.text);
 }
 
 /* Of all runs together, and which one was the first. */

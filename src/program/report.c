@@ -69,7 +69,8 @@ static void write_page(FILE *out, const struct nb_report_line *line) {
             line->checks < MANY || line->failed ? " open" : "", line->checks, line->failed);
   for (size_t k = 0; k < line->checks; k++) {
     const struct nb_check *check = &line->verdicts[k];
-    fprintf(out, "<tr><td class=\"%s\">%s</td><td>", check->passed ? "pass" : "fail", check->passed ? "pass" : "FAIL");
+    fprintf(out, "<tr><td class=\"%s\">%s</td><td>", check->mark == NB_FAIL ? "fail" : "pass",
+            nb_mark_word(check->mark));
     text(out, check->label);
     fputs("</td><td>", out);
     text(out, check->words);

@@ -144,7 +144,7 @@ static void write_verdict(FILE *out, const struct nb_outcome *outcome) {
   fputs("verdict\tline\texpected\tseen\n", out);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
-    fprintf(out, "%s\t%d\t%s\t%s\n", check->passed ? "pass" : "FAIL", check->line, check->label, check->words);
+    fprintf(out, "%s\t%d\t%s\t%s\n", nb_mark_word(check->mark), check->line, check->label, check->words);
   }
 }
 

@@ -69,8 +69,22 @@ static bool take_source(struct nb_reader *reader, struct nb_expectation *expecta
   return false;
 }
 
+/* A percentage of a reference that is 0 allows no error, so it cannot have been meant. */
+static bool refuse_share_of_zero(struct nb_reader *reader, const struct nb_expectation *expectation, bool zero,
+                                 size_t at) {
+  if (!zero || expectation->tolerance.kind != NB_RELATIVE || reader->bad)
+    return true;
+  nb_token_mistake(reader, &reader->tokens[at],
+                   "give it a unit, or name what it is a share of: `within 1 % of energy.kinetic max`",
+                   "expected a tolerance that is no share of 0, found `%s`", expectation->tolerance.text);
+  return false;
+}
+
 static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return nb_take_tolerance(reader, scene, expectation->measure.unit, &expectation->tolerance);
+  const struct nb_measure *measure = &expectation->measure;
+  const size_t at = reader->next + 1;
+  return nb_take_tolerance(reader, scene, measure->unit, &expectation->tolerance) &&
+         refuse_share_of_zero(reader, expectation, measure->unit && measure->vanishes, at);
 }
 
 static bool take_along(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
@@ -101,9 +115,11 @@ static bool take_stated(struct nb_reader *reader, const struct nb_scene *scene, 
     return false;
   if (!take_among(reader, scene, expectation))
     return false;
+  const size_t at = reader->next + 1;
   return (expectation->among[0] ||
-          nb_take_tolerance(reader, scene, expectation->has_scale ? "1" : expectation->measure.unit,
-                            &expectation->tolerance)) &&
+          (nb_take_tolerance(reader, scene, expectation->has_scale ? "1" : expectation->measure.unit,
+                             &expectation->tolerance) &&
+           refuse_share_of_zero(reader, expectation, expectation->stated == 0 && !number->hollow, at))) &&
          take_source(reader, expectation);
 }
 
@@ -146,7 +162,7 @@ static const struct nb_expectation_row rows[] = {
    "`stated NUMBER among NAME [SOURCE]`: where it lies among the runs of a sweep, one draw among many; that is said, and fails "
    "nothing.",
    "time at 0 cycles  stated 0 s within 0 s  [the clock starts]\n"
-   "C.normal in part  stated 0 of C.normal max in strike within 1 %  [the discs part]"},
+   "C.normal in part  stated 0 of C.normal max in strike within 0.01  [the discs part]"},
   {"below", NB_LESS, "MEASURE below MEASURE", take_other, "Two measures of the same run.",
    "C.overlap in part  below  C.overlap max in strike"},
   {"above", NB_MORE, "MEASURE above MEASURE", take_other, "Likewise.",

@@ -101,8 +101,8 @@ static bool take_moment(struct nb_reader *reader, const struct nb_scene *scene, 
 static bool unknown_reducer(struct nb_reader *reader, bool reduced) {
   char hint[NB_HINT_SIZE], words[256] = "";
   const struct nb_token *token = nb_token_peek(reader);
-  if (!token || strcmp(token->text, "in") == 0 || strcmp(token->text, "among") == 0)
-    return false;
+  if (!token || strcmp(token->text, "in") == 0 || strcmp(token->text, "among") == 0 || token->text[0] == '[')
+    return false; /* of a stated number the source may follow */
   struct nb_guess guess = nb_guess_begin(token->text);
   for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
     if (strcmp(row->word, token->text) == 0)

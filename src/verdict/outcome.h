@@ -18,12 +18,20 @@ struct nb_page_run {
   struct nb_error error; /* in words */
 };
 
+/* What came of an expectation. Only the first two are judgements. */
+enum nb_mark {
+  NB_FAIL,
+  NB_PASS,
+  NB_NOTE, /* where a stated number lies in a sample: reported, and never a failure */
+  NB_SKIP, /* not checked, and the words say why */
+  NB_MARKS
+};
+
 /* One expectation held against what was seen. */
 struct nb_check {
   char label[640]; /* "C.normal mean within 0.1 %" and the run */
   char words[512]; /* "seen 1.002, known 1.003, off by 0.05 %" */
-  bool passed;
-  bool noted; /* what a paper states, beside a sample: said whether it passes or not, and never a failure */
+  enum nb_mark mark;
   int line;
 };
 
@@ -33,9 +41,9 @@ struct nb_outcome {
   struct nb_page_run *runs;    /* owned, as is all below */
   size_t run_count;
   struct nb_check *checks;
-  size_t check_count, failed;
-  enum nb_status status; /* the worst that came up */
-  struct nb_error error; /* in words, when it is NB_BAD_USE without mistakes, or NB_BROKEN */
+  size_t check_count, marked[NB_MARKS]; /* checks in all, and of each mark */
+  enum nb_status status;                /* the worst that came up */
+  struct nb_error error;                /* in words, when it is NB_BAD_USE without mistakes, or NB_BROKEN */
 };
 
 /* Reads the page, runs it, options->jobs of its runs at a time, judges it. What can be known of it is in the outcome whatever the status; free it in any case. */
@@ -45,9 +53,9 @@ enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_
 enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings);
 void nb_outcome_free(struct nb_outcome *outcome);
 
-/* ---- measure.c: from the rows of a table to one number ---- */
+/* ---- reducers.c: from the rows of a table to one number ---- */
 
-/* False when the table has no rows to reduce, or none at that moment; then the error says so. */
+/* False when the table has no rows to reduce, or none at that moment, or when a value is not finite; then the error says so. */
 bool nb_measure_seen(double *value, const struct nb_measure *measure, const struct nb_table *table,
                      struct nb_error *error);
 /* The rows of a stage, or of the last stage that has any: first and one past the last. */
@@ -58,5 +66,6 @@ const double *nb_measure_known(const struct nb_measure *measure, const struct nb
 
 /* ---- verdict.c ---- */
 enum nb_status nb_verdict(struct nb_outcome *outcome);
+const char *nb_mark_word(enum nb_mark mark); /* "pass" */
 
 #endif

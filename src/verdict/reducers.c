@@ -12,10 +12,13 @@
 
 #include "outcome.h"
 
+static bool is_moment(const struct nb_measure *measure) {
+  return measure->reducer == NB_AT_CYCLE || measure->reducer == NB_AT_TIME;
+}
+
 void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to) {
-  const bool moment = measure->reducer == NB_AT_CYCLE || measure->reducer == NB_AT_TIME;
   *from = 0, *to = table->row_count;
-  if (table->row_count == 0 || measure->stage == NB_STAGE_ALL || (moment && measure->stage < 0))
+  if (table->row_count == 0 || measure->stage == NB_STAGE_ALL || (is_moment(measure) && measure->stage < 0))
     return;
   const int stage = measure->stage < 0 ? table->stage[table->row_count - 1] : measure->stage;
   while (*from < *to && table->stage[*from] != stage)
@@ -43,7 +46,7 @@ static double mean(const struct column *column) {
 static double extreme(const struct column *column, double sign) {
   double most = -INFINITY;
   for (size_t r = column->from; r < column->to; r++)
-    most = sign * value(column, r) > most ? sign * value(column, r) : most;
+    most = fmax(most, sign * value(column, r));
   return sign * most;
 }
 
@@ -62,21 +65,36 @@ static double frequency(const struct column *column) {
   return crossings > 1 ? (crossings - 1) / (last - first) : NAN;
 }
 
-static double at(const struct column *column, const double *when, double moment, bool between) {
-  for (size_t r = column->from; r < column->to; r++) {
-    if (when[r] == moment)
-      return value(column, r);
-    if (between && r > column->from && when[r - 1] < moment && moment < when[r])
-      return value(column, r - 1) +
-             (value(column, r) - value(column, r - 1)) * (moment - when[r - 1]) / (when[r] - when[r - 1]);
-  }
-  return NAN;
+/* Leaves the rows that a measure is formed of: the last one, the one at a moment, or the two around it. */
+static void narrow(struct column *column, const struct nb_measure *measure) {
+  const bool between = measure->reducer == NB_AT_TIME;
+  const double *when = between ? column->table->time : column->table->cycle, moment = measure->at;
+  if (measure->reducer == NB_LAST)
+    column->from = column->to - 1;
+  if (!is_moment(measure))
+    return;
+  size_t r = column->from;
+  while (r < column->to && when[r] < moment)
+    r++;
+  const bool exact = r < column->to && when[r] == moment;
+  const bool around = between && r < column->to && r > column->from;
+  column->from = exact || !around ? r : r - 1;
+  column->to = exact || around ? r + 1 : r;
+}
+
+/* On the straight line between two rows, or the only row. */
+static double at(const struct column *column, const double *when, double moment) {
+  const size_t r = column->from;
+  const double here = value(column, r);
+  if (r + 1 == column->to)
+    return here;
+  return here + (value(column, r + 1) - here) * (moment - when[r]) / (when[r + 1] - when[r]);
 }
 
 static double reduce(const struct nb_measure *measure, const struct column *column) {
   switch (measure->reducer) {
   case NB_LAST:
-    return value(column, column->to - 1);
+    return value(column, column->from);
   case NB_MAX:
     return extreme(column, 1);
   case NB_MIN:
@@ -88,25 +106,38 @@ static double reduce(const struct nb_measure *measure, const struct column *colu
   case NB_FREQUENCY:
     return frequency(column);
   case NB_AT_CYCLE:
-    return at(column, column->table->cycle, measure->at, false);
   case NB_AT_TIME:
-    return at(column, column->table->time, measure->at, true);
+    return at(column, column->table->time, measure->at);
   }
   return NAN;
+}
+
+static bool not_formed(struct nb_error *error, const struct nb_measure *measure, const char *why) {
+  nb_error_set(error, NB_FAILED, "`%s` cannot be formed: %s", measure->label, why);
+  return false;
 }
 
 bool nb_measure_seen(double *seen, const struct nb_measure *measure, const struct nb_table *table,
                      struct nb_error *error) {
   struct column column = {.table = table, .index = measure->column};
+  char why[NB_NAME_SIZE];
   nb_measure_rows(measure, table, &column.from, &column.to);
-  *seen = column.from < column.to ? reduce(measure, &column) : NAN;
-  if (*seen == *seen)
+  *seen = NAN;
+  if (column.from == column.to)
+    return not_formed(error, measure, "nothing was recorded then");
+  narrow(&column, measure);
+  if (column.from == column.to)
+    return not_formed(error, measure, "no row was recorded at that moment");
+  for (size_t r = column.from; r < column.to; r++)
+    if (!isfinite(value(&column, r))) {
+      snprintf(why, sizeof why, "it is %g at cycle %.0f", value(&column, r), table->cycle[r]);
+      return not_formed(error, measure, why);
+    }
+  *seen = reduce(measure, &column);
+  if (isfinite(*seen))
     return true;
-  const char *why = column.from >= column.to           ? "nothing was recorded then"
-                    : measure->reducer == NB_FREQUENCY ? "it crosses its mean less than twice"
-                                                       : "no row was recorded at that moment";
-  nb_error_set(error, NB_FAILED, "`%s` cannot be formed: %s", measure->label, why);
-  return false;
+  return not_formed(error, measure,
+                    isnan(*seen) ? "it crosses its mean less than twice" : "it is too large for a number");
 }
 
 const double *nb_measure_known(const struct nb_measure *measure, const struct nb_scene *scene,

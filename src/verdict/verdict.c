@@ -16,45 +16,94 @@ static struct nb_check *new_check(struct nb_outcome *outcome) {
       return NULL;
     outcome->checks = checks;
   }
-  outcome->checks[n] = (struct nb_check){.passed = false};
+  outcome->checks[n] = (struct nb_check){.mark = NB_FAIL};
   outcome->check_count++;
   return &outcome->checks[n];
 }
 
-void nb_check_say(struct nb_check *check, bool passed, const char *format, ...) {
+const char *nb_mark_word(enum nb_mark mark) {
+  static const char *const words[NB_MARKS] = {
+      [NB_FAIL] = "FAIL", [NB_PASS] = "pass", [NB_NOTE] = "note", [NB_SKIP] = "skip"};
+  return words[mark];
+}
+
+static void add(struct nb_check *check, const char *format, va_list arguments) {
+  const size_t length = strlen(check->words);
+  vsnprintf(check->words + length, sizeof check->words - length, format, arguments);
+}
+
+void nb_check_add(struct nb_check *check, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
-  vsnprintf(check->words, sizeof check->words, format, arguments);
+  add(check, format, arguments);
   va_end(arguments);
-  check->passed = passed;
 }
 
-/* Off by so much, of at most so much; a value that is no number passes nothing. */
+void nb_check_say(struct nb_check *check, bool passed, const char *format, ...) {
+  va_list arguments;
+  check->words[0] = 0;
+  check->mark = passed ? NB_PASS : NB_FAIL;
+  va_start(arguments, format);
+  add(check, format, arguments);
+  va_end(arguments);
+}
+
+double nb_excess(const struct nb_tolerance *tolerance, double computed, double reference, double scale) {
+  const double error = fabs(computed - reference);
+  const double allowed = tolerance->value * (tolerance->kind == NB_ABSOLUTE ? 1 : fabs(scale));
+  if (!isfinite(error) || !isfinite(allowed))
+    return INFINITY;
+  return error > 0 ? error / allowed : 0;
+}
+
+/* One number beside another: both, how far they are apart, and why that cannot be told where it cannot. */
 static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double seen, double known,
-                    double whole, const char *unit, const char *from) {
+                    double scale, const char *unit, const char *from) {
   const double off = fabs(seen - known);
-  const char *gap = unit[0] ? " " : "";
-  if (tolerance->kind == NB_ABSOLUTE) {
-    nb_check_say(check, off <= tolerance->value, "seen %.12g%s%s, %s %.12g, off by %.3g", seen, gap, unit, from, known,
-                 off);
-    return;
-  }
-  const double scale = fabs(tolerance->kind == NB_RELATIVE ? known : whole);
-  const char *of = tolerance->kind == NB_OF_PEAK ? " of peak" : tolerance->kind == NB_OF_MEASURE ? " of " : "";
-  nb_check_say(check, off <= tolerance->value * scale, "seen %.12g%s%s, %s %.12g, off by %.3g %%%s%s", seen, gap, unit,
-               from, known, scale > 0 ? 100 * off / scale : 0, of,
-               tolerance->kind == NB_OF_MEASURE ? tolerance->of.label : "");
+  const bool relative = tolerance->kind != NB_ABSOLUTE;
+  nb_check_say(check, nb_excess(tolerance, seen, known, scale) <= 1, "seen %.12g%s%s, %s %.12g", seen,
+               unit[0] ? " " : "", unit, from, known);
+  if (!isfinite(seen) || !isfinite(known))
+    nb_check_add(check, ": not a finite number");
+  else if (relative && !isfinite(tolerance->value * scale))
+    nb_check_add(check, ": a share of %g is no finite tolerance", scale);
+  else if (!relative)
+    nb_check_add(check, ", off by %.3g", off);
+  else if (scale != 0)
+    nb_check_add(check, ", off by %.3g %%%s%s", 100 * off / fabs(scale),
+                 tolerance->kind == NB_OF_PEAK      ? " of peak"
+                 : tolerance->kind == NB_OF_MEASURE ? " of "
+                                                    : "",
+                 tolerance->kind == NB_OF_MEASURE ? tolerance->of.label : "");
+  else
+    nb_check_add(check, ", off by %.3g; a tolerance in %% of 0 allows no error", off);
 }
 
-/* What a share is of, when that is a peak or another measure; false with words when it cannot be formed. */
-static bool find_whole(double *whole, struct nb_check *check, const struct nb_page_run *run,
+/* What a share is of: the other measure that the tolerance names, or else `own`; false with words when there is none. */
+static bool find_scale(double *scale, double own, struct nb_check *check, const struct nb_page_run *run,
                        const struct nb_tolerance *tolerance) {
   struct nb_error error;
-  const bool seen =
-      tolerance->kind != NB_OF_MEASURE || nb_measure_seen(whole, &tolerance->of, &run->result.table, &error);
-  if (!seen)
+  *scale = own;
+  if (tolerance->kind != NB_OF_MEASURE || nb_measure_seen(scale, &tolerance->of, &run->result.table, &error))
+    return true;
+  nb_check_say(check, false, "%s", error.text);
+  return false;
+}
+
+bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_run *run,
+                    const struct nb_expectation *e) {
+  struct nb_error error;
+  double scale = 1;
+  if (!nb_measure_seen(value, &e->measure, &run->result.table, &error) ||
+      (e->has_scale && !nb_measure_seen(&scale, &e->other, &run->result.table, &error))) {
     nb_check_say(check, false, "%s", error.text);
-  return seen;
+    return false;
+  }
+  const double whole = *value;
+  *value /= scale;
+  if (!isfinite(*value))
+    nb_check_say(check, false, "seen %.12g of %.12g: their ratio is not a finite number", whole, scale);
+  return isfinite(*value);
 }
 
 /* Of the reference, or 0 for a residual. */
@@ -68,19 +117,19 @@ static const char *unit_of(const struct nb_page_run *run, const char *unit) {
   return run->scene.unitless || strcmp(unit, "1") == 0 ? "" : unit;
 }
 
-static void check_within(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
-  struct nb_error error;
-  double seen;
-  const double *known = nb_check_known(run, &e->measure);
-  double whole = known ? fabs(*known) : 0;
+/* One number beside that of the reference, or beside the one that is stated. */
+static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
+  const bool stated = e->kind == NB_STATED;
+  const double *known = stated ? &e->stated : nb_check_known(run, &e->measure);
+  double seen, scale;
   if (!known)
     nb_check_say(check, false, "the reference does not know `%s`", e->measure.label);
-  else if (!nb_measure_seen(&seen, &e->measure, &run->result.table, &error))
-    nb_check_say(check, false, "%s", error.text);
-  else if (find_whole(&whole, check, run, &e->tolerance))
-    compare(check, &e->tolerance, seen, *known, whole, unit_of(run, e->measure.unit), "known");
+  else if (nb_check_value(&seen, check, run, e) && find_scale(&scale, *known, check, run, &e->tolerance))
+    compare(check, &e->tolerance, seen, *known, scale, e->has_scale ? "" : unit_of(run, e->measure.unit),
+            stated ? "stated" : "known");
 }
 
+/* The same at every row: all of them must hold, and the worst one is reported. */
 static void check_along(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const struct nb_table *table = &run->result.table;
   const char *quantity = table->names[e->measure.column];
@@ -92,35 +141,22 @@ static void check_along(struct nb_check *check, const struct nb_page_run *run, c
                  quantity, e->along);
     return;
   }
-  double peak = 0, worst = -1;
-  size_t where = from;
-  for (size_t r = from; r < to; r++) {
-    const double *row = table->values + r * table->column_count;
-    const double known = curve->at(curve->data, row[e->along_column]), off = fabs(row[e->measure.column] - known);
-    peak = fabs(known) > peak ? fabs(known) : peak;
-    const double share = e->tolerance.kind == NB_RELATIVE ? off / fabs(known) : off;
-    if (share > worst || share != share)
-      worst = share, where = r;
-  }
-  const double *row = table->values + where * table->column_count;
-  if (!find_whole(&peak, check, run, &e->tolerance))
+  double peak = 0, scale, most = -1;
+  for (size_t r = from; r < to; r++)
+    peak = fmax(peak, fabs(curve->at(curve->data, table->values[r * table->column_count + e->along_column])));
+  if (!find_scale(&scale, peak, check, run, &e->tolerance))
     return;
-  compare(check, &e->tolerance, row[e->measure.column], curve->at(curve->data, row[e->along_column]), peak,
-          unit_of(run, e->measure.unit), "known");
-  const size_t length = strlen(check->words);
-  snprintf(check->words + length, sizeof check->words - length, ", worst of %zu rows at %s %.6g", to - from, e->along,
-           row[e->along_column]);
-}
-
-static void check_stated(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
-  struct nb_error error;
-  double seen, scale = 1, whole = fabs(e->stated);
-  if (!nb_measure_seen(&seen, &e->measure, &run->result.table, &error) ||
-      (e->has_scale && !nb_measure_seen(&scale, &e->other, &run->result.table, &error)))
-    nb_check_say(check, false, "%s", error.text);
-  else if (find_whole(&whole, check, run, &e->tolerance))
-    compare(check, &e->tolerance, seen / scale, e->stated, whole, e->has_scale ? "" : unit_of(run, e->measure.unit),
-            "stated");
+  for (size_t r = from; r < to; r++) {
+    const double *row = table->values + r * table->column_count, x = row[e->along_column];
+    const double seen = row[e->measure.column], known = curve->at(curve->data, x);
+    const double share_of = e->tolerance.kind == NB_RELATIVE ? known : scale;
+    const double excess = nb_excess(&e->tolerance, seen, known, share_of);
+    if (!(excess > most))
+      continue;
+    most = excess;
+    compare(check, &e->tolerance, seen, known, share_of, unit_of(run, e->measure.unit), "known");
+    nb_check_add(check, ", worst of %zu rows at %s %.6g", to - from, e->along, x);
+  }
 }
 
 static void check_order(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
@@ -133,40 +169,37 @@ static void check_order(struct nb_check *check, const struct nb_page_run *run, c
     nb_check_say(check, e->kind == NB_LESS ? seen < other : seen > other, "seen %.12g and %.12g", seen, other);
 }
 
-static void label(struct nb_check *check, const struct nb_outcome *outcome, const struct nb_page_run *run,
-                  const struct nb_expectation *e) {
-  const char *line = outcome->page.lines[e->line - 1];
-  char text[256];
+/* The statement on a line of the page, without its comment. */
+static void label(struct nb_check *check, const struct nb_outcome *outcome, int line) {
+  const char *c = outcome->page.lines[line - 1];
   size_t n = 0;
-  for (const char *c = line + strspn(line, " \t"); *c && *c != '#' && *c != '\r' && n + 1 < sizeof text; c++)
-    if (!(strchr(" \t", *c) && (n == 0 || text[n - 1] == ' ')))
-      text[n++] = *c == '\t' ? ' ' : *c;
-  while (n > 0 && text[n - 1] == ' ')
+  for (c += strspn(c, " \t>"); *c && *c != '#' && n < 255; c++)
+    if (!(strchr(" \t", *c) && (n == 0 || check->label[n - 1] == ' ')))
+      check->label[n++] = *c == '\t' ? ' ' : *c;
+  while (n > 0 && check->label[n - 1] == ' ')
     n--;
-  text[n] = 0;
-  char group[256];
-  nb_sweep_group(group, sizeof group, run, e);
-  snprintf(check->label, sizeof check->label, "%s%s%s%s", text, group[0] ? " (" : "", group, group[0] ? ")" : "");
-  check->line = e->line;
+  check->label[n] = 0;
+  check->line = line;
 }
 
 static void judge(struct nb_check *check, const struct nb_outcome *outcome, size_t r, size_t index) {
   const struct nb_page_run *run = &outcome->runs[r];
   const struct nb_expectation *e = &run->expectations.list[index];
-  label(check, outcome, run, e);
+  char group[256];
+  nb_sweep_group(group, sizeof group, run, e);
+  const size_t length = strlen(check->label);
+  snprintf(check->label + length, sizeof check->label - length, group[0] ? " (%s)" : "", group);
   if (e->among[0]) {
     nb_check_sample(check, outcome, r, index);
     return;
   }
   switch (e->kind) {
   case NB_WITHIN:
-    check_within(check, run, e);
+  case NB_STATED:
+    check_value(check, run, e);
     break;
   case NB_ALONG:
     check_along(check, run, e);
-    break;
-  case NB_STATED:
-    check_stated(check, run, e);
     break;
   case NB_LESS:
   case NB_MORE:
@@ -183,19 +216,69 @@ static void judge(struct nb_check *check, const struct nb_outcome *outcome, size
   }
 }
 
+static bool is_skipped(const struct nb_outcome *outcome, int line) {
+  for (size_t k = 0; k < outcome->check_count; k++)
+    if (outcome->checks[k].line == line && outcome->checks[k].mark == NB_SKIP)
+      return true;
+  return false;
+}
+
+/* A check that is not carried out for this reason, once for each line of the page. False when memory runs out. */
+static bool skip(struct nb_outcome *outcome, int line, const char *format, const char *name) {
+  if (is_skipped(outcome, line))
+    return true;
+  struct nb_check *check = new_check(outcome);
+  if (!check)
+    return false;
+  label(check, outcome, line);
+  snprintf(check->words, sizeof check->words, format, name);
+  check->mark = NB_SKIP;
+  return true;
+}
+
+/* The statements of expect blocks that nobody has read. */
+static bool skip_unread(struct nb_outcome *outcome) {
+  const struct nb_page *page = &outcome->page;
+  const bool followed = outcome->run_count > 0 && outcome->runs[0].scene.followed;
+  bool all = true;
+  for (size_t i = 0; i < page->line_count && all; i++) {
+    const char *statement = page->lines[i] + strspn(page->lines[i], " \t>");
+    const bool hidden = page->kind_of[i] == 1 + NB_BLOCK_HIDDEN;
+    if (!(hidden || (followed && page->kind_of[i] == 1 + NB_BLOCK_EXPECT)) || !*statement || *statement == '#' ||
+        strncmp(statement, "reference ", strlen("reference ")) == 0)
+      continue;
+    all = skip(outcome, (int)i + 1,
+               hidden ? "the block is in a quote, in a list or indented by four spaces, so it is not read"
+                      : "another path is followed than that of the page",
+               NULL);
+  }
+  return all;
+}
+
 enum nb_status nb_verdict(struct nb_outcome *outcome) {
-  for (size_t r = 0; r < outcome->run_count; r++) {
+  bool room = true;
+  for (size_t r = 0; r < outcome->run_count && room; r++) {
     const struct nb_expectations *expectations = &outcome->runs[r].expectations;
-    for (size_t k = 0; k < expectations->count; k++) {
+    for (size_t k = 0; k < expectations->count && room; k++) {
       const struct nb_expectation *e = &expectations->list[k];
       if (nb_over_sweep(e) && !nb_sweep_leads(outcome, r, e))
         continue;
+      const char *constant = nb_over_sweep(e) ? nb_sweep_constant(outcome, r, e) : NULL;
+      if (constant) {
+        room = skip(outcome, e->line, "`%s` has one value only, so there is nothing to compare", constant);
+        continue;
+      }
       struct nb_check *check = new_check(outcome);
-      if (!check)
-        return nb_error_memory(&outcome->error);
-      judge(check, outcome, r, k);
-      outcome->failed += !check->passed && !check->noted;
+      room = check != NULL;
+      if (check) {
+        label(check, outcome, e->line);
+        judge(check, outcome, r, k);
+      }
     }
   }
-  return outcome->failed ? NB_FAILED : NB_OK;
+  if (!room || !skip_unread(outcome))
+    return nb_error_memory(&outcome->error);
+  for (size_t k = 0; k < outcome->check_count; k++)
+    outcome->marked[outcome->checks[k].mark]++;
+  return outcome->marked[NB_FAIL] ? NB_FAILED : NB_OK;
 }

@@ -7,13 +7,22 @@
 #include "outcome.h"
 
 void nb_check_say(struct nb_check *check, bool passed, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Behind what is said already. */
+void nb_check_add(struct nb_check *check, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* The rule of every tolerance: |computed - reference| as a multiple of the error that is allowed, so at most 1 when the
+ * expectation holds. `scale`: what a tolerance in per cent is a share of. Infinite when one of the numbers is not finite. */
+double nb_excess(const struct nb_tolerance *tolerance, double computed, double reference, double scale);
+/* What is measured in this run, as a share of another measure where one is named; false with words when it is not a finite number. */
+bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_run *run,
+                    const struct nb_expectation *expectation);
 /* Of the reference, or 0 for a residual; NULL: not known. */
 const double *nb_check_known(const struct nb_page_run *run, const struct nb_measure *measure);
 
 bool nb_over_sweep(const struct nb_expectation *expectation);
-/* A group of runs that differ in the swept names only is judged once, at its first run; one that --set has left a single value
- * has nothing to be judged by. */
+/* A group of runs that differ in the swept names only is judged once, at its first run. */
 bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *expectation);
+/* The swept name of which all runs of the group have one value, so that nothing can be compared; NULL: none. */
+const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *expectation);
 /* There is one: expectations name only what is swept. */
 const struct nb_binding *nb_sweep_binding(const struct nb_page_run *run, const char *name);
 /* Whether two runs differ in nothing but these names, and in what goes with them in the same sweep. Empty: no such name. */

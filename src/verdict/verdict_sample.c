@@ -16,18 +16,10 @@
 #include "student.h"
 #include "verdict.h"
 
-/* Seen in run r; as a share, where the expectation wants one. False with words when it cannot be formed. */
+/* Of run r; false with words when it cannot be formed. */
 static bool value_of(double *value, struct nb_check *check, const struct nb_outcome *outcome, size_t r, size_t index) {
   const struct nb_page_run *run = &outcome->runs[r];
-  const struct nb_expectation *e = &run->expectations.list[index];
-  struct nb_error error;
-  double scale = 1;
-  const bool seen = nb_measure_seen(value, &e->measure, &run->result.table, &error) &&
-                    (!e->has_scale || nb_measure_seen(&scale, &e->other, &run->result.table, &error));
-  if (!seen)
-    nb_check_say(check, false, "%s", error.text);
-  *value /= scale;
-  return seen;
+  return nb_check_value(value, check, run, &run->expectations.list[index]);
 }
 
 struct sample {
@@ -59,20 +51,20 @@ static void check_stated(struct nb_check *check, const struct nb_outcome *outcom
     below += seen < e->stated ? 1 : seen == e->stated ? 0.5 : 0;
   }
   const bool inside = sample.smallest <= e->stated && e->stated <= sample.largest;
-  check->noted = true;
   nb_check_say(check, inside,
                "stated %.6g, %s %.0f of %s: %.4g to %.4g, mean %.4g, deviation %.2g; at the %.0f %% point", e->stated,
                inside ? "within" : "outside of", sample.count, e->among, sample.smallest, sample.largest, sample.mean,
                deviation(&sample), 100 * below / sample.count);
+  check->mark = NB_NOTE;
 }
 
 /* The run that goes with `run` when the swept name has the value it has in `as`: the same but for that name. */
 static size_t partner(const struct nb_outcome *outcome, size_t run, size_t as, const struct nb_expectation *e) {
-  for (size_t r = 0; r < outcome->run_count; r++)
-    if (nb_sweep_same_but(&outcome->runs[r], &outcome->runs[run], e->along, "") &&
-        nb_sweep_same_but(&outcome->runs[r], &outcome->runs[as], "", e->among))
-      return r;
-  return run;
+  size_t r = 0; /* there is one: sweeps are combined with each other */
+  while (!nb_sweep_same_but(&outcome->runs[r], &outcome->runs[run], e->along, "") ||
+         !nb_sweep_same_but(&outcome->runs[r], &outcome->runs[as], "", e->among))
+    r++;
+  return r;
 }
 
 /* Differences from the runs that have the value of `from` to those that have the value of `to`. */
@@ -106,19 +98,17 @@ static bool holds(struct nb_check *check, const struct nb_outcome *outcome, size
     return false;
   const double half = student_reach(d.count, 0.95) * deviation(&d) / sqrt(d.count);
   const double low = d.mean - half, high = d.mean + half;
-  const double limit = e->tolerance.value * (e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(level));
-  const size_t length = strlen(check->words);
-  snprintf(check->words + length, sizeof check->words - length, "%sfrom %s to %s %+.4g (%.4g to %.4g) on %.4g",
-           length ? "; " : "", nb_sweep_binding(&outcome->runs[from], e->along)->text,
-           nb_sweep_binding(&outcome->runs[to], e->along)->text, d.mean, low, high, level);
-  return e->kind == NB_RISES ? low > 0 : e->kind == NB_FALLS ? high < 0 : low >= -limit && high <= limit;
+  nb_check_add(check, "%sfrom %s to %s %+.4g (%.4g to %.4g) on %.4g", check->words[0] ? "; " : "",
+               nb_sweep_binding(&outcome->runs[from], e->along)->text,
+               nb_sweep_binding(&outcome->runs[to], e->along)->text, d.mean, low, high, level);
+  if (e->kind == NB_SAME)
+    return nb_excess(&e->tolerance, low, 0, level) <= 1 && nb_excess(&e->tolerance, high, 0, level) <= 1;
+  return e->kind == NB_RISES ? low > 0 : high < 0;
 }
 
 static void check_differences(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
   const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
   bool all = true;
-  int count = 0;
-  check->words[0] = 0;
   for (size_t from = first; from < outcome->run_count; from++) {
     if (!nb_sweep_same_but(&outcome->runs[first], &outcome->runs[from], e->along, ""))
       continue;
@@ -129,12 +119,11 @@ static void check_differences(struct nb_check *check, const struct nb_outcome *o
       all = holds(check, outcome, from, to, index, &formed) && all;
       if (!formed)
         return;
-      count++;
       if (e->kind != NB_SAME)
         break; /* from each value to the next */
     }
   }
-  check->passed = all && count > 0;
+  check->mark = all ? NB_PASS : NB_FAIL;
 }
 
 void nb_check_sample(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {

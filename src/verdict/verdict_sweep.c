@@ -27,33 +27,6 @@ bool nb_sweep_same_but(const struct nb_page_run *a, const struct nb_page_run *b,
   return true;
 }
 
-void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
-  const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
-  double smallest = INFINITY, largest = -INFINITY, before = NAN, sum = 0, count = 0;
-  bool ordered = true;
-  check->words[0] = 0;
-  for (size_t r = first; r < outcome->run_count; r++) {
-    struct nb_error error;
-    double seen;
-    if (!nb_sweep_same_but(&outcome->runs[first], &outcome->runs[r], e->along, ""))
-      continue;
-    if (!nb_measure_seen(&seen, &outcome->runs[r].expectations.list[index].measure, &outcome->runs[r].result.table,
-                         &error)) {
-      nb_check_say(check, false, "%s", error.text);
-      return;
-    }
-    if (count > 0)
-      ordered = ordered && (e->kind == NB_RISES ? seen > before : seen < before);
-    smallest = seen < smallest ? seen : smallest, largest = seen > largest ? seen : largest;
-    sum += seen, count++, before = seen;
-    const size_t length = strlen(check->words);
-    snprintf(check->words + length, sizeof check->words - length, "%s%.6g at %s", count > 1 ? ", " : "seen ", seen,
-             nb_sweep_binding(&outcome->runs[r], e->along)->text);
-  }
-  const double spread = largest - smallest, scale = e->tolerance.kind == NB_ABSOLUTE ? 1 : fabs(sum / count);
-  check->passed = count > 1 && (e->kind == NB_SAME ? spread <= e->tolerance.value * scale : ordered);
-}
-
 /* A swept value as a number: `50 us` is 5e-5. */
 static bool number_of(double *value, const struct nb_binding *binding) {
   char number[NB_NAME_SIZE];
@@ -63,7 +36,30 @@ static bool number_of(double *value, const struct nb_binding *binding) {
   if (nb_number_read(value, number, unit ? unit->shift : 0) != NB_READ)
     return false;
   *value *= unit ? unit->factor : 1;
-  return *value > 0;
+  return true;
+}
+
+void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
+  const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
+  double smallest = INFINITY, largest = -INFINITY, before = 0, sum = 0, count = 0;
+  bool ordered = true;
+  char values[sizeof check->words] = "";
+  for (size_t r = first; r < outcome->run_count; r++) {
+    double seen;
+    if (!nb_sweep_same_but(&outcome->runs[first], &outcome->runs[r], e->along, ""))
+      continue;
+    if (!nb_check_value(&seen, check, &outcome->runs[r], &outcome->runs[r].expectations.list[index]))
+      return;
+    if (count > 0)
+      ordered = ordered && (e->kind == NB_RISES ? seen > before : seen < before);
+    smallest = fmin(smallest, seen), largest = fmax(largest, seen);
+    sum += seen, count++, before = seen;
+    const size_t length = strlen(values);
+    snprintf(values + length, sizeof values - length, "%s%.6g at %s", length ? ", " : "seen ", seen,
+             nb_sweep_binding(&outcome->runs[r], e->along)->text);
+  }
+  const bool same = nb_excess(&e->tolerance, largest, smallest, sum / count) <= 1;
+  nb_check_say(check, e->kind == NB_SAME ? same : ordered, "%s", values);
 }
 
 /* Slope of the straight line nearest to log(error) over log(value) of all runs in a sweep. */
@@ -74,29 +70,30 @@ void nb_check_slope(struct nb_check *check, const struct nb_outcome *outcome, si
   for (size_t r = first; r < outcome->run_count; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
     const struct nb_measure *measure = &run->expectations.list[index].measure;
-    struct nb_error error;
     double seen, value;
     if (!nb_sweep_same_but(&outcome->runs[first], run, e->along, ""))
       continue;
     const double *known = nb_check_known(run, measure);
     const struct nb_binding *binding = nb_sweep_binding(run, e->along);
-    if (!known || !number_of(&value, binding)) {
+    if (!known || !number_of(&value, binding) || !(value > 0)) {
       nb_check_say(check, false, known ? "`%s` is not a number above 0" : "the reference does not know `%s`",
                    known ? binding->text : measure->label);
       return;
     }
-    if (!nb_measure_seen(&seen, measure, &run->result.table, &error)) {
-      nb_check_say(check, false, "%s", error.text);
+    if (!nb_check_value(&seen, check, run, &run->expectations.list[index]))
+      return;
+    const double off = fabs(seen - *known), lx = log(value), ly = log(off);
+    if (!isfinite(ly)) {
+      nb_check_say(check, false, "the error at %s is %g, which has no logarithm", binding->text, off);
       return;
     }
-    const double lx = log(value), ly = log(fabs(seen - *known));
     n++, x += lx, y += ly, xx += lx * lx, xy += lx * ly;
     const size_t length = strlen(errors);
-    snprintf(errors + length, sizeof errors - length, "%s%.3g at %s", n > 1 ? ", " : "", fabs(seen - *known),
-             binding->text);
+    snprintf(errors + length, sizeof errors - length, "%s%.3g at %s", n > 1 ? ", " : "", off, binding->text);
   }
   const double slope = (n * xy - x * y) / (n * xx - x * x);
-  nb_check_say(check, fabs(slope - e->stated) <= e->tolerance.value, "seen order %.4g: errors %s", slope, errors);
+  nb_check_say(check, nb_excess(&e->tolerance, slope, e->stated, e->stated) <= 1, "seen order %.4g: errors %s", slope,
+               errors);
 }
 
 static bool along_sweep(enum nb_expectation_kind kind) {
@@ -106,12 +103,30 @@ static bool along_sweep(enum nb_expectation_kind kind) {
 bool nb_over_sweep(const struct nb_expectation *e) { return along_sweep(e->kind) || e->among[0]; }
 
 bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *e) {
-  const struct nb_page_run *it = &outcome->runs[run];
   const char *along = along_sweep(e->kind) ? e->along : "";
   for (size_t r = 0; r < run; r++)
-    if (nb_sweep_same_but(&outcome->runs[r], it, along, e->among))
+    if (nb_sweep_same_but(&outcome->runs[r], &outcome->runs[run], along, e->among))
       return false;
-  return (!along[0] || nb_sweep_binding(it, along)->swept) && (!e->among[0] || nb_sweep_binding(it, e->among)->swept);
+  return true;
+}
+
+static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
+  double x, y;
+  return number_of(&x, a) && number_of(&y, b) ? x == y : strcmp(a->text, b->text) == 0;
+}
+
+const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *e) {
+  const char *const names[] = {along_sweep(e->kind) ? e->along : "", e->among};
+  const struct nb_page_run *one = &outcome->runs[first];
+  for (int k = 0; k < 2; k++) {
+    bool varies = !names[k][0];
+    for (size_t r = first + 1; r < outcome->run_count && !varies; r++)
+      varies = nb_sweep_same_but(one, &outcome->runs[r], names[k], "") &&
+               !same_value(nb_sweep_binding(one, names[k]), nb_sweep_binding(&outcome->runs[r], names[k]));
+    if (!varies)
+      return names[k];
+  }
+  return NULL;
 }
 
 void nb_sweep_group(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *e) {

@@ -1,0 +1,47 @@
+/* Tables that a test plants into the runs of a page, and what the verdict says of them. Nothing is simulated.
+ *
+ * The page has one disc A. Its columns are A.x, A.y, A.vx and energy.residual, beside time and cycle, and its stages `one` and
+ * `two`. Row r has the cycle 10 r and the time r; rows 0 to 2 belong to stage one, the others to stage two. What a test
+ * plants is A.x, and energy.residual is the same number; A.y is 1, 2, 4, 2, 1, 0 and A.vx is -4.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_PLANTED_H
+#define NB_PLANTED_H
+
+#include <stddef.h>
+
+#include "verdict/outcome.h"
+
+#define COUNT(list) (sizeof list / sizeof *list)
+
+enum { PLANTED_MOST = 12 };
+
+/* The page with these statements in its scene, sweeps for example, and these expectations; read, without rows. */
+void planted_page(struct nb_outcome *outcome, const char *statements, const char *expectations);
+/* A.x, row by row, of one run. */
+void planted_rows(struct nb_outcome *outcome, size_t run, int count, const double *x);
+/* The same A.x in the only row of each run. */
+void planted_runs(struct nb_outcome *outcome, const double *x);
+/* What the reference knows, of all runs. */
+void planted_known(struct nb_outcome *outcome, const char *name, double value);
+/* The curve of A.x along time: the known value at row r is the r-th of these. */
+void planted_curve(struct nb_outcome *outcome, int count, const double *known);
+/* The verdict; the test fails, and the words are printed, unless the first check has this mark. */
+void planted_is(struct nb_outcome *outcome, enum nb_mark mark);
+/* The test fails unless the words of the first check have this text in them. */
+void planted_says(const struct nb_outcome *outcome, const char *text);
+
+/* One expectation over sweeps, and what is to be said of it. The reference knows that A.x is 0. */
+struct planted_sweep {
+  const char *statements, *expectation;
+  double x[PLANTED_MOST]; /* of each run; the last sweep goes fastest */
+  enum nb_mark mark;
+  const char *words; /* among those of the check */
+};
+void planted_sweeps(const struct planted_sweep *list, size_t count);
+
+/* One expectation of one run; the reference knows one value, or nothing. */
+void planted_one(const char *expectation, const char *known, double value, int count, const double *x,
+                 enum nb_mark mark, const char *words);
+
+#endif

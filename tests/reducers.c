@@ -1,0 +1,144 @@
+/* From rows to one number: every reducer, and what cannot be formed.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "planted.h"
+#include "suites.h"
+
+static void reducers(void) {
+  static const struct {
+    const char *measure;
+    double value;
+    int count;
+    double x[6];
+  } rows[] = {
+      {"A.x", 3, 3, {1, 2, 3}},
+      {"A.x last", 3, 3, {1, 2, 3}},
+      {"A.x", 6, 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x in one", 3, 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x in two", 6, 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x max", 5, 3, {5, 2, 3}},
+      {"A.x max", 5, 3, {2, 5, 3}},
+      {"A.x max", 5, 3, {2, 3, 5}},
+      {"A.x max", -2, 3, {-5, -2, -3}},
+      {"A.x max", 5, 6, {9, 9, 9, 4, 5, 3}},
+      {"A.x max in one", 5, 6, {5, 2, 3, 9, 9, 9}},
+      {"A.x max in all", 8, 6, {5, 8, 3, 4, 5, 3}},
+      {"A.x min", 2, 3, {2, 5, 3}},
+      {"A.x min", 2, 3, {5, 2, 3}},
+      {"A.x min", 2, 3, {5, 3, 2}},
+      {"A.x min in one", 2, 6, {3, 2, 4, 1, 1, 1}},
+      {"A.x mean", 4, 3, {1, 2, 9}},
+      {"A.x mean", 5, 6, {9, 9, 9, 1, 2, 12}},
+      {"A.x mean in one", 4, 6, {1, 2, 9, 7, 7, 7}},
+      {"A.x mean in all", 6, 6, {1, 2, 9, 1, 2, 21}},
+      {"A.x mean", 7, 1, {7}},
+      {"A.x amplitude", 3.5, 3, {-3, 1, 4}},
+      {"A.x amplitude in all", 6, 6, {-3, 1, 4, 0, 9, 0}},
+      {"A.x frequency in all", 0.5, 6, {-1, 1, -1, 1, -1, 1}},
+      {"A.x frequency in all", 1. / 3, 6, {-1, 0, 1, -1, 0, 1}}, /* a row that lies on the mean */
+      {"A.x frequency in all", 0.5, 6, {1, -1, 1, -1, 1, -1}},
+      {"A.x frequency in all", 1 / 2.75, 6, {-3, 1, 1, -1, 1, 1}}, /* crossings at 0.75 and 3.5, and then none */
+      {"A.x at 10 cycles", 4, 3, {1, 4, 3}},
+      {"A.x at 0 cycles", 1, 3, {1, 4, 3}},
+      {"A.x at 40 cycles", 5, 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 10 cycles in one", 2, 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 1", 4, 3, {1, 4, 3}},
+      {"A.x at 0", 1, 3, {1, 4, 3}},
+      {"A.x at 2", 3, 3, {1, 4, 3}},
+      {"A.x at 0.25", 2, 3, {1, 5, 3}},
+      {"A.x at 1.25", 4.5, 3, {1, 5, 3}},
+      {"A.x at 2.5", 3.5, 6, {1, 2, 3, 4, 5, 6}}, /* between two stages */
+      {"A.x at 4.5 in two", 5.5, 6, {1, 2, 3, 4, 5, 6}},
+  };
+  for (size_t k = 0; k < COUNT(rows); k++) {
+    struct nb_outcome outcome;
+    struct nb_error error;
+    char text[128];
+    double seen;
+    snprintf(text, sizeof text, "%s within 1", rows[k].measure);
+    planted_page(&outcome, "", text);
+    planted_rows(&outcome, 0, rows[k].count, rows[k].x);
+    CU_ASSERT(
+        nb_measure_seen(&seen, &outcome.runs[0].expectations.list[0].measure, &outcome.runs[0].result.table, &error));
+    if (!(fabs(seen - rows[k].value) < 1e-15))
+      printf("# %s: %.17g\n", rows[k].measure, seen);
+    CU_ASSERT_DOUBLE_EQUAL(seen, rows[k].value, 1e-15);
+    nb_outcome_free(&outcome);
+  }
+}
+
+static void nothing_to_reduce(void) {
+  static const struct {
+    const char *expectation, *words;
+    int count;
+    double x[6];
+  } rows[] = {
+      {"A.x within 9", "`A.x` cannot be formed: nothing was recorded then", 0, {0}},
+      {"A.x in two within 9", "`A.x in two` cannot be formed: nothing was recorded then", 3, {1, 2, 3}},
+      {"A.x at 15 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
+      {"A.x at 30 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
+      {"A.x at 2.5 within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
+      {"A.x at 2.5 in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x at 10 cycles in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
+      {"A.x frequency within 9", "it crosses its mean less than twice", 3, {-1, 1, 1}},
+      {"A.x frequency within 9", "it crosses its mean less than twice", 3, {1, 1, 1}},
+      {"A.x mean within 9", "it is too large for a number", 3, {1e308, 1e308, 1e308}},
+      {"A.x amplitude within 9", "it is too large for a number", 3, {-1e308, 0, 1e308}},
+      {"A.x within 9 % of A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x stated 1 of A.y in two within 1 [t]", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x in two stated 1 of A.y within 1 [t]", "`A.x in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x below A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x in two above A.y", "`A.x in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x along time in two within 9", "no rows were recorded", 3, {1, 2, 3}},
+      {"A.x along time within 9 % of A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
+  };
+  for (size_t k = 0; k < COUNT(rows); k++) {
+    struct nb_outcome outcome;
+    planted_page(&outcome, "", rows[k].expectation);
+    planted_rows(&outcome, 0, rows[k].count, rows[k].x);
+    planted_curve(&outcome, rows[k].count, rows[k].x);
+    planted_known(&outcome, outcome.runs[0].expectations.list[0].measure.label, 1);
+    planted_is(&outcome, NB_FAIL);
+    planted_says(&outcome, rows[k].words);
+    nb_outcome_free(&outcome);
+  }
+  planted_one("A.x within 9", "A.y", 1, 1, &rows[0].x[0], NB_FAIL, "the reference does not know `A.x`");
+  planted_one("A.x along time within 9", NULL, 0, 1, &rows[0].x[0], NB_FAIL, "the reference knows no curve of `A.x`");
+}
+
+static void not_finite(void) {
+  static const char *const reducers[] = {"",           " max",          " min",  " mean",   " amplitude",
+                                         " frequency", " at 10 cycles", " at 1", " at 0.5", " at 1.5"};
+  static const double bad[] = {NAN, INFINITY, -INFINITY};
+  for (size_t k = 0; k < COUNT(reducers); k++)
+    for (size_t b = 0; b < COUNT(bad); b++) {
+      const double x[] = {-2, bad[b], 2, -1, 3, -3}, last[] = {bad[b]};
+      char text[128], label[64];
+      snprintf(label, sizeof label, "A.x%s", k ? reducers[k] : " in all");
+      snprintf(text, sizeof text, "%s%s within 1e300", label, k ? " in one" : "");
+      planted_one(text, label, 1, k ? 6 : 1, k ? x : last, NB_FAIL, "cannot be formed: it is ");
+    }
+  static const double one[] = {1}, huge[] = {1e300};
+  for (size_t b = 0; b < COUNT(bad); b++) {
+    planted_one("A.x within 1e300", "A.x", bad[b], 1, one, NB_FAIL, ": not a finite number");
+    planted_one("A.x within 1e300 %", "A.x", bad[b], 1, one, NB_FAIL, ": not a finite number");
+    planted_one("A.x below A.y", NULL, 0, 1, &bad[b], NB_FAIL, "it is ");
+    planted_one("A.y within 5 % of A.x", "A.y", 1, 1, &bad[b], NB_FAIL, "`A.x` cannot be formed");
+    planted_one("A.y stated 1 of A.x within 5 [t]", NULL, 0, 1, &bad[b], NB_FAIL, "`A.x` cannot be formed");
+  }
+  planted_one("A.x within 1e20 %", "A.x", 1e300, 1, huge, NB_FAIL, "a share of 1e+300 is no finite tolerance");
+  planted_one("A.y stated 1 of A.x within 5 [t]", NULL, 0, 1, (double[]){0}, NB_FAIL,
+              "their ratio is not a finite number");
+  planted_one("A.x max within 1e300", "A.x max", 0, 3, (double[]){-INFINITY, 0, 0}, NB_FAIL, "it is -inf at cycle 0");
+}
+
+void suite_reducers(void) {
+  CU_pSuite suite = CU_add_suite("reducers", NULL, NULL);
+  CU_add_test(suite, "every reducer, over a stage, the last one and all", reducers);
+  CU_add_test(suite, "a measure that cannot be formed fails, with the reason", nothing_to_reduce);
+  CU_add_test(suite, "what is not finite fails every check", not_finite);
+}

@@ -1,0 +1,222 @@
+/* The verdict on one run: every expectation at both edges of its tolerance. At the edge it holds; 1e-12
+ * beyond the edge it fails. Numbers are chosen so that the edge itself is exact.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "planted.h"
+#include "suites.h"
+
+/* What is planted is on the edge and holds; a little further that way it does not. */
+struct edge {
+  const char *expectation;
+  double known[6]; /* of A.x; of a curve row by row */
+  int count;
+  double x[6];
+  int which, outwards;
+};
+
+static void edges(const struct edge *list, size_t count) {
+  for (size_t k = 0; k < count; k++)
+    for (int beyond = 0; beyond < 2; beyond++) {
+      struct nb_outcome outcome;
+      double x[6];
+      memcpy(x, list[k].x, sizeof x);
+      x[list[k].which] += beyond * list[k].outwards * 1e-12;
+      planted_page(&outcome, "", list[k].expectation);
+      planted_rows(&outcome, 0, list[k].count, x);
+      planted_curve(&outcome, list[k].count, list[k].known);
+      const struct nb_measure *measure = &outcome.runs[0].expectations.list[0].measure;
+      if (!measure->vanishes)
+        planted_known(&outcome, measure->label, list[k].known[0]);
+      planted_is(&outcome, beyond ? NB_FAIL : NB_PASS);
+      nb_outcome_free(&outcome);
+    }
+}
+
+static void within(void) {
+  static const struct edge list[] = {
+      {"A.x within 0.5", {8}, 1, {8.5}, 0, 1},
+      {"A.x within 0.5", {8}, 1, {7.5}, 0, -1},
+      {"A.x within 0.5", {-8}, 1, {-8.5}, 0, -1},
+      {"A.x within 0.5", {0}, 1, {0.5}, 0, 1},
+      {"A.x within 0", {8}, 1, {8}, 0, 1},
+      {"A.x within 0", {8}, 1, {8}, 0, -1},
+      {"A.x within 25 %", {8}, 1, {10}, 0, 1},
+      {"A.x within 25 %", {8}, 1, {6}, 0, -1},
+      {"A.x within 25 %", {-8}, 1, {-10}, 0, -1},
+      {"A.x within 25 %", {-8}, 1, {-6}, 0, 1},
+      {"A.x within 250000 ppm", {8}, 1, {10}, 0, 1},
+      {"A.x within 25 % of peak", {-8}, 1, {-10}, 0, -1},
+      {"A.x within 25 % of A.y max", {8}, 3, {0, 0, 9}, 2, 1}, /* A.y max is 4 */
+      {"A.x within 25 % of A.y max", {8}, 3, {0, 0, 7}, 2, -1},
+      {"A.x within 0.25 of A.y max", {8}, 3, {0, 0, 9}, 2, 1},
+      {"A.x within 25 % of A.vx", {8}, 1, {9}, 0, 1}, /* A.vx is -4: a share of its size */
+      {"A.x max within 0.5", {8}, 3, {1, 8.5, 3}, 1, 1},
+      {"A.x max within 0.5", {8}, 3, {1, 7.5, 3}, 1, -1},
+      {"A.x min within 0.5", {-8}, 3, {1, -8.5, 3}, 1, -1},
+      {"A.x min within 0.5", {-8}, 3, {1, -7.5, 3}, 1, 1},
+      {"A.x mean within 0.5", {2}, 3, {4.5, 1, 2}, 0, 1},
+      {"A.x mean within 0.5", {2}, 3, {1, 2, 1.5}, 2, -1},
+      {"A.x amplitude within 0.5", {3}, 3, {0, 7, 3}, 1, 1},
+      {"A.x amplitude within 0.5", {3}, 3, {0, 7, 3}, 0, -1},
+      {"A.x frequency in all within 0.25", {0.25}, 6, {-1, 1, -1, 1, -1, 1}, 4, 1},
+      {"energy.residual within 0.5", {0}, 1, {0.5}, 0, 1},
+      {"energy.residual within 0.5", {0}, 1, {-0.5}, 0, -1},
+      {"energy.residual max within 25 % of A.y max", {0}, 3, {0, 1, 0}, 1, 1},
+  };
+  edges(list, COUNT(list));
+}
+
+static void stated(void) {
+  static const struct edge list[] = {
+      {"A.x stated 8 within 0.5 [t]", {0}, 1, {8.5}, 0, 1},
+      {"A.x stated 8 within 0.5 [t]", {0}, 1, {7.5}, 0, -1},
+      {"A.x stated -8 within 25 % [t]", {0}, 1, {-10}, 0, -1},
+      {"A.x stated -8 within 25 % [t]", {0}, 1, {-6}, 0, 1},
+      {"A.x stated 8 within 25 % of A.y max [t]", {0}, 3, {0, 0, 9}, 2, 1},
+      {"A.x stated 2 of A.y max within 0.5 [t]", {0}, 3, {0, 0, 10}, 2, 1}, /* 2.5 times 4 */
+      {"A.x stated 2 of A.y max within 0.5 [t]", {0}, 3, {0, 0, 6}, 2, -1},
+      {"A.x stated 200 % of A.y max within 25 % [t]", {0}, 3, {0, 0, 10}, 2, 1},
+      {"A.x stated 0 within 0.5 [t]", {0}, 1, {-0.5}, 0, -1},
+  };
+  edges(list, COUNT(list));
+}
+
+static void below_and_above(void) {
+  static const double two = 2;
+  planted_one("A.x below A.y", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_PASS, "and 2");
+  planted_one("A.x below A.y", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "seen 2 and 2");
+  planted_one("A.x below A.y", NULL, 0, 2, (double[]){0, 2 + 1e-12}, NB_FAIL, "and 2");
+  planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, 2 + 1e-12}, NB_PASS, "and 2");
+  planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "seen 2 and 2");
+  planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_FAIL, "and 2");
+}
+
+static void along(void) {
+  static const struct edge list[] = {
+      {"A.x along time within 0.5", {1, 5, 2}, 3, {1.5, 5, 2}, 0, 1},
+      {"A.x along time within 0.5", {1, 5, 2}, 3, {1, 4.5, 2}, 1, -1},
+      {"A.x along time within 0.5", {1, 5, 2}, 3, {1, 5, 2.5}, 2, 1},
+      {"A.x along time within 25 %", {0, 8, -4}, 3, {0, 10, -4}, 1, 1},
+      {"A.x along time within 25 %", {0, 8, -4}, 3, {0, 8, -5}, 2, -1},
+      {"A.x along time within 25 %", {0, 8, -4}, 3, {0, 8, -4}, 0, 1}, /* of a known 0 nothing is allowed */
+      {"A.x along time within 25 % of peak", {0, 8, 2}, 3, {2, 8, 2}, 0, 1},
+      {"A.x along time within 25 % of peak",
+       {0, 8, 2},
+       3,
+       {0, 10, 2},
+       1,
+       1}, /* of the known peak, not of the seen one */
+      {"A.x along time within 25 % of peak", {0, -8, 2}, 3, {0, -8, 4}, 2, 1},
+      {"A.x along time within 25 % of peak", {8, 1, 2}, 3, {8, 3, 2}, 1, 1},
+      {"A.x along time within 25 % of A.y max", {0, 8, 2}, 3, {0, 9, 2}, 1, 1},
+      {"A.x along time in one within 0.5", {0, 8, 2, 9, 9, 9}, 6, {0, 8, 2.5, 0, 0, 0}, 2, 1},
+      {"A.x along time within 0.5", {9, 9, 9, 1, 2, 3}, 6, {0, 0, 0, 1.5, 2, 3}, 3, 1},
+      {"A.x along time in all within 0.5", {9, 9, 9, 1, 2, 3}, 6, {9, 9, 9, 1, 2, 3.5}, 5, 1},
+  };
+  edges(list, COUNT(list));
+}
+
+/* The worst row is named, whatever came before it: a row in which both are 0 hid all later ones once. */
+static void worst_row(void) {
+  static const struct {
+    const char *expectation, *words;
+    double known[3], x[3];
+  } rows[] = {
+      {"A.x along time within 1e-4 %",
+       "seen 20, known 10, off by 100 %, worst of 3 rows at time 2",
+       {0, 4, 10},
+       {0, 4, 20}},
+      {"A.x along time within 25 %",
+       "seen 12, known 8, off by 50 %, worst of 3 rows at time 1",
+       {4, 8, 20},
+       {5.5, 12, 25}},
+      {"A.x along time within 1", "seen 13, known 20, off by 7, worst of 3 rows at time 2", {4, 8, 20}, {9, 12, 13}},
+      {"A.x along time within 1", "seen 9, known 4, off by 5, worst of 3 rows at time 0", {4, 8, 20}, {9, 12, 20}},
+      {"A.x along time within 1 % of peak", "off by 50 % of peak, worst of 3 rows at time 1", {4, -8, 2}, {4, -4, 2}},
+      {"A.x along time within 25 %", "off by 1; a tolerance in % of 0 allows no error", {4, 0, 2}, {4, 1, 2}},
+      {"A.x along time within 25 % of peak", "off by 1; a tolerance in % of 0 allows no error", {0}, {0, 1, 0}},
+      {"A.x along time within 1 % of A.y max", "off by 25 % of A.y max, worst", {4, 8, 2}, {4, 8, 3}},
+      {"A.x along time within 9",
+       "seen nan, known 8: not a finite number, worst of 3 rows at time 1",
+       {4, 8, 2},
+       {4, NAN, 2}},
+      {"A.x along time within 9",
+       "seen inf, known 2: not a finite number, worst of 3 rows at time 2",
+       {4, 8, 2},
+       {4, 8, INFINITY}},
+      {"A.x along time within 9 %", "seen 4, known -inf: not a finite number", {-INFINITY, 8, 2}, {4, 8, 2}},
+      {"A.x along time within 9", "seen 2, known nan: not a finite number", {4, 8, NAN}, {4, 8, 2}},
+      {"A.x along time within 9 % of peak", "a share of inf is no finite tolerance", {4, 8, INFINITY}, {4, 8, 2}},
+  };
+  for (size_t k = 0; k < COUNT(rows); k++) {
+    struct nb_outcome outcome;
+    planted_page(&outcome, "", rows[k].expectation);
+    planted_rows(&outcome, 0, 3, rows[k].x);
+    planted_curve(&outcome, 3, rows[k].known);
+    planted_is(&outcome, NB_FAIL);
+    planted_says(&outcome, rows[k].words);
+    nb_outcome_free(&outcome);
+  }
+}
+
+static void percentage_of_zero(void) {
+  planted_one("A.x within 5 %", "A.x", 0, 1, (double[]){0}, NB_PASS, "seen 0, known 0, off by 0");
+  planted_one("A.x within 5 %", "A.x", 0, 1, (double[]){1e-300}, NB_FAIL,
+              "off by 1e-300; a tolerance in % of 0 allows no error");
+}
+
+static void words(void) {
+  planted_one("A.x within 25 %", "A.x", 8, 1, (double[]){9}, NB_PASS, "seen 9, known 8, off by 12.5 %");
+  planted_one("A.x within 2", "A.x", 8, 1, (double[]){9}, NB_PASS, "seen 9, known 8, off by 1");
+  planted_one("A.x stated 8 within 2 [t]", NULL, 0, 1, (double[]){9}, NB_PASS, "seen 9, stated 8, off by 1");
+  planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "off by 25 % of A.vx");
+  struct nb_outcome outcome;
+  planted_page(&outcome, "", "A.x   within\t 2  # of something");
+  planted_rows(&outcome, 0, 1, (double[]){1});
+  planted_known(&outcome, "A.x", 1);
+  planted_is(&outcome, NB_PASS);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].label, "A.x within 2");
+  CU_ASSERT_EQUAL(outcome.page.lines[outcome.checks[0].line - 1][0], 'A');
+  nb_outcome_free(&outcome);
+}
+
+/* A reference may know a measure of one stage, or of any. */
+static void known_of_a_stage(void) {
+  static const double x[] = {1, 2, 3, 4, 5, 6};
+  planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "known 3");
+  planted_one("A.x in one within 0", "A.x", 3, 6, x, NB_PASS, "known 3");
+  planted_one("A.x max in all within 0", "A.x max", 6, 6, x, NB_PASS, "known 6");
+  planted_one("A.x within 0", "A.x in one", 3, 6, x, NB_FAIL, "does not know `A.x`");
+  planted_one("energy.residual in one within 0", "energy.residual", 3, 6, x, NB_PASS, "known 3");
+}
+
+/* All checks of a page are counted, by their marks. */
+static void counted(void) {
+  struct nb_outcome outcome;
+  planted_page(&outcome, "",
+               "A.x stated 1 within 0 [t]\nA.x stated 2 within 0 [t]\nA.x stated 1 within 0 [t]\n"
+               "A.x stated 1 within 0 [t]\nA.y stated 1 within 0 [t]");
+  planted_rows(&outcome, 0, 1, (double[]){1});
+  planted_is(&outcome, NB_PASS);
+  CU_ASSERT(outcome.check_count == 5 && outcome.marked[NB_PASS] == 4 && outcome.marked[NB_FAIL] == 1);
+  CU_ASSERT(outcome.checks[1].mark == NB_FAIL && outcome.checks[4].mark == NB_PASS);
+  CU_ASSERT(outcome.marked[NB_NOTE] == 0 && outcome.marked[NB_SKIP] == 0);
+  nb_outcome_free(&outcome);
+}
+
+void suite_verdict(void) {
+  CU_pSuite suite = CU_add_suite("verdict", NULL, NULL);
+  CU_add_test(suite, "within: both edges of every kind of tolerance", within);
+  CU_add_test(suite, "stated: likewise, and shares of another measure", stated);
+  CU_add_test(suite, "below and above: equal is neither", below_and_above);
+  CU_add_test(suite, "along: the edge at the first, a middle and the last row", along);
+  CU_add_test(suite, "along: the worst row is found behind any other", worst_row);
+  CU_add_test(suite, "a percentage of 0 is explained", percentage_of_zero);
+  CU_add_test(suite, "the words of a check", words);
+  CU_add_test(suite, "what a reference knows of a stage", known_of_a_stage);
+  CU_add_test(suite, "checks are counted by their marks", counted);
+}
