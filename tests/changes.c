@@ -39,7 +39,8 @@ static double row_of(const char *statements, const char *column, size_t row) {
 
 /* Steps and numbers are powers of two: all of it is exact. */
 #define FLIGHT                                                                                                         \
-  "material m density 1 kn 1\ndisc 0 0 radius 3 m velocity 1 0\ndisc 19 0 radius 3 m fixed velocity 0 1\nwatch D disc " \
+  "material m density 1 kn 1\ndisc 0 0 radius 3 m velocity 1 0\ndisc 19 0 radius 3 m fixed velocity 0 1\nwatch D "     \
+  "disc "                                                                                                              \
   "1\nwatch F disc 2\nrecord D.x D.y D.vx D.vy D.fy F.y F.vy\nstep 0.25\n"
 
 static void a_body_falls(void) {

@@ -175,6 +175,13 @@ static void words(void) {
   planted_one("A.x stated 8 within 2 [t]", NULL, 0, 1, (double[]){9}, NB_PASS, "seen 9, stated 8, off by 1");
   planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "off by 25 % of A.vx");
   struct nb_outcome outcome;
+  planted_page(&outcome, "",
+               "A.x along time within 9"); /* of the worst row only, though each is worse than the one before */
+  planted_rows(&outcome, 0, 3, (double[]){1, 2, 3});
+  planted_curve(&outcome, 3, (double[]){0, 0, 0});
+  planted_is(&outcome, NB_PASS);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words, "seen 3, known 0, off by 3, worst of 3 rows at time 2");
+  nb_outcome_free(&outcome);
   planted_page(&outcome, "", "A.x   within\t 2  # of something");
   planted_rows(&outcome, 0, 1, (double[]){1});
   planted_known(&outcome, "A.x", 1);
@@ -189,6 +196,7 @@ static void known_of_a_stage(void) {
   static const double x[] = {1, 2, 3, 4, 5, 6};
   planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "known 3");
   planted_one("A.x in one within 0", "A.x", 3, 6, x, NB_PASS, "known 3");
+  planted_one("A.x at 500 within 0", "A.x", 6, 6, x, NB_FAIL, "does not know `A.x at 500`"); /* no stage to leave out */
   planted_one("A.x max in all within 0", "A.x max", 6, 6, x, NB_PASS, "known 6");
   planted_one("A.x within 0", "A.x in one", 3, 6, x, NB_FAIL, "does not know `A.x`");
   planted_one("energy.residual in one within 0", "energy.residual", 3, 6, x, NB_PASS, "known 3");

@@ -63,6 +63,7 @@ static void samples(void) {
        NB_FAIL,
        "it is nan"},
       {"sweep T 1 2\nsweep s 1 2", "A.x rises with T among s", {0, INFINITY, 1, 11}, NB_FAIL, "it is inf"},
+      {"sweep T 1 2\nsweep s 1 2\nlet b $T", "A.x rises with T among s", {0, 10, 1, 11}, NB_PASS, "from 1 to 2 +1 "},
       {"sweep s 1 2\nsweep T 1 2",
        "A.x rises with T among s",
        {0, 1, 10, 11},

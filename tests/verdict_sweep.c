@@ -26,6 +26,7 @@ static void trends(void) {
       {"sweep v 1 2 3", "A.x falls with v", {2, 3, 1}, NB_FAIL, ""},
       {"sweep v 1 2 3", "A.x falls with v", {1, 2, 3}, NB_FAIL, ""},
       {"sweep v with w  1 5   2 4   3 3", "A.x rises with w", {1, 2, 3}, NB_PASS, "seen 1 at 5, 2 at 4, 3 at 3"},
+      {"sweep v 1 2\nlet b $v", "A.x rises with v", {1, 2}, NB_PASS, "seen 1 at 1, 2 at 2"},
       {"sweep v one two", "A.x rises with v", {1, 2}, NB_PASS, "seen 1 at one, 2 at two"},
       {"sweep v 1 2 3", "A.x rises with v", {1, NAN, 3}, NB_FAIL, "it is nan"},
       {"sweep v 1 2 3", "A.x falls with v", {3, 2, -INFINITY}, NB_FAIL, "it is -inf"},

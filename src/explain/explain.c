@@ -131,11 +131,11 @@ static double seconds_a_cycle(const struct nb_scene *scene, const struct nb_mode
   return cycles ? seconds / (double)cycles : 0;
 }
 
-static void explain_stages(FILE *out, const struct nb_model *model) {
+static bool explain_stages(FILE *out, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   unsigned long cycles = 0;
   struct nb_properties now = {0};
-  const bool known = nb_properties_create(&now, scene);
+  bool known = nb_properties_create(&now, scene);
   for (size_t s = 0; known && s < scene->start.stages; s++)
     for (size_t k = 0; k < scene->stages[s].change_count; k++)
       nb_properties_change(&now, &scene->stages[s].changes[k], nb_properties_before(&now, &scene->stages[s].changes[k]),
@@ -151,17 +151,17 @@ static void explain_stages(FILE *out, const struct nb_model *model) {
     if (stage->snapshot_from >= 0)
       fprintf(out, " from %s", scene->stages[stage->snapshot_from].name);
     fprintf(out, " (line %d)\n", stage->line);
-    if (known)
-      nb_explain_changes(out, model, stage, &now);
+    known = known && nb_explain_changes(out, model, stage, &now);
     cycles += stage->cycles;
   }
   nb_properties_free(&now);
   const double each = seconds_a_cycle(scene, model);
   fprintf(out, "cost\n  %lu cycles, %.3g s (%.3g us a cycle, measured just now)\n", cycles, each * (double)cycles,
           1e6 * each);
+  return known;
 }
 
-void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model) {
+bool nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model) {
   fprintf(out, "bodies\n  %zu free or fixed, %zu walls\n", scene->body_count, scene->wall_count);
   nb_explain_fills(out, scene);
   if (model->skin < INFINITY)
@@ -182,5 +182,5 @@ void nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *
             model->balance->works && model->balance->energies ? " and " : "", model->balance->energies ? "energy" : "");
   nb_explain_regions(out, model);
   explain_step(out, model);
-  explain_stages(out, model);
+  return explain_stages(out, model);
 }

@@ -7,8 +7,8 @@
 #include "model.h"
 
 void nb_explain_gravity(FILE *out, const struct nb_gravity *gravity, const char *unit); /* nothing where none is said */
-/* What the stage changes, beginning from what is `now`, which is moved on to its end. */
-void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
+/* What the stage changes, beginning from what is `now`, which is moved on to its end; false: no memory. */
+bool nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
                         struct nb_properties *now);
 
 /* explain_drive.c: what moves the assembly; nothing where nothing is said. */

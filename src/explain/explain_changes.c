@@ -63,7 +63,7 @@ static void explain_laws(FILE *out, const struct nb_model *model, const struct n
     explain_law(out, "shear", old.shear, now.shear, now.shear_line);
 }
 
-void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
+bool nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb_stage *stage,
                         struct nb_properties *now) {
   struct nb_properties before = {0};
   explain_laws(out, model, stage);
@@ -80,9 +80,11 @@ void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb
   if (stage->gravity.line)
     fprintf(out, "    ");
   nb_explain_gravity(out, &stage->gravity, model->scene->unitless ? "" : " m/s2");
-  if (stage->change_count == 0 || !nb_properties_create(&before, model->scene)) {
+  if (stage->change_count == 0)
+    return true;
+  if (!nb_properties_create(&before, model->scene)) {
     nb_properties_free(&before);
-    return;
+    return false;
   }
   memcpy(before.materials, now->materials, model->scene->material_count * sizeof *now->materials);
   memcpy(before.rules, now->rules, now->rule_count * sizeof *now->rules);
@@ -93,4 +95,5 @@ void nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb
   }
   explain_shear(out, model, &before, now);
   nb_properties_free(&before);
+  return true;
 }

@@ -102,15 +102,14 @@ static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, 
   size_t end = mistakes->text ? strlen(mistakes->text) : 0;
   size_t start = at < count ? mistakes->places[at].start : end;
   struct nb_mistake_place *places = nb_room(mistakes->places, count, 1, sizeof *places);
+  char *text = places ? realloc(mistakes->text, end + message->length + 1) : NULL;
   if (places)
     mistakes->places = places;
-  char *text = realloc(mistakes->text, end + message->length + 1);
-  if (text)
-    mistakes->text = text;
-  if (!places || !text) {
+  if (!text) {
     mistakes->no_memory = true;
     return;
   }
+  mistakes->text = text;
   memmove(text + start + message->length, text + start, end - start);
   memcpy(text + start, message->at, message->length);
   text[end + message->length] = '\0';

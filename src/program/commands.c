@@ -179,7 +179,7 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
     nb_print_trouble(&outcome, use->pages[k]);
     worst = worse(worst, outcome.status);
     for (size_t r = 0; r < outcome.run_count && !outcome.status; r++) {
-      struct nb_error error;
+      struct nb_error error = {NB_OK, ""};
       const struct nb_page_run *run = &outcome.runs[r];
       const bool there = nb_start_there(&run->scene, &use->options);
       struct nb_model *model = run->scene.path || !there ? NULL : nb_model_create(&run->scene, &use->options, &error);
@@ -191,11 +191,12 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
         puts("  the plan can be told when it is there");
       } else if (model) {
         nb_explain_start(stdout, &run->scene, &use->options);
-        nb_explain(stdout, &run->scene, model);
-      } else {
-        fprintf(stderr, "%s: error: %s\n", use->pages[k], error.text);
-        worst = worse(worst, error.status);
+        if (!nb_explain(stdout, &run->scene, model))
+          nb_error_memory(&error);
       }
+      if (error.status)
+        fprintf(stderr, "%s: error: %s\n", use->pages[k], error.text);
+      worst = worse(worst, error.status);
       nb_model_free(model);
     }
     nb_outcome_free(&outcome);

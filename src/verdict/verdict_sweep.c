@@ -20,8 +20,8 @@ bool nb_sweep_same_but(const struct nb_page_run *a, const struct nb_page_run *b,
   const int second = other[0] ? nb_sweep_binding(a, other)->sweep : -1;
   for (size_t k = 0; k < a->scene.binding_count; k++) {
     const struct nb_binding *binding = &a->scene.bindings[k];
-    const bool free = binding->sweep >= 0 && (binding->sweep == sweep || binding->sweep == second);
-    if (!free && strcmp(binding->text, b->scene.bindings[k].text) != 0)
+    const bool fixed = binding->sweep >= 0 && binding->sweep != sweep && binding->sweep != second; /* a `let` follows */
+    if (fixed && strcmp(binding->text, b->scene.bindings[k].text) != 0)
       return false;
   }
   return true;

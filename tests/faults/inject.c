@@ -1,0 +1,97 @@
+/* Calls that can fail, and do when it is their turn: memory, files that are opened, written, flushed to the disk and renamed. The
+ * linker puts these in the place of the C library's (--wrap), in the objects of this program, so the library's own calls and
+ * those of the sanitizers are left alone.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _GNU_SOURCE /* fopencookie */
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "faults.h"
+
+static struct {
+  unsigned long calls, turn;
+  bool lasting;
+} faults;
+
+void faults_begin(unsigned long n, bool lasting) { faults.calls = 0, faults.turn = n, faults.lasting = lasting; }
+unsigned long faults_calls(void) { return faults.calls; }
+
+static bool fails(int why) {
+  faults.calls++;
+  if (!faults.turn || (faults.lasting ? faults.calls < faults.turn : faults.calls != faults.turn))
+    return false;
+  errno = why;
+  return true;
+}
+
+#define WRAP(type, name, why, failed, declared, given)                                                                 \
+  type __real_##name declared;                                                                                         \
+  type __wrap_##name declared;                                                                                         \
+  type __wrap_##name declared { return fails(why) ? failed : __real_##name given; }
+
+WRAP(void *, malloc, ENOMEM, NULL, (size_t size), (size))
+WRAP(void *, calloc, ENOMEM, NULL, (size_t count, size_t size), (count, size))
+WRAP(void *, realloc, ENOMEM, NULL, (void *old, size_t size), (old, size))
+WRAP(void *, aligned_alloc, ENOMEM, NULL, (size_t line, size_t size), (line, size))
+WRAP(char *, strdup, ENOMEM, NULL, (const char *text), (text))
+WRAP(FILE *, fdopen, ENOMEM, NULL, (int file, const char *mode), (file, mode))
+WRAP(DIR *, opendir, ENOMEM, NULL, (const char *path), (path))
+WRAP(int, rename, EIO, -1, (const char *from, const char *to), (from, to))
+WRAP(int, mkdir, ENOSPC, -1, (const char *path, mode_t mode), (path, mode))
+
+/* The disk itself is of no interest here, and slow. */
+int __wrap_fsync(int file);
+int __wrap_fsync(int file) {
+  (void)file;
+  return fails(EIO) ? -1 : 0;
+}
+
+/* A stream that is written goes through a function of ours, so that each write can fail. */
+enum { STREAMS = 8 };
+static struct {
+  FILE *stream;
+  int file;
+} streams[STREAMS];
+
+static ssize_t write_out(void *cookie, const char *bytes, size_t size) {
+  return fails(ENOSPC) ? 0 : write(*(int *)cookie, bytes, size);
+}
+static int close_out(void *cookie) {
+  for (int k = 0; k < STREAMS; k++)
+    if (cookie == &streams[k].file)
+      streams[k].stream = NULL;
+  return close(*(int *)cookie);
+}
+
+FILE *__real_fopen(const char *path, const char *mode);
+FILE *__wrap_fopen(const char *path, const char *mode);
+FILE *__wrap_fopen(const char *path, const char *mode) {
+  if (fails(ENOMEM))
+    return NULL;
+  FILE *plain = __real_fopen(path, mode);
+  int k = 0;
+  while (k < STREAMS && streams[k].stream)
+    k++;
+  if (!plain || mode[0] != 'w' || k == STREAMS)
+    return plain;
+  streams[k].file = dup(fileno(plain));
+  fclose(plain);
+  return streams[k].stream =
+             fopencookie(&streams[k].file, "w", (cookie_io_functions_t){NULL, write_out, NULL, close_out});
+}
+
+int __real_fileno(FILE *stream);
+int __wrap_fileno(FILE *stream);
+int __wrap_fileno(FILE *stream) {
+  for (int k = 0; k < STREAMS; k++)
+    if (streams[k].stream == stream)
+      return streams[k].file;
+  return __real_fileno(stream);
+}

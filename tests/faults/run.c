@@ -1,0 +1,263 @@
+/* Every call that can fail does so once: nineball runs small pages, in a process and a folder of its own each time, and the n-th call
+ * fails, for every n. It must end with the status of the undisturbed run only if all its files are the same to the last byte; else
+ * with another one, a message, and no file that is not whole. No signal, no report of a sanitizer, no leak.
+ *
+ *   tests/faults/run [CASE [N]]    all; the case of that number; of that the N-th call alone, and its folder stays
+ *
+ * It tells something only where a sanitizer looks on; elsewhere it is skipped. TAP. gnuplot is replaced by a stub.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _XOPEN_SOURCE 700
+
+#include "faults.h"
+#include "pages.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#undef main /* the one of the program is nineball_main */
+
+#if defined __has_feature
+#if __has_feature(address_sanitizer)
+#define SANITIZED 1
+#endif
+#elif defined __SANITIZE_ADDRESS__
+#define SANITIZED 1
+#endif
+
+enum { PATH_SIZE = 4096, REPORTED = 99, SECONDS = 60 };
+
+/* ---- files ---- */
+
+static char top[PATH_SIZE]; /* folder of all of this */
+
+static void die(const char *what) {
+  printf("Bail out! %s: %s\n", what, strerror(errno));
+  exit(1);
+}
+
+/* All of a file, with a terminating zero; NULL when there is none. */
+static char *bytes_of(const char *path, size_t *size) {
+  FILE *file = fopen(path, "r");
+  struct stat status;
+  if (!file || fstat(fileno(file), &status) != 0)
+    return file ? fclose(file), NULL : NULL;
+  char *bytes = malloc((size_t)status.st_size + 1);
+  *size = bytes ? fread(bytes, 1, (size_t)status.st_size, file) : 0;
+  if (bytes)
+    bytes[*size] = 0;
+  fclose(file);
+  return bytes;
+}
+
+static void put(const char *folder, const char *name, const char *text, mode_t mode) {
+  char path[PATH_SIZE];
+  snprintf(path, sizeof path, "%.2000s/%.1000s", folder, name);
+  const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC, mode);
+  if (file < 0 || write(file, text, strlen(text)) != (ssize_t)strlen(text) || close(file) != 0)
+    die(path);
+}
+
+static int remove_one(const char *path, const struct stat *status, int kind, struct FTW *at) {
+  (void)status, (void)kind, (void)at;
+  return remove(path);
+}
+static void clear(const char *folder) { nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS); }
+
+/* What a walk through a folder compares with the other one. */
+static struct {
+  const char *folder, *other;
+  size_t files;
+  char odd[PATH_SIZE]; /* the first file that is not in the other folder, or not the same */
+} walk;
+
+/* Lines that tell how long something took are never the same: numbers go. Answers the new size. */
+static size_t without_times(char *text) {
+  char *to = text;
+  for (char *line = text, *end; *line; line = end) {
+    end = line + strcspn(line, "\n"), end += *end == '\n';
+    const char kept = *end;
+    *end = 0;
+    const bool timed = strstr(line, "measured just now");
+    *end = kept;
+    for (char *c = line; c < end; c++)
+      if (!timed || !strchr("0123456789.e-", *c))
+        *to++ = *c;
+  }
+  *to = 0;
+  return (size_t)(to - text);
+}
+
+static int compare_one(const char *path, const struct stat *status, int kind, struct FTW *at) {
+  char other[PATH_SIZE];
+  (void)status, (void)at;
+  if (kind != FTW_F)
+    return 0;
+  const char *name = path + strlen(walk.folder);
+  snprintf(other, sizeof other, "%.2000s%.2000s", walk.other, name);
+  size_t size = 0, wanted = 0;
+  char *mine = bytes_of(path, &size), *its = bytes_of(other, &wanted);
+  if (mine && its && strcmp(name, "/out") == 0)
+    size = without_times(mine), wanted = without_times(its);
+  if (strcmp(name, "/said") != 0) {
+    walk.files++;
+    if ((!mine || !its || size != wanted || memcmp(mine, its, size) != 0) && !walk.odd[0])
+      snprintf(walk.odd, sizeof walk.odd, "%s", name);
+  }
+  free(mine), free(its);
+  return 0;
+}
+
+/* How many files a folder has; in walk.odd one that the other has not, or not so. */
+static size_t compare(const char *folder, const char *other) {
+  walk.folder = folder, walk.other = other, walk.files = 0, walk.odd[0] = 0;
+  nftw(folder, compare_one, 8, FTW_PHYS);
+  return walk.files;
+}
+
+/* ---- one run ---- */
+
+static void prepare(const char *folder) {
+  clear(folder);
+  if (mkdir(folder, 0777) != 0)
+    die(folder);
+  for (int k = 0; k < FILES; k++)
+    put(folder, files[k].name, files[k].text, 0666);
+}
+
+static int to_file(const char *name, int as) {
+  const int file = open(name, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  return file < 0 ? -1 : dup2(file, as);
+}
+
+/* What wait answers, and how many calls could have failed. */
+static int run(int number, const char *folder, unsigned long n, bool lasting, unsigned long *calls) {
+  int ends[2], status;
+  prepare(folder);
+  if (pipe(ends) != 0)
+    die("pipe");
+  fflush(stdout);
+  const pid_t child = fork();
+  if (child < 0)
+    die("fork");
+  if (child == 0) {
+    char *words[9] = {NULL};
+    int count = 0;
+    for (; cases[number][count]; count++)
+      words[count] = (char *)cases[number][count];
+    alarm(SECONDS);
+    if (chdir(folder) != 0 || to_file("out", 1) < 0 || to_file("said", 2) < 0)
+      _exit(98);
+    faults_begin(n, lasting);
+    const int mine = nineball_main(count, words);
+    *calls = faults_calls();
+    faults_begin(0, false);
+    if (write(ends[1], calls, sizeof *calls) != sizeof *calls)
+      _exit(97);
+    exit(mine); /* where leaks are looked for */
+  }
+  close(ends[1]);
+  if (read(ends[0], calls, sizeof *calls) != sizeof *calls)
+    *calls = 0;
+  close(ends[0]);
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR)
+      die("waitpid");
+  return status;
+}
+
+/* What is wrong with a run; NULL: nothing. */
+static const char *judge(int status, int undisturbed, const char *folder, const char *wanted, size_t whole) {
+  static char what[2 * PATH_SIZE];
+  char path[PATH_SIZE];
+  size_t size = 0;
+  snprintf(path, sizeof path, "%.2000s/said", folder);
+  char *said = bytes_of(path, &size);
+  const bool reported = said && (strstr(said, "Sanitizer") || strstr(said, "runtime error"));
+  free(said);
+  if (WIFSIGNALED(status))
+    return snprintf(what, sizeof what, "signal %d", WTERMSIG(status)), what;
+  if (reported || WEXITSTATUS(status) == REPORTED)
+    return "a report of a sanitizer";
+  if (WEXITSTATUS(status) != undisturbed && size == 0)
+    return "no message";
+  if (WEXITSTATUS(status) != undisturbed) { /* what was printed may be a part of it */
+    snprintf(path, sizeof path, "%.2000s/out", folder);
+    remove(path);
+  }
+  const size_t files_there = compare(folder, wanted);
+  if (walk.odd[0])
+    return snprintf(what, sizeof what, "status %d, and a file that is not as it should be: %s", WEXITSTATUS(status),
+                    walk.odd),
+           what;
+  if (WEXITSTATUS(status) == undisturbed && files_there != whole)
+    return snprintf(what, sizeof what, "status %d with %zu of %zu files", undisturbed, files_there, whole), what;
+  return NULL;
+}
+
+/* Every call of a case, or only one. */
+static bool inject(int number, unsigned long only) {
+  char wanted[PATH_SIZE], folder[PATH_SIZE];
+  unsigned long calls = 0, ignored, wrong = 0;
+  snprintf(wanted, sizeof wanted, "%.2000s/wanted", top);
+  snprintf(folder, sizeof folder, "%.2000s/now", top);
+  const int undisturbed = run(number, wanted, 0, false, &calls);
+  const size_t whole = compare(wanted, wanted);
+  if (!WIFEXITED(undisturbed) || WEXITSTATUS(undisturbed) == REPORTED || calls == 0)
+    return printf("# the undisturbed run ends with %d after %lu calls\n", undisturbed, calls), false;
+  for (unsigned long n = only ? only : 1; n <= (only ? only : calls); n++)
+    for (int lasting = 0; lasting < (only || n % 8 == 1 ? 2 : 1); lasting++) {
+      const int status = run(number, folder, n, lasting, &ignored);
+      const char *what = judge(status, WEXITSTATUS(undisturbed), folder, wanted, whole);
+      if (what && wrong++ < 20)
+        printf("# call %lu of %lu%s: %s\n", n, calls, lasting ? " and all after it" : "", what);
+      if (what && only)
+        return false;
+    }
+  printf("# %lu calls, %lu wrong\n", calls, wrong);
+  return wrong == 0;
+}
+
+const char *__asan_default_options(void);
+const char *__asan_default_options(void) { return "exitcode=99:detect_leaks=1"; }
+
+int main(int count, char **words) {
+#ifndef SANITIZED
+  (void)inject;
+  puts("1..0 # SKIP nothing looks on: configure with CFLAGS=\"-g -O1 -fsanitize=address,undefined\"");
+  return count > 99 && words;
+#else
+  const char *folder = getenv("TMPDIR");
+  char path[2 * PATH_SIZE];
+  bool all = true;
+  snprintf(top, sizeof top, "%.1000s/nineball-faults-XXXXXX", folder ? folder : "/tmp");
+  if (!mkdtemp(top))
+    die(top);
+  put(top, "gnuplot",
+      "#!/bin/sh\necho \"$2\" | sed -n 's/.*set output \"\\(.*\\)\".*/\\1/p' | while read -r name; do echo drawn "
+      ">\"$name\"; done\n",
+      0777);
+  snprintf(path, sizeof path, "%s:%.4000s", top, getenv("PATH"));
+  setenv("PATH", path, 1), unsetenv("NINEBALL_STATES");
+  printf("1..%d\n", CASES);
+  for (int k = 0; k < CASES; k++)
+    if (count < 2 || atoi(words[1]) == k + 1) {
+      fflush(stdout);
+      const bool good = inject(k, count > 2 ? strtoul(words[2], NULL, 10) : 0);
+      printf("%sok %d - nineball %s %s\n", good ? "" : "not ", k + 1, cases[k][1], cases[k][2]);
+      all = all && good;
+    }
+  if (count < 3)
+    clear(top);
+  else
+    printf("# see %s\n", top);
+  return !all;
+#endif
+}
