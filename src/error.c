@@ -5,14 +5,17 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "clean.h"
 #include "nineball.h"
 
 enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const char *format, ...) {
   if (error) {
     va_list arguments;
+    unsigned byte;
     va_start(arguments, format);
     vsnprintf(error->text, sizeof error->text, format, arguments);
     va_end(arguments);
+    nb_clean(error->text, strlen(error->text), &byte); /* names of files, and what stands in them */
     error->status = status;
   }
   return status;

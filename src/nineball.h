@@ -71,6 +71,7 @@ struct nb_page {
   unsigned long long hash; /* FNV-1a of the whole file: what a table says it was made from */
 };
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes);
+size_t nb_page_name(const char *path, const char **name); /* where in the path its name is, and how many bytes of it */
 void nb_page_free(struct nb_page *page);
 
 /* ---- names.c: dotted names ---------------------------------------------------------------------------------------- */

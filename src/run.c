@@ -79,26 +79,27 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
   struct nb_result *result = run->result;
   enum nb_status status = nb_stage_begin(model, stage, error);
   note_laws(run, stage);
-  bool ended = false;
+  bool ended = false, over = false;
   while (!status && !ended) {
     status = nb_cycle(model, error);
     if (status)
       break;
     ended = stage->condition_count ? holds(stage, model) : model->stage_cycle >= stage->cycles;
-    if (stage->record && (model->stage_cycle % stage->record == 0 || ended))
+    over = model->stage_cycle >= stage->cycles;
+    if (stage->record && (model->stage_cycle % stage->record == 0 || ended || over))
       if (!nb_observe(&result->table, model, index))
         status = nb_error_memory(error);
-    if (!ended && model->stage_cycle >= stage->cycles)
+    if (!ended && over && !status)
       status = never_ended(stage, model, error);
     tell(run, stage);
   }
   result->stage_cycles[index] = model->stage_cycle;
-  if (!status && stage->snapshot) {
+  if ((!status || over) && stage->snapshot) { /* of a stage that did not end too */
     struct nb_snapshot *more = realloc(result->snapshots, (result->snapshot_count + 1) * sizeof *more);
     if (!more)
       return nb_error_memory(error);
     result->snapshots = more;
-    if (!nb_snapshot_take(&more[result->snapshot_count++], model, index))
+    if (!nb_snapshot_take(&more[result->snapshot_count++], model, index) && !status)
       status = nb_error_memory(error);
   }
   return status;

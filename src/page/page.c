@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clean.h"
 #include "reader.h"
 #include "scene/hash.h"
 
@@ -24,39 +25,10 @@ void nb_page_free(struct nb_page *page) {
   memset(page, 0, sizeof *page);
 }
 
-/* How many bytes of UTF-8 make the character at c (RFC 3629, without control characters but tab); 0: none. */
-static size_t character(const unsigned char *c, size_t left) {
-  static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
-  size_t n = c[0] < 0x80 ? 1 : (c[0] & 0xE0) == 0xC0 ? 2 : (c[0] & 0xF0) == 0xE0 ? 3 : (c[0] & 0xF8) == 0xF0 ? 4 : 0;
-  if (n == 0 || n > left)
-    return 0;
-  if (n == 1)
-    return c[0] == '\t' || (c[0] >= 0x20 && c[0] != 0x7F) ? 1 : 0;
-  unsigned long code = c[0] & (0x7FU >> n);
-  for (size_t i = 1; i < n; i++) {
-    if ((c[i] & 0xC0) != 0x80)
-      return 0;
-    code = code << 6 | (c[i] & 0x3FU);
-  }
-  bool control = code >= 0x80 && code < 0xA0, surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return code < least[n] || code > 0x10FFFF || control || surrogate ? 0 : n;
-}
-
 /* Replaces what is no text by question marks, so that nothing later can stumble over it, and says the first one. */
 static void check_text(struct nb_page *page, size_t line, char *text, size_t length, struct nb_mistakes *mistakes) {
-  int column = 0, first = 0;
-  unsigned byte = 0;
-  for (size_t i = 0; i < length;) {
-    size_t n = character((const unsigned char *)text + i, length - i);
-    column++;
-    if (n == 0 && !first) {
-      first = column;
-      byte = (unsigned char)text[i];
-    }
-    if (n == 0)
-      text[i] = '?';
-    i += n ? n : 1;
-  }
+  unsigned byte;
+  const int first = nb_clean(text, length, &byte);
   if (first)
     nb_mistake(mistakes, page, line, first, 1, "save the page as plain text, UTF-8",
                "expected text, found the byte 0x%02X (shown as `?`)", byte);
@@ -196,11 +168,16 @@ size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind) {
   return 0;
 }
 
+size_t nb_page_name(const char *path, const char **name) {
+  const char *slash = strrchr(path, '/');
+  *name = slash ? slash + 1 : path;
+  const size_t length = strlen(*name);
+  return length > 3 && strcmp(*name + length - 3, ".md") == 0 ? length - 3 : length;
+}
+
 static void name_page(struct nb_page *page, struct nb_mistakes *mistakes) {
-  const char *slash = strrchr(page->path, '/'), *name = slash ? slash + 1 : page->path;
-  size_t length = strlen(name);
-  if (length > 3 && strcmp(name + length - 3, ".md") == 0)
-    length -= 3;
+  const char *name;
+  size_t length = nb_page_name(page->path, &name);
   if (length >= sizeof page->name) {
     nb_mistake(mistakes, page, 0, 0, 0, NULL, "expected a file name shorter than %d bytes", NB_NAME_SIZE);
     length = sizeof page->name - 1;

@@ -5,11 +5,9 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "laws/law.h"
 #include "page/guess.h"
-#include "scene/scene.h"
 #include "state/save.h"
 #include "state/start.h"
 #include "tables.h"
@@ -30,20 +28,51 @@ static void carry_out(struct nb_outcome *outcome, const struct nb_use *use, cons
   nb_print_progress_end(&line);
 }
 
-/* Several pages into one folder would write over each other. */
-static enum nb_status one_folder(const struct nb_use *use) {
+/* What two pages write must not lie in one folder, where one would write over the other. */
+static enum nb_status check_folders(const struct nb_use *use) {
+  for (size_t k = 0; k < use->page_count; k++)
+    for (size_t j = 0; j < k; j++) {
+      const char *one, *other;
+      const size_t length = nb_page_name(use->pages[k], &one);
+      if (length == nb_page_name(use->pages[j], &other) && memcmp(one, other, length) == 0) {
+        fprintf(stderr, "nineball: %s and %s have one name, so one folder: give them one after the other, with -o\n",
+                use->pages[j], use->pages[k]);
+        return NB_BAD_USE;
+      }
+    }
+  return NB_OK;
+}
+
+static enum nb_status check_folder(const struct nb_use *use) {
   if (!use->folder || use->page_count == 1)
-    return NB_OK;
+    return check_folders(use);
   fputs("nineball: -o FOLDER takes one page at a time; `nineball report` takes many\n", stderr);
   return NB_BAD_USE;
 }
 
-static void next_step(const char *words, const char *folder, const char *file) {
-  printf("%s %s%s%s\n", words, folder, file[0] ? "/" : "", file);
+/* Whether there is anything to keep: also of a run that did not come to its end. */
+static bool is_seen(const struct nb_outcome *outcome) {
+  bool seen = outcome->status <= NB_FAILED;
+  for (size_t r = 0; r < outcome->run_count && outcome->status == NB_BROKEN; r++)
+    seen = seen || outcome->runs[r].result.table.row_count > 0;
+  return seen;
+}
+
+static const char *incomplete(const struct nb_outcome *outcome) {
+  return outcome->status > NB_FAILED ? ", up to where the run was stopped" : "";
+}
+
+static enum nb_status complain(const struct nb_error *error) {
+  fprintf(stderr, "nineball: %s\n", error->text);
+  return error->status;
+}
+
+static void next_step(const char *words, const char *folder, const char *file, const char *more) {
+  printf("%s %s%s%s%s\n", words, folder, file[0] ? "/" : "", file, more);
 }
 
 enum nb_status nb_command_run(const struct nb_use *use) {
-  enum nb_status worst = one_folder(use);
+  enum nb_status worst = check_folder(use);
   for (size_t k = 0; k < use->page_count && worst < NB_BAD_USE; k++) {
     struct nb_outcome outcome;
     struct nb_error error;
@@ -51,14 +80,14 @@ enum nb_status nb_command_run(const struct nb_use *use) {
     carry_out(&outcome, use, use->pages[k]);
     worst = worse(worst, outcome.status);
     nb_print_trouble(&outcome, use->pages[k]);
-    if (outcome.status <= NB_FAILED) {
-      const char *folder = folder_of(use, &outcome, text, sizeof text);
+    if (outcome.status <= NB_FAILED)
       nb_print_verdict(&outcome);
+    if (is_seen(&outcome)) {
+      const char *folder = folder_of(use, &outcome, text, sizeof text);
       if (nb_tables_save(&outcome, folder, &error)) {
-        fprintf(stderr, "nineball: %s\n", error.text);
-        worst = worse(worst, error.status);
+        worst = worse(worst, complain(&error));
       } else {
-        next_step("tables are in", folder, "");
+        next_step("tables are in", folder, "", incomplete(&outcome));
         printf("to draw the figure: nineball figure %s\n", use->pages[k]);
       }
     }
@@ -89,7 +118,7 @@ enum nb_status nb_command_check(const struct nb_use *use) {
 }
 
 enum nb_status nb_command_figure(const struct nb_use *use) {
-  enum nb_status worst = one_folder(use);
+  enum nb_status worst = check_folder(use);
   for (size_t k = 0; k < use->page_count && worst < NB_BAD_USE; k++) {
     struct nb_outcome outcome;
     struct nb_error error;
@@ -98,17 +127,15 @@ enum nb_status nb_command_figure(const struct nb_use *use) {
     carry_out(&outcome, use, use->pages[k]);
     worst = worse(worst, outcome.status > NB_FAILED ? outcome.status : NB_OK);
     nb_print_trouble(&outcome, use->pages[k]);
-    if (outcome.status <= NB_FAILED) {
+    if (is_seen(&outcome)) {
       const char *folder = folder_of(use, &outcome, text, sizeof text);
       snprintf(name, sizeof name, "%s.svg", outcome.page.name);
-      if (nb_figure_draw(&outcome, folder, &drawn, &error)) {
-        fprintf(stderr, "nineball: %s\n", error.text);
-        worst = worse(worst, error.status);
-      } else if (drawn) {
-        next_step("look at", folder, name);
-      } else {
+      if (nb_figure_draw(&outcome, folder, use->trust, &drawn, &error))
+        worst = worse(worst, complain(&error));
+      else if (drawn)
+        next_step("look at", folder, name, incomplete(&outcome));
+      else
         printf("%s has no block of kind `gnuplot`\n", use->pages[k]);
-      }
     }
     nb_outcome_free(&outcome);
   }
@@ -116,55 +143,59 @@ enum nb_status nb_command_figure(const struct nb_use *use) {
 }
 
 /* Tables and figure of one page, and its line of the report, which takes over the verdicts. */
-static void report_one(const struct nb_use *use, const char *path, const char *folder, struct nb_report_line *line) {
+static enum nb_status report_one(const struct nb_use *use, const char *path, const char *folder,
+                                 struct nb_report_line *line) {
   struct nb_outcome outcome;
   struct nb_error error = {NB_OK, ""};
   char part[4096];
+  const char *name;
+  const size_t length = nb_page_name(path, &name);
   carry_out(&outcome, use, path);
   nb_print_trouble(&outcome, path);
-  memcpy(line->name, outcome.page.name, sizeof line->name);
+  snprintf(line->name, sizeof line->name, "%.*s", (int)length, name); /* a page that cannot be read has one too */
   memcpy(line->title, outcome.page.title, sizeof line->title);
   line->status = outcome.status;
-  if (outcome.status <= NB_FAILED) {
+  if (outcome.status > NB_FAILED)
+    snprintf(line->message, sizeof line->message, "%s",
+             outcome.mistakes.text ? outcome.mistakes.text : outcome.error.text);
+  if (is_seen(&outcome)) {
     snprintf(part, sizeof part, "%.3900s/%s", folder, outcome.page.name);
-    if (nb_tables_save(&outcome, part, &error) || nb_figure_draw(&outcome, part, &line->drawn, &error)) {
-      fprintf(stderr, "nineball: %s\n", error.text);
-      snprintf(line->message, sizeof line->message, "%s", error.text);
+    line->kept = !nb_tables_save(&outcome, part, &error);
+    if (line->kept)
+      nb_figure_draw(&outcome, part, use->trust, &line->drawn, &error);
+    if (error.status) {
+      const size_t said = strlen(line->message);
+      complain(&error);
+      snprintf(line->message + said, sizeof line->message - said, "%s%s", said ? "; " : "", error.text);
     }
     for (size_t r = 0; r < outcome.run_count; r++)
       line->seconds += outcome.runs[r].result.seconds;
-  } else {
-    snprintf(line->message, sizeof line->message, "%s",
-             outcome.mistakes.text ? outcome.mistakes.text : outcome.error.text);
   }
   line->checks = outcome.check_count, line->failed = outcome.marked[NB_FAIL];
   line->verdicts = outcome.checks, outcome.checks = NULL;
-  printf("%-28s %4zu checks, %zu failed%s\n", line->name, line->checks, line->failed,
-         line->status > NB_FAILED ? "; did not run" : "");
+  printf("%-28s %4zu checks, %zu failed%s%s\n", line->name, line->checks, line->failed,
+         line->status > NB_FAILED ? "; did not run to its end" : "",
+         error.status ? line->kept ? "; no figure" : "; no tables" : "");
   fflush(stdout);
   nb_outcome_free(&outcome);
+  return worse(line->status, error.status);
 }
 
 enum nb_status nb_command_report(const struct nb_use *use) {
   const char *folder = use->folder ? use->folder : "report";
-  enum nb_status worst = NB_OK;
+  enum nb_status worst = check_folders(use);
   struct nb_error error;
+  if (worst)
+    return worst;
   struct nb_report_line *lines = calloc(use->page_count, sizeof *lines);
-  if (!lines) {
-    nb_error_memory(&error);
-    fprintf(stderr, "nineball: %s\n", error.text);
-    return error.status;
-  }
-  for (size_t k = 0; k < use->page_count; k++) {
-    report_one(use, use->pages[k], folder, &lines[k]);
-    worst = worse(worst, lines[k].status);
-  }
-  if (nb_save_folder(folder, &error) || nb_report_write(folder, lines, use->page_count, &error)) {
-    fprintf(stderr, "nineball: %s\n", error.text);
-    worst = worse(worst, error.status);
-  } else {
-    next_step("look at", folder, "index.html");
-  }
+  if (!lines)
+    return nb_error_memory(&error), complain(&error);
+  for (size_t k = 0; k < use->page_count; k++)
+    worst = worse(worst, report_one(use, use->pages[k], folder, &lines[k]));
+  if (nb_save_folder(folder, &error) || nb_report_write(folder, lines, use->page_count, &error))
+    worst = worse(worst, complain(&error));
+  else
+    next_step("look at", folder, "index.html", "");
   for (size_t k = 0; k < use->page_count; k++)
     free(lines[k].verdicts);
   free(lines);
@@ -202,74 +233,6 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
     nb_outcome_free(&outcome);
   }
   return worst;
-}
-
-/* Index of the stage whose end is wanted, by default the last one; -1 with a message. */
-static int stage_of(const struct nb_use *use, const struct nb_outcome *outcome) {
-  const struct nb_scene *scene = &outcome->runs[0].scene;
-  char hint[NB_HINT_SIZE];
-  if (scene->path || outcome->run_count > 1) {
-    fprintf(stderr, "nineball: %s %s\n", use->pages[0],
-            scene->path ? "has a path: expected a scene"
-                        : "makes several runs: give what it sweeps one value by --set NAME=VALUE");
-    return -1;
-  }
-  if (!use->stage)
-    return (int)scene->stage_count - 1;
-  struct nb_guess guess = nb_guess_begin(use->stage);
-  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
-    if (strcmp(scene->stages[s].name, use->stage) == 0)
-      return (int)s;
-    nb_guess_offer(&guess, scene->stages[s].name);
-  }
-  const char *near = nb_guess_hint(&guess, hint);
-  fprintf(stderr, "nineball: %s has no stage `%s` of its own%s%s\n", use->pages[0], use->stage, near ? "; " : "",
-          near ? near : "");
-  return -1;
-}
-
-/* The state at the end of a stage in a file of its own, which says what the page was given. */
-static enum nb_status write_state(struct nb_scene *scene, size_t stage, const char *path, const struct nb_use *use,
-                                  struct nb_error *error) {
-  struct nb_saved saved = {0};
-  struct nb_progress_line line = {.page = use->pages[0]};
-  const struct nb_progress progress = nb_print_progress(&line);
-  nb_scene_cut(scene, stage);
-  enum nb_status status = nb_run_to(&saved, scene, &use->options, &progress, error);
-  nb_print_progress_end(&line);
-  for (size_t k = 0; use->settings[k] && !status; k++)
-    if (!nb_saved_setting(&saved, use->settings[k]))
-      status = nb_error_memory(error);
-  if (!status)
-    saved.hash = scene->stages[stage].hash, status = nb_saved_write(&saved, path, error);
-  nb_saved_free(&saved);
-  return status;
-}
-
-enum nb_status nb_command_state(const struct nb_use *use) {
-  struct nb_outcome outcome;
-  char text[3 * NB_NAME_SIZE];
-  if (use->page_count > 1) {
-    fputs("nineball: a state is one of one page\n", stderr);
-    return NB_BAD_USE;
-  }
-  enum nb_status status = nb_outcome_read(&outcome, use->pages[0], use->settings);
-  nb_print_trouble(&outcome, use->pages[0]);
-  const int stage = status ? -1 : stage_of(use, &outcome);
-  if (stage >= 0) {
-    struct nb_scene *scene = &outcome.runs[0].scene;
-    struct nb_error error;
-    snprintf(text, sizeof text, "%s-%s.state", outcome.page.name, scene->stages[stage].name);
-    const char *path = use->folder ? use->folder : text;
-    status = write_state(scene, (size_t)stage, path, use, &error);
-    if (status)
-      fprintf(stderr, "nineball: %s: %s\n", use->pages[0], error.text);
-    else
-      printf("the state at the end of stage `%s` is in %s\na page beside it takes the bodies: packing %s\n",
-             scene->stages[stage].name, path, strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
-  }
-  nb_outcome_free(&outcome);
-  return stage < 0 ? NB_BAD_USE : status;
 }
 
 enum nb_status nb_command_laws(const struct nb_use *use) {

@@ -16,6 +16,7 @@ struct nb_use {
   char *follow;          /* the one of --follow, owned; NULL: none */
   struct nb_options options;
   bool tap;
+  bool trust; /* draw without confinement where there is none */
 };
 
 enum nb_status nb_command_run(const struct nb_use *use);

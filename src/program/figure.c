@@ -12,21 +12,19 @@
  *   canvas(w, h)   a size of its own, of style.gp: eval canvas(1100, 760)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 
 #include <ctype.h>
-#include <errno.h>
 #include <math.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "state/save.h"
 #include "tables.h"
 
-extern char **environ;
+/* The same for every page: no text of a page or name is among gnuplot's arguments. */
+#define SETTINGS(terminal) "terminal = \"" terminal "\"; set terminal " terminal " size 840,560"
 
 static bool has_figure(const struct nb_page *page) {
   for (size_t k = 0; k < page->line_count; k++)
@@ -103,29 +101,61 @@ static bool copy_file(FILE *out, const char *path) {
   return true;
 }
 
-/* The folder of style and recipes: beside the page's own folder, in a source tree as in an installed one; else the installed. */
-static void find_plots(char *text, size_t size, const char *page) {
-  const char *slash = strrchr(page, '/');
-  char style[4096];
-  snprintf(text, size, "%.*s../plots/", slash ? (int)(slash - page) + 1 : 0, page);
-  snprintf(style, sizeof style, "%.4000sstyle.gp", text);
-  if (access(style, R_OK) != 0)
-    snprintf(text, size, "%s/plots/", NB_DATADIR);
+/* The folder of style and recipes, the program's own and never the page's: beside the program in the tree where it was built,
+ * else where both were installed. */
+static bool find_plots(char *plots, size_t size, struct nb_error *error) {
+  char program[2048], style[4096];
+  const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
+  program[length > 0 ? length : 0] = 0;
+  char *slash = strrchr(program, '/');
+  if (slash)
+    *slash = 0;
+  for (int k = slash ? 0 : 2; k < 3; k++) {
+    snprintf(style, sizeof style, "%s%s/style.gp", k < 2 ? program : NB_DATADIR,
+             k == 0   ? "/plots"
+             : k == 1 ? "/../share/nineball/plots"
+                      : "/plots");
+    char *real = realpath(style, NULL);
+    if (real) {
+      snprintf(plots, size, "%.*s", (int)(strrchr(real, '/') - real + 1), real);
+      free(real);
+      return true;
+    }
+  }
+  nb_error_set(error, NB_BAD_USE, "the style of figures, plots/style.gp, is neither beside the program nor in %s/plots",
+               NB_DATADIR);
+  return false;
 }
 
-static void write_script(FILE *out, const struct nb_outcome *outcome) {
+/* As gnuplot reads it: nothing in single quotes stands for anything but itself, two of them for one. */
+static void write_quoted(FILE *out, const char *text) {
+  fputc('\'', out);
+  for (; *text; text++)
+    fputs(*text == '\'' ? "''" : (char[]){*text, 0}, out);
+  fputc('\'', out);
+}
+
+static bool write_script(FILE *out, const struct nb_outcome *outcome, const char *plots) {
   const struct nb_page *page = &outcome->page;
-  char plots[4000], style[4096];
-  find_plots(plots, sizeof plots, page->path);
-  snprintf(style, sizeof style, "%sstyle.gp", plots);
-  fprintf(out, "# %s, drawn from page %s, FNV-1a %016llx, by nineball %s\n", page->title, page->name, page->hash,
-          NB_VERSION);
-  fprintf(out, "plots = '%s'\n", plots);
+  char style[4096];
+  snprintf(style, sizeof style, "%.4000sstyle.gp", plots);
+  fprintf(out, "# %s\n", page->title);
+  nb_preamble_write(out, outcome);
+  fputs("plots = ", out);
+  write_quoted(out, plots);
+  fputc('\n', out);
   if (!copy_file(out, style))
-    fputs("set datafile separator tab columnheaders\n", out);
+    return false;
+  if (outcome->status > NB_FAILED)
+    fputs("set label 9999 'INCOMPLETE: the run was stopped' at screen 0.99, screen 0.98 right noenhanced front tc rgb "
+          "'#a3123a'\n",
+          out);
   fprintf(out, "runs = %zu\narray run[runs]\n", outcome->run_count);
-  for (size_t r = 0; r < outcome->run_count; r++)
-    fprintf(out, "run[%zu] = \"%s\"\n", r + 1, outcome->runs[r].label);
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    fprintf(out, "run[%zu] = ", r + 1);
+    write_quoted(out, outcome->runs[r].label);
+    fputc('\n', out);
+  }
   fputs("$values << EOD\n", out);
   nb_values_write(out, outcome);
   fputs("EOD\n", out);
@@ -134,48 +164,49 @@ static void write_script(FILE *out, const struct nb_outcome *outcome) {
   for (size_t k = 0; k < page->line_count; k++)
     if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT)
       fprintf(out, "%s\n", page->lines[k]);
+  return true;
 }
 
-/* gnuplot with one -e, then the script; its messages are for the user. */
-static enum nb_status run_gnuplot(const char *settings, const char *script, struct nb_error *error) {
-  char *arguments[] = {"gnuplot", "-e", (char *)settings, (char *)script, NULL};
-  pid_t child;
-  int status;
-  const int problem = posix_spawnp(&child, "gnuplot", NULL, NULL, arguments, environ);
-  if (problem)
-    return nb_error_set(error, NB_BAD_USE, "gnuplot cannot be run: %s (its package is gnuplot-nox)", strerror(problem));
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-    continue;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
-    return NB_OK;
-  return nb_error_set(error, NB_BAD_USE, "gnuplot did not like %s; its message is above", script);
+/* FOLDER/NAME.KIND, by one of gnuplot's terminals. */
+static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const char *magic, struct nb_error *error) {
+  char path[4096], begin[8] = "";
+  struct nb_save file;
+  snprintf(path, sizeof path, "%s/%s.%s", drawing->folder, drawing->name, kind);
+  if (nb_save_begin(&file, path, error))
+    return error->status;
+  drawing->figure = fileno(file.file);
+  enum nb_status status = nb_gnuplot_run(drawing, error);
+  if (!status && (pread(drawing->figure, begin, strlen(magic), 0) < 0 || strcmp(begin, magic) != 0))
+    status = nb_error_set(error, NB_BAD_USE, "%.200s/%s.gp draws nothing", drawing->folder, drawing->name);
+  return status ? nb_save_drop(&file), status : nb_save_end(&file, error);
 }
 
-enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool *drawn,
+enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error) {
-  const char *name = outcome->page.name;
-  char script[4096], settings[5000];
+  char script[4096], plots[4096];
   struct nb_save file;
   *drawn = false;
   if (!has_figure(&outcome->page))
     return NB_OK;
-  if (nb_save_folder(folder, error))
+  if (!find_plots(plots, sizeof plots, error) || nb_save_folder(folder, error))
     return error->status;
-  if ((size_t)snprintf(script, sizeof script, "%s/%s.gp", folder, name) >= sizeof script)
+  if ((size_t)snprintf(script, sizeof script, "%s/%s.gp", folder, outcome->page.name) >= sizeof script)
     return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
   if (nb_save_begin(&file, script, error))
     return error->status;
-  write_script(file.file, outcome);
+  if (!write_script(file.file, outcome, plots)) {
+    nb_save_drop(&file);
+    return nb_error_set(error, NB_BAD_USE, "cannot read %.300sstyle.gp", plots);
+  }
   if (nb_save_end(&file, error))
     return error->status;
-  static const char *const terminals[][2] = {{"svg font 'sans,13' background 'white'", "svg"},
-                                             {"pngcairo font 'sans,11'", "png"}};
-  for (size_t k = 0; k < sizeof terminals / sizeof *terminals; k++) {
-    snprintf(settings, sizeof settings, "terminal = \"%s\"; set terminal %s size 840,560; set output \"%s/%s.%s\"",
-             terminals[k][0], terminals[k][0], folder, name, terminals[k][1]);
-    if (run_gnuplot(settings, script, error))
-      return error->status;
-  }
+  struct nb_gnuplot drawing = {.folder = folder, .name = outcome->page.name, .recipes = plots, .trust = trust};
+  drawing.commands = SETTINGS("svg font 'sans,13' background 'white'"), drawing.aloud = true;
+  if (draw(&drawing, "svg", "<?xml", error))
+    return error->status;
+  drawing.commands = SETTINGS("pngcairo font 'sans,11'"), drawing.aloud = false;
+  if (draw(&drawing, "png", "\x89PNG", error))
+    return error->status;
   *drawn = true;
   return NB_OK;
 }

@@ -1,10 +1,13 @@
 /* nineball, the program: the table of contents.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "clean.h"
 #include "commands.h"
 #include "manual.h"
 #include "page/guess.h"
@@ -36,6 +39,7 @@ static const struct nb_help_row option_rows[] = {
     {"--jobs N", "runs of a sweep side by side (default: as many as there are processors)"},
     {"--threads N", "at most so many (default 1); the results do not depend on it"},
     {"--isa NAME", "plain, avx2 or avx512 (default: the widest); nor on this"},
+    {"--trust", "of `figure` and `report`: draw also where gnuplot cannot be confined, for pages that you trust"},
     {"--tap", "verdicts in the form that `make check` reads"},
     {"-h, --help", "this; all words of pages: nineball --help scene; one of them: nineball --help disc"},
     {"--version", "version and licence"},
@@ -115,6 +119,7 @@ enum {
   OPTION_THREADS,
   OPTION_ISA,
   OPTION_TAP,
+  OPTION_TRUST,
   OPTION_VERSION
 };
 
@@ -128,6 +133,7 @@ static const struct option options[] = {
     {"threads", required_argument, NULL, OPTION_THREADS},
     {"isa", required_argument, NULL, OPTION_ISA},
     {"tap", no_argument, NULL, OPTION_TAP},
+    {"trust", no_argument, NULL, OPTION_TRUST},
     {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, OPTION_VERSION},
     {NULL, 0, NULL, 0},
@@ -184,6 +190,9 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words, 
     case OPTION_TAP:
       use->tap = true;
       break;
+    case OPTION_TRUST:
+      use->trust = true;
+      break;
     case 'h':
       *done = true;
       break;
@@ -219,14 +228,32 @@ static int find_command(const char *word) {
   return -1;
 }
 
+/* Names and values go to the terminal and into files: none may hold what a terminal would obey. */
+static enum nb_status check_word(const char *word) {
+  char *shown = word ? strdup(word) : NULL;
+  unsigned byte;
+  enum nb_status status = word && !shown ? no_memory() : NB_OK;
+  if (shown && nb_clean(shown, strlen(shown), &byte)) {
+    fprintf(stderr, "nineball: expected text, found the byte 0x%02X (shown as `?`) in `%s`\n", byte, shown);
+    status = NB_BAD_USE;
+  }
+  free(shown);
+  return status;
+}
+
 int main(int count, char **words) {
   struct nb_use use = {.options = {.threads = 1}};
   use.options.states = getenv("NINEBALL_STATES");
+  enum nb_status status = check_word(use.options.states);
+  for (int k = 1; k < count && !status; k++)
+    status = check_word(words[k]);
+  if (status)
+    return (int)status;
   use.settings = calloc((size_t)count + 1, sizeof *use.settings);
   if (!use.settings)
     return no_memory();
   bool done = false;
-  enum nb_status status = read_options(&use, count, words, &done);
+  status = read_options(&use, count, words, &done);
   if (!status && done) {
     if (optind < count && command_of(words[optind]) < 0)
       status = print_help_of(words[optind]);

@@ -84,9 +84,17 @@ void nb_manual_man(FILE *out, const struct nb_help_row *commands, const struct n
   static const struct nb_help_row statuses[] = {
       {"0", "all checks passed"},
       {"1", "a check failed"},
-      {"2", "bad use, a mistake in a page, or a file that cannot be read or written"},
-      {"3", "the physics broke: a number that is none, a stage that never ended"},
+      {"2", "bad use, a mistake in a page, a figure that cannot be drawn, or a file that cannot be read or written"},
+      {"3", "the physics broke: a number that is none, a stage that never ended; what was seen until then is kept, and "
+            "marked as incomplete"},
       {"4", "out of memory"},
+      {NULL, NULL},
+  };
+  static const struct nb_help_row variables[] = {
+      {"NINEBALL_STATES", "the folder of states, unless --states says one"},
+      {"NINEBALL_CONFINE",
+       "landlock, bwrap or none: the only way in which gnuplot may be confined, instead of the first of "
+       "the two that is available; without any, --trust must be given"},
       {NULL, NULL},
   };
   static const struct nb_help_row files[] = {
@@ -116,6 +124,15 @@ void nb_manual_man(FILE *out, const struct nb_help_row *commands, const struct n
   rows(out, options);
   section(out, "Exit status");
   rows(out, statuses);
+  section(out, "Pages of others");
+  words(
+      out,
+      "A page's `gnuplot` block is a program. `figure` and `report` run it confined, by Landlock or by bubblewrap: it "
+      "can read fonts, libraries and the installed recipes only, write nothing but the figure, and start no other "
+      "program. Where neither is available nothing is drawn, unless `--trust` is given. All else that a page can do "
+      "is to have files read that it names in `packing`, `start` and `follow`.");
+  section(out, "Environment");
+  rows(out, variables);
   section(out, "Files");
   rows(out, files);
   nb_manual_language(out, &nb_manner_man, true);

@@ -1,6 +1,7 @@
 /* The report: one static page about all pages, with their verdicts and figures. It needs no server and no script.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <ctype.h>
 #include <string.h>
 
 #include "state/save.h"
@@ -23,9 +24,30 @@ static void text(FILE *out, const char *words) {
     case '"':
       fputs("&quot;", out);
       break;
+    case '\'':
+      fputs("&#39;", out);
+      break;
     default:
       fputc(*words, out);
     }
+}
+
+/* NAME/FILE as an address: all but letters, digits, `-`, `_` and `.` as %XX (RFC 3986). */
+static void address(FILE *out, const char *attribute, const char *folder, const char *name, const char *kind) {
+  fprintf(out, "%s=\"", attribute);
+  for (int k = 0; k < 2; k++) {
+    for (const char *c = k == 0 ? folder : name; *c; c++)
+      fprintf(out, isalnum((unsigned char)*c) || strchr("-_.", *c) ? "%c" : "%%%02X", (unsigned char)*c);
+    fputs(k == 0 ? "/" : kind, out);
+  }
+  fputc('"', out);
+}
+
+static void write_link(FILE *out, const char *before, const struct nb_report_line *line, const char *file,
+                       const char *kind, const char *word) {
+  fprintf(out, "%s<a ", before);
+  address(out, "href", line->name, file, kind);
+  fprintf(out, ">%s</a>", word);
 }
 
 static const char style[] =
@@ -40,28 +62,38 @@ static void write_summary(FILE *out, const struct nb_report_line *lines, size_t 
   fputs("<table><tr><th>page</th><th>about</th><th>checks</th><th>failed</th><th>seconds</th></tr>\n", out);
   for (size_t k = 0; k < count; k++) {
     const struct nb_report_line *line = &lines[k];
-    fprintf(out, "<tr><td><a href=\"#%s\">%s</a></td><td>", line->name, line->name);
+    fprintf(out, "<tr><td><a href=\"#page%zu\">", k + 1);
+    text(out, line->name);
+    fputs("</a></td><td>", out);
     text(out, line->title);
-    if (line->status <= NB_FAILED)
+    if (line->status > NB_FAILED)
+      fputs("</td><td colspan=\"3\" class=\"fail\">did not run to its end</td></tr>\n", out);
+    else if (line->message[0])
+      fprintf(out, "</td><td>%zu</td><td class=\"fail\">%zu, %s</td><td>%.2f</td></tr>\n", line->checks, line->failed,
+              line->kept ? "no figure" : "no tables", line->seconds);
+    else
       fprintf(out, "</td><td>%zu</td><td class=\"%s\">%zu</td><td>%.2f</td></tr>\n", line->checks,
               line->failed ? "fail" : "pass", line->failed, line->seconds);
-    else
-      fputs("</td><td colspan=\"3\" class=\"fail\">did not run</td></tr>\n", out);
   }
   fputs("</table>\n", out);
 }
 
-static void write_page(FILE *out, const struct nb_report_line *line) {
-  fprintf(out, "<h2 id=\"%s\">", line->name);
-  text(out, line->title);
+static void write_page(FILE *out, const struct nb_report_line *line, size_t number) {
+  fprintf(out, "<h2 id=\"page%zu\">", number);
+  text(out, line->title[0] ? line->title : line->name);
   fputs("</h2>\n", out);
   if (line->message[0]) {
     fputs("<p class=\"fail\">", out);
     text(out, line->message);
     fputs("</p>\n", out);
   }
-  if (line->drawn)
-    fprintf(out, "<p><img src=\"%s/%s.svg\" alt=\"figure of %s\"></p>\n", line->name, line->name, line->name);
+  if (line->drawn) {
+    fputs("<p><img ", out);
+    address(out, "src", line->name, line->name, ".svg");
+    fputs(" alt=\"figure of ", out);
+    text(out, line->name);
+    fputs("\"></p>\n", out);
+  }
   if (line->checks)
     fprintf(out,
             "<details%s><summary>%zu checks, %zu "
@@ -78,14 +110,15 @@ static void write_page(FILE *out, const struct nb_report_line *line) {
   }
   if (line->checks)
     fputs("</table></details>\n", out);
-  if (line->status <= NB_FAILED)
-    fprintf(out,
-            "<p>Files: <a href=\"%s/table.tsv\">table</a>, <a href=\"%s/values.tsv\">values</a>, <a "
-            "href=\"%s/verdict.tsv\">verdict</a>",
-            line->name, line->name, line->name);
-  if (line->drawn)
-    fprintf(out, ", figure as <a href=\"%s/%s.png\">PNG</a> and <a href=\"%s/%s.gp\">script</a>", line->name,
-            line->name, line->name, line->name);
+  if (!line->kept)
+    return;
+  write_link(out, "<p>Files: ", line, "table", ".tsv", "table");
+  write_link(out, ", ", line, "values", ".tsv", "values");
+  write_link(out, ", ", line, "verdict", ".tsv", "verdict");
+  if (line->drawn) {
+    write_link(out, ", figure as ", line, line->name, ".png", "PNG");
+    write_link(out, " and ", line, line->name, ".gp", "script");
+  }
   fputs("</p>\n", out);
 }
 
@@ -97,21 +130,27 @@ enum nb_status nb_report_write(const char *folder, const struct nb_report_line *
     return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
   if (nb_save_begin(&file, path, error))
     return error->status;
-  size_t checks = 0, failed = 0, broken = 0;
-  for (size_t k = 0; k < count; k++)
+  size_t checks = 0, failed = 0, broken = 0, bare = 0;
+  for (size_t k = 0; k < count; k++) {
     checks += lines[k].checks, failed += lines[k].failed, broken += lines[k].status > NB_FAILED;
+    bare += lines[k].status <= NB_FAILED && lines[k].message[0];
+  }
   FILE *out = file.file;
   fprintf(out,
-          "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>nineball report</title><style>%s</style>\n",
+          "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta http-equiv=\"Content-Security-Policy\" "
+          "content=\"default-src 'none'; img-src 'self' file:; style-src 'unsafe-inline'\"><title>nineball "
+          "report</title><style>%s</style>\n",
           style);
   fprintf(out, "<h1>nineball %s</h1>\n<p>%zu pages, %zu checks, <span class=\"%s\">%zu failed</span>", NB_VERSION,
           count, checks, failed ? "fail" : "pass", failed);
   if (broken)
-    fprintf(out, ", <span class=\"fail\">%zu did not run</span>", broken);
+    fprintf(out, ", <span class=\"fail\">%zu did not run to their end</span>", broken);
+  if (bare)
+    fprintf(out, ", <span class=\"fail\">%zu without figure or tables</span>", bare);
   fputs(".</p>\n", out);
   write_summary(out, lines, count);
   for (size_t k = 0; k < count; k++)
-    write_page(out, &lines[k]);
+    write_page(out, &lines[k], k + 1);
   fputs("</html>\n", out);
   return nb_save_end(&file, error);
 }

@@ -7,14 +7,23 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/hash.h"
 #include "state/save.h"
 
 static const char *unit_word(const char *unit, bool unitless) {
   return unitless || strcmp(unit, "1") == 0 ? "-" : unit;
 }
 
-static void preamble(FILE *out, const struct nb_outcome *outcome) {
-  fprintf(out, "# nineball %s\n# page %s, FNV-1a %016llx\n", NB_VERSION, outcome->page.name, outcome->page.hash);
+void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
+  fprintf(out, "# nineball %s\n# page %s", NB_VERSION, outcome->page.name);
+  unsigned long long hash = outcome->page.hash;
+  for (size_t k = 0; outcome->settings && outcome->settings[k]; k++) {
+    hash = nb_hash(hash, outcome->settings[k], strlen(outcome->settings[k]) + 1);
+    fprintf(out, ", %s", outcome->settings[k]);
+  }
+  fprintf(out, ", FNV-1a %016llx\n", hash);
+  if (outcome->status > NB_FAILED)
+    fprintf(out, "# incomplete: %s\n", outcome->error.text);
 }
 
 /* "0.12 m/s" is 0.12 under the head v/(m/s). */
@@ -81,7 +90,7 @@ void nb_table_write(FILE *out, const struct nb_table *table) {
 }
 
 static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
-  preamble(out, outcome);
+  nb_preamble_write(out, outcome);
   for (size_t r = 0; r < outcome->run_count; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
     if (r == 0) {
@@ -135,12 +144,12 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
 }
 
 static void write_values(FILE *out, const struct nb_outcome *outcome) {
-  preamble(out, outcome);
+  nb_preamble_write(out, outcome);
   nb_values_write(out, outcome);
 }
 
 static void write_verdict(FILE *out, const struct nb_outcome *outcome) {
-  preamble(out, outcome);
+  nb_preamble_write(out, outcome);
   fputs("verdict\tline\texpected\tseen\n", out);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
@@ -178,7 +187,7 @@ static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, 
       return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
     if (nb_save_begin(&file, path, error))
       return error->status;
-    preamble(file.file, outcome);
+    nb_preamble_write(file.file, outcome);
     if (run->label[0])
       fprintf(file.file, "# run %s\n", run->label);
     nb_table_write(file.file, table);

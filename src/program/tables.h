@@ -16,17 +16,30 @@ void nb_table_write_run(FILE *out, const struct nb_page_run *run);
 void nb_values_write(FILE *out, const struct nb_outcome *outcome);
 void nb_table_write(FILE *out, const struct nb_table *table);
 
+/* What every file begins with, behind `# `: program, page, the settings it was given and the hash of both, and whether it is
+ * incomplete. */
+void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
+
 /* figure.c: NAME.gp in the folder, and by gnuplot NAME.svg and NAME.png. NB_OK without doing anything when the page has no figure
- * (then *drawn is false). Runs gnuplot, which is a program: only `figure` and `report` do this. */
-enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool *drawn,
+ * (then *drawn is false). Only `figure` and `report` do this: gnuplot runs the page's own code, confined (confine.h), or also
+ * unconfined where the page is trusted and nothing can confine it. */
+enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);
+/* gnuplot.c: runs FOLDER/NAME.gp, which may read `recipes`, after the given commands; what is drawn goes into `figure`, and what
+ * gnuplot says to stderr if `aloud`. */
+struct nb_gnuplot {
+  const char *folder, *name, *recipes, *commands;
+  int figure; /* file descriptor */
+  bool trust, aloud;
+};
+enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error);
 
 /* report.c: one page about all of them; folders are relative to it. */
 struct nb_report_line {
   char name[NB_NAME_SIZE], title[128], message[512];
   size_t checks, failed;
   enum nb_status status;
-  bool drawn;
+  bool kept, drawn; /* there are tables, a figure */
   double seconds;
   struct nb_check *verdicts; /* owned by who reports */
 };

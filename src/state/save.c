@@ -1,19 +1,68 @@
 /* Files written beside and renamed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE
 
 #include "save.h"
 
+#include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 static void forget(struct nb_save *save) {
   free(save->path), free(save->temporary);
   *save = (struct nb_save){0};
+}
+
+/* Whoever writes a temporary file holds a lock on it (flock), which ends with the process: one that can be locked is left over. */
+static bool is_left(int folder, const char *name) {
+  const int file = openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  const bool left = file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0;
+  if (file >= 0)
+    close(file);
+  return left;
+}
+
+/* Removes what others who were ended have left of this file: NAME.NUMBER.new beside it. */
+static void remove_left(const char *path) {
+  const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+  const size_t length = strlen(name);
+  char *where = slash ? strndup(path, (size_t)(slash - path) + 1) : NULL;
+  DIR *folder = !slash ? opendir(".") : where ? opendir(where) : NULL;
+  for (struct dirent *entry; folder && (entry = readdir(folder));) {
+    const char *rest = entry->d_name + length;
+    if (strncmp(entry->d_name, name, length) == 0 && *rest == '.') {
+      const size_t digits = strspn(rest + 1, "0123456789");
+      if (digits > 0 && strcmp(rest + 1 + digits, ".new") == 0 && is_left(dirfd(folder), entry->d_name))
+        unlinkat(dirfd(folder), entry->d_name, 0);
+    }
+  }
+  if (folder)
+    closedir(folder);
+  free(where);
+}
+
+/* A new file, never one that is there or that a link leads to. It is ours when it still has its name once it is locked. */
+static int create(char *temporary, size_t size, const char *path) {
+  const unsigned long process = (unsigned long)getpid();
+  for (unsigned long number = process; number < process + 1000; number++) {
+    struct stat mine, there;
+    snprintf(temporary, size, "%s.%lu.new", path, number);
+    const int file = open(temporary, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file < 0 && errno != EEXIST)
+      return -1;
+    if (file >= 0 && (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && fstat(file, &mine) == 0 &&
+        lstat(temporary, &there) == 0 && mine.st_ino == there.st_ino && mine.st_dev == there.st_dev)
+      return file;
+    if (file >= 0)
+      close(file);
+  }
+  return -1;
 }
 
 enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_error *error) {
@@ -23,27 +72,31 @@ enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_e
     forget(save);
     return nb_error_memory(error);
   }
-  snprintf(save->temporary, size, "%s.%ld.new", path, (long)getpid()); /* pages run side by side */
-  save->file = fopen(save->temporary, "w");
+  remove_left(path);
+  const int file = create(save->temporary, size, path);
+  save->file = file < 0 ? NULL : fdopen(file, "w+");
   if (save->file)
     return NB_OK;
   const enum nb_status status = nb_error_system(error, "cannot write %s", path);
+  if (file >= 0)
+    close(file), remove(save->temporary);
   forget(save);
   return status;
 }
 
-enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error) {
-  enum nb_status status = NB_OK;
-  errno = EIO; /* if nothing says more of a write that failed earlier */
-  if (fflush(save->file) != 0 || ferror(save->file) || fsync(fileno(save->file)) != 0)
-    status = nb_error_system(error, "cannot write %s", save->path);
-  if (fclose(save->file) != 0 && !status)
-    status = nb_error_system(error, "cannot write %s", save->path);
-  if (!status && rename(save->temporary, save->path) != 0)
-    status = nb_error_system(error, "cannot write %s", save->path);
-  if (status)
-    remove(save->temporary);
+void nb_save_drop(struct nb_save *save) {
+  fclose(save->file);
+  remove(save->temporary);
   forget(save);
+}
+
+enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error) {
+  errno = EIO; /* if nothing says more of a write that failed earlier */
+  if (fflush(save->file) == 0 && !ferror(save->file) && fsync(fileno(save->file)) == 0 &&
+      rename(save->temporary, save->path) == 0)
+    return fclose(save->file), forget(save), NB_OK;
+  const enum nb_status status = nb_error_system(error, "cannot write %s", save->path);
+  nb_save_drop(save);
   return status;
 }
 

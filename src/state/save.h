@@ -7,7 +7,7 @@
 #include "nineball.h"
 
 struct nb_save {
-  FILE *file; /* write here */
+  FILE *file; /* write here; it can be read too */
   char *path, *temporary;
 };
 
@@ -15,6 +15,7 @@ struct nb_save {
  * what was there before stays until then. nb_save_end frees everything whatever it answers. */
 enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_error *error);
 enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error);
+void nb_save_drop(struct nb_save *save); /* instead of nb_save_end: nothing was written */
 /* Makes the folder, and those above it, unless they are there. */
 enum nb_status nb_save_folder(const char *path, struct nb_error *error);
 

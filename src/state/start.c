@@ -88,22 +88,6 @@ static bool others(const struct nb_scene *scene, const struct nb_options *option
   return found;
 }
 
-/* What somebody has begun to write who was ended then: whoever holds the lock is the only one who writes. */
-static void drop_torn(const char *state, const struct nb_options *options) {
-  const char *name = strrchr(state, '/') + 1;
-  char path[PATH_SIZE];
-  DIR *folder = opendir(folder_of(options));
-  for (struct dirent *entry; folder && (entry = readdir(folder));) {
-    const size_t length = strlen(entry->d_name), stem = strlen(name);
-    if (length > stem + 4 && strncmp(entry->d_name, name, stem) == 0 &&
-        strcmp(entry->d_name + length - 4, ".new") == 0 &&
-        snprintf(path, sizeof path, "%s/%s", folder_of(options), entry->d_name) < (int)sizeof path)
-      remove(path);
-  }
-  if (folder)
-    closedir(folder);
-}
-
 enum nb_found nb_start_look(const struct nb_scene *scene, const struct nb_options *options) {
   char path[PATH_SIZE];
   struct nb_error error;
@@ -194,7 +178,6 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
   snprintf(text, sizeof text, "first the state of `%s` at the end of stage `%s` is made", start->page->name,
            last_of(scene)->name);
   say(progress, text);
-  drop_torn(path, options);
   enum nb_status status = nb_run_to(saved, start->scene, options, progress, error);
   if (status) {
     const struct nb_error why = *error;

@@ -40,7 +40,7 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
 }
 
 enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings) {
-  *outcome = (struct nb_outcome){0};
+  *outcome = (struct nb_outcome){.settings = settings};
   if (!nb_page_read(&outcome->page, path, &outcome->mistakes))
     read_runs(outcome, settings);
   outcome->status = nb_mistakes_status(&outcome->mistakes, 0);

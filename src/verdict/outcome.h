@@ -37,6 +37,7 @@ struct nb_check {
 
 struct nb_outcome {
   struct nb_page page;
+  nb_settings settings;        /* those it was made with: the caller's */
   struct nb_mistakes mistakes; /* of the page, when status is NB_BAD_USE */
   struct nb_page_run *runs;    /* owned, as is all below */
   size_t run_count;

@@ -1,0 +1,40 @@
+/* Whatever comes from a page, a file name, a state or gnuplot and goes to a terminal is cleaned here: a control character there
+ * could move the cursor, hide what was said before, or be typed as if by the user.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "clean.h"
+
+#include <stdbool.h>
+
+size_t nb_clean_character(const unsigned char *c, size_t left) {
+  static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
+  size_t n = c[0] < 0x80 ? 1 : (c[0] & 0xE0) == 0xC0 ? 2 : (c[0] & 0xF0) == 0xE0 ? 3 : (c[0] & 0xF8) == 0xF0 ? 4 : 0;
+  if (n == 0 || n > left)
+    return 0;
+  if (n == 1)
+    return c[0] == '\t' || (c[0] >= 0x20 && c[0] != 0x7F) ? 1 : 0;
+  unsigned long code = c[0] & (0x7FU >> n);
+  for (size_t i = 1; i < n; i++) {
+    if ((c[i] & 0xC0) != 0x80)
+      return 0;
+    code = code << 6 | (c[i] & 0x3FU);
+  }
+  bool control = code >= 0x80 && code < 0xA0, surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return code < least[n] || code > 0x10FFFF || control || surrogate ? 0 : n;
+}
+
+int nb_clean(char *text, size_t length, unsigned *byte) {
+  int column = 0, first = 0;
+  for (size_t i = 0; i < length;) {
+    const size_t n = nb_clean_character((const unsigned char *)text + i, length - i);
+    column++;
+    if (n == 0 && !first) {
+      first = column;
+      *byte = (unsigned char)text[i];
+    }
+    if (n == 0)
+      text[i] = '?';
+    i += n ? n : 1;
+  }
+  return first;
+}

@@ -1,0 +1,262 @@
+/* Landlock (Linux 5.13 and later, landlock(7)) or bubblewrap (bwrap(1)) around a program that runs code from a page.
+ *
+ * Either way the program can read the system's libraries and fonts, one file and one folder, and nothing else; it can write
+ * nowhere; it can execute itself and its ELF loader, so there is no shell; it has no network and no environment of the user's.
+ *
+ * Both give the same rights, from the one list below. Headers may be older than the kernel, so the constants of Landlock are here
+ * and the kernel is asked which version of its interface it has.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _GNU_SOURCE
+
+#include "confine.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <link.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* What gnuplot and the libraries that draw need of a system, where it has them. */
+static const char *const readable[] = {"/lib",
+                                       "/lib64",
+                                       "/usr/lib",
+                                       "/usr/lib64",
+                                       "/usr/local/lib",
+                                       "/etc/ld.so.cache",
+                                       "/etc/fonts",
+                                       "/usr/share/fontconfig",
+                                       "/usr/share/fonts",
+                                       "/usr/local/share/fonts",
+                                       "/usr/share/gnuplot",
+                                       "/usr/share/libthai",
+                                       "/usr/share/locale",
+                                       "/var/cache/fontconfig"};
+enum { READABLE = sizeof readable / sizeof *readable };
+
+static char *const environment[] = {"PATH=/usr/bin:/bin", "HOME=/nonexistent", "LC_ALL=C.UTF-8", NULL};
+
+bool nb_program_find(char *path, size_t size, const char *name) {
+  const char *folders = getenv("PATH");
+  for (const char *at = folders ? folders : "/usr/bin:/bin"; at;) {
+    const size_t length = strcspn(at, ":");
+    char *real;
+    struct stat status;
+    if (length > 0 && snprintf(path, size, "%.*s/%s", (int)length, at, name) < (int)size && access(path, X_OK) == 0 &&
+        stat(path, &status) == 0 && S_ISREG(status.st_mode) && (real = realpath(path, NULL))) {
+      const bool fits = snprintf(path, size, "%s", real) < (int)size;
+      free(real);
+      return fits;
+    }
+    at = at[length] ? at + length + 1 : NULL;
+  }
+  return false;
+}
+
+/* The loader that the header of an ELF program names (elf(5), PT_INTERP). */
+static void find_loader(char *loader, const char *program) {
+  ElfW(Ehdr) head;
+  ElfW(Phdr) part;
+  const int file = open(program, O_RDONLY | O_CLOEXEC);
+  loader[0] = 0;
+  if (file >= 0 && pread(file, &head, sizeof head, 0) == sizeof head && memcmp(head.e_ident, ELFMAG, SELFMAG) == 0)
+    for (unsigned k = 0; k < head.e_phnum; k++)
+      if (pread(file, &part, sizeof part, (off_t)(head.e_phoff + k * sizeof part)) == sizeof part &&
+          part.p_type == PT_INTERP && part.p_filesz < NB_CONFINE_PATH &&
+          pread(file, loader, part.p_filesz, (off_t)part.p_offset) == (ssize_t)part.p_filesz)
+        loader[part.p_filesz] = 0;
+  if (file >= 0)
+    close(file);
+}
+
+/* ---- Landlock ---- */
+
+#ifndef SYS_landlock_create_ruleset
+#define SYS_landlock_create_ruleset 444
+#define SYS_landlock_add_rule 445
+#define SYS_landlock_restrict_self 446
+#endif
+
+/* linux/landlock.h, of which Debian 12 has the first version of the interface and the kernel may have a later one. */
+struct ruleset {
+  uint64_t fs, net, scoped; /* kinds of access that are forbidden unless a rule allows them */
+};
+struct beneath {
+  uint64_t allowed;
+  int32_t parent;
+} __attribute__((packed));
+enum { ASK_VERSION = 1, PATH_BENEATH = 1 };
+enum { EXECUTE = 1 << 0, READ_FILE = 1 << 2, READ_FOLDER = 1 << 3 };
+static const struct {
+  int version;
+  struct ruleset forbidden;
+} versions[] = {
+    {1, {.fs = (1 << 13) - 1}},      /* all that can be done with files as of Linux 5.13 */
+    {2, {.fs = 1 << 13}},            /* to link or rename into another folder */
+    {3, {.fs = 1 << 14}},            /* to truncate */
+    {4, {.net = 1 << 0 | 1 << 1}},   /* TCP: to bind, to connect */
+    {5, {.fs = 1 << 15}},            /* ioctl of devices */
+    {6, {.scoped = 1 << 0 | 1 << 1}} /* abstract sockets and signals, of and to others */
+};
+
+static bool allow(int rules, const char *path, uint64_t access) {
+  struct stat status;
+  const int file = open(path, O_PATH | O_CLOEXEC);
+  if (file < 0)
+    return errno == ENOENT; /* what is not there needs no rule */
+  if (fstat(file, &status) == 0 && !S_ISDIR(status.st_mode))
+    access &= ~(uint64_t)READ_FOLDER;
+  const struct beneath rule = {access, file};
+  const bool done = syscall(SYS_landlock_add_rule, rules, PATH_BENEATH, &rule, 0) == 0;
+  close(file);
+  return done;
+}
+
+/* False with the reason in `why` when this kernel does not do it. */
+static bool prepare_landlock(struct nb_confined *confined, const char **why) {
+  struct ruleset forbidden = {0};
+  const long version = syscall(SYS_landlock_create_ruleset, NULL, 0, ASK_VERSION);
+  *why = "Landlock: the kernel does not have it, or it is switched off";
+  if (version < 1)
+    return false;
+  for (size_t k = 0; k < sizeof versions / sizeof *versions; k++)
+    if (versions[k].version <= version) {
+      forbidden.fs |= versions[k].forbidden.fs;
+      forbidden.net |= versions[k].forbidden.net;
+      forbidden.scoped |= versions[k].forbidden.scoped;
+    }
+  confined->rules = (int)syscall(SYS_landlock_create_ruleset, &forbidden, sizeof forbidden, 0);
+  if (confined->rules < 0)
+    return false;
+  bool done = fcntl(confined->rules, F_SETFD, FD_CLOEXEC) == 0;
+  for (int k = 0; k < READABLE; k++)
+    done = done && allow(confined->rules, readable[k], READ_FILE | READ_FOLDER);
+  done = done && allow(confined->rules, confined->program, READ_FILE | EXECUTE);
+  done = done && (!confined->loader[0] || allow(confined->rules, confined->loader, READ_FILE | EXECUTE));
+  done = done && allow(confined->rules, confined->library, READ_FILE | READ_FOLDER);
+  done = done && allow(confined->rules, confined->text[0], READ_FILE);
+  *why = "Landlock: the kernel refuses a rule";
+  return done;
+}
+
+/* ---- bubblewrap ---- */
+
+struct list {
+  char **at;
+  int count;
+};
+
+static void add(struct list *list, const char *word) { list->at[list->count++] = (char *)word; }
+
+static void add_bound(struct list *list, const char *from, const char *to) {
+  add(list, "--ro-bind-try"), add(list, from), add(list, to);
+}
+
+static bool prepare_bwrap(struct nb_confined *confined, const char **why) {
+  static const char *const fixed[] = {"--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL"};
+  struct list list = {confined->arguments, 0};
+  *why = "bwrap: not installed (its package is bubblewrap)";
+  if (!nb_program_find(confined->wrap, sizeof confined->wrap, "bwrap"))
+    return false;
+  add(&list, "bwrap");
+  for (size_t k = 0; k < sizeof fixed / sizeof *fixed; k++)
+    add(&list, fixed[k]);
+  for (int k = 0; k < READABLE; k++)
+    add_bound(&list, readable[k], readable[k]);
+  add_bound(&list, confined->program, confined->program);
+  add_bound(&list, confined->library, confined->library);
+  snprintf(confined->text[1], sizeof confined->text[1], "/figure/%s", confined->file);
+  add_bound(&list, confined->text[0], confined->text[1]);
+  add(&list, "--chdir"), add(&list, "/figure"), add(&list, "--"), add(&list, confined->program);
+  /* Does it work here? Containers often forbid it. */
+  const int first = list.count;
+  add(&list, "--version"), add(&list, NULL);
+  const pid_t child = fork();
+  if (child == 0) {
+    const int null = open("/dev/null", O_RDWR);
+    for (int k = 0; k < 3; k++)
+      dup2(null, k);
+    execve(confined->wrap, confined->arguments, environment);
+    _exit(126);
+  }
+  int status = 1;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
+    continue;
+  *why = "bwrap: it cannot make a namespace here";
+  list.count = first;
+  for (char *const *word = confined->words; *word; word++)
+    add(&list, *word);
+  add(&list, NULL);
+  return child > 0 && status == 0;
+}
+
+/* ---- which of them ---- */
+
+enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct nb_error *error) {
+  const char *only = getenv("NINEBALL_CONFINE"), *landlock = "Landlock: not asked for", *bwrap = "bwrap: not asked for";
+  confined->rules = -1;
+  if (only && strcmp(only, "landlock") != 0 && strcmp(only, "bwrap") != 0 && strcmp(only, "none") != 0)
+    return nb_error_set(error, NB_BAD_USE, "NINEBALL_CONFINE: expected landlock, bwrap or none, found `%.100s`", only);
+  find_loader(confined->loader, confined->program);
+  snprintf(confined->text[0], sizeof confined->text[0], "%s/%s", confined->folder, confined->file);
+  confined->how = NB_CONFINE_LANDLOCK;
+  if ((!only || strcmp(only, "landlock") == 0) && prepare_landlock(confined, &landlock))
+    ;
+  else if ((!only || strcmp(only, "bwrap") == 0) && (confined->how = NB_CONFINE_BWRAP, prepare_bwrap(confined, &bwrap)))
+    return NB_OK;
+  else if (trust)
+    confined->how = NB_CONFINE_NOT;
+  else
+    return nb_error_set(error, NB_BAD_USE,
+                        "gnuplot cannot be confined here (%s; %s), and the page's gnuplot block could do whatever you "
+                        "can; if you trust the page, give --trust",
+                        landlock, bwrap);
+  struct list list = {confined->arguments, 0};
+  add(&list, confined->program);
+  for (char *const *word = confined->words; *word; word++)
+    add(&list, *word);
+  add(&list, NULL);
+  return NB_OK;
+}
+
+void nb_confine_end(struct nb_confined *confined) {
+  if (confined->rules >= 0)
+    close(confined->rules);
+  confined->rules = -1;
+}
+
+/* So much and no more, whatever a page asks for. */
+static void limit(int what, rlim_t most) {
+  struct rlimit now;
+  if (getrlimit(what, &now) == 0 && now.rlim_max < most) /* RLIM_INFINITY is the largest number */
+    most = now.rlim_max;
+  now = (struct rlimit){most, most};
+  setrlimit(what, &now);
+}
+
+_Noreturn void nb_confine_become(const struct nb_confined *confined) {
+  static const char sorry[] = "gnuplot could not be confined\n";
+  const bool landlock = confined->how == NB_CONFINE_LANDLOCK, bwrap = confined->how == NB_CONFINE_BWRAP;
+  limit(RLIMIT_CPU, 120);
+  limit(RLIMIT_FSIZE, 200 << 20);
+  limit(RLIMIT_AS, (rlim_t)4 << 30);
+  limit(RLIMIT_CORE, 0);
+  alarm(300); /* s by the clock: a page may sleep */
+  if (chdir(confined->folder) == 0 &&
+      (bwrap || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) && /* bwrap does so itself, when it has done its work */
+      (!landlock || syscall(SYS_landlock_restrict_self, confined->rules, 0) == 0)) {
+    for (int file = 3; file < 1024; file++)
+      close(file);
+    execve(bwrap ? confined->wrap : confined->program, confined->arguments, environment);
+  }
+  if (write(STDERR_FILENO, sorry, sizeof sorry - 1) < 0)
+    _exit(125);
+  _exit(126);
+}

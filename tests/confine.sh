@@ -1,0 +1,217 @@
+#!/bin/sh
+# A page that comes from a stranger must not harm: whatever its gnuplot block says, `figure` reads no file of the user's, writes none but
+# the figure, and runs no other program. Every attack is made unconfined first, so that an attack that has no effect is seen.
+# TAP. $NINEBALL is the program, $srcdir the top of the source tree. With NINEBALL_CONFINE_REQUIRED set (as in .ci/run) it fails
+# when this machine can confine in no way.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+top=$(pwd)
+
+if ! command -v gnuplot >/dev/null; then
+  echo "1..0 # SKIP gnuplot is missing"
+  test -z "${NINEBALL_CONFINE_REQUIRED:-}"
+  exit
+fi
+
+skip() {
+  n=$((n + 1))
+  echo "ok $n - $1 # SKIP $2"
+}
+
+# The user's own things, in a folder that everybody may use.
+mkdir -p "$work/home" "$work/plots" && cd "$work" || exit 1
+home=$work/home
+printf '1 2 TOPSECRET\n' >"$home/secret"
+printf "system('touch $work/harm')\n" | tee "$home/.gnuplot" "$home/evil.gp" >plots/style.gp
+
+# page NAME: a page with the gnuplot lines of standard input, in a folder beside one that is called plots.
+page() {
+  mkdir -p cases
+  {
+    sed '/^```gnuplot/,$d' "$top/tests/pages/passes.md"
+    printf '```gnuplot\n'
+    cat
+    printf 'plot sin(x)\n```\n'
+  } >"cases/$1"
+}
+
+# attack NAME, the lines on standard input: each a page of its own, in ATTACKS.
+attacks=
+attack() {
+  page "$1.md"
+  attacks="$attacks $1"
+}
+attack nothing </dev/null
+attack system <<EOF2
+system("touch $work/harm")
+EOF2
+attack eval <<EOF2
+eval 'x = sys'.'tem("touch $work/harm")'
+EOF2
+attack backticks <<EOF2
+x = "\`touch $work/harm\`"
+EOF2
+attack exclamation <<EOF2
+! touch $work/harm
+EOF2
+attack output-pipe <<EOF2
+set output '|cat >$work/harm'
+plot x
+unset output
+EOF2
+attack data-pipe <<EOF2
+plot '<touch $work/harm; echo 1 2' using 1:2
+EOF2
+attack load <<EOF2
+load '$home/evil.gp'
+EOF2
+attack load-pipe <<EOF2
+load '<touch $work/harm'
+EOF2
+attack print <<EOF2
+set print '$work/harm'
+print 'x'
+unset print
+EOF2
+attack print-pipe <<EOF2
+set print '|cat >$work/harm'
+print 'x'
+unset print
+EOF2
+attack save <<EOF2
+save '$work/harm'
+EOF2
+attack save-pipe <<EOF2
+save '|cat >$work/harm'
+EOF2
+attack output <<EOF2
+set output '$work/harm'
+plot x
+unset output
+EOF2
+attack output-beside <<EOF2
+set output 'harm'
+plot x
+unset output
+EOF2
+attack table <<EOF2
+set table '$work/harm'
+plot x
+unset table
+EOF2
+attack fit-log <<EOF2
+set fit logfile '$work/harm'
+f(x) = a * x
+fit f(x) '+' using 1:(\$1) via a
+EOF2
+attack read-home <<EOF2
+set datafile separator whitespace nocolumnheaders
+plot '$home/secret' using 1:2:3 with labels
+EOF2
+attack read-system <<EOF2
+set datafile separator ':' nocolumnheaders
+plot '/etc/passwd' using 3:4:1 with labels
+EOF2
+attack read-page <<EOF2
+set datafile separator whitespace nocolumnheaders
+plot '../home/secret' using 1:2:3 with labels
+EOF2
+attack start-up </dev/null
+attack style </dev/null
+
+# figure ARGUMENT ...: as the user would, with a home folder and a place where gnuplot looks for scripts.
+figure() {
+  rm -rf out harm cases/harm
+  HOME=$home GNUPLOT_LIB=$home "$nineball" figure "$@" >said 2>&1 </dev/null
+}
+# Whether anything was written, run or read that must not be.
+harmed() {
+  find . -name harm -print | grep -q . && return
+  root=$(awk -F : '$3 == 0 { print $1; exit }' /etc/passwd)
+  cat out/*.svg said 2>/dev/null | grep -q -e TOPSECRET -e ">$root<"
+}
+
+for name in $attacks; do
+  NINEBALL_CONFINE=none figure "cases/$name.md" -o out --trust
+  case $name in
+  nothing | start-up | style) ! harmed ;; # never read, trusted or not
+  *) harmed ;;
+  esac
+  result $? "unconfined, for comparison: $name"
+done
+NINEBALL_CONFINE=none figure cases/nothing.md -o out
+test $? -eq 2 && grep -q 'give --trust' said && test ! -e out/nothing.svg && ! ls out/*.new 2>/dev/null
+result $? 'no confinement and no trust: nothing is drawn, status 2'
+NINEBALL_CONFINE=nonsense figure cases/nothing.md -o out --trust
+test $? -eq 2 && grep -q 'expected landlock, bwrap or none, found `nonsense`' said
+result $? 'NINEBALL_CONFINE with another word: status 2'
+
+# ---- each way to confine ----
+
+ran=0
+why=$work/said
+for how in landlock bwrap; do
+  NINEBALL_CONFINE=$how figure cases/nothing.md -o out
+  if grep -q 'cannot be confined here' said; then
+    skip "$how" "$(sed 's/.*(//; s/).*//' said)"
+    continue
+  fi
+  ran=$((ran + 1))
+  for name in $attacks; do
+    NINEBALL_CONFINE=$how figure "cases/$name.md" -o out
+    status=$?
+    case $name in
+    nothing | start-up | style) test $status -eq 0 && grep -q '<svg' "out/$name.svg" ;;
+    *) : ;;
+    esac && ! harmed
+    result $? "$how: $name"
+  done
+
+  # Trust is for machines that can confine in no way; it takes nothing away from those that can.
+  NINEBALL_CONFINE=$how figure cases/system.md -o out --trust
+  ! harmed
+  result $? "$how: --trust does not weaken it"
+
+  # Names of files: none is a command, none is part of a gnuplot string.
+  for name in "a'b" 'a"b' '$(touch harm)' '`touch harm`' '<touch harm' '|touch harm' 'a b;touch harm' '~' '%s%n' '-e' "';system('touch harm');'"; do
+    cp cases/nothing.md "cases/$name.md"
+    rm -rf "out" harm
+    NINEBALL_CONFINE=$how figure "cases/$name.md" -o "out/$name"
+    test $? -eq 0 && test -s "out/$name/$name.svg" && test -s "out/$name/$name.png" && ! harmed
+    result $? "$how: a page called $(echo "$name" | tr '#' ' ')"
+    rm -f "cases/$name.md"
+  done
+
+  # The same figure as without: recipes and fonts can be read.
+  NINEBALL_CONFINE=none "$nineball" figure "$top/cases/nine-discs-statics.md" -o free --trust >said 2>&1 &&
+    NINEBALL_CONFINE=$how "$nineball" figure "$top/cases/nine-discs-statics.md" -o confined >said 2>&1 &&
+    cmp free/nine-discs-statics.svg confined/nine-discs-statics.svg >said 2>&1 && cmp free/nine-discs-statics.png confined/nine-discs-statics.png >said 2>&1
+  result $? "$how: the figure is the same, bit by bit"
+
+  # It does not go on for ever, and its messages cannot take over the terminal.
+  printf 'print "\\033]0;harm\\007\\033[2J"\n' | page bell.md
+  NINEBALL_CONFINE=$how figure cases/bell.md -o out
+  ! LC_ALL=C grep -q "$(printf '\033')" said
+  result $? "$how: what the page prints is cleaned of control characters"
+done
+# Whatever it asks for, it gets so much and no more; the smaller limits here stand for those of the program.
+printf 'while (1) { x = 1 }\n' | page loop.md
+printf 'set print "-"\nwhile (1) { print "............................................................" }\n' | page flood.md
+if test $ran -gt 0; then
+  for name in loop flood; do
+    rm -rf out
+    (
+      ulimit -t 3
+      ulimit -f 2000
+      "$nineball" figure "cases/$name.md" -o out >said 2>&1 </dev/null
+      test $? -eq 2
+    ) && grep -q 'gnuplot was ended' said && test ! -e "out/$name.svg" && ! ls out/*.new >/dev/null 2>&1
+    result $? "a page that takes all it can get: $name"
+  done
+fi
+echo "confined by $ran of 2 ways" >said
+test $ran -gt 0 || test -z "${NINEBALL_CONFINE_REQUIRED:-}"
+result $? "$ran of 2 ways to confine were tested"
+echo "1..$n"

@@ -1,0 +1,112 @@
+#!/bin/sh
+# What `figure`, `report` and `state` do with pages that are strange or break: their status, what they leave, and what they show of
+# names. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+pages=$(pwd)/tests/pages
+cd "$work" || exit 1
+
+# run STATUS ARGUMENT ...: the program must end with this status; $why holds what it said.
+run() {
+  wanted=$1
+  shift
+  "$nineball" "$@" >"$why" 2>&1 </dev/null
+  status=$?
+  echo "status $status, wanted $wanted" >>"$why"
+  test $status -eq "$wanted"
+}
+said() { grep -qF -e "$1" "$why"; }
+
+# ---- names ----
+
+bell=$(printf 'a\033]0;b\007.md')
+newline="a
+system('touch harm')"
+cp "$pages/passes.md" "$bell"
+cp "$pages/passes.md" "$newline.md"
+for command in run check figure report explain state; do
+  run 2 $command "$bell" && said 'a?]0;b?.md' && ! LC_ALL=C grep -q "$(printf '[\033\007]')" "$why" && test ! -e report
+  result $? "$command: control characters in the name of a page are refused and not shown"
+done
+run 2 report "$newline.md" && said "a?system('touch harm').md" && test ! -e harm
+result $? 'a line end in the name of a page'
+run 2 check "$pages/passes.md" --set "v=$(printf '1\033[2J')" && said 'v=1?[2J' && ! LC_ALL=C grep -q "$(printf '\033')" "$why"
+result $? 'control characters in --set'
+NINEBALL_STATES=$(printf 'x\033[2J') run 2 check "$pages/passes.md" && ! LC_ALL=C grep -q "$(printf '\033')" "$why"
+result $? 'control characters in NINEBALL_STATES'
+rm -f "$bell" "$newline.md"
+
+strange="<b>&\"'#%20?"
+sed 's/^# .*/# <script>alert(1)<\/script>/' "$pages/asks-nothing.md" >"$strange.md"
+run 0 report "$strange.md" -o strange &&
+  test "$(grep -c '<script>\|<b>' strange/index.html)" -eq 0 &&
+  grep -q '&lt;b&gt;&amp;&quot;&#39;#%20?</a>' strange/index.html &&
+  grep -q 'href="%3Cb%3E%26%22%27%23%2520%3F/table.tsv"' strange/index.html
+result $? 'a name and a title with signs of HTML: shown as they are'
+
+mkdir one other
+cp "$pages/passes.md" one/page.md
+cp "$pages/passes.md" other/page.md
+for command in run figure report; do
+  run 2 $command one/page.md other/page.md && said 'one/page.md and other/page.md have one name' &&
+    test ! -e page.out && test ! -e report
+  result $? "$command: two pages of one name do not share a folder"
+done
+
+# ---- files that are there ----
+
+cp one/page.md keep.md
+run 2 state one/page.md -o keep.md && said 'keep.md is no state' && cmp -s one/page.md keep.md
+result $? 'state -o writes over no page'
+run 0 state one/page.md -o made.state && run 0 state one/page.md -o made.state
+result $? 'but over a state'
+ln -s keep.md link.state
+run 2 state one/page.md -o link.state && cmp -s one/page.md keep.md && test -h link.state
+result $? 'nor does it follow or replace a link'
+
+# A temporary file has the name of its process: links wait under all names that it may get.
+mkdir links
+echo mine >mine
+sh -c 'p=$$; k=0; while test $k -lt 2000; do ln -s ../mine links/table.tsv.$((p + k)).new; k=$((k + 1)); done; exec "$0" run one/page.md -o links' "$nineball" >"$why" 2>&1
+test "$(cat mine)" = mine && ! test -h links/table.tsv
+result $? 'a temporary file follows no link'
+mkdir left
+: >left/table.tsv.1.new
+: >left/table.tsv.999999.new
+: >left/other.tsv.1.new
+run 0 run one/page.md -o left && test ! -e left/table.tsv.1.new && test ! -e left/table.tsv.999999.new && test -e left/other.tsv.1.new
+result $? 'what an ended process left of a file goes when the file is written'
+(
+  flock 9
+  run 0 run one/page.md -o left && test -e left/table.tsv.7.new
+) 9>left/table.tsv.7.new
+result $? 'what somebody still writes stays'
+
+# ---- status ----
+
+run 3 report "$pages/never-ends.md" "$pages/passes.md" -o some && said 'did not run to its end' &&
+  grep -q 'href="never-ends/table.tsv"' some/index.html && test -s some/never-ends/wait-bodies.tsv &&
+  grep -q 'did not end within 20 cycles' some/index.html
+result $? 'report: a run that was stopped is status 3, and its tables are there'
+run 2 report none.md "$pages/passes.md" -o some && grep -q '>none</a>' some/index.html
+result $? 'report: a page that cannot be read has its line'
+mkdir -p blocked && : >blocked/passes
+run 2 report "$pages/passes.md" -o blocked && said 'no tables' && grep -q 'no tables' blocked/index.html
+result $? 'report: tables that cannot be written are status 2'
+
+if command -v gnuplot >/dev/null; then
+  sed 's/^plot .*/plot $nothing/' "$pages/passes.md" >broken.md
+  run 2 report broken.md -o some && said 'no datablock named $nothing' && said 'no figure' &&
+    grep -q 'no datablock named' some/index.html && test ! -e some/broken/broken.svg
+  result $? 'report: a figure that cannot be drawn is status 2, and says why'
+  sed 's/^plot .*//' "$pages/passes.md" >empty.md
+  run 2 figure empty.md -o some && said 'draws nothing'
+  result $? 'figure: a block that draws nothing is status 2'
+  printf '\n```gnuplot\nplot $table using "cycle/-":"D.x/-" with points\n```\n' | cat "$pages/never-ends.md" - >stopped.md
+  run 3 figure stopped.md -o some && said 'look at some/stopped.svg, up to where the run was stopped' &&
+    grep -q INCOMPLETE some/stopped.svg
+  result $? 'figure: a run that was stopped is drawn up to then, and the figure says so'
+fi
+echo "1..$n"
