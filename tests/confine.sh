@@ -195,22 +195,21 @@ for how in landlock bwrap; do
   NINEBALL_CONFINE=$how figure cases/bell.md -o out
   ! LC_ALL=C grep -q "$(printf '\033')" said
   result $? "$how: what the page prints is cleaned of control characters"
-done
-# Whatever it asks for, it gets so much and no more; the smaller limits here stand for those of the program.
-printf 'while (1) { x = 1 }\n' | page loop.md
-printf 'set print "-"\nwhile (1) { print "............................................................" }\n' | page flood.md
-if test $ran -gt 0; then
+
+  # Whatever it asks for, it gets so much and no more; the smaller limits here stand for those of the program.
+  printf 'while (1) { x = 1 }\n' | page loop.md
+  printf 'set print "-"\nwhile (1) { print "............................................................" }\n' | page flood.md
   for name in loop flood; do
     rm -rf out
     (
       ulimit -t 3
       ulimit -f 2000
-      "$nineball" figure "cases/$name.md" -o out >said 2>&1 </dev/null
+      NINEBALL_CONFINE=$how "$nineball" figure "cases/$name.md" -o out >said 2>&1 </dev/null
       test $? -eq 2
     ) && grep -q 'gnuplot was ended' said && test ! -e "out/$name.svg" && ! ls out/*.new >/dev/null 2>&1
-    result $? "a page that takes all it can get: $name"
+    result $? "$how: a page that takes all it can get: $name"
   done
-fi
+done
 echo "confined by $ran of 2 ways" >said
 test $ran -gt 0 || test -z "${NINEBALL_CONFINE_REQUIRED:-}"
 result $? "$ran of 2 ways to confine were tested"
