@@ -80,7 +80,7 @@ said 'particle 2 (line 9): its position is NaN or infinite'
 said 'after cycle 1, at 1 s'
 run 3 run "$pages/nowhere.md" -o nowhere
 out 'tables are in nowhere, up to where the run was stopped'
-grep -q '^# incomplete: body 2 (line 9) is nowhere' nowhere/table.tsv || echo 'the table does not say that it is incomplete' >>why
+grep -q '^# incomplete: particle 2 (line 9)' nowhere/table.tsv || echo 'the table does not say that it is incomplete' >>why
 test "$(column D.x/- nowhere/table.tsv | wc -l)" -eq 1 || echo 'not the one row that was seen' >>why
 verdict 'physics that breaks: 3, naming body, line and moment'
 
