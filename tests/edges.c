@@ -1,0 +1,118 @@
+/* Cases in which a small mistake in one line shows and nowhere else: each test names the function that it is about.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/drive/carry.h"
+#include "suites.h"
+#include "written.h"
+
+static void run(struct nb_result *result, struct written *it, const char *text) {
+  struct words words = {0};
+  words_add(&words, "%s", text);
+  written_scene(it, &words);
+  written_run(result, it, NULL);
+}
+
+/* region.c, place_of: in a cell the copies nearest to the region's middle are measured, not those nearest to the cell's. The
+ * region lies about a corner of the cell, where four discs of the corners meet. */
+static void a_region_at_the_corner_of_a_cell(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      "units none\nmaterial m density 1 kn 100\ndiscs lattice 4 by 4 from 1 1 radius 1 spacing 2 m\ncell 0 0 to 8 8\n"
+      "region R circle 0 0 radius 1.5\nrecord R.bodies\nstep 0.001\nstage s\ncycles 1\n");
+  CU_ASSERT_EQUAL(written_last(&result, "R.bodies"), 4);
+  nb_result_free(&result), written_free(&it);
+}
+
+/* cell.c, nb_cell_wide: twice the largest diameter and the skin, 2 (2 + 0.1): asked at each search, which straining makes
+ * necessary after 5 %. A cell of 5 may shrink to 4.3, not to 4. */
+static void a_cell_stays_wide_enough_or_not(void) {
+  for (int wide = 0; wide < 2; wide++) {
+    struct words words = {0};
+    struct written it;
+    struct nb_result result = {0};
+    struct nb_error error = {0};
+    words_add(&words,
+              "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 1 m\ndisc 1 5 radius 1 m\ncell 0 0 to 5 9\n"
+              "skin 0.1\nrecord time\nstep 0.001\nstage s\ncell strain -1e-3 per cycle 0 per cycle\ncycles %d\n",
+              wide ? 150 : 223);
+    written_scene(&it, &words);
+    CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), wide ? NB_OK : NB_BROKEN);
+    CU_ASSERT(wide || strstr(error.text, "4.2 m"));
+    nb_result_free(&result), written_free(&it);
+  }
+}
+
+/* cell.c, nb_cell_move: after a strain of s a body may go half of what s (2 R + skin) leaves of the skin before a search. */
+static void straining_takes_of_the_skin(void) {
+  struct words words = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&words, "units none\nmaterial m density 1 kn 100\ndisc 1 1 radius 0.5 m\ndisc 1 5 radius 0.5 m\ncell 0 0 "
+                    "to 9 9\nskin 0.4\n"
+                    "step 0.01\nstage s\ncell strain 0.3 0\ncycles 9\n");
+  written_scene(&it, &words);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  const struct nb_cell *cell = model->cell;
+  written_cycles(model, 3);
+  CU_ASSERT_DOUBLE_EQUAL(cell->reach, (0.4 - (pow(1.003, 3) - 1) * (1 + 0.4)) / 2, 1e-14);
+  nb_model_free(model), written_free(&it);
+}
+
+/* drive.c, nb_drive_let_go: what a boundary lets go while nothing may turn does not turn, though its contact rubs. */
+static void what_is_let_go_does_not_turn(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it,
+      "units none\nmaterial m density 1 kn 100 ks 100 friction 1\nshear linear\nstep 0.01\ndisc 0 0.99 radius 1 m\n"
+      "wall floor -9 0 to 9 0 m velocity 1 0\nboundary circle 0 3 radius 1\nwatch D disc 1\nrecord D.spin D.vx\n"
+      "stage a\nrotation off\ncycles 5\nstage b\nboundary none\ncycles 5\n");
+  CU_ASSERT(written_last(&result, "D.vx") > 1e-4);
+  CU_ASSERT_EQUAL(written_last(&result, "D.spin"), 0);
+  nb_result_free(&result), written_free(&it);
+}
+
+#define SOFT                                                                                                           \
+  "path\nmaterial soft young 1 MPa poisson 0 friction 0.3\ncontact sphere 10 mm soft with sphere 10 mm soft\n"         \
+  "normal hertz\n"
+
+/* bench_run.c, run_leg: the last step of a leg has a row whatever the rows are counted by. */
+static void the_last_step_of_a_leg_is_recorded(void) {
+  struct written it;
+  struct nb_result result;
+  run(&result, &it, SOFT "record step\nleg a overlap to 3 um in 5 steps\nrecord every 2 steps\n");
+  static const double steps[] = {0, 2, 4, 5};
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 4);
+  for (int k = 0; k < 4; k++)
+    CU_ASSERT_EQUAL(result.table.values[k], steps[k]);
+  nb_result_free(&result), written_free(&it);
+}
+
+/* bench_leg.c, seek: a force is sought up to an overlap of two radii: here one of half a radius, R* = 5 mm, E* = 0.5 MPa. */
+static void a_force_deep_in_the_contact_is_found(void) {
+  struct written it;
+  struct nb_result result;
+  struct words words = {0};
+  const double overlap = 0.005;
+  words_add(&words, SOFT "record overlap normal\nleg a normal to %.17g N in 1 step\n",
+            4. / 3 * 0.5e6 * sqrt(0.005) * overlap * sqrt(overlap));
+  written_scene(&it, &words);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "overlap"), overlap, 1e-12);
+  nb_result_free(&result), written_free(&it);
+}
+
+void suite_edges(void) {
+  CU_pSuite suite = CU_add_suite("edges", NULL, NULL);
+  CU_ADD_TEST(suite, a_region_at_the_corner_of_a_cell);
+  CU_ADD_TEST(suite, a_cell_stays_wide_enough_or_not);
+  CU_ADD_TEST(suite, straining_takes_of_the_skin);
+  CU_ADD_TEST(suite, what_is_let_go_does_not_turn);
+  CU_ADD_TEST(suite, the_last_step_of_a_leg_is_recorded);
+  CU_ADD_TEST(suite, a_force_deep_in_the_contact_is_found);
+}

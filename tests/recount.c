@@ -1,0 +1,192 @@
+/* What a region measures, counted again from the snapshot of the same moment: every sum over the region is made from the tables of
+ * bodies and contacts by its definition, in other words than the simulator's.
+ *
+ * Tolerance: 1e-11 of the size of what is summed, some hundred terms that are rounded to 1e-16.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "recount.h"
+#include "suites.h"
+
+static void near_(const struct nb_result *result, const char *name, double wanted, double size) {
+  char text[128];
+  snprintf(text, sizeof text, "B.%s", name);
+  const double seen = written_last(result, text);
+  if (!(fabs(seen - wanted) <= 1e-11 * (size + fabs(wanted))))
+    printf("# %s: %.17g, wanted %.17g\n", text, seen, wanted);
+  CU_ASSERT(fabs(seen - wanted) <= 1e-11 * (size + fabs(wanted)));
+}
+
+/* ---- sums over the region ---- */
+
+struct sums {
+  double weight, second[4], fourth[5];
+};
+
+static void add_direction(struct sums *sums, double weight, double ex, double ey) {
+  const double e[] = {ex, ey};
+  sums->weight += weight;
+  for (int i = 0; i < 2; i++)
+    for (int j = 0; j < 2; j++)
+      sums->second[2 * i + j] += weight * e[i] * e[j];
+  for (int k = 0; k < 5; k++)
+    sums->fourth[k] += weight * pow(ex, 4 - k) * pow(ey, k);
+}
+
+static void tensor_near(const struct nb_result *result, const char *stem, const double t[], double size) {
+  static const char *const parts[] = {"xx", "xy", "yx", "yy"};
+  for (int k = 0; k < 4; k++) {
+    char name[64];
+    snprintf(name, sizeof name, "%s.%s", stem, parts[k]);
+    near_(result, name, t[k], size);
+  }
+}
+
+static void directions_near(const struct nb_result *result, const char *stem, struct sums *sums) {
+  static const char *const parts[] = {"xxxx", "xxxy", "xxyy", "xyyy", "yyyy"};
+  CU_ASSERT(sums->weight > 0);
+  for (int k = 0; k < 4; k++)
+    sums->second[k] /= sums->weight;
+  tensor_near(result, stem, sums->second, 1);
+  for (int k = 0; k < 5; k++) {
+    char name[64];
+    snprintf(name, sizeof name, "%s.fourth.%s", stem, parts[k]);
+    near_(result, name, sums->fourth[k] / sums->weight, 1);
+  }
+}
+
+static double mean_of(const double values[], int count) {
+  double sum = 0;
+  for (int k = 0; k < count; k++)
+    sum += values[k];
+  return sum / count;
+}
+
+static void spread_near(const struct nb_result *result, const char *stem, const double values[], int count) {
+  double low = INFINITY, high = -INFINITY, square = 0;
+  const double mean = mean_of(values, count);
+  for (int k = 0; k < count; k++)
+    low = fmin(low, values[k]), high = fmax(high, values[k]), square += (values[k] - mean) * (values[k] - mean);
+  const double wanted[] = {mean, high, low, sqrt(square / count)};
+  static const char *const parts[] = {"mean", "max", "min", "deviation"};
+  for (int k = 0; k < 4; k++) {
+    char name[64];
+    snprintf(name, sizeof name, "%s.%s", stem, parts[k]);
+    near_(result, name, wanted[k], fabs(mean));
+  }
+}
+
+/* Ends of contacts on bodies inside. */
+struct end {
+  double ex, ey, arm, push, drag, near;
+};
+
+static int ends_of(struct end ends[], const struct nb_table *table, const struct bodies *all) {
+  int count = 0;
+  for (size_t c = 0; c < table->row_count; c++)
+    for (int second = 0; second < 2; second++) {
+      const int body = (int)of(table, c, second ? "b" : "a"), wall = (int)of(table, c, "wall");
+      if (!body || !all->of[body].inside)
+        continue;
+      const double sign = second ? -1 : 1, overlap = of(table, c, "overlap");
+      ends[count++] = (struct end){
+          sign * of(table, c, "ex"), sign * of(table, c, "ey"), all->of[body].r - (wall ? overlap : overlap / 2),
+          of(table, c, "normal"),    of(table, c, "shear"),     of(table, c, "obliquity") >= 0.99};
+    }
+  return count;
+}
+
+static void stress_and_fabric(void) {
+  struct written it;
+  struct nb_result result;
+  struct bodies all;
+  struct end ends[200];
+  struct sums plain = {0}, normal = {0}, shear = {0}, sliding = {0};
+  double parts[4][4] = {{0}}, whole[4] = {0}, mean = 0; /* normal, shear, fabric, variation */
+  made(&it, &result);
+  read_bodies(&all, &result.snapshots[0].bodies);
+  const double volume = pi * reach * reach * all.thickness;
+  const int count = ends_of(ends, &result.snapshots[0].contacts, &all);
+  for (int k = 0; k < count; k++)
+    mean += ends[k].push / count;
+  for (int k = 0; k < count; k++) {
+    const double e[] = {ends[k].ex, ends[k].ey}, t[] = {ends[k].ey, -ends[k].ex}, per = ends[k].arm / volume;
+    for (int i = 0; i < 2; i++)
+      for (int j = 0; j < 2; j++) {
+        parts[0][2 * i + j] += ends[k].push * e[i] * e[j] * per,
+            parts[1][2 * i + j] += ends[k].drag * t[i] * e[j] * per;
+        parts[2][2 * i + j] += mean * e[i] * e[j] * per,
+            parts[3][2 * i + j] += (ends[k].push - mean) * e[i] * e[j] * per;
+        whole[2 * i + j] += (ends[k].push * e[i] + ends[k].drag * t[i]) * e[j] * per;
+      }
+    add_direction(&plain, 1, e[0], e[1]), add_direction(&normal, ends[k].push, e[0], e[1]);
+    add_direction(&shear, fabs(ends[k].drag), e[0], e[1]), add_direction(&sliding, ends[k].near, e[0], e[1]);
+  }
+  static const char *const names[] = {"stress.normal", "stress.shear", "stress.fabric", "stress.variation"};
+  const double apart = whole[0] - whole[3], mixed = whole[1] + whole[2], size = whole[0] + whole[3];
+  tensor_near(&result, "stress", whole, size), tensor_near(&result, "stress.contacts", whole, size);
+  for (int k = 0; k < 4; k++) {
+    char name[64];
+    const double along = (parts[k][0] - parts[k][3]) * apart + (parts[k][1] + parts[k][2]) * mixed;
+    tensor_near(&result, names[k], parts[k], size);
+    snprintf(name, sizeof name, "%s.share", names[k]);
+    near_(&result, name, along / (apart * apart + mixed * mixed), 1);
+  }
+  near_(&result, "stress.mean", size / 2, size);
+  near_(&result, "stress.sinphi", sqrt(apart * apart + mixed * mixed) / size, 1);
+  near_(&result, "stress.contacts.sinphi", sqrt(apart * apart + mixed * mixed) / size, 1);
+  directions_near(&result, "fabric", &plain), directions_near(&result, "fabric.normal", &normal);
+  directions_near(&result, "fabric.shear", &shear), directions_near(&result, "fabric.sliding", &sliding);
+  near_(&result, "fabric.kk", count * all.radius / volume, 1);
+  near_(&result, "thickness", all.thickness, 1);
+  near_(&result, "area", pi * reach * reach, 1);
+  near_(&result, "bodies", all.count, 0);
+  near_(&result, "coordination", count / all.count, 0);
+  nb_result_free(&result), written_free(&it);
+}
+
+static void loads(void) {
+  struct written it;
+  struct nb_result result;
+  struct bodies all;
+  static const char *const columns[] = {"normal", "shear", "normal_stress", "shear_stress", "ratio", "obliquity"};
+  static const char *const names[] = {"normal",        "shear",         "contact_stress",
+                                      "contact_shear", "contact_ratio", "obliquity"};
+  double values[6][100], sliding = 0, near_limit = 0, force = 0, inner = 0, speed = 0, fastest = 0;
+  int count = 0;
+  made(&it, &result);
+  read_bodies(&all, &result.snapshots[0].bodies);
+  const struct nb_table *table = &result.snapshots[0].contacts, *bodies = &result.snapshots[0].bodies;
+  for (size_t c = 0; c < table->row_count; c++) {
+    const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b");
+    const bool one = all.of[a].inside, two = b && all.of[b].inside;
+    inner += (one && !all.of[a].fixed) + (two && !all.of[b].fixed);
+    if (!one && !two)
+      continue;
+    for (int k = 0; k < 6; k++)
+      values[k][count] = fabs(of(table, c, columns[k]));
+    count++;
+    sliding += of(table, c, "sliding"), near_limit += of(table, c, "obliquity") >= 0.99;
+  }
+  for (int k = 0; k < 6; k++)
+    spread_near(&result, names[k], values[k], count);
+  for (size_t k = 0; k < bodies->row_count; k++) {
+    const struct body *b = &all.of[(int)of(bodies, k, "body")];
+    const double mass = 4. / 3 * pi * b->r * b->r * b->r * 3, v = hypot(of(bodies, k, "vx"), of(bodies, k, "vy"));
+    if (b->inside && !b->fixed)
+      force += hypot(b->fx + 3 * mass, b->fy - 9 * mass), speed += v, fastest = fmax(fastest, v);
+  }
+  CU_ASSERT(sliding > 1 && sliding < count && near_limit > sliding - 1);
+  near_(&result, "sliding", sliding / count, 0), near_(&result, "sliding.near", near_limit / count, 0);
+  near_(&result, "contacts", count, 0);
+  near_(&result, "unbalance.force", force / all.free, 0);
+  near_(&result, "unbalance", force / all.free / mean_of(values[0], count), 0);
+  near_(&result, "coordination.inner", inner / all.free, 0);
+  near_(&result, "speed.mean", speed / all.free, 0), near_(&result, "speed.max", fastest, 0);
+  nb_result_free(&result), written_free(&it);
+}
+
+void suite_recount(void) {
+  CU_pSuite suite = CU_add_suite("recount", NULL, NULL);
+  CU_ADD_TEST(suite, stress_and_fabric);
+  CU_ADD_TEST(suite, loads);
+}

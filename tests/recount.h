@@ -1,0 +1,89 @@
+/* An assembly whose measures are counted again from its snapshot: spheres of two sizes, walls, one body fixed, one taken out,
+ * contacts that slide and that do not.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_RECOUNT_H
+#define NB_RECOUNT_H
+
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+enum { BODIES = 40 };
+static const double at_x = 5, at_y = 4.5, reach = 3.2; /* the region, a circle */
+
+static inline double of(const struct nb_table *table, size_t row, const char *name) {
+  for (size_t c = 0; c < table->column_count; c++)
+    if (strcmp(table->names[c], name) == 0)
+      return table->values[row * table->column_count + c];
+  printf("# no column %s\n", name);
+  CU_FAIL("no such column");
+  return NAN;
+}
+
+#define TENSOR(stem) "B." stem ".xx B." stem ".xy B." stem ".yx B." stem ".yy "
+#define SPREAD(stem) "B." stem ".mean B." stem ".max B." stem ".min B." stem ".deviation "
+#define FOURTH(stem)                                                                                                   \
+  "B." stem ".fourth.xxxx B." stem ".fourth.xxxy B." stem ".fourth.xxyy B." stem ".fourth.xyyy B." stem ".fourth."     \
+  "yyyy "
+
+static inline void made(struct written *it, struct nb_result *result) {
+  struct words page = {0};
+  words_add(
+      &page,
+      "units none\nmaterial m density 3 young 50000 poisson 0.25 friction 0.2\nnormal hertz\nshear mindlin\n"
+      "box 0 0 to 9.85 9.9 m\nspheres lattice 5 by 5 m radius 0.98 spacing 1.97 from 0.99 1\n"
+      "sphere 1.98 1.99 radius 0.45 m\nsphere 5.92 3.96 radius 0.45 m fixed\nsphere 3.95 5.93 radius 0.4 m\n"
+      "sphere 3.95 3.96 radius 0.43 m\ngravity 3 -9\nstep 0.001\n"
+      "region B circle 5 4.5 radius 3.2\nrecord " TENSOR("stress") TENSOR("stress.contacts") TENSOR("stress.normal")
+          TENSOR("stress.shear") TENSOR("stress.fabric") TENSOR("stress.variation") TENSOR("fabric")
+              TENSOR("fabric.normal") TENSOR("fabric.shear") TENSOR("fabric.sliding") FOURTH("fabric")
+                  FOURTH("fabric.normal") FOURTH("fabric.shear") FOURTH("fabric.sliding") SPREAD("normal")
+                      SPREAD("shear") SPREAD("contact_stress") SPREAD("contact_shear") SPREAD("contact_ratio") SPREAD(
+                          "obliquity") "B.stress.mean B.stress.sinphi "
+                                       "B.stress.contacts.sinphi B.stress.normal.share B.stress.shear.share "
+                                       "B.stress.fabric.share "
+                                       "B.stress.variation.share B.fabric.kk B.sliding B.sliding.near B.unbalance "
+                                       "B.unbalance.force B.bodies "
+                                       "B.contacts B.coordination B.coordination.inner B.thickness B.area B.speed.mean "
+                                       "B.speed.max\n"
+                                       "stage a\nwall west velocity 0.3 0.2\nrecord every 400 cycles\ncycles 400\n"
+                                       "stage b\nremove sphere 7\ncycles 150\nrecord every 150 cycles\nsnapshot\n");
+  written_scene(it, &page);
+  written_run(result, it, NULL);
+}
+
+struct body {
+  bool there, inside, fixed;
+  double x, y, r, fx, fy, touching;
+};
+struct bodies {
+  struct body of[BODIES];
+  double thickness, radius, count, free; /* means and counts of those inside; the thickness is of all */
+};
+
+static inline void read_bodies(struct bodies *all, const struct nb_table *table) {
+  double there = 0;
+  *all = (struct bodies){.count = 0};
+  for (size_t k = 0; k < table->row_count; k++, there++) {
+    struct body *b = &all->of[(int)of(table, k, "body")];
+    *b = (struct body){true,
+                       false,
+                       of(table, k, "fixed") > 0,
+                       of(table, k, "x"),
+                       of(table, k, "y"),
+                       of(table, k, "radius"),
+                       of(table, k, "fx"),
+                       of(table, k, "fy"),
+                       of(table, k, "contacts")};
+    b->inside = hypot(b->x - at_x, b->y - at_y) <= reach;
+    all->thickness += 2 * b->r;
+    all->radius += b->inside ? b->r : 0, all->count += b->inside, all->free += b->inside && !b->fixed;
+  }
+  all->thickness /= there, all->radius /= all->count;
+}
+
+#endif
