@@ -1,11 +1,18 @@
-/* Reference: a hard sphere that bounces and bounces.
+/* Reference: a sphere that bounces and bounces on a spring and a dashpot, its weight acting during the contact as well.
  *
- *   h_k = r + (h - r) e^(2k)          height of the centre at the top of flight k
- *   e = exp(-pi b/sqrt(1 - b^2))      restitution of a spring and a dashpot of the share b of critical, without weight
+ * While it touches, the overlap d obeys  m d'' + c d' + k d = m g,  d = 0 and d' = v at first touch. With u = w d/v, the time
+ * t = w time, w^2 = k/m, b the share of critical damping, s = (1 - b^2)^(1/2) and eps = g/(w v),
+ *
+ *   u = exp(-b t) sin(s t)/s + eps (1 - exp(-b t) (cos s t + b/s sin s t))
+ *
+ * It parts at the first root of u behind 0 with the speed -u' v, and rises by (u' v)^2/(2 g). The root comes by Newton's method
+ * from t = pi/s, where it is without weight. To first order in eps the restitution is
+ *
+ *   e = e_0 - 2 b (1 + e_0) eps,    e_0 = exp(-pi b/s)
  *
  * Known, where NAME watches the body: NAME.y in STAGE, for the k-th stage that ends when a body is at the top (`until NAME.vy
- * below 0`). A soft sphere departs from it by the order of g/(w v), w^2 = k/m, v the speed of impact: its weight bears on it
- * during the contact, and the contact takes time.
+ * below 0`). Exact in continuous time. The scheme misses the beginning and the end of the dashpot's force by up to half a step,
+ * and its dashpot lags half a step behind: b w dt (2 + pi b/2) of e.
  *
  * Source   [MFiX DEM-02].
  *
@@ -14,29 +21,47 @@
 
 #include "single.h"
 
+/* The speed of parting over that of first touch; NAN where the weight keeps the sphere on the wall. */
+static double restitution(double b, double eps) {
+  const double s = sqrt(1 - b * b);
+  double t = 3.14159265358979323846 / s, slope = NAN;
+  for (int k = 0; k < 50; k++) {
+    const double fade = exp(-b * t), sine = sin(s * t) / s, cosine = cos(s * t);
+    const double u = fade * sine + eps * (1 - fade * (cosine + b * sine));
+    slope = fade * (cosine - b * sine) + eps * fade * sine;
+    t -= u / slope;
+    if (fabs(u) < 1e-15)
+      return slope < 0 && t > 0 ? -slope : NAN;
+  }
+  return NAN;
+}
+
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   struct single body;
   if (single_of(&body, scene, error) || single_changes(scene, false, error))
     return error->status;
-  if (scene->gravity.x != 0 || scene->bodies[0].vx != 0 || scene->bodies[0].vy != 0 || body.height < body.radius)
-    return nb_error_set(error, NB_BAD_USE, "many_bounces is for a body dropped straight down, from rest");
-  const double b = body.cn / (2 * sqrt(body.pair.kn * body.m));
-  const double e = exp(-3.14159265358979323846 * b / sqrt(1 - b * b));
-  int k = 0;
+  if (scene->gravity.x != 0 || scene->bodies[0].vx != 0 || scene->bodies[0].vy != 0 || !(body.height > body.radius) ||
+      !(body.gravity_n > 0) || !(body.cn < 2 * sqrt(body.pair.kn * body.m)))
+    return nb_error_set(error, NB_BAD_USE,
+                        "many_bounces is for a body dropped straight down, from rest, on a dashpot below critical");
+  const double w = sqrt(body.pair.kn / body.m), b = body.cn / (2 * body.m * w), g = body.gravity_n;
+  double rise = body.height - body.radius; /* of the centre above where it touches */
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     if (stage->condition_count != 1 || stage->conditions[0].relation != NB_BELOW)
       continue;
-    k++;
-    const double top = body.radius + (body.height - body.radius) * pow(e, 2 * k);
-    single_tell(known, body.body, "y", stage->name, scene->walls[0].y + top);
+    const double v = sqrt(2 * g * rise), e = restitution(b, g / (w * v));
+    if (!isfinite(e))
+      return nb_error_set(error, NB_BAD_USE, "many_bounces is for a wall that the body leaves again");
+    rise *= e * e;
+    single_tell(known, body.body, "y", stage->name, scene->walls[0].y + body.radius + rise);
   }
   return known_full(known, error);
 }
 
 const struct nb_reference reference_many_bounces = {
     .name = "many_bounces",
-    .title = "the heights of a hard sphere's bounces",
+    .title = "the heights of bounces on a spring and a dashpot, under weight",
     .source = "[MFiX DEM-02]",
     .know = know,
 };
