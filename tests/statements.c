@@ -122,9 +122,35 @@ static void a_file_of_columns(void) {
   CU_ASSERT_EQUAL(mistakes, 2);
 }
 
+static double step_of(const char *walls, const char *in_stage) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page,
+            "units none\nnormal hertz\nmaterial m density 1 young 1 poisson 0\nmaterial r rigid\n"
+            "sphere 0 3 radius 1 m\n%s\nstep 1 of contact\nrecord step\nstage s\n%scycles 1\n",
+            walls, in_stage);
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  const double step = written_now(model, "step");
+  nb_model_free(model), written_free(&it);
+  return step;
+}
+
+/* For the step of a contact a wall moves as the first stage sets it going, unless that is a ramp; another wall moves its own way. */
+static void walls_of_the_first_stage(void) {
+  const char *walls = "wall f -90 0 to 90 0 r\nwall g -90 90 to 90 90 r";
+  const double slow = step_of("wall f -90 0 to 90 0 r velocity 0 0.1", "");
+  const double fast = step_of("wall g -90 90 to 90 90 r velocity 0 -0.2", "");
+  CU_ASSERT_DOUBLE_EQUAL(slow, pow(2, 0.2) * fast, 1e-14 * slow); /* as v^(-1/5) */
+  CU_ASSERT_EQUAL(step_of(walls, "wall g velocity 0 5\nwall f velocity 0 0.1\n"), slow);
+  CU_ASSERT_EQUAL(step_of(walls, "wall f velocity 0 0.1\nramp wall g velocity 0 -5\n"), slow);
+  CU_ASSERT_EQUAL(step_of(walls, "wall g velocity 0 -0.2\nramp wall f velocity 0 5\n"), fast);
+}
+
 void suite_statements(void) {
   CU_pSuite suite = CU_add_suite("statements", NULL, NULL);
   CU_add_test(suite, "a wall turns about a point, on its line or beside it", a_wall_turns_about_a_point);
   CU_add_test(suite, "a file of columns", a_file_of_columns);
+  CU_add_test(suite, "walls that the first stage sets going", walls_of_the_first_stage);
   CU_add_test(suite, "one of two may be rigid", one_rigid_sphere);
 }
