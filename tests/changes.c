@@ -51,6 +51,9 @@ static void a_body_falls(void) {
   CU_ASSERT_EQUAL(after(falls, "D.fy"), 0); /* the sum of contact forces */
   CU_ASSERT_EQUAL(after(falls, "F.y"), 2);  /* what is fixed goes on as it goes */
   CU_ASSERT_EQUAL(after(falls, "F.vy"), 1);
+  const char *damped = FLIGHT "gravity 0 -2\ndamping global 0.5\nstage a\ncycles 8\n";
+  CU_ASSERT_EQUAL(after(damped, "F.y"), 2); /* nor does damping reach it */
+  CU_ASSERT_EQUAL(after(damped, "F.vy"), 1);
 }
 
 static void gravity_pulls_along_any_axis(void) {

@@ -239,6 +239,10 @@ static void nothing_goes_through_in_silence(void) {
           1); /* a long one */
   through("disc 0 3 radius 1 m velocity 0 -999\nwall w -5 0 to 0 0 m\nwall v 0 0 to 5 0 m", "has gone through wall", 1);
   through("disc 0 0 radius 1 m\nwall w -5 0 to 5 0 m", "on neither side", 0);
+  through("disc 50 50 radius 1 m\ndisc 0 0 radius 1 m\nwall w -5 0 to 5 0 m",
+          "body 2 (line 6) has its centre on wall `w` (line 7)", 0);
+  through("disc 50 50 radius 1 m\ndisc 0 3 radius 1 m velocity 0 -999\nwall w -5 0 to 5 0 m",
+          "body 2 (line 6) has gone through wall `w` (line 7)", 1);
   through("disc 0 3 radius 1 m velocity 0 -1\nwall w -5 0 to 5 0 m", NULL, 1000);  /* bounces */
   through("disc 7 3 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", NULL, 1000); /* past its end */
   through("disc 0 3 radius 1 m velocity 0 -999 fixed\nwall w -5 0 to 5 0 m", NULL,

@@ -67,8 +67,10 @@ static bool is_column(const struct field *field, const char *name, bool unitless
   memcpy(text, field->at + length + 1, field->length - length - 1);
   text[field->length - length - 1] = '\0';
   const struct nb_unit *unit = nb_unit_find(text);
-  *shift = unit && !unitless ? unit->shift : 0;
-  return unitless ? strcmp(text, "-") == 0 : unit && unit->kind == NB_UNIT_LENGTH;
+  const bool here = unitless ? strcmp(text, "-") == 0 : unit && unit->kind == NB_UNIT_LENGTH;
+  if (here)
+    *shift = unitless ? 0 : unit->shift;
+  return here;
 }
 
 static bool read_head(struct table *table, size_t line, const struct nb_wanted *wanted, int count) {

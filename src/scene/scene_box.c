@@ -34,8 +34,6 @@ void nb_boxes_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const int first = nb_box_of(scene);
   bool turned = false;
-  for (int w = first; w < first + 4 && first >= 0; w++)
-    turned = turned || scene->walls[w].spin != 0;
   for (size_t s = 0; s < scene->stage_count && first >= 0; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     const int line = stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Do the checks see a small mistake? `make mutants` makes one after the other in a copy of the tree, compiles the one file, and
-# runs the unit tests, then the pages, until one is red. It lists who caught which mistake; one that nobody caught makes it fail.
+# runs the unit tests, then the invalid pages, then the cases, until one is red. It lists who caught which mistake; one that nobody caught makes it fail.
 #
 #   make mutants                          all; about a second each
 #   make mutants MUTANTS=shear_linear     those whose file or description has the word; the only way to those of `also` files
@@ -80,6 +80,8 @@ check() {
     ;;
   esac
   $make -s nineball >>../said 2>&1 || { by="does not link" && return; }
+  by=$(first_red env srcdir="$tree" NINEBALL=./nineball sh "$tree/tests/mistakes.sh")
+  test -z "$by" || { by="mistakes.sh, $by" && return; }
   for page in $NB_PAGES; do
     by=$(first_red ./nineball check --tap "$tree/$page")
     test -z "$by" || { by="${page##*/}, ${by##*/tree/cases/}" && return; }
