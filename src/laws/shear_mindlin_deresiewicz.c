@@ -19,8 +19,7 @@
  *
  * A piece that makes delta(x) wrong by less than 1e-7 mu kappa alpha joins the one before it, keeping delta. With no room left two
  * others join (corners.h). On contacts that ring down in 20 to 3000 turns and come back, T is wrong by at most 1.2e-4 mu N with the 64
- * pieces of a contact by default, as measured (docs/CONTACT.md, tests/ringing.c). What joining changes of the energy stored counts as
- * lost; it may be less than 0.
+ * pieces of a contact by default, as measured (docs/CONTACT.md). What joining changes of the energy stored counts as lost, at times less than 0.
  *
  * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of the radii a(x), each displaced by d(delta)(x):
  *            forces 8 G* a(x) d(delta). One of radius a(x) displaces all that a smaller one, at y, presses by the whole of its
