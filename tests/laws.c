@@ -23,11 +23,15 @@ static void nothing_at_zero_overlap(struct contact it, struct chance *chance) {
   }
 }
 
+/* Where the overlap is the largest so far there is a force. A law that remembers may have lost it where the overlap has been larger. */
 static void pushes_and_never_pulls(struct contact it, struct chance *chance) {
+  double deepest = 0;
   for (int k = 0; k < 20; k++) {
     const double overlap =
         chance_scale(chance, it.normal->incremental ? 1e-100 : 1e-300, 1e3); /* it builds on the least */
-    const bool apart = it.normal->incremental && overlap < it.overlap; /* then the force may be gone, but all of it */
+    /* then the force may be gone, but all of it */
+    const bool apart = it.normal->incremental ? overlap < it.overlap : it.normal->memory > 0 && overlap < deepest;
+    deepest = overlap > deepest ? overlap : deepest;
     contact_go(&it, overlap, 0);
     CU_ASSERT(it.n.force >= 0 && it.n.stiffness >= 0 && isfinite(it.n.force) && isfinite(it.n.stiffness));
     if (overlap > 1e-12)
@@ -46,6 +50,25 @@ static void stiffness_is_the_slope(struct contact it, struct chance *chance) {
   contact_go(&it, overlap + h, 0);
   const double slope = it.normal->incremental ? (it.n.force - force) / h : (it.n.force - below) / (2 * h);
   CU_ASSERT(fabs(slope - stiffness) <= tolerance);
+}
+
+/* Whatever came before, no step from here goes up or down more steeply than the law has said. The step is so short that the stiffness of
+ * elastic spheres changes by 2^-17 of itself. */
+static void never_stiffer_than_stated(struct contact it, struct chance *chance) {
+  for (int k = 0; k < 20; k++) {
+    const double overlap = chance_scale(chance, 1e-9, 1e-3), h = ldexp(overlap, -16);
+    contact_lead(&it, overlap * chance_between(chance, 0.2, 3), 0, 16);
+    contact_lead(&it, overlap, 0, 16);
+    const double most = nb_normal_stiffest(it.n) * (1 + ldexp(1, -16)) + 8 * DBL_EPSILON * it.n.force / h;
+    if (it.normal->incremental && it.n.force == 0)
+      continue; /* it touches anew, and is as stiff as the step is long */
+    CU_ASSERT(nb_normal_stiffest(it.n) > 0);
+    for (int way = -1; way < 2; way += 2) {
+      struct contact next = it;
+      contact_go(&next, overlap + way * h, 0);
+      CU_ASSERT(fabs(next.n.force - it.n.force) <= most * h);
+    }
+  }
 }
 
 /* The slope over two steps is the mean of what the law answers in both: one that goes by increments answers that of its step. */
@@ -139,6 +162,7 @@ static void memory_that_is_not_the_laws_own_is_left_alone(struct contact it, str
 
 OF_NORMAL(pushes_and_never_pulls)
 OF_NORMAL(stiffness_is_the_slope)
+OF_NORMAL(never_stiffer_than_stated)
 OF_SHEAR(nothing_at_zero_overlap)
 OF_SHEAR(shear_stiffness_is_the_slope)
 OF_SHEAR(shear_stiffness_is_the_slope_at_stick)
@@ -152,6 +176,7 @@ void suite_laws(void) {
   CU_add_test(suite, "nothing at zero overlap", shear_nothing_at_zero_overlap);
   CU_add_test(suite, "normal: pushes and never pulls", normal_pushes_and_never_pulls);
   CU_add_test(suite, "normal: stiffness is the slope", normal_stiffness_is_the_slope);
+  CU_add_test(suite, "normal: never stiffer than stated", normal_never_stiffer_than_stated);
   CU_add_test(suite, "shear: stiffness is the slope", shear_shear_stiffness_is_the_slope);
   CU_add_test(suite, "shear: stiffness is the slope at stick", shear_shear_stiffness_is_the_slope_at_stick);
   CU_add_test(suite, "shear: stays below its limit", shear_shear_stays_below_its_limit);

@@ -92,8 +92,10 @@ static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields
       fields->f[NB_NORMAL][c] = out.force, fields->f[NB_STIFFNESS][c] = out.stiffness;
       fields->f[NB_RADIUS][c] = out.radius;
     } else {
-      const struct nb_normal n_ = {fields->f[NB_NORMAL][c], fields->f[NB_STIFFNESS][c], fields->f[NB_RADIUS][c],
-                                   fields->f[NB_OVERLAP][c]};
+      const struct nb_normal n_ = {.force = fields->f[NB_NORMAL][c],
+                                   .stiffness = fields->f[NB_STIFFNESS][c],
+                                   .radius = fields->f[NB_RADIUS][c],
+                                   .overlap = fields->f[NB_OVERLAP][c]};
       struct nb_shear out = {0};
       if (touching || !rows)
         out = law->shear(pair, n_, fields->f[NB_SLIP][c], m);

@@ -37,7 +37,8 @@ static inline struct contact contact_of(const char *law) {
 
 static inline void go(struct contact *it, double overlap, double slip) {
   const double before = it->s.force;
-  const struct nb_normal n = {press(overlap), 2 * E * sqrt(R * overlap), sqrt(R * overlap), overlap};
+  const struct nb_normal n = {
+      .force = press(overlap), .stiffness = 2 * E * sqrt(R * overlap), .radius = sqrt(R * overlap), .overlap = overlap};
   it->overlap = overlap;
   it->s = it->law->shear(it->pair, n, slip, it->m);
   it->work += (before + it->s.force) / 2 * slip;

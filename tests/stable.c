@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/model.h"
+#include "../src/step/step.h"
 #include "chance.h"
 #include "limit.h"
 #include "suites.h"
@@ -195,11 +195,40 @@ static void storage_changes_no_bit(void) {
   written_free(&it);
 }
 
+/* A law that may unload forty times as stiffly as it loads. */
+static struct nb_normal yields(struct nb_pair p, double overlap, double closing, double m[]) {
+  (void)closing, (void)m;
+  return (struct nb_normal){.force = p.kn * overlap, .stiffness = p.kn, .stiffest = 40 * p.kn};
+}
+
+/* The stiffest that a law can get counts, of discs that touch, that are near, and that are far from anything. */
+static void a_stiffer_way_back_counts(void) {
+  static const double places[] = {0.99, 1.001, 50};
+  const struct nb_law law = {.kind = "normal", .name = "yields", .normal = yields};
+  for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100\nnormal linear\ndisc 0 %g radius 1 m\nwall w -9 0 to 9 0 "
+              "m\nstep 1e-9\n",
+              places[k]);
+    words_add(&page, "record time\nstage s\ncycles 1\n");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    const double before = nb_safe_step(model).step;
+    model->coming.normal = &law;
+    CU_ASSERT_DOUBLE_EQUAL(nb_safe_step(model).step, before / sqrt(40), 1e-12 * before);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 void suite_stable(void) {
   CU_pSuite suite = CU_add_suite("stable", NULL, NULL);
   CU_add_test(suite, "lattices are the closed forms", lattices_are_the_closed_forms);
   CU_add_test(suite, "turning costs thirty per cent", turning_costs_thirty_per_cent);
   CU_add_test(suite, "damping has its formula", damping_has_its_formula);
   CU_add_test(suite, "safe is safe, by chance", safe_is_safe);
+  CU_add_test(suite, "a stiffer way back counts", a_stiffer_way_back_counts);
   CU_add_test(suite, "storage changes no bit", storage_changes_no_bit);
 }

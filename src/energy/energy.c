@@ -56,8 +56,10 @@ static void add_stored(double *sum, const struct nb_model *model, size_t c) {
   if (!(contacts->kept[NB_OVERLAP][c] > 0))
     return;
   const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-  const struct nb_normal n = {contacts->kept[NB_NORMAL][c], contacts->kept[NB_STIFFNESS][c],
-                              contacts->kept[NB_RADIUS][c], contacts->kept[NB_OVERLAP][c]};
+  const struct nb_normal n = {.force = contacts->kept[NB_NORMAL][c],
+                              .stiffness = contacts->kept[NB_STIFFNESS][c],
+                              .radius = contacts->kept[NB_RADIUS][c],
+                              .overlap = contacts->kept[NB_OVERLAP][c]};
   const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
   double room[NB_MEMORY];
   if (pairing->normal->stored)

@@ -3,7 +3,8 @@
  *   struct nb_normal normal_NAME(struct nb_pair p, double overlap, double closing, double m[])
  *   struct nb_shear  shear_NAME(struct nb_pair p, struct nb_normal n, double slip, double m[])
  *
- * overlap is never negative, and is 0 where nothing touches: the answer must then be 0. closing and slip are lengths over
+ * overlap is never negative, and is 0 where nothing touches: the force and stiffness must then be 0. A law that yields may have no force
+ * at an overlap, once that has been larger; a stable step is found from the greatest stiffness that can follow (step/stable.c). closing and slip are lengths over
  * this step. m is the law's own memory of this contact, as many doubles as it declares, 0 at first touch; the law writes
  * there what it wants to find next step. Forces are elastic; dashpots come after, from the stiffnesses answered here.
  *
@@ -18,10 +19,12 @@
 #include "../block.h"
 
 struct nb_normal {
-  double force;     /* F_n >= 0, N */
-  double stiffness; /* dF_n/d(overlap), N/m; 0 where nothing touches */
-  double radius;    /* a of the contact circle, m; 0 for a law that knows none */
-  double overlap;   /* alpha that was given, for shear laws, m; a normal law need not say it */
+  double force;     /* F_n >= 0, N; > 0 where the overlap is the largest so far, maybe 0 where it has been larger */
+  double stiffness; /* dF_n/d(overlap) as this step went, N/m; 0 where there is no force */
+  double
+      stiffest; /* the greatest that it can be at this overlap, whatever comes next, N/m; a law that leaves it 0 says: as it is */
+  double radius;  /* a of the contact circle, m; 0 for a law that knows none */
+  double overlap; /* alpha that was given, for shear laws, m; a normal law need not say it */
 };
 
 struct nb_shear {
@@ -56,6 +59,11 @@ struct nb_law {
    * that ends there, 1. Answers how many; NULL: the law keeps no such thing. */
   int (*pieces_of)(struct nb_pair, struct nb_normal, const double m[], double x[], double d[]);
 };
+
+/* The greatest slope of the normal force that can follow. */
+static inline double nb_normal_stiffest(struct nb_normal n) {
+  return n.stiffest > n.stiffness ? n.stiffest : n.stiffness;
+}
 
 /* Pieces of a contact's history that it keeps: as many as a page says, or, where that is 0, as it likes best. */
 static inline double nb_law_pieces(const struct nb_law *law, double said) {

@@ -104,7 +104,8 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
     const struct nb_normal out = LAW(p, overlap[c], closing[c], m);
     radius[c] = out.radius;
 #else
-    const struct nb_normal n = {normal[c], hardness[c], radius[c], overlap[c]};
+    const struct nb_normal n = {
+        .force = normal[c], .stiffness = hardness[c], .radius = radius[c], .overlap = overlap[c]};
 #if LAW_ROWS
     const struct nb_shear out = touching ? LAW(p, n, slip[c], m) : (struct nb_shear){0};
 #else

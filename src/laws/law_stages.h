@@ -51,7 +51,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
 #define LAW_GIVEN(c)                                                                                                   \
   struct nb_pair p = pair;                                                                                             \
   p.radius = reduced[c];                                                                                               \
-  const struct nb_normal n = { normal[c], hardness[c], radius[c], overlap[c] }
+  const struct nb_normal n = {.force = normal[c], .stiffness = hardness[c], .radius = radius[c], .overlap = overlap[c] }
   for (size_t first = 0; first < view->n; first += LAW_STAGE) {
     const size_t end = first + LAW_STAGE < view->n ? first + LAW_STAGE : view->n;
     for (size_t c = first; c < end; c++) {

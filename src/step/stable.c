@@ -30,7 +30,8 @@
  * To find it costs a few cycles' work, of elastic spheres up to a dozen. When a run does so: watch.c.
  *
  * Source     the element bound of finite elements (Irons and Treharne 1971).
- * Range      k_n > 0; laws whose stiffness changes are taken as stiff as they are now; watch.c knows until when.
+ * Range      k_n > 0; laws whose stiffness changes are taken as stiff as they can get at this overlap, loading or unloading (law.h);
+ *            watch.c knows until which overlap.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -65,7 +66,7 @@ static struct nb_stiff stiff_at(const struct nb_model *model, const struct nb_pa
   values.radius = radius;
   struct nb_normal normal = model->coming.normal->normal(values, overlap, 0, normal_memory);
   normal.overlap = overlap;
-  struct nb_stiff k = {.kn = normal.stiffness};
+  struct nb_stiff k = {.kn = nb_normal_stiffest(normal)};
   if (pairing->coming_shear)
     k.ks = pairing->coming_shear->shear(values, normal, 0, shear_memory).stiffness;
   if (!model->dashpots)

@@ -113,7 +113,7 @@ static double overlap_of(const struct nb_model *model, size_t c, double stiffnes
   const struct nb_pair values = nb_contacts_values(model, c, pairing->coming);
   double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), none[NB_MEMORY] = {0};
   while (overlap > 0 && isfinite(overlap) &&
-         pairing->normal->normal(values, overlap, 0, none).stiffness > 1.000001 * stiffness)
+         nb_normal_stiffest(pairing->normal->normal(values, overlap, 0, none)) > 1.000001 * stiffness)
     overlap /= 2;
   return overlap;
 }
