@@ -101,21 +101,30 @@ enum nb_shape {
   NB_SPHERE /* moves in the plane: m = 4/3 pi R^3 rho, I = 2/5 m R^2 */
 };
 
+/* What a page says of the contact of two materials, a row for each property: its word, which is its name in the structures below;
+ * its value as the manual shows it, unit and range; what it is when no `material` says it; what two materials make of it (properties.c);
+ * and what it is. A row here is all that a property takes: reading, changing, ramping, states and the manual follow. Law files use it
+ * as p.NAME, 0 where nothing says it. */
+#define NB_PAIR_ROWS(ROW)                                                                                              \
+  ROW(kn, "K", STIFFNESS, NOT_NEGATIVE, "0", series, "Normal stiffness of a contact [CS79 16].")                       \
+  ROW(ks, "K", STIFFNESS, NOT_NEGATIVE, "0", series, "Shear stiffness of a contact [CS79 17].")                        \
+  ROW(friction, "F", NUMBER, NOT_NEGATIVE, "0", smaller, "Tangent of the angle of friction [CS79 19].")                \
+  ROW(cohesion, "N", FORCE, NOT_NEGATIVE, "0", smaller, "Cohesion, a force [CS79 19].")
+#define NB_PAIR_MEMBER(name, ...) double name;
+
 struct nb_material {
   char name[NB_NAME_SIZE];
-  double density;  /* kg/m3 */
-  double kn, ks;   /* normal and shear stiffness of a contact between like materials, N/m [CS79 16, 17] */
-  double young;    /* E, Pa, of laws for elastic spheres; INFINITY: rigid; 0: not said [R89 4.7] */
-  double poisson;  /* nu, 1; G = E/2(1 + nu) */
-  double friction; /* tan phi_mu, 1 [CS79 19] */
-  double cohesion; /* c, N [CS79 19] */
-  int line;        /* of the page, for messages */
+  double density;              /* kg/m3 */
+  NB_PAIR_ROWS(NB_PAIR_MEMBER) /* of a contact between like materials */
+  double young;                /* E, Pa, of laws for elastic spheres; INFINITY: rigid; 0: not said [R89 4.7] */
+  double poisson;              /* nu, 1; G = E/2(1 + nu) */
+  int line;                    /* of the page, for messages */
 };
 
 /* `pair A B ...`: what the rules for unlike materials would say otherwise; NAN where the rule stands. */
 struct nb_pair_rule {
   int a, b; /* materials */
-  double kn, ks, friction, cohesion;
+  NB_PAIR_ROWS(NB_PAIR_MEMBER)
   int line;
 };
 
@@ -273,9 +282,9 @@ struct nb_gravity {
 
 /* `material` or `pair` in a stage: what holds from there on. NAN where nothing is said: it stays as it is. */
 struct nb_change {
-  int a, b;                          /* materials; b is -1 where the change is of material a itself, not of the pair */
-  double kn, ks, friction, cohesion; /* as in struct nb_material */
-  bool ramp;                         /* reached at the end of the stage, along a straight line */
+  int a, b;                    /* materials; b is -1 where the change is of material a itself, not of the pair */
+  NB_PAIR_ROWS(NB_PAIR_MEMBER) /* as in struct nb_material */
+  bool ramp;                   /* reached at the end of the stage, along a straight line */
   int line;
 };
 
@@ -521,13 +530,11 @@ void nb_scene_free(struct nb_scene *scene);
 /* What two materials make of a contact at time 0: the harmonic mean 2ab/(a+b) of the stiffnesses (which is k between like
  * ones), the smaller friction and cohesion [CS79 19], and what the page's `pair` says over both. */
 struct nb_pair {
-  double kn, ks;   /* N/m */
-  double friction; /* 1 */
-  double cohesion; /* N */
-  double young;    /* E* = 1/((1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y), Pa; 0 where a material has none [R89 4.7] */
-  double shear;    /* G* = 1/((2 - nu_x)/G_x + (2 - nu_y)/G_y), Pa [R89 4.8-4.10] */
-  double radius;   /* R* = 1/(1/R_x + 1/R_y), R_y infinite for a wall, m: of one contact, 0 here */
-  double pieces;   /* most pieces of a contact's history that the shear law keeps; 0: it keeps none */
+  NB_PAIR_ROWS(NB_PAIR_MEMBER)
+  double young;  /* E* = 1/((1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y), Pa; 0 where a material has none [R89 4.7] */
+  double shear;  /* G* = 1/((2 - nu_x)/G_x + (2 - nu_y)/G_y), Pa [R89 4.8-4.10] */
+  double radius; /* R* = 1/(1/R_x + 1/R_y), R_y infinite for a wall, m: of one contact, 0 here */
+  double pieces; /* most pieces of a contact's history that the shear law keeps; 0: it keeps none */
 };
 struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int material_b);
 double nb_body_mass(const struct nb_scene *scene, const struct nb_body *body);    /* kg */

@@ -9,6 +9,8 @@
 /* Two springs in series, each half of the contact: 2ab/(a+b), which is k between like ones. A stiffness of 0 wins. */
 static double series(double a, double b) { return a == b ? a : 2 * a * b / (a + b); }
 
+static double smaller(double a, double b) { return a < b ? a : b; }
+
 /* (2 - nu)/G, with G = E/2(1 + nu); 1/Pa [R89 4.9, 4.10] */
 static double shear_yield(const struct nb_material *a) { return 2 * (1 + a->poisson) * (2 - a->poisson) / a->young; }
 
@@ -23,10 +25,9 @@ static struct nb_pair pair_of(const struct nb_material *materials, const struct 
                               int material_a, int material_b) {
   const struct nb_material *a = &materials[material_a], *b = &materials[material_b];
   struct nb_pair pair = {
-      .kn = series(a->kn, b->kn),
-      .ks = series(a->ks, b->ks),
-      .friction = a->friction < b->friction ? a->friction : b->friction,
-      .cohesion = a->cohesion < b->cohesion ? a->cohesion : b->cohesion,
+#define ROW(name, shown, unit, range, otherwise, rule, ...) .name = rule(a->name, b->name),
+      NB_PAIR_ROWS(ROW)
+#undef ROW
   };
   if (a->young > 0 && b->young > 0) { /* 1/infinity is 0: what is rigid gives nothing */
     pair.young = 1 / ((1 - a->poisson * a->poisson) / a->young + (1 - b->poisson * b->poisson) / b->young);
@@ -36,8 +37,9 @@ static struct nb_pair pair_of(const struct nb_material *materials, const struct 
     const struct nb_pair_rule *rule = &rules[i];
     if (!is_of(rule, material_a, material_b))
       continue;
-    pair.kn = said(rule->kn, pair.kn), pair.ks = said(rule->ks, pair.ks);
-    pair.friction = said(rule->friction, pair.friction), pair.cohesion = said(rule->cohesion, pair.cohesion);
+#define ROW(name, ...) pair.name = said(rule->name, pair.name);
+    NB_PAIR_ROWS(ROW)
+#undef ROW
   }
   return pair;
 }
@@ -78,8 +80,9 @@ struct nb_pair nb_properties_before(const struct nb_properties *now, const struc
   if (change->b >= 0)
     return nb_properties_pair(now, change->a, change->b);
   const struct nb_material *material = &now->materials[change->a];
-  return (struct nb_pair){
-      .kn = material->kn, .ks = material->ks, .friction = material->friction, .cohesion = material->cohesion};
+#define ROW(name, ...) .name = material->name,
+  return (struct nb_pair){NB_PAIR_ROWS(ROW)};
+#undef ROW
 }
 
 /* The rule of a pair, a new one that says nothing yet when there was none; create made room for all that may come. */
@@ -88,7 +91,9 @@ static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
     if (is_of(&now->rules[i], a, b))
       return &now->rules[i];
   struct nb_pair_rule *rule = &now->rules[now->rule_count++];
-  *rule = (struct nb_pair_rule){.a = a, .b = b, .kn = NAN, .ks = NAN, .friction = NAN, .cohesion = NAN};
+#define ROW(name, ...) .name = NAN,
+  *rule = (struct nb_pair_rule){.a = a, .b = b, NB_PAIR_ROWS(ROW)};
+#undef ROW
   return rule;
 }
 
@@ -101,8 +106,7 @@ static void go(double *value, double from, double to, double share) {
 void nb_properties_change(struct nb_properties *now, const struct nb_change *to, struct nb_pair from, double share) {
   struct nb_material *material = &now->materials[to->a];
   struct nb_pair_rule *rule = to->b >= 0 ? rule_of(now, to->a, to->b) : NULL;
-  go(rule ? &rule->kn : &material->kn, from.kn, to->kn, share);
-  go(rule ? &rule->ks : &material->ks, from.ks, to->ks, share);
-  go(rule ? &rule->friction : &material->friction, from.friction, to->friction, share);
-  go(rule ? &rule->cohesion : &material->cohesion, from.cohesion, to->cohesion, share);
+#define ROW(name, ...) go(rule ? &rule->name : &material->name, from.name, to->name, share);
+  NB_PAIR_ROWS(ROW)
+#undef ROW
 }

@@ -68,7 +68,10 @@ static inline double contact_lead(struct contact *it, double overlap, double sli
 }
 
 static inline struct nb_pair pair_by(struct chance *chance) {
-  struct nb_pair pair = {.kn = chance_scale(chance, 1e-6, 1e10)};
+#define ROW(name, ...) .name = 2.5, /* what is not drawn below */
+  struct nb_pair pair = {NB_PAIR_ROWS(ROW)};
+#undef ROW
+  pair.kn = chance_scale(chance, 1e-6, 1e10);
   pair.ks = chance_between(chance, 0, 1) < 0.1 ? 0 : pair.kn * chance_between(chance, 0.2, 1.5);
   pair.friction = chance_between(chance, 0, 1) < 0.2 ? 0 : chance_between(chance, 0.05, 1);
   pair.cohesion = chance_between(chance, 0, 1) < 0.7 ? 0 : pair.kn * chance_scale(chance, 1e-9, 1e-4);

@@ -120,7 +120,7 @@ static void pieces_of_history(void) {
     const char *shear;
     int said;
     double pieces;
-  } rows[] = {{"mindlin_deresiewicz", 0, 32}, {"mindlin_deresiewicz", 64, 64}, {"linear", 0, 0}, {"none", 0, 0}};
+  } rows[] = {{"mindlin_deresiewicz", 0, 64}, {"mindlin_deresiewicz", 32, 32}, {"linear", 0, 0}, {"none", 0, 0}};
   for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
     struct nb_scene scene = scene_of(NULL, 0);
     struct nb_properties now = {0};

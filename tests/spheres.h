@@ -24,7 +24,7 @@ struct leg {
 struct contact {
   const struct nb_law *law;
   struct nb_pair pair;
-  double overlap, m[320], work; /* work: of T, by the mean force of each step, J */
+  double overlap, m[12 + 5 * 64], work; /* work: of T, by the mean force of each step, J */
   struct nb_shear s;
 };
 

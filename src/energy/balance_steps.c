@@ -77,7 +77,11 @@ static double stored(const struct nb_model *model, size_t c, const struct nb_law
 }
 
 static bool same(struct nb_pair a, struct nb_pair b) {
-  return a.kn == b.kn && a.ks == b.ks && a.friction == b.friction && a.cohesion == b.cohesion;
+  bool all = true;
+#define ROW(name, ...) all = all && a.name == b.name;
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+  return all;
 }
 
 /* What the springs of overlaps have gained by the change, at the overlaps that contacts have now. */

@@ -14,8 +14,9 @@ static void explain_change(FILE *out, const struct nb_scene *scene, const struct
   fprintf(out, "    %s%s", change->ramp ? "ramp " : "", change->b < 0 ? "material " : "pair ");
   fprintf(out, "%s%s%s", scene->materials[change->a].name, change->b < 0 ? "" : " ",
           change->b < 0 ? "" : scene->materials[change->b].name);
-  value(out, "kn", change->kn), value(out, "ks", change->ks);
-  value(out, "friction", change->friction), value(out, "cohesion", change->cohesion);
+#define ROW(name, ...) value(out, #name, change->name);
+  NB_PAIR_ROWS(ROW)
+#undef ROW
   fprintf(out, " (line %d)\n", change->line);
 }
 

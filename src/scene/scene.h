@@ -47,11 +47,10 @@ enum {
   AT_NY,
   AT_SPACING,
   AT_DENSITY,
-  AT_KN,
-  AT_KS,
-  AT_FRICTION,
-  AT_COHESION,
-  AT_INWARD,
+#define ROW(name, ...) AT_##name,
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+      AT_INWARD,
   AT_STOP,
   AT_CYCLES,
   AT_ANGLE,

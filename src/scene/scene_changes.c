@@ -24,7 +24,14 @@ NB_APPLY(nb_apply_gravity) {
   gravity->line = (int)reader->line;
 }
 
-static bool both(double a, double b) { return !isnan(a) && !isnan(b); }
+/* Do two changes say one property? */
+static bool overlap(const struct nb_change *a, const struct nb_change *b) {
+  bool both = false;
+#define ROW(name, ...) both = both || (!isnan(a->name) && !isnan(b->name));
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+  return both;
+}
 
 /* The change of the same thing that this stage makes already; NULL: none. */
 static const struct nb_change *changed_already(const struct nb_stage *stage, const struct nb_change *change) {
@@ -32,8 +39,7 @@ static const struct nb_change *changed_already(const struct nb_stage *stage, con
     const struct nb_change *other = &stage->changes[i];
     const bool same = other->a == change->a && other->b == change->b;
     const bool swapped = change->b >= 0 && other->a == change->b && other->b == change->a;
-    if ((same || swapped) && (both(other->kn, change->kn) || both(other->ks, change->ks) ||
-                              both(other->friction, change->friction) || both(other->cohesion, change->cohesion)))
+    if ((same || swapped) && overlap(other, change))
       return other;
   }
   return NULL;
@@ -49,18 +55,19 @@ NB_APPLY(nb_apply_change) {
   struct nb_change change = {
       .a = nb_material_of(scene, reader, value[AT_NAME].token),
       .b = -1,
-      .kn = said(&value[AT_KN]),
-      .ks = said(&value[AT_KS]),
-      .friction = said(&value[AT_FRICTION]),
-      .cohesion = said(&value[AT_COHESION]),
-      .line = (int)reader->line,
+#define ROW(name, ...) .name = said(&value[AT_##name]),
+      NB_PAIR_ROWS(ROW)
+#undef ROW
+          .line = (int)reader->line,
   };
   if (record->keyword->variant && !reader->bad)
     change.b = nb_material_of(scene, reader, value[AT_NAME2].token);
   if (reader->bad || !stage)
     return;
-  if (isnan(change.kn) && isnan(change.ks) && isnan(change.friction) && isnan(change.cohesion)) {
-    nb_expected(reader, NULL, "what changes: `kn K`, `ks K`, `friction F` or `cohesion N`");
+  if (!overlap(&change, &change)) {
+#define ROW(name, shown, ...) " `" #name " " shown "`"
+    nb_expected(reader, NULL, "what changes, one of" NB_PAIR_ROWS(ROW));
+#undef ROW
     return;
   }
   const struct nb_change *other = changed_already(stage, &change);

@@ -23,12 +23,13 @@
 #define RADIUS CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, NULL, "Radius.")
 #define VELOCITY(otherwise) \
   CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, AT_VX, 2, otherwise, "Velocity to the east and to the north.")
-#define CONTACT(kn, ks, friction, cohesion) \
-  CLAUSE("kn", "K", NB_UNIT_STIFFNESS, NB_NOT_NEGATIVE, AT_KN, 1, kn, "Normal stiffness of a contact [CS79 16]."), \
-  CLAUSE("ks", "K", NB_UNIT_STIFFNESS, NB_NOT_NEGATIVE, AT_KS, 1, ks, "Shear stiffness of a contact [CS79 17]."), \
-  CLAUSE("friction", "F", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_FRICTION, 1, friction, \
-         "Tangent of the angle of friction [CS79 19]."), \
-  CLAUSE("cohesion", "N", NB_UNIT_FORCE, NB_NOT_NEGATIVE, AT_COHESION, 1, cohesion, "Cohesion, a force [CS79 19].")
+#define PAIR_CLAUSE(name, shown, unit, range, otherwise, help) \
+  CLAUSE(#name, shown, NB_UNIT_##unit, NB_##range, AT_##name, 1, otherwise, help),
+#define OF_MATERIAL(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, otherwise, help)
+#define OF_PAIR(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, MAKES_##rule, help)
+#define OF_CHANGE(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, "as it was", help)
+#define MAKES_series "2ab/(a+b)"
+#define MAKES_smaller "the smaller one"
 
 static const struct nb_argument nothing[] = {END};
 static const struct nb_argument units[] = {WORD("none|si", AT_NAME, "`none` or `si`"), END};
@@ -44,7 +45,7 @@ static const struct nb_argument material[] = {
   NAME(AT_NAME, "a name for the material"),
   CLAUSE("density", "D", NB_UNIT_DENSITY, NB_NOT_NEGATIVE, AT_DENSITY, 1, "0",
          "Mass per volume; a free body needs it."),
-  CONTACT("0", "0", "0", "0"),
+  NB_PAIR_ROWS(OF_MATERIAL)
   CLAUSE("young", "E", NB_UNIT_PRESSURE, NB_POSITIVE, AT_YOUNG, 1, "none",
          "Young's modulus, for the laws of elastic spheres [R89 4.7]."),
   CLAUSE("poisson", "NU", NB_UNIT_NUMBER, NB_HALF, AT_POISSON, 1, "0", "Poisson's ratio, 0 to 0.5."),
@@ -54,18 +55,18 @@ static const struct nb_argument material[] = {
 static const struct nb_argument pair[] = {
   WORD("MATERIAL", AT_NAME, "the name of a material"),
   WORD("MATERIAL", AT_NAME2, "the name of a material"),
-  CONTACT("2ab/(a+b)", "2ab/(a+b)", "the smaller one", "the smaller one"),
+  NB_PAIR_ROWS(OF_PAIR)
   END
 };
 static const struct nb_argument material_change[] = {
   WORD("NAME", AT_NAME, "the name of a material"),
-  CONTACT("as it was", "as it was", "as it was", "as it was"),
+  NB_PAIR_ROWS(OF_CHANGE)
   END
 };
 static const struct nb_argument pair_change[] = {
   WORD("MATERIAL", AT_NAME, "the name of a material"),
   WORD("MATERIAL", AT_NAME2, "the name of a material"),
-  CONTACT("as it was", "as it was", "as it was", "as it was"),
+  NB_PAIR_ROWS(OF_CHANGE)
   END
 };
 static const struct nb_argument gravity[] = {

@@ -77,11 +77,10 @@ NB_APPLY(nb_apply_material) {
   struct nb_material *material = &materials[scene->material_count++];
   *material = (struct nb_material){
       .density = reader->bad ? NAN : value[AT_DENSITY].number, /* not a number: not known, which is not the same as 0 */
-      .kn = value[AT_KN].number,
-      .ks = value[AT_KS].number,
-      .friction = value[AT_FRICTION].number,
-      .cohesion = value[AT_COHESION].number,
-      .young = value[AT_RIGID].token ? INFINITY : value[AT_YOUNG].number,
+#define ROW(name, ...) .name = value[AT_##name].number,
+      NB_PAIR_ROWS(ROW)
+#undef ROW
+          .young = value[AT_RIGID].token ? INFINITY : value[AT_YOUNG].number,
       .poisson = value[AT_POISSON].number,
       .line = (int)reader->line,
   };
@@ -113,11 +112,10 @@ NB_APPLY(nb_apply_pair) {
   rules[scene->pair_rule_count++] = (struct nb_pair_rule){
       .a = a,
       .b = b,
-      .kn = value[AT_KN].token ? value[AT_KN].number : NAN,
-      .ks = value[AT_KS].token ? value[AT_KS].number : NAN,
-      .friction = value[AT_FRICTION].token ? value[AT_FRICTION].number : NAN,
-      .cohesion = value[AT_COHESION].token ? value[AT_COHESION].number : NAN,
-      .line = (int)reader->line,
+#define ROW(name, ...) .name = value[AT_##name].token ? value[AT_##name].number : NAN,
+      NB_PAIR_ROWS(ROW)
+#undef ROW
+          .line = (int)reader->line,
   };
 }
 

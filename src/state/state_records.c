@@ -134,8 +134,10 @@ static void read_material(struct nb_state_reading *reading) {
   if (!it)
     return;
   nb_saved_name(reading, it->name, "the name of a material");
-  it->density = nb_saved_finite(reading), it->kn = nb_saved_finite(reading), it->ks = nb_saved_finite(reading);
-  it->friction = nb_saved_finite(reading), it->cohesion = nb_saved_finite(reading);
+  it->density = nb_saved_finite(reading);
+#define ROW(name, ...) it->name = nb_saved_finite(reading);
+  NB_PAIR_ROWS(ROW)
+#undef ROW
   it->young = nb_saved_number(reading), it->poisson = nb_saved_finite(reading);
 }
 
@@ -144,8 +146,9 @@ static void read_pair(struct nb_state_reading *reading) {
   if (!it)
     return;
   it->a = take_material(reading), it->b = take_material(reading);
-  it->kn = nb_saved_number(reading), it->ks = nb_saved_number(reading);
-  it->friction = nb_saved_number(reading), it->cohesion = nb_saved_number(reading);
+#define ROW(name, ...) it->name = nb_saved_number(reading);
+  NB_PAIR_ROWS(ROW)
+#undef ROW
 }
 
 static void read_body(struct nb_state_reading *reading) {

@@ -86,10 +86,11 @@ static void write_carried(struct nb_text *out, const struct nb_saved *saved) {
   nb_text_add(out, "\n");
 }
 
+#define ROW(name, ...) it->name,
 static void write_materials(struct nb_text *out, const struct nb_saved *saved) {
   for (size_t m = 0; m < saved->material_count; m++) {
     const struct nb_material *it = &saved->materials[m];
-    const double values[] = {it->density, it->kn, it->ks, it->friction, it->cohesion, it->young, it->poisson};
+    const double values[] = {it->density, NB_PAIR_ROWS(ROW) it->young, it->poisson};
     nb_text_add(out, "material %s", it->name);
     for (size_t k = 0; k < sizeof values / sizeof *values; k++)
       number(out, values[k]);
@@ -98,10 +99,13 @@ static void write_materials(struct nb_text *out, const struct nb_saved *saved) {
   for (size_t r = 0; r < saved->rule_count; r++) {
     const struct nb_pair_rule *it = &saved->rules[r];
     nb_text_add(out, "pair %s %s", saved->materials[it->a].name, saved->materials[it->b].name);
-    number(out, it->kn), number(out, it->ks), number(out, it->friction), number(out, it->cohesion);
+    const double values[] = {NB_PAIR_ROWS(ROW)};
+    for (size_t k = 0; k < sizeof values / sizeof *values; k++)
+      number(out, values[k]);
     nb_text_add(out, "\n");
   }
 }
+#undef ROW
 
 static void write_bodies(struct nb_text *out, const struct nb_saved *saved) {
   static const char *const shapes[] = {[NB_DISC] = "disc", [NB_SPHERE] = "sphere"};
