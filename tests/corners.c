@@ -71,15 +71,10 @@ static void is_a_path(const struct corner at[], int count) {
   }
 }
 
-/* By how much a corner lies off the straight line between its neighbours, at its x. */
-static double off(const struct corner *at) {
-  const double part = (at[0].x - at[-1].x) / (at[1].x - at[-1].x);
-  return fabs(at[0].u - (at[-1].u + part * (at[1].u - at[-1].u)));
-}
-
-/* Twice the area in which u is wrong when corner k goes. */
-static double area(const struct corner at[], int k) {
-  return at[k - 1].e + at[k].e + off(&at[k]) * (at[k + 1].x - at[k - 1].x);
+/* Twice the area in which u is wrong when a corner goes: of the triangle with its neighbours, and what is wrong there already. */
+static double area(const struct corner *at) {
+  const double all = at[1].x - at[-1].x, line = at[-1].u + (at[0].x - at[-1].x) / all * (at[1].u - at[-1].u);
+  return at[-1].e + at[0].e + fabs(at[0].u - line) * all;
 }
 
 /* Of three to nine pieces the corner goes whose triangle, and what was wrong before, changes T least: the area over x^(1/2). Delta and T at
@@ -95,14 +90,14 @@ static void room_is_made(void) {
     int goes = 1;
     double least = INFINITY;
     for (int k = 1; k < count; k++) {
-      const double wrong = area(old, k) / sqrt(old[k].x);
+      const double wrong = area(&old[k]) / sqrt(old[k].x);
       goes = wrong < least ? k : goes, least = wrong < least ? wrong : least;
     }
     make_room(at, count);
     is_a_path(at, count - 1);
     CU_ASSERT_EQUAL_FATAL(at[count - 1].u, old[count].u);
     CU_ASSERT_EQUAL_FATAL(at[count - 1].x, old[count].x);
-    CU_ASSERT_DOUBLE_EQUAL_FATAL(at[goes - 1].e, 0.75 * area(old, goes), 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL_FATAL(at[goes - 1].e, 0.75 * area(&old[goes]), 1e-12);
     for (int k = 1; k < count - 1; k++)
       CU_ASSERT_EQUAL_FATAL(at[k].x, old[k < goes ? k : k + 1].x);
     const bool same = fabs(force(at, count - 1) - force(old, count)) < 1e-11;
