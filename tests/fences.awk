@@ -3,7 +3,7 @@
 #   awk -f fences.awk FILE                 the commands, one a line, each behind its line number and a tab: lines of blocks
 #                                          that begin with ```sh, and lines indented by four that call nineball or setup
 #   awk -v into=FOLDER -f fences.awk FILE  writes the files: blocks that begin with ```LANGUAGE NAME go to FOLDER/NAME;
-#                                          says what goes into a list, ```make Makefile.am LIST: `LIST LINE`, one a line
+#                                          says what goes into a list of one of them, ```LANGUAGE FILE LIST: `FILE LIST LINE`, one a line
 #
 # A fence may be longer than three, and is closed by one that is as long.
 #
@@ -35,7 +35,7 @@ function command(text) {
 }
 
 inside && into && name != "" && list == "" { print >(into "/" name) }
-inside && into && list != "" { print list, $0 }
+inside && into && list != "" { print name, list, $0 }
 inside && language == "sh" && /\\$/ {
   if (!started) started = FNR
   sub(/\\$/, "")

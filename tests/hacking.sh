@@ -41,13 +41,13 @@ sed -n '/^## A worked example/,$p' HACKING.md >"$work/example.md"
 awk -v into="$tree" -f tests/fences.awk "$work/example.md" >"$work/lists" && test -s "$work/lists"
 result $? "the example's files are written"
 
-# `LIST LINE`: the line goes behind `LIST = \`.
-while read -r list line; do
+# `FILE LIST LINE`: the line goes behind `LIST = \` of a Makefile, or `#define LIST(ROW) \` of a header.
+while read -r file list line; do
   list=$list line=$line awk '
     { print }
-    $0 == ENVIRON["list"] " = \\" { print "  " ENVIRON["line"]; found = 1 }
-    END { if (!found) print "there is no list " ENVIRON["list"] >"/dev/stderr" }' "$tree/Makefile.am" >"$work/Makefile.am"
-  cat "$work/Makefile.am" >"$tree/Makefile.am"
+    $0 == ENVIRON["list"] " = \\" || index($0, "#define " ENVIRON["list"] "(") == 1 { print "  " ENVIRON["line"]; found = 1 }
+    END { if (!found) print "there is no list " ENVIRON["list"] >"/dev/stderr" }' "$tree/$file" >"$work/file"
+  cat "$work/file" >"$tree/$file"
 done <"$work/lists" 2>"$work/said"
 test ! -s "$work/said"
 result $? "its lines are in the lists"
@@ -71,7 +71,7 @@ while IFS='	' read -r line command; do
 done <"$work/commands"
 
 # The suites that go over the register of laws take the new one in without being told.
-suites=$(grep -l nb_laws tests/*.c | tr '\n' ' ')
+suites=$(grep -lE 'nb_laws|OF_NORMAL' tests/*.c | tr '\n' ' ')
 if grep -q "^CUNIT_LIBS = ." build/Makefile && test -n "$suites"; then
   sed -i "/^SUITES = /,/[^\\\\]\$/d" Makefile.am
   echo "SUITES = $suites" >>Makefile.am
