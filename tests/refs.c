@@ -39,6 +39,23 @@ static void what_cannot_be_judged_is_refused(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "hertz"));
 }
 
+/* GSL gives up here, or the matrices would fill the memory: an error in words, and the program goes on. */
+static void what_cannot_be_computed_is_refused(void) {
+  struct refs_scene it;
+  nb_references_prepare();
+  for (double ks = 1e200; ks < 1e301; ks *= 1e100) {
+    refs_nine_discs(&it, ks, 2, 40, 400);
+    CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "cannot be solved"));
+    CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "cannot be solved"));
+  }
+  it.scene.body_count = 1001; /* nobody looks at them */
+  struct nb_body *many = calloc(it.scene.body_count, sizeof *many);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(many);
+  it.scene.bodies = many;
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "1000 bodies"));
+  free(many);
+}
+
 static double twice(const void *data, double x) { return 2 * x + *(const double *)data; }
 
 static void known_keeps_what_it_is_told(void) {
@@ -112,4 +129,5 @@ void suite_refs(void) {
   CU_add_test(suite, "masses and constants of contacts are what books say", matter_is_what_books_say);
   CU_add_test(suite, "what a reference knows is kept", known_keeps_what_it_is_told);
   CU_add_test(suite, "what cannot be judged is refused", what_cannot_be_judged_is_refused);
+  CU_add_test(suite, "what cannot be computed is refused", what_cannot_be_computed_is_refused);
 }

@@ -86,7 +86,6 @@ static void simplified_laws_are_off_by_what_is_known(void) {
   CU_ASSERT(error_of("randall", 3) < 0.001);
   CU_ASSERT(fabs(error_of("linear", 0.1) - 0.618) < 0.002); /* k_s = 8 G* a at alpha_max */
   CU_ASSERT_EQUAL(rebound("none", chi28, 0.7, 100), 0.7);
-  CU_ASSERT_FALSE(impact_law_known("mindlin_deresiewicz"));
   CU_ASSERT(fabs(rebound("mindlin", chi28, 8, 20000) - 8 + 4 * chi28) < 1e-5);
   for (double psi1 = 0.3; psi1 < 6; psi1 += 0.3) /* the limit of small steps has been reached */
     for (int k = 0; k < 4; k++) {

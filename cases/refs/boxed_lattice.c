@@ -91,12 +91,11 @@ static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
     nx++;
   *it = (struct lattice){(double)nx, (double)(scene->body_count / nx), first->radius,
                          matter_pair(scene, first->material, first->material).kn};
-  bool is = scene->wall_count == 4 && scene->body_count % nx == 0 && strcmp(scene->normal, "linear") == 0 &&
-            strcmp(scene->shear, "none") == 0 && !scene->gravity.line;
+  bool is = scene->wall_count == 4 && scene->body_count % nx == 0;
   for (size_t k = 0; k < scene->body_count; k++) {
     const struct nb_body *body = &scene->bodies[k];
     const double x = first->x + 2 * it->r * (double)(k % nx), y = first->y + 2 * it->r * (double)(k / nx);
-    is = is && body->radius == it->r && body->material == first->material && !body->fixed &&
+    is = is && body->radius == it->r && body->material == first->material &&
          fabs(body->x - x) + fabs(body->y - y) < 1e-12 * it->r * it->nx * it->ny;
   }
   for (size_t w = 0; w < scene->wall_count; w++)
@@ -122,8 +121,8 @@ static bool held(enum hold *hold, struct state *to, const struct nb_stage *stage
     to->w = grown(to->w, stage->box.xx, stage);
   if (!y || mean)
     to->h = grown(to->h, stage->box.yy, stage);
-  return !stage->motion_count && !stage->change_count && !stage->condition_count && !stage->removal_count &&
-         (!servo->line || servo->box) && (!mean || !stage->box_line || stage->box.xx == stage->box.yy) &&
+  return !stage->motion_count && (!servo->line || servo->box) &&
+         (!mean || !stage->box_line || stage->box.xx == stage->box.yy) &&
          (!stage->box_line || stage->box.per_cycle || stage->step.kind == NB_STEP_TIME);
 }
 
@@ -149,8 +148,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct lattice it;
   if (!find_lattice(&it, scene))
     return nb_error_set(error, NB_BAD_USE,
-                        "boxed_lattice wants one `discs lattice` in a box of the same stiffness, touching, with "
-                        "`normal linear`, `shear none` and no gravity");
+                        "boxed_lattice wants one `discs lattice` in a box of the same stiffness, touching");
   struct state s = {scene->walls[0].h2 - scene->walls[0].h1, scene->walls[1].h2 - scene->walls[1].h1, 0, 0};
   for (size_t k = 0; k < scene->stage_count; k++) {
     enum hold hold;

@@ -82,20 +82,16 @@ static bool tell(struct nb_known *known, const struct nb_scene *scene, const str
 }
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  bool right = scene->stage_count >= 1 && scene->stage_count <= 2 && !scene->damping.contact_kind &&
-               scene->damping.global_kind != NB_GLOBAL_ALPHA && scene->wall_count == 0;
+  bool right = scene->stage_count >= 1 && scene->stage_count <= 2;
   for (size_t s = 0; s < scene->stage_count && right; s++) {
     const struct nb_continuum *it = &scene->stages[s].continuum;
     right = it->line && it->strain.per_cycle && it->strain.xy == 0 && it->strain.yx == 0 &&
             (!it->literal || s + 1 == scene->stage_count);
   }
-  for (size_t k = 0; k < scene->body_count && right; k++)
-    right = scene->bodies[k].vx == 0 && scene->bodies[k].vy == 0;
   if (!right)
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "carried wants bodies at rest, a `continuum strain` per cycle along the axes in one stage or two, "
-        "`literal` in the last at most, and no damping but `con1`");
+    return nb_error_set(error, NB_BAD_USE,
+                        "carried wants a `continuum strain` per cycle along the axes in one stage or two, `literal` in "
+                        "the last at most");
   for (size_t k = 0; k < scene->watch_count; k++)
     if (scene->watches[k].kind == NB_WATCH_BODY &&
         !(tell(known, scene, &scene->watches[k], false) && tell(known, scene, &scene->watches[k], true)))

@@ -20,9 +20,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].gravity.line)
       pull = &scene->stages[s].gravity;
-  if (!(pull->inward > 0) || scene->body_count == 0 || scene->wall_count > 0 || scene->circle.line)
-    return nb_error_set(error, NB_BAD_USE,
-                        "centripetal wants bodies without walls and boundary, and `gravity centripetal` to the end");
+  if (!(pull->inward > 0) || scene->body_count == 0)
+    return nb_error_set(error, NB_BAD_USE, "centripetal wants bodies, and `gravity centripetal` to the end");
   for (size_t k = 0; k < scene->body_count; k++) {
     const struct nb_body *body = &scene->bodies[k];
     mass += matter_mass(scene, body), diameter += 2 * body->radius, section += pi * body->radius * body->radius;

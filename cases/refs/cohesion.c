@@ -23,7 +23,7 @@
 
 static bool moves(const struct nb_stage *stage, int wall, double *vx, double *vy) {
   for (size_t k = 0; k < stage->motion_count; k++)
-    if (stage->motions[k].wall == wall && !stage->motions[k].ramp) {
+    if (stage->motions[k].wall == wall) {
       *vx = stage->motions[k].vx, *vy = stage->motions[k].vy;
       return true;
     }
@@ -49,7 +49,7 @@ static bool read_stages(struct drag *drag, const struct nb_scene *scene) {
     moves(stage, 1, &vx, &vy);
     moves(stage, 0, &low, &zero);
     const double time = step_of(scene) * (double)stage->cycles;
-    if (stage->condition_count > 0 || stage->change_count > 0 || low != vx || (vx != 0 && vy != 0))
+    if (low != vx || (vx != 0 && vy != 0))
       return false;
     drag->press -= vy * time;
     drag->way += vx * time;
@@ -62,8 +62,7 @@ static bool read_stages(struct drag *drag, const struct nb_scene *scene) {
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   struct drag drag = {0};
-  if (scene->body_count != 1 || scene->wall_count != 3 || scene->bodies[0].fixed || scene->gravity.line ||
-      !read_stages(&drag, scene))
+  if (scene->body_count != 1 || scene->wall_count != 3 || !read_stages(&drag, scene))
     return nb_error_set(error, NB_BAD_USE,
                         "cohesion is for one body between two plates that press, drag it and part, and a stop");
   const int body = scene->bodies[0].material;

@@ -69,11 +69,9 @@ static double smallest_gap(const struct nb_scene *scene) {
 }
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  bool at_rest = scene->fill_count == 1 && scene->fills[0].count == scene->body_count && !scene->gravity.line;
-  for (size_t k = 0; k < scene->body_count; k++)
-    at_rest = at_rest && scene->bodies[k].vx == 0 && scene->bodies[k].vy == 0;
-  if (!at_rest)
-    return nb_error_set(error, NB_BAD_USE, "filling wants one `fill`, nothing else, and no gravity");
+  const bool alone = scene->fill_count == 1 && scene->fills[0].count == scene->body_count;
+  if (!alone)
+    return nb_error_set(error, NB_BAD_USE, "filling wants one `fill` and nothing else");
   for (size_t w = 0; w < scene->watch_count; w++) {
     const struct nb_watch *watch = &scene->watches[w];
     if (watch->kind == NB_WATCH_GRADING || watch->kind == NB_WATCH_SIZE)

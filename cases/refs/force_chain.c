@@ -27,8 +27,8 @@ static void tell(struct nb_known *known, const char *region, const char *of, con
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   const size_t n = scene->body_count;
-  if (n < 2 || scene->wall_count != 2 || strcmp(scene->normal, "linear") != 0)
-    return nb_error_set(error, NB_BAD_USE, "force_chain wants a row of discs on linear springs between two walls");
+  if (n < 2 || scene->wall_count != 2)
+    return nb_error_set(error, NB_BAD_USE, "force_chain wants a row of discs between two walls");
   const struct nb_body *first = &scene->bodies[0], *last = &scene->bodies[n - 1];
   const double length = hypot(last->x - first->x, last->y - first->y), R = first->radius;
   const double ux = (last->x - first->x) / length, uy = (last->y - first->y) / length;

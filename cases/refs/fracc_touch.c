@@ -16,9 +16,8 @@
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_body *a = &scene->bodies[0], *b = &scene->bodies[1];
-  if (scene->body_count != 2 || scene->wall_count || strcmp(scene->normal, "linear") || a->vx <= 0 || b->vx != 0 ||
-      a->material != b->material || a->radius < b->radius || a->radius > b->radius || a->vy != 0 ||
-      scene->step.kind != NB_STEP_CRITICAL || !nb_damping_none(&scene->damping))
+  if (scene->body_count != 2 || a->vx <= 0 || b->vx != 0 || a->material != b->material || a->radius < b->radius ||
+      a->radius > b->radius || a->vy != 0 || scene->step.kind != NB_STEP_CRITICAL)
     return nb_error_set(error, NB_BAD_USE,
                         "reference fracc_touch is for two like discs, the first of which strikes the second along x");
   const double mass = matter_mass(scene, a), k = matter_pair(scene, a->material, b->material).kn;

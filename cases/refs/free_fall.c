@@ -106,9 +106,9 @@ static double vy_at(const void *data, double t) {
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   struct single body;
-  if (single_of(&body, scene, error) || single_changes(scene, false, error))
+  if (single_of(&body, scene, error))
     return error->status;
-  if (scene->gravity.x != 0 || scene->bodies[0].vx != 0 || scene->bodies[0].vy != 0 || body.height < body.radius)
+  if (scene->gravity.x != 0 || body.height < body.radius)
     return nb_error_set(error, NB_BAD_USE, "free_fall is for a body dropped straight down, from rest, above the wall");
   const double w = sqrt(body.pair.kn / body.m), b = body.cn / (2 * body.m);
   if (!(b < w))

@@ -33,15 +33,12 @@ static enum nb_status refuse(const char *who, const char *what, struct nb_error 
   return nb_error_set(error, NB_BAD_USE, "%s is for %s", who, what);
 }
 
-/* One step and one damping all the way, and nothing that moves or changes. */
+/* Whether the wall keeps its velocity. */
 static bool steady(const struct nb_scene *scene) {
-  for (size_t s = 0; s < scene->stage_count; s++) {
-    const struct nb_stage *stage = &scene->stages[s];
-    if (stage->motion_count || stage->change_count || stage->reverse || stage->still || stage->gravity.line ||
-        stage->damping.global_kind || !nb_damping_alike(&stage->damping, &scene->damping))
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].motion_count)
       return false;
-  }
-  return !scene->gravity.line && !scene->damping.global_kind;
+  return true;
 }
 
 /* From the first to what it meets: m_2, R_2, and the distance at which they touch; false when they do not meet head-on. */
@@ -77,7 +74,7 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
       scene->bodies[0].shape != NB_SPHERE)
     return refuse(who, "a free sphere and what it strikes: another sphere or a wall", error);
   if (!steady(scene))
-    return refuse(who, "a pair with no gravity and no global damping, which no stage changes", error);
+    return refuse(who, "a wall whose velocity no stage changes", error);
   const struct nb_body *a = &scene->bodies[0], *b = scene->body_count == 2 ? &scene->bodies[1] : NULL;
   const struct nb_wall *wall = b ? NULL : &scene->walls[0];
   *hertz = (struct hertz){.bodies = {a, b}, .scene = scene};
@@ -94,9 +91,7 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
     return refuse(who, "a step that is a time or a share of the contact's duration", error);
   if (scene->impact.line)
     hertz->begin += scene->impact.phase * hertz->step;
-  const enum nb_contact_damping kind = nb_damping_at(&scene->damping, wall != NULL, &hertz->damping);
-  if (kind && kind != NB_CONTACT_RATIO)
-    return refuse(who, "no damping but `contact-ratio`", error);
+  nb_damping_at(&scene->damping, wall != NULL, &hertz->damping);
   return NB_OK;
 }
 

@@ -60,8 +60,12 @@ static void state_at(const struct impact *impact, double t, double y[]) {
   memset(y, 0, HERTZ_UNKNOWNS * sizeof *y);
   if (!(time > 0) || !(time < impact->end))
     return;
-  const int k = (int)(time / impact->reach * NODES), last = NODES - 1;
-  memcpy(y, impact->node[k < last ? k : last], HERTZ_UNKNOWNS * sizeof *y);
+  if (time > 100 * impact->reach) { /* it creeps for ever, and to follow it takes as long */
+    y[HERTZ_WAY] = y[HERTZ_SPEED] = NAN;
+    return;
+  }
+  const int k = (int)fmin(time / impact->reach * NODES, NODES - 1);
+  memcpy(y, impact->node[k], HERTZ_UNKNOWNS * sizeof *y);
   if (!hertz_go(y, impact->hertz.damping, HERTZ_TIME, time))
     y[HERTZ_WAY] = y[HERTZ_SPEED] = NAN;
 }

@@ -49,13 +49,13 @@ static double root(struct wanted *wanted) {
   gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
   if (!solver)
     return NAN;
-  gsl_root_fsolver_set(solver, &f, 0, M_PI / 2);
-  for (int n = 0; n < 100; n++)
+  const bool set = gsl_root_fsolver_set(solver, &f, 0, M_PI / 2) == GSL_SUCCESS;
+  for (int n = 0; set && n < 100; n++)
     if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS ||
         gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver), 1e-15, 1e-15) ==
             GSL_SUCCESS)
       break;
-  const double theta = gsl_root_fsolver_root(solver);
+  const double theta = set ? gsl_root_fsolver_root(solver) : NAN;
   gsl_root_fsolver_free(solver);
   return theta;
 }
@@ -88,8 +88,6 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct hertz hertz;
   if (hertz_of(&hertz, scene, "hertz_impact", error))
     return error->status;
-  if (hertz.damping > 0)
-    return nb_error_set(error, NB_BAD_USE, "hertz_impact is for a contact without damping; hertz_damped knows it");
   hertz_curve(known, &hertz, "overlap", "time", overlap_at, &hertz, sizeof hertz);
   hertz_curve(known, &hertz, "normal", "time", normal_at, &hertz, sizeof hertz);
   hertz_curve(known, &hertz, "normal", "overlap", normal_on, &hertz, sizeof hertz);

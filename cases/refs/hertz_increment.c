@@ -35,8 +35,6 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct hertz hertz;
   if (hertz_of(&hertz, scene, "hertz_increment", error))
     return error->status;
-  if (hertz.damping > 0 || strcmp(scene->normal, "hertz_increment") != 0)
-    return nb_error_set(error, NB_BAD_USE, "hertz_increment is for `normal hertz_increment` without damping");
   const double share = gsl_sf_beta(0.6, 1.5) * hertz.step / hertz.unit;
   char what[2 * NB_NAME_SIZE];
   snprintf(what, sizeof what, "normal max in %s", scene->stages[0].name);

@@ -11,8 +11,6 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct hertz hertz;
   if (hertz_of(&hertz, scene, "hertz_phase", error))
     return error->status;
-  if (hertz.damping > 0)
-    return nb_error_set(error, NB_BAD_USE, "hertz_phase is for a contact without damping");
   const double share = hertz.step / hertz.unit;
   const double sooner = hertz_sooner(share) * hertz.step;
   const double gained = hertz_gain(share, hertz.begin / hertz.step, hertz.duration / hertz.step);

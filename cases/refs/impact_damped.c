@@ -9,6 +9,7 @@
  * which makes the whole of first order; so an impact is cut into many.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
 #include <stdlib.h>
@@ -37,18 +38,22 @@ static void go(double y[], struct motion motion, double to) {
   double x = y[motion.along];
   gsl_odeiv2_driver *driver =
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, copysign(1e-4, to - x), 1e-13, 0);
-  gsl_odeiv2_driver_apply(driver, &x, to, y);
-  gsl_odeiv2_driver_free(driver);
+  if (!driver || gsl_odeiv2_driver_apply(driver, &x, to, y) != GSL_SUCCESS)
+    y[TIME] = y[WAY] = y[SPEED] = NAN;
+  if (driver)
+    gsl_odeiv2_driver_free(driver);
 }
 
-/* How long the outlines overlap. */
+/* How long the outlines overlap; NAN: for ever, or it cannot be solved. */
 static double duration(double drag) {
   double y[UNKNOWNS] = {0, 0, 1}, before[UNKNOWNS];
-  while (y[WAY] > 0 || y[TIME] == 0) {
+  while ((y[WAY] > 0 || y[TIME] == 0) && y[TIME] < 1000) { /* near critical damping a few times that without */
     for (int k = 0; k < UNKNOWNS; k++)
       before[k] = y[k];
     go(y, (struct motion){drag, TIME}, y[TIME] + 0.1);
   }
+  if (y[WAY] > 0)
+    return NAN;
   go(before, (struct motion){drag, WAY}, 0);
   return before[TIME];
 }

@@ -87,8 +87,6 @@ static int find(const char *law) {
   return k;
 }
 
-bool impact_law_known(const char *law) { return find(law) < LAWS; }
-
 static bool run(struct impact_path *path, int which, double spring, double chi, double psi1, int steps) {
   const double dt = IMPACT_DURATION / steps;
   struct memory memory = {0};

@@ -13,6 +13,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "impact_springs.h"
 
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
 #include <stdlib.h>
@@ -29,8 +30,8 @@ double *impact_approach(int steps) {
   gsl_odeiv2_system system = {accelerate, NULL, 2, NULL};
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14, 1e-13);
   for (int k = 1; xi && driver && 2 * k <= steps; k++) { /* the way out is the way in, backwards */
-    gsl_odeiv2_driver_apply(driver, &t, IMPACT_DURATION * k / steps, y);
-    xi[k] = xi[steps - k] = y[0];
+    const bool gone = gsl_odeiv2_driver_apply(driver, &t, IMPACT_DURATION * k / steps, y) == GSL_SUCCESS;
+    xi[k] = xi[steps - k] = gone ? y[0] : NAN;
   }
   if (driver)
     gsl_odeiv2_driver_free(driver);
@@ -55,8 +56,8 @@ void impact_path_free(struct impact_path *path) {
 static double clip(double u, double limit) { return u > limit ? limit : u < -limit ? -limit : u; }
 
 static int touching(double xi, int springs) {
-  const int count = (int)ceil(sqrt(xi) * springs - 0.5);
-  return count < springs ? count : springs;
+  const double count = ceil(sqrt(xi) * springs - 0.5);
+  return count < springs ? (int)count : springs;
 }
 
 /* The springs after xi has gone from `from` to `to` and d by `slip`; the sum of their forces. *slipped: of the innermost one, which

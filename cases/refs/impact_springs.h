@@ -35,7 +35,6 @@ double *impact_approach(int steps);
 bool impact_springs(struct impact_path *path, double chi, double psi1, int steps);
 /* spring: of `linear` alone, k_s kappa alpha_max/N_max, which is 3/2 for k_s = 8 G* a at alpha_max. */
 bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps);
-bool impact_law_known(const char *law);
 /* Of the exact contact with its error of second order in the step taken out: from half of the steps and all of them. */
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
 /* With dashpots of the share beta of critical, normal and tangential (impact_damped.c): psi2; NAN: no memory. */

@@ -87,8 +87,6 @@ static bool read_stages(struct plane *f, const struct nb_scene *scene, double st
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     const bool changes = stage->gravity.line > 0, ramps = stage->gravity.ramp;
-    if (stage->condition_count > 0)
-      return false;
     f->p[s][1] = changes ? stage->gravity.x : p, f->n[s][1] = changes ? -stage->gravity.y : n;
     f->p[s][0] = ramps ? p : f->p[s][1], f->n[s][0] = ramps ? n : f->n[s][1];
     p = f->p[s][1], n = f->n[s][1];
@@ -100,15 +98,11 @@ static bool read_stages(struct plane *f, const struct nb_scene *scene, double st
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   struct single body;
-  if (single_of(&body, scene, error) || single_changes(scene, true, error))
+  if (single_of(&body, scene, error))
     return error->status;
   struct plane plane = {.q = body.q, .mu = body.pair.friction, .radius = body.radius};
-  const struct nb_body *it = &scene->bodies[0];
-  if (it->vx != 0 || it->vy != 0 || it->spin != 0 || body.pair.cohesion > 0 || !read_stages(&plane, scene, body.step) ||
-      !goes_on(&plane))
-    return nb_error_set(error, NB_BAD_USE,
-                        "incline is for a body at rest at first, without cohesion, in stages of `cycles N` that tilt "
-                        "the plane one way");
+  if (!read_stages(&plane, scene, body.step) || !goes_on(&plane))
+    return nb_error_set(error, NB_BAD_USE, "incline is for stages that tilt the plane one way");
   for (int s = 0; s < plane.count; s++) {
     single_tell(known, body.body, "vx", scene->stages[s].name, vx_at(&plane, plane.begin[s + 1]));
     single_tell(known, body.body, "spin", scene->stages[s].name, spin_at(&plane, plane.begin[s + 1]));

@@ -1,6 +1,7 @@
 /* What a reference knows: named values and curves; and the register of all references.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -95,6 +96,8 @@ const struct nb_reference *nb_reference_find(const char *name) {
       return *reference;
   return NULL;
 }
+
+void nb_references_prepare(void) { gsl_set_error_handler_off(); }
 
 enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_known *known,
                                 const struct nb_scene *scene, struct nb_error *error) {

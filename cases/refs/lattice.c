@@ -121,31 +121,6 @@ static void fill_push(struct lattice *lattice, const struct nb_scene *scene, siz
   gsl_matrix_set(lattice->push, 2 * c + 1, x + 2, -vec_dot(turn, t));
 }
 
-static enum nb_status starts_at_rest(const struct nb_scene *scene, struct nb_error *error) {
-  if (strcmp(scene->normal, "linear") || (strcmp(scene->shear, "linear") && strcmp(scene->shear, "none")))
-    return nb_error_set(error, NB_BAD_USE, "this reference is for linear springs, not for the laws %s and %s",
-                        scene->normal, scene->shear);
-  for (size_t i = 0; i < scene->body_count; i++)
-    if (scene->bodies[i].vx != 0 || scene->bodies[i].vy != 0 || scene->bodies[i].spin != 0)
-      return nb_error_set(error, NB_BAD_USE, "this reference is for bodies at rest at first; body %zu moves", i + 1);
-  if (scene->wall_count == 0)
-    return nb_error_set(error, NB_BAD_USE, "this reference is for walls that move");
-  bool pulls = scene->gravity.x != 0 || scene->gravity.y != 0, ramps = false, changes = false;
-  for (size_t s = 0; s < scene->stage_count; s++) {
-    const struct nb_stage *stage = &scene->stages[s];
-    pulls = pulls || stage->gravity.line > 0;
-    changes = changes || stage->change_count > 0 || stage->still || stage->reverse;
-    for (size_t m = 0; m < stage->motion_count; m++)
-      ramps = ramps || stage->motions[m].ramp;
-  }
-  if (pulls || ramps || changes)
-    return nb_error_set(error, NB_BAD_USE, "this reference is for a scene without %s",
-                        pulls   ? "gravity"
-                        : ramps ? "ramps"
-                                : "changes of materials, `still` and `reverse`");
-  return NB_OK;
-}
-
 /* The matrices, once the contacts are known. */
 static void fill(struct lattice *lattice, const struct nb_scene *scene) {
   lattice->stretch = gsl_matrix_calloc(2 * lattice->contact_count, lattice->freedom_count);
@@ -164,9 +139,20 @@ static void fill(struct lattice *lattice, const struct nb_scene *scene) {
   }
 }
 
+/* The matrices are full: 1000 bodies take some 100 MB, and minutes. */
+static enum nb_status is_small(const struct nb_scene *scene, struct nb_error *error) {
+  enum { MOST = 1000 };
+  return scene->body_count <= MOST
+             ? NB_OK
+             : nb_error_set(error, NB_BAD_USE, "this reference is for up to %d bodies, not for %zu", MOST,
+                            scene->body_count);
+}
+
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
   *lattice = (struct lattice){.freedom_count = 3 * scene->body_count};
-  enum nb_status status = starts_at_rest(scene, error);
+  enum nb_status status = is_small(scene, error);
+  if (status == NB_OK && scene->wall_count == 0)
+    status = nb_error_set(error, NB_BAD_USE, "this reference is for walls that move");
   if (status == NB_OK)
     status = lattice_drive(lattice, scene, error);
   if (status == NB_OK)
@@ -183,6 +169,8 @@ enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scen
                             struct nb_error *error) {
   size_t n = scene->body_count, most = n * (n + scene->wall_count);
   *lattice = (struct lattice){.freedom_count = 3 * n};
+  if (is_small(scene, error))
+    return error->status;
   lattice->contacts = calloc(most + 1, sizeof *lattice->contacts);
   if (!lattice->contacts)
     return nb_error_memory(error);

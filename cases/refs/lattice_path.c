@@ -19,6 +19,7 @@
 #include "lattice_path.h"
 
 #include <gsl/gsl_blas.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
@@ -101,8 +102,9 @@ static void step(struct walk *walk) {
   forces_after(walk, walk->wanted, walk->next);
   gsl_blas_dgemv(CblasTrans, -1, lattice->stretch, walk->next, 0, walk->load);
   int sign;
-  gsl_linalg_LU_decomp(walk->a, walk->order, &sign);
-  gsl_linalg_LU_solve(walk->a, walk->order, walk->load, walk->du);
+  if (gsl_linalg_LU_decomp(walk->a, walk->order, &sign) != GSL_SUCCESS ||
+      gsl_linalg_LU_solve(walk->a, walk->order, walk->load, walk->du) != GSL_SUCCESS)
+    gsl_vector_set_all(walk->du, NAN);
   gsl_vector_memcpy(walk->stretches, walk->wanted);
   gsl_blas_dgemv(CblasNoTrans, 1, lattice->stretch, walk->du, 1, walk->stretches);
   forces_after(walk, walk->stretches, walk->next);

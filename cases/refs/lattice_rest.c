@@ -12,6 +12,7 @@
 #include "lattice.h"
 
 #include <gsl/gsl_blas.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
@@ -34,11 +35,11 @@ static enum nb_status solve(const struct lattice *lattice, const gsl_matrix *law
   gsl_blas_dgemv(CblasNoTrans, 1, law, stretches, 0, forces);
   gsl_blas_dgemv(CblasTrans, -1, lattice->stretch, forces, 0, load);
   double whole = gsl_blas_dnrm2(load);
-  gsl_linalg_SV_decomp(a, v, values, work);
+  bool solved = gsl_linalg_SV_decomp(a, v, values, work) == GSL_SUCCESS;
   for (size_t i = 0; i < n; i++)
     if (gsl_vector_get(values, i) < unheld * gsl_vector_get(values, 0))
       gsl_vector_set(values, i, 0);
-  gsl_linalg_SV_solve(a, v, values, load, u);
+  solved = solved && gsl_linalg_SV_solve(a, v, values, load, u) == GSL_SUCCESS;
   gsl_blas_dgemv(CblasNoTrans, 1, lattice->stretch, u, 1, stretches);
   gsl_blas_dgemv(CblasNoTrans, 1, law, stretches, 0, forces);
   gsl_blas_dgemv(CblasTrans, 1, lattice->stretch, forces, 0, load);
@@ -50,7 +51,9 @@ static enum nb_status solve(const struct lattice *lattice, const gsl_matrix *law
   gsl_vector_free(u);
   gsl_vector_free(values);
   gsl_vector_free(work);
-  if (left > missing * whole)
+  if (!solved || !isfinite(whole))
+    return nb_error_set(error, NB_BAD_USE, "the network cannot be solved: its numbers are too far apart, or too large");
+  if (!(left <= missing * whole))
     return nb_error_set(error, NB_BAD_USE, "the network cannot be at rest: %g of its load is left", left / whole);
   return NB_OK;
 }

@@ -18,6 +18,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
@@ -44,7 +45,8 @@ struct swing_modes swing_modes_create(const struct lattice *lattice) {
   scale_rows(pulled, lattice->springs);
   gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, lattice->stretch, pulled, 0, a);
   gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
-  gsl_eigen_symmv(a, modes.square, modes.shape, work);
+  if (gsl_eigen_symmv(a, modes.square, modes.shape, work) != GSL_SUCCESS)
+    gsl_vector_set_all(modes.square, NAN); /* no step is stable then */
   gsl_eigen_symmv_sort(modes.square, modes.shape, GSL_EIGEN_SORT_VAL_ASC);
   gsl_eigen_symmv_free(work);
   gsl_matrix_free(pulled);
@@ -83,6 +85,10 @@ static struct swing_term wave_of(double omega, double step, enum swing_time time
 static bool step_is_stable(const struct lattice *lattice, double top, struct nb_error *error) {
   if (sqrt(top) * lattice->step < 2)
     return true;
+  if (isnan(top)) {
+    nb_error_set(error, NB_BAD_USE, "the network has no modes that can be computed: its numbers are too far apart");
+    return false;
+  }
   nb_error_set(error, NB_BAD_USE, "the step %g is too long for this network: its limit is %g", lattice->step,
                2 / sqrt(top));
   return false;

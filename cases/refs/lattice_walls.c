@@ -72,10 +72,6 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
   for (size_t i = 0; i < scene->stage_count; i++) {
     const struct nb_stage *stage = &scene->stages[i];
     stage_motions(now, stage);
-    for (size_t j = 0; j < stage->motion_count; j++)
-      if (stage->motions[j].ramp)
-        status = nb_error_set(error, NB_BAD_USE,
-                              "this reference is for walls whose velocities jump; stage %s ramps them", stage->name);
     note_turn(lattice, before, now, lattice->cycles);
     gsl_vector_memcpy(before, now);
     if (stage->condition_count > 0 && !gsl_vector_isnull(now))

@@ -18,6 +18,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,7 +57,8 @@ struct waves_modes waves_modes(const struct waves_lattice *it, double qx, double
   for (size_t i = 0; i < n; i++)
     for (size_t j = 0; j < n; j++)
       *gsl_matrix_ptr(k, i, j) /= root[i] * root[j];
-  gsl_eigen_symmv(k, square, shape, work);
+  if (gsl_eigen_symmv(k, square, shape, work) != GSL_SUCCESS)
+    gsl_matrix_set_all(shape, NAN);
   gsl_eigen_symmv_sort(square, shape, GSL_EIGEN_SORT_VAL_ASC);
   for (size_t m = 0; m < n; m++) {
     modes.omega[m] = sqrt(fmax(gsl_vector_get(square, m), 0));

@@ -11,9 +11,11 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "limit.h"
 
+#include <float.h>
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <math.h>
 
 /* An eigenvalue 1 that is there twice, of what nothing holds, comes out as 1 + sqrt(rounding). */
@@ -114,8 +116,8 @@ static gsl_matrix *mixed(const struct limit *limit, double a, double b) {
 static double largest_eigenvalue(gsl_matrix *matrix) {
   gsl_vector *values = gsl_vector_alloc(matrix->size1);
   gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(matrix->size1);
-  gsl_eigen_symm(matrix, values, work);
-  double largest = gsl_vector_max(values);
+  const bool solved = gsl_eigen_symm(matrix, values, work) == GSL_SUCCESS;
+  double largest = solved ? gsl_vector_max(values) : NAN;
   gsl_eigen_symm_free(work);
   gsl_vector_free(values);
   return largest;
@@ -137,8 +139,7 @@ double limit_radius(const struct limit *limit, double step) {
   }
   gsl_vector_complex *values = gsl_vector_complex_alloc(2 * n);
   gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(2 * n);
-  gsl_eigen_nonsymm(cycle, values, work);
-  double radius = 0;
+  double radius = gsl_eigen_nonsymm(cycle, values, work) == GSL_SUCCESS ? 0 : INFINITY;
   for (size_t i = 0; i < 2 * n; i++)
     radius = fmax(radius, gsl_complex_abs(gsl_vector_complex_get(values, i)));
   gsl_eigen_nonsymm_free(work);
@@ -147,14 +148,16 @@ double limit_radius(const struct limit *limit, double step) {
   return radius;
 }
 
-/* The largest step that `stands`, by halving: some half of `critical` does, and longer ones stop to. */
+/* The largest step that `stands`, by halving: some half of `critical` does, and longer ones stop to. NAN: none is found. */
 static double halve(const struct limit *limit, bool (*stands)(const struct limit *, const struct nb_scene *, double),
                     const struct nb_scene *scene, int times) {
   double high = limit->critical, low;
   while (stands(limit, scene, high))
-    high *= 2;
+    if (!((high *= 2) < INFINITY))
+      return NAN;
   for (low = high / 2; !stands(limit, scene, low); low /= 2)
-    high = low;
+    if (!((high = low) > DBL_MIN))
+      return NAN;
   for (int i = 0; i < times; i++) {
     double middle = (low + high) / 2;
     *(stands(limit, scene, middle) ? &low : &high) = middle;

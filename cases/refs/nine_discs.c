@@ -54,10 +54,6 @@ static enum nb_status tell_force(struct nb_known *known, const struct nb_scene *
 
 static enum nb_status know_network(struct nb_known *known, const struct nb_scene *scene, const struct lattice *lattice,
                                    struct nb_error *error) {
-  if (lattice->undamped < lattice->cycles)
-    return nb_error_set(error, NB_BAD_USE, "reference nine_discs is for runs without damping");
-  if (!lattice->one_step)
-    return nb_error_set(error, NB_BAD_USE, "reference nine_discs is for one step in all stages");
   struct swing_modes modes = swing_modes_create(lattice);
   enum nb_status status = lattice_stays(lattice, &modes, error);
   for (size_t i = 0; i < scene->watch_count && status == NB_OK; i++) {

@@ -82,18 +82,9 @@ static void read_pair(struct pair *p, const struct nb_scene *scene) {
 
 static enum nb_status refuse(const struct nb_scene *scene, struct nb_error *error) {
   const char *wants = NULL;
-  if (!scene->impact.line)
-    wants = "a scene with `impact`";
-  else if (strcmp(scene->normal, "hertz") != 0 || !nb_damping_none(&scene->damping))
-    wants = "`normal hertz` without damping";
-  else if (scene->gravity.x != 0 || scene->gravity.y != 0)
-    wants = "an impact without gravity";
-  else if (strcmp(scene->shear, "mindlin_deresiewicz") != 0 && !impact_law_known(scene->shear))
-    wants = "a shear law of which it knows the limit of small steps";
   for (size_t s = 0; s < scene->stage_count && !wants; s++)
-    if (scene->stages[s].change_count || scene->stages[s].motion_count || scene->stages[s].still ||
-        scene->stages[s].reverse || !nb_damping_none(&scene->stages[s].damping) || scene->stages[s].gravity.line)
-      wants = "a scene that no stage changes";
+    if (scene->stages[s].motion_count)
+      wants = "a wall whose velocity no stage changes";
   return wants ? nb_error_set(error, NB_BAD_USE, "oblique_impact is for %s", wants) : NB_OK;
 }
 
@@ -106,7 +97,7 @@ struct curve {
 
 static double at(const void *data, double x) {
   const struct curve *c = data;
-  if (x <= 0)
+  if (!(x > 0))
     return 0;
   if (x >= 1)
     return c->values[c->steps] + c->rate * (x - 1);

@@ -67,15 +67,12 @@ static bool leave(struct pinch *p, double y, double *speed, double *deepest) {
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_body *left = &scene->bodies[0], *right = &scene->bodies[1], *small = &scene->bodies[2];
-  if (scene->body_count != 3 || strcmp(scene->normal, "hertz") != 0 || scene->wall_count ||
-      scene->damping.contact_kind || scene->damping.global_kind || !left->fixed || !right->fixed || small->fixed ||
-      left->radius != right->radius || left->x != -right->x || left->vx != -right->vx || !(left->vx > 0) ||
-      small->x != 0 || small->vx != 0 || small->vy != 0 || left->y != 0 || right->y != 0 || small->y <= 0 ||
-      left->vy != 0 || right->vy != 0)
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "pinched wants `normal hertz`, two equal spheres that are fixed and come towards each other along x, "
-        "and a third one at rest between them above the line; no damping");
+  if (scene->body_count != 3 || !left->fixed || !right->fixed || small->fixed || left->radius != right->radius ||
+      left->x != -right->x || left->vx != -right->vx || !(left->vx > 0) || small->x != 0 || small->vx != 0 ||
+      small->vy != 0 || left->y != 0 || right->y != 0 || small->y <= 0 || left->vy != 0 || right->vy != 0)
+    return nb_error_set(error, NB_BAD_USE,
+                        "pinched wants two equal spheres that are fixed and come towards each other along x, "
+                        "and a third one at rest between them above the line");
   const struct nb_material *glass = &scene->materials[small->material];
   const double R = right->radius, r = small->radius;
   struct pinch pinch = {.stiffness =

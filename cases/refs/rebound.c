@@ -45,17 +45,13 @@ static double over(double a, double b) { return b > 0 ? a / b : 0; }
 /* What the pair is; NULL, or what it should have been. */
 static const char *meet(struct meeting *it, const struct nb_scene *scene) {
   const struct nb_watch *watch = &scene->watches[scene->impact.watch];
-  const bool hertz = strcmp(scene->normal, "hertz") == 0, damped = scene->damping.contact_kind != NB_CONTACT_UNDAMPED;
+  const bool hertz = strcmp(scene->normal, "hertz") == 0;
   const struct nb_wall *wall = watch->kind == NB_WATCH_BODY_WALL ? &scene->walls[watch->b] : NULL;
   *it = (struct meeting){.body = {&scene->bodies[watch->a], wall ? NULL : &scene->bodies[watch->b]}};
   const struct nb_body *a = it->body[0], *b = it->body[1];
   const struct matter_pair pair = matter_pair(scene, a->material, wall ? wall->material : b->material);
-  if (!hertz && strcmp(scene->normal, "linear") != 0)
-    return "`normal hertz` or `normal linear`";
-  if (damped && scene->damping.contact_kind != NB_CONTACT_RATIO)
-    return "`damping contact-ratio`, or none";
-  if (!(pair.friction > 0) || pair.cohesion > 0 || (!hertz && !(pair.ks > 0)))
-    return "a contact with friction, without cohesion";
+  if (!(pair.friction > 0) || (!hertz && !(pair.ks > 0)))
+    return "a contact with friction";
   for (int k = 0; k < 2; k++)
     if (it->body[k] && !it->body[k]->fixed) {
       it->m[k] = matter_mass(scene, it->body[k]), it->i[k] = matter_inertia(scene, it->body[k]);
@@ -72,22 +68,15 @@ static const char *meet(struct meeting *it, const struct nb_scene *scene) {
   it->vt = it->vx * it->ny - it->vy * it->nx + a->spin * a->radius + (wall ? 0 : b->spin * b->radius);
   it->mu = pair.friction, it->kappa = hertz ? pair.young / (4 * pair.shear) : pair.kn / pair.ks;
   it->chi = it->mass * it->yield / (2 * it->kappa);
-  it->beta = damped ? scene->damping.contact : 0;
+  it->beta = scene->damping.contact;
   it->e = hertz ? hertz_restitution(it->beta) : exp(-M_PI * it->beta / sqrt(1 - it->beta * it->beta));
   return it->vn > 0 ? NULL : "an impact";
 }
 
 static const char *refuse(const struct nb_scene *scene) {
-  if (!scene->impact.line)
-    return "a scene with `impact`";
-  if (scene->gravity.x != 0 || scene->gravity.y != 0 || scene->damping.global_kind || strcmp(scene->shear, "none") == 0)
-    return "an impact with a shear law, without gravity and global damping";
-  for (size_t s = 0; s < scene->stage_count; s++) {
-    const struct nb_stage *stage = &scene->stages[s];
-    if (stage->change_count || stage->motion_count || stage->still || stage->reverse || stage->gravity.line ||
-        stage->damping.contact_kind != scene->damping.contact_kind)
-      return "a scene that no stage changes";
-  }
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].motion_count)
+      return "a wall whose velocity no stage changes";
   return NULL;
 }
 

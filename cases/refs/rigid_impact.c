@@ -20,10 +20,8 @@
 #include "reference.h"
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  if (!scene->impact.line || scene->body_count != 1 || scene->wall_count != 1 || strcmp(scene->normal, "hertz") != 0 ||
-      scene->damping.contact_kind || scene->damping.global_kind || scene->bodies[0].spin != 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "rigid_impact is for a body without spin that strikes a wall, `normal hertz` and no damping");
+  if (scene->body_count != 1 || scene->wall_count != 1)
+    return nb_error_set(error, NB_BAD_USE, "rigid_impact is for a body that strikes a wall");
   const struct nb_body *body = &scene->bodies[0];
   const struct nb_wall *wall = &scene->walls[0];
   const struct matter_pair pair = matter_pair(scene, body->material, wall->material);

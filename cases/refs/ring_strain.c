@@ -18,6 +18,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,7 +73,8 @@ static void find_axes(struct strained *it, const struct nb_strain_rate *rate) {
   gsl_matrix_view m = gsl_matrix_view_array(full, 2, 2), v = gsl_matrix_view_array(vectors, 2, 2);
   gsl_vector_view e = gsl_vector_view_array(values, 2);
   gsl_eigen_symmv_workspace *room = gsl_eigen_symmv_alloc(2);
-  gsl_eigen_symmv(&m.matrix, &e.vector, &v.matrix, room);
+  if (gsl_eigen_symmv(&m.matrix, &e.vector, &v.matrix, room) != GSL_SUCCESS)
+    gsl_vector_set_all(&e.vector, NAN);
   gsl_eigen_symmv_free(room);
   for (int k = 0; k < 2; k++)
     it->gain[k] = values[k], it->axis[k][0] = vectors[k], it->axis[k][1] = vectors[2 + k];

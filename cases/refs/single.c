@@ -28,16 +28,12 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
 }
 
 enum nb_status single_of(struct single *single, const struct nb_scene *scene, struct nb_error *error) {
-  if (scene->body_count != 1 || scene->wall_count != 1 || scene->bodies[0].fixed)
-    return refuse(error, "one free body and one wall");
+  if (scene->body_count != 1 || scene->wall_count != 1)
+    return refuse(error, "one body and one wall");
   const struct nb_body *body = &scene->bodies[0];
   const struct nb_wall *wall = &scene->walls[0];
-  if (strcmp(scene->normal, "linear") != 0)
-    return refuse(error, "`normal linear`");
-  if (fabs(wall->ey) > 0 || wall->vx != 0 || wall->vy != 0 || !(body->y > wall->y))
-    return refuse(error, "a wall at rest along x, below the body");
-  if (scene->damping.global_kind)
-    return refuse(error, "a body that nothing damps but its contact");
+  if (fabs(wall->ey) > 0 || !(body->y > wall->y))
+    return refuse(error, "a wall along x, below the body");
   const double m = matter_mass(scene, body);
   const struct matter_pair pair = matter_pair(scene, body->material, wall->material);
   const double critical = 2 * sqrt(m / pair.kn);
@@ -62,19 +58,6 @@ enum nb_status single_of(struct single *single, const struct nb_scene *scene, st
       single->body = scene->watches[w].name;
     if (scene->watches[w].kind == NB_WATCH_BODY_WALL)
       single->contact = scene->watches[w].name;
-  }
-  return NB_OK;
-}
-
-enum nb_status single_changes(const struct nb_scene *scene, bool gravity_may, struct nb_error *error) {
-  for (size_t s = 0; s < scene->stage_count; s++) {
-    const struct nb_stage *stage = &scene->stages[s];
-    const bool damps = !nb_damping_alike(&stage->damping, &scene->damping) || stage->damping.global_kind;
-    const bool steps = stage->step.kind != scene->step.kind || stage->step.value != scene->step.value;
-    if (stage->motion_count > 0 || stage->change_count > 0 || stage->still || stage->reverse || damps || steps ||
-        (stage->gravity.line && !gravity_may))
-      return nb_error_set(error, NB_BAD_USE, "this reference is for a scene that stage `%s` does not change",
-                          stage->name);
   }
   return NB_OK;
 }

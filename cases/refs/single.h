@@ -20,8 +20,6 @@ struct single {
 
 /* The wall must lie along x, below the body. */
 enum nb_status single_of(struct single *single, const struct nb_scene *scene, struct nb_error *error);
-/* Refuses a scene whose stages change anything that `gravity_may` or `walls_may` do not allow. */
-enum nb_status single_changes(const struct nb_scene *scene, bool gravity_may, struct nb_error *error);
 /* `WATCH.WHAT` {` in STAGE`}; nothing when it is not watched. */
 void single_tell(struct nb_known *known, const char *watch, const char *what, const char *stage, double value);
 void single_curve(struct nb_known *known, const char *watch, const char *what, double (*at)(const void *data, double t),

@@ -107,12 +107,11 @@ static void tell(struct nb_known *known, const struct nb_scene *scene, const str
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   struct single body;
-  if (single_of(&body, scene, error) || single_changes(scene, false, error))
+  if (single_of(&body, scene, error))
     return error->status;
   const double weight = body.m * body.gravity_n, push = body.pair.kn * (body.radius - body.height);
   const double u0 = scene->bodies[0].vx;
-  if (scene->gravity.x != 0 || scene->bodies[0].vy != 0 || scene->bodies[0].spin != 0 || !(u0 > 0) ||
-      !(fabs(push - weight) < 1e-4 * weight))
+  if (scene->gravity.x != 0 || scene->bodies[0].vy != 0 || !(u0 > 0) || !(fabs(push - weight) < 1e-4 * weight))
     return nb_error_set(error, NB_BAD_USE,
                         "slide_to_roll is for a body that lies on the floor with its weight, %g, and moves along it "
                         "without spin; the floor pushes %g",

@@ -33,19 +33,14 @@ static enum nb_status refuse(struct nb_error *error) {
 }
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  if (scene->body_count != 9 || scene->wall_count != 4 || scene->damping.global_kind != NB_GLOBAL_ALPHA ||
-      scene->damping.contact_kind || scene->damping.walls_kind || scene->gravity.line ||
-      scene->stages[0].condition_count > 0 || scene->stages[0].motion_count != 4 ||
-      strcmp(scene->normal, "linear") != 0)
+  if (scene->body_count != 9 || scene->wall_count != 4 || scene->stages[0].motion_count != 4)
     return refuse(error);
   const struct matter_pair pair = matter_pair(scene, scene->bodies[0].material, scene->walls[0].material);
   const double m = matter_mass(scene, &scene->bodies[0]), critical = 2 * sqrt(m / pair.kn);
   const double v = hypot(scene->stages[0].motions[0].vx, scene->stages[0].motions[0].vy);
   for (int k = 0; k < 4; k++)
-    if (scene->stages[0].motions[k].ramp || hypot(scene->stages[0].motions[k].vx, scene->stages[0].motions[k].vy) != v)
+    if (hypot(scene->stages[0].motions[k].vx, scene->stages[0].motions[k].vy) != v)
       return refuse(error);
-  if ((pair.friction > 0 || pair.cohesion > 0) && strcmp(scene->shear, "none") != 0)
-    return refuse(error);
   const double step = scene->step.value * (scene->step.kind == NB_STEP_CRITICAL ? critical : 1);
   const double t = step * (double)scene->stages[0].cycles, alpha = scene->damping.global;
   if (!(alpha * t > 20))

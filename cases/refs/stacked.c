@@ -91,21 +91,13 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
 static enum nb_status build(struct stack *stack, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_body *b = scene->bodies;
   const struct nb_wall *w = scene->walls;
-  if (scene->body_count != 2 || scene->wall_count != 2 || b[0].fixed || b[1].fixed || b[0].x != b[1].x ||
-      b[0].vx != 0 || b[1].vx != 0 || !(w[0].y < b[0].y && b[0].y < b[1].y && b[1].y < w[1].y) || w[0].ey != 0 ||
-      w[1].ey != 0)
+  if (scene->body_count != 2 || scene->wall_count != 2 || b[0].x != b[1].x || b[0].vx != 0 || b[1].vx != 0 ||
+      !(w[0].y < b[0].y && b[0].y < b[1].y && b[1].y < w[1].y) || w[0].ey != 0 || w[1].ey != 0)
     return refuse(error, "sphere 1 under sphere 2 between a floor and a ceiling, in this order");
-  if (strcmp(scene->normal, "linear") != 0 || scene->gravity.x != 0 || scene->damping.global_kind)
-    return refuse(error, "`normal linear`, gravity straight down and no global damping");
+  if (scene->gravity.x != 0)
+    return refuse(error, "gravity straight down");
   const int material[] = {w[0].material, b[0].material, b[1].material, w[1].material};
-  const enum nb_contact_damping kind = scene->damping.contact_kind;
-  const double beta = kind == NB_CONTACT_RATIO ? scene->damping.contact : 0;
-  if (kind && kind != NB_CONTACT_RATIO)
-    return refuse(error, "no damping but `contact-ratio`");
-  for (size_t s = 0; s < scene->stage_count; s++)
-    if (scene->stages[s].motion_count || scene->stages[s].change_count || scene->stages[s].gravity.line ||
-        scene->stages[s].damping.contact != scene->damping.contact)
-      return refuse(error, "stages that change nothing");
+  const double beta = scene->damping.contact;
   const double m1 = matter_mass(scene, &b[0]), m2 = matter_mass(scene, &b[1]);
   const double reduced[] = {m1, m1 * m2 / (m1 + m2), m2};
   *stack = (struct stack){.mass = {m1, m2}, .radius = {b[0].radius, b[1].radius}, .gravity = -scene->gravity.y};

@@ -10,7 +10,7 @@
  * The first two are exact. All three are for contacts that stay and do not slip, and that do not turn.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <string.h>
+#include <math.h>
 
 #include "limit.h"
 
@@ -18,19 +18,16 @@
 static const double touch = 1e-9;
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_damping *damping = &scene->stages[0].damping;
-  for (size_t s = 1; s < scene->stage_count; s++)
-    if (!nb_damping_alike(damping, &scene->stages[s].damping))
-      return nb_error_set(error, NB_BAD_USE, "reference step_limit is for one damping in all stages");
-  if (strcmp(scene->normal, "linear") || (strcmp(scene->shear, "linear") && strcmp(scene->shear, "none")))
-    return nb_error_set(error, NB_BAD_USE, "reference step_limit is for linear springs");
   struct limit limit;
-  if (limit_build(&limit, scene, damping, touch * scene->bodies[0].radius, error))
+  if (limit_build(&limit, scene, &scene->damping, touch * scene->bodies[0].radius, error))
     return error->status;
   known_value(known, limit.critical, "step.critical");
-  known_value(known, limit_of_parts(&limit, scene), "step.safe");
-  known_value(known, limit_of_cycle(&limit), "step max");
+  const double safe = limit_of_parts(&limit, scene), longest = limit_of_cycle(&limit);
+  known_value(known, safe, "step.safe");
+  known_value(known, longest, "step max");
   limit_free(&limit);
+  if (isnan(safe) || isnan(longest))
+    return nb_error_set(error, NB_BAD_USE, "step_limit finds no step at which these springs and dashpots are stable");
   return known_full(known, error);
 }
 

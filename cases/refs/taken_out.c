@@ -113,12 +113,9 @@ static void tell_place(struct nb_known *known, const struct swing *swing, const 
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stages = scene->stages;
-  if (scene->stage_count != 2 || stages[0].removal_count || stages[0].step.kind != NB_STEP_TIME ||
-      stages[1].step.kind != NB_STEP_TIME || strcmp(scene->normal, "linear") != 0 || scene->gravity.line ||
-      !nb_damping_none(&scene->damping))
+  if (scene->stage_count != 2 || stages[0].removal_count || stages[0].step.kind != NB_STEP_TIME)
     return nb_error_set(error, NB_BAD_USE,
-                        "taken_out wants `normal linear`, two stages of which the second takes bodies out, a step that "
-                        "is a time, and neither gravity nor damping");
+                        "taken_out wants two stages of which the second takes bodies out, and a step that is a time");
   const double end = (double)stages[0].cycles * stages[0].step.value + (double)stages[1].cycles * stages[1].step.value;
   known_value(known, carried_away(scene), "energy.removed");
   for (size_t w = 0; w < scene->watch_count; w++) {

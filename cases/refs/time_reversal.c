@@ -20,14 +20,12 @@ static void tell(struct nb_known *known, const char *watch, const char *what, do
 static bool goes_back(const struct nb_scene *scene) {
   unsigned long cycles[2] = {0, 0};
   int turns = 0;
-  bool plain = strcmp(scene->shear, "none") == 0;
+  bool plain = true;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     turns += stage->reverse;
     cycles[turns > 0] += stage->cycles;
-    plain = plain && nb_damping_none(&stage->damping) && !stage->condition_count && !stage->change_count &&
-            !stage->still && !stage->gravity.line && (!stage->motion_count || s == 0) &&
-            stage->step.kind == scene->step.kind && stage->step.value == scene->step.value;
+    plain = plain && (!stage->motion_count || s == 0);
   }
   return plain && turns == 1 && cycles[0] == cycles[1];
 }
@@ -36,8 +34,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (!goes_back(scene))
     return nb_error_set(
         error, NB_BAD_USE,
-        "time_reversal wants one `reverse`, as many cycles before it as after it, one step, no friction, "
-        "no damping, and nothing that changes but walls in the first stage");
+        "time_reversal wants one `reverse`, as many cycles before it as after it, and walls whose motion no stage "
+        "changes but the first");
   for (size_t w = 0; w < scene->watch_count; w++) {
     const struct nb_watch *watch = &scene->watches[w];
     if (watch->kind != NB_WATCH_BODY)

@@ -117,6 +117,7 @@ static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_option
     return nb_error_memory(&outcome->error);
   const int jobs = jobs_of(outcome, options);
   bool broken = false;
+  nb_references_prepare();
 #pragma omp parallel for num_threads(jobs) schedule(dynamic, 1)
   for (size_t r = 0; r < runs; r++) {
     bool skip;
