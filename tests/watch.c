@@ -98,6 +98,40 @@ static void a_pair_may_use_it_up(void) {
   }
 }
 
+/* Elastic spheres that unload twice as stiffly as they load. */
+static struct nb_normal yields(struct nb_pair p, double overlap, double closing, double m[]) {
+  struct nb_normal n = nb_law_find("normal", "hertz")->normal(p, overlap, closing, m);
+  n.stiffest = 2 * n.stiffness;
+  return n;
+}
+
+/* Their stiffest counts: it is as large at a quarter of the overlap, and the search for that halves. */
+static void a_stiffer_way_back_is_sure_earlier(void) {
+  struct nb_law law = *nb_law_find("normal", "hertz");
+  double sure[2];
+  law.normal = yields;
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    words_add(&page,
+              SPHERE "shear none\nsphere 0 0 radius 1 m\nsphere 1.9999 0 radius 1 m\nstep 2.4\nrecord step.safe\n"
+                     "stage s\ncycles 1\n");
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    if (k == 1) {
+      model->coming.normal = &law;
+      for (size_t p = 0; p < model->pairing_count; p++)
+        model->pairings[p].normal = &law;
+    }
+    CU_ASSERT_EQUAL(nb_stable_watch(model, &error), NB_OK);
+    sure[k] = overlap_sure(model, 0);
+    nb_model_free(model);
+    written_free(&it);
+  }
+  CU_ASSERT_DOUBLE_EQUAL(sure[1], sure[0] / 4, 1e-5 * sure[0]);
+}
+
 /* What is held has nothing to share. */
 static void a_body_that_is_held(void) {
   struct words page = {0};
@@ -197,6 +231,7 @@ void suite_watch(void) {
   CU_pSuite suite = CU_add_suite("watch", NULL, NULL);
   CU_add_test(suite, "an impact between two looks", an_impact_between_two_looks);
   CU_add_test(suite, "a pair may use it up", a_pair_may_use_it_up);
+  CU_add_test(suite, "a stiffer way back is sure earlier", a_stiffer_way_back_is_sure_earlier);
   CU_add_test(suite, "a body that is held", a_body_that_is_held);
   CU_add_test(suite, "three share it", three_share_it);
   CU_add_test(suite, "no cycle is unsure", no_cycle_is_unsure);
