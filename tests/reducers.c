@@ -42,7 +42,9 @@ static void reducers(void) {
       {"A.x frequency in all", 1. / 3, 6, {-1, 0, 1, -1, 0, 1}}, /* a row that lies on the mean */
       {"A.x frequency in all", 0.5, 6, {1, -1, 1, -1, 1, -1}},
       {"A.x frequency in all", 1 / 2.75, 6, {-3, 1, 1, -1, 1, 1}}, /* crossings at 0.75 and 3.5, and then none */
+      {"A.x frequency in all", 1. / 3, 6, {-1, -1, 1, -1, -1, 1}}, /* rows below the mean, one after the other */
       {"A.x at 10 cycles", 4, 3, {1, 4, 3}},
+      {"A.x at 0 cycle", 1, 3, {1, 4, 3}},
       {"A.x at 0 cycles", 1, 3, {1, 4, 3}},
       {"A.x at 40 cycles", 5, 6, {1, 2, 3, 4, 5, 6}},
       {"A.x at 10 cycles in one", 2, 6, {1, 2, 3, 4, 5, 6}},

@@ -189,6 +189,14 @@ static void words(void) {
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].label, "A.x within 2");
   CU_ASSERT_EQUAL(outcome.page.lines[outcome.checks[0].line - 1][0], 'A');
   nb_outcome_free(&outcome);
+  char text[400] = "A.x stated 1 within 0 ["; /* a line is cut at 255 letters, and what it expects is not */
+  memset(text + strlen(text), 'x', 300);
+  strcat(text, "]");
+  planted_page(&outcome, "", text);
+  planted_rows(&outcome, 0, 1, (double[]){1});
+  planted_is(&outcome, NB_PASS);
+  CU_ASSERT(strlen(outcome.checks[0].label) == 255 && memcmp(outcome.checks[0].label, text, 255) == 0);
+  nb_outcome_free(&outcome);
 }
 
 /* A reference may know a measure of one stage, or of any. */

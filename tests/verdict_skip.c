@@ -12,11 +12,11 @@
 static void skipped(void) {
   static const struct planted_sweep list[] = {
       {"sweep v 1", "A.x rises with v", {1}, NB_SKIP, "`v` has one value only"},
-      {"sweep v 1 1 1", "A.x same over v within 0", {1, 1, 1}, NB_SKIP, "`v` has one value only"},
-      {"sweep v 1 1.0", "A.x falls with v", {2, 1}, NB_SKIP, "`v` has one value only"},
-      {"sweep v one one", "A.x falls with v", {2, 1}, NB_SKIP, "`v` has one value only"},
-      {"sweep v 1 1 2", "A.x same over v within 1", {1, 1, 2}, NB_PASS, ""},
-      {"sweep v 1 mm 1000 um", "A.x order 1 over v within 9", {1, 2}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  1 5  1 6  1 7", "A.x same over v within 0", {1, 1, 1}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  1 5  1.0 6", "A.x falls with v", {2, 1}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  one 5  one 6", "A.x falls with v", {2, 1}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  1 5  1 6  2 7", "A.x same over v within 1", {1, 1, 2}, NB_PASS, ""},
+      {"sweep v with w  1 mm 5  1000 um 6", "A.x order 1 over v within 9", {1, 2}, NB_SKIP, "`v` has one value only"},
       {"sweep v 1", "A.x stated 1 among v [t]", {1}, NB_SKIP, "`v` has one value only"},
       {"sweep T 1 2\nsweep s 1", "A.x rises with T among s", {1, 2}, NB_SKIP, "`s` has one value only"},
       {"sweep T 1\nsweep s 1 2", "A.x rises with T among s", {1, 2}, NB_SKIP, "`T` has one value only"},

@@ -26,7 +26,7 @@ static void trends(void) {
       {"sweep v 1 2 3", "A.x falls with v", {2, 3, 1}, NB_FAIL, ""},
       {"sweep v 1 2 3", "A.x falls with v", {1, 2, 3}, NB_FAIL, ""},
       {"sweep v with w  1 5   2 4   3 3", "A.x rises with w", {1, 2, 3}, NB_PASS, "seen 1 at 5, 2 at 4, 3 at 3"},
-      {"sweep v 1 2\nlet b $v", "A.x rises with v", {1, 2}, NB_PASS, "seen 1 at 1, 2 at 2"},
+      {"let a 1\nsweep v 1 2\nlet b $v", "A.x rises with v", {1, 2}, NB_PASS, "seen 1 at 1, 2 at 2"},
       {"sweep v one two", "A.x rises with v", {1, 2}, NB_PASS, "seen 1 at one, 2 at two"},
       {"sweep v 1 2 3", "A.x rises with v", {1, NAN, 3}, NB_FAIL, "it is nan"},
       {"sweep v 1 2 3", "A.x falls with v", {3, 2, -INFINITY}, NB_FAIL, "it is -inf"},
@@ -99,6 +99,15 @@ static void orders(void) {
   for (size_t r = 0; r < 3; r++)
     known_value(&outcome.runs[r].known, 10 * (double)(r + 1), "A.x");
   planted_is(&outcome, NB_PASS);
+  nb_outcome_free(&outcome);
+  planted_page(&outcome, "sweep w 5 6\nsweep h 1 2", "A.x order 1 over h within 1e-9"); /* for each w apart */
+  planted_runs(&outcome, (double[]){1, 2, 1, 4});
+  planted_known(&outcome, "A.x", 0);
+  planted_is(&outcome, NB_PASS);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words, "seen order 1: errors 1 at 1, 2 at 2");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].words, "seen order 2: errors 1 at 1, 4 at 2");
+  CU_ASSERT_EQUAL(outcome.checks[1].mark, NB_FAIL);
   nb_outcome_free(&outcome);
   planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 over h within 1e300");
   planted_runs(&outcome, (double[]){11, 22, 34});

@@ -95,6 +95,8 @@ bool nb_take_word(struct nb_reader *reader, const char *word); /* exactly that *
 const struct nb_token *nb_take(struct nb_reader *reader,
                                const char *what); /* any token; `what` for the message; or NULL */
 const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what); /* a new name, or NULL */
+/* A value that a `let` or a `sweep` gives to a name, as a number: `50 us` is 5e-5; NaN for a word. */
+double nb_value_number(const char *text);
 
 /* ---- keywords.c, verbs.c: whole statements ---- */
 

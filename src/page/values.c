@@ -3,6 +3,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -282,4 +283,15 @@ const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what) 
   nb_expected(reader, token ? "a name is a letter, then letters, digits, `_` and `-`, less than 64 in all" : NULL, "%s",
               what);
   return NULL;
+}
+
+double nb_value_number(const char *text) {
+  char number[NB_NAME_SIZE];
+  double value;
+  const size_t length = strcspn(text, " ");
+  const struct nb_unit *unit = text[length] ? nb_unit_find(text + length + 1) : NULL;
+  snprintf(number, sizeof number, "%.*s", (int)length, text);
+  if (nb_number_read(&value, number, unit ? unit->shift : 0) != NB_READ)
+    return NAN;
+  return unit ? value * unit->factor : value;
 }

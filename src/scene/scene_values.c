@@ -167,21 +167,38 @@ static bool same_sort(struct nb_reader *reader, const struct nb_token *first, co
   return false;
 }
 
+/* Two equal rows are one run made twice, which would count twice among the runs of a sample. */
+static bool all_differ(struct nb_reader *reader, char (*texts)[NB_NAME_SIZE], const struct nb_token *const tokens[],
+                       size_t count, size_t columns) {
+  double numbers[NB_TOKENS_MAX];
+  for (size_t i = 0; i < count; i++)
+    numbers[i] = nb_value_number(texts[i]);
+  for (size_t row = columns; row < count; row += columns)
+    for (size_t above = 0; above < row; above += columns) {
+      size_t equal = 0;
+      while (equal < columns &&
+             (numbers[row + equal] == numbers[above + equal] || strcmp(texts[row + equal], texts[above + equal]) == 0))
+        equal++;
+      if (equal < columns)
+        continue;
+      nb_token_mistake(reader, tokens[row], NULL, "turns %zu and %zu of this sweep have equal values",
+                       above / columns + 1, row / columns + 1);
+      return false;
+    }
+  return true;
+}
+
 /* The values, row by row. Answers how many rows; 0: they are wrong. texts must hold NB_TOKENS_MAX values. */
 static size_t take_rows(struct nb_reader *reader, char (*texts)[NB_NAME_SIZE], size_t columns) {
-  const struct nb_token *first[SWEPT_MAX] = {0}, *value;
+  const struct nb_token *tokens[NB_TOKENS_MAX];
   size_t count = 0;
   do {
-    if (!take_value(reader, texts[count], &value))
-      return 0;
-    if (!first[count % columns])
-      first[count % columns] = value;
-    if (!same_sort(reader, first[count % columns], value))
+    if (!take_value(reader, texts[count], &tokens[count]) || !same_sort(reader, tokens[count % columns], tokens[count]))
       return 0;
     count++;
   } while (nb_token_peek(reader));
   if (count % columns == 0)
-    return count / columns;
+    return all_differ(reader, texts, tokens, count, columns) ? count / columns : 0;
   nb_expected(reader, NULL, "a value for each of the %zu names in every turn (%zu values are not a multiple)", columns,
               count);
   return 0;

@@ -27,15 +27,14 @@ static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, c
   const struct nb_token *token = nb_take(reader, "the name of a `sweep`");
   if (!token)
     return false;
+  snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
   struct nb_guess guess = nb_guess_begin(token->text);
   for (size_t k = 0; k < scene->binding_count; k++) {
     const struct nb_binding *binding = &scene->bindings[k];
     if (binding->sweep < 0)
       continue;
-    if (strcmp(binding->name, token->text) == 0) {
-      snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
+    if (strcmp(binding->name, token->text) == 0)
       return true;
-    }
     nb_guess_offer(&guess, binding->name);
   }
   if (token->hollow || scene->unsure & NB_UNSURE_VALUES)
@@ -119,7 +118,7 @@ static bool take_stated(struct nb_reader *reader, const struct nb_scene *scene, 
   return (expectation->among[0] ||
           (nb_take_tolerance(reader, scene, expectation->has_scale ? "1" : expectation->measure.unit,
                              &expectation->tolerance) &&
-           refuse_share_of_zero(reader, expectation, expectation->stated == 0 && !number->hollow, at))) &&
+           refuse_share_of_zero(reader, expectation, expectation->stated == 0, at))) &&
          take_source(reader, expectation);
 }
 

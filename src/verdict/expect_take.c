@@ -163,8 +163,8 @@ bool nb_take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, c
     if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_NOT_NEGATIVE, &tolerance->value))
       return false;
     tolerance->kind = NB_RELATIVE;
-    if (nb_token_skip(reader, "of")) {
-      const bool of_measure = scene && !nb_token_is(reader, "peak");
+    if (scene && nb_token_skip(reader, "of")) {
+      const bool of_measure = !nb_token_is(reader, "peak");
       if (of_measure ? !nb_take_measure(reader, scene, &tolerance->of) : !nb_take_word(reader, "peak"))
         return false;
       tolerance->kind = of_measure ? NB_OF_MEASURE : NB_OF_PEAK;

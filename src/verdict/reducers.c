@@ -107,9 +107,9 @@ static double reduce(const struct nb_measure *measure, const struct column *colu
     return frequency(column);
   case NB_AT_CYCLE:
   case NB_AT_TIME:
-    return at(column, column->table->time, measure->at);
+    break;
   }
-  return NAN;
+  return at(column, column->table->time, measure->at);
 }
 
 static bool not_formed(struct nb_error *error, const struct nb_measure *measure, const char *why) {
@@ -149,6 +149,6 @@ const double *nb_measure_known(const struct nb_measure *measure, const struct nb
   const size_t length = strlen(measure->label),
                tail = strlen(measure->stage < 0 ? "all" : scene->stages[measure->stage].name) + strlen(" in ");
   memcpy(label, measure->label, sizeof label);
-  label[length > tail ? length - tail : 0] = 0;
+  label[length - tail] = 0;
   return known_find(known, label);
 }

@@ -174,9 +174,9 @@ static void label(struct nb_check *check, const struct nb_outcome *outcome, int 
   const char *c = outcome->page.lines[line - 1];
   size_t n = 0;
   for (c += strspn(c, " \t>"); *c && *c != '#' && n < 255; c++)
-    if (!(strchr(" \t", *c) && (n == 0 || check->label[n - 1] == ' ')))
+    if (!(strchr(" \t", *c) && check->label[n - 1] == ' '))
       check->label[n++] = *c == '\t' ? ' ' : *c;
-  while (n > 0 && check->label[n - 1] == ' ')
+  while (check->label[n - 1] == ' ')
     n--;
   check->label[n] = 0;
   check->line = line;
@@ -239,7 +239,7 @@ static bool skip(struct nb_outcome *outcome, int line, const char *format, const
 /* The statements of expect blocks that nobody has read. */
 static bool skip_unread(struct nb_outcome *outcome) {
   const struct nb_page *page = &outcome->page;
-  const bool followed = outcome->run_count > 0 && outcome->runs[0].scene.followed;
+  const bool followed = outcome->runs[0].scene.followed;
   bool all = true;
   for (size_t i = 0; i < page->line_count && all; i++) {
     const char *statement = page->lines[i] + strspn(page->lines[i], " \t>");

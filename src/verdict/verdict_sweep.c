@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "page/units.h"
+#include "page/reader.h"
 #include "verdict.h"
 
 /* There is one: expectations name only what is swept. */
@@ -24,18 +24,6 @@ bool nb_sweep_same_but(const struct nb_page_run *a, const struct nb_page_run *b,
     if (fixed && strcmp(binding->text, b->scene.bindings[k].text) != 0)
       return false;
   }
-  return true;
-}
-
-/* A swept value as a number: `50 us` is 5e-5. */
-static bool number_of(double *value, const struct nb_binding *binding) {
-  char number[NB_NAME_SIZE];
-  const size_t length = strcspn(binding->text, " ");
-  snprintf(number, sizeof number, "%.*s", (int)length, binding->text);
-  const struct nb_unit *unit = binding->text[length] ? nb_unit_find(binding->text + length + 1) : NULL;
-  if (nb_number_read(value, number, unit ? unit->shift : 0) != NB_READ)
-    return false;
-  *value *= unit ? unit->factor : 1;
   return true;
 }
 
@@ -70,12 +58,13 @@ void nb_check_slope(struct nb_check *check, const struct nb_outcome *outcome, si
   for (size_t r = first; r < outcome->run_count; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
     const struct nb_measure *measure = &run->expectations.list[index].measure;
-    double seen, value;
+    double seen;
     if (!nb_sweep_same_but(&outcome->runs[first], run, e->along, ""))
       continue;
     const double *known = nb_check_known(run, measure);
     const struct nb_binding *binding = nb_sweep_binding(run, e->along);
-    if (!known || !number_of(&value, binding) || !(value > 0)) {
+    const double value = nb_value_number(binding->text);
+    if (!known || !(value > 0)) {
       nb_check_say(check, false, known ? "`%s` is not a number above 0" : "the reference does not know `%s`",
                    known ? binding->text : measure->label);
       return;
@@ -111,8 +100,7 @@ bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct n
 }
 
 static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
-  double x, y;
-  return number_of(&x, a) && number_of(&y, b) ? x == y : strcmp(a->text, b->text) == 0;
+  return nb_value_number(a->text) == nb_value_number(b->text) || strcmp(a->text, b->text) == 0;
 }
 
 const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *e) {

@@ -1,0 +1,106 @@
+/* A page carried out: what is reported while its runs go on, and the units of what is reported at the end.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L /* mkstemp */
+#endif
+#include <CUnit/CUnit.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "suites.h"
+#include "verdict/outcome.h"
+
+/* What was reported, and how often; the last words of each. */
+struct heard {
+  int calls, notes;
+  char stage[512], note[1024];
+  double share;
+};
+
+static void call(void *data, const char *stage, double share, double seconds) {
+  struct heard *heard = data;
+  CU_ASSERT(seconds >= 0);
+  CU_ASSERT(share > 0 && share <= 1);
+  snprintf(heard->stage, sizeof heard->stage, "%s", stage);
+  heard->share = share, heard->calls++;
+}
+
+static void note(void *data, const char *text) {
+  struct heard *heard = data;
+  snprintf(heard->note, sizeof heard->note, "%s", text);
+  heard->notes++;
+}
+
+/* One sphere, with other laws in its second stage; these sweeps, and these expectations. */
+static void make(struct nb_outcome *outcome, const char *sweep, const char *expectations,
+                 const struct nb_progress *progress) {
+  char path[] = "/tmp/nineball-outcome-XXXXXX";
+  const int descriptor = mkstemp(path);
+  CU_ASSERT_FATAL(descriptor >= 0);
+  FILE *file = fdopen(descriptor, "w");
+  CU_ASSERT_PTR_NOT_NULL_FATAL(file);
+  fprintf(file,
+          "```scene\n%s\nmaterial m density 1 kg/m3 kn 1 N/m ks 1 N/m friction 0.5\nshear linear\ndisc 0 m 0 m radius "
+          "1 m m velocity 1 m/s 0 m/s\nwatch A disc 1\nstep 1 ms\nrecord time cycle A.x\nstage one\ncycles 5\nstage "
+          "two\nshear none\ncycles 5\n```\n```expect\n%s\n```\n",
+          sweep, expectations);
+  fclose(file);
+  nb_outcome_make(outcome, path, NULL, NULL, progress);
+  unlink(path);
+  if (outcome->mistakes.text)
+    printf("# %s", outcome->mistakes.text);
+}
+
+/* The share is that of all runs together, and both name the run where there are several. */
+static void progress(void) {
+  static const struct {
+    const char *sweep, *stage, *note;
+    int calls, runs;
+    double share;
+  } rows[] = {
+      {"", "one", "from stage `two` on shear none instead of linear: contacts remember nothing of it", 1, 1, 0},
+      {"sweep v 1 2\nsweep w 3 4", "one of v=2, w=4",
+       "from stage `two` on shear none instead of linear: contacts remember nothing of it, run v=2, w=4", 4, 4, 0.75},
+  };
+  for (size_t k = 0; k < 2; k++) {
+    struct heard heard = {0};
+    const struct nb_progress both = {call, note, &heard}, neither = {NULL, NULL, &heard};
+    struct nb_outcome outcome;
+    make(&outcome, rows[k].sweep, "A.x stated 10 mm within 1e-12 m [t]", &both);
+    CU_ASSERT_EQUAL(outcome.status, NB_OK);
+    CU_ASSERT_EQUAL(outcome.check_count, (size_t)rows[k].runs);
+    CU_ASSERT(heard.calls >= rows[k].calls);
+    CU_ASSERT_STRING_EQUAL(heard.stage, rows[k].stage);
+    CU_ASSERT(heard.share > rows[k].share && heard.share <= rows[k].share + 0.5 / rows[k].runs);
+    CU_ASSERT_EQUAL(heard.notes, rows[k].runs);
+    CU_ASSERT_STRING_EQUAL(heard.note, rows[k].note);
+    nb_outcome_free(&outcome);
+    heard = (struct heard){0};
+    make(&outcome, rows[k].sweep, "A.x stated 10 mm within 1e-12 m [t]", &neither);
+    CU_ASSERT(outcome.status == NB_OK && heard.calls == 0 && heard.notes == 0);
+    nb_outcome_free(&outcome);
+  }
+}
+
+/* What has a unit is reported in it, in SI; what has none is not. */
+static void units(void) {
+  struct nb_outcome outcome;
+  make(&outcome, "",
+       "A.x at 5 ms stated 5.5 mm within 1 mm [t]\ncycle stated 10 within 0 [t]\n"
+       "cycle stated 2 of cycle at 5 cycles within 0 [t]",
+       NULL);
+  CU_ASSERT_EQUAL(outcome.status, NB_OK);
+  CU_ASSERT_EQUAL_FATAL(outcome.check_count, 3);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words, "seen 0.005 m, stated 0.0055, off by 0.0005");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].words, "seen 10, stated 10, off by 0");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[2].words, "seen 2, stated 2, off by 0");
+  nb_outcome_free(&outcome);
+}
+
+void suite_outcome(void) {
+  CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
+  CU_add_test(suite, "progress and notes of several runs", progress);
+  CU_add_test(suite, "the units of what is reported", units);
+}
