@@ -303,7 +303,7 @@ out 'ok 2 - D.x same over v within 0 # SKIP `v` has one value only, so there is 
 run 0 run "$pages/hidden.md" -o hidden
 grep -q '^skip	45	' hidden/verdict.tsv || echo 'the verdict as a table does not have it' >>why
 run 0 report "$pages/hidden.md" -o hidden
-grep -q '<td class="pass">skip</td><td>D.x same over v' hidden/index.html || echo 'nor has the report' >>why
+grep -q '<td class="none">skip</td><td>D.x same over v' hidden/index.html || echo 'nor has the report' >>why
 run 2 check "$pages/swept.md" --set v=1
 out '1 expectation was not checked:'
 said 'none of its expectations was checked'

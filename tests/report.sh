@@ -40,7 +40,7 @@ rm -f "$bell" "$newline.md"
 
 strange="<b>&\"'#%20?"
 sed 's/^# .*/# <script>alert(1)<\/script>/' "$pages/asks-nothing.md" >"$strange.md"
-run 0 report "$strange.md" -o strange &&
+run 2 report "$strange.md" -o strange && said 'nothing was checked' &&
   test "$(grep -c '<script>\|<b>' strange/index.html)" -eq 0 &&
   grep -q '&lt;b&gt;&amp;&quot;&#39;#%20?</a>' strange/index.html &&
   grep -q 'href="%3Cb%3E%26%22%27%23%2520%3F/table.tsv"' strange/index.html
@@ -92,6 +92,14 @@ run 3 report "$pages/never-ends.md" "$pages/passes.md" -o some && said 'did not 
 result $? 'report: a run that was stopped is status 3, and its tables are there'
 run 2 report none.md "$pages/passes.md" -o some && grep -q '>none</a>' some/index.html
 result $? 'report: a page that cannot be read has its line'
+run 0 report "$pages/hidden.md" -o some && said '2 checks, 0 failed' &&
+  grep -q '<td>2</td><td class="pass">0</td><td>0</td><td>6</td>' some/index.html &&
+  grep -q '2 checks, 0 failed, 0 noted, 6 skipped' some/index.html
+result $? 'report: what was skipped is counted apart from checks'
+run 2 report "$pages/passes.md" "$pages/asks-nothing.md" -o some && said '0 checks, 0 failed; nothing was checked' &&
+  grep -q '<td>0</td><td class="fail">0, nothing was checked</td>' some/index.html &&
+  grep -q '1 on which nothing was checked' some/index.html
+result $? 'report: a page on which nothing was checked has not passed'
 mkdir -p blocked && : >blocked/passes
 run 2 report "$pages/passes.md" -o blocked && said 'no tables' && grep -q 'no tables' blocked/index.html
 result $? 'report: tables that cannot be written are status 2'

@@ -96,6 +96,11 @@ enum nb_status nb_command_run(const struct nb_use *use) {
   return worst;
 }
 
+/* No page passes unless something is checked. */
+static bool is_unchecked(const struct nb_outcome *outcome) {
+  return outcome->status == NB_OK && !outcome->marked[NB_PASS];
+}
+
 enum nb_status nb_command_check(const struct nb_use *use) {
   enum nb_status worst = NB_OK;
   for (size_t k = 0; k < use->page_count; k++) {
@@ -103,7 +108,7 @@ enum nb_status nb_command_check(const struct nb_use *use) {
     carry_out(&outcome, use, use->pages[k]);
     if (!use->tap && outcome.status <= NB_FAILED)
       nb_print_verdict(&outcome);
-    if (outcome.status == NB_OK && !outcome.marked[NB_PASS])
+    if (is_unchecked(&outcome))
       outcome.status = nb_error_set(
           &outcome.error, NB_BAD_USE, "%s: no page passes unless something is checked; %s or use `nineball run`",
           outcome.check_count ? "none of its expectations was checked" : "nothing is expected",
@@ -171,10 +176,16 @@ static enum nb_status report_one(const struct nb_use *use, const char *path, con
     for (size_t r = 0; r < outcome.run_count; r++)
       line->seconds += outcome.runs[r].result.seconds;
   }
-  line->checks = outcome.check_count, line->failed = outcome.marked[NB_FAIL];
+  if (is_unchecked(&outcome)) /* its figure is drawn nevertheless */
+    line->status = NB_BAD_USE;
+  line->checks = outcome.check_count, line->stopped = outcome.status > NB_FAILED;
+  memcpy(line->marked, outcome.marked, sizeof line->marked);
   line->verdicts = outcome.checks, outcome.checks = NULL;
-  printf("%-28s %4zu checks, %zu failed%s%s\n", line->name, line->checks, line->failed,
-         line->status > NB_FAILED ? "; did not run to its end" : "",
+  printf("%-28s %4zu checks, %zu failed%s%s\n", line->name, line->marked[NB_PASS] + line->marked[NB_FAIL],
+         line->marked[NB_FAIL],
+         line->stopped            ? "; did not run to its end"
+         : is_unchecked(&outcome) ? "; nothing was checked"
+                                  : "",
          error.status ? line->kept ? "; no figure" : "; no tables" : "");
   fflush(stdout);
   nb_outcome_free(&outcome);

@@ -59,26 +59,33 @@ static const char style[] =
     ".fail{color:#ff8095}a{color:#9cf}}";
 
 static void write_summary(FILE *out, const struct nb_report_line *lines, size_t count) {
-  fputs("<table><tr><th>page</th><th>about</th><th>checks</th><th>failed</th><th>seconds</th></tr>\n", out);
+  fputs("<table><tr><th>page</th><th>about</th><th>checks</th><th>failed</th><th>noted</th><th>skipped</"
+        "th><th>seconds</th></tr>\n",
+        out);
   for (size_t k = 0; k < count; k++) {
     const struct nb_report_line *line = &lines[k];
     fprintf(out, "<tr><td><a href=\"#page%zu\">", k + 1);
     text(out, line->name);
     fputs("</a></td><td>", out);
     text(out, line->title);
-    if (line->status > NB_FAILED)
-      fputs("</td><td colspan=\"3\" class=\"fail\">did not run to its end</td></tr>\n", out);
-    else if (line->message[0])
-      fprintf(out, "</td><td>%zu</td><td class=\"fail\">%zu, %s</td><td>%.2f</td></tr>\n", line->checks, line->failed,
-              line->kept ? "no figure" : "no tables", line->seconds);
-    else
-      fprintf(out, "</td><td>%zu</td><td class=\"%s\">%zu</td><td>%.2f</td></tr>\n", line->checks,
-              line->failed ? "fail" : "pass", line->failed, line->seconds);
+    if (line->stopped) {
+      fputs("</td><td colspan=\"5\" class=\"fail\">did not run to its end</td></tr>\n", out);
+      continue;
+    }
+    const size_t failed = line->marked[NB_FAIL], checks = line->marked[NB_PASS] + failed;
+    fprintf(out, "</td><td>%zu</td><td class=\"%s\">%zu%s%s</td>", checks,
+            failed || !checks || line->message[0] ? "fail" : "pass", failed, checks ? "" : ", nothing was checked",
+            !line->message[0] ? ""
+            : line->kept      ? ", no figure"
+                              : ", no tables");
+    fprintf(out, "<td>%zu</td><td>%zu</td><td>%.2f</td></tr>\n", line->marked[NB_NOTE], line->marked[NB_SKIP],
+            line->seconds);
   }
   fputs("</table>\n", out);
 }
 
 static void write_page(FILE *out, const struct nb_report_line *line, size_t number) {
+  const size_t failed = line->marked[NB_FAIL];
   fprintf(out, "<h2 id=\"page%zu\">", number);
   text(out, line->title[0] ? line->title : line->name);
   fputs("</h2>\n", out);
@@ -97,11 +104,15 @@ static void write_page(FILE *out, const struct nb_report_line *line, size_t numb
   if (line->checks)
     fprintf(out,
             "<details%s><summary>%zu checks, %zu "
-            "failed</summary>\n<table><tr><th></th><th>expected</th><th>seen</th></tr>\n",
-            line->checks < MANY || line->failed ? " open" : "", line->checks, line->failed);
+            "failed, %zu noted, %zu skipped</summary>\n<table><tr><th></th><th>expected</th><th>seen</th></tr>\n",
+            line->checks < MANY || failed ? " open" : "", line->marked[NB_PASS] + failed, failed, line->marked[NB_NOTE],
+            line->marked[NB_SKIP]);
   for (size_t k = 0; k < line->checks; k++) {
     const struct nb_check *check = &line->verdicts[k];
-    fprintf(out, "<tr><td class=\"%s\">%s</td><td>", check->mark == NB_FAIL ? "fail" : "pass",
+    fprintf(out, "<tr><td class=\"%s\">%s</td><td>",
+            check->mark == NB_FAIL   ? "fail"
+            : check->mark == NB_PASS ? "pass"
+                                     : "none",
             nb_mark_word(check->mark));
     text(out, check->label);
     fputs("</td><td>", out);
@@ -130,10 +141,12 @@ enum nb_status nb_report_write(const char *folder, const struct nb_report_line *
     return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
   if (nb_save_begin(&file, path, error))
     return error->status;
-  size_t checks = 0, failed = 0, broken = 0, bare = 0;
+  size_t checks = 0, failed = 0, broken = 0, bare = 0, unchecked = 0;
   for (size_t k = 0; k < count; k++) {
-    checks += lines[k].checks, failed += lines[k].failed, broken += lines[k].status > NB_FAILED;
-    bare += lines[k].status <= NB_FAILED && lines[k].message[0];
+    const size_t *marked = lines[k].marked, judged = marked[NB_PASS] + marked[NB_FAIL];
+    checks += judged, failed += marked[NB_FAIL], broken += lines[k].stopped;
+    bare += !lines[k].stopped && lines[k].message[0];
+    unchecked += !lines[k].stopped && judged == 0;
   }
   FILE *out = file.file;
   fprintf(out,
@@ -145,6 +158,8 @@ enum nb_status nb_report_write(const char *folder, const struct nb_report_line *
           count, checks, failed ? "fail" : "pass", failed);
   if (broken)
     fprintf(out, ", <span class=\"fail\">%zu did not run to their end</span>", broken);
+  if (unchecked)
+    fprintf(out, ", <span class=\"fail\">%zu on which nothing was checked</span>", unchecked);
   if (bare)
     fprintf(out, ", <span class=\"fail\">%zu without figure or tables</span>", bare);
   fputs(".</p>\n", out);

@@ -37,9 +37,9 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
 /* report.c: one page about all of them; folders are relative to it. */
 struct nb_report_line {
   char name[NB_NAME_SIZE], title[128], message[512];
-  size_t checks, failed;
+  size_t checks, marked[NB_MARKS]; /* in all, and of each mark */
   enum nb_status status;
-  bool kept, drawn; /* there are tables, a figure */
+  bool stopped, kept, drawn; /* it did not run to its end; there are tables, a figure */
   double seconds;
   struct nb_check *verdicts; /* owned by who reports */
 };
