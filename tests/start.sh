@@ -62,6 +62,28 @@ test $? -eq 2 && grep -q 'starts from itself in the end' "$work/said"
 result $? 'a chain that bites its tail is a mistake'
 cp cases/saved-stage.md "$pages"
 
+# Each page is read within the one that starts from it, so there is a limit.
+for k in $(seq 1 60); do
+  sed "s/^start .*/start chain-$((k - 1)) stage s$((k - 1))/; s/^stage .*/stage s$k/" "$pages/third.md" >"$pages/chain-$k.md"
+done
+sed 's/^start .*/start saved-stage stage rest/; s/^stage .*/stage s0/' "$pages/third.md" >"$pages/chain-0.md"
+"$nineball" explain "$pages/chain-60.md" --states "$states" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -q 'expected at most 50 pages that start one from another' "$work/said"
+result $? 'a chain that is too long is refused'
+
+# Whoever makes a state may have been stopped.
+rm "$states"/*.state
+: >"$states/$("$nineball" explain "$pages/saved-stage.md" --states "$states" | sed -n 's/.*\(nine-discs-load-[0-9a-f]*.state\).*/\1/p').lock"
+flock "$states"/*.lock sleep 60 &
+holder=$!
+sleep 1
+NINEBALL_WAIT=0.5 timeout 30 "$nineball" run "$pages/saved-stage.md" --states "$states" -o "$work/late" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -q 'has held .*state.lock for 0.5 s: see what it does by' "$work/said"
+result $? 'a lock is not waited for without end'
+kill "$holder"
+rm -f "$states"/*
+run again "$pages/saved-stage.md"
+
 # ---- what moves an assembly ----
 
 # in_two NAME: pages NAME and NAME-on in $pages, of which the second goes on behind stage `shear` of the first; the text of both on standard

@@ -137,13 +137,28 @@ static void every_mistake(void) {
       {"body 2", "body 3", "a.state:16:6: expected a whole number from 2 to 2, found `3`"},
       {"sphere m free", "cube m free", "a.state:15:8: expected `disc`, `sphere`, found `cube`"},
       {"sphere m free", "sphere m loose", "a.state:15:17: expected `free`, `fixed` or `gone`, found `loose`"},
-      {"free 0x1p+0", "free 0x0p+0", "a.state:15:22: expected a radius above 0, found `0x0p+0`"},
-      {"fields overlap", "fields depth", "a.state:18:8: expected the name of a contact's field, found `depth`"},
+      {"free 0x1p+0", "free 0x0p+0", "a.state:15:22: expected a number above 0, found `0x0p+0`"},
+      {"fields overlap", "fields depth",
+       "a.state:18:8: expected the name of a contact's field, each once, found `depth`"},
       {"wall w heard", "wall v heard", "expected the name of a wall that stands above, found `v`"},
       {"body 2 heard", "body 1 heard", "expected a whole number from 2 to 2, found `1`"},
       {"heard", "seen", "expected `heard`, `muted`, found `seen`"},
       {"fields", "shear 0x1p+0\nfields", "a.state:18:1: expected such a record once, below its contact, found `shear`"},
       {"hash 0", "hash ", "expected 16 hexadecimal digits"},
+      {"units none\n", "", "expected a record `units` above, found `end`"},
+      {"units none\n", "units none\nunits none\n", "expected such a record once"},
+      {"law shear mindlin 0\n", "", "expected such a record once, below its contact, found `shear`"},
+      {"law shear mindlin 0\n", "law shear mindlin 0\nlaw shear mindlin 0\n", "expected such a record once"},
+      {"material m 0x1.8p+1", "material m -0x1.8p+1", "a.state:13:12: expected 0 or more, found `-0x1.8p+1`"},
+      {"material m", "material m 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 - 0x0p+0\nmaterial m",
+       "expected E and a number from 0 to 0.5"},
+      {"body 1", "material m 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\nbody 1",
+       "expected the name of a material, each once"},
+      {"fields overlap", "fields overlap overlap",
+       "expected the name of a contact's field, each once, found `overlap`"},
+      {" drag\n", "\n", "expected all fields of a contact"},
+      {"fields overlap closing", "setting a=1\nfields overlap", "expected all fields of a contact"},
+      {"\nnormal 0x", "\nnormal 0x0p+0 0x", "expected numbers that the law can have remembered, found `normal`"},
       {"setting v=0.1 m/s", "setting", "expected a text shorter than 128 bytes, found the end of the line"},
   };
   static const struct mistake of_rings[] = {
@@ -157,14 +172,35 @@ static void every_mistake(void) {
       {"boundary held", "boundary broken", "expected `held`, `loose`, found `broken`"},
       {"held unpressed", "held tight", "expected `pressed`, `unpressed`, found `tight`"},
       {"members 9", "members 10", "expected a whole number from 1 to 9, found `10`"},
+      {"\nmembers 9 ", "\nmembers ", "expected body 9 to be carried by a cell or a boundary that there is"},
+      {"carried 9 ", "setting 9 ", "expected a record `carried` for each body, or for none"},
+      {"\ncarrier cont",
+       "\ncarrier boundary apart 0x0p+0 0x0p+0 0x0p+0 0x0p+0 time 0x0p+0 0x0p+0 0x0p+0 0x0p+0\ncarrier cont",
+       "expected such a record once for each carrier"},
       {"members 9 7", "members 9 9", "expected each body once, found `9`"},
       {"boundary held", "carried 10 nothing 0x0p+0 0x0p+0\nboundary held",
        "expected such a record once for each body above"},
   };
   static const struct mistake of_cells[] = {
       {"\ncentre", " 0x0p+0\ncentre", "expected the end of the line, found `0x0p+0`"},
+      {"\ncell ", "\ncell 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0\ncell ",
+       "expected a cell with an area above 0"},
       {"\ncell ", "\ncell x ", "a.state:13:6: expected a number, found `x`"},
   };
+  /* The exact law's row: 2 pieces from 0 outwards. */
+  static const struct mistake of_rows[] = {
+      {"\nshear 0x1p+1 ", "\nshear 0x1p+9 ", "expected numbers that the law can have remembered, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear 0x1p+40 ", "expected numbers that the law can have remembered, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear -0x1p+0 ", "expected numbers that the law can have remembered, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear 0x1.8p+0 ", "expected numbers that the law can have remembered, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear 0x1p+1 0x1p+0 ", "expected numbers that the law can have remembered, found `shear`"},
+  };
+  static const char exact[] = "units none\nmaterial m density 3 friction 0.3 young 5000 poisson 0.2\nnormal "
+                              "hertz\nshear mindlin_deresiewicz pieces 3\n"
+                              "wall w -5 0 to 5 0 m\nspheres lattice 2 by 1 m radius 1 spacing 1.99 from 0 "
+                              "0.995\ngravity 1 -1\nstep 0.001\nstage "
+                              "a\ncycles 20\n";
+  MISTAKES(exact, of_rows);
   MISTAKES(plain, rows);
   MISTAKES(ring, of_rings);
   MISTAKES(cell, of_cells);

@@ -51,6 +51,20 @@ static inline double passed(double y0, double x0, double y1, double x1) {
   return mean_n(x0, x1) * (y1 - y0) - foot * (n1 - n0) + (0.2 - 0.6 * slope) * (n1 * y1 - n0 * y0);
 }
 
+/* A row: how many pieces, mu kappa, and the corners. */
+enum { HEAD = 2 };
+static inline int corners_used(const double m[]) { return HEAD + 5 * ((int)m[0] + 1); }
+
+/* Corners from inside to outside, and no ring that carries more than its friction, up to rounding. */
+static inline bool corners_valid(const double m[], int doubles, int most) {
+  const struct corner *at = (const struct corner *)(m + HEAD);
+  bool is = doubles > HEAD && m[0] >= 1 && m[0] <= most && m[0] == floor(m[0]) && m[1] > 0;
+  is = is && doubles == corners_used(m) && at[0].x == 0;
+  for (int k = 0; is && k < (int)m[0]; k++)
+    is = at[k + 1].x > at[k].x && fabs(at[k].d) <= 1 + 1e-9 && at[k].e >= 0;
+  return is;
+}
+
 /* Corner k goes, and one piece lies where two were; answers what t behind them grows by. */
 static inline double join(struct corner at[], int k, int pieces) {
   const struct corner one = at[k - 1], two = at[k], end = at[k + 1];

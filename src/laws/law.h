@@ -56,6 +56,8 @@ struct nb_law {
   struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double slip, double m[]);
   double (*stored)(struct nb_pair, struct nb_normal, const double m[]); /* elastic energy, J; NULL: the law has none */
   int (*used)(const double m[]); /* how many doubles of a contact's row mean something; NULL: all */
+  /* Whether so many doubles can be such a row, with at most so many pieces: asked of what a file says. NULL: as many as it declares. */
+  bool (*valid)(const double m[], int doubles, int pieces);
   /* What a contact's history is made of, for the bench: up to p.pieces overlaps x, m, ascending to alpha, and the D of the piece
    * that ends there, 1. Answers how many; NULL: the law keeps no such thing. */
   int (*pieces_of)(struct nb_pair, struct nb_normal, const double m[], double x[], double d[]);

@@ -14,6 +14,7 @@
  *   #define COHESIONLESS                    it knows no cohesion (optional)
  *   #define AHEAD     ..._ahead             fetches what of a row it will need soon (optional)
  *   #define USED  ..._used                  tells how many doubles of its row mean something (optional)
+ *   #define VALID ..._valid                 tells whether doubles from a file can be its row (optional)
  *   #define PIECES_OF  ..._pieces           tells the pieces of its history (optional)
  *   #define STAGED                          it is three functions, see law_stages.h (optional; elastic shear laws with rows)
  *   #define BRANCHING, GAINS, INCREMENTAL   (optional, see law.h)
@@ -166,6 +167,9 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
 #endif
 #ifdef USED
     .used = USED,
+#endif
+#ifdef VALID
+    .valid = VALID,
 #endif
 #ifdef PIECES_OF
     .pieces_of = PIECES_OF,

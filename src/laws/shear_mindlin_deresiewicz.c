@@ -40,7 +40,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "corners.h"
 
-enum { HEAD = 2 };
 static const double little = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
 
 static inline double unit_of(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
@@ -262,8 +261,6 @@ static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_norma
   return pieces > 0 ? m[1] / p.radius * friction * (n.force / n_of(at[pieces].x)) * held_by(at, pieces) : 0;
 }
 
-static int shear_mindlin_deresiewicz_used(const double m[]) { return HEAD + 5 * ((int)m[0] + 1); }
-
 /* From inside to outside: where pieces end, m, and their D. */
 static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n, const double m[], double x[],
                                             double d[]) {
@@ -295,6 +292,7 @@ static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
 #define PIECES 64
 #define STORED shear_mindlin_deresiewicz_stored
 #define AHEAD shear_mindlin_deresiewicz_ahead
-#define USED shear_mindlin_deresiewicz_used
+#define USED corners_used
+#define VALID corners_valid
 #define PIECES_OF shear_mindlin_deresiewicz_pieces
 #include "law_batch.h"

@@ -9,9 +9,12 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "hash.h"
 #include "scene.h"
+
+enum { CHAIN_MAX = 50 }; /* pages that start one from another: each is read and run within the next */
 
 /* ---- what is taken over ---- */
 
@@ -26,6 +29,10 @@ static void *copy_of(const void *array, size_t count, size_t element, bool *made
   ((to)->things = copy_of((from)->things, (from)->count, sizeof *(from)->things, made),                                \
    (to)->count = *made ? (from)->count : 0)
 
+#define LINES(things, count)                                                                                           \
+  for (size_t k = 0; k < to->count; k++)                                                                               \
+  to->things[k].line = line
+
 static int moved(int line, int start) { return line ? start : 0; }
 
 static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int line, bool *made) {
@@ -37,12 +44,9 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   to->leg = (struct nb_leg){.points = NULL};
   if (!*made)
     return;
-  for (size_t k = 0; k < to->motion_count; k++)
-    to->motions[k].line = line;
-  for (size_t k = 0; k < to->change_count; k++)
-    to->changes[k].line = line;
-  for (size_t k = 0; k < to->removal_count; k++)
-    to->removals[k].line = line;
+  LINES(motions, motion_count);
+  LINES(changes, change_count);
+  LINES(removals, removal_count);
   for (size_t k = 0; k < to->condition_count; k++)
     to->conditions[k].line = line, to->conditions[k].quantity.watch = -1; /* its watches are not taken over */
   to->line = line, to->step.line = line, to->step.set = false;
@@ -79,38 +83,31 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
     copy_stage(&to->stages[to->stage_count++], &from->stages[s], line, made);
   if (!to->stages || !whole)
     return false;
-  for (size_t k = 0; k < to->material_count; k++)
-    to->materials[k].line = line;
-  for (size_t k = 0; k < to->pair_rule_count; k++)
-    to->pair_rules[k].line = line;
-  for (size_t k = 0; k < to->body_count; k++)
-    to->bodies[k].line = line;
-  for (size_t k = 0; k < to->wall_count; k++)
-    to->walls[k].line = line;
+  LINES(materials, material_count);
+  LINES(pair_rules, pair_rule_count);
+  LINES(bodies, body_count);
+  LINES(walls, wall_count);
   const bool normal_set = to->normal[0], shear_set = to->shear[0]; /* by --set, which is for what comes */
   struct nb_laws set = {.pieces = to->pieces};
   snprintf(set.normal, sizeof set.normal, "%s", normal_set ? to->normal : "");
   snprintf(set.shear, sizeof set.shear, "%s", shear_set ? to->shear : "");
   memcpy(to->normal, from->normal, sizeof to->normal), memcpy(to->shear, from->shear, sizeof to->shear);
   to->normal_line = moved(from->normal_line, line), to->shear_line = moved(from->shear_line, line);
-  to->pieces = from->pieces;
+  to->pieces = from->pieces, to->allow_unstable = from->allow_unstable;
   to->damping = from->damping, to->gravity = from->gravity;
   to->gravity.line = moved(to->gravity.line, line);
   to->cell = from->cell, to->cell.line = moved(to->cell.line, line);
   to->circle = from->circle, to->circle.line = moved(to->circle.line, line);
   to->origin_x = from->origin_x, to->origin_y = from->origin_y;
-  to->allow_unstable = from->allow_unstable;
   const struct nb_stage *last = &to->stages[to->stage_count - 1];
   struct nb_stage *opening = &to->stages[to->stage_count]; /* what `stage` will give its name to */
   *opening = (struct nb_stage){.record = 1,
                                .look = 1,
                                .snapshot_from = -1,
                                .line = line,
-                               .step = last->step,
+                               .step = to->step.set ? to->step : last->step,
                                .damping = last->damping,
                                .laws = set};
-  if (to->step.set)
-    opening->step = to->step;
   to->step = to->stages[0].step;
   to->stage_count++;
   return true;
@@ -130,18 +127,17 @@ static char *path_of(const struct nb_page *page, const char *word) {
 }
 
 static bool same_file(const char *a, const char *b) {
-  char *one = realpath(a, NULL), *other = realpath(b, NULL);
-  const bool same = one && other && strcmp(one, other) == 0;
-  free(one), free(other);
-  return same;
+  struct stat one, other;
+  return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
 }
 
-/* A page that starts from itself, by way of others or not, would never begin. */
-static bool goes_round(const struct nb_scene_reading *reading, const char *path) {
-  for (const struct nb_scene_reading *above = reading; above; above = above->above)
+/* A page that starts from itself, by way of others or not, would never begin. Answers how many pages are above it, -1: itself. */
+static int pages_above(const struct nb_scene_reading *reading, const char *path) {
+  int count = 0;
+  for (const struct nb_scene_reading *above = reading; above; above = above->above, count++)
     if (same_file(above->reader.page->path, path))
-      return true;
-  return false;
+      return -1;
+  return count;
 }
 
 /* Behind the first `with`: `NAME=VALUE …`, and `with` again where the page likes. */
@@ -188,7 +184,11 @@ static bool read_other(struct nb_scene_reading *reading, struct nb_reader *reade
   char *path = path_of(reader->page, word->text);
   if (!path) {
     nb_no_memory(reader);
-  } else if (goes_round(reading, path)) {
+  } else if (pages_above(reading, path) >= CHAIN_MAX) {
+    nb_token_mistake(reader, word,
+                     "keep a state of one of them by `nineball state` and take its particles by `packing`",
+                     "expected at most %d pages that start one from another, with this there are more", CHAIN_MAX);
+  } else if (pages_above(reading, path) < 0) {
     nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` starts from itself in the end", path);
   } else if (!nb_page_read(start->page, path, mistakes)) {
     nb_scene_read_below(start->scene, start->page, texts, mistakes, reading, &runs);

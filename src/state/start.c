@@ -17,12 +17,14 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "clock.h"
 #include "save.h"
 
-enum { PATH_SIZE = 4096, HASH_SIZE = 16 };
+enum { PATH_SIZE = 4096, HASH_SIZE = 16, LIMIT = 3600 /* s that a lock is waited for */ };
+static const double PAUSE = 0.05; /* s between two looks at it */
 
 static const char *folder_of(const struct nb_options *options) {
   return options && options->states ? options->states : "states";
@@ -115,6 +117,8 @@ static void say(const struct nb_progress *progress, const char *text) {
 /* Waits for whoever holds it, and says for whom. */
 static enum nb_status wait_for(struct lock *lock, const struct nb_progress *progress, struct nb_error *error) {
   char text[PATH_SIZE + 128], holder[32] = "";
+  const char *wait = getenv("NINEBALL_WAIT");
+  const double limit = wait ? strtod(wait, NULL) : LIMIT;
   if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
     return NB_OK;
   if (errno == EWOULDBLOCK) {
@@ -123,10 +127,18 @@ static enum nb_status wait_for(struct lock *lock, const struct nb_progress *prog
     snprintf(text, sizeof text, "waits for process %s, which makes %.*s", holder[0] ? holder : "?",
              (int)(strlen(lock->path) - strlen(".lock")), lock->path);
     say(progress, text);
-    while (flock(lock->file, LOCK_EX) != 0)
-      if (errno != EINTR)
+    for (double waited = 0; waited < limit; waited += PAUSE) {
+      nanosleep(&(struct timespec){.tv_nsec = (long)(PAUSE * 1e9)}, NULL);
+      if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
+        return NB_OK;
+      if (errno != EWOULDBLOCK && errno != EINTR)
         return nb_error_system(error, "cannot lock %s", lock->path);
-    return NB_OK;
+    }
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "process %s has held %.200s for %g s: see what it does by `ps -p %s`; if it is stopped, `kill -CONT %s` lets "
+        "it go on and `kill -KILL %s` ends it; NINEBALL_WAIT=SECONDS waits longer",
+        holder, lock->path, limit, holder, holder, holder);
   }
   return nb_error_system(error, "cannot lock %s", lock->path);
 }

@@ -163,8 +163,16 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
   size_t k = 0;
   while (k < saved->body_count && k < scene->body_count && saved->bodies[k].radius == scene->bodies[k].radius &&
          saved->bodies[k].shape == scene->bodies[k].shape && saved->bodies[k].material == scene->bodies[k].material &&
-         (saved->bodies[k].mobility != NB_GONE || removals > 0))
+         (saved->bodies[k].mobility == NB_GONE ? removals > 0
+                                               : (saved->bodies[k].mobility == NB_FIXED) == scene->bodies[k].fixed))
     k++;
+  struct nb_in_force laws = nb_laws_at_start(scene);
+  for (size_t s = 0; s < scene->start.stages; s++)
+    laws = nb_laws_of(&scene->stages[s], laws);
+  if (!laws.normal || !laws.shear || strcmp(laws.normal->name, saved->normal) != 0 ||
+      strcmp(laws.shear->name, saved->shear) != 0 || (int)laws.pieces != saved->pieces)
+    return nb_error_set(error, NB_BAD_USE, "%.200s: expected the laws of the page, found normal %s and shear %s", path,
+                        saved->normal, saved->shear);
   if (named && saved->rule_count <= rules && k == scene->body_count && k == saved->body_count)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE,

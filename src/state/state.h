@@ -42,6 +42,7 @@ struct nb_saved_body {
   double radius;                    /* m */
   struct nb_vec position, velocity; /* m; at the half step behind, m/s */
   double spin, angle;               /* likewise, rad/s; rad */
+  bool member;                      /* of the boundary: set while it is read */
 };
 
 struct nb_saved_wall {

@@ -73,6 +73,34 @@ struct nb_vec nb_saved_vector(struct nb_state_reading *reading) {
   return vec(x, nb_saved_finite(reading));
 }
 
+double nb_saved_above_0(struct nb_state_reading *reading) {
+  const double value = nb_saved_finite(reading);
+  if (!(value > 0))
+    nb_saved_expected(reading, "a number above 0");
+  return value;
+}
+
+double nb_saved_not_negative(struct nb_state_reading *reading) {
+  const double value = nb_saved_finite(reading);
+  if (!(value >= 0))
+    nb_saved_expected(reading, "0 or more");
+  return value;
+}
+
+double nb_saved_not_negative_if_any(struct nb_state_reading *reading) {
+  const double value = nb_saved_number(reading);
+  if (value < 0)
+    nb_saved_expected(reading, "0 or more");
+  return value;
+}
+
+struct nb_vec nb_saved_unit_vector(struct nb_state_reading *reading) {
+  const struct nb_vec e = nb_saved_vector(reading);
+  if (!(fabs(hypot(e.x, e.y) - 1) < 1e-9))
+    nb_saved_expected(reading, "a vector of length 1");
+  return e;
+}
+
 unsigned long nb_saved_count(struct nb_state_reading *reading, unsigned long low, unsigned long high) {
   char field[NB_STATE_FIELD], *end;
   nb_saved_take_field(reading, field, "a whole number");
@@ -115,19 +143,59 @@ void nb_saved_rest(struct nb_state_reading *reading, char *text, size_t size) {
   reading->at = reading->end;
 }
 
+/* One more at the end of an array of the state; NULL, and said, when there is no memory. */
+void *nb_saved_more(struct nb_state_reading *reading, void **array, size_t *count, size_t element, size_t most) {
+  if (*count >= most) {
+    nb_saved_expected(reading, "at most %zu such records", most);
+    return NULL;
+  }
+  void *room = nb_room(*array, *count, 1, element);
+  if (!room) {
+    reading->bad = true;
+    nb_error_memory(reading->error);
+    return NULL;
+  }
+  *array = room;
+  return memset((char *)room + element * (*count)++, 0, element);
+}
 static void read_record(struct nb_state_reading *reading) {
   char word[NB_STATE_FIELD];
   reading->at = reading->line;
   nb_saved_take_field(reading, word, "a record");
-  nb_state_record *read = nb_state_record_of(word);
-  if (!read) {
+  size_t k = 0;
+  while (nb_state_records[k].word && strcmp(nb_state_records[k].word, word) != 0)
+    k++;
+  const struct nb_state_record *record = &nb_state_records[k];
+  if (!record->word) {
     nb_saved_expected(reading, "a record that this program knows");
     return;
   }
-  read(reading);
+  if (reading->seen & 1U << k && (record->times == NB_ONCE || record->times == NB_AT_MOST_ONCE))
+    nb_saved_expected(reading, "such a record once");
+  reading->seen |= 1U << k;
+  record->read(reading);
   reading->taken = reading->at;
   if (!nb_saved_ended(reading))
     nb_saved_expected(reading, "the end of the line");
+}
+
+/* At the last line, when all records have been read: what must be there is, and goes together. */
+static void check_whole(struct nb_state_reading *reading) {
+  const struct nb_saved *saved = reading->saved;
+  reading->taken = reading->line;
+  for (size_t k = 0; nb_state_records[k].word; k++)
+    if (nb_state_records[k].times >= NB_ONCE && !(reading->seen & 1U << k))
+      nb_saved_expected(reading, "a record `%s` above", nb_state_records[k].word);
+  if (!saved->normal[0] || !saved->shear[0])
+    nb_saved_expected(reading, "records `law normal` and `law shear` above");
+  if (saved->carried_count != 0 && saved->carried_count != saved->body_count)
+    nb_saved_expected(reading, "a record `carried` for each body, or for none");
+  for (size_t k = 0; k < saved->carried_count; k++)
+    if ((saved->carried[k].by == NB_CARRIER_CELL && !saved->cell.is) ||
+        (saved->carried[k].by == NB_CARRIER_BOUNDARY && !saved->bodies[k].member))
+      nb_saved_expected(reading, "body %zu to be carried by a cell or a boundary that there is", k + 1);
+  if (saved->ring.is != (saved->ring.member_count > 0))
+    nb_saved_expected(reading, "records `boundary` and `members`, or neither");
 }
 
 /* ---- the whole ---- */
@@ -152,17 +220,20 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
   if (size < sizeof head - 1 + NB_STATE_END || memcmp(text + last, "end ", 4) != 0)
     return damaged(path, text, size, size, "expected a last line `end` with its checksum: the file is cut off", error);
   snprintf(end, sizeof end, "end %016llx\n", nb_hash(NB_HASH_BEGIN, text, last));
-  if (memcmp(text + last, end, NB_STATE_END) != 0)
+  if (text[last - 1] != '\n' || memcmp(text + last, end, NB_STATE_END) != 0)
     return damaged(path, text, size, last, "expected another checksum: something in the file has changed", error);
 
   struct nb_state_reading reading = {
       .saved = saved, .path = path, .number = 1, .error = error, .line = text + sizeof head - 1};
   while (reading.line < text + last && !reading.bad) {
-    reading.end = memchr(reading.line, '\n', size); /* the last line ends in one */
+    reading.end = memchr(reading.line, '\n', (size_t)(text + last - reading.line)); /* the last line ends in one */
     reading.number++;
     read_record(&reading);
     reading.line = reading.end + 1;
   }
+  reading.end = text + size - 1, reading.number++;
+  if (!reading.bad)
+    check_whole(&reading);
   if (!reading.bad)
     return NB_OK;
   nb_saved_free(saved);

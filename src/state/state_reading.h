@@ -16,7 +16,9 @@ struct nb_state_reading {
   const char *at, *taken;        /* what is to be read next; the last field, for messages */
   size_t number;                 /* of the line */
   enum nb_field fields[NB_FIELDS];
-  int field_count; /* of contacts; 0: not said yet */
+  int field_count;   /* of contacts; 0: not said yet */
+  unsigned seen;     /* set of records that have been read, by their place in the table; */
+  unsigned carriers; /* of carriers, likewise */
   struct nb_error *error;
   bool bad;
 };
@@ -27,13 +29,33 @@ bool nb_saved_ended(const struct nb_state_reading *reading); /* no field is left
 void nb_saved_take_field(struct nb_state_reading *reading, char field[NB_STATE_FIELD], const char *what);
 double nb_saved_number(struct nb_state_reading *reading); /* `-`: not said, NAN */
 double nb_saved_finite(struct nb_state_reading *reading);
+double nb_saved_above_0(struct nb_state_reading *reading);
+double nb_saved_not_negative(struct nb_state_reading *reading);
+double nb_saved_not_negative_if_any(struct nb_state_reading *reading); /* or `-`, or infinite */
+struct nb_vec nb_saved_unit_vector(struct nb_state_reading *reading);
 struct nb_vec nb_saved_vector(struct nb_state_reading *reading);
 unsigned long nb_saved_count(struct nb_state_reading *reading, unsigned long low, unsigned long high);
 void nb_saved_name(struct nb_state_reading *reading, char name[NB_NAME_SIZE], const char *what);
 int nb_saved_one_of(struct nb_state_reading *reading, const char *a, const char *b, const char *c);
 void nb_saved_rest(struct nb_state_reading *reading, char *text, size_t size);
 
-typedef void nb_state_record(struct nb_state_reading *reading); /* C has no other word for it */
-nb_state_record *nb_state_record_of(const char *word);          /* NULL: no such record */
+/* One more at the end of an array of the state; NULL, and said, when there are too many or no memory. */
+void *nb_saved_more(struct nb_state_reading *reading, void **array, size_t *count, size_t element, size_t most);
+#define NB_SAVED_MORE(reading, things, count, most)                                                                    \
+  nb_saved_more(reading, (void **)&(reading)->saved->things, &(reading)->saved->count,                                 \
+                sizeof *(reading)->saved->things, most)
+enum { NB_SAVED_MANY = 1 << 30 };
+
+void nb_state_fields(struct nb_state_reading *reading);
+void nb_state_contact(struct nb_state_reading *reading);
+void nb_state_normal(struct nb_state_reading *reading);
+void nb_state_shear(struct nb_state_reading *reading);
+
+struct nb_state_record {
+  const char *word; /* NULL: behind the last one */
+  void (*read)(struct nb_state_reading *reading);
+  enum { NB_ANY_TIMES, NB_AT_MOST_ONCE, NB_ONCE, NB_MORE } times; /* NB_MORE: once or more */
+};
+extern const struct nb_state_record nb_state_records[];
 
 #endif

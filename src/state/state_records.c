@@ -16,29 +16,16 @@ static int take_material(struct nb_state_reading *reading) {
   return 0;
 }
 
-static int take_wall(struct nb_state_reading *reading) {
-  char name[NB_NAME_SIZE];
-  nb_saved_name(reading, name, "the name of a wall");
-  for (size_t w = 0; w < reading->saved->wall_count; w++)
-    if (strcmp(reading->saved->walls[w].name, name) == 0)
-      return (int)w;
-  nb_saved_expected(reading, "the name of a wall that stands above");
-  return 0;
+/* A new name; `known` of them stand in an array of elements that begin with it. */
+static void new_name(struct nb_state_reading *reading, char *name, const void *known, size_t count, size_t element,
+                     const char *what) {
+  nb_saved_name(reading, name, what);
+  if (!nb_is_name(name))
+    nb_saved_expected(reading, "%s", what);
+  for (size_t k = 0; k < count; k++)
+    if (strcmp((const char *)known + k * element, name) == 0)
+      nb_saved_expected(reading, "%s, each once", what);
 }
-
-/* One more at the end of an array of the state; NULL, and said, when there is no memory. */
-static void *more(struct nb_state_reading *reading, void **array, size_t *count, size_t element) {
-  void *room = nb_room(*array, *count, 1, element);
-  if (!room) {
-    reading->bad = true;
-    nb_error_memory(reading->error);
-    return NULL;
-  }
-  *array = room;
-  return memset((char *)room + element * (*count)++, 0, element);
-}
-#define MORE(reading, things, count)                                                                                   \
-  more(reading, (void **)&(reading)->saved->things, &(reading)->saved->count, sizeof *(reading)->saved->things)
 
 static void read_program(struct nb_state_reading *reading) {
   nb_saved_name(reading, reading->saved->program, "the version of the program");
@@ -57,7 +44,7 @@ static void read_hash(struct nb_state_reading *reading) {
 }
 
 static void read_setting(struct nb_state_reading *reading) {
-  char(*setting)[2 * NB_NAME_SIZE] = MORE(reading, settings, setting_count);
+  char(*setting)[2 * NB_NAME_SIZE] = NB_SAVED_MORE(reading, settings, setting_count, NB_NAMED_MAX);
   if (setting)
     nb_saved_rest(reading, *setting, sizeof *setting);
 }
@@ -68,8 +55,8 @@ static void read_cycle(struct nb_state_reading *reading) {
 }
 
 static void read_time(struct nb_state_reading *reading) {
-  reading->saved->time = nb_saved_finite(reading);
-  reading->saved->step = nb_saved_finite(reading);
+  reading->saved->time = nb_saved_not_negative(reading);
+  reading->saved->step = nb_saved_above_0(reading);
 }
 
 static void read_units(struct nb_state_reading *reading) {
@@ -105,13 +92,20 @@ static void read_rotation(struct nb_state_reading *reading) {
 static void read_cell(struct nb_state_reading *reading) {
   struct nb_saved_cell *it = &reading->saved->cell;
   it->is = true;
-  it->h = take_four(reading), it->parting = take_four(reading);
+  it->h = take_four(reading);
+  if (!(it->h.xx * it->h.yy - it->h.xy * it->h.yx > 0))
+    nb_saved_expected(reading, "a cell with an area above 0");
+  it->parting = take_four(reading);
 }
 
 static void read_centre(struct nb_state_reading *reading) { reading->saved->centre = nb_saved_vector(reading); }
 
 static void read_carrier(struct nb_state_reading *reading) {
-  struct nb_saved_carrier *it = &reading->saved->carriers[take_carrier(reading)];
+  const enum nb_carrier carrier = take_carrier(reading);
+  struct nb_saved_carrier *it = &reading->saved->carriers[carrier];
+  if (reading->carriers & 1U << carrier)
+    nb_saved_expected(reading, "such a record once for each carrier");
+  reading->carriers |= 1U << carrier;
   it->literal = nb_saved_one_of(reading, "apart", "literal", NULL) == 1;
   it->rate = take_four(reading);
   it->asked.per_cycle = nb_saved_one_of(reading, "time", "cycle", NULL) == 1;
@@ -122,6 +116,8 @@ static void read_carrier(struct nb_state_reading *reading) {
 static void read_law(struct nb_state_reading *reading) {
   const bool shear = nb_saved_one_of(reading, "normal", "shear", NULL) == 1;
   char *name = shear ? reading->saved->shear : reading->saved->normal;
+  if (name[0])
+    nb_saved_expected(reading, "such a record once");
   nb_saved_name(reading, name, "the name of a law");
   if (!reading->bad && !nb_law_find(shear ? "shear" : "normal", name))
     nb_saved_expected(reading, "a law of this program");
@@ -130,29 +126,32 @@ static void read_law(struct nb_state_reading *reading) {
 }
 
 static void read_material(struct nb_state_reading *reading) {
-  struct nb_material *it = MORE(reading, materials, material_count);
+  struct nb_material *it = NB_SAVED_MORE(reading, materials, material_count, NB_MATERIALS_MAX);
   if (!it)
     return;
-  nb_saved_name(reading, it->name, "the name of a material");
-  it->density = nb_saved_finite(reading);
-#define ROW(name, ...) it->name = nb_saved_finite(reading);
+  new_name(reading, it->name, reading->saved->materials, reading->saved->material_count - 1, sizeof *it,
+           "the name of a material");
+  it->density = nb_saved_not_negative(reading);
+#define ROW(name, ...) it->name = nb_saved_not_negative(reading);
   NB_PAIR_ROWS(ROW)
 #undef ROW
-  it->young = nb_saved_number(reading), it->poisson = nb_saved_finite(reading);
+  it->young = nb_saved_not_negative_if_any(reading), it->poisson = nb_saved_not_negative(reading);
+  if (isnan(it->young) || it->poisson > 0.5)
+    nb_saved_expected(reading, "E and a number from 0 to 0.5");
 }
 
 static void read_pair(struct nb_state_reading *reading) {
-  struct nb_pair_rule *it = MORE(reading, rules, rule_count);
+  struct nb_pair_rule *it = NB_SAVED_MORE(reading, rules, rule_count, NB_MATERIALS_MAX * NB_MATERIALS_MAX);
   if (!it)
     return;
   it->a = take_material(reading), it->b = take_material(reading);
-#define ROW(name, ...) it->name = nb_saved_number(reading);
+#define ROW(name, ...) it->name = nb_saved_not_negative_if_any(reading);
   NB_PAIR_ROWS(ROW)
 #undef ROW
 }
 
 static void read_body(struct nb_state_reading *reading) {
-  struct nb_saved_body *it = MORE(reading, bodies, body_count);
+  struct nb_saved_body *it = NB_SAVED_MORE(reading, bodies, body_count, NB_BODIES_MAX);
   const size_t number = reading->saved->body_count;
   if (!it)
     return;
@@ -160,15 +159,13 @@ static void read_body(struct nb_state_reading *reading) {
   it->shape = nb_saved_one_of(reading, "disc", "sphere", NULL) ? NB_SPHERE : NB_DISC;
   it->material = take_material(reading);
   it->mobility = (enum nb_mobility)nb_saved_one_of(reading, "free", "fixed", "gone");
-  it->radius = nb_saved_finite(reading);
-  if (!(it->radius > 0))
-    nb_saved_expected(reading, "a radius above 0");
+  it->radius = nb_saved_above_0(reading);
   it->position = nb_saved_vector(reading), it->velocity = nb_saved_vector(reading);
   it->spin = nb_saved_finite(reading), it->angle = nb_saved_finite(reading);
 }
 
 static void read_carried(struct nb_state_reading *reading) {
-  struct nb_saved_carried *it = MORE(reading, carried, carried_count);
+  struct nb_saved_carried *it = NB_SAVED_MORE(reading, carried, carried_count, NB_BODIES_MAX);
   const size_t number = reading->saved->carried_count;
   if (!it)
     return;
@@ -184,7 +181,7 @@ static void read_boundary(struct nb_state_reading *reading) {
   it->is = true;
   it->held = nb_saved_one_of(reading, "held", "loose", NULL) == 0;
   it->pressing = nb_saved_one_of(reading, "pressed", "unpressed", NULL) == 0;
-  it->radius = nb_saved_finite(reading);
+  it->radius = nb_saved_above_0(reading);
   it->shape = take_four(reading), it->stress = take_four(reading);
 }
 
@@ -192,98 +189,52 @@ static void read_members(struct nb_state_reading *reading) {
   struct nb_saved *saved = reading->saved;
   while (!nb_saved_ended(reading) && !reading->bad) {
     const int member = (int)nb_saved_count(reading, 1, saved->body_count) - 1;
-    for (size_t k = 0; k < saved->ring.member_count; k++)
-      if (saved->ring.members[k] == member)
-        nb_saved_expected(reading, "each body once");
-    int *it = MORE(reading, ring.members, ring.member_count);
+    if (saved->body_count == 0 || saved->bodies[member].member)
+      nb_saved_expected(reading, "each body once");
+    else
+      saved->bodies[member].member = true;
+    int *it = NB_SAVED_MORE(reading, ring.members, ring.member_count, NB_BODIES_MAX);
     if (it)
       *it = member;
   }
 }
 
 static void read_wall(struct nb_state_reading *reading) {
-  struct nb_saved_wall *it = MORE(reading, walls, wall_count);
+  struct nb_saved_wall *it = NB_SAVED_MORE(reading, walls, wall_count, NB_NAMED_MAX);
   if (!it)
     return;
-  nb_saved_name(reading, it->name, "the name of a wall");
+  new_name(reading, it->name, reading->saved->walls, reading->saved->wall_count - 1, sizeof *it, "the name of a wall");
   it->material = take_material(reading);
-  it->pivot = nb_saved_vector(reading), it->along = nb_saved_vector(reading);
+  it->pivot = nb_saved_vector(reading), it->along = nb_saved_unit_vector(reading);
   it->h0 = nb_saved_finite(reading), it->h1 = nb_saved_finite(reading), it->h2 = nb_saved_finite(reading);
   it->velocity = nb_saved_vector(reading), it->spin = nb_saved_finite(reading);
   it->turn = nb_saved_vector(reading), it->angle = nb_saved_finite(reading);
 }
 
-static void read_fields(struct nb_state_reading *reading) {
-  static const struct {
-    enum nb_field field;
-    const char *name;
-  } known[] = {
-#define ROW(field, name) {field, name},
-      NB_SAVED_FIELDS(ROW)};
-  for (reading->field_count = 0; !nb_saved_ended(reading) && !reading->bad;) {
-    char name[NB_NAME_SIZE];
-    size_t k = 0;
-    nb_saved_name(reading, name, "the name of a field");
-    while (k < sizeof known / sizeof *known && strcmp(known[k].name, name) != 0)
-      k++;
-    if (k == sizeof known / sizeof *known || reading->field_count == NB_FIELDS)
-      nb_saved_expected(reading, "the name of a contact's field");
-    else
-      reading->fields[reading->field_count++] = known[k].field;
-  }
-}
-
-static void read_contact(struct nb_state_reading *reading) {
-  struct nb_saved_contact *it = MORE(reading, contacts, contact_count);
-  const size_t bodies = reading->saved->body_count;
-  if (!it)
-    return;
-  it->a = (int)nb_saved_count(reading, 1, bodies) - 1;
-  it->wall = nb_saved_one_of(reading, "body", "wall", NULL) == 1;
-  it->b = it->wall ? take_wall(reading) : (int)nb_saved_count(reading, (unsigned long)it->a + 2, bodies) - 1;
-  it->muted = nb_saved_one_of(reading, "heard", "muted", NULL) == 1;
-  it->force = nb_saved_vector(reading);
-  for (int f = 0; f < reading->field_count && !reading->bad; f++)
-    it->field[reading->fields[f]] = nb_saved_finite(reading);
-}
-
-/* What a law remembers of the contact above. */
-static void read_memory(struct nb_state_reading *reading, bool shear) {
-  struct nb_saved *saved = reading->saved;
-  struct nb_saved_contact *it = saved->contact_count ? &saved->contacts[saved->contact_count - 1] : NULL;
-  if (!it || *(shear ? &it->shear : &it->normal)) {
-    reading->taken = reading->line;
-    nb_saved_expected(reading, "such a record once, below its contact");
-    return;
-  }
-  *(shear ? &it->shear_at : &it->normal_at) = saved->memory_count;
-  while (!nb_saved_ended(reading) && !reading->bad) {
-    double *value = MORE(reading, memory, memory_count);
-    if (value)
-      *value = nb_saved_finite(reading);
-    if (++*(shear ? &it->shear : &it->normal) > NB_MEMORY_MAX)
-      nb_saved_expected(reading, "at most %d numbers", NB_MEMORY_MAX);
-  }
-}
-static void read_normal(struct nb_state_reading *reading) { read_memory(reading, false); }
-static void read_shear(struct nb_state_reading *reading) { read_memory(reading, true); }
-
-static const struct {
-  const char *word;
-  nb_state_record *read;
-} records[] = {
-    {"program", read_program}, {"page", read_page},       {"hash", read_hash},         {"setting", read_setting},
-    {"stage", read_stage},     {"cycle", read_cycle},     {"time", read_time},         {"units", read_units},
-    {"gravity", read_gravity}, {"inward", read_inward},   {"rotation", read_rotation}, {"cell", read_cell},
-    {"centre", read_centre},   {"carrier", read_carrier}, {"law", read_law},           {"material", read_material},
-    {"pair", read_pair},       {"body", read_body},       {"carried", read_carried},   {"boundary", read_boundary},
-    {"members", read_members}, {"wall", read_wall},       {"fields", read_fields},     {"contact", read_contact},
-    {"normal", read_normal},   {"shear", read_shear}};
-enum { RECORDS = sizeof records / sizeof *records };
-
-nb_state_record *nb_state_record_of(const char *word) {
-  for (size_t k = 0; k < RECORDS; k++)
-    if (strcmp(records[k].word, word) == 0)
-      return records[k].read;
-  return NULL;
-}
+const struct nb_state_record nb_state_records[] = {{"program", read_program, NB_ONCE},
+                                                   {"page", read_page, NB_ONCE},
+                                                   {"hash", read_hash, NB_ONCE},
+                                                   {"stage", read_stage, NB_ONCE},
+                                                   {"cycle", read_cycle, NB_ONCE},
+                                                   {"time", read_time, NB_ONCE},
+                                                   {"units", read_units, NB_ONCE},
+                                                   {"gravity", read_gravity, NB_ONCE},
+                                                   {"law", read_law, NB_MORE},
+                                                   {"body", read_body, NB_MORE},
+                                                   {"setting", read_setting, NB_ANY_TIMES},
+                                                   {"inward", read_inward, NB_AT_MOST_ONCE},
+                                                   {"rotation", read_rotation, NB_AT_MOST_ONCE},
+                                                   {"cell", read_cell, NB_AT_MOST_ONCE},
+                                                   {"centre", read_centre, NB_AT_MOST_ONCE},
+                                                   {"carrier", read_carrier, NB_ANY_TIMES},
+                                                   {"material", read_material, NB_ANY_TIMES},
+                                                   {"pair", read_pair, NB_ANY_TIMES},
+                                                   {"carried", read_carried, NB_ANY_TIMES},
+                                                   {"boundary", read_boundary, NB_AT_MOST_ONCE},
+                                                   {"members", read_members, NB_AT_MOST_ONCE},
+                                                   {"wall", read_wall, NB_ANY_TIMES},
+                                                   {"fields", nb_state_fields, NB_AT_MOST_ONCE},
+                                                   {"contact", nb_state_contact, NB_ANY_TIMES},
+                                                   {"normal", nb_state_normal, NB_ANY_TIMES},
+                                                   {"shear", nb_state_shear, NB_ANY_TIMES},
+                                                   {NULL, NULL, NB_ANY_TIMES}};
