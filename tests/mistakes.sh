@@ -88,6 +88,17 @@ path "$(numbered 2000 'leg l@ slip by 1 um in 1 step')" >"$work/right.md"
 path "$(numbered 2001 'leg l@ slip by 1 um in 1 step')" >"$work/wrong.md"
 limit 'legs' 'expected at most 2000 legs, with this there are more'
 
+# on FROM STAGE NAME: a page that goes on from there with one stage of its own.
+on() { printf '```scene\nstart %s stage %s\nrecord time\nstage %s\ncycles 1\n```\n' "$1" "$2" "$3"; }
+page '' >"$work/chain0.md"
+on chain0 go s1 >"$work/chain1.md"
+for k in $(seq 2 49); do
+  on "chain$((k - 1))" "s$((k - 1))" "s$k" >"$work/chain$k.md"
+done
+on chain48 s48 last >"$work/right.md"
+on chain49 s49 last >"$work/wrong.md"
+limit 'pages that start one from another' 'expected at most 50 pages that start one from another'
+
 { page '' && many 65536 "$(many 63 x)
 "; } | head -c 4194304 >"$work/right.md"
 { cat "$work/right.md" && echo x; } >"$work/wrong.md"

@@ -62,15 +62,6 @@ test $? -eq 2 && grep -q 'starts from itself in the end' "$work/said"
 result $? 'a chain that bites its tail is a mistake'
 cp cases/saved-stage.md "$pages"
 
-# Each page is read within the one that starts from it, so there is a limit.
-for k in $(seq 1 60); do
-  sed "s/^start .*/start chain-$((k - 1)) stage s$((k - 1))/; s/^stage .*/stage s$k/" "$pages/third.md" >"$pages/chain-$k.md"
-done
-sed 's/^start .*/start saved-stage stage rest/; s/^stage .*/stage s0/' "$pages/third.md" >"$pages/chain-0.md"
-"$nineball" explain "$pages/chain-60.md" --states "$states" >"$work/out" 2>"$work/said"
-test $? -eq 2 && grep -q 'expected at most 50 pages that start one from another' "$work/said"
-result $? 'a chain that is too long is refused'
-
 # Whoever makes a state may have been stopped.
 rm "$states"/*.state
 : >"$states/$("$nineball" explain "$pages/saved-stage.md" --states "$states" | sed -n 's/.*\(nine-discs-load-[0-9a-f]*.state\).*/\1/p').lock"
