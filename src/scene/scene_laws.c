@@ -103,8 +103,6 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_in_forc
 void nb_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   struct nb_in_force now = nb_laws_at_start(scene);
-  if (!now.normal || !now.shear)
-    return;
   check_laws(reading, &now, now.shear_line ? now.shear_line : now.normal_line);
   check_damping(reading, &scene->damping, now.normal);
   for (size_t s = 0; s < scene->stage_count; s++) {

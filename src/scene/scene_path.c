@@ -216,7 +216,7 @@ static void say_of_law(struct nb_scene_reading *reading, const struct nb_asked *
 void nb_path_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
-  for (size_t k = 0; k < reading->asked_count && normal && shear; k++) {
+  for (size_t k = 0; k < reading->asked_count; k++) {
     const unsigned asks = scene->columns[k].quantity.kind->fields;
     if (asks & NB_ASKS_STORE && !normal->stored)
       say_of_law(reading, &reading->asked[k], normal);
