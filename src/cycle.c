@@ -93,8 +93,11 @@ enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
   const bool search = out && !searched;
   if (search ? nb_near(model, error) : nb_guard_cycle(model, error))
     return error->status;
-  if ((out || searched || model->cycle % NB_WATCH_CYCLES == 0) && nb_stable_watch(model, error))
+  const bool look = out || searched || model->cycle % NB_WATCH_CYCLES == 0;
+  if (look && nb_stable_watch(model, error))
     return error->status;
+  if (look)
+    nb_guard_digits(model);
   nb_forces(model);
   if (model->sure && !nb_sure_all(model) && nb_stable_watch(model, error))
     return error->status;

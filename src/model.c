@@ -182,7 +182,7 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
     status = nb_plan(model, error);
   if (!status)
     status = nb_near(model, error);
-  model->safe = status ? 0 : nb_safe_step(model).step;
+  model->safe = status ? 0 : nb_safe_begin(model).step;
   if (!status && !saved)
     status = nb_step_set(model, &scene->stages[0].step, error);
   if (!status && scene->impact.line)
@@ -193,6 +193,8 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
     status = nb_error_memory(error);
   if (!status && !(status = nb_regions_create(model, error)))
     status = nb_regions_stage(model, -1, error);
+  if (!status)
+    nb_guard_digits(model);
   return status ? status : nb_balance_create(model, error);
 }
 

@@ -113,6 +113,7 @@ struct nb_model {
   bool joined;           /* two walls have a common end */
   bool pressed;  /* at the last search some centre was within the skin of a wall: it may cross it before the next one */
   bool squeezed; /* and some pair was within the skin of the overlap that guard.c allows */
+  bool coarse;   /* positions are too coarse for the overlaps, and the warning has been given */
   bool dashpots; /* some stage has contact damping */
   size_t wall_contacts;    /* the first contact with a wall: they are the last ones of the list */
   struct nb_joint *joints; /* where a disc may touch a common end of two walls before the next search */
@@ -142,6 +143,7 @@ struct nb_model {
   struct nb_state *walls_from;
   struct nb_vec gravity_from;
   struct nb_inward inward_from;
+  struct nb_warnings warnings; /* of this model, not of its scene */
   unsigned long cycle;
   double time, stage_time; /* of cycle 0 of this stage plus its steps; at its begin; s */
   double touch;            /* when what `impact` makes first touches, s */
@@ -196,6 +198,9 @@ enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *err
 
 /* All that must be asked in a cycle without a search. */
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error);
+
+/* Warns when positions are too coarse for the overlaps that there are now. */
+void nb_guard_digits(struct nb_model *model);
 
 /* near.c: makes the list of contacts anew, if no guard objects */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
@@ -275,6 +280,8 @@ bool nb_sure_all(struct nb_model *model);                  /* after the forces: 
 /* NB_BROKEN when the step is above the safe one, unless the page allows it; what is sure from there on. */
 enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
 enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error);
+struct nb_safe; /* the same as a stage begins, for pairs that are apart too: step.h */
+enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error);
 
 /* cycle.c: the force half, for positions as they are */
 void nb_forces(struct nb_model *model);

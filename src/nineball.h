@@ -38,6 +38,21 @@ enum nb_status nb_error_memory(struct nb_error *error); /* every allocation that
 /* "WHAT: reason", the reason by errno. */
 enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* ---- warning.c: what is doubtful; it changes no exit status -------------------------------------------------------- */
+
+enum { NB_WARNINGS = 16 };
+struct nb_warning {
+  char text[400];
+  int line; /* of the page; 0: of no line */
+};
+struct nb_warnings {
+  struct nb_warning list[NB_WARNINGS];
+  size_t count;
+};
+/* Adds one, unless it is there already. */
+void nb_warn(struct nb_warnings *warnings, int line, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void nb_warnings_add(struct nb_warnings *warnings, const struct nb_warning *warning);
+
 /* ---- mistakes.c: what is wrong with a page, every mistake of it at once ------------------------------------------ */
 
 struct nb_mistakes {
@@ -514,7 +529,8 @@ struct nb_scene {
   size_t stage_count;
   struct nb_binding *bindings;
   size_t binding_count;
-  unsigned unsure; /* set of enum nb_unsure, of what mistakes leave unknown */
+  unsigned unsure;             /* set of enum nb_unsure, of what mistakes leave unknown */
+  struct nb_warnings warnings; /* found while it was read */
 };
 
 /* `--set NAME=VALUE`, as often as wanted: NULL-terminated array of such texts, or NULL for none. */
@@ -602,6 +618,7 @@ struct nb_result {
   unsigned long long deep;     /* contact updates with overlaps above what elastic spheres are good for [R89 6.4.3] */
   char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "body 1 at body 2, cycle 7, 1e-06 s" */
   double seconds;                    /* of wall clock */
+  struct nb_warnings warnings;       /* found while it ran */
 };
 
 /* Called about ten times a second while a run goes on, with the share done (0 to 1) and the seconds since its start. */

@@ -142,6 +142,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
   result->deep = nb_deep_count(run->model);
   snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
   result->seconds = nb_clock() - run->began;
+  result->warnings = run->model->warnings;
   nb_model_free(run->model);
   return status;
 }

@@ -120,7 +120,7 @@ static void properties_go(struct nb_model *model, double share) {
 }
 
 /* The critical step and the safe one must hold from the stage's begin to its end. */
-static bool properties_begin(struct nb_model *model) {
+static bool properties_begin(struct nb_model *model, struct nb_safe *apart) {
   const struct nb_stage *stage = model->stage;
   free(model->properties_from);
   model->properties_from = nb_array(stage->change_count, sizeof *model->properties_from);
@@ -134,10 +134,13 @@ static bool properties_begin(struct nb_model *model) {
   const double first = nb_step_critical(model);
   model->critical = first < last ? first : last;
   const double first_safe = nb_safe_step(model).step;
+  *apart = nb_safe_apart(model);
   properties_go(model, 1);
   const double last_safe = nb_safe_step(model).step;
+  const struct nb_safe last_apart = nb_safe_apart(model);
   properties_go(model, 0);
-  model->safe = first_safe < last_safe ? first_safe : last_safe;
+  *apart = last_apart.step < apart->step ? last_apart : *apart;
+  model->safe = fmin(fmin(first_safe, last_safe), apart->step);
   return true;
 }
 
@@ -187,7 +190,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   model->damping = stage->damping;
   model->coming = nb_laws_of(stage, model->laws);
   model->properties.pieces = model->coming.pieces;
-  if (!walls_begin(model, stage) || !properties_begin(model))
+  struct nb_safe apart;
+  if (!walls_begin(model, stage) || !properties_begin(model, &apart))
     return nb_error_memory(error);
   const enum nb_status status = nb_step_set(model, &stage->step, error);
   gravity_begin(model);
@@ -202,7 +206,7 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   model->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||
                     nb_laws_shear_changes(model);
   model->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
-  return status ? status : nb_stable_watch(model, error);
+  return status ? status : nb_stable_begin(model, &apart, error);
 }
 
 /* Contacts of a pairing that has lost its shear forget what they remembered of it. */

@@ -165,7 +165,7 @@ static void overlap_later(void) {
     unsigned long done;
     snprintf(text, sizeof text,
              HEAD "material heavy density 1e30 kn 1\n%sdisc 0 0 radius 1 m fixed velocity 0.125 0\ndisc 2 0 radius 1 "
-                  "heavy\ndisc 2 40 radius 1 m",
+                  "heavy\ndisc 2 40 radius 1 m\ndisc 4 40 radius 1 m",
              skins[k]);
     CU_ASSERT_EQUAL(outcome(&error, text, 16, &done), NB_OK);
     CU_ASSERT_EQUAL(outcome(&error, text, 99, &done), NB_BROKEN);
@@ -175,6 +175,106 @@ static void overlap_later(void) {
   }
 }
 
+/* What the scene and the model say of such a page, all in one text. */
+static const char *warned(char text[2000], const char *statements) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\n%s\n%sstage s\ncycles 1\n", statements,
+            strstr(statements, "\nstep ") ? "" : "step 1e-6\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  text[0] = 0;
+  for (int of_model = 0; of_model < 2; of_model++) {
+    const struct nb_warnings *warnings = of_model ? &model->warnings : &it.scene.warnings;
+    for (size_t k = 0; k < warnings->count; k++)
+      snprintf(text + strlen(text), 2000 - strlen(text), "%d: %s\n", warnings->list[k].line, warnings->list[k].text);
+  }
+  nb_model_free(model);
+  written_free(&it);
+  return text;
+}
+
+static void friction_without_effect(void) {
+  char text[2000];
+  static const struct {
+    const char *statements, *words; /* NULL: no warning */
+  } cases[] = {
+      {"material m density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m",
+       "3: friction between `m` and `m` has no effect: there is no `shear` law"},
+      {"material m density 1 kn 1 friction 0\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m", NULL},
+      {"material m density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m", NULL}, /* alone */
+      {"material m density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m\nwall w -9 -9 to 9 -9 m",
+       "3: friction between `m` and `m`"},
+      {"material m density 1 kn 1 ks 1 friction 0.5\nshear linear\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m", NULL},
+      {"material m density 1 kn 1 ks 0 friction 0.5\nshear linear\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m",
+       "has no effect: their shear stiffness `ks` is 0"},
+      {"material m density 1 kn 1\npair m m friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m",
+       "4: friction between"},
+      {"material m density 1 young 1 poisson 0.3 friction 0.5\nnormal hertz\nshear mindlin\nsphere 0 0 radius 1 "
+       "m\nsphere 3 0 radius 1 m",
+       NULL},
+      {"material m density 1 kn 1 friction 0.5\nmaterial n density 1 kn 1\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 n",
+       NULL}, /* the smaller one, 0 */
+      {"material m density 1 kn 1 friction 0.5\ndisc 0 0 radius 1 m\ndisc 3 0 radius 1 m\nstep 1e-7\nstage a\nmaterial "
+       "m ks 1\nshear linear\ncycles 1",
+       NULL},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    const char *wanted = cases[k].words;
+    warned(text, cases[k].statements);
+    CU_ASSERT(wanted ? strstr(text, wanted) != NULL : !text[0]);
+    if (wanted ? !strstr(text, wanted) : text[0])
+      printf("# %s: %s\n", cases[k].statements, text);
+  }
+}
+
+/* ulp(2^23) = 2^-29: a thousandth of an overlap of 1000 x 2^-29. */
+static void digits(void) {
+  char text[2000];
+  static const struct {
+    double overlap, at;
+    bool warns;
+  } cases[] = {
+      {2000. / 536870912, 8388608, false},
+      {900. / 536870912, 8388608, true},
+      {900. / 536870912, -8388700, true},
+      {900. / 536870912, 4194304 - 4, false},
+      {-0.5, 8388608, false}, /* to come: 1e-3, and its thousandth is above 2^-29 */
+      {-0.5, 8589934592., true},
+      {0, 0, false},
+  };
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+    for (int axis = 0; axis < 2; axis++) {
+      char statements[500];
+      snprintf(statements, sizeof statements,
+               axis ? "material m density 1 kn 1\ndisc 0 %.17g radius 1 m\ndisc 0 %.17g radius 1 m\n"
+                    : "material m density 1 kn 1\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n",
+               cases[k].at, cases[k].at + 2 - cases[k].overlap);
+      warned(text, statements);
+      CU_ASSERT_EQUAL(text[0] != 0, cases[k].warns);
+      if ((text[0] != 0) != cases[k].warns)
+        printf("# %s%s\n", statements, text);
+    }
+}
+
+/* Of three in a row, whose overlaps are 700 x 2^-29 each: the mean counts, not the sum. */
+static void digits_of_the_mean(void) {
+  char text[2000], statements[500];
+  snprintf(statements, sizeof statements,
+           "material m density 1 kn 1\ndisc 8388608 0 radius 1 m\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n",
+           8388610 - 700. / 536870912, 8388612 - 1400. / 536870912);
+  CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), "particle 2: its coordinate 8.38861e+06 m"));
+}
+
+static void each_warning_once(void) {
+  struct nb_warnings warnings = {0};
+  for (int k = 0; k < 40; k++)
+    nb_warn(&warnings, k / 2, "the %dth", k / 4);
+  CU_ASSERT_EQUAL(warnings.count, NB_WARNINGS);
+  CU_ASSERT(warnings.list[0].line == 0 && warnings.list[1].line == 1 && strcmp(warnings.list[1].text, "the 0th") == 0);
+  CU_ASSERT(warnings.list[15].line == 15 && strcmp(warnings.list[15].text, "the 7th") == 0);
+}
+
 void suite_guard(void) {
   CU_pSuite suite = CU_add_suite("guard", NULL, NULL);
   CU_add_test(suite, "overlap at the start", overlap_at_the_start);
@@ -182,4 +282,8 @@ void suite_guard(void) {
   CU_add_test(suite, "carried by a cell", carried_by_a_cell);
   CU_add_test(suite, "turn in a step", turn_in_a_step);
   CU_add_test(suite, "overlap later", overlap_later);
+  CU_add_test(suite, "friction without effect", friction_without_effect);
+  CU_add_test(suite, "digits", digits);
+  CU_add_test(suite, "digits of the mean", digits_of_the_mean);
+  CU_add_test(suite, "each warning once", each_warning_once);
 }

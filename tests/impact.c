@@ -54,7 +54,7 @@ static void psi1_is_of_the_contact(void) {
       "watch C sphere 1 with wall f\n",
       "sphere 0 3 radius 0.5 m spin 2\nsphere 1 -1 radius 1.5 m velocity 0.3 0.1 spin -0.4\nwatch B sphere 1\n"
       "watch C sphere 1 with sphere 2\n",
-      "sphere 0 3 radius 1.5 m spin -0.4\nsphere 1 -1 radius 0.5 m velocity 0.3 0.1 spin 2\nwatch B sphere 2\n"
+      "sphere 0 3 radius 1.5 m velocity 0.3 0.1 spin -0.4\nsphere 1 -1 radius 0.5 m spin 2\nwatch B sphere 2\n"
       "watch C sphere 2 with sphere 1\n"};
   for (int k = 0; k < 4; k++) {
     struct written it;

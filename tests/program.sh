@@ -99,6 +99,27 @@ run 3 run "$pages/whole-turn.md"
 said 'wall `blade` (line 6): in cycle 1, at 0.001 s, it turned by 6.28319 rad in one step of 0.001 s'
 verdict 'a wall that turns too far in one step: 3, naming it, moment and limit'
 
+run 3 run "$pages/too-long-a-step.md"
+said 'body 1 (line 5): at cycle 0, 0 s, the step 1 s is above what is sure to be stable, 0.000792665 s'
+said 'body 1 at body 2, as if they touched'
+run 0 explain "$pages/too-long-a-step.md"
+out 'as if they touched; ABOVE it: the run will stop at once'
+verdict 'a step that is too long for the first contact: 3 before there is one'
+
+run 0 check "$pages/warns.md"
+for where in out said; do
+  $where "$pages/warns.md:4: warning: friction between \`m\` and \`m\` has no effect: there is no \`shear\` law"
+  $where "$pages/warns.md:5: warning: particle 1: its coordinate 9e+06 m has a resolution (ulp) of 1.86265e-09 m, that is 0.19 %"
+done
+run 0 explain "$pages/warns.md"
+out "$pages/warns.md:4: warning: friction"
+out "$pages/warns.md:5: warning: particle 1"
+run 0 check "$pages/warns.md" --tap
+out "# $pages/warns.md:4: warning: friction"
+run 0 explain "$pages/warns.md" --set shear=linear
+out 'their shear stiffness `ks` is 0'
+verdict 'warnings: said once on standard error, repeated by verdict and explain, and the status stays'
+
 run 3 check "$pages/never-ends.md"
 said 'stage `wait` (line 10) did not end within 20 cycles: D.x is 5 and should be above 6'
 run 3 run "$pages/never-ends.md" -o never
@@ -222,7 +243,7 @@ run 0 run "$pages/passes.md" -o other --set step=0.0625 --set v=1.0
 sed -n 's/.*FNV-1a //p' passes.out/table.tsv set/table.tsv other/table.tsv | sort | uniq -d >>why
 run 0 explain "$pages/same-bits.md" --set shear=none
 out 'normal linear'
-grep -q 'shear linear' out && echo '--set shear=none does not hold' >>why
+grep -q 'shear linear  ' out && echo '--set shear=none does not hold' >>why
 run 2 explain "$pages/passes.md" --set shear=liner
 said 'did you mean `linear`?'
 run 2 run "$pages/passes.md" --set w=1

@@ -18,7 +18,7 @@ static void rows_come_when_they_are_asked_for(void) {
   struct written it;
   struct nb_result result;
   words_add(&page, SCENE "stage a\nrecord every 4 cycles\ncycles 10\nstage b\nrecord none\ncycles 3\nstage c\n"
-                         "step 0.5\ncycles 2\n");
+                         "step 0.5\nallow unstable\ncycles 2\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   /* The start, every fourth cycle and the last of a; none of b; both of c. */

@@ -251,12 +251,13 @@ static void a_stage_is_looked_at_as_it_begins(void) {
   CU_ASSERT_EQUAL(ends(STAGES("", "ramp material m kn 20\nstep 1 of safe\n"), &cycles, &error), NB_OK);
 }
 
-/* Nothing is searched here. The stiffness crosses the bound half-way, at 12.5 = 2/0.4^2: the next look finds it. */
+/* Nothing is searched here. The bound of three in a row, 3 k = 4/0.4^2, is crossed at k = 8.33, after 2424 cycles: the next look
+ * finds it. That of a pair, 2 k, is not, or the stage would not begin. */
 static void it_looks_now_and_then(void) {
   unsigned long cycles;
   struct nb_error error;
-  CU_ASSERT_EQUAL(ends(PAIR "discs lattice 2 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\nrecord none\n"
-                            "ramp material m kn 17\ncycles 4000\n",
+  CU_ASSERT_EQUAL(ends(PAIR "discs lattice 3 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\nrecord none\n"
+                            "ramp material m kn 8.55\ncycles 4000\n",
                        &cycles, &error),
                   NB_BROKEN);
   CU_ASSERT_EQUAL(cycles, 3000);

@@ -132,6 +132,30 @@ static void a_stiffer_way_back_is_sure_earlier(void) {
   CU_ASSERT_DOUBLE_EQUAL(sure[1], sure[0] / 4, 1e-5 * sure[0]);
 }
 
+/* What may get deep may come to have the dashpot of a deep contact: M = 1/2, and of the q that a pair alone may come to, 2, the
+ * spring has what dt^2 k + 2 dt max(2 ratio, 2) (M k)^(1/2) = 2 leaves it. */
+static void it_may_get_deep(void) {
+  static const double ratios[] = {0.3, 1.5};
+  for (size_t n = 0; n < 2; n++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {0};
+    words_add(&page,
+              SPHERE "shear none\ndamping contact-ratio %g\ndamping critical above 0.5\nsphere 0 0 radius 1 m\n"
+                     "sphere 1.999999 0 radius 1 m\nstep 0.5\nrecord step.safe\nstage s\ncycles 1\n",
+              ratios[n]);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    const double b = fmax(2 * ratios[n], 2) * sqrt(0.5), root = (-b + sqrt(b * b + 4 * 0.25 * 2)) / (2 * 0.25);
+    const double stiffness = root * root, young = 1 / (2 * 0.91),
+                 known = stiffness * stiffness / (4 * young * young * 0.5);
+    CU_ASSERT_DOUBLE_EQUAL(overlap_sure(model, 0) / known, 1, 1e-9);
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* What is held has nothing to share. */
 static void a_body_that_is_held(void) {
   struct words page = {0};
@@ -232,6 +256,7 @@ void suite_watch(void) {
   CU_add_test(suite, "an impact between two looks", an_impact_between_two_looks);
   CU_add_test(suite, "a pair may use it up", a_pair_may_use_it_up);
   CU_add_test(suite, "a stiffer way back is sure earlier", a_stiffer_way_back_is_sure_earlier);
+  CU_add_test(suite, "it may get deep", it_may_get_deep);
   CU_add_test(suite, "a body that is held", a_body_that_is_held);
   CU_add_test(suite, "three share it", three_share_it);
   CU_add_test(suite, "no cycle is unsure", no_cycle_is_unsure);

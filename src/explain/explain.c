@@ -59,11 +59,10 @@ static void explain_memory(FILE *out, const struct nb_model *model) {
 }
 
 static void explain_safe(FILE *out, const struct nb_model *model, const char *unit) {
-  const struct nb_safe safe = nb_safe_step(model);
+  const struct nb_safe safe = nb_safe_begin(model);
   char what[3 * NB_NAME_SIZE];
   nb_safe_words(what, sizeof what, model, &safe);
-  fprintf(out, "  safe: %g%s; the step is %g of it; set by %s%s%s\n", safe.step, unit, model->step / safe.step, what,
-          model->contacts.count ? "" : ", as if they met: nothing is near",
+  fprintf(out, "  safe: %g%s; the step is %g of it; set by %s%s\n", safe.step, unit, model->step / safe.step, what,
           model->step <= safe.step ? ""
           : model->allow_unstable  ? "; allowed to be unstable"
                                    : "; ABOVE it: the run will stop at once");
@@ -102,7 +101,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   const double contact = nb_step_contact(model);
   if (!nb_step_elastic(model))
     fprintf(out, "  critical, 2 sqrt(m/k): %g%s; the step is %g of it, the safe one %g of it\n", model->critical, unit,
-            model->step / model->critical, nb_safe_step(model).step / model->critical);
+            model->step / model->critical, nb_safe_begin(model).step / model->critical);
   if (nb_step_elastic(model) && !nb_step_pressed(model))
     fprintf(out, "  safe: not known, elastic spheres that are not pressed have no stiffness\n");
   else

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "laws/law.h"
+#include "model.h"
 #include "page/guess.h"
 #include "state/save.h"
 #include "state/start.h"
@@ -176,6 +177,7 @@ static enum nb_status report_one(const struct nb_use *use, const char *path, con
     for (size_t r = 0; r < outcome.run_count; r++)
       line->seconds += outcome.runs[r].result.seconds;
   }
+  line->warnings = outcome.warnings;
   if (is_unchecked(&outcome)) /* its figure is drawn nevertheless */
     line->status = NB_BAD_USE;
   line->checks = outcome.check_count, line->stopped = outcome.status > NB_FAILED;
@@ -239,8 +241,11 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
       if (error.status)
         fprintf(stderr, "%s: error: %s\n", use->pages[k], error.text);
       worst = worse(worst, error.status);
+      if (model)
+        nb_print_warnings(stdout, "", use->pages[k], &model->warnings);
       nb_model_free(model);
     }
+    nb_print_warnings(stdout, "", use->pages[k], &outcome.warnings);
     nb_outcome_free(&outcome);
   }
   return worst;

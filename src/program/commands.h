@@ -30,6 +30,8 @@ enum nb_status nb_command_list(const struct nb_use *use);
 
 /* print.c: verdicts and progress on the terminal */
 struct nb_outcome;
+/* One a line: "PAGE:7: warning: …", with `before` before it. */
+void nb_print_warnings(FILE *out, const char *before, const char *path, const struct nb_warnings *warnings);
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
 void nb_print_trouble(const struct nb_outcome *outcome, const char *path); /* mistakes, or what broke, to stderr */

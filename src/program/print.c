@@ -21,6 +21,16 @@ static void print_skipped(const struct nb_outcome *outcome) {
   }
 }
 
+void nb_print_warnings(FILE *out, const char *before, const char *path, const struct nb_warnings *warnings) {
+  for (size_t k = 0; k < warnings->count; k++) {
+    const struct nb_warning *warning = &warnings->list[k];
+    char line[16] = "";
+    if (warning->line)
+      snprintf(line, sizeof line, ":%d", warning->line);
+    fprintf(out, "%s%s%s: warning: %s\n", before, path, line, warning->text);
+  }
+}
+
 void nb_print_verdict(const struct nb_outcome *outcome) {
   const size_t *marked = outcome->marked;
   printf("%s: %s\n", outcome->page.name, outcome->page.title);
@@ -36,6 +46,7 @@ void nb_print_verdict(const struct nb_outcome *outcome) {
   if (marked[NB_PASS] + marked[NB_FAIL] + marked[NB_NOTE])
     puts("");
   print_skipped(outcome);
+  nb_print_warnings(stdout, "  ", outcome->page.path, &outcome->warnings);
 }
 
 /* A `#` would begin a directive of TAP. */
@@ -66,21 +77,7 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
            : count                 ? "was not checked"
                                    : "did not run",
            outcome->mistakes.count ? "" : outcome->error.text);
-}
-
-/* Of all runs together, and which one was the first. */
-static void warn_deep(const struct nb_outcome *outcome, const char *path) {
-  unsigned long long count = 0;
-  const struct nb_page_run *first = NULL;
-  for (size_t r = 0; r < outcome->run_count; r++) {
-    count += outcome->runs[r].result.deep;
-    first = first || !outcome->runs[r].result.deep ? first : &outcome->runs[r];
-  }
-  if (first)
-    fprintf(stderr,
-            "%s: warning: overlaps above what elastic spheres are good for, in %llu contact updates; first %s%s%s "
-            "[R89 6.4.3]\n",
-            path, count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
+  nb_print_warnings(stdout, "# ", path, &outcome->warnings);
 }
 
 void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
@@ -88,7 +85,7 @@ void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
     fputs(outcome->mistakes.text, stderr);
   if (outcome->error.text[0] && outcome->status > NB_FAILED)
     fprintf(stderr, "%s: %s: %s\n", path, outcome->status == NB_BROKEN ? "stopped" : "error", outcome->error.text);
-  warn_deep(outcome, path);
+  nb_print_warnings(stderr, "", path, &outcome->warnings);
 }
 
 static void progress(void *data, const char *stage, double share, double seconds) {

@@ -94,6 +94,14 @@ static void write_page(FILE *out, const struct nb_report_line *line, size_t numb
     text(out, line->message);
     fputs("</p>\n", out);
   }
+  for (size_t k = 0; k < line->warnings.count; k++) {
+    const struct nb_warning *warning = &line->warnings.list[k];
+    fputs("<p>Warning: ", out);
+    if (warning->line)
+      fprintf(out, "line %d: ", warning->line);
+    text(out, warning->text);
+    fputs("</p>\n", out);
+  }
   if (line->drawn) {
     fputs("<p><img ", out);
     address(out, "src", line->name, line->name, ".svg");

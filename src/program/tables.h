@@ -41,6 +41,7 @@ struct nb_report_line {
   enum nb_status status;
   bool stopped, kept, drawn; /* it did not run to its end; there are tables, a figure */
   double seconds;
+  struct nb_warnings warnings;
   struct nb_check *verdicts; /* owned by who reports */
 };
 enum nb_status nb_report_write(const char *folder, const struct nb_report_line *lines, size_t count,

@@ -63,6 +63,8 @@ static const char *aim(struct nb_scene *scene) {
   const struct nb_strike strike = nb_impact_strike(scene);
   if (body->fixed)
     return "expected a contact whose first body is free, this one is fixed";
+  if (body->vx != 0 || body->vy != 0)
+    return "expected a particle without `velocity`: `impact` gives it one";
   if (!isfinite(strike.normal.x))
     return "expected a body beside what it strikes, this one is in its middle";
   const double slope = impact->psi1 > 0 ? impact->psi1 * strike.friction * strike.kappa : 0;

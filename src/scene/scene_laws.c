@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "laws_now.h"
+#include "model.h"
 #include "scene.h"
 
 /* At the first word of that line. */
@@ -100,8 +100,68 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_in_forc
         laws->shear->name);
 }
 
+/* ---- friction that nothing carries ---- */
+
+enum { FRICTION = 1, CARRIED = 2 }; /* a pair of materials has friction in some stage; and something carries it then */
+
+static void look_at_friction(unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,
+                             const struct nb_properties *now, const struct nb_law *shear) {
+  for (int a = 0; a < (int)scene->material_count; a++)
+    for (int b = 0; b < (int)scene->material_count; b++) {
+      const struct nb_pair pair = nb_properties_pair(now, a, b);
+      const bool carried = strcmp(shear->name, "none") != 0 && (shear->elastic || pair.ks > 0);
+      seen[a][b] |= (unsigned char)(pair.friction > 0 ? FRICTION | (carried ? CARRIED : 0) : 0);
+    }
+}
+
+/* Whether a particle of material a may touch one of material b, or a wall of it. */
+static bool may_touch(const struct nb_scene *scene, int a, int b) {
+  size_t of_a = 0, of_b = 0;
+  for (size_t k = 0; k < scene->body_count; k++)
+    of_a += scene->bodies[k].material == a, of_b += scene->bodies[k].material == b;
+  for (size_t w = 0; w < scene->wall_count; w++)
+    of_b += scene->walls[w].material == b;
+  return of_a > 0 && of_b > (a == b ? 1 : 0);
+}
+
+static int line_of_pair(const struct nb_scene *scene, int a, int b) {
+  for (size_t r = 0; r < scene->pair_rule_count; r++) {
+    const struct nb_pair_rule *rule = &scene->pair_rules[r];
+    if ((rule->a == a && rule->b == b) || (rule->a == b && rule->b == a))
+      return rule->line;
+  }
+  return scene->materials[a].line;
+}
+
+/* It can be meant, to show what friction does by leaving it out; mostly it is forgotten. */
+static void warn_of_friction(struct nb_scene *scene) {
+  unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};
+  struct nb_properties now = {0};
+  struct nb_in_force laws = nb_laws_at_start(scene);
+  if (!nb_properties_create(&now, scene))
+    return;
+  look_at_friction(seen, scene, &now, laws.shear);
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    laws = nb_laws_of(stage, laws);
+    for (size_t k = 0; k < stage->change_count; k++)
+      nb_properties_change(&now, &stage->changes[k], nb_properties_before(&now, &stage->changes[k]), 1);
+    look_at_friction(seen, scene, &now, laws.shear);
+  }
+  nb_properties_free(&now);
+  for (int a = 0; a < (int)scene->material_count; a++)
+    for (int b = 0; b < (int)scene->material_count; b++) {
+      if (seen[a][b] != FRICTION || !may_touch(scene, a, b) || (b < a && may_touch(scene, b, a)))
+        continue;
+      nb_warn(&scene->warnings, line_of_pair(scene, a, b), "friction between `%s` and `%s` has no effect: %s",
+              scene->materials[a].name, scene->materials[b].name,
+              nb_laws_shear(scene) ? "their shear stiffness `ks` is 0"
+                                   : "there is no `shear` law, such as `shear linear`");
+    }
+}
+
 void nb_laws_check(struct nb_scene_reading *reading) {
-  const struct nb_scene *scene = reading->scene;
+  struct nb_scene *scene = reading->scene;
   struct nb_in_force now = nb_laws_at_start(scene);
   check_laws(reading, &now, now.shear_line ? now.shear_line : now.normal_line);
   check_damping(reading, &scene->damping, now.normal);
@@ -115,4 +175,6 @@ void nb_laws_check(struct nb_scene_reading *reading) {
     if (old.normal != now.normal || !nb_damping_alike(before, &stage->damping)) /* each is said once */
       check_damping(reading, &stage->damping, now.normal);
   }
+  if (!scene->path)
+    warn_of_friction(scene);
 }

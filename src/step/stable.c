@@ -24,7 +24,8 @@
  * and for other dashpots the root of the same with k + 2 c/dt in place of k, which one cannot write down.
  *
  * Every pair that is listed counts, touching or not, so that the bound holds until the next search whatever closes or
- * opens; what does not touch counts as if it just did. Left out: that contacts turn, of the order of overlap over
+ * opens; what does not touch counts as if it just did. As a stage begins all pairs that could meet count as well: the lightest
+ * particles of any two materials, however far they are apart. Else the step could be too long for the first contact there is. Left out: that contacts turn, of the order of overlap over
  * radius; a contact that slides is softer.
  *
  * To find it costs a few cycles' work, of elastic spheres up to a dozen. When a run does so: watch.c.
@@ -164,10 +165,11 @@ static void smaller(struct nb_safe *safe, const struct nb_part *part, double lim
   safe->turning = shear_of(part, safe->step) > nb_part_normal(part, safe->step);
 }
 
-/* Nothing is near: the lightest bodies of any two materials, as if one pair of them met. */
-static struct nb_safe alone(const struct nb_model *model, double limit) {
+struct nb_safe nb_safe_apart(const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
+  const double limit = nb_safe_limit(&model->damping);
   struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
+  look_ahead(model);
   for (size_t p = 0; p < model->pairing_count; p++) {
     const struct nb_pairing *pairing = &model->pairings[p];
     int lightest[2];
@@ -194,7 +196,13 @@ static struct nb_safe alone(const struct nb_model *model, double limit) {
     if (part.own.kn > 0)
       smaller(&safe, &part, limit, lightest[0], lightest[1], pairing);
   }
+  safe.apart = true;
   return safe;
+}
+
+struct nb_safe nb_safe_begin(const struct nb_model *model) {
+  const struct nb_safe near = nb_safe_step(model), apart = nb_safe_apart(model);
+  return apart.step < near.step ? apart : near;
 }
 
 struct nb_part nb_part_of(const struct nb_model *model, size_t c) {
@@ -212,9 +220,9 @@ struct nb_safe nb_safe_step(const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   const double limit = nb_safe_limit(&model->damping);
   struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
-  look_ahead(model);
   if (contacts->count == 0)
-    return alone(model, limit);
+    return nb_safe_apart(model);
+  look_ahead(model);
   memset(model->loads, 0, bodies->count * sizeof *model->loads);
   for (size_t c = 0; c < contacts->count; c++) { /* in the order of numbers, whatever the storage */
     const int i = contacts->a[c], j = contacts->b[c];

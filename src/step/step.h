@@ -15,11 +15,15 @@ struct nb_load {
 struct nb_safe {
   double step;                      /* s; infinite when nothing can vibrate */
   int a, b;                         /* slots, b a wall where the pairing is with walls; b or both -1: nothing is near */
+  bool apart;                       /* of a pair as if it touched */
   bool turning;                     /* its shear and spin set it, not its normal motion */
   const struct nb_pairing *pairing; /* of that contact */
 };
 struct nb_safe nb_safe_step(const struct nb_model *model);
-double nb_safe_limit(const struct nb_damping *damping); /* L of the global damping in force */
+/* Of all pairs that could meet: the lightest particles of each two materials, as if they touched, whether they are near or not. */
+struct nb_safe nb_safe_apart(const struct nb_model *model);
+struct nb_safe nb_safe_begin(const struct nb_model *model); /* the smaller of both: what a stage may have as its step */
+double nb_safe_limit(const struct nb_damping *damping);     /* L of the global damping in force */
 
 /* A contact with the shares of mass that it has: everything dt^2 k + 2 dt c is made of. */
 struct nb_part {

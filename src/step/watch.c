@@ -28,6 +28,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "step.h"
 
@@ -43,6 +44,8 @@ void nb_safe_words(char *text, size_t size, const struct nb_model *model, const 
     snprintf(text, size, "%s of body %d at wall %s", how, number[safe->a], model->scene->walls[safe->b].name);
   else
     snprintf(text, size, "%s of body %d at body %d", how, number[safe->a], number[safe->b]);
+  if (safe->apart && safe->a >= 0)
+    snprintf(text + strlen(text), size - strlen(text), ", as if they touched");
 }
 
 /* ---- what is sure until the next look ---- */
@@ -154,23 +157,34 @@ static void be_sure(struct nb_model *model) {
     }
 }
 
+/* A step that is the bound itself is not above it for the rounding of a share of it. */
+static enum nb_status too_long(const struct nb_model *model, const struct nb_safe *safe, struct nb_error *error) {
+  if (model->step <= safe->step * (1 + 4 * DBL_EPSILON))
+    return NB_OK;
+  char what[3 * NB_NAME_SIZE];
+  const int number = model->bodies.number[safe->a];
+  nb_safe_words(what, sizeof what, model, safe);
+  return nb_error_set(
+      error, NB_BROKEN,
+      "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
+      "is set by %s: take a smaller step (`step 0.8 of safe`), or say `allow unstable`",
+      number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, safe->step, what);
+}
+
 enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error) {
   if (model->allow_unstable || model->contacts.count == 0)
     return NB_OK;
   const struct nb_safe safe = nb_safe_step(model);
   model->looks++;
-  /* A step that is the bound itself is not above it for the rounding of a share of it. */
-  if (model->step <= safe.step * (1 + 4 * DBL_EPSILON)) {
-    if (model->sure)
-      be_sure(model);
-    return NB_OK;
-  }
-  char what[3 * NB_NAME_SIZE];
-  const int number = model->bodies.number[safe.a];
-  nb_safe_words(what, sizeof what, model, &safe);
-  return nb_error_set(
-      error, NB_BROKEN,
-      "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
-      "is set by %s: take a smaller step (`step 0.8 of safe`), or say `allow unstable`",
-      number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, safe.step, what);
+  if (too_long(model, &safe, error))
+    return error->status;
+  if (model->sure)
+    be_sure(model);
+  return NB_OK;
+}
+
+enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error) {
+  if (!model->allow_unstable && too_long(model, apart, error))
+    return error->status;
+  return nb_stable_watch(model, error);
 }

@@ -14,6 +14,11 @@
 
 enum { ENOUGH = 100000 }; /* mistakes, most of them the same ones of many runs: then the other runs are not read */
 
+static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *more) {
+  for (size_t k = 0; k < more->count; k++)
+    nb_warnings_add(&outcome->warnings, &more->list[k]);
+}
+
 static void make_label(struct nb_page_run *run) {
   run->label[0] = 0;
   for (size_t k = 0; k < run->scene.binding_count; k++) {
@@ -36,6 +41,7 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
     nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
     make_label(run);
+    add_warnings(outcome, &run->scene.warnings);
   }
 }
 
@@ -47,6 +53,20 @@ enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_
   if (outcome->status == NB_NO_MEMORY)
     nb_error_memory(&outcome->error);
   return outcome->status;
+}
+
+/* Overlaps too deep for elastic spheres, of all runs together, and which one was the first. */
+static void warn_deep(struct nb_outcome *outcome) {
+  unsigned long long count = 0;
+  const struct nb_page_run *first = NULL;
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    count += outcome->runs[r].result.deep;
+    first = first || !outcome->runs[r].result.deep ? first : &outcome->runs[r];
+  }
+  if (first)
+    nb_warn(&outcome->warnings, 0,
+            "overlaps above what elastic spheres are good for, in %llu contact updates; first %s%s%s [R89 6.4.3]",
+            count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
 }
 
 /* Progress of all runs together, of which several may be at it at once. */
@@ -136,6 +156,9 @@ static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_option
     }
   }
   free(all.shares);
+  for (size_t r = 0; r < runs; r++)
+    add_warnings(outcome, &outcome->runs[r].result.warnings);
+  warn_deep(outcome);
   for (size_t r = 0; r < runs; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
     if (run->status)

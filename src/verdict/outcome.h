@@ -43,6 +43,7 @@ struct nb_outcome {
   size_t run_count;
   struct nb_check *checks;
   size_t check_count, marked[NB_MARKS]; /* checks in all, and of each mark */
+  struct nb_warnings warnings;          /* of all runs, each once */
   enum nb_status status;                /* the worst that came up */
   struct nb_error error;                /* in words, when it is NB_BAD_USE without mistakes, or NB_BROKEN */
 };

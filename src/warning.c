@@ -1,0 +1,26 @@
+/* Warnings: what a page may mean, but hardly does; and numbers that cannot be trusted.
+ *
+ * Each is said once. A list holds NB_WARNINGS of them; the others are dropped, as the first ones are what a user needs.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdarg.h>
+#include <string.h>
+
+#include "nineball.h"
+
+void nb_warnings_add(struct nb_warnings *warnings, const struct nb_warning *warning) {
+  for (size_t k = 0; k < warnings->count; k++)
+    if (warnings->list[k].line == warning->line && strcmp(warnings->list[k].text, warning->text) == 0)
+      return;
+  if (warnings->count < NB_WARNINGS)
+    warnings->list[warnings->count++] = *warning;
+}
+
+void nb_warn(struct nb_warnings *warnings, int line, const char *format, ...) {
+  struct nb_warning warning = {.line = line};
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(warning.text, sizeof warning.text, format, arguments);
+  va_end(arguments);
+  nb_warnings_add(warnings, &warning);
+}

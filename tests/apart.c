@@ -1,0 +1,81 @@
+/* The step that a stage may have before anything has met: pairs that are far apart count as if they touched.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "suites.h"
+#include "written.h"
+
+#define PAIR "units none\nmaterial m density 0.31830988618379067 kn 8\n" /* a disc of radius 1 has the mass 1 */
+
+static double step; /* the first column at the end of the last run */
+
+/* How a run of these statements ends, and after how many cycles. */
+static enum nb_status ends(const char *statements, unsigned long *cycles, struct nb_error *error) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "%s", statements);
+  written_scene(&it, &page);
+  *error = (struct nb_error){0};
+  const enum nb_status status = nb_run(&result, &it.scene, NULL, NULL, error);
+  const struct nb_table *table = &result.table;
+  *cycles = result.cycles;
+  step = table->row_count > 0 ? table->values[(table->row_count - 1) * table->column_count] : 0;
+  nb_result_free(&result);
+  written_free(&it);
+  return status;
+}
+
+/* What is far apart may meet: the lightest of each two materials count, k (1/m + 1/m) = 16 and 8 (1 + 1/9). */
+static void pairs_that_may_meet(void) {
+  static const struct {
+    const char *statements;
+    bool stops;
+  } cases[] = {
+      {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m\nstep 0.5\n", false},
+      {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m\nstep 0.50001\n", true},
+      {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m\nstep 0.6\nallow unstable\n", false},
+      {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m fixed\nstep 0.7\n", false}, /* 2/8^(1/2) */
+      {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m fixed\nstep 0.708\n", true},
+      {"disc 0 0 radius 1 m\nwall w 90 -9 to 90 9 m\nstep 0.7\n", false},
+      {"disc 0 0 radius 1 m\nwall w 90 -9 to 90 9 m\nstep 0.708\n", true},
+      {"disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nstep 0.67\n", false}, /* two of them are near */
+      {"disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nstep 0.671\n", true},
+      {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m\nstep 0.5\ndamping contact-ratio 0.1\n", true},
+      {"disc 0 0 radius 1 m\nstep 99\n", false}, /* alone */
+  };
+  unsigned long cycles;
+  struct nb_error error;
+  for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[512];
+    snprintf(text, sizeof text, PAIR "%srecord time\nstage a\ncycles 2\n", cases[k].statements);
+    CU_ASSERT_EQUAL(ends(text, &cycles, &error), cases[k].stops ? NB_BROKEN : NB_OK);
+    CU_ASSERT_EQUAL(cycles, cases[k].stops ? 0 : 2);
+    CU_ASSERT(!cases[k].stops || strstr(error.text, ", as if they touched: take a smaller step"));
+  }
+#define APART PAIR "disc 0 0 radius 1 m\ndisc 90 0 radius 1 m\nrecord time\nstep 0.5\nstage a\ncycles 2\nstage b\n"
+  CU_ASSERT_EQUAL(ends(APART "material m kn 8\ncycles 2\n", &cycles, &error), NB_OK);
+  CU_ASSERT_EQUAL(ends(APART "material m kn 8.01\ncycles 2\n", &cycles, &error), NB_BROKEN);
+  CU_ASSERT_EQUAL(cycles, 2);
+  CU_ASSERT_EQUAL(ends(APART "ramp material m kn 8.01\ncycles 2\n", &cycles, &error), NB_BROKEN);
+  CU_ASSERT_EQUAL(cycles, 2);
+  CU_ASSERT_EQUAL(ends(APART "material m kn 9\nallow unstable\ncycles 2\nstage c\nramp material m kn 8\ncycles 2\n",
+                       &cycles, &error),
+                  NB_BROKEN); /* it begins above its limit */
+  CU_ASSERT_EQUAL(cycles, 4);
+  CU_ASSERT_EQUAL(ends(APART "ramp material m kn 8.01\nallow unstable\ncycles 2\n", &cycles, &error), NB_OK);
+  CU_ASSERT_EQUAL(ends(PAIR
+                       "disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nrecord step\nstep 0.5 of safe\n"
+                       "stage a\ncycles 1\n",
+                       &cycles, &error),
+                  NB_OK);
+  CU_ASSERT_DOUBLE_EQUAL(step, 1 / sqrt(80. / 9), 1e-15);
+}
+
+void suite_apart(void) {
+  CU_pSuite suite = CU_add_suite("apart", NULL, NULL);
+  CU_add_test(suite, "pairs that may meet", pairs_that_may_meet);
+}
