@@ -233,6 +233,10 @@ static void weight_counts_in_the_balance(void) {
   CU_ASSERT_DOUBLE_EQUAL(row_of(rests, "unbalance", 0), 0, 1e-15);
   CU_ASSERT_DOUBLE_EQUAL(row_of(rests, "unbalance", 4), 0, 1e-13);
   CU_ASSERT_DOUBLE_EQUAL(after(rests, "unbalance"), 1, 1e-13);
+  const char *borne = /* by a disc that is fixed, whose force nothing must balance */
+      "material m density 1 kn 8\ngravity 0 -0.6366197723675814\ndisc 0 1.75 radius 1 m\ndisc 0 0 radius 1 m fixed\n"
+      "step 0.01\nrecord unbalance\nstage a\ncycles 4\n";
+  CU_ASSERT_DOUBLE_EQUAL(after(borne, "unbalance"), 0, 1e-13);
 }
 
 void suite_changes(void) {

@@ -1,4 +1,4 @@
-/* The reader: numbers and units, pages and their blocks, names for values, and the scene that a page says. What it
+/* The reader: numbers, pages and their blocks, names for values, and the scene that a page says. What it
  * answers to wrong pages is tested by tests/mistakes.sh.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -56,37 +56,6 @@ static bool says(const struct read *read, const char *what) {
 }
 
 #define ROCK "material rock density 2000 kg/m3 kn 3 kN/m ks 1 kN/m friction 0.5\n"
-
-static void units(void) {
-  static const struct {
-    const char *number, *unit;
-    double si;
-  } all[] = {
-      {"0.3", "mm", 0.0003},    {"7", "um", 7e-6},
-      {"1.1", "nm", 1.1e-9},    {"2.54", "cm", 0.0254},
-      {"0.7", "km", 700},       {"3", "ms", 0.003},
-      {"0.1", "us", 1e-7},      {"9", "ns", 9e-9},
-      {"0.12", "mm/s", 1.2e-4}, {"3.3", "N/mm", 3300},
-      {"1.35", "GN/m", 1.35e9}, {"2.7", "g/cm3", 2700},
-      {"1.5e3", "kN", 1.5e6},   {"88", "uN", 8.8e-5},
-      {"0.2", "1/ms", 200},     {"4", "rad/s", 4},
-      {"0.1", "%", 0.001},      {"10", "ppm", 1e-5},
-      {"70", "GPa", 7e10},      {"6", "N.m", 6},
-      {"5", "nJ", 5e-9},        {"180", "deg", 3.14159265358979323846},
-  };
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-    const struct nb_unit *unit = nb_unit_find(all[i].unit);
-    double value = NAN;
-    CU_ASSERT_PTR_NOT_NULL_FATAL(unit);
-    CU_ASSERT_EQUAL(nb_number_read(&value, all[i].number, unit->shift), NB_READ);
-    CU_ASSERT_EQUAL(value * unit->factor, all[i].si); /* to the last bit */
-  }
-  enum nb_unit_kind kind = NB_UNIT_LENGTH;
-  CU_ASSERT(nb_unit_kind_of(&kind, "1") && kind == NB_UNIT_NUMBER);
-  CU_ASSERT(nb_unit_kind_of(&kind, "N") && kind == NB_UNIT_FORCE);
-  CU_ASSERT_FALSE(nb_unit_kind_of(&kind, "kN")); /* is no SI unit */
-  CU_ASSERT_PTR_NULL(nb_unit_find("1"));         /* is a number */
-}
 
 static void numbers(void) {
   static const char *const none[] = {"",    "+",   ".",   "-.",   "0x5",   "inf", "-inf", "nan",   "1e",
@@ -278,7 +247,6 @@ static void table(void) {
 
 void suite_reader(void) {
   CU_pSuite suite = CU_add_suite("reader", NULL, NULL);
-  CU_add_test(suite, "units are exact powers of ten", units);
   CU_add_test(suite, "numbers are read whole", numbers);
   CU_add_test(suite, "blocks of a page", blocks);
   CU_add_test(suite, "hash of a page", hash);

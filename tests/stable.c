@@ -77,6 +77,26 @@ static void lattices_are_the_closed_forms(void) {
   }
 }
 
+/* By how much the safe step is shorter than the longest one, at most: the two shares in the prose of cases/step-limit.md, to the
+ * digits that it prints. */
+static void as_the_page_says(void) {
+  static const int rows[4][4] = {{5, 1, 10, 2}, {2, 2, 4, 4}, {3, 3, 6, 6}, {4, 4, 8, 8}};
+  double free = 0, damped = 0;
+  for (size_t k = 0; k < 4; k++)
+    for (int ratio = 0; ratio < 2; ratio++) {
+      struct words page = {0};
+      words_add(&page,
+                "units none\nshear linear\nmaterial m density 1 kn 1 ks 1 friction 1\nbox 0 0 to %d %d m\n"
+                "discs lattice %d by %d radius 1 m\ndamping contact-ratio %d\n",
+                rows[k][2], rows[k][3], rows[k][0], rows[k][1], 2 * ratio);
+      const struct told it = told(&page, false);
+      double *most = ratio ? &damped : &free;
+      *most = fmax(*most, 1 - it.safe / it.modes);
+    }
+  CU_ASSERT_DOUBLE_EQUAL(free, 0.30, 0.005);
+  CU_ASSERT_DOUBLE_EQUAL(damped, 0.56, 0.005);
+}
+
 /* Nine discs that may not turn: omega^2 = 2 (2 + sqrt 2) k/m, rows and columns at once; spin doubles it. */
 static void turning_costs_thirty_per_cent(void) {
   struct words page = {0};
@@ -226,6 +246,7 @@ static void a_stiffer_way_back_counts(void) {
 void suite_stable(void) {
   CU_pSuite suite = CU_add_suite("stable", NULL, NULL);
   CU_add_test(suite, "lattices are the closed forms", lattices_are_the_closed_forms);
+  CU_add_test(suite, "as the page says", as_the_page_says);
   CU_add_test(suite, "turning costs thirty per cent", turning_costs_thirty_per_cent);
   CU_add_test(suite, "damping has its formula", damping_has_its_formula);
   CU_add_test(suite, "safe is safe, by chance", safe_is_safe);
