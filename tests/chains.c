@@ -117,6 +117,24 @@ static void shear_counts(void) {
   written_free(&it);
 }
 
+/* The stress of a body is per volume, 4/3 r of a sphere for 1 m of a disc: three spheres pressed 4/3 as hard as four discs are
+ * the chain if the force is a thousandth more, the discs if it is a thousandth less. Overlaps of 1e-5 r shorten arms by as much. */
+static void volumes_count(void) {
+  for (int more = -1; more <= 1; more += 2) {
+    struct words page = begin();
+    const double radius = 1.5, disc = 1e-5, sphere = disc * 4 / 3 * radius * (1 + 1e-3 * more);
+    const double tall = 2 * radius - disc, taller = 2 * radius - sphere;
+    words_add(&page, "discs lattice 1 by 4 from 0 0 radius %.17g spacing %.17g m\n", radius, tall);
+    words_add(&page, "wall s -2 %.17g to 2 %.17g m\n", disc - radius, disc - radius);
+    words_add(&page, "wall n -2 %.17g to 2 %.17g m\n", 3 * tall + radius - disc, 3 * tall + radius - disc);
+    for (int k = 0; k < 3; k++)
+      words_add(&page, "sphere 20 %.17g radius %.17g m\n", k * taller, radius);
+    words_add(&page, "wall ss 18 %.17g to 22 %.17g m\n", sphere - radius, sphere - radius);
+    words_add(&page, "wall nn 18 %.17g to 22 %.17g m\n", 2 * taller + radius - sphere, 2 * taller + radius - sphere);
+    is(&page, 1, more > 0 ? 3 : 4, more > 0 ? 3 / 7. : 4 / 7., 0);
+  }
+}
+
 /* Fixed bodies and those outside are in no chain. */
 static void not_these(void) {
   struct words page = begin();
@@ -143,5 +161,6 @@ void suite_chains(void) {
   CU_add_test(suite, "hexagonal lattices, across the rows and along", hexagonal);
   CU_add_test(suite, "along both axes, and above the mean", along_and_above);
   CU_add_test(suite, "shear forces count", shear_counts);
+  CU_add_test(suite, "spheres and discs count per volume", volumes_count);
   CU_add_test(suite, "fixed bodies and those outside are in none", not_these);
 }

@@ -24,6 +24,8 @@ static void contacts_are_those_of_the_bodies(void) {
   const double ends[] = {0, 9.85, 9.9, 0}; /* south y, east x, north y, west x but for its motion */
   read_bodies(&all, &result.snapshots[0].bodies);
   CU_ASSERT_EQUAL(result.snapshots[0].bodies.row_count, 28);
+  for (size_t k = 0; k < result.snapshots[0].walls.row_count; k++)
+    CU_ASSERT_EQUAL(of(&result.snapshots[0].walls, k, "wall"), (double)k + 1);
   CU_ASSERT(table->row_count > 30);
   for (size_t c = 0; c < table->row_count; c++) {
     const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b"), wall = (int)of(table, c, "wall");
