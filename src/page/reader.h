@@ -66,13 +66,16 @@ struct nb_reader {
   char store[NB_LINE_MAX + NB_TOKENS_MAX * (2 * NB_NAME_SIZE + 2)]; /* the texts of the tokens */
 };
 
-/* Cuts a line of the page into tokens. False when it has none. */
+/* Cuts a line of the page into tokens. False when it has none, as line 0 has. */
 bool nb_line_read(struct nb_reader *reader, size_t line);
 const struct nb_token *nb_token_peek(const struct nb_reader *reader); /* NULL at the end of the line */
 bool nb_token_is(const struct nb_reader *reader, const char *word);   /* whether the next one is that word */
 bool nb_token_skip(struct nb_reader *reader, const char *word);       /* takes it if it is */
 /* A mistake at a token, or after the last one when it is NULL; sets reader->bad. */
 void nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+/* A mistake of a statement that was read before: at the first word of its line, or of the page as a whole at line 0. */
+void nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 /* The most usual one: "expected WHAT, found `token`". Moves to the end of the line: what follows is not read. */
 void nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)

@@ -105,7 +105,7 @@ static void join_per_cycle(struct nb_reader *reader) {
 }
 
 bool nb_line_read(struct nb_reader *reader, size_t line) {
-  const char *text = reader->page->lines[line - 1];
+  const char *text = line > 0 && line <= reader->page->line_count ? reader->page->lines[line - 1] : "";
   /* In a --set text the first `=` parts name and value, as a blank would. */
   const char *equals = reader->page->kind_of ? NULL : strchr(text, '=');
   struct store store = {reader->store, sizeof reader->store};
@@ -176,6 +176,15 @@ void nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, co
     column = last->column + last->length;
   }
   nb_mistake(reader->mistakes, reader->page, reader->line, column, length, hint, "%s", text);
+}
+
+void nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, const char *format, ...) {
+  char text[1024];
+  va_list list;
+  va_start(list, format);
+  vsnprintf(text, sizeof text, format, list);
+  va_end(list);
+  nb_token_mistake(reader, nb_line_read(reader, line) ? &reader->tokens[0] : NULL, hint, "%s", text);
 }
 
 void nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...) {

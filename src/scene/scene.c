@@ -163,9 +163,8 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   if (scene->impact.line && mistakes->made == before)
     nb_impact_aim(reading);
   if (!nb_scene_place(scene, &reading->place) && mistakes->made == before) {
-    nb_line_read(&reading->reader, (size_t)reading->place.line);
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[0], NULL,
-                     "expected a place that a double can hold, this one is too far away");
+    nb_line_mistake(&reading->reader, reading->place.line, NULL,
+                    "expected a place that a double can hold, this one is too far away");
   }
   scene->unitless = reading->reader.unitless;
   scene->unsure =

@@ -25,8 +25,7 @@ NB_APPLY(nb_apply_box_strain) {
 }
 
 static void say(struct nb_scene_reading *reading, int line, const char *hint, const char *what) {
-  if (nb_line_read(&reading->reader, (size_t)line))
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[0], hint, "%s", what);
+  nb_line_mistake(&reading->reader, line, hint, "%s", what);
 }
 
 /* Walls that follow the box do nothing else. */

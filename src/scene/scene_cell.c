@@ -69,8 +69,7 @@ NB_APPLY(nb_apply_wave) {
 
 /* A mistake of the cell as a whole, at its line. */
 static void say(struct nb_scene_reading *reading, const char *hint, const char *what) {
-  if (nb_line_read(&reading->reader, (size_t)reading->scene->cell.line))
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[0], hint, "%s", what);
+  nb_line_mistake(&reading->reader, reading->scene->cell.line, hint, "%s", what);
 }
 
 void nb_cell_check(struct nb_scene_reading *reading) {

@@ -126,9 +126,7 @@ void nb_ramps_check(struct nb_scene_reading *reading) {
     const int line = ramp_of(stage);
     if (!line || stage->condition_count == 0)
       continue;
-    nb_line_read(&reading->reader, (size_t)line);
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[0],
-                     "a ramp ends with its stage: say how long that is with `cycles N`",
-                     "expected a ramp in a stage of `cycles N`, found `until` in `%s`", stage->name);
+    nb_line_mistake(&reading->reader, line, "a ramp ends with its stage: say how long that is with `cycles N`",
+                    "expected a ramp in a stage of `cycles N`, found `until` in `%s`", stage->name);
   }
 }

@@ -105,9 +105,8 @@ void nb_drives_check(struct nb_scene_reading *reading) {
   for (size_t s = 0; s < scene->stage_count && !first; s++)
     first = scene->stages[s].circle.line ? scene->stages[s].circle.line : scene->stages[s].continuum.line;
   if (scene->cell.line && first) {
-    nb_line_read(&reading->reader, (size_t)first);
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[0], "a cell has no boundary: say `cell strain`",
-                     "expected a scene without a cell, found one on line %d", scene->cell.line);
+    nb_line_mistake(&reading->reader, first, "a cell has no boundary: say `cell strain`",
+                    "expected a scene without a cell, found one on line %d", scene->cell.line);
   }
   int line = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -118,8 +117,7 @@ void nb_drives_check(struct nb_scene_reading *reading) {
     line = line ? line : stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
     if (!stage->reverse || !line)
       continue;
-    nb_line_read(&reading->reader, (size_t)stage->line);
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[0], NULL,
-                     "expected a stage without `reverse`: what line %d carries along does not go back", line);
+    nb_line_mistake(&reading->reader, stage->line, NULL,
+                    "expected a stage without `reverse`: what line %d carries along does not go back", line);
   }
 }

@@ -85,6 +85,6 @@ static const char *aim(struct nb_scene *scene) {
 
 void nb_impact_aim(struct nb_scene_reading *reading) {
   const char *wrong = aim(reading->scene);
-  if (wrong && nb_line_read(&reading->reader, (size_t)reading->scene->impact.line))
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[0], NULL, "%s", wrong);
+  if (wrong)
+    nb_line_mistake(&reading->reader, reading->scene->impact.line, NULL, "%s", wrong);
 }

@@ -9,8 +9,7 @@
 
 /* At the first word of that line. */
 static void say(struct nb_scene_reading *reading, int line, const char *hint, const char *what, const char *name) {
-  if (nb_line_read(&reading->reader, (size_t)line))
-    nb_token_mistake(&reading->reader, &reading->reader.tokens[0], hint, what, name);
+  nb_line_mistake(&reading->reader, line, hint, what, name);
 }
 
 static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *said) {
@@ -87,14 +86,16 @@ static void check_damping(struct nb_scene_reading *reading, const struct nb_damp
         "expected no `contact-fraction` for `normal %s`", normal->name);
 }
 
-/* What two laws ask that are in force together from `line` on. */
+/* What two laws ask that are in force together from `line` on; 0: as a --set says. */
 static void check_laws(struct nb_scene_reading *reading, const struct nb_in_force *laws, int line) {
   const struct nb_scene *scene = reading->scene;
   const int cohesive = cohesive_line(scene);
   if (laws->normal->elastic)
     check_elastic(reading, laws->normal->name);
   else if (laws->shear->elastic)
-    say(reading, line, "`normal hertz`", "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
+    nb_line_mistake(line ? &reading->reader : &reading->setting,
+                    line ? (size_t)line : nb_setting_find(reading, "shear"), "`normal hertz`",
+                    "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
   if (laws->shear->cohesionless && cohesive > 0)
     say(reading, cohesive, "its limit is mu N at every point of the contact", "expected no cohesion for `shear %s`",
         laws->shear->name);
@@ -163,7 +164,7 @@ static void warn_of_friction(struct nb_scene *scene) {
 void nb_laws_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_in_force now = nb_laws_at_start(scene);
-  check_laws(reading, &now, now.shear_line ? now.shear_line : now.normal_line);
+  check_laws(reading, &now, now.shear_line);
   check_damping(reading, &scene->damping, now.normal);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];

@@ -70,9 +70,8 @@ void nb_whole_check(struct nb_scene_reading *reading) {
   for (size_t i = 0; i < scene->stage_count; i++) {
     if (scene->stages[i].cycles != 0)
       continue;
-    nb_line_read(reader, (size_t)scene->stages[i].line);
-    nb_token_mistake(reader, &reader->tokens[0], "`cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
-                     "expected a stage that ends, found neither `cycles` nor `until` in `%s`", scene->stages[i].name);
+    nb_line_mistake(reader, scene->stages[i].line, "`cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
+                    "expected a stage that ends, found neither `cycles` nor `until` in `%s`", scene->stages[i].name);
   }
   check_step(reading);
 }

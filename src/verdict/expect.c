@@ -100,9 +100,8 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
     const enum nb_expectation_kind kind = expectations->list[k].kind;
     const bool judged = kind == NB_WITHIN || kind == NB_ALONG || kind == NB_ORDER;
     if (judged && !expectations->list[k].measure.vanishes) {
-      nb_line_read(reader, (size_t)expectations->list[k].line);
-      nb_token_mistake(reader, &reader->tokens[0], "put `reference NAME` before it; `nineball list` names them",
-                       "expected a `reference` in this page, found none to compare with");
+      nb_line_mistake(reader, expectations->list[k].line, "put `reference NAME` before it; `nineball list` names them",
+                      "expected a `reference` in this page, found none to compare with");
       sought = false;
     }
   }
