@@ -10,6 +10,7 @@ case $nineball in
 *) nineball=$(pwd)/$nineball ;;
 esac
 pages=$(cd "${srcdir:-.}/tests/pages" && pwd) || exit 1
+cases=$(cd "${srcdir:-.}/cases" && pwd) || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -119,6 +120,12 @@ out "# $pages/warns.md:4: warning: friction"
 run 0 explain "$pages/warns.md" --set shear=linear
 out 'their shear stiffness `ks` is 0'
 verdict 'warnings: said once on standard error, repeated by verdict and explain, and the status stays'
+
+for page in rayleigh-mean:gap='1e300 mm' chung-ooi-6:beta=1e9; do # which were solved without end
+  run 2 check "$cases/${page%%:*}.md" --set "${page#*:}"
+  said "$cases/${page%%:*}.md: error: "
+done
+verdict 'a reference that finds no end says so'
 
 run 3 check "$pages/never-ends.md"
 said 'stage `wait` (line 10) did not end within 20 cycles: D.x is 5 and should be above 6'

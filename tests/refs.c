@@ -1,10 +1,15 @@
 /* What every reference shares: it keeps what it knows, is found by its name, and refuses what it cannot judge.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L /* fork */
+
 #include <CUnit/CUnit.h>
+#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "refs_scenes.h"
 #include "suites.h"
@@ -54,6 +59,21 @@ static void what_cannot_be_computed_is_refused(void) {
   it.scene.bodies = many;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "1000 bodies"));
   free(many);
+}
+
+/* A NULL from GSL is looked at by nobody. */
+static void memory_that_gsl_does_not_get_ends_the_program(void) {
+  int status = -1;
+  nb_references_prepare();
+  fflush(NULL);
+  const pid_t child = fork();
+  if (child == 0) {
+    fclose(stderr);
+    gsl_error("failed to allocate space", __FILE__, __LINE__, GSL_ENOMEM);
+    _exit(0);
+  }
+  CU_ASSERT(child > 0 && waitpid(child, &status, 0) == child);
+  CU_ASSERT(WIFEXITED(status) && WEXITSTATUS(status) == NB_NO_MEMORY);
 }
 
 static double twice(const void *data, double x) { return 2 * x + *(const double *)data; }
@@ -130,4 +150,5 @@ void suite_refs(void) {
   CU_add_test(suite, "what a reference knows is kept", known_keeps_what_it_is_told);
   CU_add_test(suite, "what cannot be judged is refused", what_cannot_be_judged_is_refused);
   CU_add_test(suite, "what cannot be computed is refused", what_cannot_be_computed_is_refused);
+  CU_add_test(suite, "memory that GSL does not get ends the program", memory_that_gsl_does_not_get_ends_the_program);
 }

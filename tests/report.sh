@@ -100,6 +100,14 @@ run 2 report "$pages/passes.md" "$pages/asks-nothing.md" -o some && said '0 chec
   grep -q '<td>0</td><td class="fail">0, nothing was checked</td>' some/index.html &&
   grep -q '1 on which nothing was checked' some/index.html
 result $? 'report: a page on which nothing was checked has not passed'
+run 2 report "$pages/fails.md" "$pages/mistaken.md" "$pages/passes.md" -o mixed &&
+  grep -q '>fails</a>' mixed/index.html && grep -q '>mistaken</a>' mixed/index.html && grep -q '>passes</a>' mixed/index.html &&
+  test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test ! -e mixed/mistaken &&
+  grep -q 'mistaken.md:6:16: error: expected' mixed/index.html
+result $? 'report: a page with a mistake takes none of the others with it, and is status 2'
+run 3 report "$pages/mistaken.md" "$pages/never-ends.md" "$pages/fails.md" "$pages/passes.md" -o mixed &&
+  test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test -s mixed/never-ends/table.tsv
+result $? 'report: of several pages the worst gives the status'
 mkdir -p blocked && : >blocked/passes
 run 2 report "$pages/passes.md" -o blocked && said 'no tables' && grep -q 'no tables' blocked/index.html
 result $? 'report: tables that cannot be written are status 2'

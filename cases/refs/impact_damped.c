@@ -38,7 +38,8 @@ static void go(double y[], struct motion motion, double to) {
   double x = y[motion.along];
   gsl_odeiv2_driver *driver =
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, copysign(1e-4, to - x), 1e-13, 0);
-  if (!driver || gsl_odeiv2_driver_apply(driver, &x, to, y) != GSL_SUCCESS)
+  if (!driver || gsl_odeiv2_driver_set_nmax(driver, 100000) ||
+      gsl_odeiv2_driver_apply(driver, &x, to, y) != GSL_SUCCESS)
     y[TIME] = y[WAY] = y[SPEED] = NAN;
   if (driver)
     gsl_odeiv2_driver_free(driver);
@@ -66,7 +67,7 @@ double impact_damped(double chi, double kappa, double beta, double psi1, int ste
   bool slides = false;
   for (int i = 0; u && depth && i < springs; i++)
     depth[i] = (i + 0.5) / springs * ((i + 0.5) / springs);
-  for (int k = 0; u && depth && k < steps; k++) {
+  for (int k = 0; u && depth && dt > 0 && k < steps; k++) {
     const double xi = y[WAY] > 0 ? y[WAY] : 0, share = k ? dt : dt / 2;
     const double half = slides ? 0 : 1.25 * chi * brake * sqrt(sqrt(xi)) * share; /* g with psi in the middle */
     double slipped;
@@ -81,5 +82,5 @@ double impact_damped(double chi, double kappa, double beta, double psi1, int ste
   }
   const bool made = u && depth;
   free(u), free(depth);
-  return made ? psi : NAN;
+  return !made ? NAN : dt > 0 && isfinite(psi) ? psi : INFINITY;
 }

@@ -37,7 +37,8 @@ bool impact_springs(struct impact_path *path, double chi, double psi1, int steps
 bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps);
 /* Of the exact contact with its error of second order in the step taken out: from half of the steps and all of them. */
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
-/* With dashpots of the share beta of critical, normal and tangential (impact_damped.c): psi2; NAN: no memory. */
+/* With dashpots of the share beta of critical, normal and tangential (impact_damped.c): psi2; NAN: no memory, INFINITY: they
+ * do not part, or it cannot be solved. */
 double impact_damped(double chi, double kappa, double beta, double psi1, int steps);
 /* The springs after xi has gone from `from` to `to` and d by `slip`: f. The spring i touches at xi = depth[i]. *slipped: of the
  * innermost one, which is the last to slip. */

@@ -97,7 +97,17 @@ const struct nb_reference *nb_reference_find(const char *name) {
   return NULL;
 }
 
-void nb_references_prepare(void) { gsl_set_error_handler_off(); }
+static void handle(const char *reason, const char *file, int line, int status) {
+  struct nb_error error;
+  (void)reason, (void)file, (void)line;
+  if (status != GSL_ENOMEM)
+    return;
+  nb_error_memory(&error);
+  fprintf(stderr, "error: a reference is %s\n", error.text);
+  exit(NB_NO_MEMORY);
+}
+
+void nb_references_prepare(void) { gsl_set_error_handler(handle); }
 
 enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_known *known,
                                 const struct nb_scene *scene, struct nb_error *error) {

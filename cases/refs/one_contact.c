@@ -176,6 +176,7 @@ static enum nb_status solve(struct pair *pair, double y[], double end, struct nb
   if (!driver)
     return nb_error_memory(error);
   gsl_odeiv2_driver_set_hmax(driver, beat / 5);
+  gsl_odeiv2_driver_set_nmax(driver, 1000000);
   enum nb_status status = look(pair, y, error);
   double time = 0;
   for (int k = 1; k <= LOOKS && !status; k++) {

@@ -44,6 +44,7 @@ static bool leave(struct pinch *p, double y, double *speed, double *deepest) {
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-9, 1e-18, 1e-12);
   if (!driver)
     return false;
+  gsl_odeiv2_driver_set_nmax(driver, 100000);
   double t = 0, u[2] = {y, 0}, step = 1e-7;
   bool good = true, pressed = false;
   *deepest = 0;

@@ -28,11 +28,14 @@ static double step_of(const struct nb_scene *scene) {
   return scene->step.value * pi * radius * sqrt(of->density / shear) / (0.1631 * of->poisson + 0.876605);
 }
 
-/* The rate at which two part that close at `closing`, `gap` from touching. */
-static double parting(const struct nb_body *x, const struct nb_body *y, double young, double mass, double dt) {
+/* The rate at which the two part; NAN: not within so many cycles. */
+static double parting(const struct nb_body *x, const struct nb_body *y, double young, double mass, double dt,
+                      unsigned long most) {
   const double touch = x->radius + y->radius, radius = x->radius * y->radius / touch;
   double s = y->x - x->x, u = y->vx - x->vx;
   do {
+    if (most-- == 0)
+      return NAN;
     const double a = touch - s;
     u += a > 0 ? 4. / 3 * young * sqrt(radius * a) * a * dt / mass : 0;
     s += u * dt;
@@ -49,7 +52,12 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
                         "rayleigh-fit-mean`");
   const double m[2] = {matter_mass(scene, x), matter_mass(scene, y)}, sum = m[0] + m[1];
   const double young = matter_pair(scene, x->material, y->material).young;
-  const double apart = parting(x, y, young, m[0] * m[1] / sum, step_of(scene));
+  unsigned long cycles = 0;
+  for (size_t k = 0; k < scene->stage_count; k++)
+    cycles += scene->stages[k].cycles;
+  const double apart = parting(x, y, young, m[0] * m[1] / sum, step_of(scene), cycles);
+  if (!isfinite(apart))
+    return nb_error_set(error, NB_BAD_USE, "the two have not met and parted in the %lu cycles of the scene", cycles);
   const double centre = (m[0] * x->vx + m[1] * y->vx) / sum;
   for (size_t w = 0; w < scene->watch_count; w++) {
     const struct nb_watch *watch = &scene->watches[w];

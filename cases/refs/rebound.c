@@ -40,6 +40,8 @@ struct meeting {
   double mu, kappa, chi, e, beta;
 };
 
+static const char parts[] = "an impact that ends, with dashpots well below critical damping";
+
 static double over(double a, double b) { return b > 0 ? a / b : 0; }
 
 /* What the pair is; NULL, or what it should have been. */
@@ -70,7 +72,7 @@ static const char *meet(struct meeting *it, const struct nb_scene *scene) {
   it->chi = it->mass * it->yield / (2 * it->kappa);
   it->beta = scene->damping.contact;
   it->e = hertz ? hertz_restitution(it->beta) : exp(-M_PI * it->beta / sqrt(1 - it->beta * it->beta));
-  return it->vn > 0 ? NULL : "an impact";
+  return !(it->vn > 0) ? "an impact" : it->e > 0 ? NULL : parts;
 }
 
 static const char *refuse(const struct nb_scene *scene) {
@@ -80,7 +82,7 @@ static const char *refuse(const struct nb_scene *scene) {
   return NULL;
 }
 
-/* NAN: out of memory. */
+/* NAN: out of memory; INFINITY: it does not end. */
 static double psi_after(const struct meeting *it, double psi1) {
   if (psi1 < no_slip)
     return 0;
@@ -146,6 +148,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const double psi2 = psi_after(&it, psi1);
   if (isnan(psi2))
     return nb_error_memory(error);
+  if (isinf(psi2))
+    return nb_error_set(error, NB_BAD_USE, "rebound is for %s", parts);
   tell(known, scene, &it, psi1, psi2);
   return known_full(known, error);
 }

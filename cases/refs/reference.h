@@ -56,7 +56,8 @@ struct nb_reference {
   enum nb_status (*know)(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error);
 };
 
-/* GSL answers with a status from then on; as it comes it ends the program. Before any reference is asked; may be said again. */
+/* GSL answers with a status from then on; as it comes it aborts the program. Where it finds no memory, which its functions tell by
+ * a NULL, it ends the program, with NB_NO_MEMORY: so no reference asks for that. Before any reference is asked; may be said again. */
 void nb_references_prepare(void);
 /* What the reference knows of the scene, after comparing what it covers with what the scene has. known_free it in any case. */
 enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_known *known,

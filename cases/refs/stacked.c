@@ -52,7 +52,8 @@ static void state_at(const struct stack *stack, double t, double y[]) {
     return;
   gsl_odeiv2_driver *driver =
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, stack->beat / 100, stack->radius[0] * 1e-14, 1e-13);
-  if (!driver || gsl_odeiv2_driver_apply(driver, &time, t, y) != GSL_SUCCESS)
+  if (!driver || gsl_odeiv2_driver_set_nmax(driver, 1000000) ||
+      gsl_odeiv2_driver_apply(driver, &time, t, y) != GSL_SUCCESS)
     y[Y1] = y[Y2] = y[V1] = y[V2] = NAN;
   if (driver)
     gsl_odeiv2_driver_free(driver);
