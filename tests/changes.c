@@ -211,18 +211,25 @@ static void cohesion_holds_nothing_together(void) {
   CU_ASSERT(after(grazing, "C.normal") > 0);
 }
 
-/* A step that is a share of critical follows the stiffness, and must hold at both ends of a ramp. */
+/* A step that is a share of what is stable follows the stiffness, and must hold at both ends of a ramp. Of a disc between two
+ * walls without shear, 2 k/m, the safe step is the critical one over the root of 2. */
 static void the_step_follows(void) {
-  const char *start = "material m density 1 kn 1\ndisc 0 0 radius 1 m\nstep 0.1 of critical\nrecord step\n";
-  char text[512];
-  const double step = 0.2 * sqrt(3.14159265358979323846);
-  snprintf(text, sizeof text, "%sstage a\nmaterial m kn 16\ncycles 1\n", start);
-  CU_ASSERT_DOUBLE_EQUAL(after(text, "step"), step / 4, 1e-15);
-  snprintf(text, sizeof text, "%sstage a\nramp material m kn 16\ncycles 2\n", start);
-  CU_ASSERT_DOUBLE_EQUAL(row_of(text, "step", 1), step / 4, 1e-15);
-  snprintf(text, sizeof text, "%sstage a\nramp material m kn 0.25\ncycles 2\nstage b\ncycles 1\n", start);
-  CU_ASSERT_DOUBLE_EQUAL(row_of(text, "step", 1), step, 1e-15);
-  CU_ASSERT_DOUBLE_EQUAL(after(text, "step"), 2 * step, 1e-15);
+  static const char *const of[] = {"critical", "safe"};
+  for (int k = 0; k < 2; k++) {
+    const double step = 0.2 * sqrt(3.14159265358979323846 / (k + 1));
+    char start[256], text[512];
+    snprintf(start, sizeof start,
+             "material m density 1 kn 1\ndisc 0 0.9 radius 1 m\nwall w -9 0 to 9 0 m\nwall v 9 1.8 to -9 1.8 m\nstep "
+             "0.1 of %s\nrecord step\n",
+             of[k]);
+    snprintf(text, sizeof text, "%sstage a\nmaterial m kn 16\ncycles 1\n", start);
+    CU_ASSERT_DOUBLE_EQUAL(after(text, "step"), step / 4, 1e-14);
+    snprintf(text, sizeof text, "%sstage a\nramp material m kn 16\ncycles 2\n", start);
+    CU_ASSERT_DOUBLE_EQUAL(row_of(text, "step", 1), step / 4, 1e-14);
+    snprintf(text, sizeof text, "%sstage a\nramp material m kn 0.25\ncycles 2\nstage b\ncycles 1\n", start);
+    CU_ASSERT_DOUBLE_EQUAL(row_of(text, "step", 1), step, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(after(text, "step"), 2 * step, 1e-14);
+  }
 }
 
 /* A disc on a floor that bears its weight is in equilibrium; before anything bears it, it is not. */

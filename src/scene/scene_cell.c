@@ -50,13 +50,14 @@ NB_APPLY(nb_apply_wave) {
   if (!nb_take_word(reader, "periods") || !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &nx) ||
       !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &ny))
     return;
-  if (nx != round(nx) || ny != round(ny)) {
+  const double most = 1e6; /* the sine of a number without digits behind the point is none */
+  if (nx != round(nx) || ny != round(ny) || fabs(nx) > most || fabs(ny) > most) {
     nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL,
-                     "expected whole numbers of periods, or the wave would not fit the cell");
+                     "expected whole numbers of periods, at most 1e6, or the wave would not fit the cell");
     return;
   }
   const double two_pi = 6.28318530717958647692;
-  for (size_t i = 0; i < scene->body_count; i++) {
+  for (size_t i = 0; i < scene->body_count && !reading->cell_unsure; i++) {
     struct nb_body *body = &scene->bodies[i];
     const double wave = sin(two_pi * (nx * (body->x - scene->cell.x) / scene->cell.h[0] +
                                       ny * (body->y - scene->cell.y) / scene->cell.h[3]));
