@@ -126,6 +126,12 @@ tail -n 1 "$work/heard" >"$work/why"
 grep -q 'none.md: error: cannot be read: ' "$work/heard"
 result $? 'a page that is not there'
 
+page '' >"$work/whole.md"
+"$nineball" explain "$work/whole" 2>"$work/why"
+cat "$work/why" >>"$work/heard"
+grep -qF "hint: did you mean \`$work/whole.md\`?" "$work/why"
+result $? 'the name of a page without .md'
+
 # ---- files that are none: a pipe that nobody writes to would be waited for without end ----
 
 mkfifo "$work/pipe.md" "$work/pipe.tsv" && mkdir "$work/folder.md"

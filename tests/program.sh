@@ -187,6 +187,15 @@ run 0 check --help
 out 'usage: nineball COMMAND'
 run 0 --help scene
 for word in 'discs lattice' 'stage' 'WATCH.NAME' 'rises with'; do out "$word"; done
+run 0 --help kn
+out 'kn K: a stiffness, 0 or more; without it: 0.'
+out 'kn K: a stiffness, 0 or more; without it: as it was.'
+run 0 --help C.normal
+out 'normal of a pair, in N: elastic normal force'
+run 0 --help energy.residual
+out 'energy.residual of the scene, in J: '
+run 2 --help norma
+said 'no page knows the word `norma`; did you mean `normal`?'
 verdict '--version and --help'
 
 run 0 laws
@@ -206,6 +215,11 @@ out 'shear linear                             line 13'
 out '0.05 of it'
 out '1500 cycles'
 absent same-bits.out
+sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
+run 0 explain soft.md
+out 'critical: none, no contact has a stiffness'
+run 2 explain soft.md --set step='0.1 of critical'
+said '--set: the step comes out as inf s: a share needs a free particle and a contact with stiffness.'
 run 0 explain "$pages/drives.md"
 out 'boundary begins: bodies 10 from 0, 0 or beyond, held (line 9)'
 out 'boundary carried by xx 0.0001, yy -0.0001, xy 2e-05, yx 2e-05 per cycle (line 15)'
@@ -284,6 +298,8 @@ verdict "--follow: the page's contact along another path, and what is wrong with
 
 run 0 run "$pages/swept.md" -o swept
 test "$(column v/- swept/table.tsv | sort -u | wc -l)" -eq 3 || echo 'no column v' >>why
+run 0 run "$pages/swept.md" --set v=1 -o left
+test "$(column v/- left/values.tsv)" = 1 || echo 'no column v where --set has left one value' >>why
 test "$(column D.x/- swept/table.tsv | wc -l)" -eq 27 || echo 'not 3 runs of 9 rows' >>why
 run 2 check "$pages/swept.md" --set v=1
 run 0 run "$pages/passes.md" -o again --set v=0.5
@@ -417,10 +433,21 @@ if command -v gnuplot >/dev/null; then
   head -c 4 drawn/large.png | grep -q PNG || echo 'large.png is no PNG' >>why
   grep -q 'rgb(221, 221, 221)\|#dddddd' drawn/large.svg || echo 'a page anywhere has not the style' >>why
   verdict 'a figure of the size that the page says, twice'
+
+  sed "s|^plot .*|&, \$table using 'time/-':'D.y/-' with lines|" "$pages/passes.md" >tree/cases/lacks.md
+  run 2 figure tree/cases/lacks.md -o lacks --trust
+  said 'gnuplot refused lacks/lacks.gp: '
+  said 'no column with header "D.y/-"'
+  absent lacks/lacks.svg
+  verdict 'a figure that asks for a column that is not there'
 fi
 
 run 0 figure "$pages/swept.md" -o drawn
 out 'has no block of kind `gnuplot`'
+run 0 run "$pages/passes.md" -o drawn
+out 'to draw the figure: nineball figure '
+run 0 run "$pages/swept.md" -o drawn
+! grep 'to draw the figure' out >>why
 verdict 'a page without a figure'
 
 echo "1..$n"

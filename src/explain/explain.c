@@ -95,10 +95,16 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   const struct nb_step *step = &model->scene->stages[model->scene->start.stages].step;
   const char *unit = model->scene->unitless ? "" : " s";
   fprintf(out, "step\n  %g%s", model->step, unit);
-  if (step->line)
+  if (step->set)
+    fputs(", --set", out);
+  else if (step->line)
     fprintf(out, ", line %d", step->line);
   fputc('\n', out);
   const double contact = nb_step_contact(model);
+  if (!nb_step_elastic(model) && isinf(model->critical)) {
+    fprintf(out, "  critical: none, no contact has a stiffness\n");
+    return;
+  }
   if (!nb_step_elastic(model))
     fprintf(out, "  critical, 2 sqrt(m/k): %g%s; the step is %g of it, the safe one %g of it\n", model->critical, unit,
             model->step / model->critical, nb_safe_begin(model).step / model->critical);

@@ -6,8 +6,11 @@
  * they hold.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "clean.h"
 #include "reader.h"
@@ -220,9 +223,19 @@ enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const 
   return end(page, mistakes, before);
 }
 
+/* `cases/order` where there is cases/order.md. */
+static const char *whole_name(char *hint, const char *path) {
+  snprintf(hint, NB_HINT_SIZE, "%.*s.md", NB_HINT_SIZE / 2, path);
+  if (access(path, F_OK) == 0 || access(hint, F_OK) != 0)
+    return NULL;
+  snprintf(hint, NB_HINT_SIZE, "did you mean `%.*s.md`?", NB_HINT_SIZE / 2, path);
+  return hint;
+}
+
 enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes) {
   const size_t before = mistakes->made;
   struct nb_error error;
+  char hint[NB_HINT_SIZE];
   size_t size;
   if (!begin(page, path, mistakes))
     return NB_NO_MEMORY;
@@ -232,7 +245,7 @@ enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t 
   else if (error.status == NB_NO_MEMORY)
     nb_mistake_memory(mistakes);
   else
-    nb_mistake(mistakes, page, 0, 0, 0, NULL, "%s", error.text);
+    nb_mistake(mistakes, page, 0, 0, 0, whole_name(hint, path), "%s", error.text);
   free(bytes);
   return end(page, mistakes, before);
 }

@@ -98,7 +98,7 @@ static bool meant_as_unit(const struct nb_reader *reader, const struct nb_token 
   struct nb_guess guess = nb_guess_begin(token->text);
   for (const struct nb_unit *unit = nb_units(); unit->name; unit++)
     nb_guess_offer(&guess, unit->name);
-  if (nb_guess_found(&guess) && guess.distance == 0)
+  if (nb_guess_found(&guess) && (guess.distance == 0 || strchr(token->text, ',')))
     return true;
   return reader->keyword && !(wants_word(reader) && last_word);
 }
@@ -132,13 +132,16 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   return hint;
 }
 
-/* `50mm`: the number and the unit that were glued together. */
-static const char *glued_hint(char *hint, const char *text) {
-  size_t n = strspn(text, "+-.0123456789");
-  bool glued = n > 0 && n < 40 && nb_unit_find(text + n);
-  if (glued)
-    snprintf(hint, NB_HINT_SIZE, "put a blank between the number and its unit: `%.*s %s`", (int)n, text, text + n);
-  return glued ? hint : NULL;
+/* `50mm`: the number and the unit that were glued together; `1,5`: a decimal comma. */
+static const char *number_hint(char *hint, const char *text) {
+  const size_t n = strspn(text, "+-.0123456789"), all = n + strspn(text + n, ",0123456789");
+  const bool unit = nb_unit_find(text + n), comma = all > n + 1 && !text[all];
+  if (n == 0 || n >= 40 || !(unit || comma))
+    return NULL;
+  const char *form =
+      unit ? "put a blank between the number and its unit: `%.*s %s`" : "write `%.*s.%s`, without a comma";
+  snprintf(hint, NB_HINT_SIZE, form, (int)n, text, text + n + comma);
+  return hint;
 }
 
 static bool out_of_reach(struct nb_reader *reader, const struct nb_token *number, const struct nb_token *unit,
@@ -166,7 +169,7 @@ bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_ra
   expectation(what, sizeof what, reader, kind);
   enum nb_reading reading = number ? nb_number_read(value, number->text, 0) : NB_NO_NUMBER;
   if (reading == NB_NO_NUMBER) {
-    nb_expected(reader, number ? glued_hint(hint, number->text) : NULL, "%s", what);
+    nb_expected(reader, number ? number_hint(hint, number->text) : NULL, "%s", what);
     return false;
   }
   if (reading != NB_READ)

@@ -89,7 +89,8 @@ enum nb_status nb_command_run(const struct nb_use *use) {
         worst = worse(worst, complain(&error));
       } else {
         next_step("tables are in", folder, "", incomplete(&outcome));
-        printf("to draw the figure: nineball figure %s\n", use->pages[k]);
+        if (nb_figure_wanted(&outcome.page))
+          printf("to draw the figure: nineball figure %s\n", use->pages[k]);
       }
     }
     nb_outcome_free(&outcome);

@@ -26,7 +26,7 @@
 /* The same for every page: no text of a page or name is among gnuplot's arguments. */
 #define SETTINGS(terminal) "terminal = \"" terminal "\"; set terminal " terminal " size 840,560"
 
-static bool has_figure(const struct nb_page *page) {
+bool nb_figure_wanted(const struct nb_page *page) {
   for (size_t k = 0; k < page->line_count; k++)
     if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT)
       return true;
@@ -186,7 +186,7 @@ enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *fold
   char script[4096], plots[4096];
   struct nb_save file;
   *drawn = false;
-  if (!has_figure(&outcome->page))
+  if (!nb_figure_wanted(&outcome->page))
     return NB_OK;
   if (!find_plots(plots, sizeof plots, error) || nb_save_folder(folder, error))
     return error->status;

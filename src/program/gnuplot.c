@@ -17,20 +17,25 @@
 #include "confine.h"
 #include "tables.h"
 
-/* What gnuplot said: to stderr, if aloud; the last line of it, which names the mistake, into `last`. */
-static void hear(FILE *said, bool aloud, char *last, size_t size) {
+/* Writes what gnuplot said to stderr, if aloud; into `last` the line that names the mistake: the last one that is not blank. A
+ * column that is not there is only a warning of gnuplot's, and the figure lacks a line: then `last` is that warning and the
+ * answer is true. */
+static bool hear(FILE *said, bool aloud, char *last, size_t size) {
   char line[1024];
   unsigned byte;
+  bool lacks = false;
   last[0] = 0;
   rewind(said);
   for (int count = 0; fgets(line, sizeof line, said); count++) {
     line[strcspn(line, "\n")] = 0;
     nb_clean(line, strlen(line), &byte);
-    if (line[strspn(line, " \t^")])
+    if (line[strspn(line, " \t^")] && !lacks)
       snprintf(last, size, "%s", line + strspn(line, " \t"));
+    lacks = lacks || strstr(line, "no column with header");
     if (aloud && count < 200)
       fprintf(stderr, "%s\n", line);
   }
+  return lacks;
 }
 
 static int run(struct nb_confined *confined, int figure, FILE *said) {
@@ -65,13 +70,13 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
     status = nb_confine_begin(confined, drawing->trust, error);
     if (!status) {
       const int end = run(confined, drawing->figure, said);
-      hear(said, drawing->aloud, last, sizeof last);
+      const bool lacks = hear(said, drawing->aloud, last, sizeof last);
       const int code = WIFEXITED(end) ? WEXITSTATUS(end) : 0;
       const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : code > 128 ? code - 128 : 0; /* bwrap hands it on so */
       if (fatal)
         status = nb_error_set(error, NB_BAD_USE, "gnuplot was ended over %.150s/%s: %s", drawing->folder, file + 2,
                               strsignal(fatal));
-      else if (end != 0)
+      else if (end != 0 || lacks)
         status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s", drawing->folder, file + 2, last);
     }
     nb_confine_end(confined);

@@ -83,8 +83,10 @@ static enum nb_status print_help_of(const char *word) {
   else if (strcmp(word, "man") == 0)
     nb_manual_man(stdout, rows, option_rows);
   else if (!nb_manual_word(stdout, word, near)) {
-    fprintf(stderr, "nineball: no page knows the word `%s`%s%s%s; nineball --help scene names them all\n", word,
-            near[0] ? "; did you mean `" : "", near, near[0] ? "`?" : "");
+    fprintf(
+        stderr,
+        "nineball: no page knows the word `%s`%s%s%s; nineball --help scene lists all words, nineball laws the laws\n",
+        word, near[0] ? "; did you mean `" : "", near, near[0] ? "`?" : "");
     return NB_BAD_USE;
   }
   return NB_OK;

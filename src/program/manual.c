@@ -167,6 +167,33 @@ void nb_manual_language(FILE *out, const struct nb_manner *manner, bool whole) {
 
 /* ---- one word ---- */
 
+/* A word that is no statement but the clause of some: each of them, and what the clause takes. */
+static bool clause(FILE *out, const char *word, const struct nb_keyword *keyword) {
+  bool found = false;
+  for (; keyword->apply; keyword++)
+    for (const struct nb_argument *field = keyword->arguments; field->count; field++) {
+      if (!field->word || strcmp(field->word, word) != 0)
+        continue;
+      statement(out, &nb_manner_text, keyword, false);
+      argument(out, &nb_manner_text, field);
+      found = true;
+    }
+  return found;
+}
+
+/* `C.normal` and `normal`: of whatever has a quantity of that name. */
+static bool quantity(FILE *out, const char *word) {
+  const char *name, *unit, *of, *help, *dot = strchr(word, '.');
+  bool found = false;
+  for (size_t row = 0; nb_quantity_row(row, &name, &unit, &of, &help); row++)
+    if (strcmp(name, word) == 0 || (dot && strcmp(name, dot + 1) == 0)) {
+      fprintf(out, "  %s of %s%s%s: %s\n", name, of, strcmp(unit, "1") == 0 ? "" : ", in ",
+              strcmp(unit, "1") == 0 ? "" : unit, help);
+      found = true;
+    }
+  return found;
+}
+
 bool nb_manual_word(FILE *out, const char *word, char *hint) {
   const struct nb_keyword *const tables[] = {nb_keywords(), nb_expect_keywords()};
   struct nb_guess guess = nb_guess_begin(word);
@@ -190,6 +217,9 @@ bool nb_manual_word(FILE *out, const char *word, char *hint) {
     expectation(out, &nb_manner_text, row, true);
     found = true;
   }
+  for (size_t t = 0; t < sizeof tables / sizeof *tables && !found; t++)
+    found = clause(out, word, tables[t]);
+  found = found || quantity(out, word);
   snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return found;
 }

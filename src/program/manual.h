@@ -39,7 +39,7 @@ void nb_manual_language(FILE *out, const struct nb_manner *manner, bool whole);
 void nb_manual_md(FILE *out);
 /* docs/nineball.1. Both lists end in a row without a term. */
 void nb_manual_man(FILE *out, const struct nb_help_row *commands, const struct nb_help_row *options);
-/* All about one word of a page: a statement, or what follows a measure. False: there is none; then `hint`
+/* All about one word of a page: a statement, what follows a measure, a clause of statements, a quantity. False: there is none; then `hint`
  * (NB_NAME_SIZE * 2 bytes) holds the nearest one, or is empty. */
 bool nb_manual_word(FILE *out, const char *word, char *hint);
 

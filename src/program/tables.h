@@ -23,6 +23,7 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
 /* figure.c: NAME.gp in the folder, and by gnuplot NAME.svg and NAME.png. NB_OK without doing anything when the page has no figure
  * (then *drawn is false). Only `figure` and `report` do this: gnuplot runs the page's own code, confined (confine.h), or also
  * unconfined where the page is trusted and nothing can confine it. */
+bool nb_figure_wanted(const struct nb_page *page); /* whether it has a block of kind `gnuplot` */
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);
 /* gnuplot.c: runs FOLDER/NAME.gp, which may read `recipes`, after the given commands; what is drawn goes into `figure`, and what

@@ -96,7 +96,7 @@ static const char *refused(const struct nb_model *model, enum nb_step_kind kind,
 
 /* "line 7", or where else it stands. */
 static const char *place_of(char *text, size_t size, const struct nb_step *step) {
-  snprintf(text, size, step->line ? "line %d" : "--set", step->line);
+  snprintf(text, size, step->set ? "--set" : "line %d", step->line);
   return text;
 }
 
@@ -135,8 +135,10 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   model->step = step->value * unit;
   model->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step))
-    return nb_error_set(error, NB_BAD_USE,
-                        "%s: the step comes out as %g s: a share of a step needs a free mass and a stiffness",
-                        place_of(place, sizeof place, step), model->step);
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "%s: the step comes out as %g s: a share needs a free particle and a contact with stiffness. Give its "
+        "material `kn`, or write `step TIME`",
+        place_of(place, sizeof place, step), model->step);
   return NB_OK;
 }
