@@ -305,6 +305,8 @@ verdict "--follow: the page's contact along another path, and what is wrong with
 
 run 0 run "$pages/swept.md" -o swept
 test "$(column v/- swept/table.tsv | sort -u | wc -l)" -eq 3 || echo 'no column v' >>why
+run 0 run "$pages/swept.md" --set v=1 -o left
+test "$(column v/- left/values.tsv)" = 1 || echo 'no column v where --set has left one value' >>why
 test "$(column D.x/- swept/table.tsv | wc -l)" -eq 27 || echo 'not 3 runs of 9 rows' >>why
 run 2 check "$pages/swept.md" --set v=1
 run 0 run "$pages/passes.md" -o again --set v=0.5

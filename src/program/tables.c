@@ -26,7 +26,7 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
     fprintf(out, "# incomplete: %s\n", outcome->error.text);
 }
 
-/* "0.12 m/s" is 0.12 under the head v/(m/s). */
+/* "0.12 m/s" is 0.12 under the head v/(m/s); also where --set has left one value, since figures ask for the column. */
 static void swept_head(FILE *out, const struct nb_page_run *run) {
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];
