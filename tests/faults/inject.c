@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "../../src/program/tables.h"
 #include "faults.h"
 
 static struct {
@@ -41,7 +42,6 @@ WRAP(void *, calloc, ENOMEM, NULL, (size_t count, size_t size), (count, size))
 WRAP(void *, realloc, ENOMEM, NULL, (void *old, size_t size), (old, size))
 WRAP(void *, aligned_alloc, ENOMEM, NULL, (size_t line, size_t size), (line, size))
 WRAP(char *, strdup, ENOMEM, NULL, (const char *text), (text))
-WRAP(FILE *, fdopen, ENOMEM, NULL, (int file, const char *mode), (file, mode))
 WRAP(DIR *, opendir, ENOMEM, NULL, (const char *path), (path))
 WRAP(int, rename, EIO, -1, (const char *from, const char *to), (from, to))
 WRAP(int, mkdir, ENOSPC, -1, (const char *path, mode_t mode), (path, mode))
@@ -70,12 +70,8 @@ static int close_out(void *cookie) {
   return close(*(int *)cookie);
 }
 
-FILE *__real_fopen(const char *path, const char *mode);
-FILE *__wrap_fopen(const char *path, const char *mode);
-FILE *__wrap_fopen(const char *path, const char *mode) {
-  if (fails(ENOMEM))
-    return NULL;
-  FILE *plain = __real_fopen(path, mode);
+/* The stream itself unless it is written. */
+static FILE *own(FILE *plain, const char *mode) {
   int k = 0;
   while (k < STREAMS && streams[k].stream)
     k++;
@@ -85,6 +81,23 @@ FILE *__wrap_fopen(const char *path, const char *mode) {
   fclose(plain);
   return streams[k].stream =
              fopencookie(&streams[k].file, "w", (cookie_io_functions_t){NULL, write_out, NULL, close_out});
+}
+
+FILE *__real_fopen(const char *path, const char *mode);
+FILE *__wrap_fopen(const char *path, const char *mode);
+FILE *__wrap_fopen(const char *path, const char *mode) {
+  return fails(ENOMEM) ? NULL : own(__real_fopen(path, mode), mode);
+}
+FILE *__real_fdopen(int file, const char *mode);
+FILE *__wrap_fdopen(int file, const char *mode);
+FILE *__wrap_fdopen(int file, const char *mode) { return fails(ENOMEM) ? NULL : own(__real_fdopen(file, mode), mode); }
+
+/* gnuplot, which is not what is tested, and could not be confined by a program that is. */
+enum nb_status __wrap_nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error);
+enum nb_status __wrap_nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error) {
+  if (!fails(EIO) && write(drawing->figure, "drawn\n", 6) == 6)
+    return NB_OK;
+  return nb_error_system(error, "gnuplot cannot be run");
 }
 
 int __real_fileno(FILE *stream);

@@ -210,7 +210,8 @@ static bool inject(int number, unsigned long only) {
   snprintf(folder, sizeof folder, "%.2000s/now", top);
   const int undisturbed = run(number, wanted, 0, false, &calls);
   const size_t whole = compare(wanted, wanted);
-  if (!WIFEXITED(undisturbed) || WEXITSTATUS(undisturbed) == REPORTED || calls == 0)
+  const int meant = strcmp(cases[number][2], "wrong.md") == 0 ? 2 : 0;
+  if (!WIFEXITED(undisturbed) || WEXITSTATUS(undisturbed) != meant || calls == 0)
     return printf("# the undisturbed run ends with %d after %lu calls\n", undisturbed, calls), false;
   for (unsigned long n = only ? only : 1; n <= (only ? only : calls); n++)
     for (int lasting = 0; lasting < (only || n % 8 == 1 ? 2 : 1); lasting++) {
@@ -235,17 +236,21 @@ int main(int count, char **words) {
   return count > 99 && words;
 #else
   const char *folder = getenv("TMPDIR");
-  char path[2 * PATH_SIZE];
+  char plots[PATH_SIZE];
   bool all = true;
   snprintf(top, sizeof top, "%.1000s/nineball-faults-XXXXXX", folder ? folder : "/tmp");
   if (!mkdtemp(top))
     die(top);
-  put(top, "gnuplot",
-      "#!/bin/sh\necho \"$2\" | sed -n 's/.*set output \"\\(.*\\)\".*/\\1/p' | while read -r name; do echo drawn "
-      ">\"$name\"; done\n",
-      0777);
-  snprintf(path, sizeof path, "%s:%.4000s", top, getenv("PATH"));
-  setenv("PATH", path, 1), unsetenv("NINEBALL_STATES");
+  unsetenv("NINEBALL_STATES");
+  snprintf(plots, sizeof plots, "%s/plots", getenv("srcdir") ? getenv("srcdir") : ".");
+  char *recipes = realpath(plots, NULL), *own = realpath("/proc/self/exe", NULL);
+  if (!recipes || !own)
+    die(plots);
+  snprintf(plots, sizeof plots, "%.*s/plots", (int)(strrchr(own, '/') - own),
+           own); /* where the program looks for them */
+  if (symlink(recipes, plots) != 0 && errno != EEXIST)
+    die(plots);
+  free(recipes), free(own);
   printf("1..%d\n", CASES);
   for (int k = 0; k < CASES; k++)
     if (count < 2 || atoi(words[1]) == k + 1) {
@@ -254,6 +259,7 @@ int main(int count, char **words) {
       printf("%sok %d - nineball %s %s\n", good ? "" : "not ", k + 1, cases[k][1], cases[k][2]);
       all = all && good;
     }
+  remove(plots);
   if (count < 3)
     clear(top);
   else
