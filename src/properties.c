@@ -60,8 +60,10 @@ bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scen
     most += scene->stages[s].change_count;
   now->materials = calloc(scene->material_count + 1, sizeof *now->materials);
   now->rules = calloc(most + 1, sizeof *now->rules);
-  if (!now->materials || !now->rules)
+  if (!now->materials || !now->rules) {
+    nb_properties_free(now);
     return false;
+  }
   if (scene->material_count > 0)
     memcpy(now->materials, scene->materials, scene->material_count * sizeof *now->materials);
   if (scene->pair_rule_count > 0)

@@ -82,10 +82,8 @@ bool nb_explain_changes(FILE *out, const struct nb_model *model, const struct nb
   nb_explain_gravity(out, &stage->gravity, model->scene->unitless ? "" : " m/s2");
   if (stage->change_count == 0)
     return true;
-  if (!nb_properties_create(&before, model->scene)) {
-    nb_properties_free(&before);
+  if (!nb_properties_create(&before, model->scene))
     return false;
-  }
   memcpy(before.materials, now->materials, model->scene->material_count * sizeof *now->materials);
   memcpy(before.rules, now->rules, now->rule_count * sizeof *now->rules);
   before.rule_count = now->rule_count;

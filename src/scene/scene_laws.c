@@ -135,12 +135,15 @@ static int line_of_pair(const struct nb_scene *scene, int a, int b) {
 }
 
 /* It can be meant, to show what friction does by leaving it out; mostly it is forgotten. */
-static void warn_of_friction(struct nb_scene *scene) {
+static void warn_of_friction(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
   unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};
   struct nb_properties now = {0};
   struct nb_in_force laws = nb_laws_at_start(scene);
-  if (!nb_properties_create(&now, scene))
+  if (!nb_properties_create(&now, scene)) {
+    nb_no_memory(&reading->reader);
     return;
+  }
   look_at_friction(seen, scene, &now, laws.shear);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -177,5 +180,5 @@ void nb_laws_check(struct nb_scene_reading *reading) {
       check_damping(reading, &stage->damping, now.normal);
   }
   if (!scene->path)
-    warn_of_friction(scene);
+    warn_of_friction(reading);
 }
