@@ -222,7 +222,7 @@ stage     more
 END
 run turn "$pages/turn.md" && test "$(cut -f 3 "$work/turn/table.tsv" | tail -n 1)" = 1.5 && grep -q '^2	more	3$' "$work/turn/table.tsv"
 result $? 'a value of several that go together chooses the others'
-run turns "$pages/turns.md" --set v=0.5 --set x=7 --set n=4 && test "$(tail -n 1 "$work/turns/table.tsv")" = 'go	7.25'
+run turns "$pages/turns.md" --set v=0.5 --set x=7 --set n=4 && test "$(tail -n 1 "$work/turns/table.tsv")" = '7	0.5	4	go	7.25'
 result $? 'a value that no turn has takes the place of its own'
 
 # A state that takes a while.
