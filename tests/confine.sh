@@ -54,7 +54,7 @@ attack backticks <<EOF2
 x = "\`touch $work/harm\`"
 EOF2
 attack exclamation <<EOF2
-! touch $work/harm
+! touch "$work/harm"
 EOF2
 attack output-pipe <<EOF2
 set output '|cat >$work/harm'
