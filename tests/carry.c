@@ -44,6 +44,20 @@ static void a_cell_and_a_continuum_are_alike(void) {
   }
 }
 
+/* Reversed for as long, every component of the rate brings the sides of the cell back, but for 80 |L|^2 dt^2 N, 1e-3. */
+static void a_reversed_cell_comes_back(void) {
+  static const char *const names[] = {"cell.xx", "cell.xy", "cell.yx", "cell.yy"};
+  static const double first[] = {80, 0, 0, 80};
+  for (size_t n = 0; n < 4; n++) {
+    struct words page = {0};
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ndisc 0 0 radius 1 m\ncell -40 -40 to 40 40\n"
+              "record %s\nstage s\ncell strain 0.2 -0.1 c12 0.15 c21 0.05\ncycles 100\nstage t\nreverse\ncycles 100\n",
+              names[n]);
+    CU_ASSERT_DOUBLE_EQUAL(ends(&page, names[n]), first[n], 1e-3);
+  }
+}
+
 /* Discs with no friction, pressed, sheared and sheared back under gravity, with dashpots. */
 static double residual(int which, double dt, double *driven) {
   static const char *const before[] = {"boundary circle 0 0 radius 4.6\n", "cell -5 -5 to 5 5\n"};
@@ -104,5 +118,6 @@ void suite_carry(void) {
   CU_pSuite suite = CU_add_suite("carry", NULL, NULL);
   CU_add_test(suite, "a cell and a continuum are alike", a_cell_and_a_continuum_are_alike);
   CU_add_test(suite, "energies balance", energies_balance);
+  CU_add_test(suite, "a reversed cell comes back", a_reversed_cell_comes_back);
   CU_add_test(suite, "still is as at time 0", still_is_as_at_time_0);
 }

@@ -107,6 +107,20 @@ static void rotation_stops_and_goes_on(void) {
   nb_result_free(&result);
 }
 
+/* Held anew after it was loose, the circle is the one through its bodies, which have come in from 20 to 17.6: a disc at 16.5
+ * is inside. With the strain of before on top of that the radius would be 15.6, and it would belong to the boundary. */
+static void a_boundary_is_held_anew(void) {
+  struct nb_result result;
+  run(&result, "material m density 2 kn 100\nstep 0.125\ndisc 20 0 radius 1 m\ndisc 0 20 radius 1 m\n"
+               "disc -20 0 radius 1 m\ndisc 0 -20 radius 1 m\ndisc 11.7 11.7 radius 1 m\n"
+               "record boundary.bodies boundary.radius\nboundary circle 0 0 radius 20\n"
+               "stage a\nboundary strain -0.01 -0.01\ncycles 100\nstage b\nboundary stress 1e-9 1e-9\ncycles 1\n"
+               "stage c\nboundary hold\ncycles 2\n");
+  CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.radius"), 17.6, 0.05);
+  CU_ASSERT_EQUAL(written_last(&result, "boundary.bodies"), 4);
+  nb_result_free(&result);
+}
+
 /* Two bodies of a boundary are carried into each other by a, then let go: they push apart with k a^2/2, which is put in from outside;
  * the energy balance stays closed but for the error of the step, a part in (k/m) dt^2. Under a stress likewise. */
 static void springs_that_are_let_go_count(void) {
@@ -143,5 +157,6 @@ void suite_driven(void) {
   CU_add_test(suite, "a body goes round the point", a_body_goes_round_the_point);
   CU_add_test(suite, "rest counts all that is felt", rest_counts_all_that_is_felt);
   CU_add_test(suite, "rotation stops and goes on", rotation_stops_and_goes_on);
+  CU_add_test(suite, "a boundary is held anew", a_boundary_is_held_anew);
   CU_add_test(suite, "springs that are let go count", springs_that_are_let_go_count);
 }

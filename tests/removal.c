@@ -135,6 +135,30 @@ static void spins_stay(void) {
   }
 }
 
+/* Of two unlike discs that roll on each other the one that is left turns as it did: each has its own arm. */
+static void unlike_radii(void) {
+  for (int first = 0; first < 2; first++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error;
+    words_add(&page,
+              "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.5\nshear linear\nstep 0.002\n"
+              "disc 0 0 radius 1 m\ndisc 2.9 0 radius 2 m velocity 0 -0.1\nwatch A disc %d\nrecord A.spin A.moment\n"
+              "stage a\ncycles 10\nstage b\nremove disc %d\ncycles 1\n",
+              first ? 2 : 1, first ? 1 : 2);
+    written_scene(&it, &page);
+    struct nb_model *model = written_model(&it, NULL);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+    written_cycles(model, 10);
+    const double before = written_now(model, "A.spin");
+    CU_ASSERT_NOT_EQUAL(written_now(model, "A.moment"), 0);
+    CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
+    CLOSE(written_now(model, "A.spin"), before, fabs(before));
+    nb_model_free(model);
+    written_free(&it);
+  }
+}
+
 /* Through the place of one that is gone, and of one that was fixed there, long after; no snapshot shows them. */
 static void nothing_in_the_way(void) {
   struct words page = {0};
@@ -228,6 +252,7 @@ void suite_removal(void) {
   CU_pSuite suite = CU_add_suite("removal", NULL, NULL);
   CU_add_test(suite, "the moment", at_the_moment);
   CU_add_test(suite, "never there", never_there);
+  CU_add_test(suite, "unlike radii", unlike_radii);
   CU_add_test(suite, "nothing in the way", nothing_in_the_way);
   CU_add_test(suite, "spins stay", spins_stay);
   CU_add_test(suite, "what is left", with_what_is_left);

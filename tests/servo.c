@@ -125,6 +125,26 @@ static void what_is_not_held_goes_on(void) {
   nb_result_free(&result);
 }
 
+/* A disc in the gap between three others, taken out, weighs nothing: the ring goes as if it had never been there, to the last bit. */
+static void what_is_gone_weighs_nothing(void) {
+  static const char *const pages[] = {RING "stage s\n", RING "disc 1 0.577 radius 0.1 m\nstage s\nremove disc 8\n"};
+  double radius[2];
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page, "%sservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 100\n",
+              pages[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    radius[k] = written_last(&result, "boundary.radius");
+    nb_result_free(&result);
+    written_free(&it);
+  }
+  CU_ASSERT(radius[0] < 2);
+  CU_ASSERT_EQUAL(radius[1], radius[0]);
+}
+
 /* `on` a region: what is held is its stress, not the boundary's. All contacts are in a circle of radius 2.5, so p there is the boundary's times A/(6.25 pi). */
 static void a_region_is_looked_at(void) {
   const double pi = 3.14159265358979323846;
@@ -218,5 +238,6 @@ void suite_servo(void) {
   CU_add_test(suite, "a cell is servoed too", a_cell_is_servoed_too);
   CU_add_test(suite, "a region is looked at", a_region_is_looked_at);
   CU_add_test(suite, "the continuum goes along", the_continuum_goes_along);
+  CU_add_test(suite, "what is gone weighs nothing", what_is_gone_weighs_nothing);
   CU_add_test(suite, "what is not held goes on", what_is_not_held_goes_on);
 }

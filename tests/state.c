@@ -118,9 +118,57 @@ static void balances_begin_anew(void) {
   }
 }
 
+/* Rules of pairs that stages make are in the state, and fit the page that makes them; more than it can make do not. */
+static void rules_of_stages_fit(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 100 ks 50 friction 0.3\nshear linear\ndisc 0 0 radius 1 m\n"
+                   "record time\nstep 0.01\nstage a\npair m m friction 0.1\ncycles 1\nstage b\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL(saved.rule_count, 1);
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  saved.rule_count++;
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
+  nb_saved_free(&saved);
+  nb_model_free(model);
+  written_free(&it);
+}
+
+/* Without dashpots what contacts feel is what the laws say: a page that goes on with dashpots reads it. */
+static void felt_without_dashpots(void) {
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error;
+  int rubbing = 0;
+  page_of(&it, "linear", "linear", "");
+  it.scene.stage_count = 1; /* a later stage has dashpots */
+  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  CU_ASSERT_FALSE(model->dashpots);
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  for (size_t c = 0; c < saved.contact_count; c++) {
+    const double *field = saved.contacts[c].field;
+    CU_ASSERT_EQUAL(field[NB_PUSH], field[NB_NORMAL]);
+    CU_ASSERT_EQUAL(field[NB_DRAG], field[NB_SHEAR]);
+    rubbing += field[NB_SHEAR] != 0;
+  }
+  CU_ASSERT(rubbing > 3);
+  nb_saved_free(&saved);
+  nb_model_free(model);
+  it.scene.stage_count = 4;
+  written_free(&it);
+}
+
 void suite_state(void) {
   CU_pSuite suite = CU_add_suite("state", NULL, NULL);
   CU_add_test(suite, "a run goes on to the same bits with every law", all_laws);
   CU_add_test(suite, "and with every damping", all_dampings);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
+  CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
+  CU_add_test(suite, "what is felt without dashpots", felt_without_dashpots);
 }
