@@ -164,6 +164,40 @@ static void felt_without_dashpots(void) {
   written_free(&it);
 }
 
+/* What a contact was in the step before goes on with it: the shear stiffness, which the balance of energy reads, and which of two
+ * contacts at a wall vertex is the one that has no force. */
+static void the_step_before_goes_on(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error;
+  int suppressed = 0, sheared = 0;
+  words_add(&page, "units none\nmaterial m density 1 kn 100 ks 50 friction 0.3\nshear linear\n"
+                   "disc 0.3 0.95 radius 1 m velocity 0.1 -0.2\ndisc -0.2 2.9 radius 1 m velocity 0.2 0\n"
+                   "wall a -5 0 to 0 0 m\nwall b 0 0 to 5 -2 m\n"
+                   "record energy.residual\nstep 0.01\nstage a\ncycles 3\nstage b\ncycles 3\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  it.scene.start.stages = 1;
+  struct nb_model *next = nb_model_resume(&it.scene, NULL, &saved, &error);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(next);
+  CU_ASSERT_EQUAL_FATAL(next->contacts.count, model->contacts.count);
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    const double stiffness = model->contacts.kept[NB_SHEAR_STIFFNESS][c];
+    CU_ASSERT_EQUAL(next->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c], stiffness);
+    CU_ASSERT_EQUAL(next->contacts.kept[NB_SHEAR_BEFORE][c], model->contacts.kept[NB_SHEAR][c]);
+    CU_ASSERT_EQUAL(next->contacts.muted[c] & 1, model->contacts.muted[c] & 1);
+    suppressed += model->contacts.muted[c] & 1, sheared += stiffness > 0;
+  }
+  CU_ASSERT_EQUAL(suppressed, 1);
+  CU_ASSERT(sheared > 0);
+  nb_saved_free(&saved);
+  nb_model_free(next), nb_model_free(model);
+  written_free(&it);
+}
+
 void suite_state(void) {
   CU_pSuite suite = CU_add_suite("state", NULL, NULL);
   CU_add_test(suite, "a run goes on to the same bits with every law", all_laws);
@@ -171,4 +205,5 @@ void suite_state(void) {
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
   CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
   CU_add_test(suite, "what is felt without dashpots", felt_without_dashpots);
+  CU_add_test(suite, "the step before goes on", the_step_before_goes_on);
 }
