@@ -109,11 +109,11 @@ static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
 /* Words that have no direction, in a scene, in a stage and behind `ramp`. A packing has places from a file, which then are those
  * of bodies; `until` waits for what would be recorded, which is not turned, as the manual says. */
 static const char *const scalars[] = {
-    "|packing|discs packing|spheres "
-    "packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|watch|"
-    "step|allow|record|stage|",
-    "|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|still|reverse|remove|"
-    "boundary hold|boundary none|continuum none|rotation on|rotation off|repeat|",
+    ("|packing|discs packing|spheres "
+     "packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|watch|"
+     "step|allow|record|stage|"),
+    ("|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|still|reverse|remove|"
+     "boundary hold|boundary none|continuum none|rotation on|rotation off|repeat|"),
     "|material|pair|",
 };
 

@@ -188,7 +188,8 @@ static void judge(struct nb_check *check, const struct nb_outcome *outcome, size
   char group[256];
   nb_sweep_group(group, sizeof group, run, e);
   const size_t length = strlen(check->label);
-  snprintf(check->label + length, sizeof check->label - length, group[0] ? " (%s)" : "", group);
+  if (group[0])
+    snprintf(check->label + length, sizeof check->label - length, " (%s)", group);
   if (e->among[0]) {
     nb_check_sample(check, outcome, r, index);
     return;
