@@ -21,7 +21,7 @@ enum nb_status {
   NB_OK = 0,
   NB_FAILED = 1,   /* a check of a page failed */
   NB_BAD_USE = 2,  /* the command line or the page is wrong, or a file cannot be read or written */
-  NB_BROKEN = 3,   /* the physics broke: not a number, a stage that never ended */
+  NB_BROKEN = 3,   /* run aborted: NaN, an unstable step, a stage that never ended */
   NB_NO_MEMORY = 4 /* memory ran out: whatever else is said, nothing has been decided */
 };
 

@@ -60,7 +60,7 @@ static void state_at(const struct impact *impact, double t, double y[]) {
   memset(y, 0, HERTZ_UNKNOWNS * sizeof *y);
   if (!(time > 0) || !(time < impact->end))
     return;
-  if (time > 100 * impact->reach) { /* it creeps for ever, and to follow it takes as long */
+  if (time > 100 * impact->reach) { /* it never stops creeping, and following it takes as long */
     y[HERTZ_WAY] = y[HERTZ_SPEED] = NAN;
     return;
   }

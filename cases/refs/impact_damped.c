@@ -45,7 +45,7 @@ static void go(double y[], struct motion motion, double to) {
     gsl_odeiv2_driver_free(driver);
 }
 
-/* How long the outlines overlap; NAN: for ever, or it cannot be solved. */
+/* Duration of the overlap, s; NAN: it has no end, or it cannot be solved. */
 static double duration(double drag) {
   double y[UNKNOWNS] = {0, 0, 1}, before[UNKNOWNS];
   while ((y[WAY] > 0 || y[TIME] == 0) && y[TIME] < 1000) { /* near critical damping a few times that without */

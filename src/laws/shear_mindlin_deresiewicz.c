@@ -148,7 +148,7 @@ static NB_SELDOM int go(struct corner at[], int pieces, double x, double u, int 
   return lay_or_join(at, piece, x, &leg, most, lost);
 }
 
-/* With another friction the path goes anew, in the same memory: a leg makes at most one piece. Answers what is lost. */
+/* With another friction the path goes anew, in the same memory: a leg makes at most one piece. Returns the loss. */
 static NB_SELDOM double go_anew(struct corner at[], double *count, double share, int most) {
   const int pieces = (int)*count;
   const double held = share * share * held_by(at, pieces);

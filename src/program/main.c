@@ -62,7 +62,7 @@ static void print_help(FILE *out) {
   for (const struct nb_help_row *row = option_rows; row->term; row++)
     fprintf(out, "  %s%-*s %s\n", row->term[1] == '-' ? "    " : "", row->term[1] == '-' ? 19 : 23, row->term,
             row->help);
-  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 the physics broke, 4 out of "
+  fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of "
         "memory\n",
         out);
 }

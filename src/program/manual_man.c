@@ -85,7 +85,7 @@ void nb_manual_man(FILE *out, const struct nb_help_row *commands, const struct n
       {"0", "all checks passed"},
       {"1", "a check failed"},
       {"2", "bad use, a mistake in a page, a figure that cannot be drawn, or a file that cannot be read or written"},
-      {"3", "the physics broke: a number that is none, a stage that never ended; what was seen until then is kept, and "
+      {"3", "run aborted: NaN, an unstable step, a stage that never ended; results up to then are kept, and "
             "marked as incomplete"},
       {"4", "out of memory"},
       {NULL, NULL},

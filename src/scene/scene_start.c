@@ -131,7 +131,7 @@ static bool same_file(const char *a, const char *b) {
   return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
 }
 
-/* A page that starts from itself, by way of others or not, would never begin. Answers how many pages are above it, -1: itself. */
+/* A page that starts from itself, by way of others or not, would never begin. Returns the number of pages above it, -1: itself. */
 static int pages_above(const struct nb_scene_reading *reading, const char *path) {
   int count = 0;
   for (const struct nb_scene_reading *above = reading; above; above = above->above, count++)

@@ -4,7 +4,7 @@
  *
  *   tests/faults/run [CASE [N]]    all; the case of that number; of that the N-th call alone, and its folder stays
  *
- * It tells something only where a sanitizer looks on; elsewhere it is skipped. TAP. gnuplot is replaced by a stub.
+ * It tells something only where a sanitizer looks on; elsewhere it is skipped. TAP. A function of the test takes the place of gnuplot.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
