@@ -7,10 +7,10 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-# The pages of the lists PAGES and PAGES_LONG of Makefile.am, in their order.
+# The pages of the lists PAGES and PAGES_LONG of build-aux/lists.mk, in their order.
 pages=$(awk '
   ($1 == "PAGES" || $1 == "PAGES_LONG") && $2 == "=" { inside = 1; $1 = $2 = "" }
-  inside { more = sub(/\\$/, ""); for (i = 1; i <= NF; i++) if ($i != "") print $i; inside = more }' Makefile.am)
+  inside { more = sub(/\\$/, ""); for (i = 1; i <= NF; i++) if ($i != "") print $i; inside = more }' build-aux/lists.mk)
 
 cat <<'TEXT'
 # The cases

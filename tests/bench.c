@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/bench/bench.h"
+#include "../src/run/bench.h"
 #include "suites.h"
 #include "written.h"
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/near.h"
+#include "../src/core/near.h"
 #include "placed.h"
 #include "suites.h"
 #include "written.h"

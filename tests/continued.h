@@ -4,7 +4,7 @@
 #ifndef NB_CONTINUED_H
 #define NB_CONTINUED_H
 
-#include "../src/state/state.h"
+#include "../src/run/state.h"
 #include "written.h"
 
 void continued_stages(struct nb_model *model, size_t from, size_t to); /* those stages, one after the other */

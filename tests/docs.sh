@@ -29,7 +29,7 @@ result $? "links between documents"
 for recipe in plots/*.gp; do
   name=${recipe#plots/}
   test "$name" = style.gp || grep -qF "load plots.'$name'" cases/*.md || echo "no page draws $recipe"
-  grep -qF "$recipe" Makefile.am || echo "$recipe is not installed"
+  grep -qF "$recipe" build-aux/lists.mk || echo "$recipe is not installed"
 done >"$work/said"
 grep -n '^ *set term' cases/*.md plots/*.gp | sed 's/$/: eval canvas(WIDE, HIGH) draws the PNG as well/' >>"$work/said"
 test ! -s "$work/said"

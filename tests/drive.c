@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/drive/drive.h"
+#include "../src/loading/drive.h"
 #include "chance.h"
 #include "suites.h"
 #include "written.h"

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/drive/carry.h"
+#include "../src/core/carry.h"
 #include "suites.h"
 #include "written.h"
 

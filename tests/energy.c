@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/energy/energy.h"
+#include "../src/measure/energy.h"
 #include "suites.h"
 #include "written.h"
 

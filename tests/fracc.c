@@ -4,7 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "suites.h"
 #include "written.h"
 

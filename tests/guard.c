@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "suites.h"
 #include "written.h"
 

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Carries out the worked example of HACKING.md, to the letter, in a copy of the source tree: writes its files, puts its
-# lines into the lists of Makefile.am, and gives its commands. TAP. $srcdir is the top of the source tree.
+# lines into the lists of build-aux/lists.mk, and gives its commands. TAP. $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
 cd "${srcdir:-.}" || exit 1
 command -v automake >/dev/null || {
-  echo "1..0 # SKIP automake is missing, and the lists of Makefile.am cannot change without"
+  echo "1..0 # SKIP automake is missing, and the lists of build-aux/lists.mk cannot change without"
   exit 0
 }
 work=$(mktemp -d) || exit 1
@@ -73,8 +73,8 @@ done <"$work/commands"
 # The suites that go over the register of laws take the new one in without being told.
 suites=$(grep -lE 'nb_laws|OF_NORMAL' tests/*.c | tr '\n' ' ')
 if grep -q "^CUNIT_LIBS = ." build/Makefile && test -n "$suites"; then
-  sed -i "/^SUITES = /,/[^\\\\]\$/d" Makefile.am
-  echo "SUITES = $suites" >>Makefile.am
+  sed -i "/^SUITES = /,/[^\\\\]\$/d" build-aux/lists.mk
+  echo "SUITES = $suites" >>build-aux/lists.mk
   { make -C build suites-register.h && make -C build -j2 tests/unit; } >"$work/said" 2>&1 && build/tests/unit >"$work/said" 2>&1
   result $? "the law keeps the contract of laws"
 fi

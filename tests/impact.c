@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../src/model.h"
-#include "../src/page/reader.h"
+#include "../src/core/model.h"
+#include "../src/input/reader.h"
 #include "suites.h"
 #include "written.h"
 

@@ -4,7 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <stdlib.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "chance.h"
 #include "suites.h"
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "chance.h"
 #include "suites.h"
 

@@ -3,7 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "suites.h"
 
 enum { CONTACTS = 40000, FEW = NB_MEMORY, MANY = 20 };

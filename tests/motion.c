@@ -6,7 +6,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "chance.h"
 #include "suites.h"
 #include "written.h"

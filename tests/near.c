@@ -4,7 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <string.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "placed.h"
 #include "suites.h"
 #include "written.h"

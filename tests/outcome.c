@@ -9,8 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "report/outcome.h"
 #include "suites.h"
-#include "verdict/outcome.h"
 
 /* What was reported, and how often; the last words of each. */
 struct heard {

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/scene/scene.h"
+#include "../src/input/scene.h"
 #include "suites.h"
 #include "written.h"
 

@@ -10,7 +10,7 @@
 
 #include <stddef.h>
 
-#include "verdict/outcome.h"
+#include "report/outcome.h"
 
 #define COUNT(list) (sizeof list / sizeof *list)
 

@@ -4,7 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "suites.h"
 
 /* Numbers of which no product and no mean is another. */

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../src/page/reader.h"
+#include "../src/input/reader.h"
 #include "suites.h"
 
 /* A page made of a text, and one run of it. */

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/step/step.h"
+#include "../src/measure/step.h"
 #include "chance.h"
 #include "limit.h"
 #include "suites.h"

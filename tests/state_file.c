@@ -12,8 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "../src/state/save.h"
-#include "../src/state/state.h"
+#include "../src/run/save.h"
+#include "../src/run/state.h"
 #include "suites.h"
 #include "written.h"
 

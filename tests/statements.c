@@ -10,8 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../src/page/columns.h"
-#include "../src/page/reader.h"
+#include "../src/input/columns.h"
+#include "../src/input/reader.h"
 #include "suites.h"
 #include "written.h"
 

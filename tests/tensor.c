@@ -5,7 +5,7 @@
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 
-#include "../src/tensor.h"
+#include "../src/core/tensor.h"
 #include "chance.h"
 #include "suites.h"
 

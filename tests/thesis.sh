@@ -34,7 +34,7 @@ while IFS= read -r row; do
   shown=$(echo "$row" | cut -d '|' -f 3 | grep -o 'cases/[^)]*\.md')
   verdict=$(echo "$row" | cut -d '|' -f 6)
   for page in $(echo "$row" | grep -o 'cases/[^)]*\.md'); do
-    grep -q "^  $page\( \\\\\)*$" Makefile.am || echo "${row%%" |"*}: $page is no case"
+    grep -q "^  $page\( \\\\\)*$" build-aux/lists.mk || echo "${row%%" |"*}: $page is no case"
   done
   case $verdict in
   *'**holds**'* | *'**among ours**'* | *'**in part**'* | *'**does not**'*)

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 #include "chance.h"
 #include "suites.h"
 #include "written.h"

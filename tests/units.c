@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../src/page/units.h"
+#include "../src/input/units.h"
 #include "suites.h"
 
 #define COUNT(list) (sizeof list / sizeof *list)

@@ -13,7 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../src/model.h"
+#include "../src/core/model.h"
 
 void words_add(struct words *words, const char *format, ...) {
   va_list arguments;

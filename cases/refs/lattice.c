@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "vec.h"
+#include "core/vec.h"
 
 /* Two things touch when the gap between them is below this share of the radius: a page writes centres in decimals. */
 static const double touch = 1e-9;

@@ -16,7 +16,7 @@
 
 #include <math.h>
 
-#include "../block.h"
+#include "core/block.h"
 
 struct nb_normal {
   double force;     /* F_n >= 0, N; > 0 where the overlap is the largest so far, maybe 0 where it has been larger */

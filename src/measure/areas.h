@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "vec.h"
+#include "core/vec.h"
 
 double nb_area_of_disc(double radius);
 /* What two circles have in common; `apart`: the distance of their centres. */

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 
 #include "areas.h"
-#include "drive/drive.h"
+#include "loading/drive.h"
 
 enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;

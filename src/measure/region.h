@@ -18,9 +18,9 @@
 #ifndef NB_REGION_H
 #define NB_REGION_H
 
-#include "names.h"
-#include "near.h"
-#include "tensor.h"
+#include "core/names.h"
+#include "core/near.h"
+#include "core/tensor.h"
 
 struct nb_stress {
   struct nb_tensor whole, normal, shear, fabric, variation; /* by particles, Pa */

@@ -4,8 +4,8 @@
 #ifndef NB_SINCE_H
 #define NB_SINCE_H
 
-#include "near.h"
-#include "observe.h"
+#include "core/near.h"
+#include "run/observe.h"
 
 bool nb_since_create(struct nb_model *model); /* leaves model->since NULL where no snapshot asks; false: no memory */
 void nb_since_free(struct nb_since *since);

@@ -3,8 +3,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
-#include "observe.h"
 #include "region.h"
+#include "run/observe.h"
 #include "since.h"
 
 bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_head *columns,

@@ -8,7 +8,7 @@
  * Where c is added to u for good (`literal`) w is still u - c, so that both codings are measured alike.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "drive/carry.h"
+#include "core/carry.h"
 #include "region.h"
 
 /* c at t_N, the mean over both half steps; `stored`: it is a part of the body's own velocity. */

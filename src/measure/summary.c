@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "areas.h"
-#include "observe.h"
 #include "region.h"
+#include "run/observe.h"
 
 bool nb_summary_averages(struct nb_table *table, const struct nb_table *of, size_t skip) {
   const size_t count = of->column_count - skip, rows = of->row_count;

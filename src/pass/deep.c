@@ -8,7 +8,7 @@
  * has none, which is told in one loop.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "../model.h"
+#include "core/model.h"
 
 static inline NB_FORM unsigned long above(const struct nb_view *view, double least) {
   const double *overlap = view->f[NB_OVERLAP];

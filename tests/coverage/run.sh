@@ -1,5 +1,5 @@
 #!/bin/sh
-# How much of src/verdict its tests go through: `make coverage` builds all in coverage/ of the build folder, counting lines and
+# How much of the verdict its tests go through: `make coverage` builds all in coverage/ of the build folder, counting lines and
 # branches; runs the unit tests of the verdict, the invalid pages and the program; and fails when they miss more than one branch
 # in twenty. $srcdir is the top of the source tree; $CC is what it says.
 #
@@ -23,6 +23,6 @@ for test in "tests/unit $suites" "sh $here/tests/mistakes.sh" "sh $here/tests/pr
 done
 
 counted() { gcovr -r "$here" --object-directory . "$@" 2>said || { cat said >&2; return 1; }; }
-counted --filter "$here/src/verdict/" --json -o coverage.json
+counted --filter "$here/src/report/(expect|outcome|reducers|verdict)" --json -o coverage.json
 counted -a coverage.json
 counted -a coverage.json --branches --fail-under-branch "$wanted"

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../../src/program/tables.h"
+#include "../../src/report/tables.h"
 #include "faults.h"
 
 static struct {

@@ -3,8 +3,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
-#include "../../src/page/reader.h"
-#include "../../src/verdict/expect_take.h"
+#include "../../src/input/reader.h"
+#include "../../src/report/expect_take.h"
 #include "read.h"
 
 /* Vigna, An experimental exploration of Marsaglia's xorshift generators, ACM TOMS 42 (2016) 30. */

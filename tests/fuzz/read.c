@@ -15,8 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../src/page/reader.h"
-#include "../../src/verdict/expect.h"
+#include "../../src/input/reader.h"
+#include "../../src/report/expect.h"
 
 /* ---- what must hold ---- */
 

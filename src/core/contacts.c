@@ -1,0 +1,222 @@
+/* The list of contacts, kept through a search, and which of them a body has.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <limits.h>
+#include <stdlib.h>
+
+#include "measure/hertz_impact.h"
+#include "measure/since.h"
+#include "near.h"
+
+int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
+  const int *number = model->bodies.number;
+  if (p.pairing != q.pairing)
+    return p.pairing < q.pairing ? -1 : 1;
+  if (p.a != q.a)
+    return number[p.a] < number[q.a] ? -1 : 1;
+  if (p.b == q.b)
+    return 0;
+  return (model->pairings[p.pairing].wall ? p.b < q.b : number[p.b] < number[q.b]) ? -1 : 1;
+}
+
+/* What the energy balance compares with the step before. */
+static void carry_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+  static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
+  for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
+    if (now->kept[fields[f]] && old->kept[fields[f]])
+      now->kept[fields[f]][c] = old->kept[fields[f]][o];
+}
+
+/* But M*: a body may have become a boundary's. */
+static void carry_all(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+  now->force[c] = old->force[o];
+  for (int f = 0; f < NB_FIELDS; f++)
+    if (now->kept[f] && f != NB_MASS)
+      now->kept[f][c] = old->kept[f][o];
+}
+
+/* The old and the new list are in the same order: one walk along both finds what stays. */
+static void carry_memory(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
+  size_t o = 0;
+  for (size_t c = 0; c < now->count; c++) {
+    const struct nb_near_pair here = {now->a[c], now->b[c], now->pairing[c]};
+    for (; o < old->count; o++) {
+      const struct nb_near_pair there = {old->a[o], old->b[o], old->pairing[o]};
+      const int order = nb_contacts_order(model, there, here);
+      if (order > 0)
+        break;
+      if (order < 0)
+        continue;
+      if (now->muted && old->muted)
+        now->muted[c] = old->muted[o];
+      if (model->keeping)
+        carry_all(now, c, old, o);
+      else if (model->balance)
+        carry_fields(now, c, old, o);
+      nb_memory_copy(&now->normal_memory, c, &old->normal_memory, o);
+      nb_memory_copy(&now->shear_memory, c, &old->shear_memory, o);
+      if (model->since)
+        nb_memory_copy(&now->slid, c, &old->slid, o);
+    }
+  }
+}
+
+void nb_contacts_free(struct nb_contacts *contacts) {
+  free(contacts->a), free(contacts->b), free(contacts->pairing), free(contacts->muted), free(contacts->force);
+  free(contacts->image);
+  for (int f = 0; f < NB_FIELDS; f++)
+    free(contacts->kept[f]);
+  nb_memory_free(&contacts->normal_memory), nb_memory_free(&contacts->shear_memory), nb_memory_free(&contacts->slid);
+}
+
+/* Fixed bodies and walls count as of infinite mass, walls as of infinite radius too. One of a pair is free. */
+static void find_constants(struct nb_contacts *contacts, size_t c, const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  const int a = contacts->a[c], b = contacts->b[c];
+  const bool wall = model->pairings[contacts->pairing[c]].wall;
+  const double radius = bodies->rim[a].x;
+  contacts->kept[NB_REACH][c] = radius + (wall ? 0 : bodies->rim[b].x);
+  if (contacts->kept[NB_MASS])
+    contacts->kept[NB_MASS][c] = 1 / (bodies->inverse_mass[a] + (wall ? 0 : bodies->inverse_mass[b]));
+  if (contacts->kept[NB_REDUCED])
+    contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, bodies->rim[b].x);
+}
+
+/* Of a pair that is near one copy is, and it is the nearest. */
+static void find_images(struct nb_contacts *contacts, const struct nb_model *model) {
+  const struct nb_wrap wrap = nb_cell_wrap(model->cell);
+  const struct nb_vec *x = model->bodies.position;
+  for (size_t c = 0; c < contacts->count; c++)
+    contacts->image[c] = nb_wrap_image(&wrap, vec_sub(x[contacts->b[c]], x[contacts->a[c]]));
+}
+
+static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
+                            const struct nb_near_pairs *pairs) {
+  const size_t n = pairs->count;
+  *contacts = (struct nb_contacts){.count = n};
+  contacts->a = nb_array(n, sizeof(int)), contacts->b = nb_array(n, sizeof(int));
+  contacts->pairing = nb_array(n, sizeof(int)), contacts->force = nb_array(n, sizeof *contacts->force);
+  bool made = contacts->a && contacts->b && contacts->pairing && contacts->force;
+  if (model->cell)
+    made = (contacts->image = nb_array(n, sizeof *contacts->image)) && made;
+  if (model->joined)
+    made = (contacts->muted = nb_array(n, sizeof(int))) && made;
+  for (int f = 0; f < NB_FIELDS; f++)
+    if (model->kept & NB_BIT(f))
+      made = (contacts->kept[f] = nb_array(n, sizeof(double))) && made;
+  int normal = 0, shear = 0;
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    const struct nb_pairing *q = &model->pairings[p];
+    const int pairs_normal = nb_law_memory(q->normal, q->values), pairs_shear = nb_law_memory(q->shear, q->values);
+    normal = pairs_normal > normal ? pairs_normal : normal;
+    shear = pairs_shear > shear ? pairs_shear : shear;
+  }
+  made = nb_memory_create(&contacts->normal_memory, normal, n) && made;
+  made = nb_memory_create(&contacts->shear_memory, shear, n) && made;
+  made = nb_memory_create(&contacts->slid, (int)nb_since_count(model->since), n) && made;
+  if (!made)
+    return false;
+  for (size_t c = 0; c < n; c++) {
+    contacts->a[c] = pairs->list[c].a, contacts->b[c] = pairs->list[c].b;
+    contacts->pairing[c] = pairs->list[c].pairing;
+    find_constants(contacts, c, model);
+  }
+  if (model->cell)
+    find_images(contacts, model);
+  return true;
+}
+
+/* The contacts of each body in the order of its partners' numbers, walls last: the order in which forces are summed. Partners
+ * with smaller numbers come first, so the contacts in which the body is the second one are the first of its entries. */
+static int partner(const struct nb_model *model, int contact, int slot) {
+  const struct nb_contacts *contacts = &model->contacts;
+  if (model->pairings[contacts->pairing[contact]].wall)
+    return INT_MAX / 2 + contacts->b[contact];
+  return model->bodies.number[contacts->a[contact] == slot ? contacts->b[contact] : contacts->a[contact]];
+}
+
+static bool incidence_renew(struct nb_model *model) {
+  struct nb_incidence *incidence = &model->incidence;
+  const struct nb_contacts *contacts = &model->contacts;
+  const size_t n = model->bodies.count;
+  free(incidence->first), free(incidence->middle), free(incidence->entry);
+  incidence->first = nb_array(n + 1, sizeof(int)), incidence->middle = nb_array(n + 1, sizeof(int));
+  incidence->entry = nb_array(2 * contacts->count, sizeof(int));
+  if (!incidence->first || !incidence->middle || !incidence->entry)
+    return false;
+  int *first = incidence->first, *end = incidence->middle; /* `middle` is filled last */
+  for (size_t c = 0; c < contacts->count; c++) {
+    first[contacts->a[c] + 1]++;
+    if (!model->pairings[contacts->pairing[c]].wall)
+      first[contacts->b[c] + 1]++;
+  }
+  for (size_t i = 0; i < n; i++)
+    first[i + 1] += first[i], end[i] = first[i];
+  for (int c = 0; c < (int)contacts->count; c++) {
+    incidence->entry[end[contacts->a[c]]++] = c;
+    if (!model->pairings[contacts->pairing[c]].wall)
+      incidence->entry[end[contacts->b[c]]++] = c;
+  }
+  for (int i = 0; i < (int)n; i++) {
+    int *entry = incidence->entry;
+    for (int p = first[i] + 1; p < first[i + 1]; p++) {
+      const int it = entry[p];
+      int q = p;
+      for (; q > first[i] && partner(model, it, i) < partner(model, entry[q - 1], i); q--)
+        entry[q] = entry[q - 1];
+      entry[q] = it;
+    }
+    incidence->middle[i] = first[i];
+    while (incidence->middle[i] < first[i + 1] && contacts->a[entry[incidence->middle[i]]] != i)
+      incidence->middle[i]++;
+  }
+  return true;
+}
+
+bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs) {
+  struct nb_contacts now;
+  if (!contacts_create(&now, model, pairs)) {
+    nb_contacts_free(&now);
+    return false;
+  }
+  carry_memory(model, &model->contacts, &now);
+  nb_contacts_free(&model->contacts);
+  model->contacts = now;
+  model->wall_contacts = 0;
+  while (model->wall_contacts < now.count && !model->pairings[now.pairing[model->wall_contacts]].wall)
+    model->wall_contacts++;
+  return incidence_renew(model);
+}
+
+struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_vec *x = model->bodies.position;
+  const struct nb_vec apart = vec_sub(x[contacts->b[contact]], x[contacts->a[contact]]);
+  return model->cell ? vec_add(apart, tensor_times(model->cell->h, contacts->image[contact])) : apart;
+}
+
+struct nb_tensor nb_contacts_virial(const struct nb_model *model) {
+  struct nb_tensor sum = {0, 0, 0, 0};
+  for (size_t c = 0; c < model->wall_contacts; c++)
+    sum = tensor_sub(sum, tensor_outer(model->contacts.force[c], nb_contacts_branch(model, c)));
+  return sum;
+}
+
+struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values) {
+  if (model->contacts.kept[NB_REDUCED])
+    values.radius = model->contacts.kept[NB_REDUCED][contact];
+  return values;
+}
+
+long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, (size_t)a);
+  for (const int *entry = its.first; entry < its.end; entry++) {
+    const int c = *entry;
+    if (model->pairings[contacts->pairing[c]].wall != wall)
+      continue;
+    if (contacts->b[c] == b || (!wall && contacts->a[c] == b))
+      return c;
+  }
+  return -1;
+}

@@ -1,0 +1,61 @@
+/* How often elastic spheres were pressed too deeply, and which were the first.                              [R89 6.4.3]
+ *
+ * R89 takes an overlap above 7 % of the smaller diameter for the beginning of plastic flow, damps such a contact critically,
+ * and prints how often as a warning. Hertz's force and the exact one of two spheres part there as well: a, by Hertz
+ * (R* alpha)^(1/2), is more than a third of the radius.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+
+#include "measure/step.h"
+
+double nb_deep_share(const struct nb_model *model) { return model->damping.deep > 0 ? model->damping.deep : 0.07; }
+
+static unsigned long long counted(const struct nb_model *model) {
+  unsigned long long sum = 0;
+  for (size_t v = 0; model->deep.counts && v < model->view_count; v++)
+    sum += model->deep.counts[v * NB_DEEP_APART];
+  return sum;
+}
+
+unsigned long long nb_deep_count(const struct nb_model *model) { return model->deep.count + counted(model); }
+
+bool nb_deep_begin(struct nb_model *model, size_t blocks) {
+  model->deep.count += counted(model);
+  free(model->deep.counts);
+  model->deep.counts = nb_array(blocks * NB_DEEP_APART, sizeof *model->deep.counts);
+  return model->deep.counts != NULL;
+}
+
+void nb_deep_end(struct nb_model *model) {
+  model->deep.count += counted(model);
+  free(model->deep.counts);
+  model->deep.counts = NULL;
+}
+
+/* As the pass does it. */
+bool nb_deep_is(const struct nb_model *model, size_t c) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const double a = model->bodies.rim[contacts->a[c]].x;
+  const double b = model->pairings[contacts->pairing[c]].wall ? a : model->bodies.rim[contacts->b[c]].x;
+  return nb_overlap(model, c) > 2 * nb_deep_share(model) * (a < b ? a : b);
+}
+
+void nb_deep_look(struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  struct nb_deep *deep = &model->deep;
+  if (!deep->counts || deep->first[0] || counted(model) == 0)
+    return;
+  size_t c = 0;
+  while (c + 1 < contacts->count && !nb_deep_is(model, c))
+    c++;
+  const bool wall = model->pairings[contacts->pairing[c]].wall;
+  const int n = snprintf(deep->first, sizeof deep->first, "body %d at ", model->bodies.number[contacts->a[c]]);
+  char *rest = deep->first + n;
+  const size_t room = sizeof deep->first - (size_t)n;
+  if (wall)
+    snprintf(rest, room, "wall %s, cycle %lu, %g s", model->scene->walls[contacts->b[c]].name, model->cycle,
+             model->time);
+  else
+    snprintf(rest, room, "body %d, cycle %lu, %g s", model->bodies.number[contacts->b[c]], model->cycle, model->time);
+}

@@ -1,0 +1,156 @@
+/* The guards: what must not happen, because particles would pass through each other, or through walls, without a force.
+ *
+ *   way      no particle moves by more than its radius in one step
+ *   overlap  no two particles overlap by more than the smaller radius, that is, d >= max(R_i, R_j) for the distance d
+ *   turn     no wall turns by so much in one step that the arc of its far end, at a distance h from the point that it turns
+ *            about, is farther from the chord than the smallest radius r:  angle^2 h/8 <= r, with h no less than r
+ *
+ * Together they keep two particles from changing sides. They begin a step at a distance d >= max(R_i, R_j) and approach by
+ * R_i + R_j at most, so a pair that has changed sides is at a distance of at most R_i + R_j - d <= min(R_i, R_j): there the
+ * overlap is too large, and the run stops. Whether the centre of a particle has crossed a wall is asked in walls.c, by the two
+ * sides that it is on at the ends of the step; that is an answer as long as the wall turns by less than pi, here at most 8^(1/2).
+ *
+ * The guards cost nothing while nothing is in danger. The motion reports who has moved by half the skin since the last search;
+ * who moves by a radius in one step is among them as long as no radius is below the skin, so only then the steps are measured,
+ * and in every cycle where the skin is wider. A search has the distances of all pairs, and two particles approach by the skin at
+ * most until the next one; so the listed pairs are measured in every cycle only when the search has seen one within the skin of
+ * its limit.
+ *
+ * A force is as good as the overlap that it comes from, and that is a difference of positions. Each of them is rounded to a
+ * multiple of its ulp, which grows with the distance from the origin. There is a warning when the ulp exceeds a thousandth of the
+ * mean overlap: then a force is off by up to about 0.1 %. Overlaps below 1e-9 of a radius are those of particles that just touch,
+ * and do not count; where nothing else touches, a thousandth of the smallest radius stands for the overlap to come.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "measure/step.h"
+#include "model.h"
+
+bool nb_guard_turns(const struct nb_model *model, size_t w, double angle) {
+  const struct nb_walls *walls = &model->walls;
+  const double end = fabs(walls->h0[w]) + fmax(fabs(walls->h1[w]), fabs(walls->h2[w]));
+  return angle * angle * fmax(end, model->smallest) > 8 * model->smallest;
+}
+
+static int line_of(const struct nb_model *model, int number) { return model->scene->bodies[number - 1].line; }
+
+/* Without what a periodic cell carries along: its copies are carried with it. */
+static double way_of(const struct nb_model *model, int i) {
+  const struct nb_vec v = model->bodies.velocity[i];
+  return model->previous_step * vec_length(model->cell ? vec_sub(v, model->bodies.carried[i]) : v);
+}
+
+enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error) {
+  for (size_t k = 0; k < model->bodies.count; k++) {
+    const struct nb_vec x = model->bodies.position[model->bodies.slot[k]];
+    if (!(x.x - x.x == 0 && x.y - x.y == 0)) /* infinity less itself is NaN too */
+      return nb_error_set(error, NB_BROKEN,
+                          "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at %g s; the step "
+                          "is %g s, the critical one %g s: try a smaller step",
+                          k + 1, line_of(model, (int)k + 1), model->cycle, model->time, model->step, model->critical);
+  }
+  return NB_OK;
+}
+
+static enum nb_status particle_moved(const struct nb_model *model, int i, struct nb_error *error) {
+  const int number = model->bodies.number[i];
+  const double way = way_of(model, i), radius = model->bodies.rim[i].x;
+  if (!(way > radius) || nb_gone(model, (size_t)i))
+    return NB_OK;
+  return nb_error_set(
+      error, NB_BROKEN,
+      "particle %d (line %d): in cycle %lu, at %g s, it moved by %g m in one step of %g s. The limit is "
+      "its radius, %g m: beyond that it may pass through others. Try a smaller step",
+      number, line_of(model, number), model->cycle, model->time, way, model->previous_step, radius);
+}
+
+static enum nb_status wall_turned(const struct nb_model *model, size_t w, struct nb_error *error) {
+  const double angle = model->walls.spin[w] * model->previous_step;
+  if (!nb_guard_turns(model, w, angle))
+    return NB_OK;
+  return nb_error_set(
+      error, NB_BROKEN,
+      "wall `%s` (line %d): in cycle %lu, at %g s, it turned by %g rad in one step of %g s and may have "
+      "passed through a particle. The limit is set by the smallest radius, %g m: the arc of the wall's "
+      "far end may be no farther from the chord. Try a smaller step",
+      model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, angle, model->previous_step,
+      model->smallest);
+}
+
+enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error) {
+  enum nb_status status = NB_OK;
+  if (!(model->skin < INFINITY))
+    return NB_OK; /* nothing can touch */
+  for (size_t k = 0; k < model->bodies.count && !status; k++)
+    status = particle_moved(model, model->bodies.slot[k], error);
+  for (size_t w = 0; w < model->walls.count && !status; w++)
+    status = wall_turned(model, w, error);
+  return status;
+}
+
+enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *error) {
+  const struct nb_bodies *bodies = &model->bodies;
+  for (size_t c = 0; c < model->wall_contacts; c++) {
+    const int i = model->contacts.a[c], j = model->contacts.b[c];
+    const double overlap = nb_overlap(model, c), radius = fmin(bodies->rim[i].x, bodies->rim[j].x);
+    if (!(overlap > radius))
+      continue;
+    const int a = bodies->number[i], b = bodies->number[j];
+    if (model->cycle == 0)
+      return nb_error_set(error, NB_BAD_USE,
+                          "line %d: particle %d overlaps particle %d (line %d) by %g m. Expected at most the smaller "
+                          "radius, %g m: move them apart, or make them smaller",
+                          line_of(model, b), b, a, line_of(model, a), overlap, radius);
+    return nb_error_set(
+        error, NB_BROKEN,
+        "particle %d (line %d) and particle %d (line %d): at cycle %lu, %g s, they overlap by %g m. The "
+        "limit is the smaller radius, %g m: beyond that they pass through each other. Try a smaller "
+        "step, a stiffer contact, or a smaller load",
+        a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, overlap, radius);
+  }
+  return NB_OK;
+}
+
+enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error) {
+  if (model->pressed && nb_walls_crossed(model, false, error))
+    return error->status;
+  if (model->skin > model->smallest && nb_guard_motion(model, error))
+    return error->status;
+  return model->squeezed ? nb_guard_pairs(model, error) : NB_OK;
+}
+
+static double coordinate(const struct nb_model *model, int i) {
+  const struct nb_vec x = model->bodies.position[i];
+  return fmax(fabs(x.x), fabs(x.y));
+}
+
+static double ulp(double x) { return nextafter(x, INFINITY) - x; }
+
+void nb_guard_digits(struct nb_model *model) {
+  static const double share = 1e-3, touch = 1e-9;
+  const struct nb_bodies *bodies = &model->bodies;
+  int farthest = 0, pressed = -1;
+  for (int i = 0; i < (int)bodies->count; i++)
+    farthest = coordinate(model, i) > coordinate(model, farthest) ? i : farthest;
+  if (model->coarse || !(model->skin < INFINITY) || ulp(coordinate(model, farthest)) <= share * touch * model->smallest)
+    return;
+  double sum = 0, count = 0;
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    const int i = model->contacts.a[c];
+    const double overlap = nb_overlap(model, c);
+    if (!(overlap > touch * bodies->rim[i].x))
+      continue;
+    sum += overlap, count++;
+    pressed = pressed < 0 || coordinate(model, i) > coordinate(model, pressed) ? i : pressed;
+  }
+  const int i = count > 0 ? pressed : farthest;
+  const double overlap = count > 0 ? sum / count : model->smallest / 1000, x = coordinate(model, i);
+  model->coarse = ulp(x) > share * overlap;
+  if (!model->coarse)
+    return;
+  nb_warn(
+      &model->warnings, line_of(model, bodies->number[i]),
+      "particle %d: its coordinate %g m has a resolution (ulp) of %g m, that is %.2g %% of the overlap of %g m%s at "
+      "cycle %lu. Forces are no better than that (limit: 0.1 %%): put the scene nearer to the origin",
+      bodies->number[i], x, ulp(x), 100 * ulp(x) / overlap, overlap,
+      count > 0 ? " (the mean of all contacts)" : " to come (a thousandth of the smallest radius)", model->cycle);
+}

@@ -1,0 +1,285 @@
+/* Dotted names: everything that can be recorded, waited for or expected, one row each.
+ *
+ * `WATCH.PART` for what a page watches, a plain name for the whole scene. Velocities and the like belong to the same time
+ * as positions and forces (the mean of the two half steps, [CS79 31]); those of the half step behind end in `.half`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdio.h>
+#include <string.h>
+
+#include "core/guess.h"
+#include "core/names.h"
+#include "loading/box.h"
+#include "measure/energy.h"
+#include "run/observe.h"
+
+/* ---- the whole scene ---- */
+
+#define OF_SCENE(function, expression)                                                                                 \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
+    (void)watch;                                                                                                       \
+    return expression;                                                                                                 \
+  }
+OF_SCENE(cycle, (double)model->cycle)
+OF_SCENE(time_, model->time)
+
+static double touching(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  double count = 0;
+  for (size_t c = 0; c < model->contacts.count; c++)
+    count += model->contacts.kept[NB_OVERLAP][c] > 0;
+  return count;
+}
+OF_SCENE(unbalance, nb_unbalance(model))
+OF_SCENE(deep, (double)nb_deep_count(model))
+OF_SCENE(kinetic, nb_energy_kinetic(model))
+OF_SCENE(stored, nb_energy_stored(model))
+OF_SCENE(frictional, nb_balance_term(model, NB_TERM_FRICTIONAL))
+OF_SCENE(slid, nb_balance_term(model, NB_TERM_SLIDING))
+OF_SCENE(sheared, nb_balance_term(model, NB_TERM_SHEAR))
+OF_SCENE(damped, nb_balance_term(model, NB_TERM_DAMPED))
+OF_SCENE(by_walls, nb_balance_term(model, NB_TERM_WALLS))
+OF_SCENE(by_gravity, nb_balance_term(model, NB_TERM_GRAVITY))
+OF_SCENE(changed, nb_balance_term(model, NB_TERM_CHANGED))
+OF_SCENE(driven, nb_balance_term(model, NB_TERM_DRIVEN))
+OF_SCENE(removed, nb_balance_term(model, NB_TERM_REMOVED))
+OF_SCENE(energy_residual, nb_balance_energy_residual(model))
+OF_SCENE(work_residual, nb_balance_work_residual(model))
+OF_SCENE(momentum_x, nb_momentum(model).x)
+OF_SCENE(momentum_y, nb_momentum(model).y)
+OF_SCENE(momentum_angular, nb_momentum_angular(model))
+
+/* ---- a body ---- */
+
+static size_t slot(const struct nb_model *model, const struct nb_watch *watch) {
+  return (size_t)model->bodies.slot[watch->a];
+}
+#define OF_BODY(function, expression)                                                                                  \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
+    const struct nb_bodies *bodies = &model->bodies;                                                                   \
+    const size_t i = slot(model, watch);                                                                               \
+    (void)bodies;                                                                                                      \
+    return expression;                                                                                                 \
+  }
+OF_BODY(body_x, bodies->position[i].x)
+OF_BODY(body_y, bodies->position[i].y)
+OF_BODY(body_angle, bodies->angle ? bodies->angle[i] : 0)
+OF_BODY(body_vx, nb_velocity_whole(model, i).x)
+OF_BODY(body_vy, nb_velocity_whole(model, i).y)
+OF_BODY(body_spin, nb_velocity_now(model, i).spin)
+OF_BODY(body_vx_half, bodies->velocity[i].x)
+OF_BODY(body_vy_half, bodies->velocity[i].y)
+OF_BODY(body_spin_half, bodies->spin ? bodies->spin[i] : 0)
+OF_BODY(body_fx, nb_force_on(model, i).force.x)
+OF_BODY(body_fy, nb_force_on(model, i).force.y)
+OF_BODY(body_moment, nb_force_on(model, i).moment)
+
+/* ---- a wall ---- */
+
+static struct nb_vec force_on_wall(const struct nb_model *model, int wall) {
+  struct nb_vec sum = vec(0, 0);
+  const struct nb_contacts *contacts = &model->contacts;
+  for (size_t c = 0; c < contacts->count; c++)
+    if (model->pairings[contacts->pairing[c]].wall && contacts->b[c] == wall)
+      sum = vec_sub(sum, contacts->force[c]);
+  return sum;
+}
+static double wall_fx(const struct nb_model *model, const struct nb_watch *watch) {
+  return force_on_wall(model, watch->a).x;
+}
+static double wall_fy(const struct nb_model *model, const struct nb_watch *watch) {
+  return force_on_wall(model, watch->a).y;
+}
+static double wall_x(const struct nb_model *model, const struct nb_watch *watch) {
+  return model->walls.pivot[watch->a].x;
+}
+static double wall_y(const struct nb_model *model, const struct nb_watch *watch) {
+  return model->walls.pivot[watch->a].y;
+}
+static double wall_angle(const struct nb_model *model, const struct nb_watch *watch) {
+  return model->walls.angle[watch->a];
+}
+static double wall_spin(const struct nb_model *model, const struct nb_watch *watch) {
+  return model->walls.spin[watch->a];
+}
+
+/* ---- a pair: 0 while it is not near ---- */
+
+static double field(const struct nb_model *model, const struct nb_watch *watch, enum nb_field which) {
+  const bool wall = watch->kind == NB_WATCH_BODY_WALL;
+  const int a = model->bodies.slot[watch->a], b = wall ? watch->b : model->bodies.slot[watch->b];
+  const long c = nb_contacts_find(model, a, b, wall);
+  return c < 0 || !model->contacts.kept[which] ? 0 : model->contacts.kept[which][c];
+}
+#define OF_PAIR(function, expression)                                                                                  \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) { return expression; }
+OF_PAIR(pair_overlap, field(model, watch, NB_OVERLAP))
+OF_PAIR(pair_normal, field(model, watch, NB_NORMAL))
+OF_PAIR(pair_shear, field(model, watch, NB_SHEAR))
+OF_PAIR(pair_sliding, field(model, watch, NB_SLIDING))
+OF_PAIR(pair_dashpot_normal, model->dashpots ? field(model, watch, NB_PUSH) - field(model, watch, NB_NORMAL) : 0)
+OF_PAIR(pair_dashpot_shear, model->dashpots ? field(model, watch, NB_DRAG) - field(model, watch, NB_SHEAR) : 0)
+
+enum {
+  BODY = 1 << NB_WATCH_BODY,
+  WALL = 1 << NB_WATCH_WALL,
+  GRADING = 1 << NB_WATCH_GRADING,
+  PAIR = 1 << NB_WATCH_BODY_BODY | 1 << NB_WATCH_BODY_WALL
+};
+
+static const struct nb_quantity_kind kinds[] = {
+    {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
+    {"time", 0, "s", 0, time_, "time since the start"},
+    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching, "how many contacts touch"},
+    {"contacts.deep", 0, "1", 0, deep,
+     "how often a contact of elastic spheres has overlapped by more than 7 % of the smaller diameter, cycle by cycle "
+     "[R89 6.4.3]"},
+    {"unbalance", 0, "1", 0, unbalance,
+     "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]"},
+    {"energy.kinetic", 0, "J", 0, kinetic, "of all bodies that are free, spin included"},
+    {"energy.stored", 0, "J", NB_OF_STORED | NB_ASKS_STORED, stored, "in all springs, from the laws' state functions"},
+    {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, frictional,
+     "lost since the start where contacts slide: shear force times sliding displacement; micro-slip included"},
+    {"energy.sliding", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, slid,
+     "the part of it that is lost while a contact slides as a whole; the rest is micro-slip's"},
+    {"energy.shear", 0, "J", NB_OF_BALANCE, sheared,
+     "work done against shear forces since the start; for laws without stored energy"},
+    {"energy.damped", 0, "J", NB_OF_BALANCE, damped, "lost in dashpots and by global damping since the start"},
+    {"energy.walls", 0, "J", NB_OF_BALANCE, by_walls,
+     "supplied since the start by walls and by fixed bodies that move, their force times their velocity"},
+    {"energy.gravity", 0, "J", NB_OF_BALANCE, by_gravity, "supplied by gravity since the start"},
+    {"energy.changed", 0, "J", NB_OF_BALANCE, changed,
+     "put in by stages: bodies stopped or turned round, loaded springs made stiffer or softer"},
+    {"energy.driven", 0, "J", NB_OF_BALANCE, driven,
+     "supplied by what carries bodies along, straining of a cell or by a boundary and a continuum, and by stress on a "
+     "boundary"},
+    {"energy.removed", 0, "J", NB_OF_BALANCE, removed,
+     "carried away by bodies that stages have taken out or a boundary holds: their kinetic energy and what the springs "
+     "of "
+     "contacts held that are no more"},
+    {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
+     "kinetic, stored, frictional, damped and removed energy less what there was at first and was supplied: "
+     "the error of the step"},
+    {"work.residual", 0, "J", NB_ASKS_WORK, work_residual,
+     "kinetic energy at the half step less what there was at first and the work of all forces: rounding"},
+    {"momentum.x", 0, "kg.m/s", 0, momentum_x, "of all bodies that are free"},
+    {"momentum.y", 0, "kg.m/s", 0, momentum_y, "of all bodies that are free"},
+    {"momentum.angular", 0, "kg.m2/s", 0, momentum_angular,
+     "of all bodies that are free, about the origin, counterclockwise"},
+    {"x", BODY, "m", 0, body_x, "position of the centre"},
+    {"y", BODY, "m", 0, body_y, "position of the centre"},
+    {"angle", BODY, "rad", 0, body_angle, "how far it has turned, counterclockwise"},
+    {"vx", BODY, "m/s", 0, body_vx, "velocity now, mean of the two half steps [CS79 31]"},
+    {"vy", BODY, "m/s", 0, body_vy, "velocity now"},
+    {"spin", BODY, "rad/s", 0, body_spin, "angular velocity now, counterclockwise"},
+    {"vx.half", BODY, "m/s", 0, body_vx_half, "velocity over the step behind [CS79 22]"},
+    {"vy.half", BODY, "m/s", 0, body_vy_half, "velocity over the step behind"},
+    {"spin.half", BODY, "rad/s", 0, body_spin_half, "angular velocity over the step behind [CS79 23]"},
+    {"fx", BODY, "N", 0, body_fx, "sum of the contact forces, dashpots included"},
+    {"fy", BODY, "N", 0, body_fy, "sum of the contact forces"},
+    {"moment", BODY, "N.m", 0, body_moment, "sum of the moments of the contact forces, counterclockwise"},
+    {"x", WALL, "m", 0, wall_x, "position of the wall's point P"},
+    {"y", WALL, "m", 0, wall_y, "position of the wall's point P"},
+    {"angle", WALL, "rad", 0, wall_angle, "how far it has turned, counterclockwise"},
+    {"spin", WALL, "rad/s", 0, wall_spin, "angular velocity over the step behind"},
+    {"fx", WALL, "N", 0, wall_fx, "force of the bodies on the wall"},
+    {"fy", WALL, "N", 0, wall_fy, "force of the bodies on the wall"},
+    {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "how far the outlines overlap"},
+    {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal, "elastic normal force F_n, dashpot not included"},
+    {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear, "elastic shear force F_s, on the first body along -t"},
+    {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0"},
+    {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_PUSH), pair_dashpot_normal, "D_n [CS79 26]"},
+    {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_DRAG), pair_dashpot_shear, "D_s [CS79 27]"},
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+/* The rows one after the other, those of other files behind these; NULL past the last one. */
+static const struct nb_quantity_kind *row(size_t k) {
+  static const struct nb_quantity_kind *const others[] = {
+      nb_step_kinds,   nb_drive_kinds,    nb_fill_kinds,         nb_impact_kinds, nb_stress_kinds,
+      nb_fabric_kinds, nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds,   nb_strain_kinds,
+      nb_speed_kinds,  nb_chain_kinds,    nb_parted_kinds,       nb_cell_kinds,   nb_box_kinds};
+  if (k < KINDS)
+    return &kinds[k];
+  k -= KINDS;
+  for (size_t o = 0; o < sizeof others / sizeof *others; o++)
+    for (const struct nb_quantity_kind *kind = others[o]; kind->name; kind++, k--)
+      if (k == 0)
+        return kind;
+  return nb_bench_row(k);
+}
+
+/* Whether such a quantity is one of watch w, -1: of the whole scene. */
+static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
+  if (scene->path)
+    return kind->watches == NB_OF_BENCH;
+  if (w >= 0)
+    return kind->watches & 1u << scene->watches[w].kind;
+  return !kind->watches || (kind->watches == NB_OF_IMPACT && scene->impact.line) ||
+         (kind->watches == NB_OF_CELL && scene->cell.line) || (kind->watches == NB_OF_BOX && nb_box_of(scene) >= 0);
+}
+
+/* Row `kind` as the scene would call it, of watch w: "C.normal", "time". Empty when it does not belong to it. */
+static const char *full_name(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w, char *text,
+                             size_t size) {
+  text[0] = 0;
+  if (belongs(kind, scene, w))
+    snprintf(text, size, "%s%s%s", w < 0 ? "" : scene->watches[w].name, w < 0 ? "" : ".", kind->name);
+  return text;
+}
+
+/* The row of a quantity of watch w, -1: of the whole scene, by the name behind the dot. */
+static const struct nb_quantity_kind *row_of(const struct nb_scene *scene, int w, const char *name) {
+  for (size_t k = 0; row(k); k++)
+    if (belongs(row(k), scene, w) && strcmp(row(k)->name, name) == 0)
+      return row(k);
+  return NULL;
+}
+
+bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint) {
+  *quantity = (struct nb_quantity){row_of(scene, -1, text), -1};
+  const size_t length = strcspn(text, "."); /* a watch's name has no dot */
+  for (int w = 0; w < (int)scene->watch_count && !quantity->kind && text[length]; w++)
+    if (strncmp(scene->watches[w].name, text, length) == 0 && !scene->watches[w].name[length])
+      *quantity = (struct nb_quantity){row_of(scene, w, text + length + 1), w};
+  if (quantity->kind || !hint)
+    return quantity->kind != NULL;
+
+  char name[3 * NB_NAME_SIZE];
+  struct nb_guess guess = nb_guess_begin(text);
+  for (int w = -1; w < (int)scene->watch_count; w++)
+    for (size_t k = 0; row(k); k++)
+      if (*full_name(row(k), scene, w, name, sizeof name))
+        nb_guess_offer(&guess, name);
+  snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
+  return false;
+}
+
+const char *nb_quantity_unit(struct nb_quantity quantity) { return quantity.kind->unit; }
+
+bool nb_quantity_vanishes(struct nb_quantity quantity) {
+  const char *end = strrchr(quantity.kind->name, '.');
+  return end && strcmp(end, ".residual") == 0;
+}
+
+double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
+  return quantity.kind->value(model, quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch]);
+}
+
+bool nb_quantity_row(size_t k, const char **name, const char **unit, const char **of, const char **help) {
+  if (!row(k))
+    return false;
+  const unsigned watches = row(k)->watches;
+  *name = row(k)->name, *unit = row(k)->unit, *help = row(k)->help;
+  *of = watches == BODY           ? "a body"
+        : watches == WALL         ? "a wall"
+        : watches == PAIR         ? "a pair"
+        : watches == NB_OF_REGION ? "a region"
+        : watches & GRADING       ? "a grading"
+        : watches == NB_OF_IMPACT ? "an impact"
+        : watches == NB_OF_CELL   ? "a periodic cell"
+        : watches == NB_OF_BOX    ? "a box of walls"
+        : watches == NB_OF_BENCH  ? "the contact on the bench"
+                                  : "the scene";
+  return true;
+}

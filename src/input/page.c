@@ -1,0 +1,255 @@
+/* A page: a Markdown file and its fenced blocks.
+ *
+ * A fence is a line of three or more backticks or tildes, indented by at most three blanks; it ends at a line with at
+ * least as many of the same sign, or the page is wrong (CommonMark 0.30, section 4.5, which would close it at the end
+ * of the file). The first word after the opening fence says the kind. Blocks of other kinds are prose, and so is what
+ * they hold.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/clean.h"
+#include "hash.h"
+#include "reader.h"
+
+static const char *const kinds[NB_BLOCK_KINDS] = {
+    [NB_BLOCK_SCENE] = "scene", [NB_BLOCK_EXPECT] = "expect", [NB_BLOCK_GNUPLOT] = "gnuplot", [NB_BLOCK_PATH] = "path"};
+
+void nb_page_free(struct nb_page *page) {
+  for (size_t i = 0; i < page->line_count; i++)
+    free(page->lines[i]);
+  free(page->lines);
+  free(page->kind_of);
+  free(page->path);
+  memset(page, 0, sizeof *page);
+}
+
+/* Replaces what is no text by question marks, so that nothing later can stumble over it, and says the first one. */
+static void check_text(struct nb_page *page, size_t line, char *text, size_t length, struct nb_mistakes *mistakes) {
+  unsigned byte;
+  const int first = nb_clean(text, length, &byte);
+  if (first)
+    nb_mistake(mistakes, page, line, first, 1, "save the page as plain text, UTF-8",
+               "expected text, found the byte 0x%02X (shown as `?`)", byte);
+}
+
+static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
+  size_t at = size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0; /* a byte order mark is no text */
+  while (at < size) {
+    const char *end = memchr(bytes + at, '\n', size - at);
+    size_t length = end ? (size_t)(end - bytes) - at : size - at, next = at + length + 1;
+    if (length > 0 && bytes[at + length - 1] == '\r')
+      length--;
+    char **lines = nb_room(page->lines, page->line_count, 1, sizeof *lines);
+    if (lines)
+      page->lines = lines;
+    char *line = malloc(length + 1);
+    if (!lines || !line) {
+      free(line);
+      return false;
+    }
+    memcpy(line, bytes + at, length);
+    line[length] = '\0';
+    page->lines[page->line_count++] = line;
+    check_text(page, page->line_count, line, length, mistakes);
+    if (length > NB_LINE_MAX) {
+      line[60] = '\0'; /* enough to recognise it by */
+      nb_mistake(mistakes, page, page->line_count, 1, 1, NULL, "expected at most %d bytes in a line, found %zu",
+                 NB_LINE_MAX, length);
+    }
+    at = next;
+  }
+  return true;
+}
+
+/* The length of the fence that a line is, its sign and where its info string begins; 0: it is none. */
+static size_t fence(const char *line, char *sign, const char **info) {
+  *sign = '\0';
+  *info = "";
+  size_t blanks = strspn(line, " ");
+  const char *c = line + blanks;
+  if (blanks > 3 || (*c != '`' && *c != '~'))
+    return 0;
+  char both[2] = {*c, '\0'};
+  size_t n = strspn(c, both);
+  *sign = *c;
+  *info = c + n + strspn(c + n, " \t");
+  return n < 3 || (*sign == '`' && strchr(*info, '`')) ? 0 : n;
+}
+
+/* The kind that a word was meant to name: it differs by one letter, or has the name and more; NULL: none. */
+static const char *near_kind(const char *word) {
+  static const char *const others[] = {"math", "patch"}; /* GitHub's own tags, one letter off `path` */
+  struct nb_guess guess = nb_guess_begin(word);
+  for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+    if (strcmp(word, others[k]) == 0)
+      return NULL;
+  for (int kind = 0; kind < NB_BLOCK_KINDS; kind++) {
+    nb_guess_offer(&guess, kinds[kind]);
+    if (guess.distance <= 1 || strncmp(word, kinds[kind], strlen(kinds[kind])) == 0)
+      return kinds[kind];
+  }
+  return NULL;
+}
+
+/* The kind of block that an opening fence begins; a near miss is a mistake: it would be passed over in silence. */
+static int kind_of_info(const struct nb_page *page, size_t line, const char *info, struct nb_mistakes *mistakes) {
+  char word[NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  const size_t signs = strspn(info, "{."), length = strcspn(info + signs, " \t}");
+  if (length == 0 || length >= sizeof word)
+    return -1;
+  memcpy(word, info + signs, length);
+  word[length] = '\0';
+  for (int kind = 0; kind < NB_BLOCK_KINDS && !signs; kind++)
+    if (strcmp(word, kinds[kind]) == 0)
+      return kind;
+  const char *near = near_kind(word);
+  const int whole = (int)strcspn(info, " \t");
+  if (near) {
+    snprintf(hint, sizeof hint, "did you mean `%s`?", near);
+    nb_mistake(mistakes, page, line, (int)(info + signs - page->lines[line - 1]) + 1, (int)length, hint,
+               "expected a block of a known kind (scene, path, expect, gnuplot), found `%.*s`", whole, info);
+  }
+  return -1;
+}
+
+/* A fence of an expect block that is no block for us: in a quote, in a list, or indented by more than three blanks. */
+static size_t hidden_fence(const char *line, char *sign) {
+  const char *info;
+  const size_t n = fence(line + strspn(line, " \t>*+-"), sign, &info);
+  return strcspn(info, " \t") == strlen("expect") && strncmp(info, "expect", strlen("expect")) == 0 ? n : 0;
+}
+
+static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
+  size_t open = 0, opened_on = 0;
+  char sign = 0;
+  int kind = -1;
+  for (size_t i = 0; i < page->line_count; i++) {
+    const char *line = page->lines[i], *info;
+    const size_t prefix = strspn(line, " \t>");
+    const bool hidden = open && kind == NB_BLOCK_HIDDEN;
+    char s;
+    if (hidden && prefix == 0 && *line)
+      open = 0; /* the quote or the list ends */
+    size_t n = fence(open && hidden ? line + prefix : line, &s, &info);
+    if (open && n >= open && s == sign && *info == '\0') {
+      open = 0;
+    } else if (open) {
+      page->kind_of[i] = (unsigned char)(kind + 1);
+    } else if (n) {
+      open = n;
+      sign = s;
+      opened_on = i + 1;
+      kind = kind_of_info(page, i + 1, info, mistakes);
+    } else if ((open = hidden_fence(line, &sign))) {
+      kind = NB_BLOCK_HIDDEN;
+    } else if (!page->title[0] && strncmp(line, "# ", 2) == 0) {
+      size_t length = strlen(line + 2);
+      if (length >= sizeof page->title)
+        length = sizeof page->title - 1;
+      while (length > 0 && (line[2 + length] & 0xC0) == 0x80)
+        length--; /* never half a character */
+      memcpy(page->title, line + 2, length);
+      page->title[length] = '\0';
+    }
+  }
+  if (open && kind != NB_BLOCK_HIDDEN) {
+    int column = (int)strspn(page->lines[opened_on - 1], " ") + 1;
+    nb_mistake(mistakes, page, opened_on, column, (int)open, "close it with a line of as many signs, alone on the line",
+               "expected the end of the block that begins here, found the end of the page");
+  }
+}
+
+size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind) {
+  for (size_t i = 1; i < page->line_count; i++)
+    if (page->kind_of[i] == 1 + kind && page->kind_of[i - 1] == 0)
+      return i; /* the line before lines[i], counted from 1 */
+  return 0;
+}
+
+size_t nb_page_name(const char *path, const char **name) {
+  const char *slash = strrchr(path, '/');
+  *name = slash ? slash + 1 : path;
+  const size_t length = strlen(*name);
+  return length > 3 && strcmp(*name + length - 3, ".md") == 0 ? length - 3 : length;
+}
+
+static void name_page(struct nb_page *page, struct nb_mistakes *mistakes) {
+  const char *name;
+  size_t length = nb_page_name(page->path, &name);
+  if (length >= sizeof page->name) {
+    nb_mistake(mistakes, page, 0, 0, 0, NULL, "expected a file name shorter than %d bytes", NB_NAME_SIZE);
+    length = sizeof page->name - 1;
+  }
+  memcpy(page->name, name, length);
+  page->name[length] = '\0';
+}
+
+/* A page with its path and its name; false: no memory. */
+static bool begin(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
+  *page = (struct nb_page){.path = malloc(strlen(path) + 1)};
+  if (!page->path)
+    return nb_mistake_memory(mistakes), false;
+  strcpy(page->path, path);
+  name_page(page, mistakes);
+  return true;
+}
+
+static enum nb_status end(struct nb_page *page, struct nb_mistakes *mistakes, size_t before) {
+  const enum nb_status status = nb_mistakes_status(mistakes, before);
+  if (status)
+    nb_page_free(page);
+  return status;
+}
+
+static void take(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
+  page->hash = nb_hash(NB_HASH_BEGIN, bytes, size);
+  page->kind_of = calloc(size + 1, 1); /* no more lines than bytes; and a page that is a file has this array */
+  if (page->kind_of && cut_lines(page, bytes, size, mistakes))
+    find_blocks(page, mistakes);
+  else
+    nb_mistake_memory(mistakes);
+}
+
+enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
+                                  struct nb_mistakes *mistakes) {
+  const size_t before = mistakes->made;
+  if (begin(page, path, mistakes))
+    take(page, bytes, size, mistakes);
+  return end(page, mistakes, before);
+}
+
+/* `cases/order` where there is cases/order.md. */
+static const char *whole_name(char *hint, const char *path) {
+  snprintf(hint, NB_HINT_SIZE, "%.*s.md", NB_HINT_SIZE / 2, path);
+  if (access(path, F_OK) == 0 || access(hint, F_OK) != 0)
+    return NULL;
+  snprintf(hint, NB_HINT_SIZE, "did you mean `%.*s.md`?", NB_HINT_SIZE / 2, path);
+  return hint;
+}
+
+enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes) {
+  const size_t before = mistakes->made;
+  struct nb_error error;
+  char hint[NB_HINT_SIZE];
+  size_t size;
+  if (!begin(page, path, mistakes))
+    return NB_NO_MEMORY;
+  char *bytes = nb_file_read(path, most, &size, &error);
+  if (bytes)
+    take(page, bytes, size, mistakes);
+  else if (error.status == NB_NO_MEMORY)
+    nb_mistake_memory(mistakes);
+  else
+    nb_mistake(mistakes, page, 0, 0, 0, whole_name(hint, path), "%s", error.text);
+  free(bytes);
+  return end(page, mistakes, before);
+}
+
+enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
+  return nb_page_read_most(page, path, NB_PAGE_MAX, mistakes);
+}

@@ -1,0 +1,184 @@
+/* What laws of elastic spheres ask of a scene, checked when all of it has been read.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "core/model.h"
+#include "scene.h"
+
+/* At the first word of that line. */
+static void say(struct nb_scene_reading *reading, int line, const char *hint, const char *what, const char *name) {
+  nb_line_mistake(&reading->reader, line, hint, what, name);
+}
+
+static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *said) {
+  const struct nb_material *material = &reading->scene->materials[index];
+  if (material->young == 0 && !said[index])
+    say(reading, material->line, "add `young E  poisson NU`, or `rigid`",
+        "expected a material with `young` for `normal %s`", law);
+  said[index] = true;
+}
+
+/* Of two that may touch one must give. */
+static void check_rigid(struct nb_scene_reading *reading, const int *on_body, const int *on_wall) {
+  const struct nb_scene *scene = reading->scene;
+  for (size_t i = 0; i < scene->material_count; i++) {
+    if (!isinf(scene->materials[i].young) || !on_body[i])
+      continue;
+    for (size_t k = 0; k < scene->material_count; k++)
+      if (isinf(scene->materials[k].young) && (k == i ? on_body[i] > 1 || on_wall[i] : on_body[k] || on_wall[k])) {
+        say(reading, scene->materials[i].line, "give one of them `young E  poisson NU`",
+            "expected of two materials that may touch at most one that is rigid, both are: `%s`",
+            scene->materials[k].name);
+        return;
+      }
+  }
+}
+
+static void check_elastic(struct nb_scene_reading *reading, const char *law) {
+  const struct nb_scene *scene = reading->scene;
+  bool said[NB_MATERIALS_MAX] = {false};
+  int on_body[NB_MATERIALS_MAX] = {0}, on_wall[NB_MATERIALS_MAX] = {0};
+  const struct nb_body *disc = NULL;
+  for (size_t k = 0; k < scene->body_count; k++) {
+    check_material(reading, scene->bodies[k].material, law, said);
+    on_body[scene->bodies[k].material]++;
+    if (!disc && scene->bodies[k].shape == NB_DISC)
+      disc = &scene->bodies[k];
+  }
+  for (size_t w = 0; w < scene->wall_count; w++)
+    if (scene->walls[w].material >= 0)
+      check_material(reading, scene->walls[w].material, law, said), on_wall[scene->walls[w].material]++;
+  if (disc)
+    say(reading, disc->line, "`sphere` or `spheres`, or `normal linear`",
+        "expected spheres for `normal %s`, found a disc", law);
+  check_rigid(reading, on_body, on_wall);
+}
+
+/* The first line that gives something cohesion; 0: none does. */
+static int cohesive_line(const struct nb_scene *scene) {
+  for (size_t m = 0; m < scene->material_count; m++)
+    if (scene->materials[m].cohesion > 0)
+      return scene->materials[m].line;
+  for (size_t r = 0; r < scene->pair_rule_count; r++)
+    if (scene->pair_rules[r].cohesion > 0)
+      return scene->pair_rules[r].line;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t c = 0; c < scene->stages[s].change_count; c++)
+      if (scene->stages[s].changes[c].cohesion > 0)
+        return scene->stages[s].changes[c].line;
+  return 0;
+}
+
+/* The dashpots that such a normal law cannot have. */
+static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping,
+                          const struct nb_law *normal) {
+  const bool elastic = normal->elastic;
+  if (!elastic && damping->deep > 0)
+    say(reading, damping->deep_line, "`normal hertz`", "expected a normal law of elastic spheres for `%s`",
+        "damping critical");
+  if (elastic && damping->contact_kind == NB_CONTACT_FRACTION)
+    say(reading, damping->contact_line, "elastic spheres have no critical step; `contact-ratio`",
+        "expected no `contact-fraction` for `normal %s`", normal->name);
+  if (elastic && damping->walls_apart && damping->walls_kind == NB_CONTACT_FRACTION)
+    say(reading, damping->walls_line, "elastic spheres have no critical step; `contact-ratio`",
+        "expected no `contact-fraction` for `normal %s`", normal->name);
+}
+
+/* What two laws ask that are in force together from `line` on; 0: as a --set says. */
+static void check_laws(struct nb_scene_reading *reading, const struct nb_in_force *laws, int line) {
+  const struct nb_scene *scene = reading->scene;
+  const int cohesive = cohesive_line(scene);
+  if (laws->normal->elastic)
+    check_elastic(reading, laws->normal->name);
+  else if (laws->shear->elastic)
+    nb_line_mistake(line ? &reading->reader : &reading->setting,
+                    line ? (size_t)line : nb_setting_find(reading, "shear"), "`normal hertz`",
+                    "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
+  if (laws->shear->cohesionless && cohesive > 0)
+    say(reading, cohesive, "its limit is mu N at every point of the contact", "expected no cohesion for `shear %s`",
+        laws->shear->name);
+}
+
+/* ---- friction that nothing carries ---- */
+
+enum { FRICTION = 1, CARRIED = 2 }; /* a pair of materials has friction in some stage; and something carries it then */
+
+static void look_at_friction(unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,
+                             const struct nb_properties *now, const struct nb_law *shear) {
+  for (int a = 0; a < (int)scene->material_count; a++)
+    for (int b = 0; b < (int)scene->material_count; b++) {
+      const struct nb_pair pair = nb_properties_pair(now, a, b);
+      const bool carried = strcmp(shear->name, "none") != 0 && (shear->elastic || pair.ks > 0);
+      seen[a][b] |= (unsigned char)(pair.friction > 0 ? FRICTION | (carried ? CARRIED : 0) : 0);
+    }
+}
+
+/* Whether a particle of material a may touch one of material b, or a wall of it. */
+static bool may_touch(const struct nb_scene *scene, int a, int b) {
+  size_t of_a = 0, of_b = 0;
+  for (size_t k = 0; k < scene->body_count; k++)
+    of_a += scene->bodies[k].material == a, of_b += scene->bodies[k].material == b;
+  for (size_t w = 0; w < scene->wall_count; w++)
+    of_b += scene->walls[w].material == b;
+  return of_a > 0 && of_b > (a == b ? 1 : 0);
+}
+
+static int line_of_pair(const struct nb_scene *scene, int a, int b) {
+  for (size_t r = 0; r < scene->pair_rule_count; r++) {
+    const struct nb_pair_rule *rule = &scene->pair_rules[r];
+    if ((rule->a == a && rule->b == b) || (rule->a == b && rule->b == a))
+      return rule->line;
+  }
+  return scene->materials[a].line;
+}
+
+/* It can be meant, to show what friction does by leaving it out; mostly it is forgotten. */
+static void warn_of_friction(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};
+  struct nb_properties now = {0};
+  struct nb_in_force laws = nb_laws_at_start(scene);
+  if (!nb_properties_create(&now, scene)) {
+    nb_no_memory(&reading->reader);
+    return;
+  }
+  look_at_friction(seen, scene, &now, laws.shear);
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    laws = nb_laws_of(stage, laws);
+    for (size_t k = 0; k < stage->change_count; k++)
+      nb_properties_change(&now, &stage->changes[k], nb_properties_before(&now, &stage->changes[k]), 1);
+    look_at_friction(seen, scene, &now, laws.shear);
+  }
+  nb_properties_free(&now);
+  for (int a = 0; a < (int)scene->material_count; a++)
+    for (int b = 0; b < (int)scene->material_count; b++) {
+      if (seen[a][b] != FRICTION || !may_touch(scene, a, b) || (b < a && may_touch(scene, b, a)))
+        continue;
+      nb_warn(&scene->warnings, line_of_pair(scene, a, b), "friction between `%s` and `%s` has no effect: %s",
+              scene->materials[a].name, scene->materials[b].name,
+              nb_laws_shear(scene) ? "their shear stiffness `ks` is 0"
+                                   : "there is no `shear` law, such as `shear linear`");
+    }
+}
+
+void nb_laws_check(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  struct nb_in_force now = nb_laws_at_start(scene);
+  check_laws(reading, &now, now.shear_line);
+  check_damping(reading, &scene->damping, now.normal);
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    const struct nb_damping *before = s ? &scene->stages[s - 1].damping : &scene->damping;
+    const struct nb_in_force old = now;
+    now = nb_laws_of(stage, now);
+    if (old.normal != now.normal || old.shear != now.shear)
+      check_laws(reading, &now, stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line);
+    if (old.normal != now.normal || !nb_damping_alike(before, &stage->damping)) /* each is said once */
+      check_damping(reading, &stage->damping, now.normal);
+  }
+  if (!scene->path)
+    warn_of_friction(reading);
+}

@@ -1,0 +1,68 @@
+/* Which laws contacts follow: those of the scene, until a stage says others.
+ *
+ * Another law begins with contacts of which it remembers nothing: what the old one knew of them means nothing to it. The same law
+ * with room for another number of pieces is another one. A law that is said again as it is goes on.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "core/model.h"
+
+struct nb_in_force nb_laws_at_start(const struct nb_scene *scene) {
+  const struct nb_law *shear = nb_law_find("shear", scene->shear);
+  return (struct nb_in_force){nb_law_find("normal", scene->normal), shear, scene->normal_line, scene->shear_line,
+                              nb_law_pieces(shear, scene->pieces)};
+}
+
+struct nb_in_force nb_laws_of(const struct nb_stage *stage, struct nb_in_force before) {
+  const struct nb_laws *said = &stage->laws;
+  struct nb_in_force now = before;
+  if (said->normal[0])
+    now.normal = nb_law_find("normal", said->normal), now.normal_line = said->normal_line;
+  if (said->shear[0]) {
+    now.shear = nb_law_find("shear", said->shear), now.shear_line = said->shear_line;
+    now.pieces = nb_law_pieces(now.shear, said->pieces);
+  }
+  return now;
+}
+
+bool nb_laws_elastic(const struct nb_scene *scene) {
+  bool elastic = nb_laws_at_start(scene).normal->elastic;
+  for (size_t s = 0; s < scene->stage_count && !elastic; s++)
+    elastic = scene->stages[s].laws.normal[0] && nb_law_find("normal", scene->stages[s].laws.normal)->elastic;
+  return elastic;
+}
+
+bool nb_laws_shear(const struct nb_scene *scene) {
+  bool shear = strcmp(scene->shear, "none") != 0;
+  for (size_t s = 0; s < scene->stage_count && !shear; s++)
+    shear = scene->stages[s].laws.shear[0] && strcmp(scene->stages[s].laws.shear, "none") != 0;
+  return shear;
+}
+
+const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal) {
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_laws *said = &scene->stages[s].laws;
+    const struct nb_law *law = nb_law_find(normal ? "normal" : "shear", normal ? said->normal : said->shear);
+    if (law && !law->stored && strcmp(law->name, "none") != 0)
+      return law;
+  }
+  return NULL;
+}
+
+bool nb_laws_normal_changes(const struct nb_model *model) { return model->coming.normal != model->laws.normal; }
+
+bool nb_laws_shear_changes(const struct nb_model *model) {
+  return model->coming.shear != model->laws.shear || model->coming.pieces != model->laws.pieces;
+}
+
+void nb_laws_change(struct nb_model *model) {
+  const bool normal = nb_laws_normal_changes(model), shear = nb_laws_shear_changes(model);
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    if (normal)
+      nb_memory_forget(&model->contacts.normal_memory, c);
+    if (shear)
+      nb_memory_forget(&model->contacts.shear_memory, c);
+  }
+  model->laws = model->coming;
+}

@@ -1,0 +1,28 @@
+/* Which laws contacts follow, and when they change.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_LAWS_NOW_H
+#define NB_LAWS_NOW_H
+
+#include "law.h"
+
+struct nb_model;
+
+/* The laws that all contacts follow. */
+struct nb_in_force {
+  const struct nb_law *normal, *shear;
+  int normal_line, shear_line; /* of the page that says so; 0: none */
+  double pieces;               /* as struct nb_pair has it */
+};
+
+struct nb_in_force nb_laws_at_start(const struct nb_scene *scene);
+struct nb_in_force nb_laws_of(const struct nb_stage *stage, struct nb_in_force before); /* from that stage on */
+bool nb_laws_normal_changes(const struct nb_model *model);                              /* in the forces ahead; */
+bool nb_laws_shear_changes(const struct nb_model *model); /* then what is remembered is forgotten */
+bool nb_laws_elastic(const struct nb_scene *scene);       /* some time the normal law is one of elastic spheres */
+bool nb_laws_shear(const struct nb_scene *scene);         /* some time there is a shear law */
+/* The first that stores no energy, of those that some stage says; NULL: all do. */
+const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal);
+void nb_laws_change(struct nb_model *model); /* those ahead are those in force from now on */
+
+#endif

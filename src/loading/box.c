@@ -1,0 +1,97 @@
+/* A box whose walls are controlled by strain.
+ *
+ *   v_P = n n.L (P - x_0)         dh = e.L e h dt
+ *
+ *   P    a point of a wall, its middle unless the page says otherwise, m     n, e   unit vectors across the wall and along it
+ *   x_0  the middle between opposite walls, m                                h      of its two ends, from P, m
+ *   L    strain rate, extension positive, 1/s
+ *
+ * So with x at the step's begin the corners go as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), and stay closed. A wall is rigid: it becomes longer or
+ * shorter at its ends, and what touches it feels v_P alone.
+ *
+ * The stress on the box is that of the forces F of its walls on bodies, at the points X where they touch,
+ *
+ *   s_ij = -(1/A h) sum F_i (X - x_0)_j        compression positive, A the box's area, h the thickness
+ *
+ * At rest and without gravity it is the mean stress of all that is in it.                             [R89 4.45]
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "box.h"
+
+#include "core/carry.h"
+#include "measure/region.h"
+
+enum { SIDES = 4 }; /* opposite ones are two apart */
+
+int nb_box_of(const struct nb_scene *scene) {
+  for (size_t w = 0; w + SIDES <= scene->wall_count; w++)
+    if (scene->walls[w].inx != 0 || scene->walls[w].iny != 0)
+      return (int)w;
+  return -1;
+}
+
+bool nb_box_follows(const struct nb_scene *scene, size_t stage) {
+  const int first = nb_box_of(scene);
+  bool follows = false;
+  for (size_t s = 0; s <= stage && first >= 0; s++) {
+    const struct nb_stage *it = &scene->stages[s];
+    for (size_t m = 0; m < it->motion_count; m++)
+      if (it->motions[m].wall >= first && it->motions[m].wall < first + SIDES)
+        follows = false;
+    follows = follows || it->box_line || it->servo.box;
+  }
+  return follows;
+}
+
+/* The middle between opposite walls. */
+static struct nb_vec centre(const struct nb_walls *walls, int first) {
+  struct nb_vec sum = {0, 0};
+  for (int w = first; w < first + SIDES / 2; w++) {
+    const struct nb_vec n = vec_clockwise(walls->along[w]);
+    sum = vec_add(sum, vec_scale(vec_dot(n, vec_add(walls->pivot[w], walls->pivot[w + 2])) / 2, n));
+  }
+  return sum;
+}
+
+void nb_box_drive(struct nb_model *model) {
+  struct nb_walls *walls = &model->walls;
+  const int first = nb_box_of(model->scene);
+  const struct nb_tensor rate = model->carry->rate[NB_CARRIER_BOX];
+  const struct nb_vec middle = centre(walls, first);
+  for (int w = first; w < first + SIDES; w++) {
+    const struct nb_vec e = walls->along[w], n = vec_clockwise(e);
+    const double away = vec_dot(n, vec_sub(walls->pivot[w], middle));
+    const double longer = 1 + model->step * vec_dot(e, tensor_times(rate, e));
+    walls->velocity[w] = vec_scale(away * vec_dot(n, tensor_times(rate, n)), n);
+    walls->h1[w] *= longer, walls->h2[w] *= longer;
+  }
+}
+
+struct nb_vec nb_box_sides(const struct nb_model *model) {
+  const struct nb_walls *walls = &model->walls;
+  const int first = nb_box_of(model->scene);
+  double sides[2];
+  for (int k = 0; k < 2; k++)
+    sides[k] = fabs(
+        vec_dot(vec_clockwise(walls->along[first + k]), vec_sub(walls->pivot[first + k + 2], walls->pivot[first + k])));
+  return vec(sides[1], sides[0]);
+}
+
+struct nb_vec nb_box_first(const struct nb_scene *scene) {
+  const struct nb_wall *south = &scene->walls[nb_box_of(scene)], *east = south + 1;
+  return vec(south->h2 - south->h1, east->h2 - east->h1);
+}
+
+struct nb_tensor nb_box_stress(const struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const int first = nb_box_of(model->scene);
+  const struct nb_vec sides = nb_box_sides(model), middle = centre(&model->walls, first);
+  struct nb_tensor sum = {0, 0, 0, 0};
+  for (size_t c = model->wall_contacts; c < contacts->count; c++) {
+    if (contacts->b[c] < first || contacts->b[c] >= first + SIDES)
+      continue;
+    const struct nb_vec at = nb_wall_nearest(&model->walls, contacts->b[c], model->bodies.position[contacts->a[c]]);
+    sum = tensor_sub(sum, tensor_outer(contacts->force[c], vec_sub(at, middle)));
+  }
+  return tensor_scale(1 / (sides.x * sides.y * nb_thickness(model)), sum);
+}

@@ -1,0 +1,224 @@
+/* The boundary of an assembly: a ring of its own bodies.             [R89 6.4.1]
+ *
+ * A circle is drawn when the boundary begins. Bodies whose centres are on it or beyond belong to it. While they are held, the
+ * circle is carried along with them by the boundary's strain rate: then it is the ellipse x = x_0 + S X, |X| = R, with
+ * S_(N+1) = (1 + L dt) S_N. A body whose centre comes to lie on it or beyond, which so has more than half crossed it, belongs to the boundary from then on.
+ *
+ * Who may do so before the next search is listed after each: who is nearer to the circle than the skin. So no result depends
+ * on the skin, and in a cycle only those few are looked at.
+ *
+ * The polygon through the centres of its bodies, counterclockwise, has the area
+ *
+ *   A = sum (x_i y_(i+1) - x_(i+1) y_i)/2
+ *
+ * and each of them stands for half of its two sides, outward n l = ((x_(i+1) - x_(i-1))/2 turned clockwise). A stress s on the
+ * boundary, compression positive, is the force -s n l h on each, h the thickness; together sum F_i X_j = -s A h, and no force
+ * is left over. The stress that the assembly makes is measured alike, from the contact forces F on the boundary's bodies:
+ *
+ *   s_ij = sum F_i X_j / (A h)          the same as by all contacts, sum f_i l_j / (A h), while the bodies inside are at rest
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "drive.h"
+#include "measure/energy.h"
+#include "measure/region.h"
+
+/* ---- the circle ---- */
+
+/* Nearer to the circle than the rounding of its points counts as on it: a page may put bodies there. */
+static bool beyond(const struct nb_model *model, struct nb_vec x, double inside) {
+  const struct nb_ring *ring = &model->drive->ring;
+  const struct nb_vec home = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->carry->centre));
+  return vec_length(home) >= ring->radius * (1 - 1e-12) - inside;
+}
+
+static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
+
+/* Whether the body in that slot may belong to it: what a page holds, and what is gone, does not. */
+static bool may_join(const struct nb_model *model, size_t i) {
+  return model->bodies.inverse_mass[i] > 0 && model->carry->by[i] == NB_CARRIER_CONTINUUM;
+}
+
+/* ---- who belongs to it ---- */
+
+static bool lower(struct nb_vec a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
+
+/* Whether slot i comes before slot j, counterclockwise from the east. */
+static bool precedes(const struct nb_model *model, int i, int j) {
+  const struct nb_vec a = vec_sub(model->bodies.position[i], model->carry->centre);
+  const struct nb_vec b = vec_sub(model->bodies.position[j], model->carry->centre);
+  const double turn = a.x * b.y - a.y * b.x;
+  if (lower(a) != lower(b))
+    return lower(b);
+  return turn != 0 ? turn > 0 : model->bodies.number[i] < model->bodies.number[j];
+}
+
+static void add(struct nb_model *model, int slot) {
+  struct nb_ring *ring = &model->drive->ring;
+  size_t at = ring->count++;
+  for (; at > 0 && precedes(model, slot, ring->member[at - 1]); at--)
+    ring->member[at] = ring->member[at - 1];
+  ring->member[at] = slot;
+}
+
+static void hold(struct nb_model *model, int slot) {
+  if (model->balance)
+    nb_balance_held(model, (size_t)slot, true);
+  nb_drive_hold(model, (size_t)slot);
+}
+
+void nb_ring_begin(struct nb_model *model, const struct nb_circle *circle) {
+  struct nb_ring *ring = &model->drive->ring;
+  nb_ring_free(model, true);
+  model->carry->centre = vec(circle->x, circle->y);
+  ring->begun = ring->held = true;
+  ring->radius = circle->radius, ring->shape = tensor(1, 0, 0, 1), ring->after = 0;
+  for (size_t k = 0; k < model->bodies.count; k++) {
+    const int i = model->bodies.slot[k];
+    if (!may_join(model, (size_t)i) || !beyond(model, model->bodies.position[i], 0))
+      continue;
+    hold(model, i);
+    add(model, i);
+  }
+}
+
+void nb_ring_hold(struct nb_model *model) {
+  struct nb_ring *ring = &model->drive->ring;
+  if (!ring->begun)
+    return;
+  if (ring->count > 0)
+    ring->radius = nb_ring_radius(model), ring->shape = tensor(1, 0, 0, 1);
+  ring->held = true, ring->after = 0;
+  for (size_t k = 0; k < ring->count; k++)
+    hold(model, ring->member[k]);
+}
+
+void nb_ring_free(struct nb_model *model, bool dissolve) {
+  struct nb_ring *ring = &model->drive->ring;
+  for (size_t k = 0; k < ring->count && ring->held; k++) {
+    nb_drive_let_go(model, (size_t)ring->member[k]);
+    if (model->balance)
+      nb_balance_held(model, (size_t)ring->member[k], false);
+  }
+  ring->held = false;
+  if (dissolve)
+    ring->begun = false, ring->count = 0;
+}
+
+void nb_ring_drop(struct nb_model *model, size_t slot) {
+  struct nb_ring *ring = &model->drive->ring;
+  size_t left = 0;
+  for (size_t k = 0; k < ring->count; k++)
+    if (ring->member[k] != (int)slot)
+      ring->member[left++] = ring->member[k];
+  ring->count = left;
+}
+
+/* ---- who crosses it ---- */
+
+static void look(struct nb_model *model) {
+  struct nb_ring *ring = &model->drive->ring;
+  const double inside = model->skin * size(tensor_inverse(ring->shape));
+  ring->rim_count = 0;
+  for (size_t k = 0; k < model->bodies.count; k++) {
+    const int i = model->bodies.slot[k];
+    if (may_join(model, (size_t)i) && beyond(model, model->bodies.position[i], inside))
+      ring->rim[ring->rim_count++] = i;
+  }
+  ring->looked = ring->shape;
+  ring->after = model->searches;
+}
+
+enum nb_status nb_ring_take_in(struct nb_model *model, struct nb_error *error) {
+  struct nb_ring *ring = &model->drive->ring;
+  if (ring->after != model->searches ||
+      !(size(tensor_sub(ring->shape, ring->looked)) * ring->radius <= model->skin / 2))
+    look(model);
+  bool crossed = false;
+  for (size_t k = 0; k < ring->rim_count && !crossed; k++)
+    crossed = beyond(model, model->bodies.position[ring->rim[k]], 0);
+  if (!crossed)
+    return NB_OK;
+  if (model->balance)
+    nb_balance_remove(model, true);
+  for (size_t k = 0; k < ring->rim_count; k++) {
+    if (!beyond(model, model->bodies.position[ring->rim[k]], 0))
+      continue;
+    hold(model, ring->rim[k]);
+    add(model, ring->rim[k]);
+  }
+  ring->after = 0; /* they are on the list no more */
+  const enum nb_status status = nb_drive_search(model, error);
+  if (model->balance && !status)
+    nb_balance_remove(model, false);
+  return status;
+}
+
+/* ---- what carries it ---- */
+
+/* u - c_(N-1/2) + c_(N+1/2) is all that happens to the velocity of what it holds (motion.c). */
+void nb_ring_carry(struct nb_model *model) {
+  const struct nb_ring *ring = &model->drive->ring;
+  struct nb_bodies *bodies = &model->bodies;
+  for (size_t k = 0; k < ring->count && ring->held; k++) {
+    const size_t i = (size_t)ring->member[k];
+    const struct nb_vec c = nb_carried_at(model->carry, i, bodies->position[i]);
+    bodies->velocity[i] = vec_add(vec_sub(bodies->velocity[i], bodies->carried[i]), c);
+    bodies->carried[i] = nb_carry_remembered(model->carry, i, bodies->position[i]);
+  }
+}
+
+/* ---- its polygon ---- */
+
+static struct nb_vec place(const struct nb_model *model, size_t k) {
+  const struct nb_ring *ring = &model->drive->ring;
+  return vec_sub(model->bodies.position[ring->member[k % ring->count]], model->carry->centre);
+}
+
+double nb_ring_area(const struct nb_model *model) {
+  double twice = 0;
+  for (size_t k = 0; k < model->drive->ring.count; k++) {
+    const struct nb_vec a = place(model, k), b = place(model, k + 1);
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return twice / 2;
+}
+
+double nb_ring_radius(const struct nb_model *model) {
+  const size_t count = model->drive->ring.count;
+  double sum = 0;
+  for (size_t k = 0; k < count; k++)
+    sum += vec_length(place(model, k));
+  return count ? sum / (double)count : 0;
+}
+
+double nb_ring_unevenness(const struct nb_model *model) {
+  const size_t count = model->drive->ring.count;
+  const double mean = nb_ring_radius(model);
+  double sum = 0;
+  for (size_t k = 0; k < count; k++)
+    sum += (vec_length(place(model, k)) - mean) * (vec_length(place(model, k)) - mean);
+  return count ? sqrt(sum / (double)count) / mean : 0;
+}
+
+struct nb_tensor nb_ring_stress(const struct nb_model *model) {
+  const struct nb_ring *ring = &model->drive->ring;
+  struct nb_tensor sum = tensor(0, 0, 0, 0);
+  const double volume = nb_ring_area(model) * nb_thickness(model);
+  for (size_t k = 0; k < ring->count; k++)
+    sum = tensor_add(sum, tensor_outer(nb_force_on(model, (size_t)ring->member[k]).force, place(model, k)));
+  return volume > 0 ? tensor_scale(1 / volume, sum) : tensor(0, 0, 0, 0);
+}
+
+void nb_ring_press(struct nb_model *model) {
+  struct nb_drive *drive = model->drive;
+  const size_t count = drive->ring.count;
+  const double thickness = nb_thickness(model);
+  memset(drive->pressed, 0, model->bodies.count * sizeof *drive->pressed);
+  for (size_t k = 0; k < count; k++) {
+    const struct nb_vec along = vec_sub(place(model, k + 1), place(model, k + count - 1));
+    drive->pressed[drive->ring.member[k]] =
+        vec_scale(-thickness / 2, tensor_times(drive->stress, vec_clockwise(along)));
+  }
+}

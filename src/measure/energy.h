@@ -1,0 +1,64 @@
+/* What bodies and contacts have at a moment, and the two balances of a run: energy.c, balance.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_ENERGY_H
+#define NB_ENERGY_H
+
+#include "core/model.h"
+
+/* ---- energy.c: at t_N ---- */
+
+double nb_energy_kinetic(const struct nb_model *model);      /* of free bodies, with the velocities of t_N, J */
+double nb_energy_kinetic_half(const struct nb_model *model); /* the same with those of the half step behind, J */
+/* In springs, from the laws' state functions; contacts whose law has none are left out. J */
+double nb_energy_stored(const struct nb_model *model);
+double nb_energy_kinetic_whole(const struct nb_model *model);              /* with what carries bodies along, J */
+double nb_energy_of_contact(const struct nb_model *model, size_t contact); /* what its springs hold, J */
+double nb_energy_of_motion(const struct nb_model *model, size_t slot);     /* kinetic energy of a free body, J */
+double nb_energy_of_body(const struct nb_model *model, size_t slot); /* its kinetic energy and that of its springs, J */
+struct nb_vec nb_momentum(const struct nb_model *model);             /* of free bodies, kg m/s */
+double
+nb_momentum_angular(const struct nb_model *model); /* of free bodies about the origin, counterclockwise, kg m2/s */
+
+/* ---- balance.c: since the start ---- */
+
+/* Each from its own definition, J. */
+enum nb_term {
+  NB_TERM_DAMPED,     /* dashpot force times relative velocity, and what global damping takes */
+  NB_TERM_WALLS,      /* force of walls and of fixed bodies that move, times their velocity */
+  NB_TERM_GRAVITY,    /* weight times velocity */
+  NB_TERM_FRICTIONAL, /* shear force times sliding displacement, or what the law says, of laws that store energy */
+  NB_TERM_SLIDING,    /* of that, what is lost in steps that end with the contact sliding as a whole */
+  NB_TERM_SHEAR,      /* work against the shear forces of all laws */
+  NB_TERM_UNSTORED,   /* the same of laws that have no stored energy only */
+  NB_TERM_CHANGED,    /* put in from outside: `still`, `reverse`, springs that a stage has made stiffer or softer */
+  NB_TERM_REMOVED, /* kinetic energy of bodies that were taken out, and what their springs held; of those that are held */
+  NB_TERM_DRIVEN, /* what carries bodies along, and stress on a boundary, times velocity */
+  NB_TERMS
+};
+
+struct nb_balance; /* balance.h */
+/* Sets up what the columns and conditions of the scene ask for; leaves model->balance NULL when that is nothing. */
+enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error);
+void nb_balance_free(struct nb_balance *balance);
+
+/* The joints of a cycle, called only where model->balance is not NULL. */
+void nb_balance_before(struct nb_model *model); /* before the motion */
+void nb_balance_kick(struct nb_model *model);   /* after it, while the forces and steps are still those of the kick */
+void nb_balance_change(struct nb_model *model,
+                       bool before);            /* before and after a stage changes properties in a cycle */
+void nb_balance_forces(struct nb_model *model); /* after the forces */
+/* Around what makes velocities jump when a stage begins: the kinetic energy counts as that term. */
+void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before);
+void nb_balance_remove(struct nb_model *model, bool before);  /* around what takes bodies out; */
+void nb_balance_removed(struct nb_model *model, size_t slot); /* each of them, while all is as it was */
+void nb_balance_dropped(struct nb_model *model); /* before the search that follows: pairs of bodies that are held */
+enum nb_status nb_balance_entered(struct nb_model *model,
+                                  struct nb_error *error);            /* after it: pairs that overlap at once */
+void nb_balance_held(struct nb_model *model, size_t slot, bool held); /* before a free body is held; after it is free */
+
+double nb_balance_term(const struct nb_model *model, enum nb_term term); /* at t_N, J */
+double nb_balance_work_residual(const struct nb_model *model);           /* at the half step behind, J */
+double nb_balance_energy_residual(const struct nb_model *model);         /* at t_N, J */
+
+#endif

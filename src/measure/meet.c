@@ -1,0 +1,139 @@
+/* Who is going to meet whom, and how long they will stay together by Hertz's law (hertz_impact.h).
+ *
+ * When all go straight on as they go now, two bodies at y - x = d, closing at w = v_x - v_y, touch if w.d > 0 and the line
+ * of their flight passes closer than s = R_x + R_y. Then they close along their line of centres at
+ *
+ *   v = sqrt(w^2 - (w x d)^2/s^2)
+ *
+ * and a wall is met along its normal, or at an end like a body of no radius. What touches already closes at v = w.d/D.
+ *
+ * Walls go as the first stage sets them going. Gravity, turning walls on their way and other bodies in between are left out.
+ * Every body that moves is tried with every other, once: a million that fly apart take long.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+
+#include "hertz_impact.h"
+#include "step.h"
+
+/* How two that are to meet do. */
+struct meeting {
+  double speed; /* closing, along the line of centres, m/s; 0: they do not meet */
+  double time;  /* until then, s */
+};
+
+static struct meeting never(void) { return (struct meeting){0, INFINITY}; }
+
+static double cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
+
+/* Two circles whose radii sum up to `reach`, `apart` from one centre to the other. */
+static struct meeting meet(struct nb_vec apart, struct nb_vec closing, double reach) {
+  const double distance = vec_length(apart), along = vec_dot(closing, apart);
+  if (!(along > 0))
+    return never();
+  if (distance <= reach)
+    return (struct meeting){along / distance, 0};
+  const double size = vec_length(closing), aside = cross(closing, apart) / reach;
+  const double square = (size - aside) * (size + aside);
+  if (!(square > 0))
+    return never();
+  const double speed = sqrt(square); /* the way left is what is between the centres' foot and the point of touch */
+  return (struct meeting){speed, (along / size - speed * reach / size) / size};
+}
+
+/* The velocities that walls have in the first stage, before it has begun. */
+static struct nb_state wall_state(const struct nb_model *model, int wall) {
+  struct nb_state state = {model->walls.velocity[wall], model->walls.spin[wall]};
+  const struct nb_stage *first = &model->scene->stages[0];
+  for (size_t k = 0; k < first->motion_count && !model->stage; k++)
+    if (first->motions[k].wall == wall && !first->motions[k].ramp)
+      state = (struct nb_state){vec(first->motions[k].vx, first->motions[k].vy), first->motions[k].spin};
+  return state;
+}
+
+static struct meeting meet_wall(const struct nb_model *model, struct nb_vec position, struct nb_vec velocity,
+                                double radius, int w) {
+  const struct nb_walls *walls = &model->walls;
+  const struct nb_vec along = walls->along[w], from = vec_sub(position, walls->point[w]);
+  const double s = vec_dot(from, along);
+  const struct nb_state state = wall_state(model, w);
+  const struct nb_vec nearest = nb_wall_nearest(walls, w, position);
+  const struct nb_vec arm = vec_sub(nearest, walls->pivot[w]);
+  const struct nb_vec closing = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
+  /* Its face: the foot of the centre is on the wall when they touch. */
+  const double side = cross(along, from), height = fabs(side), speed = -copysign(1, side) * cross(along, closing);
+  const double time = height > radius ? (height - radius) / speed : 0, foot = s + vec_dot(closing, along) * time;
+  if (speed > 0 && foot >= walls->h1[w] && foot <= walls->h2[w])
+    return (struct meeting){speed, time};
+  struct meeting first = never();
+  for (int end = 0; end < 2; end++) {
+    const struct meeting there = meet(vec_sub(nb_wall_end(walls, w, end), position), closing, radius);
+    first = there.time < first.time ? there : first;
+  }
+  return first;
+}
+
+/* Of elastic spheres, s. */
+static double duration(double young, double radius, double mass, double speed) {
+  return nb_hertz_duration(nb_hertz_depth(young, radius, mass, speed), speed);
+}
+
+static bool moving(struct nb_vec velocity) { return velocity.x != 0 || velocity.y != 0; }
+
+static void shorter(struct nb_meeting *shortest, struct nb_meeting other) {
+  if (other.duration < shortest->duration)
+    *shortest = other;
+}
+
+/* E* of bodies of these materials, or of one at a wall. */
+static double young_of(const struct nb_model *model, int a, int b) {
+  return nb_properties_pair(&model->properties, a, b).young;
+}
+
+static void try_bodies(struct nb_meeting *shortest, const struct nb_model *model, const struct nb_vec *velocity,
+                       size_t i) {
+  const struct nb_bodies *bodies = &model->bodies;
+  for (size_t j = 0; j < bodies->count; j++) {
+    const double inverse = bodies->inverse_mass[i] + bodies->inverse_mass[j];
+    if (j == i || nb_gone(model, j) || !(inverse > 0) || (moving(velocity[j]) && bodies->number[j] < bodies->number[i]))
+      continue;
+    const double reach = bodies->rim[i].x + bodies->rim[j].x;
+    const double speed =
+        meet(vec_sub(bodies->position[j], bodies->position[i]), vec_sub(velocity[i], velocity[j]), reach).speed;
+    if (speed > 0)
+      shorter(shortest,
+              (struct nb_meeting){duration(young_of(model, bodies->material[i], bodies->material[j]),
+                                           nb_reduced_radius(bodies->rim[i].x, bodies->rim[j].x), 1 / inverse, speed),
+                                  speed, (int)i, (int)j, false});
+  }
+}
+
+static void try_walls(struct nb_meeting *shortest, const struct nb_model *model, struct nb_vec velocity, size_t i) {
+  const struct nb_bodies *bodies = &model->bodies;
+  for (int w = 0; w < (int)model->walls.count && bodies->inverse_mass[i] > 0; w++) {
+    const double speed = meet_wall(model, bodies->position[i], velocity, bodies->rim[i].x, w).speed;
+    if (speed > 0)
+      shorter(shortest,
+              (struct nb_meeting){duration(young_of(model, bodies->material[i], model->scene->walls[w].material),
+                                           bodies->rim[i].x, bodies->mass[i], speed),
+                                  speed, (int)i, w, true});
+  }
+}
+
+struct nb_meeting nb_meeting_shortest(const struct nb_model *model) {
+  const size_t n = model->bodies.count;
+  struct nb_meeting shortest = {INFINITY, 0, -1, -1, false};
+  struct nb_vec *velocity = nb_array(n, sizeof *velocity);
+  if (!velocity)
+    return shortest;
+  for (size_t i = 0; i < n; i++)
+    velocity[i] = nb_velocity_whole(model, i);
+  for (size_t k = 0; k < n; k++) { /* in the order of numbers: of two that last as long the first one counts */
+    const size_t i = (size_t)model->bodies.slot[k];
+    if (moving(velocity[i]))
+      try_bodies(&shortest, model, velocity, i);
+    try_walls(&shortest, model, velocity[i], i);
+  }
+  free(velocity);
+  return shortest;
+}

@@ -1,0 +1,71 @@
+/* How long a step is: what it may be a share of, and the watch over it.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_STEP_H
+#define NB_STEP_H
+
+#include "core/model.h"
+
+/* stable.c */
+struct nb_load {
+  double kn, ks, cn, cs; /* sums over a body's contacts: k_n, k_s R^2, and the same of dashpots */
+  double left;           /* of L by the contact that leaves least: watch.c */
+};
+/* The largest step that is sure to be stable with the contacts and the damping of now, and which contact sets it. */
+struct nb_safe {
+  double step;                      /* s; infinite when nothing can vibrate */
+  int a, b;                         /* slots, b a wall where the pairing is with walls; b or both -1: nothing is near */
+  bool apart;                       /* of a pair as if it touched */
+  bool turning;                     /* its shear and spin set it, not its normal motion */
+  const struct nb_pairing *pairing; /* of that contact */
+};
+struct nb_safe nb_safe_step(const struct nb_model *model);
+/* Of all pairs that could meet: the lightest particles of each two materials, as if they touched, whether they are near or not. */
+struct nb_safe nb_safe_apart(const struct nb_model *model);
+struct nb_safe nb_safe_begin(const struct nb_model *model); /* the smaller of both: what a stage may have as its step */
+double nb_safe_limit(const struct nb_damping *damping);     /* L of the global damping in force */
+
+/* A contact with the shares of mass that it has: everything dt^2 k + 2 dt c is made of. */
+struct nb_part {
+  struct nb_stiff own;
+  double a, d; /* A, and the same of the dashpots: 1/s2, 1/s */
+  double q, p; /* Q_i/I_i + Q_j/I_j, and the same of the dashpots */
+};
+struct nb_part nb_part_of(const struct nb_model *model, size_t contact); /* with what nb_safe_step has found */
+static inline double nb_part_normal(const struct nb_part *part, double dt) { return dt * (dt * part->a + 2 * part->d); }
+static inline double nb_part_turning(const struct nb_part *part, double dt) {
+  return dt * (dt * part->q + 2 * part->p);
+}
+double nb_overlap(const struct nb_model *model,
+                  size_t contact); /* of positions as they are; < 0 where they are apart, m */
+/* "turning of body 5 at wall east" */
+void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe);
+
+/* meet.c: of elastic spheres, what meets for the shortest time when all go straight on */
+struct nb_meeting {
+  double duration, speed; /* s; infinite when nothing meets; closing at touch, m/s */
+  int a, b;               /* slots, b a wall where */
+  bool wall;
+};
+struct nb_meeting nb_meeting_shortest(const struct nb_model *model);
+
+/* rayleigh.c */
+double nb_rayleigh_root(double poisson); /* speed of Rayleigh's wave over that of shear waves [R89 4.32] */
+double nb_rayleigh_fit(double poisson);  /* the same by [R89 4.34] */
+/* Half round the smallest sphere, or one that is the mean of all, s; infinite where none is elastic [R89 4.33]. */
+double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean);
+
+/* fracc.c */
+bool nb_fracc_begin(struct nb_model *model);  /* false: no memory */
+void nb_fracc_forces(struct nb_model *model); /* after the forces */
+
+/* step.c */
+bool nb_step_elastic(const struct nb_model *model);   /* the normal law ahead is one of elastic spheres */
+bool nb_step_pressed(const struct nb_model *model);   /* some of them are, by more than rounding */
+double nb_step_contact(const struct nb_model *model); /* duration of the shortest contact there can be, s */
+double nb_step_critical(const struct nb_model *model);
+/* Slots of the lightest bodies of the two materials of a pairing; -1 where there is none, or the second is a wall. */
+void nb_step_lightest(const struct nb_model *model, const struct nb_pairing *pairing, int lightest[2]);
+enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error);
+
+#endif

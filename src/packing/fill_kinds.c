@@ -1,0 +1,60 @@
+/* Quantities of gradings, and the smallest gap.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "core/names.h"
+
+/* Of the sizes that the watch names, all or one: how many were wanted and placed. */
+struct sum {
+  double wanted, placed;
+};
+static struct sum sum_of(const struct nb_model *model, const struct nb_watch *watch) {
+  const struct nb_grading *grading = &model->scene->gradings[watch->a];
+  struct sum sum = {0, 0};
+  for (size_t s = 0; s < grading->size_count; s++) {
+    if (watch->b >= 0 && (size_t)watch->b != s)
+      continue;
+    sum.wanted += (double)grading->sizes[s].wanted, sum.placed += (double)grading->sizes[s].placed;
+  }
+  return sum;
+}
+
+static double wanted(const struct nb_model *model, const struct nb_watch *watch) { return sum_of(model, watch).wanted; }
+static double placed(const struct nb_model *model, const struct nb_watch *watch) { return sum_of(model, watch).placed; }
+static double dropped(const struct nb_model *model, const struct nb_watch *watch) {
+  const struct sum sum = sum_of(model, watch);
+  return sum.wanted - sum.placed;
+}
+static double tries(const struct nb_model *model, const struct nb_watch *watch) {
+  double made = 0;
+  for (size_t f = 0; f < model->scene->fill_count; f++)
+    if (model->scene->fills[f].grading == watch->a)
+      made += (double)model->scene->fills[f].made;
+  return made;
+}
+/* Two bodies that are not listed are farther apart than the skin. */
+static double gap(const struct nb_model *model, const struct nb_watch *watch) {
+  (void)watch;
+  const struct nb_bodies *bodies = &model->bodies;
+  double least = model->skin;
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    const int i = model->contacts.a[c], j = model->contacts.b[c];
+    if (model->pairings[model->contacts.pairing[c]].wall)
+      continue;
+    const double apart = vec_length(vec_sub(bodies->position[j], bodies->position[i]));
+    const double g = apart - (bodies->rim[i].x + bodies->rim[j].x);
+    least = g < least ? g : least;
+  }
+  return least;
+}
+
+enum { GRADING = 1 << NB_WATCH_GRADING, EITHER = 1 << NB_WATCH_GRADING | 1 << NB_WATCH_SIZE };
+
+const struct nb_quantity_kind nb_fill_kinds[] = {
+    {"gap", 0, "m", 0, gap,
+     "the smallest distance between the outlines of two bodies, up to the skin; below 0: they overlap"},
+    {"wanted", EITHER, "1", 0, wanted, "bodies that were to be placed"},
+    {"placed", EITHER, "1", 0, placed, "bodies for which there was a place"},
+    {"dropped", EITHER, "1", 0, dropped, "bodies for which there was none"},
+    {"tries", GRADING, "1", 0, tries, "places that were tried, for all bodies"},
+    {NULL, 0, NULL, 0, NULL, NULL},
+};

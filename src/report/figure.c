@@ -1,0 +1,212 @@
+/* A page's figure: its gnuplot block, behind everything that was seen and known, as one script that can be read, changed and run
+ * again by hand.
+ *
+ *   $table      the rows, for gnuplot's `using 'time/s':'C.normal/N'`; with a sweep $table_1, $table_2, … one a run
+ *   $values     one row a run: swept values, measures seen and known
+ *   runs        how many; run[i] is "v=0.12"
+ *   NAME        each measure by name, C_normal_mean, and all that is known, known_C_normal_mean; of a sweep run by run, …_1, …_2
+ *   $STAGE_bodies, $STAGE_walls, $STAGE_contacts   snapshots, with a sweep …_1, …_2; of a path $LEG_traction, $LEG_pieces;
+ *   $STAGE_body_averages, $STAGE_contact_averages, of regions $STAGE_types, $STAGE_rings;
+ *   of `snapshot from` $STAGE_lattice
+ *   plots       folder of the recipes: load plots.'force-rectangles.gp'
+ *   canvas(w, h)   a size of its own, of style.gp: eval canvas(1100, 760)
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _XOPEN_SOURCE 700
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "run/save.h"
+#include "tables.h"
+
+/* The same for every page: no text of a page or name is among gnuplot's arguments. */
+#define SETTINGS(terminal) "terminal = \"" terminal "\"; set terminal " terminal " size 840,560"
+
+bool nb_figure_wanted(const struct nb_page *page) {
+  for (size_t k = 0; k < page->line_count; k++)
+    if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT)
+      return true;
+  return false;
+}
+
+/* A name that gnuplot takes: C.normal at 40 cycles, _3 -> C_normal_at_40_cycles_3. */
+static void variable(char *text, size_t size, const char *prefix, const char *label, const char *number) {
+  snprintf(text, size, "%s%s%s", prefix, label, number);
+  for (char *c = text; *c; c++)
+    if (!isalnum((unsigned char)*c))
+      *c = '_';
+}
+
+static void write_number(FILE *out, const char *name, double value) {
+  if (isfinite(value))
+    fprintf(out, "%s = %.17g\n", name, value);
+  else
+    fprintf(out, "%s = NaN\n", name);
+}
+
+static void write_measures(FILE *out, const struct nb_page_run *run, const char *number) {
+  char name[4 * NB_NAME_SIZE];
+  for (size_t k = 0; k < run->expectations.count; k++) {
+    const struct nb_expectation *e = &run->expectations.list[k];
+    struct nb_error error;
+    double seen;
+    if (e->kind == NB_ALONG)
+      continue;
+    variable(name, sizeof name, "", e->measure.label, number);
+    if (nb_measure_seen(&seen, &e->measure, &run->result.table, &error))
+      write_number(out, name, seen);
+  }
+  for (size_t k = 0; k < run->known.value_count; k++) {
+    variable(name, sizeof name, "known_", run->known.values[k].name, number);
+    write_number(out, name, run->known.values[k].value);
+  }
+}
+
+static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
+  const struct nb_page_run *run = &outcome->runs[r];
+  char number[32] = "";
+  if (outcome->run_count > 1)
+    snprintf(number, sizeof number, "_%zu", r + 1);
+  write_measures(out, &outcome->runs[r], number);
+  fprintf(out, "$table%s << EOD\n", number);
+  nb_table_write_run(out, run);
+  fputs("EOD\n", out);
+  for (size_t k = 0; k < run->result.snapshot_count; k++) {
+    const struct nb_snapshot *snapshot = &run->result.snapshots[k];
+    const struct nb_table *table;
+    const char *part;
+    for (int t = 0; nb_snapshot_part(snapshot, t, &part, &table); t++) {
+      char stage[NB_NAME_SIZE];
+      variable(stage, sizeof stage, "", run->scene.stages[snapshot->stage].name, "");
+      fprintf(out, "$%s_%s%s << EOD\n", stage, part, number);
+      nb_table_write(out, table);
+      fputs("EOD\n", out);
+    }
+  }
+}
+
+static bool copy_file(FILE *out, const char *path) {
+  FILE *in = fopen(path, "r");
+  if (!in)
+    return false;
+  char buffer[4096];
+  size_t n;
+  while ((n = fread(buffer, 1, sizeof buffer, in)) > 0)
+    fwrite(buffer, 1, n, out);
+  fclose(in);
+  return true;
+}
+
+/* The folder of style and recipes, the program's own and never the page's: beside the program in the tree where it was built,
+ * else where both were installed. */
+static bool find_plots(char *plots, size_t size, struct nb_error *error) {
+  char program[2048], style[4096];
+  const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
+  program[length > 0 ? length : 0] = 0;
+  char *slash = strrchr(program, '/');
+  if (slash)
+    *slash = 0;
+  for (int k = slash ? 0 : 2; k < 3; k++) {
+    snprintf(style, sizeof style, "%s%s/style.gp", k < 2 ? program : NB_DATADIR,
+             k == 0   ? "/plots"
+             : k == 1 ? "/../share/nineball/plots"
+                      : "/plots");
+    char *real = realpath(style, NULL);
+    if (real) {
+      snprintf(plots, size, "%.*s", (int)(strrchr(real, '/') - real + 1), real);
+      free(real);
+      return true;
+    }
+  }
+  nb_error_set(error, NB_BAD_USE, "the style of figures, plots/style.gp, is neither beside the program nor in %s/plots",
+               NB_DATADIR);
+  return false;
+}
+
+/* As gnuplot reads it: nothing in single quotes stands for anything but itself, two of them for one. */
+static void write_quoted(FILE *out, const char *text) {
+  fputc('\'', out);
+  for (; *text; text++)
+    fputs(*text == '\'' ? "''" : (char[]){*text, 0}, out);
+  fputc('\'', out);
+}
+
+static bool write_script(FILE *out, const struct nb_outcome *outcome, const char *plots) {
+  const struct nb_page *page = &outcome->page;
+  char style[4096];
+  snprintf(style, sizeof style, "%.4000sstyle.gp", plots);
+  fprintf(out, "# %s\n", page->title);
+  nb_preamble_write(out, outcome);
+  fputs("plots = ", out);
+  write_quoted(out, plots);
+  fputc('\n', out);
+  if (!copy_file(out, style))
+    return false;
+  if (outcome->status > NB_FAILED)
+    fputs("set label 9999 'INCOMPLETE: the run was stopped' at screen 0.99, screen 0.98 right noenhanced front tc rgb "
+          "'#a3123a'\n",
+          out);
+  fprintf(out, "runs = %zu\narray run[runs]\n", outcome->run_count);
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    fprintf(out, "run[%zu] = ", r + 1);
+    write_quoted(out, outcome->runs[r].label);
+    fputc('\n', out);
+  }
+  fputs("$values << EOD\n", out);
+  nb_values_write(out, outcome);
+  fputs("EOD\n", out);
+  for (size_t r = 0; r < outcome->run_count; r++)
+    write_run(out, outcome, r);
+  for (size_t k = 0; k < page->line_count; k++)
+    if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT)
+      fprintf(out, "%s\n", page->lines[k]);
+  return true;
+}
+
+/* FOLDER/NAME.KIND, by one of gnuplot's terminals. */
+static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const char *magic, struct nb_error *error) {
+  char path[4096], begin[8] = "";
+  struct nb_save file;
+  snprintf(path, sizeof path, "%s/%s.%s", drawing->folder, drawing->name, kind);
+  if (nb_save_begin(&file, path, error))
+    return error->status;
+  drawing->figure = fileno(file.file);
+  enum nb_status status = nb_gnuplot_run(drawing, error);
+  if (!status && (pread(drawing->figure, begin, strlen(magic), 0) < 0 || strcmp(begin, magic) != 0))
+    status = nb_error_set(error, NB_BAD_USE, "%.200s/%s.gp draws nothing", drawing->folder, drawing->name);
+  return status ? nb_save_drop(&file), status : nb_save_end(&file, error);
+}
+
+enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
+                              struct nb_error *error) {
+  char script[4096], plots[4096];
+  struct nb_save file;
+  *drawn = false;
+  if (!nb_figure_wanted(&outcome->page))
+    return NB_OK;
+  if (!find_plots(plots, sizeof plots, error) || nb_save_folder(folder, error))
+    return error->status;
+  if ((size_t)snprintf(script, sizeof script, "%s/%s.gp", folder, outcome->page.name) >= sizeof script)
+    return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
+  if (nb_save_begin(&file, script, error))
+    return error->status;
+  if (!write_script(file.file, outcome, plots)) {
+    nb_save_drop(&file);
+    return nb_error_set(error, NB_BAD_USE, "cannot read %.300sstyle.gp", plots);
+  }
+  if (nb_save_end(&file, error))
+    return error->status;
+  struct nb_gnuplot drawing = {.folder = folder, .name = outcome->page.name, .recipes = plots, .trust = trust};
+  drawing.commands = SETTINGS("svg font 'sans,13' background 'white'"), drawing.aloud = true;
+  if (draw(&drawing, "svg", "<?xml", error))
+    return error->status;
+  drawing.commands = SETTINGS("pngcairo font 'sans,11'"), drawing.aloud = false;
+  if (draw(&drawing, "png", "\x89PNG", error))
+    return error->status;
+  *drawn = true;
+  return NB_OK;
+}

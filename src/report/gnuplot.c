@@ -1,0 +1,89 @@
+/* gnuplot, confined: it reads one script and the recipes, and writes the figure to its standard output.
+ *
+ * The script is code of the page. So gnuplot has no rights but those of confine.c, no start-up files (-d), and what it says is
+ * cleaned before it reaches the terminal. No name of a file is part of a command: the script is an argument of its own, and
+ * begins with `./`, since gnuplot would run `<NAME` as a command.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _DEFAULT_SOURCE
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "confine.h"
+#include "core/clean.h"
+#include "tables.h"
+
+/* Writes what gnuplot said to stderr, if aloud; into `last` the line that names the mistake: the last one that is not blank. A
+ * column that is not there is only a warning of gnuplot's, and the figure lacks a line: then `last` is that warning and the
+ * answer is true. */
+static bool hear(FILE *said, bool aloud, char *last, size_t size) {
+  char line[1024];
+  unsigned byte;
+  bool lacks = false;
+  last[0] = 0;
+  rewind(said);
+  for (int count = 0; fgets(line, sizeof line, said); count++) {
+    line[strcspn(line, "\n")] = 0;
+    nb_clean(line, strlen(line), &byte);
+    if (line[strspn(line, " \t^")] && !lacks)
+      snprintf(last, size, "%s", line + strspn(line, " \t"));
+    lacks = lacks || strstr(line, "no column with header");
+    if (aloud && count < 200)
+      fprintf(stderr, "%s\n", line);
+  }
+  return lacks;
+}
+
+static int run(struct nb_confined *confined, int figure, FILE *said) {
+  int status = -1;
+  fflush(NULL);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (dup2(figure, STDOUT_FILENO) < 0 || dup2(fileno(said), STDERR_FILENO) < 0)
+      _exit(126);
+    close(STDIN_FILENO);
+    nb_confine_become(confined);
+  }
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
+    continue;
+  return status;
+}
+
+enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error) {
+  char file[NB_NAME_SIZE + 8], last[256];
+  char *const words[] = {"-d", "-e", (char *)drawing->commands, file, NULL};
+  char *folder = realpath(drawing->folder, NULL);
+  struct nb_confined *confined = calloc(1, sizeof *confined);
+  FILE *said = tmpfile();
+  enum nb_status status = NB_BAD_USE;
+  snprintf(file, sizeof file, "./%s.gp", drawing->name);
+  if (!confined || !folder || !said) {
+    status = nb_error_system(error, "cannot draw in %.300s", drawing->folder);
+  } else if (!nb_program_find(confined->program, sizeof confined->program, "gnuplot")) {
+    status = nb_error_set(error, NB_BAD_USE, "gnuplot cannot be run: not found (its package is gnuplot-nox)");
+  } else {
+    confined->folder = folder, confined->file = file, confined->library = drawing->recipes, confined->words = words;
+    status = nb_confine_begin(confined, drawing->trust, error);
+    if (!status) {
+      const int end = run(confined, drawing->figure, said);
+      const bool lacks = hear(said, drawing->aloud, last, sizeof last);
+      const int code = WIFEXITED(end) ? WEXITSTATUS(end) : 0;
+      const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : code > 128 ? code - 128 : 0; /* bwrap hands it on so */
+      if (fatal)
+        status = nb_error_set(error, NB_BAD_USE, "gnuplot was ended over %.150s/%s: %s", drawing->folder, file + 2,
+                              strsignal(fatal));
+      else if (end != 0 || lacks)
+        status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s", drawing->folder, file + 2, last);
+    }
+    nb_confine_end(confined);
+  }
+  if (said)
+    fclose(said);
+  free(confined);
+  free(folder);
+  return status;
+}

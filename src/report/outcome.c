@@ -1,0 +1,194 @@
+/* A page carried out: read, run by run; asked of the reference; judged.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "outcome.h"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/clock.h"
+#include "input/reader.h"
+
+enum { ENOUGH = 100000 }; /* mistakes, most of them the same ones of many runs: then the other runs are not read */
+
+static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *more) {
+  for (size_t k = 0; k < more->count; k++)
+    nb_warnings_add(&outcome->warnings, &more->list[k]);
+}
+
+static void make_label(struct nb_page_run *run) {
+  run->label[0] = 0;
+  for (size_t k = 0; k < run->scene.binding_count; k++) {
+    const struct nb_binding *binding = &run->scene.bindings[k];
+    const size_t length = strlen(run->label);
+    if (binding->swept)
+      snprintf(run->label + length, sizeof run->label - length, "%s%s=%s", length ? ", " : "", binding->name,
+               binding->text);
+  }
+}
+
+/* All runs of the page; an error only if memory runs out. */
+static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
+  const size_t runs = nb_scene_runs(&outcome->page, settings, &outcome->mistakes);
+  outcome->runs = calloc(runs + 1, sizeof *outcome->runs);
+  if (!outcome->runs)
+    nb_mistake_memory(&outcome->mistakes);
+  for (size_t r = 0; r < runs && outcome->runs && outcome->mistakes.made < ENOUGH; r++) {
+    struct nb_page_run *run = &outcome->runs[outcome->run_count++];
+    nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
+    nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
+    make_label(run);
+    add_warnings(outcome, &run->scene.warnings);
+  }
+}
+
+enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings) {
+  *outcome = (struct nb_outcome){.settings = settings};
+  if (!nb_page_read(&outcome->page, path, &outcome->mistakes))
+    read_runs(outcome, settings);
+  outcome->status = nb_mistakes_status(&outcome->mistakes, 0);
+  if (outcome->status == NB_NO_MEMORY)
+    nb_error_memory(&outcome->error);
+  return outcome->status;
+}
+
+/* Overlaps too deep for elastic spheres, of all runs together, and which one was the first. */
+static void warn_deep(struct nb_outcome *outcome) {
+  unsigned long long count = 0;
+  const struct nb_page_run *first = NULL;
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    count += outcome->runs[r].result.deep;
+    first = first || !outcome->runs[r].result.deep ? first : &outcome->runs[r];
+  }
+  if (first)
+    nb_warn(&outcome->warnings, 0,
+            "overlaps above what elastic spheres are good for, in %llu contact updates; first %s%s%s [R89 6.4.3]",
+            count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
+}
+
+/* Progress of all runs together, of which several may be at it at once. */
+struct together {
+  const struct nb_outcome *outcome;
+  const struct nb_progress *progress;
+  double *shares; /* of each run, done */
+  double began;   /* s */
+};
+struct one {
+  struct together *all;
+  size_t run;
+};
+
+static void tell(void *data, const char *stage, double share, double seconds) {
+  const struct one *one = data;
+  struct together *all = one->all;
+  const size_t runs = all->outcome->run_count;
+  (void)seconds;
+#pragma omp critical(nb_outcome_tell)
+  {
+    double sum = 0;
+    char text[512];
+    all->shares[one->run] = share;
+    for (size_t r = 0; r < runs; r++)
+      sum += all->shares[r];
+    const char *label = all->outcome->runs[one->run].label;
+    snprintf(text, sizeof text, "%s%s%s", stage, label[0] ? " of " : "", label);
+    all->progress->call(all->progress->data, text, sum / (double)runs, nb_clock() - all->began);
+  }
+}
+
+static void note(void *data, const char *words) {
+  const struct one *one = data;
+  const char *label = one->all->outcome->runs[one->run].label;
+  char text[1024];
+  snprintf(text, sizeof text, "%s%s%s", words, label[0] ? ", run " : "", label);
+#pragma omp critical(nb_outcome_tell)
+  one->all->progress->note(one->all->progress->data, text);
+}
+
+static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
+  run->status = NB_OK;
+  if (run->expectations.reference)
+    run->status = nb_reference_ask(run->expectations.reference, &run->known, &run->scene, &run->error);
+  if (!run->status)
+    run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
+}
+
+static int jobs_of(const struct nb_outcome *outcome, const struct nb_options *options) {
+  int jobs = options ? options->jobs : 1;
+#ifdef _OPENMP
+  if (jobs <= 0)
+    jobs = omp_get_num_procs() / (options->threads > 0 ? options->threads : 1);
+#endif
+  if (jobs > (int)outcome->run_count)
+    jobs = (int)outcome->run_count;
+  return jobs > 0 ? jobs : 1;
+}
+
+/* After one that has not come to its end no other is begun; those before it in the sweep have been by then, so which one is
+ * reported does not depend on how many go side by side. */
+static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_options *options,
+                              const struct nb_progress *progress) {
+  const size_t runs = outcome->run_count;
+  struct together all = {outcome, progress, calloc(runs + 1, sizeof *all.shares), nb_clock()};
+  if (!all.shares)
+    return nb_error_memory(&outcome->error);
+  const int jobs = jobs_of(outcome, options);
+  bool broken = false;
+  nb_references_prepare();
+#pragma omp parallel for num_threads(jobs) schedule(dynamic, 1)
+  for (size_t r = 0; r < runs; r++) {
+    bool skip;
+#pragma omp atomic read
+    skip = broken;
+    if (skip)
+      continue;
+    struct one one = {&all, r};
+    const struct nb_progress mine = {progress && progress->call ? tell : NULL, progress && progress->note ? note : NULL,
+                                     &one};
+    run_one(&outcome->runs[r], options, progress ? &mine : NULL);
+    all.shares[r] = 1;
+    if (outcome->runs[r].status) {
+#pragma omp atomic write
+      broken = true;
+    }
+  }
+  free(all.shares);
+  for (size_t r = 0; r < runs; r++)
+    add_warnings(outcome, &outcome->runs[r].result.warnings);
+  warn_deep(outcome);
+  for (size_t r = 0; r < runs; r++) {
+    const struct nb_page_run *run = &outcome->runs[r];
+    if (run->status)
+      return nb_error_set(&outcome->error, run->status, "%s%s%s%s", run->error.text, run->label[0] ? " (run " : "",
+                          run->label, run->label[0] ? ")" : "");
+  }
+  return NB_OK;
+}
+
+enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
+                               const struct nb_options *options, const struct nb_progress *progress) {
+  nb_outcome_read(outcome, path, settings);
+  if (!outcome->status)
+    outcome->status = run_all(outcome, options, progress);
+  if (!outcome->status)
+    outcome->status = nb_verdict(outcome);
+  return outcome->status;
+}
+
+void nb_outcome_free(struct nb_outcome *outcome) {
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    struct nb_page_run *run = &outcome->runs[r];
+    nb_expectations_free(&run->expectations);
+    known_free(&run->known);
+    nb_result_free(&run->result);
+    nb_scene_free(&run->scene);
+  }
+  free(outcome->runs);
+  free(outcome->checks);
+  nb_page_free(&outcome->page);
+  nb_mistakes_free(&outcome->mistakes);
+  *outcome = (struct nb_outcome){0};
+}

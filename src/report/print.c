@@ -1,0 +1,112 @@
+/* What the terminal shows: verdicts, mistakes, progress.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
+#include <string.h>
+#include <unistd.h>
+
+#include "commands.h"
+#include "outcome.h"
+
+/* What was expected and not checked, each with its line and the reason. */
+static void print_skipped(const struct nb_outcome *outcome) {
+  const size_t skipped = outcome->marked[NB_SKIP];
+  if (skipped)
+    printf("  %zu expectation%s not checked:\n", skipped, skipped == 1 ? " was" : "s were");
+  for (size_t k = 0; k < outcome->check_count; k++) {
+    const struct nb_check *check = &outcome->checks[k];
+    if (check->mark == NB_SKIP)
+      printf("        line %d: %s\n        %s\n", check->line, check->label, check->words);
+  }
+}
+
+void nb_print_warnings(FILE *out, const char *before, const char *path, const struct nb_warnings *warnings) {
+  for (size_t k = 0; k < warnings->count; k++) {
+    const struct nb_warning *warning = &warnings->list[k];
+    char line[16] = "";
+    if (warning->line)
+      snprintf(line, sizeof line, ":%d", warning->line);
+    fprintf(out, "%s%s%s: warning: %s\n", before, path, line, warning->text);
+  }
+}
+
+void nb_print_verdict(const struct nb_outcome *outcome) {
+  const size_t *marked = outcome->marked;
+  printf("%s: %s\n", outcome->page.name, outcome->page.title);
+  for (size_t k = 0; k < outcome->check_count; k++) {
+    const struct nb_check *check = &outcome->checks[k];
+    if (check->mark != NB_SKIP)
+      printf("  %s  %s\n        %s\n", nb_mark_word(check->mark), check->label, check->words);
+  }
+  if (marked[NB_PASS] + marked[NB_FAIL])
+    printf("  %zu of %zu checks passed", marked[NB_PASS], marked[NB_PASS] + marked[NB_FAIL]);
+  if (marked[NB_NOTE])
+    printf("%s%zu noted", marked[NB_PASS] + marked[NB_FAIL] ? ", " : "  ", marked[NB_NOTE]);
+  if (marked[NB_PASS] + marked[NB_FAIL] + marked[NB_NOTE])
+    puts("");
+  print_skipped(outcome);
+  nb_print_warnings(stdout, "  ", outcome->page.path, &outcome->warnings);
+}
+
+/* A `#` would begin a directive of TAP. */
+static void tap_text(const char *words) {
+  for (; *words; words++)
+    putchar(*words == '#' ? ' ' : *words);
+}
+
+void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
+  const size_t count = outcome->check_count;
+  const bool stopped = outcome->status > NB_FAILED;
+  printf("1..%zu\n", count + stopped);
+  for (size_t k = 0; k < count; k++) {
+    const struct nb_check *check = &outcome->checks[k];
+    printf("%s %zu - ", check->mark == NB_FAIL ? "not ok" : "ok", k + 1);
+    tap_text(check->label);
+    if (check->mark == NB_NOTE)
+      fputs(" # SKIP noted, not judged", stdout);
+    if (check->mark == NB_SKIP)
+      fputs(" # SKIP ", stdout), tap_text(check->words);
+    printf("\n# line %d: ", check->line);
+    tap_text(check->words);
+    putchar('\n');
+  }
+  if (stopped)
+    printf("not ok %zu - %s %s\n# %s\n", count + 1, path,
+           outcome->mistakes.count ? "has mistakes"
+           : count                 ? "was not checked"
+                                   : "did not run",
+           outcome->mistakes.count ? "" : outcome->error.text);
+  nb_print_warnings(stdout, "# ", path, &outcome->warnings);
+}
+
+void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
+  if (outcome->mistakes.text)
+    fputs(outcome->mistakes.text, stderr);
+  if (outcome->error.text[0] && outcome->status > NB_FAILED)
+    fprintf(stderr, "%s: %s: %s\n", path, outcome->status == NB_BROKEN ? "stopped" : "error", outcome->error.text);
+  nb_print_warnings(stderr, "", path, &outcome->warnings);
+}
+
+static void progress(void *data, const char *stage, double share, double seconds) {
+  struct nb_progress_line *line = data;
+  if (seconds < 2 || seconds - line->shown < 0.5)
+    return;
+  line->shown = seconds;
+  fprintf(stderr, "\r%s, stage %s: %3.0f %%, %.0f s left   ", line->page, stage, 100 * share,
+          share > 0 ? seconds * (1 - share) / share : 0);
+}
+
+static void note(void *data, const char *text) {
+  const struct nb_progress_line *line = data;
+  fprintf(stderr, "%s%s: note: %s\n", line->shown > 0 ? "\r\033[K" : "", line->page, text);
+}
+
+struct nb_progress nb_print_progress(struct nb_progress_line *line) {
+  return (struct nb_progress){isatty(STDERR_FILENO) ? progress : NULL, note, line};
+}
+
+void nb_print_progress_end(struct nb_progress_line *line) {
+  if (line->shown > 0)
+    fputs("\r\033[K", stderr);
+}

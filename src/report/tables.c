@@ -1,0 +1,212 @@
+/* Tables as tab-separated text: a preamble behind `#`, one head row `name/unit`, numbers as %.17g, which reads back to the
+ * same bits.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "tables.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "input/hash.h"
+#include "run/save.h"
+
+static const char *unit_word(const char *unit, bool unitless) {
+  return unitless || strcmp(unit, "1") == 0 ? "-" : unit;
+}
+
+void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
+  fprintf(out, "# nineball %s\n# page %s", NB_VERSION, outcome->page.name);
+  unsigned long long hash = outcome->page.hash;
+  for (size_t k = 0; outcome->settings && outcome->settings[k]; k++) {
+    hash = nb_hash(hash, outcome->settings[k], strlen(outcome->settings[k]) + 1);
+    fprintf(out, ", %s", outcome->settings[k]);
+  }
+  fprintf(out, ", FNV-1a %016llx\n", hash);
+  if (outcome->status > NB_FAILED)
+    fprintf(out, "# incomplete: %s\n", outcome->error.text);
+}
+
+/* "0.12 m/s" is 0.12 under the head v/(m/s); also where --set has left one value, since figures ask for the column. */
+static void swept_head(FILE *out, const struct nb_page_run *run) {
+  for (size_t k = 0; k < run->scene.binding_count; k++) {
+    const struct nb_binding *binding = &run->scene.bindings[k];
+    const char *unit = strchr(binding->text, ' ');
+    if (binding->sweep >= 0)
+      fprintf(out, "%s/%s\t", binding->name, unit ? unit + 1 : "-");
+  }
+}
+
+static void swept_values(FILE *out, const struct nb_page_run *run) {
+  for (size_t k = 0; k < run->scene.binding_count; k++) {
+    const struct nb_binding *binding = &run->scene.bindings[k];
+    if (binding->sweep >= 0)
+      fprintf(out, "%.*s\t", (int)strcspn(binding->text, " "), binding->text);
+  }
+}
+
+static void head(FILE *out, const struct nb_page_run *run) {
+  const struct nb_table *table = &run->result.table;
+  fputs("stage", out);
+  for (size_t c = 0; c < table->column_count; c++)
+    fprintf(out, "\t%s/%s", table->names[c], unit_word(table->units[c], run->scene.unitless));
+  for (size_t k = 0; k < run->expectations.count; k++) {
+    const struct nb_expectation *e = &run->expectations.list[k];
+    if (e->kind == NB_ALONG)
+      fprintf(out, "\tknown %s/%s", table->names[e->measure.column],
+              unit_word(table->units[e->measure.column], run->scene.unitless));
+  }
+  fputc('\n', out);
+}
+
+static void row(FILE *out, const struct nb_page_run *run, size_t r) {
+  const struct nb_table *table = &run->result.table;
+  const double *values = table->values + r * table->column_count;
+  fputs(run->scene.stages[table->stage[r]].name, out);
+  for (size_t c = 0; c < table->column_count; c++)
+    fprintf(out, "\t%.17g", values[c]);
+  for (size_t k = 0; k < run->expectations.count; k++) {
+    const struct nb_expectation *e = &run->expectations.list[k];
+    if (e->kind != NB_ALONG)
+      continue;
+    const struct nb_known_curve *curve = known_find_curve(&run->known, table->names[e->measure.column], e->along);
+    fprintf(out, "\t%.17g", curve ? curve->at(curve->data, values[e->along_column]) : NAN);
+  }
+  fputc('\n', out);
+}
+
+void nb_table_write_run(FILE *out, const struct nb_page_run *run) {
+  head(out, run);
+  for (size_t r = 0; r < run->result.table.row_count; r++)
+    row(out, run, r);
+}
+
+void nb_table_write(FILE *out, const struct nb_table *table) {
+  for (size_t c = 0; c < table->column_count; c++)
+    fprintf(out, "%s%s/%s", c ? "\t" : "", table->names[c], unit_word(table->units[c], false));
+  fputc('\n', out);
+  for (size_t r = 0; r < table->row_count; r++)
+    for (size_t c = 0; c < table->column_count; c++)
+      fprintf(out, "%.17g%c", table->values[r * table->column_count + c], c + 1 < table->column_count ? '\t' : '\n');
+}
+
+static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
+  nb_preamble_write(out, outcome);
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    const struct nb_page_run *run = &outcome->runs[r];
+    if (r == 0) {
+      swept_head(out, run);
+      head(out, run);
+    }
+    for (size_t k = 0; k < run->result.table.row_count; k++) {
+      swept_values(out, run);
+      row(out, run, k);
+    }
+  }
+}
+
+/* ---- values ---- */
+
+/* Each measure once, whatever number of expectations it has. */
+static bool first_of_its_name(const struct nb_expectations *expectations, size_t index) {
+  for (size_t k = 0; k < index; k++)
+    if (strcmp(expectations->list[k].measure.label, expectations->list[index].measure.label) == 0)
+      return false;
+  return expectations->list[index].kind != NB_ALONG;
+}
+
+void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
+  for (size_t r = 0; r < outcome->run_count; r++) {
+    const struct nb_page_run *run = &outcome->runs[r];
+    const struct nb_expectations *all = &run->expectations;
+    if (r == 0) {
+      swept_head(out, run);
+      fputs("run", out);
+      for (size_t k = 0; k < all->count; k++)
+        if (first_of_its_name(all, k)) {
+          const char *unit = unit_word(all->list[k].measure.unit, run->scene.unitless);
+          fprintf(out, "\t%s/%s\tknown %s/%s", all->list[k].measure.label, unit, all->list[k].measure.label, unit);
+        }
+      fputc('\n', out);
+    }
+    swept_values(out, run);
+    fprintf(out, "%zu", r + 1);
+    for (size_t k = 0; k < all->count; k++) {
+      struct nb_error error;
+      double seen;
+      if (!first_of_its_name(all, k))
+        continue;
+      const double *known = nb_measure_known(&all->list[k].measure, &run->scene, &run->known);
+      nb_measure_seen(&seen, &all->list[k].measure, &run->result.table, &error);
+      fprintf(out, "\t%.17g\t%.17g", seen, known ? *known : NAN);
+    }
+    fputc('\n', out);
+  }
+}
+
+static void write_values(FILE *out, const struct nb_outcome *outcome) {
+  nb_preamble_write(out, outcome);
+  nb_values_write(out, outcome);
+}
+
+static void write_verdict(FILE *out, const struct nb_outcome *outcome) {
+  nb_preamble_write(out, outcome);
+  fputs("verdict\tline\texpected\tseen\n", out);
+  for (size_t k = 0; k < outcome->check_count; k++) {
+    const struct nb_check *check = &outcome->checks[k];
+    fprintf(out, "%s\t%d\t%s\t%s\n", nb_mark_word(check->mark), check->line, check->label, check->words);
+  }
+}
+
+/* ---- files ---- */
+
+static enum nb_status save(const char *folder, const char *name, void (*write)(FILE *, const struct nb_outcome *),
+                           const struct nb_outcome *outcome, struct nb_error *error) {
+  char path[4096];
+  struct nb_save file;
+  if ((size_t)snprintf(path, sizeof path, "%s/%s", folder, name) >= sizeof path)
+    return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
+  const enum nb_status status = nb_save_begin(&file, path, error);
+  if (status)
+    return status;
+  write(file.file, outcome);
+  return nb_save_end(&file, error);
+}
+
+static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, const struct nb_snapshot *snapshot,
+                                    const char *folder, struct nb_error *error) {
+  const struct nb_page_run *run = &outcome->runs[r];
+  const struct nb_table *table;
+  const char *name;
+  for (int k = 0; nb_snapshot_part(snapshot, k, &name, &table); k++) {
+    char path[4096], number[32] = "";
+    struct nb_save file;
+    if (outcome->run_count > 1)
+      snprintf(number, sizeof number, "-%zu", r + 1);
+    if ((size_t)snprintf(path, sizeof path, "%s/%s-%s%s.tsv", folder, run->scene.stages[snapshot->stage].name, name,
+                         number) >= sizeof path)
+      return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
+    if (nb_save_begin(&file, path, error))
+      return error->status;
+    nb_preamble_write(file.file, outcome);
+    if (run->label[0])
+      fprintf(file.file, "# run %s\n", run->label);
+    nb_table_write(file.file, table);
+    if (nb_save_end(&file, error))
+      return error->status;
+  }
+  return NB_OK;
+}
+
+enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error) {
+  enum nb_status status = nb_save_folder(folder, error);
+  if (!status)
+    status = save(folder, "table.tsv", write_all_runs, outcome, error);
+  if (!status)
+    status = save(folder, "values.tsv", write_values, outcome, error);
+  if (!status)
+    status = save(folder, "verdict.tsv", write_verdict, outcome, error);
+  for (size_t r = 0; r < outcome->run_count; r++)
+    for (size_t k = 0; k < outcome->runs[r].result.snapshot_count && !status; k++)
+      status = save_snapshot(outcome, r, &outcome->runs[r].result.snapshots[k], folder, error);
+  return status;
+}

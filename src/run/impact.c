@@ -1,0 +1,164 @@
+/* What an impact is measured by, in Maw's dimensionless numbers.                         [R89 5.9, 5.11, 5.12, 5.15]
+ *
+ *   psi = V_T/(mu kappa V_N)       V_T of the point that touches, now, V_N at incidence: psi1 at first, psi2 at the end
+ *   kappa = (E* / G*)/4            between like materials (2 - nu)/(2 (1 - nu)); of linear springs k_n/k_s
+ *   N_max = (5/4) M V_N^2/alpha_max;  alpha_max and T_c as in hertz_impact.h
+ *   linear springs:  T_c = pi sqrt(M/k_n),   N_max = V_N sqrt(M k_n)
+ *
+ * M is the reduced mass, R* the reduced radius. All follow from the scene: a run keeps nothing for them but when it begins.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "core/names.h"
+#include "measure/hertz_impact.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* V_N, V_T and the rest of incidence are those of the scene's velocities; N_max and T_c as if nothing were lost. */
+static void elastic(struct nb_strike *strike, struct nb_pair pair) {
+  const double v = strike->normal_v, m = strike->mass;
+  if (pair.young > 0) {
+    const double depth = nb_hertz_depth(pair.young, pair.radius, m, v);
+    strike->peak = 1.25 * m * v * v / depth;
+    strike->duration = nb_hertz_duration(depth, v);
+    strike->kappa = pair.young / (4 * pair.shear);
+  } else {
+    strike->peak = v * sqrt(m * pair.kn);
+    strike->duration = pi * sqrt(m / pair.kn);
+    strike->kappa = pair.ks > 0 ? pair.kn / pair.ks : 0;
+  }
+}
+
+static struct nb_vec nearest(const struct nb_wall *wall, struct nb_vec x) {
+  const struct nb_vec along = vec(wall->ex, wall->ey);
+  const struct nb_vec point = vec_add(vec(wall->x, wall->y), vec_scale(-wall->h0, vec_clockwise(along)));
+  return vec_add(point, vec_scale(nb_wall_within(vec_dot(vec_sub(x, point), along), wall->h1, wall->h2), along));
+}
+
+static double inverse_mass(const struct nb_scene *scene, const struct nb_body *body) {
+  return body->fixed ? 0 : 1 / nb_body_mass(scene, body);
+}
+
+struct nb_strike nb_impact_strike(const struct nb_scene *scene) {
+  const struct nb_watch *watch = &scene->watches[scene->impact.watch];
+  const struct nb_body *body = &scene->bodies[watch->a];
+  const struct nb_body *other = watch->kind == NB_WATCH_BODY_BODY ? &scene->bodies[watch->b] : NULL;
+  const struct nb_wall *wall = other ? NULL : &scene->walls[watch->b];
+  const struct nb_law *law = nb_law_find("normal", scene->normal);
+  struct nb_pair pair = nb_scene_pair(scene, body->material, other ? other->material : wall->material);
+  pair.radius = other ? nb_reduced_radius(body->radius, other->radius) : body->radius;
+  pair.young = law->elastic ? pair.young : 0;
+
+  struct nb_strike strike = {.friction = pair.friction};
+  const struct nb_vec x = vec(body->x, body->y), v = vec(body->vx, body->vy);
+  strike.point = other ? vec(other->x, other->y) : nearest(wall, x);
+  strike.normal = vec_scale(1 / vec_length(vec_sub(x, strike.point)), vec_sub(x, strike.point));
+  strike.tangent = vec_clockwise(strike.normal);
+  strike.arrival = vec_sub(v, other ? vec(other->vx, other->vy) : vec(wall->vx, wall->vy));
+  strike.rim = body->spin * body->radius + (other ? other->spin * other->radius : 0);
+  strike.normal_v = -vec_dot(strike.arrival, strike.normal);
+  strike.tangent_v = vec_dot(strike.arrival, strike.tangent) + strike.rim;
+  strike.mass = 1 / (inverse_mass(scene, body) + (other ? inverse_mass(scene, other) : 0));
+  elastic(&strike, pair);
+  return strike;
+}
+
+void nb_impact_begin(struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  const struct nb_strike strike = nb_impact_strike(scene);
+  const int i = model->bodies.slot[scene->watches[scene->impact.watch].a];
+  model->touch = scene->impact.phase * model->step;
+  model->bodies.position[i] = vec_add(model->bodies.position[i], vec_scale(-model->touch, strike.arrival));
+}
+
+/* ---- now ---- */
+
+struct now {
+  struct nb_strike strike;
+  double sense;             /* 1, or -1 where the contact arrives against the tangent */
+  double ago;               /* since first touch, s */
+  struct nb_vec way, v;     /* of the body since then, and its velocity now, relative to what is struck; m, m/s */
+  double turned, rim;       /* sum of R theta since then, m; and of R w now, m/s */
+  double normal_f, shear_f; /* N; T against the motion at incidence */
+  double turning;           /* energy of rotation, J */
+};
+
+static double field(const struct nb_model *model, long contact, enum nb_field which) {
+  return contact < 0 || !model->contacts.kept[which] ? 0 : model->contacts.kept[which][contact];
+}
+
+static struct now now(const struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_watch *watch = &scene->watches[scene->impact.watch];
+  const bool wall = watch->kind == NB_WATCH_BODY_WALL;
+  const int i = bodies->slot[watch->a], j = wall ? watch->b : bodies->slot[watch->b];
+  const long contact = nb_contacts_find(model, i, j, wall);
+  const struct nb_state a = nb_velocity_now(model, (size_t)i);
+  const struct nb_state b =
+      wall ? (struct nb_state){.velocity = model->walls.velocity[j]} : nb_velocity_now(model, (size_t)j);
+  const struct nb_body *body = &scene->bodies[watch->a], *other = wall ? NULL : &scene->bodies[watch->b];
+  struct now it = {.strike = nb_impact_strike(scene), .ago = model->time - model->touch};
+  const struct nb_vec at = wall ? model->walls.pivot[j] : bodies->position[j];
+  const struct nb_vec began = wall ? vec(scene->walls[j].x, scene->walls[j].y) : vec(other->x, other->y);
+  it.sense = it.strike.tangent_v < 0 ? -1 : 1;
+  it.v = vec_sub(a.velocity, b.velocity);
+  it.rim = a.spin * body->radius + (wall ? 0 : b.spin * other->radius);
+  it.way = vec_sub(vec_sub(bodies->position[i], at), vec_sub(vec(body->x, body->y), began));
+  if (bodies->angle)
+    it.turned = bodies->angle[i] * body->radius + (wall ? 0 : bodies->angle[j] * other->radius);
+  it.turned -= model->touch * it.strike.rim;
+  it.normal_f = field(model, contact, NB_NORMAL), it.shear_f = field(model, contact, NB_SHEAR);
+  it.turning = (bodies->inertia[i] * a.spin * a.spin + (wall ? 0 : bodies->inertia[j] * b.spin * b.spin)) / 2;
+  return it;
+}
+
+#define QUANTITY(function, expression)                                                                                 \
+  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
+    const struct now it = now(model);                                                                                  \
+    const struct nb_strike *s = &it.strike;                                                                            \
+    (void)watch, (void)s;                                                                                              \
+    return expression;                                                                                                 \
+  }
+static double psi(const struct nb_strike *s, double v) { return v / (s->friction * s->kappa * s->normal_v); }
+/* The contact's velocity along the tangent of first touch, in the sense of incidence. */
+static double along(const struct now *it) { return it->sense * (vec_dot(it->v, it->strike.tangent) + it->rim); }
+/* Free flight after parting tells when that was: the gap by the speed. */
+static double lasted(const struct now *it) {
+  const double gap = vec_dot(it->way, it->strike.normal), v = vec_dot(it->v, it->strike.normal);
+  return it->ago - (gap > 0 && v > 0 ? gap / v : 0);
+}
+static double square(double x) { return x * x; }
+
+QUANTITY(psi_first, psi(s, it.sense * s->tangent_v))
+QUANTITY(psi_now, psi(s, along(&it)))
+QUANTITY(angle, atan2(fabs(vec_dot(s->arrival, s->tangent)), s->normal_v))
+QUANTITY(ago, it.ago / s->duration)
+QUANTITY(duration, lasted(&it))
+QUANTITY(restitution, vec_length(it.v) / vec_length(s->arrival))
+QUANTITY(normal, it.normal_f / s->peak)
+QUANTITY(shear, -it.sense *it.shear_f / (s->friction * s->peak))
+QUANTITY(slip, it.ago > 0 ? it.sense * (vec_dot(it.way, s->tangent) + it.turned) : 0)
+QUANTITY(of_normal, s->mass *square(vec_dot(it.v, s->normal)) / 2)
+QUANTITY(of_tangent, s->mass *square(vec_dot(it.v, s->tangent)) / 2)
+QUANTITY(of_spin, it.turning)
+
+const struct nb_quantity_kind nb_impact_kinds[] = {
+    {"impact.psi1", NB_OF_IMPACT, "1", 0, psi_first, "V_T/(mu kappa V_N) of the contact at incidence [R89 5.15]"},
+    {"impact.psi2", NB_OF_IMPACT, "1", 0, psi_now,
+     "the same of V_T now, V_N still that of incidence; at the end that of the rebound"},
+    {"impact.angle", NB_OF_IMPACT, "rad", 0, angle,
+     "between velocity and normal at incidence, of the centre [R89 5.16]"},
+    {"impact.time", NB_OF_IMPACT, "1", 0, ago,
+     "since first touch, over the duration T_c of the elastic impact [R89 5.12]"},
+    {"impact.duration", NB_OF_IMPACT, "s", 0, duration, "how long it has lasted, from first touch to parting"},
+    {"impact.restitution", NB_OF_IMPACT, "1", 0, restitution, "speed of the centre now over that of incidence"},
+    {"impact.normal", NB_OF_IMPACT, "1", NB_BIT(NB_NORMAL), normal,
+     "normal force over its maximum in an elastic impact, N/N_max"},
+    {"impact.shear", NB_OF_IMPACT, "1", NB_BIT(NB_SHEAR), shear,
+     "shear force against the motion at incidence, T/(mu N_max)"},
+    {"impact.slip", NB_OF_IMPACT, "m", 0, slip, "tangential displacement of the contact since first touch"},
+    {"impact.energy.normal", NB_OF_IMPACT, "J", 0, of_normal, "of the relative motion along the normal of first touch"},
+    {"impact.energy.tangential", NB_OF_IMPACT, "J", 0, of_tangent, "and along its tangent"},
+    {"impact.energy.rotational", NB_OF_IMPACT, "J", 0, of_spin, "of rotation"},
+    {NULL, 0, NULL, 0, NULL, NULL},
+};

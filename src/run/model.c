@@ -1,0 +1,279 @@
+/* From the scene to what runs: bodies, walls, pairings of materials, the plan, the first search, the forces at time 0.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "loading/drive.h"
+#include "measure/energy.h"
+#include "measure/region.h"
+#include "measure/since.h"
+#include "measure/step.h"
+#include "start.h"
+#include "state.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* Every second body from the front, then the others from the back: an order that no search or sum could expect. */
+static size_t slot_of(size_t index, size_t count, bool shuffle) {
+  if (!shuffle)
+    return index;
+  return index % 2 == 0 ? index / 2 : count - 1 - index / 2;
+}
+
+static bool has_spin(const struct nb_scene *scene) {
+  if (nb_laws_shear(scene))
+    return true;
+  for (size_t k = 0; k < scene->body_count; k++)
+    if (scene->bodies[k].spin != 0)
+      return true;
+  return false;
+}
+
+static bool takes_out(const struct nb_scene *scene) {
+  for (size_t s = 0; s < scene->stage_count; s++)
+    if (scene->stages[s].removal_count > 0)
+      return true;
+  return false;
+}
+
+static bool make_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, bool shuffle) {
+  const size_t n = bodies->count = scene->body_count;
+  double **numbers[] = {&bodies->mass, &bodies->inertia, &bodies->inverse_mass, &bodies->inverse_inertia};
+  struct nb_vec **vectors[] = {&bodies->position, &bodies->velocity, &bodies->rim, &bodies->searched};
+  int **names[] = {&bodies->number, &bodies->slot, &bodies->material};
+  bool made = true;
+  for (size_t k = 0; k < COUNT(numbers); k++)
+    made = (*numbers[k] = nb_array(n, sizeof(double))) && made;
+  for (size_t k = 0; k < COUNT(vectors); k++)
+    made = (*vectors[k] = nb_array(n, sizeof(struct nb_vec))) && made;
+  for (size_t k = 0; k < COUNT(names); k++)
+    made = (*names[k] = nb_array(n, sizeof(int))) && made;
+  if (has_spin(scene)) {
+    made = (bodies->spin = nb_array(n, sizeof(double))) && made;
+    made = (bodies->angle = nb_array(n, sizeof(double))) && made;
+  }
+  if (takes_out(scene))
+    made = (bodies->gone = nb_array(n, sizeof(bool))) && made;
+  if (!made)
+    return false;
+  for (size_t k = 0; k < n; k++) {
+    const struct nb_body *body = &scene->bodies[k];
+    const size_t i = slot_of(k, n, shuffle);
+    bodies->slot[k] = (int)i, bodies->number[i] = (int)k + 1;
+    bodies->position[i] = vec(body->x, body->y), bodies->velocity[i] = vec(body->vx, body->vy);
+    bodies->rim[i] = vec(body->radius, body->spin * body->radius);
+    if (bodies->spin)
+      bodies->spin[i] = body->spin;
+    bodies->mass[i] = nb_body_mass(scene, body), bodies->inertia[i] = nb_body_inertia(scene, body);
+    bodies->inverse_mass[i] = body->fixed ? 0 : 1 / bodies->mass[i];
+    bodies->inverse_inertia[i] = body->fixed ? 0 : 1 / bodies->inertia[i];
+    bodies->material[i] = body->material;
+  }
+  return true;
+}
+
+static bool make_walls(struct nb_walls *walls, const struct nb_scene *scene) {
+  const size_t n = walls->count = scene->wall_count;
+  struct nb_vec **vectors[] = {&walls->pivot, &walls->point, &walls->along, &walls->velocity, &walls->turn};
+  double **numbers[] = {&walls->h0, &walls->h1, &walls->h2, &walls->spin, &walls->angle};
+  bool made = (walls->searched = nb_array(2 * n, sizeof(struct nb_vec))) != NULL;
+  for (size_t k = 0; k < COUNT(vectors); k++)
+    made = (*vectors[k] = nb_array(n, sizeof(struct nb_vec))) && made;
+  for (size_t k = 0; k < COUNT(numbers); k++)
+    made = (*numbers[k] = nb_array(n, sizeof(double))) && made;
+  if (!made)
+    return false;
+  for (size_t w = 0; w < n; w++) {
+    const struct nb_wall *wall = &scene->walls[w];
+    walls->pivot[w] = vec(wall->x, wall->y), walls->along[w] = vec(wall->ex, wall->ey);
+    walls->point[w] = vec_add(walls->pivot[w], vec_scale(-wall->h0, vec_clockwise(walls->along[w])));
+    walls->h0[w] = wall->h0, walls->h1[w] = wall->h1, walls->h2[w] = wall->h2;
+    walls->velocity[w] = vec(wall->vx, wall->vy);
+    walls->spin[w] = wall->spin;
+    walls->turn[w] = vec(0, wall->spin);
+  }
+  return true;
+}
+
+/* One pairing for every two materials that bodies have, and for every one that bodies have with every one that walls have. */
+static bool make_pairings(struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  const size_t n = scene->material_count;
+  bool *on_body = calloc(n + 1, sizeof *on_body), *on_wall = calloc(n + 1, sizeof *on_wall);
+  model->pairings = nb_array(n * (n + 1) / 2 + n * n, sizeof *model->pairings);
+  const bool made = on_body && on_wall && model->pairings;
+  if (made) {
+    for (size_t k = 0; k < scene->body_count; k++)
+      on_body[scene->bodies[k].material] = true;
+    for (size_t k = 0; k < scene->wall_count; k++)
+      on_wall[scene->walls[k].material] = true;
+    for (int wall = 0; wall < 2; wall++)
+      for (int a = 0; a < (int)n; a++)
+        for (int b = wall ? 0 : a; b < (int)n; b++) {
+          if (!on_body[a] || !(wall ? on_wall[b] : on_body[b]))
+            continue;
+          model->pairings[model->pairing_count++] =
+              (struct nb_pairing){.values = nb_properties_pair(&model->properties, a, b), .a = a, .b = b, .wall = wall};
+        }
+  }
+  free(on_body), free(on_wall);
+  return made;
+}
+
+/* A tenth of the mean radius, unless the page says another: wide enough that a search is rare, narrow enough that a listed pair
+ * mostly touches. Infinite where nothing is free to touch anything: then there is nothing to search for. */
+static double skin_of(const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  double sum = 0;
+  bool free = false;
+  for (size_t i = 0; i < bodies->count; i++)
+    sum += bodies->rim[i].x, free = free || bodies->inverse_mass[i] > 0;
+  if (!free || bodies->count + model->walls.count < 2)
+    return INFINITY;
+  return model->scene->skin > 0 ? model->scene->skin : 0.1 * sum / (double)bodies->count;
+}
+
+/* What contacts feel now: worked out, or as the state has it. */
+static enum nb_status feel(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+  if (saved)
+    return nb_saved_put_contacts(model, saved, error);
+  nb_forces(model), nb_deep_look(model);
+  return NB_OK;
+}
+
+static enum nb_status set_up(struct nb_model *model, const struct nb_options *options, const struct nb_saved *saved,
+                             struct nb_error *error) {
+  const struct nb_scene *scene = model->scene;
+  enum nb_status status = nb_machine_choose(model, options, error);
+  if (status)
+    return status;
+  if (!make_bodies(&model->bodies, scene, options && options->shuffle) || !make_walls(&model->walls, scene) ||
+      !nb_properties_create(&model->properties, scene) || !make_pairings(model) ||
+      !(model->loads = nb_array(scene->body_count, sizeof *model->loads)))
+    return nb_error_memory(error);
+  model->skin = skin_of(model);
+  if (!nb_cell_create(model) || !nb_since_create(model))
+    return nb_error_memory(error);
+  model->smallest = INFINITY;
+  for (size_t k = 0; k < scene->body_count; k++)
+    model->smallest = fmin(model->smallest, scene->bodies[k].radius);
+  model->critical = nb_step_critical(model);
+  model->damping = scene->damping;
+  model->gravity = vec(scene->gravity.x, scene->gravity.y);
+  model->inward.strength = scene->gravity.inward;
+  model->inward.to = vec(scene->gravity.about_x, scene->gravity.about_y);
+  model->allow_unstable = scene->allow_unstable;
+  model->step_line = -1;
+  model->whole = options && options->whole;
+  model->states = options ? options->states : NULL;
+  model->laws = model->coming = nb_laws_at_start(scene);
+  if (!model->laws.normal || !model->laws.shear)
+    return nb_error_set(error, NB_BAD_USE, "there is no law `%s %s`", model->laws.normal ? "shear" : "normal",
+                        model->laws.normal ? scene->shear : scene->normal);
+  if (saved)
+    nb_saved_put(model, saved);
+  status = nb_carry_create(model, error);
+  if (!status)
+    status = nb_drive_create(model, error);
+  if (!status && saved)
+    status = nb_saved_put_driven(model, saved, error);
+  if (!status)
+    status = nb_plan(model, error);
+  if (!status)
+    status = nb_near(model, error);
+  model->safe = status ? 0 : nb_safe_begin(model).step;
+  if (!status && !saved)
+    status = nb_step_set(model, &scene->stages[0].step, error);
+  if (!status && scene->impact.line)
+    nb_impact_begin(model);
+  if (!status)
+    status = feel(model, saved, error);
+  if (!status && nb_fields_watched(scene) & NB_ASKS_FRACC && !nb_fracc_begin(model))
+    status = nb_error_memory(error);
+  if (!status && !(status = nb_regions_create(model, error)))
+    status = nb_regions_stage(model, -1, error);
+  if (!status)
+    nb_guard_digits(model);
+  return status ? status : nb_balance_create(model, error);
+}
+
+struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
+                                 const struct nb_saved *saved, struct nb_error *error) {
+  struct nb_model *model = calloc(1, sizeof *model);
+  if (!model) {
+    nb_error_memory(error);
+    return NULL;
+  }
+  model->scene = scene;
+  if (set_up(model, options, saved, error)) {
+    nb_model_free(model);
+    return NULL;
+  }
+  return model;
+}
+
+struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_options *options,
+                                 struct nb_error *error) {
+  if (scene->start.stages > 0)
+    return nb_start_model(scene, options, error);
+  return nb_model_resume(scene, options, NULL, error);
+}
+
+void nb_model_free(struct nb_model *model) {
+  if (!model)
+    return;
+  struct nb_bodies *b = &model->bodies;
+  struct nb_walls *w = &model->walls;
+  void *owned[] = {b->number,
+                   b->slot,
+                   b->position,
+                   b->velocity,
+                   b->rim,
+                   b->spin,
+                   b->angle,
+                   b->mass,
+                   b->inertia,
+                   b->inverse_mass,
+                   b->inverse_inertia,
+                   b->material,
+                   b->searched,
+                   b->carried,
+                   b->gone,
+                   w->pivot,
+                   w->point,
+                   w->along,
+                   w->h0,
+                   w->h1,
+                   w->h2,
+                   w->velocity,
+                   w->spin,
+                   w->turn,
+                   w->angle,
+                   w->searched,
+                   model->cell,
+                   model->joints,
+                   model->pairings,
+                   model->properties_from,
+                   model->loads,
+                   model->stiff,
+                   model->walls_from,
+                   model->incidence.first,
+                   model->incidence.middle,
+                   model->incidence.entry,
+                   model->views,
+                   model->scratch,
+                   model->fracc_before,
+                   model->deep.counts,
+                   model->sure};
+  for (size_t k = 0; k < COUNT(owned); k++)
+    free(owned[k]);
+  nb_properties_free(&model->properties);
+  nb_contacts_free(&model->contacts);
+  nb_balance_free(model->balance);
+  nb_regions_free(model->regions, model->scene->region_count);
+  nb_carry_free(model->carry);
+  nb_drive_free(model->drive);
+  nb_since_free(model->since);
+  free(model);
+}

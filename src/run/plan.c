@@ -1,0 +1,192 @@
+/* The plan: for each pairing of materials the passes that its contacts need, and no others.
+ *
+ * A contact without friction has no slip and no shear; one without dashpots needs no closing, unless its law asks for it;
+ * a field that nobody reads later is not kept. `nineball explain` prints what came of it.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "measure/step.h"
+#include "state.h"
+
+static void add(struct nb_pairing *pairing, nb_run_pass *run, int line, const char *kind, const char *name) {
+  struct nb_planned *planned = &pairing->passes[pairing->pass_count++];
+  planned->run = run, planned->line = line;
+  snprintf(planned->name, sizeof planned->name, "%s%s", kind, name);
+}
+
+/* The first line that damps contacts; 0: none does. */
+static int damped_line(const struct nb_damping *damping) {
+  return damping->contact_kind                         ? damping->contact_line
+         : damping->walls_apart && damping->walls_kind ? damping->walls_line
+         : damping->deep > 0                           ? damping->deep_line
+                                                       : 0;
+}
+
+static int first_damped_line(const struct nb_scene *scene) {
+  int line = damped_line(&scene->damping);
+  for (size_t s = 0; s < scene->stage_count && !line; s++)
+    line = damped_line(&scene->stages[s].damping);
+  return line;
+}
+
+static int first_deep_line(const struct nb_scene *scene) {
+  int line = scene->damping.deep > 0 ? scene->damping.deep_line : 0;
+  for (size_t s = 0; s < scene->stage_count && !line; s++)
+    line = scene->stages[s].damping.deep > 0 ? scene->stages[s].damping.deep_line : 0;
+  return line;
+}
+
+static bool swings(const struct nb_damping *damping) {
+  double value;
+  return nb_damping_at(damping, false, &value) == NB_CONTACT_RATIO ||
+         nb_damping_at(damping, true, &value) == NB_CONTACT_RATIO;
+}
+
+static enum nb_dashpots dashpots_of(const struct nb_scene *scene) {
+  bool swing = swings(&scene->damping);
+  for (size_t s = 0; s < scene->stage_count; s++)
+    swing = swing || swings(&scene->stages[s].damping);
+  return first_deep_line(scene) > 0 ? NB_DASHPOTS_DEEP : swing ? NB_DASHPOTS_SWING : NB_DASHPOTS_TIME;
+}
+
+static bool rubs(const struct nb_pairing *pairing) {
+  return pairing->values.friction > 0 || pairing->values.cohesion > 0;
+}
+
+/* Springs of elastic spheres: both stiffen together, with the overlap. */
+static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
+  return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
+}
+
+static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing) {
+  const struct nb_scene *scene = model->scene;
+  const struct nb_law *normal = model->laws.normal, *shear = model->laws.shear;
+  pairing->normal = normal;
+  pairing->shear = rubs(pairing) && strcmp(shear->name, "none") != 0 ? shear : NULL;
+  pairing->pass_count = 0;
+  if (stiffens(normal, shear))
+    model->kept |= NB_BIT(NB_SURE);
+  const enum nb_dashpots form = dashpots_of(scene);
+  if (form >= NB_DASHPOTS_SWING)
+    model->kept |= NB_BIT(NB_MASS);
+  const bool closing = model->dashpots || (normal->needs & NB_BIT(NB_CLOSING));
+  const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
+  const struct nb_pass *geometry = pairing->wall ? &nb_pass_disc_wall[approach]
+                                   : model->cell ? &nb_pass_periodic[approach]
+                                                 : &nb_pass_disc_disc[approach];
+  const struct nb_pass *resolve = &nb_pass_resolve[pairing->shear != NULL];
+  const enum nb_isa isa = model->isa;
+  add(pairing, geometry->run[isa], pairing->wall ? 0 : scene->cell.line, "", geometry->name);
+  if (pairing->wall && model->joined)
+    add(pairing, nb_pass_joints.run[isa], 0, "", nb_pass_joints.name);
+  add(pairing, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
+  if (pairing->shear)
+    add(pairing, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
+  if (normal->elastic)
+    add(pairing, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
+  const struct nb_pass *dashpots = &nb_pass_dashpots[form];
+  if (model->dashpots)
+    add(pairing, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
+  add(pairing, resolve->run[isa], 0, "", resolve->name);
+}
+
+enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
+  const struct nb_scene *scene = model->scene;
+  model->joined = nb_joints_meet(scene);
+  model->dashpots = first_damped_line(scene) > 0;
+  model->drag = model->dashpots ? NB_DRAG : NB_SHEAR;
+  model->kept = (nb_fields_watched(scene) & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_REACH);
+  if (model->whole)
+    model->kept |= NB_SAVED_MASK;
+  if (nb_laws_elastic(scene)) /* whenever that is: of a law that goes it is asked once more what it has stored */
+    model->kept |= NB_BIT(NB_REDUCED);
+  bool shears = false, loses = false;
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    plan_pairing(model, &model->pairings[p]);
+    shears = shears || model->pairings[p].shear;
+    loses = loses || (model->pairings[p].shear && model->pairings[p].shear->loses);
+  }
+  model->rubs = shears;
+  if (shears)
+    model->kept |= NB_BIT(model->drag);
+  else
+    model->kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
+  if (!loses)
+    model->kept &= ~NB_BIT(NB_LOST);
+  if (!model->dashpots) { /* then what is felt is what the laws say: one field for both */
+    if (model->kept & NB_BIT(NB_PUSH))
+      model->kept = (model->kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);
+    if (model->kept & NB_BIT(NB_DRAG))
+      model->kept = (model->kept & ~NB_BIT(NB_DRAG)) | NB_BIT(NB_SHEAR);
+  }
+  free(model->scratch);
+  model->scratch = nb_array((size_t)model->threads * NB_FIELDS * NB_BLOCK, sizeof(double));
+  return model->scratch ? NB_OK : nb_error_memory(error);
+}
+
+bool nb_plan_stands(const struct nb_model *model) {
+  const bool none = strcmp(model->laws.shear->name, "none") == 0;
+  for (size_t p = 0; p < model->pairing_count; p++)
+    if (!none && rubs(&model->pairings[p]) != (model->pairings[p].shear != NULL))
+      return false;
+  return true;
+}
+
+static struct nb_view view_of(const struct nb_model *model, size_t from, size_t to, double *scratch) {
+  const struct nb_contacts *contacts = &model->contacts;
+  struct nb_view view = {.n = to - from, .a = contacts->a + from, .b = contacts->b + from};
+  view.force = contacts->force + from;
+  view.image = contacts->image ? contacts->image + from : NULL;
+  view.pairing = &model->pairings[contacts->pairing[from]];
+  for (int f = 0; f < NB_FIELDS; f++)
+    view.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK;
+  view.f[NB_LOST] = contacts->kept[NB_LOST] ? view.f[NB_LOST] : NULL; /* nobody asks what is lost */
+  if (!model->dashpots)
+    view.f[NB_PUSH] = view.f[NB_NORMAL], view.f[NB_DRAG] = view.f[NB_SHEAR];
+  view.normal_memory = nb_memory_from(&contacts->normal_memory, from);
+  view.shear_memory = nb_memory_from(&contacts->shear_memory, from);
+  return view;
+}
+
+/* Runs of one pairing, cut into blocks. Thread `t` of T works on views n t/T to n (t+1)/T, each thread in scratch of its own. */
+enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const size_t share = contacts->count / NB_THREAD_SHARE; /* a thread with less to do waits longer than it works */
+  model->busy = share < 1 ? 1 : share < (size_t)model->threads ? (int)share : model->threads;
+  size_t most = contacts->count / NB_BLOCK + model->pairing_count + 1;
+  free(model->views), free(model->stiff);
+  model->views = nb_array(most, sizeof *model->views);
+  model->stiff = nb_array(contacts->count, sizeof *model->stiff);
+  if (!model->views || !model->stiff)
+    return nb_error_memory(error);
+  size_t *start = nb_array(most + 1, sizeof *start);
+  if (!start)
+    return nb_error_memory(error);
+  size_t n = 0;
+  for (size_t c = 0; c < contacts->count; c++)
+    if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
+      start[n++] = c;
+  start[n] = contacts->count;
+  if (!model->laws.normal->elastic)
+    nb_deep_end(model);
+  if (!(model->kept & NB_BIT(NB_SURE)))
+    nb_sure_end(model);
+  if ((model->laws.normal->elastic && !nb_deep_begin(model, n)) ||
+      (model->kept & NB_BIT(NB_SURE) && !nb_sure_begin(model, n))) {
+    free(start);
+    return nb_error_memory(error);
+  }
+  for (size_t v = 0; v < n; v++) {
+    size_t thread = 0;
+    while (n * (thread + 1) / (size_t)model->busy <= v)
+      thread++;
+    model->views[v] = view_of(model, start[v], start[v + 1], model->scratch + thread * NB_FIELDS * NB_BLOCK);
+    model->views[v].sure = model->sure ? model->sure + v : NULL;
+    model->views[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_APART : NULL;
+  }
+  model->view_count = n;
+  free(start);
+  return NB_OK;
+}

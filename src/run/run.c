@@ -1,0 +1,177 @@
+/* A scene from its first stage to its last.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench.h"
+#include "core/clock.h"
+#include "observe.h"
+#include "start.h"
+
+struct run {
+  struct nb_result *result;
+  const struct nb_scene *scene;
+  struct nb_model *model;
+  const struct nb_progress *progress;
+  unsigned long from; /* cycles done before this run */
+  double began, told; /* s */
+  unsigned long
+      until_clock;       /* cycles to go before the clock is read again: reading it costs as much as a small cycle */
+  unsigned long planned; /* cycles of all stages, at most */
+};
+
+static void tell(struct run *run, const struct nb_stage *stage) {
+  if (!run->progress || !run->progress->call || run->until_clock-- > 0)
+    return;
+  run->until_clock = 100000 / (run->model->contacts.count + 20);
+  const double t = nb_clock();
+  if (t - run->told < 0.1)
+    return;
+  run->told = t;
+  run->progress->call(run->progress->data, stage->name, (double)(run->model->cycle - run->from) / (double)run->planned,
+                      t - run->began);
+}
+
+/* Looked at every so many cycles, and at the last one there may be. */
+static bool holds(const struct nb_stage *stage, const struct nb_model *model) {
+  if (model->stage_cycle % stage->look != 0 && model->stage_cycle < stage->cycles)
+    return false;
+  for (size_t k = 0; k < stage->condition_count; k++) {
+    const struct nb_condition *condition = &stage->conditions[k];
+    const double value = nb_quantity_value(condition->quantity, model);
+    if (!(condition->relation == NB_BELOW ? value < condition->value : value > condition->value))
+      return false;
+  }
+  return stage->condition_count > 0;
+}
+
+static enum nb_status never_ended(const struct nb_stage *stage, const struct nb_model *model, struct nb_error *error) {
+  char text[256] = "";
+  for (size_t k = 0; k < stage->condition_count; k++) {
+    const struct nb_condition *condition = &stage->conditions[k];
+    const size_t length = strlen(text);
+    snprintf(text + length, sizeof text - length, "%s%s is %g and should be %s %g", k ? ", " : "", condition->name,
+             nb_quantity_value(condition->quantity, model), condition->relation == NB_BELOW ? "below" : "above",
+             condition->value);
+  }
+  return nb_error_set(error, NB_BROKEN, "stage `%s` (line %d) did not end within %lu cycles: %s", stage->name,
+                      stage->line, stage->cycles, text);
+}
+
+/* Contacts that forget are worth a word. */
+static void note_laws(const struct run *run, const struct nb_stage *stage) {
+  const struct nb_model *model = run->model;
+  char text[4 * NB_NAME_SIZE];
+  for (int shear = 0; shear < 2 && run->progress && run->progress->note; shear++) {
+    if (!(shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model)))
+      continue;
+    snprintf(text, sizeof text, "from stage `%s` on %s %s instead of %s: contacts remember nothing of it", stage->name,
+             shear ? "shear" : "normal", (shear ? model->coming.shear : model->coming.normal)->name,
+             (shear ? model->laws.shear : model->laws.normal)->name);
+    run->progress->note(run->progress->data, text);
+  }
+}
+
+static enum nb_status run_stage(struct run *run, int index, struct nb_error *error) {
+  const struct nb_stage *stage = &run->scene->stages[index];
+  struct nb_model *model = run->model;
+  struct nb_result *result = run->result;
+  enum nb_status status = nb_stage_begin(model, stage, error);
+  note_laws(run, stage);
+  bool ended = false, over = false;
+  while (!status && !ended) {
+    status = nb_cycle(model, error);
+    if (status)
+      break;
+    ended = stage->condition_count ? holds(stage, model) : model->stage_cycle >= stage->cycles;
+    over = model->stage_cycle >= stage->cycles;
+    if (stage->record && (model->stage_cycle % stage->record == 0 || ended || over))
+      if (!nb_observe(&result->table, model, index))
+        status = nb_error_memory(error);
+    if (!ended && over && !status)
+      status = never_ended(stage, model, error);
+    tell(run, stage);
+  }
+  result->stage_cycles[index] = model->stage_cycle;
+  if ((!status || over) && stage->snapshot) { /* of a stage that did not end too */
+    struct nb_snapshot *more = realloc(result->snapshots, (result->snapshot_count + 1) * sizeof *more);
+    if (!more)
+      return nb_error_memory(error);
+    result->snapshots = more;
+    if (!nb_snapshot_take(&more[result->snapshot_count++], model, index) && !status)
+      status = nb_error_memory(error);
+  }
+  return status;
+}
+
+/* From the scene's first stage to its last, or from behind those that a state stands for. What was seen is in the result whatever
+ * the status; the state at the end in *end, unless that is NULL. */
+static enum nb_status run_scene(struct run *run, const struct nb_options *options, struct nb_saved *end,
+                                struct nb_error *error) {
+  const struct nb_scene *scene = run->scene;
+  struct nb_result *result = run->result;
+  struct nb_saved start = {0};
+  const size_t first = scene->start.stages;
+  if (first > 0 && nb_start_take(&start, scene, options, run->progress, true, error)) {
+    nb_saved_free(&start);
+    return error->status;
+  }
+  run->began = nb_clock();
+  for (size_t s = first; s < scene->stage_count; s++)
+    run->planned += scene->stages[s].cycles;
+  result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
+  if (result->stage_cycles && nb_observe_begin(&result->table, scene))
+    run->model = nb_model_resume(scene, options, first > 0 ? &start : NULL, error);
+  else
+    nb_error_memory(error);
+  nb_saved_free(&start);
+  if (!run->model)
+    return error->status;
+  run->from = run->model->cycle;
+  enum nb_status status = NB_OK;
+  if (scene->stages[first].record && !nb_observe(&result->table, run->model, (int)first))
+    status = nb_error_memory(error);
+  for (size_t s = first; s < scene->stage_count && !status; s++)
+    status = run_stage(run, (int)s, error);
+  if (!status && end)
+    status = nb_saved_take(end, run->model, error);
+  result->cycles = run->model->cycle - run->from;
+  result->updates = run->model->updates;
+  result->searches = run->model->searches;
+  result->deep = nb_deep_count(run->model);
+  snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
+  result->seconds = nb_clock() - run->began;
+  result->warnings = run->model->warnings;
+  nb_model_free(run->model);
+  return status;
+}
+
+enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
+                      const struct nb_progress *progress, struct nb_error *error) {
+  if (scene->path)
+    return nb_bench_run(result, scene, progress, error);
+  *result = (struct nb_result){0};
+  struct run run = {.result = result, .scene = scene, .progress = progress};
+  return run_scene(&run, options, NULL, error);
+}
+
+enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
+                         const struct nb_progress *progress, struct nb_error *error) {
+  struct nb_options whole = options ? *options : (struct nb_options){.threads = 1};
+  struct nb_result result = {0};
+  struct run run = {.result = &result, .scene = scene, .progress = progress};
+  whole.whole = true;
+  const enum nb_status status = run_scene(&run, &whole, saved, error);
+  nb_result_free(&result);
+  return status;
+}
+
+void nb_result_free(struct nb_result *result) {
+  nb_table_free(&result->table);
+  for (size_t s = 0; s < result->snapshot_count; s++)
+    nb_snapshot_free(&result->snapshots[s]);
+  free(result->snapshots);
+  free(result->stage_cycles);
+  *result = (struct nb_result){0};
+}

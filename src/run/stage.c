@@ -1,0 +1,243 @@
+/* What a stage changes: at its begin, or with `ramp` little by little, along a straight line to its last cycle.
+ *
+ * The stage goes from its t_0 to its t_N. A ramp is n/N of its way from the old value to the new one
+ *
+ *   material, pair   in the forces at t_n
+ *   gravity          in the kick around t_n
+ *   wall             (n - 1/2)/N: over the step that ends at t_n, so that the wall's way is exact
+ *
+ * What does not ramp jumps at t_0. The forces at t_0 have been worked out with the old properties and laws by then; the new ones
+ * hold for those at t_1. Half of the kick around t_0 lies before it, so gravity is there the mean of the old and the new one, each
+ * for the time it lasts; global damping likewise (motion.h), and a stress on a boundary (drive.c). `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "loading/drive.h"
+#include "loading/servo.h"
+#include "measure/energy.h"
+#include "measure/region.h"
+#include "measure/since.h"
+#include "measure/step.h"
+
+static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share) {
+  return vec_add(from, vec_scale(share, vec_sub(to, from)));
+}
+
+/* Bodies stop, those that are fixed too. */
+static void stop_bodies(struct nb_model *model) {
+  struct nb_bodies *bodies = &model->bodies;
+  if (model->balance)
+    nb_balance_jump(model, NB_TERM_CHANGED, true);
+  for (size_t i = 0; i < bodies->count; i++) {
+    bodies->velocity[i] = vec(0, 0);
+    bodies->rim[i].y = 0;
+    if (bodies->spin)
+      bodies->spin[i] = 0;
+  }
+  if (model->carry)
+    nb_carry_still(model);
+  model->previous_step = 0; /* as at time 0: nothing has slipped and nothing approaches */
+  if (model->dashpots)
+    nb_forces(model);
+  if (model->balance)
+    nb_balance_jump(model, NB_TERM_CHANGED, false);
+}
+
+/* `reverse`: walls before this stage moves them otherwise, */
+static void turn_walls(struct nb_model *model) {
+  for (size_t w = 0; w < model->walls.count; w++) {
+    model->walls.velocity[w] = vec_scale(-1, model->walls.velocity[w]);
+    model->walls.spin[w] *= -1;
+  }
+}
+
+/* and bodies when its step is known. */
+static void turn_bodies(struct nb_model *model) {
+  if (model->balance)
+    nb_balance_jump(model, NB_TERM_CHANGED, true);
+  nb_motion_reverse(model);
+  if (model->balance)
+    nb_balance_jump(model, NB_TERM_CHANGED, false);
+}
+
+/* ---- walls ---- */
+
+static void wall_goes(struct nb_walls *walls, const struct nb_wall_motion *to) {
+  walls->velocity[to->wall] = vec(to->vx, to->vy);
+  walls->spin[to->wall] = to->spin;
+}
+
+/* What the stage before has ramped ends at what its page said. */
+static void walls_arrive(struct nb_model *model) {
+  if (!model->stage)
+    return;
+  for (size_t k = 0; k < model->stage->motion_count; k++) {
+    const struct nb_wall_motion *to = &model->stage->motions[k];
+    if (to->ramp)
+      wall_goes(&model->walls, to);
+  }
+}
+
+static bool walls_begin(struct nb_model *model, const struct nb_stage *stage) {
+  model->driven = false;
+  free(model->walls_from);
+  model->walls_from = nb_array(stage->motion_count, sizeof *model->walls_from);
+  if (!model->walls_from)
+    return false;
+  for (size_t k = 0; k < stage->motion_count; k++) {
+    const struct nb_wall_motion *to = &stage->motions[k];
+    model->walls_from[k] = (struct nb_state){model->walls.velocity[to->wall], model->walls.spin[to->wall]};
+    if (!to->ramp)
+      wall_goes(&model->walls, to);
+    model->driven = model->driven || to->ramp;
+  }
+  return true;
+}
+
+void nb_stage_drive(struct nb_model *model) {
+  const struct nb_stage *stage = model->stage;
+  const double share = ((double)model->stage_cycle + 0.5) / (double)stage->cycles;
+  for (size_t k = 0; k < stage->motion_count; k++) {
+    const struct nb_wall_motion *to = &stage->motions[k];
+    const struct nb_state *from = &model->walls_from[k];
+    if (!to->ramp)
+      continue;
+    model->walls.velocity[to->wall] = between(from->velocity, vec(to->vx, to->vy), share);
+    model->walls.spin[to->wall] = from->spin + share * (to->spin - from->spin);
+  }
+}
+
+/* ---- properties ---- */
+
+/* As they are when what ramps has gone `share` of its way. */
+static void properties_go(struct nb_model *model, double share) {
+  for (size_t k = 0; k < model->stage->change_count; k++) {
+    const struct nb_change *to = &model->stage->changes[k];
+    nb_properties_change(&model->properties, to, model->properties_from[k], to->ramp ? share : 1);
+  }
+}
+
+/* The critical step and the safe one must hold from the stage's begin to its end. */
+static bool properties_begin(struct nb_model *model, struct nb_safe *apart) {
+  const struct nb_stage *stage = model->stage;
+  free(model->properties_from);
+  model->properties_from = nb_array(stage->change_count, sizeof *model->properties_from);
+  if (!model->properties_from)
+    return false;
+  for (size_t k = 0; k < stage->change_count; k++)
+    model->properties_from[k] = nb_properties_before(&model->properties, &stage->changes[k]);
+  properties_go(model, 1);
+  const double last = nb_step_critical(model);
+  properties_go(model, 0);
+  const double first = nb_step_critical(model);
+  model->critical = first < last ? first : last;
+  const double first_safe = nb_safe_step(model).step;
+  *apart = nb_safe_apart(model);
+  properties_go(model, 1);
+  const double last_safe = nb_safe_step(model).step;
+  const struct nb_safe last_apart = nb_safe_apart(model);
+  properties_go(model, 0);
+  *apart = last_apart.step < apart->step ? last_apart : *apart;
+  model->safe = fmin(fmin(first_safe, last_safe), apart->step);
+  return true;
+}
+
+/* ---- gravity ---- */
+
+/* What it is when `share` of the way from what it was to what the page says has been gone. */
+static void gravity_go(struct nb_model *model, double share) {
+  const struct nb_gravity *to = &model->stage->gravity;
+  const struct nb_inward *from = &model->inward_from;
+  model->gravity = share < 1 ? between(model->gravity_from, vec(to->x, to->y), share) : vec(to->x, to->y);
+  model->inward.strength = share < 1 ? from->strength + share * (to->inward - from->strength) : to->inward;
+  if (to->inward != 0)
+    model->inward.to = vec(to->about_x, to->about_y);
+}
+
+/* Of the kick around the stage's t_0, previous_step/2 lies before it and step/2 after it. */
+static void gravity_begin(struct nb_model *model) {
+  const struct nb_gravity *to = &model->stage->gravity;
+  model->gravity_from = model->gravity;
+  model->inward_from = model->inward;
+  if (!to->line || to->ramp)
+    return;
+  const double before = model->previous_step, after = model->step;
+  gravity_go(model, after / (before + after));
+  model->gravity = vec_scale(1 / (before + after),
+                             vec_add(vec_scale(before, model->gravity_from), vec_scale(after, vec(to->x, to->y))));
+}
+
+/* ---- the stage ---- */
+
+enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+  model->damping_before = model->damping;
+  model->stage_time = model->time;
+  model->stage_cycle = 0;
+  if (stage->removal_count > 0 && nb_remove(model, stage, error))
+    return error->status;
+  walls_arrive(model);
+  model->stage = stage;
+  if (nb_regions_stage(model, (int)(stage - model->scene->stages), error))
+    return error->status;
+  if (model->since && !nb_since_begin(model, (int)(stage - model->scene->stages)))
+    return nb_error_memory(error);
+  if (stage->still)
+    stop_bodies(model);
+  if (stage->reverse)
+    turn_walls(model);
+  model->damping = stage->damping;
+  model->coming = nb_laws_of(stage, model->laws);
+  model->properties.pieces = model->coming.pieces;
+  struct nb_safe apart;
+  if (!walls_begin(model, stage) || !properties_begin(model, &apart))
+    return nb_error_memory(error);
+  const enum nb_status status = nb_step_set(model, &stage->step, error);
+  gravity_begin(model);
+  if (model->carry)
+    nb_carry_begin(model, stage);
+  if (!status && model->drive && nb_drive_begin(model, stage, error))
+    return error->status;
+  if (!status && stage->servo.line)
+    nb_servo_begin(model);
+  if (stage->reverse)
+    turn_bodies(model);
+  model->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||
+                    nb_laws_shear_changes(model);
+  model->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
+  return status ? status : nb_stable_begin(model, &apart, error);
+}
+
+/* Contacts of a pairing that has lost its shear forget what they remembered of it. */
+static void forget_shear(struct nb_model *model) {
+  for (size_t c = 0; c < model->contacts.count; c++)
+    if (!model->pairings[model->contacts.pairing[c]].shear)
+      nb_memory_forget(&model->contacts.shear_memory, c);
+}
+
+enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb_error *error) {
+  const struct nb_stage *stage = model->stage;
+  const double share = (double)model->stage_cycle / (double)stage->cycles;
+  bool ramps = stage->gravity.ramp;
+  if (stage->gravity.line)
+    gravity_go(model, stage->gravity.ramp ? share : 1);
+  for (size_t k = 0; k < stage->change_count; k++)
+    ramps = ramps || stage->changes[k].ramp;
+  model->changing = ramps && share < 1;
+  *searched = false;
+  const bool others = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
+  if (stage->change_count == 0 && !others)
+    return NB_OK;
+  properties_go(model, share);
+  for (size_t p = 0; p < model->pairing_count; p++)
+    model->pairings[p].values = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b);
+  nb_laws_change(model);
+  if (!others && nb_plan_stands(model))
+    return NB_OK;
+  *searched = true; /* the search makes the arrays that the new plan wants, and takes over what laws remember */
+  if (nb_plan(model, error))
+    return error->status;
+  forget_shear(model);
+  return nb_near(model, error);
+}
