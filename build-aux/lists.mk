@@ -331,7 +331,7 @@ REFERENCES_SHARED = \
 
 # Particles, walls, contacts, the list of near pairs, the calculation cycle.
 CORE = \
-  src/core/array.c src/core/block.h src/core/carry.h src/core/cell.c src/core/cell.h src/core/clean.c \
+  src/core/array.c src/core/array.h src/core/block.h src/core/carry.h src/core/cell.c src/core/cell.h src/core/clean.c \
   src/core/clean.h src/core/clock.h src/core/contacts.c src/core/contacts.h src/core/cycle.c src/core/damping.c \
   src/core/deep.c src/core/error.c src/core/guard.c src/core/guess.h src/core/joints.c src/core/joints.h \
   src/core/machine.c src/core/materials.c src/core/memory.c src/core/model.h src/core/motion.c src/core/motion.h \
@@ -367,7 +367,7 @@ LOADING = \
 
 # Lattices and random filling.
 PACKING = \
-  src/packing/fill.c src/packing/fill_kinds.c src/packing/lattice.c src/packing/random.c src/packing/random.h
+  src/packing/fill.c src/packing/fill_kinds.c src/packing/lattice.c src/packing/packing.h src/packing/random.c src/packing/random.h
 
 # A page, line by line, to struct nb_scene.
 INPUT = \

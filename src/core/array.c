@@ -1,11 +1,11 @@
-/* Arrays for wide loops.
+/* Arrays for wide loops, and ones that grow.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "array.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "model.h"
 
 void *nb_array(size_t count, size_t size) {
   const size_t line = 64; /* a cache line, and the widest load */
@@ -16,4 +16,15 @@ void *nb_array(size_t count, size_t size) {
   if (array)
     memset(array, 0, bytes);
   return array;
+}
+
+void *nb_room(void *array, size_t count, size_t more, size_t element) {
+  /* The array always has room for the power of two that holds it, so its capacity need not be kept. */
+  size_t have = 0, need = 8;
+  if (count > 0)
+    for (have = 8; have < count;)
+      have *= 2;
+  while (need < count + more)
+    need *= 2;
+  return have >= need ? array : realloc(array, need * element);
 }

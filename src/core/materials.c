@@ -2,12 +2,11 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "nineball.h"
-
-static const double pi = 3.14159265358979323846;
+#include "vec.h"
 
 double nb_body_mass(const struct nb_scene *scene, const struct nb_body *body) {
   double density = scene->materials[body->material].density, r = body->radius;
-  return body->shape == NB_DISC ? pi * r * r * density : 4.0 / 3.0 * pi * r * r * r * density;
+  return body->shape == NB_DISC ? NB_PI * r * r * density : 4.0 / 3.0 * NB_PI * r * r * r * density;
 }
 
 double nb_body_inertia(const struct nb_scene *scene, const struct nb_body *body) {

@@ -8,6 +8,7 @@
 #ifndef NB_MODEL_H
 #define NB_MODEL_H
 
+#include "array.h"
 #include "block.h"
 #include "cell.h"
 #include "contacts.h"
@@ -159,9 +160,6 @@ struct nb_model {
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_CLOSING, NB_APPROACH_SLIP };
 /* What dashpots of some stage go with: k alone; sqrt(M* k) too; and whether the contact is deep. */
 enum nb_dashpots { NB_DASHPOTS_TIME, NB_DASHPOTS_SWING, NB_DASHPOTS_DEEP };
-
-/* array.c: zeroed and aligned for wide loads; NULL only when memory is out. Freed by free(). */
-void *nb_array(size_t count, size_t size);
 
 /* machine.c: instruction set and threads, as the options say */
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);

@@ -1,10 +1,12 @@
-/* Vectors in the plane, by value.
+/* Vectors in the plane, by value; and pi.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_VEC_H
 #define NB_VEC_H
 
 #include <math.h>
+
+#define NB_PI 3.14159265358979323846
 
 struct nb_vec {
   _Alignas(2 * sizeof(double)) double x;

@@ -28,17 +28,6 @@ void nb_mistakes_free(struct nb_mistakes *mistakes) {
   memset(mistakes, 0, sizeof *mistakes);
 }
 
-void *nb_room(void *array, size_t count, size_t more, size_t element) {
-  size_t have = 0,
-         need = 8; /* the array always has room for the power of two that holds it, so this need not be kept */
-  if (count > 0)
-    for (have = 8; have < count;)
-      have *= 2;
-  while (need < count + more)
-    need *= 2;
-  return have >= need ? array : realloc(array, need * element);
-}
-
 /* The bytes of the first n characters. */
 static int bytes_of(const char *c, int n) {
   int bytes = 0;

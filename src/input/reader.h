@@ -8,6 +8,7 @@
 #ifndef NB_READER_H
 #define NB_READER_H
 
+#include "core/array.h"
 #include "core/guess.h"
 #include "nineball.h"
 #include "units.h"
@@ -200,11 +201,5 @@ char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error 
 enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes);
 enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
                                   struct nb_mistakes *mistakes);
-
-/* ---- arrays that grow ---- */
-
-/* Room for `more` elements after `count`: the array, moved perhaps, or NULL when there is no memory (the old one
- * stays). */
-void *nb_room(void *array, size_t count, size_t more, size_t element);
 
 #endif

@@ -184,16 +184,6 @@ void nb_boxes_check(struct nb_scene_reading *reading);
 void nb_drives_check(struct nb_scene_reading *reading);
 /* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
 bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place); /* false: something is too far away */
-/* Adds bodies row by row from the south-west; false when there is no memory. */
-struct nb_lattice {
-  size_t nx, ny;
-  double x, y, spacing; /* m, centre of the first and pitch */
-  bool hexagonal;       /* else square */
-};
-bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_body first);
-/* Adds bodies at random, largest first, and counts in `fill` and in the sizes of its grading what became of them. */
-enum nb_filled { NB_FILLED, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
-enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_body like);
 /* What all bodies have in common, those of a lattice or a filling too: reads it into `body`, which will be so many; false with a
  * message. */
 bool nb_body_of(struct nb_body *body, const struct nb_scene *scene, struct nb_reader *reader,

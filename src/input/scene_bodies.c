@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "packing/packing.h"
 #include "scene.h"
 
 bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, size_t more) {

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/vec.h"
+#include "packing/packing.h"
 #include "scene.h"
 
 enum { TRIES_MAX = 1000000 }; /* a second or so for each size that does not fit */
@@ -87,8 +89,7 @@ NB_APPLY(nb_apply_grading) {
 
 /* Of the circle or the box, m2. */
 static double area(const struct nb_fill *fill) {
-  const double pi = 3.14159265358979323846;
-  return fill->circle ? pi * fill->radius * fill->radius : (fill->x1 - fill->x) * (fill->y1 - fill->y);
+  return fill->circle ? NB_PI * fill->radius * fill->radius : (fill->x1 - fill->x) * (fill->y1 - fill->y);
 }
 
 /* Bodies of that radius among those of the filling. */

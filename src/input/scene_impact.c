@@ -12,7 +12,7 @@
 #include "core/model.h"
 #include "scene.h"
 
-static const double right_angle = 3.14159265358979323846 / 2;
+static const double right_angle = NB_PI / 2;
 
 static int find_contact(const struct nb_scene *scene, const char *name) {
   for (size_t w = 0; w < scene->watch_count; w++)

@@ -7,6 +7,7 @@
 
 #include "columns.h"
 #include "core/names.h"
+#include "packing/packing.h"
 #include "run/bench.h"
 #include "scene.h"
 

@@ -11,11 +11,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/vec.h"
 #include "scene.h"
 
 /* Quarters as they come out of `90 deg`, `180 deg` ..., and as the nearest double to their radians. */
 static int quarters_of(double angle, bool *exact) {
-  const double degree = 3.14159265358979323846 / 180;
+  const double degree = NB_PI / 180;
   for (int n = -4; n <= 4; n++) {
     *exact = angle == 90 * n * degree || angle == n * (90 * degree);
     if (*exact)

@@ -9,6 +9,7 @@
 #define _POSIX_C_SOURCE 200809L /* newlocale, uselocale */
 #endif
 #include "units.h"
+#include "core/vec.h"
 
 #include <ctype.h>
 #include <locale.h>
@@ -36,7 +37,7 @@ static const struct nb_unit table[] = {
   {NB_UNIT_RATE, "1/s", 0, 1},       {NB_UNIT_RATE, "1/ms", 3, 1},
   {NB_UNIT_STRAIN_RATE, "1/s", 0, 1}, {NB_UNIT_STRAIN_RATE, "1/ms", 3, 1}, {NB_UNIT_STRAIN_RATE, NB_PER_CYCLE, 0, 1},
   {NB_UNIT_SPIN, "rad/s", 0, 1},
-  {NB_UNIT_ANGLE, "rad", 0, 1},      {NB_UNIT_ANGLE, "deg", 0, 3.14159265358979323846 / 180},
+  {NB_UNIT_ANGLE, "rad", 0, 1},      {NB_UNIT_ANGLE, "deg", 0, NB_PI / 180},
   {NB_UNIT_ENERGY, "J", 0, 1},       {NB_UNIT_ENERGY, "mJ", -3, 1},     {NB_UNIT_ENERGY, "uJ", -6, 1},
   {NB_UNIT_ENERGY, "nJ", -9, 1},
   {NB_UNIT_MOMENT, "N.m", 0, 1},

@@ -16,9 +16,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "areas.h"
 
-static const double pi = 3.14159265358979323846;
-
-double nb_area_of_disc(double radius) { return pi * radius * radius; }
+double nb_area_of_disc(double radius) { return NB_PI * radius * radius; }
 
 /* Of the circle r, beyond the chord that the circle R cuts off. */
 static double segment(double r, double R, double d) {

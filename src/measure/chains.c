@@ -32,9 +32,9 @@ bool nb_chains_create(struct nb_model *model) {
 }
 
 static double volume_of(const struct nb_model *model, size_t slot) {
-  const double radius = model->bodies.rim[slot].x, pi = 3.14159265358979323846;
+  const double radius = model->bodies.rim[slot].x;
   const bool sphere = model->scene->bodies[model->bodies.number[slot] - 1].shape == NB_SPHERE;
-  return sphere ? 4. / 3 * pi * radius * radius * radius : pi * radius * radius; /* a disc is 1 m thick */
+  return sphere ? 4. / 3 * NB_PI * radius * radius * radius : NB_PI * radius * radius; /* a disc is 1 m thick */
 }
 
 static bool counts(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {

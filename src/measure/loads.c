@@ -16,8 +16,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
 
-static const double pi = 3.14159265358979323846;
-
 struct gathered {
   double sum, count, max, min, first, square; /* of what is off the first: squares of forces far from 0 would cancel */
 };
@@ -89,7 +87,7 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
   const bool rubs = pairing->shear;
   const double first = model->bodies.rim[contacts->a[contact]].x;
   const double second = pairing->wall ? first : model->bodies.rim[contacts->b[contact]].x;
-  const double a = contacts->kept[NB_RADIUS][contact], area = pi * a * a;
+  const double a = contacts->kept[NB_RADIUS][contact], area = NB_PI * a * a;
   struct nb_contact_load load = {.normal = contacts->kept[NB_NORMAL][contact], .radius = a};
   load.shear = rubs ? fabs(contacts->kept[NB_SHEAR][contact]) : 0;
   load.sliding = rubs ? contacts->kept[NB_SLIDING][contact] : 0;

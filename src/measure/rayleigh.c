@@ -18,8 +18,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"
 
-static const double pi = 3.14159265358979323846;
-
 double nb_rayleigh_root(double poisson) {
   const double q = (1 - 2 * poisson) / (2 * (1 - poisson));
   double low = 0.87, high = 0.96;
@@ -43,7 +41,7 @@ struct grain {
 
 static double time_of(struct grain grain, bool fit) {
   const double alpha = fit ? nb_rayleigh_fit(grain.poisson) : nb_rayleigh_root(grain.poisson);
-  return pi * grain.radius * sqrt(grain.density / grain.shear) / alpha;
+  return NB_PI * grain.radius * sqrt(grain.density / grain.shear) / alpha;
 }
 
 double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean) {

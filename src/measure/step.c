@@ -18,8 +18,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"
 
-static const double pi = 3.14159265358979323846;
-
 double nb_step_critical(const struct nb_model *model) {
   double mass = INFINITY, stiffness = 0;
   for (size_t i = 0; i < model->bodies.count; i++)
@@ -61,7 +59,7 @@ double nb_step_contact(const struct nb_model *model) {
     const double here = kn * (inverse[pair[0]] + (pairing->wall ? 0 : inverse[pair[1]]));
     square = here > square ? here : square;
   }
-  return pi / sqrt(square);
+  return NB_PI / sqrt(square);
 }
 
 bool nb_step_elastic(const struct nb_model *model) { return model->pairing_count > 0 && model->coming.normal->elastic; }

@@ -17,7 +17,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "input/scene.h"
+#include "core/array.h"
+#include "packing.h"
 #include "random.h"
 
 enum { LAYERS = 24 }; /* the last one has all that is smaller */

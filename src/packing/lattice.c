@@ -3,7 +3,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
 
-#include "input/scene.h"
+#include "core/array.h"
+#include "packing.h"
 
 /* Numbered row by row from the south-west: 1 .. nx to the east, then the next row north. In a hexagonal one every second
  * row is half a spacing to the east, and rows are sqrt(3)/2 of it apart, so that all six neighbours are equally far. Each

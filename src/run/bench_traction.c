@@ -12,8 +12,6 @@
 
 #include "bench.h"
 
-static const double pi = 3.14159265358979323846;
-
 struct nb_history nb_bench_history(const struct nb_bench *bench) {
   struct nb_history history = {0};
   const struct nb_bench_state *now = &bench->now;
@@ -37,7 +35,7 @@ double nb_bench_stick_radius(const struct nb_bench *bench) {
 /* p(r; x), Pa */
 static double pressure(struct nb_pair p, double r, double x) {
   const double square = p.radius * x - r * r;
-  return square > 0 ? 2 * p.young / (pi * p.radius) * sqrt(square) : 0;
+  return square > 0 ? 2 * p.young / (NB_PI * p.radius) * sqrt(square) : 0;
 }
 
 double nb_bench_traction(const struct nb_bench *bench, const struct nb_history *history, double r) {
@@ -61,7 +59,7 @@ double nb_bench_traction_force(const struct nb_bench *bench) {
     for (int k = 0; k <= HALVES; k++) {
       const double w = (double)k / HALVES, r = sqrt(k < HALVES ? to - (to - from) * w * w : from);
       const double weight = (k == 0 || k == HALVES ? 1 : k % 2 ? 4 : 2) / (3. * HALVES);
-      sum += weight * nb_bench_traction(bench, &history, r) * 2 * pi * (to - from) * w;
+      sum += weight * nb_bench_traction(bench, &history, r) * 2 * NB_PI * (to - from) * w;
     }
   }
   return sum;
@@ -89,7 +87,7 @@ static bool see_traction(struct nb_table *table, const struct nb_bench *bench, c
   if (!begin(table, bench->scene, names, units, 4))
     return false;
   for (int k = 0; k <= POINTS; k++) {
-    const double r = sqrt(square) * sin(pi / 2 * k / POINTS), p = pressure(bench->pair, r, bench->now.n.overlap);
+    const double r = sqrt(square) * sin(NB_PI / 2 * k / POINTS), p = pressure(bench->pair, r, bench->now.n.overlap);
     double *row = nb_table_row(table, stage, (double)bench->step, 0);
     if (!row)
       return false;

@@ -11,8 +11,6 @@
 #include "core/names.h"
 #include "measure/hertz_impact.h"
 
-static const double pi = 3.14159265358979323846;
-
 /* V_N, V_T and the rest of incidence are those of the scene's velocities; N_max and T_c as if nothing were lost. */
 static void elastic(struct nb_strike *strike, struct nb_pair pair) {
   const double v = strike->normal_v, m = strike->mass;
@@ -23,7 +21,7 @@ static void elastic(struct nb_strike *strike, struct nb_pair pair) {
     strike->kappa = pair.young / (4 * pair.shear);
   } else {
     strike->peak = v * sqrt(m * pair.kn);
-    strike->duration = pi * sqrt(m / pair.kn);
+    strike->duration = NB_PI * sqrt(m / pair.kn);
     strike->kappa = pair.ks > 0 ? pair.kn / pair.ks : 0;
   }
 }
