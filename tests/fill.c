@@ -212,6 +212,31 @@ static void tries_and_skips(void) {
   written_free(&it);
 }
 
+/* Boxes as wide, or as high, as the disc: its only place is x + r, rounded, from which one of the two edges is nearer than r
+ * by a bit. Such a place counts as none, whichever edge it is. */
+static void across_the_edge_by_rounding(void) {
+  static const struct {
+    double from, radius, to;
+    bool low; /* the edge */
+  } cases[] = {{5, 0.27, 5.54, true}, {0.7, 0.61, 1.92, false}};
+  for (size_t k = 0; k < 2; k++)
+    for (int upright = 0; upright < 2; upright++) {
+      const double from = cases[k].from, r = cases[k].radius, to = cases[k].to,
+                   place = from + r + (to - from - 2 * r) / 2;
+      char page[256];
+      struct written it;
+      CU_ASSERT(to - from >= 2 * r && (place - from < r) == cases[k].low && (to - place < r) != cases[k].low);
+      snprintf(page, sizeof page,
+               ROCK "disc 99 99 radius 1 rock\ngrading g %g 1\n"
+                    "discs fill box %g %g to %g %g g rock seed 1 tries 9 else skip\n",
+               r, upright ? 0 : from, upright ? from : 0, upright ? 9 : to, upright ? to : 9);
+      make(&it, page);
+      CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[0].placed, 0);
+      CU_ASSERT_EQUAL(it.scene.fills[0].made, 9);
+      written_free(&it);
+    }
+}
+
 /* FNV-1a of the very bits, the same for every compiler, option and machine. */
 static uint64_t bits_of(const struct nb_scene *scene) {
   uint64_t hash = UINT64_C(14695981039346656037);
@@ -262,6 +287,7 @@ void suite_fill(void) {
   CU_add_test(suite, "what is there stays free", what_is_there_stays_free);
   CU_add_test(suite, "as many tries as chance takes", as_many_tries_as_chance_takes);
   CU_add_test(suite, "tries and skips", tries_and_skips);
+  CU_add_test(suite, "a place across the edge by rounding is none", across_the_edge_by_rounding);
   CU_add_test(suite, "the same bits", the_same_bits);
   CU_add_test(suite, "hexagonal", hexagonal);
 }
