@@ -33,24 +33,32 @@ static void note(void *data, const char *text) {
   heard->notes++;
 }
 
-/* One sphere, with other laws in its second stage; these sweeps, and these expectations. */
-static void make(struct nb_outcome *outcome, const char *sweep, const char *expectations,
-                 const struct nb_progress *progress) {
+/* A page of these statements and these expectations, carried out. */
+static void carry_out(struct nb_outcome *outcome, const char *scene, const char *expectations,
+                      const struct nb_progress *progress) {
   char path[] = "/tmp/nineball-outcome-XXXXXX";
   const int descriptor = mkstemp(path);
   CU_ASSERT_FATAL(descriptor >= 0);
   FILE *file = fdopen(descriptor, "w");
   CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  fprintf(file,
-          "```scene\n%s\nmaterial m density 1 kg/m3 kn 1 N/m ks 1 N/m friction 0.5\nshear linear\ndisc 0 m 0 m radius "
-          "1 m m velocity 1 m/s 0 m/s\nwatch A disc 1\nstep 1 ms\nrecord time cycle A.x\nstage one\ncycles 5\nstage "
-          "two\nshear none\ncycles 5\n```\n```expect\n%s\n```\n",
-          sweep, expectations);
+  fprintf(file, "```scene\n%s\n```\n```expect\n%s\n```\n", scene, expectations);
   fclose(file);
   nb_outcome_make(outcome, path, NULL, NULL, progress);
   unlink(path);
   if (outcome->mistakes.text)
     printf("# %s", outcome->mistakes.text);
+}
+
+/* One disc, with other laws in its second stage; these sweeps, and these expectations. */
+static void make(struct nb_outcome *outcome, const char *sweep, const char *expectations,
+                 const struct nb_progress *progress) {
+  char scene[512];
+  snprintf(scene, sizeof scene,
+           "%s\nmaterial m density 1 kg/m3 kn 1 N/m ks 1 N/m friction 0.5\nshear linear\ndisc 0 m 0 m radius 1 m m "
+           "velocity 1 m/s 0 m/s\nwatch A disc 1\nstep 1 ms\nrecord time cycle A.x\nstage one\ncycles 5\nstage "
+           "two\nshear none\ncycles 5",
+           sweep);
+  carry_out(outcome, scene, expectations, progress);
 }
 
 /* The share is that of all runs together, and both name the run where there are several. */
@@ -99,8 +107,27 @@ static void units(void) {
   nb_outcome_free(&outcome);
 }
 
+/* Overlaps that are too deep are counted over all runs, 9 cycles and the forces at the start of each; the first of them is
+ * named. Not deep, deep, deeper. */
+static void deep_overlaps_of_all_runs(void) {
+  struct nb_outcome outcome;
+  carry_out(
+      &outcome,
+      "units none\nsweep d 1.9 1.8 1.7\nmaterial m density 0.24 young 1 poisson 0\nnormal hertz\nsphere 0 0 radius 1 "
+      "m fixed\nsphere $d 0 radius 1 m\nstep 1e-9\nrecord cycle\nstage s\ncycles 9",
+      "cycle stated 9 within 0 [t]", NULL);
+  CU_ASSERT_EQUAL(outcome.status, NB_OK);
+  CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
+  CU_ASSERT_STRING_EQUAL(
+      outcome.warnings.list[0].text,
+      "overlaps above what elastic spheres are good for, in 20 contact updates; first body 1 at body 2, "
+      "cycle 0, 0 s, run d=1.8 [R89 6.4.3]");
+  nb_outcome_free(&outcome);
+}
+
 void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
   CU_add_test(suite, "the units of what is reported", units);
+  CU_add_test(suite, "overlaps that are too deep, of all runs together", deep_overlaps_of_all_runs);
 }
