@@ -162,8 +162,9 @@ static struct nb_result slider(struct written *it, const char *a, const char *b,
       "units none\nmaterial m density 1 kn 100 ks 80 friction %s\nshear linear\ngravity 0 -1\ndisc 0 0.98 radius 1 m "
       "velocity 1 0\nwall floor -9 0 to 99 0 m\nmaterial n density 1 kn 100 ks 80 friction 0.3\ndisc 0 9.98 radius 1 n "
       "velocity 1 0\n"
-      "wall shelf -9 9 to 99 9 n\nwatch D disc 1\nwatch C disc 1 with wall floor\nstep 0.01\n"
-      "record D.vx D.spin D.moment C.shear\nstage a\ncycles 20\nstage b\nmaterial m friction %s\ncycles 20\n"
+      "wall shelf -9 9 to 99 9 n\nwatch D disc 1\nwatch C disc 1 with wall floor\nwatch O disc 2 with wall shelf\nstep "
+      "0.01\n"
+      "record D.vx D.spin D.moment C.shear O.shear\nstage a\ncycles 20\nstage b\nmaterial m friction %s\ncycles 20\n"
       "stage c\nmaterial m friction %s\ncycles 20\n",
       a, b, c);
   written_scene(it, &page);
@@ -183,12 +184,12 @@ static void friction_switches_shear(void) {
     struct nb_result there = slider(&always, small[0], small[1], small[2]);
     CU_ASSERT_EQUAL_FATAL(here.table.row_count, 61);
     double shear = 0;
-    for (size_t n = 0; n < 61 * 4; n++) {
+    for (size_t n = 0; n < 61 * 5; n++) {
       CU_ASSERT_DOUBLE_EQUAL(here.table.values[n], there.table.values[n], 1e-14);
-      shear += n % 4 == 3 ? fabs(here.table.values[n]) : 0;
+      shear += n % 5 == 3 ? fabs(here.table.values[n]) : 0;
     }
     CU_ASSERT(shear > 5);
-    CU_ASSERT_EQUAL(here.table.values[40 * 4 + 3] == 0, strcmp(on[k][1], "0") == 0);
+    CU_ASSERT_EQUAL(here.table.values[40 * 5 + 3] == 0, strcmp(on[k][1], "0") == 0);
     nb_result_free(&here), nb_result_free(&there);
     written_free(&planned), written_free(&always);
   }
@@ -244,6 +245,25 @@ static void weight_counts_in_the_balance(void) {
       "material m density 1 kn 8\ngravity 0 -0.6366197723675814\ndisc 0 1.75 radius 1 m\ndisc 0 0 radius 1 m fixed\n"
       "step 0.01\nrecord unbalance\nstage a\ncycles 4\n";
   CU_ASSERT_DOUBLE_EQUAL(after(borne, "unbalance"), 0, 1e-13);
+  const char *falls = "material m density 1 kn 8\ngravity 0 -1\ndisc 0 0 radius 1 m\nstep 0.01\nrecord unbalance\n";
+  char text[256];
+  snprintf(text, sizeof text, "%sstage a\ncycles 4\n", falls);
+  CU_ASSERT_EQUAL(after(text, "unbalance"), 0); /* as a share of no contact force it is 0 */
+}
+
+/* Walls turn back too, those that spin, and come to where they were: so does what a stage says of one from then on. */
+static void walls_turn_round(void) {
+#define DOOR                                                                                                           \
+  "material m density 1 kn 1\ndisc 0 0 radius 1 m\nwall w 5 -1 to 5 1 m velocity 1 -2 spin 0.5\nwatch W wall w\n"      \
+  "record W.x W.y W.angle\nstep 0.25\nstage a\ncycles 4\n"
+  CU_ASSERT_EQUAL(after(DOOR, "W.angle"), 0.5);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nreverse\ncycles 2\n", "W.angle"), 0.25);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nreverse\ncycles 4\n", "W.angle"), 0);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nreverse\ncycles 4\n", "W.x"), 5);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nreverse\ncycles 2\n", "W.y"), -1);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nreverse\nwall w spin 0.5\ncycles 4\n", "W.angle"), 1);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nreverse\nwall w spin 0.5\ncycles 4\n", "W.x"), 5);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nreverse\ncycles 2\nstage c\nwall w velocity 0 0\ncycles 2\n", "W.angle"), 0);
 }
 
 void suite_changes(void) {
@@ -260,4 +280,5 @@ void suite_changes(void) {
   CU_add_test(suite, "cohesion holds nothing together", cohesion_holds_nothing_together);
   CU_add_test(suite, "the step follows", the_step_follows);
   CU_add_test(suite, "weight counts in the balance", weight_counts_in_the_balance);
+  CU_add_test(suite, "walls turn round", walls_turn_round);
 }

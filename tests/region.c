@@ -169,7 +169,7 @@ static void loads(void) {
       "disc 0 0 radius 1 m fixed\ndisc 0 1.98 radius 1 m\ndisc 9 0 radius 1 m fixed\n"
       "disc 9 1.46 radius 0.5 m\ndisc 20 0 radius 1 m\nregion A all\nregion B circle 0 2 radius 1\n"
       "record A.normal.mean A.normal.max A.normal.min A.normal.deviation A.unbalance B.unbalance A.contact_stress.mean "
-      "A.obliquity.max A.sliding A.contacts B.contacts B.bodies B.normal.mean\nstage s\ncycles 1\n");
+      "A.obliquity.max A.sliding A.sliding.near A.contacts B.contacts B.bodies B.normal.mean\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
   CLOSE(model, "A.normal.mean", 3);
   CLOSE(model, "A.normal.max", 4);
@@ -178,6 +178,8 @@ static void loads(void) {
   CLOSE(model, "A.unbalance", ((2 - pi / 2) + (4 - pi / 8) + pi / 2) / 3 / 3);
   CLOSE(model, "B.unbalance", (2 - pi / 2) / 2);
   CLOSE(model, "B.normal.mean", 2);
+  CLOSE(model, "A.sliding.near", 0); /* nothing rubs: what has no limit is not at it */
+  CLOSE(model, "A.sliding", 0);
   CLOSE(model, "B.contacts", 1);
   done(&it, model);
 
@@ -205,16 +207,22 @@ static void who_slides(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
-  words_add(&page, "units none\nmaterial m density 1 kn 100 ks 80 friction 0.1\nshear linear\nstep 0.01\n"
-                   "disc 0 0.98 radius 1 m velocity 1 0\nwall s -5 0 to 20 0 m\ndisc 50.98 0 radius 1 m\n"
-                   "wall w 50 -5 to 50 5 m\nregion A all\nrecord A.fabric.xx A.fabric.sliding.xx A.fabric.sliding.yy "
-                   "A.fabric.sliding.fourth.yyyy A.sliding.near\nstage s\ncycles 9\n");
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 100 ks 80 friction 0.1\nshear linear\nstep 0.01\n"
+            "disc 0 0.98 radius 1 m velocity 1 0\nwall s -5 0 to 20 0 m\ndisc 50.98 0 radius 1 m\n"
+            "wall w 50 -5 to 50 5 m\nregion A all\nrecord A.fabric.xx A.fabric.sliding.xx A.fabric.sliding.yy "
+            "A.fabric.sliding.fourth.yyyy A.sliding.near A.obliquity.mean A.obliquity.min A.obliquity.max\nstage s\n"
+            "cycles 9\n");
   struct nb_model *model = model_of(&it, &page);
   CU_ASSERT(written_now(model, "A.fabric.sliding.yy") == 0); /* nothing has slipped yet */
+  CLOSE(model, "A.obliquity.max", 0);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 5);
   CLOSE(model, "A.fabric.xx", 0.5);
   CLOSE(model, "A.sliding.near", 0.5);
+  CLOSE(model, "A.obliquity.max", 1);
+  CLOSE(model, "A.obliquity.min", 0);
+  CLOSE(model, "A.obliquity.mean", 0.5); /* who has a limit and no shear force counts */
   CLOSE(model, "A.fabric.sliding.xx", 0);
   CLOSE(model, "A.fabric.sliding.yy", 1);
   CLOSE(model, "A.fabric.sliding.fourth.yyyy", 1);

@@ -18,20 +18,21 @@ static void rows_come_when_they_are_asked_for(void) {
   struct written it;
   struct nb_result result;
   words_add(&page, SCENE "stage a\nrecord every 4 cycles\ncycles 10\nstage b\nrecord none\ncycles 3\nstage c\n"
-                         "step 0.5\nallow unstable\ncycles 2\n");
+                         "step 0.5\nallow unstable\ncycles 2\nstage d\nstep 0.25\nrecord every 4 cycles\ncycles 7\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  /* The start, every fourth cycle and the last of a; none of b; both of c. */
-  static const double cycle[] = {0, 4, 8, 10, 14, 15}, time[] = {0, 1, 2, 2.5, 3.75, 4.25};
-  static const int stage[] = {0, 0, 0, 0, 2, 2};
-  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 6);
-  for (size_t r = 0; r < 6; r++) {
+  /* The start, every fourth cycle and the last of a; none of b; both of c; of d every fourth from its begin on, and the last. */
+  static const double cycle[] = {0, 4, 8, 10, 14, 15, 19, 22};
+  static const double time[] = {0, 1, 2, 2.5, 3.75, 4.25, 5.25, 6};
+  static const int stage[] = {0, 0, 0, 0, 2, 2, 3, 3};
+  CU_ASSERT_EQUAL_FATAL(result.table.row_count, 8);
+  for (size_t r = 0; r < 8; r++) {
     CU_ASSERT(result.table.values[4 * r] == cycle[r] && result.table.values[4 * r + 1] == time[r]);
     CU_ASSERT(result.table.cycle[r] == cycle[r] && result.table.time[r] == time[r] &&
               result.table.stage[r] == stage[r]);
   }
-  CU_ASSERT(result.cycles == 15 && result.stage_cycles[0] == 10 && result.stage_cycles[1] == 3 &&
-            result.stage_cycles[2] == 2);
+  CU_ASSERT(result.cycles == 22 && result.stage_cycles[0] == 10 && result.stage_cycles[1] == 3 &&
+            result.stage_cycles[2] == 2 && result.stage_cycles[3] == 7);
   nb_result_free(&result);
   written_free(&it);
 }

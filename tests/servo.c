@@ -125,6 +125,42 @@ static void what_is_not_held_goes_on(void) {
   nb_result_free(&result);
 }
 
+/* `isotropic` holds the shear stress at 0, which `mean` lets go as the stage strains it. */
+static void isotropic_has_no_shear(void) {
+  double shear[2];
+  for (int mean = 0; mean < 2; mean++) {
+    char stages[512];
+    struct nb_result result;
+    snprintf(stages, sizeof stages,
+             "stage s\nservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
+             "stage m\nboundary strain 0 per cycle 0 per cycle shear 1e-6 per cycle\n"
+             "servo %s 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 4000\n",
+             mean ? "mean" : "isotropic");
+    run(&result, stages);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 9, 0.005 * 9);
+    shear[mean] = written_last(&result, "boundary.stress.xy");
+    nb_result_free(&result);
+  }
+  CU_ASSERT(fabs(shear[1]) > 0.5);
+  CU_ASSERT(fabs(shear[0]) < 0.01 * fabs(shear[1]));
+}
+
+/* Without a word every tenth cycle is looked at. */
+static void every_tenth_cycle(void) {
+  static const char *const words[] = {"", "every 10 cycles", "every 1 cycle"};
+  double radius[3];
+  for (int k = 0; k < 3; k++) {
+    char stage[256];
+    struct nb_result result;
+    snprintf(stage, sizeof stage,
+             "stage s\nservo mean 9 on boundary by boundary at most 1e-4 per cycle %s\ncycles 95\n", words[k]);
+    run(&result, stage);
+    radius[k] = written_last(&result, "boundary.radius");
+    nb_result_free(&result);
+  }
+  CU_ASSERT(radius[0] == radius[1] && radius[0] != radius[2]);
+}
+
 /* A disc in the gap between three others, taken out, weighs nothing: the ring goes as if it had never been there, to the last bit. */
 static void what_is_gone_weighs_nothing(void) {
   static const char *const pages[] = {RING "stage s\n", RING "disc 1 0.577 radius 0.1 m\nstage s\nremove disc 8\n"};
@@ -240,4 +276,6 @@ void suite_servo(void) {
   CU_add_test(suite, "the continuum goes along", the_continuum_goes_along);
   CU_add_test(suite, "what is gone weighs nothing", what_is_gone_weighs_nothing);
   CU_add_test(suite, "what is not held goes on", what_is_not_held_goes_on);
+  CU_add_test(suite, "isotropic has no shear", isotropic_has_no_shear);
+  CU_add_test(suite, "every tenth cycle is looked at", every_tenth_cycle);
 }

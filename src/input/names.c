@@ -135,7 +135,7 @@ static const struct nb_quantity_kind kinds[] = {
      "how often a contact of elastic spheres has overlapped by more than 7 % of the smaller diameter, cycle by cycle "
      "[R89 6.4.3]"},
     {"unbalance", 0, "1", 0, unbalance,
-     "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]"},
+     "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]; 0 where there is none"},
     {"energy.kinetic", 0, "J", 0, kinetic, "of all bodies that are free, spin included"},
     {"energy.stored", 0, "J", NB_OF_STORED | NB_ASKS_STORED, stored, "in all springs, from the laws' state functions"},
     {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, frictional,

@@ -86,7 +86,9 @@ NB_APPLY(nb_apply_change) {
 
 NB_APPLY(nb_apply_still) {
   struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
-  (void)record, (void)reader;
+  if (stage && record->keyword->variant && stage->motion_count > 0)
+    nb_token_mistake(reader, &reader->tokens[0], "it turns round what walls did until then",
+                     "expected `reverse` above the statements that move walls, found it below");
   if (stage)
     *(record->keyword->variant ? &stage->reverse : &stage->still) = true;
 }

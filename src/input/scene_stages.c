@@ -43,14 +43,19 @@ NB_APPLY(nb_apply_stage) {
   reading->here = NB_IN_STAGE;
 }
 
-/* What the page has told a wall to do so far. */
+/* What a wall does by now, as the page has it: `reverse` has turned round what it was told before. */
 static struct nb_wall_motion wall_so_far(const struct nb_scene *scene, size_t wall) {
   const struct nb_wall *it = &scene->walls[wall];
-  for (size_t s = scene->stage_count; s > 0; s--)
-    for (size_t i = 0; i < scene->stages[s - 1].motion_count; i++)
-      if (scene->stages[s - 1].motions[i].wall == (int)wall)
-        return scene->stages[s - 1].motions[i];
-  return (struct nb_wall_motion){.wall = (int)wall, .vx = it->vx, .vy = it->vy, .spin = it->spin};
+  struct nb_wall_motion motion = {.wall = (int)wall, .vx = it->vx, .vy = it->vy, .spin = it->spin};
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    if (stage->reverse) /* + 0.0 makes a -0 a plain 0 */
+      motion.vx = -motion.vx + 0.0, motion.vy = -motion.vy + 0.0, motion.spin = -motion.spin + 0.0;
+    for (size_t i = 0; i < stage->motion_count; i++)
+      if (stage->motions[i].wall == (int)wall)
+        motion = stage->motions[i];
+  }
+  return motion;
 }
 
 /* A second motion of the same wall in a stage takes the place of the first: `walls inward 1 mm/s`, but one of them
