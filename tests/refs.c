@@ -144,6 +144,27 @@ static void matter_is_what_books_say(void) {
   REFS_NEAR(nb_body_inertia(&scene, &sphere), matter_inertia(&scene, &sphere), 1e-15, 2000.);
 }
 
+/* A body of material 0, which has neither by itself, and a wall of material 1: what rubs or holds is their pair alone. */
+static void friction_at_a_wall(void) {
+  struct refs_scene it;
+  memset(&it, 0, sizeof it);
+  strcpy(it.scene.normal, "linear"), strcpy(it.scene.shear, "linear");
+  it.scene.materials = it.materials, it.scene.material_count = 2;
+  it.scene.pair_rules = it.rules, it.scene.pair_rule_count = 1;
+  it.scene.bodies = it.bodies, it.scene.body_count = 1;
+  it.scene.walls = it.walls, it.scene.wall_count = 1;
+  it.materials[0].line = 12, it.materials[1].line = 13, it.walls[0].material = 1;
+  for (int b = 0; b < 2; b++)              /* the wall's material with that of the body, or with itself */
+    for (int wall = 0; wall < 2; wall++) { /* the wall is of that material, or of the body's */
+      int lines[NB_FEATURES];
+      it.rules[0] = (struct nb_pair_rule){.a = 1, .b = b, .kn = NAN, .ks = NAN, .friction = 0.5, .cohesion = 1};
+      it.walls[0].material = wall;
+      nb_features(lines, &it.scene);
+      CU_ASSERT_EQUAL(lines[HAS_FRICTION], wall == 1 && b == 0 ? 12 : -1);
+      CU_ASSERT_EQUAL(lines[HAS_COHESION], wall == 1 && b == 0 ? 12 : -1);
+    }
+}
+
 void suite_refs(void) {
   CU_pSuite suite = CU_add_suite("refs", NULL, NULL);
   CU_add_test(suite, "masses and constants of contacts are what books say", matter_is_what_books_say);
@@ -151,4 +172,5 @@ void suite_refs(void) {
   CU_add_test(suite, "what cannot be judged is refused", what_cannot_be_judged_is_refused);
   CU_add_test(suite, "what cannot be computed is refused", what_cannot_be_computed_is_refused);
   CU_add_test(suite, "memory that GSL does not get ends the program", memory_that_gsl_does_not_get_ends_the_program);
+  CU_add_test(suite, "friction and cohesion of a body and a wall count", friction_at_a_wall);
 }

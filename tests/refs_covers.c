@@ -2,7 +2,6 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
-#include <math.h>
 #include <string.h>
 
 #include "refs_scenes.h"
@@ -272,27 +271,6 @@ static void other_laws_are_refused(void) {
     }
 }
 
-/* A body of material 0, which has neither by itself, and a wall of material 1: what rubs or holds is their pair alone. */
-static void friction_at_a_wall(void) {
-  struct refs_scene it;
-  memset(&it, 0, sizeof it);
-  strcpy(it.scene.normal, "linear"), strcpy(it.scene.shear, "linear");
-  it.scene.materials = it.materials, it.scene.material_count = 2;
-  it.scene.pair_rules = it.rules, it.scene.pair_rule_count = 1;
-  it.scene.bodies = it.bodies, it.scene.body_count = 1;
-  it.scene.walls = it.walls, it.scene.wall_count = 1;
-  it.materials[0].line = LINE, it.materials[1].line = LINE + 1, it.walls[0].material = 1;
-  for (int b = 0; b < 2; b++)              /* the wall's material with that of the body, or with itself */
-    for (int wall = 0; wall < 2; wall++) { /* the wall is of that material, or of the body's */
-      int lines[NB_FEATURES];
-      it.rules[0] = (struct nb_pair_rule){.a = 1, .b = b, .kn = NAN, .ks = NAN, .friction = 0.5, .cohesion = 1};
-      it.walls[0].material = wall;
-      nb_features(lines, &it.scene);
-      CU_ASSERT_EQUAL(lines[HAS_FRICTION], wall == 1 && b == 0 ? LINE : -1);
-      CU_ASSERT_EQUAL(lines[HAS_COHESION], wall == 1 && b == 0 ? LINE : -1);
-    }
-}
-
 static void every_feature_has_a_name(void) {
   for (enum nb_feature a = HAS_NOTHING; a < NB_FEATURES; a++) {
     CU_ASSERT_PTR_NOT_NULL_FATAL(nb_feature_name(a));
@@ -307,5 +285,4 @@ void suite_refs_covers(void) {
   CU_add_test(suite, "what a reference does not list is refused", what_is_not_listed_is_refused);
   CU_add_test(suite, "what a reference needs must be there", what_is_needed_must_be_there);
   CU_add_test(suite, "other laws are refused", other_laws_are_refused);
-  CU_add_test(suite, "friction and cohesion of a body and a wall count", friction_at_a_wall);
 }
