@@ -232,6 +232,10 @@ static void nothing_goes_through_in_silence(void) {
           "disc 50 50 radius 30 m",
           "body 1 (line 6) has gone through wall `w` (line 7)", 556);
   through("disc 0 1e-3 radius 1e-6 m velocity 0 -30\nwall w -5 0 to 5 0 m about 1 -2\ndisc 50 50 radius 30 m", said, 1);
+  /* Both go by less than half the skin, so nothing is searched: 3 m at 1.8 m/s. */
+  through("skin 4\nmaterial h density 1e9 kn 10\ndisc 0 3 radius 0.02 h velocity 0 -0.9\n"
+          "wall w -5 0 to 5 0 m velocity 0 0.9\ndisc 50 50 radius 30 m",
+          "body 1 (line 7) has gone through wall `w` (line 8)", 167);
   /* just beyond, and going away */
   through("disc 0 -1e-4 radius 1e-6 m velocity 0 -9e-5\nwall w -5 0 to 5 0 m\ndisc 50 50 radius 30 m", NULL, 1000);
   through("disc 0 -1e-4 radius 1e-6 m\nwall w -5 0 to 5 0 m velocity 0 30\ndisc 50 50 radius 30 m", NULL, 1000);
