@@ -104,7 +104,7 @@ enum nb_status nb_save_folder(const char *path, struct nb_error *error) {
   char *part = strdup(path);
   if (!part)
     return nb_error_memory(error);
-  for (char *slash = strchr(part + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+  for (char *slash = strchr(part + strspn(part, "/"), '/'); slash; slash = strchr(slash + 1, '/')) {
     *slash = 0;
     mkdir(part, 0777); /* one that is there already is no mistake; the last one below tells */
     *slash = '/';
