@@ -5,7 +5,7 @@
 
 #include "../../src/input/reader.h"
 #include "../../src/report/expect_take.h"
-#include "read.h"
+#include "fuzz.h"
 
 /* Vigna, An experimental exploration of Marsaglia's xorshift generators, ACM TOMS 42 (2016) 30. */
 unsigned long long fuzz_chance(unsigned long long *chance) {
@@ -111,4 +111,18 @@ size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long
       bytes[at] = (unsigned char)fuzz_chance(chance);
     return size;
   }
+}
+
+size_t fuzz_change_number(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance) {
+  static const char *const numbers[] = {"0",      "-1",    "1",   "2",   "3", "1e300",       "-1e300",
+                                        "1e-300", "1e-9",  "0.5", "inf", "-", "99999999999", "18446744073709551615",
+                                        "1e-320", "-1e-9", "1e9"};
+  const char *text = numbers[below(chance, sizeof numbers / sizeof *numbers)];
+  for (int k = 0; k < 20; k++) {
+    size_t from, to;
+    around(bytes, size, below(chance, size), false, &from, &to);
+    if (from < to && strchr("0123456789+-", bytes[from]))
+      return replace(bytes, size, most, from, to, text, strlen(text));
+  }
+  return size;
 }

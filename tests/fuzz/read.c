@@ -4,11 +4,10 @@
  *   tests/fuzz/read [PAGE ...]   replays these pages and changes them at random, a few thousand times; TAP
  *   make fuzz                    the same with libFuzzer (clang), for FUZZ_SECONDS, which looks for new paths
  *
- * Without pages: tests/fuzz/corpus, tests/bad and cases below $srcdir. What breaks an invariant is kept in
- * fuzz-broken.md.
+ * Without pages: tests/fuzz/corpus, tests/bad and cases below $srcdir. What breaks an invariant is kept in fuzz-broken.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "read.h"
+#include "fuzz.h"
 
 #include <dirent.h>
 #include <math.h>
@@ -18,39 +17,6 @@
 #include "../../src/input/reader.h"
 #include "../../src/report/expect.h"
 
-/* ---- what must hold ---- */
-
-static const unsigned char *now; /* what is being read, for the message of a failure */
-static size_t now_size;
-
-static void hold(bool holds, const char *what) {
-  if (holds)
-    return;
-  FILE *file = fopen("fuzz-broken.md", "wb");
-  if (file) {
-    fwrite(now, 1, now_size, file);
-    fclose(file);
-  }
-  printf("not ok 1 - %s\n# the page is in fuzz-broken.md\n1..1\n", what);
-  fflush(stdout);
-  abort();
-}
-
-static void hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status) {
-  hold((status == NB_OK) == (mistakes->count == 0), "the status says whether there are mistakes");
-  hold((mistakes->text != NULL) == (mistakes->count > 0), "there is a text when there are mistakes");
-  size_t said = 0, length = mistakes->text ? strlen(mistakes->text) : 0;
-  for (const char *c = mistakes->text; c && *c; c = strchr(c, '\n') + 1) {
-    hold(strchr(c, '\n') != NULL, "every line of the messages ends");
-    const char *error = strstr(c, ": error: "); /* of this page, or of one that it starts from */
-    said += *c != ' ' && error && error < strchr(c, '\n');
-    for (const char *d = c; *d != '\n'; d++)
-      hold((unsigned char)*d >= 0x20 || *d == '\t', "no control characters in messages");
-  }
-  hold(said == mistakes->count, "every mistake is said once");
-  hold(length < (size_t)4 << 20, "the messages are not without end");
-}
-
 static bool finite_all(const double *values, size_t count) {
   for (size_t k = 0; k < count; k++)
     if (!isfinite(values[k]))
@@ -59,81 +25,104 @@ static bool finite_all(const double *values, size_t count) {
 }
 
 static void hold_scene(const struct nb_scene *scene) {
-  hold(scene->body_count > 0 && scene->stage_count > 0, "there are bodies and stages");
+  fuzz_hold(scene->body_count > 0 && scene->stage_count > 0, "there are bodies and stages");
   for (size_t k = 0; k < scene->body_count; k++) {
     const struct nb_body *body = &scene->bodies[k];
     const double numbers[] = {body->x, body->y, body->radius, body->vx, body->vy, body->spin};
-    hold(finite_all(numbers, 6) && body->radius > 0, "a body is somewhere and has a size");
-    hold(body->material >= 0 && (size_t)body->material < scene->material_count, "a body has a material");
+    fuzz_hold(finite_all(numbers, 6) && body->radius > 0, "a body is somewhere and has a size");
+    fuzz_hold(body->material >= 0 && (size_t)body->material < scene->material_count, "a body has a material");
   }
   for (size_t k = 0; k < scene->wall_count; k++) {
     const struct nb_wall *wall = &scene->walls[k];
     const double numbers[] = {wall->x, wall->y, wall->ex, wall->ey, wall->h1, wall->h2, wall->vx, wall->vy};
-    hold(finite_all(numbers, 8) && fabs(hypot(wall->ex, wall->ey) - 1) < 1e-12, "a wall has a direction");
-    hold(wall->material >= 0 && (size_t)wall->material < scene->material_count, "a wall has a material");
+    fuzz_hold(finite_all(numbers, 8) && fabs(hypot(wall->ex, wall->ey) - 1) < 1e-12, "a wall has a direction");
+    fuzz_hold(wall->material >= 0 && (size_t)wall->material < scene->material_count, "a wall has a material");
   }
   for (size_t k = 0; k < scene->watch_count; k++) {
     const struct nb_watch *watch = &scene->watches[k];
     const size_t first = watch->kind == NB_WATCH_WALL ? scene->wall_count : scene->body_count;
     const size_t second = watch->kind == NB_WATCH_BODY_WALL ? scene->wall_count : scene->body_count;
-    hold(watch->a >= 0 && (size_t)watch->a < first, "what is watched is there");
-    hold(watch->b < 0 || (size_t)watch->b < second, "and what it is watched with");
+    fuzz_hold(watch->a >= 0 && (size_t)watch->a < first, "what is watched is there");
+    fuzz_hold(watch->b < 0 || (size_t)watch->b < second, "and what it is watched with");
   }
   for (size_t k = 0; k < scene->column_count; k++)
-    hold(scene->columns[k].quantity.kind && nb_quantity_unit(scene->columns[k].quantity), "a column is a quantity");
+    fuzz_hold(scene->columns[k].quantity.kind && nb_quantity_unit(scene->columns[k].quantity),
+              "a column is a quantity");
   for (size_t k = 0; k < scene->stage_count; k++)
-    hold(scene->stages[k].cycles > 0, "a stage ends");
+    fuzz_hold(scene->stages[k].cycles > 0, "a stage ends");
 }
 
 static void hold_same(const struct nb_scene *a, const struct nb_scene *b) {
-  hold(a->body_count == b->body_count && a->wall_count == b->wall_count && a->stage_count == b->stage_count &&
-           a->column_count == b->column_count && a->watch_count == b->watch_count &&
-           a->binding_count == b->binding_count && a->material_count == b->material_count,
-       "a page read again has as much of everything");
+  fuzz_hold(a->body_count == b->body_count && a->wall_count == b->wall_count && a->stage_count == b->stage_count &&
+                a->column_count == b->column_count && a->watch_count == b->watch_count &&
+                a->binding_count == b->binding_count && a->material_count == b->material_count,
+            "a page read again has as much of everything");
   for (size_t k = 0; k < a->body_count; k++) {
     const struct nb_body *one = &a->bodies[k], *other = &b->bodies[k];
-    hold(one->x == other->x && one->y == other->y && one->radius == other->radius && one->vx == other->vx &&
-             one->material == other->material && one->line == other->line,
-         "a page read again has the same bodies");
+    fuzz_hold(one->x == other->x && one->y == other->y && one->radius == other->radius && one->vx == other->vx &&
+                  one->material == other->material && one->line == other->line,
+              "a page read again has the same bodies");
   }
 }
 
 /* One run of the page, twice, with what it expects. */
-static void read_run(const struct nb_page *page, size_t run, bool wrong) {
+static void read_run(const struct nb_page *page, size_t run, nb_settings settings, bool wrong) {
   struct nb_scene scene, again;
   struct nb_mistakes mistakes = {0}, same = {0};
-  const enum nb_status status = nb_scene_read(&scene, page, run, NULL, &mistakes);
-  hold_mistakes(&mistakes, status);
-  hold(!wrong || status != NB_OK, "a page that has runs is right");
-  hold(nb_scene_read(&again, page, run, NULL, &same) == status, "a page read again is judged the same");
-  hold(mistakes.count == same.count && (!mistakes.text || strcmp(mistakes.text, same.text) == 0),
-       "a page read again has the same mistakes");
+  const enum nb_status status = nb_scene_read(&scene, page, run, settings, &mistakes);
+  fuzz_hold_mistakes(&mistakes, status);
+  fuzz_hold(!wrong || status != NB_OK, "a page that has runs is right");
+  fuzz_hold(nb_scene_read(&again, page, run, settings, &same) == status, "a page read again is judged the same");
+  fuzz_hold(mistakes.count == same.count && (!mistakes.text || strcmp(mistakes.text, same.text) == 0),
+            "a page read again has the same mistakes");
   if (status == NB_OK)
     hold_scene(&scene);
   hold_same(&scene, &again);
   struct nb_expectations expectations;
   const enum nb_status expected = nb_expectations_read(&expectations, page, &scene, &mistakes);
-  hold_mistakes(&mistakes, status ? status : expected);
-  hold(expected == NB_OK || (!expectations.list && !expectations.count), "no expectations beside mistakes");
+  fuzz_hold_mistakes(&mistakes, status ? status : expected);
+  fuzz_hold(expected == NB_OK || (!expectations.list && !expectations.count), "no expectations beside mistakes");
   nb_expectations_free(&expectations);
   nb_mistakes_free(&mistakes), nb_mistakes_free(&same);
   nb_scene_free(&scene), nb_scene_free(&again);
 }
 
+/* The first run of the page and the last one. */
+static void read_runs(const struct nb_page *page, nb_settings settings) {
+  struct nb_mistakes mistakes = {0};
+  const size_t runs = nb_scene_runs(page, settings, &mistakes);
+  fuzz_hold_mistakes(&mistakes, mistakes.count ? NB_BAD_USE : NB_OK);
+  fuzz_hold(runs > 0 && runs <= NB_RUNS_MAX, "no more runs than a page may have");
+  read_run(page, 0, settings, mistakes.count > 0);
+  if (runs > 1)
+    read_run(page, runs - 1, settings, false);
+  nb_mistakes_free(&mistakes);
+}
+
+/* The same with `--set`: a name of the page itself, if it has one, and laws, steps or what cannot be meant. */
+static void read_set(const struct nb_page *page, size_t chance) {
+  static const char *const values[] = {"0", "-1", "1e300", "1e-300", "nan", "3 mm", "1 2", "", "$a", "a"};
+  static const char *const more[] = {"normal=hertz",         "shear=linear", "shear=mindlin_deresiewicz pieces 4",
+                                     "step=1e-300 s",        "normal=",      "shear",
+                                     "step=1e9 of critical", "step=1 of",    "a=$b"};
+  char name[NB_NAME_SIZE] = "a", own[2 * NB_NAME_SIZE];
+  for (size_t k = 0; k < page->line_count; k++)
+    if (sscanf(page->lines[k], "let %63s", name) == 1 || sscanf(page->lines[k], "sweep %63s", name) == 1)
+      break;
+  snprintf(own, sizeof own, "%s=%s", name, values[chance % (sizeof values / sizeof *values)]);
+  read_runs(page, (const char *const[]){own, more[chance % (sizeof more / sizeof *more)], NULL});
+}
+
 void fuzz_read(const unsigned char *bytes, size_t size) {
   struct nb_page page;
   struct nb_mistakes mistakes = {0};
-  now = bytes, now_size = size;
+  fuzz_begin(bytes, size);
   const enum nb_status status = nb_page_read_bytes(&page, "fuzz.md", (const char *)bytes, size, &mistakes);
-  hold_mistakes(&mistakes, status);
-  hold(status == NB_OK || (!page.lines && !page.kind_of), "no page beside mistakes");
+  fuzz_hold_mistakes(&mistakes, status);
+  fuzz_hold(status == NB_OK || (!page.lines && !page.kind_of), "no page beside mistakes");
   if (status == NB_OK) {
-    const size_t runs = nb_scene_runs(&page, NULL, &mistakes);
-    hold_mistakes(&mistakes, mistakes.count ? NB_BAD_USE : NB_OK);
-    hold(runs > 0 && runs <= NB_RUNS_MAX, "no more runs than a page may have");
-    read_run(&page, 0, mistakes.count > 0);
-    if (runs > 1)
-      read_run(&page, runs - 1, false);
+    read_runs(&page, NULL);
+    read_set(&page, size);
   }
   nb_mistakes_free(&mistakes);
   nb_page_free(&page);
