@@ -113,14 +113,28 @@ size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long
   }
 }
 
+/* Every line is as likely, so that a record that there is once is changed as often as one of many. */
+static size_t in_some_line(const unsigned char *bytes, size_t size, unsigned long long *chance) {
+  size_t lines = 0, from = 0, to = 0;
+  for (size_t k = 0; k < size; k++)
+    lines += bytes[k] == '\n';
+  for (size_t line = below(chance, lines);; line--) {
+    for (from = to; to < size && bytes[to] != '\n';)
+      to++;
+    if (line == 0 || to == size)
+      return from + below(chance, to - from);
+    to++;
+  }
+}
+
 size_t fuzz_change_number(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance) {
-  static const char *const numbers[] = {"0",      "-1",    "1",   "2",   "3", "1e300",       "-1e300",
-                                        "1e-300", "1e-9",  "0.5", "inf", "-", "99999999999", "18446744073709551615",
-                                        "1e-320", "-1e-9", "1e9"};
+  static const char *const numbers[] = {
+      "0",      "-1",     "1",    "2",     "3",   "7",   "12",  "40", "1e300",       "-1e300",
+      "1e-300", "1e-320", "1e-9", "-1e-9", "1e9", "0.5", "inf", "-",  "99999999999", "18446744073709551615"};
   const char *text = numbers[below(chance, sizeof numbers / sizeof *numbers)];
   for (int k = 0; k < 20; k++) {
     size_t from, to;
-    around(bytes, size, below(chance, size), false, &from, &to);
+    around(bytes, size, in_some_line(bytes, size, chance), false, &from, &to);
     if (from < to && strchr("0123456789+-", bytes[from]))
       return replace(bytes, size, most, from, to, text, strlen(text));
   }

@@ -12,13 +12,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../../src/model.h"
-#include "../../src/page/columns.h"
-#include "../../src/state/start.h"
-#include "../../src/state/state.h"
+#include "../../src/core/model.h"
+#include "../../src/input/columns.h"
+#include "../../src/run/start.h"
+#include "../../src/run/state.h"
 #include "fuzz.h"
 
-enum { LONGEST = 64 << 10, STATES = 10000, LISTS = 3000, CHANGES_MAX = 2, CYCLES = 3, END_SIZE = 21 };
+enum { LONGEST = 64 << 10, STATES = 20000, LISTS = 3000, CHANGES_MAX = 2, CYCLES = 3, END_SIZE = 21 };
 
 /* Half of the changes are of numbers. Returns the new size. */
 static size_t change(unsigned char *text, size_t size, size_t most, unsigned long long *chance) {
@@ -102,8 +102,13 @@ static void hold_saved(const struct nb_saved *saved) {
                   it->shear_at + (size_t)it->shear <= saved->memory_count,
               "what a law remembers lies in the memory");
   }
-  for (size_t k = 0; k < saved->body_count; k++)
-    fuzz_hold((size_t)saved->bodies[k].material < saved->material_count, "a body has a material");
+  for (size_t k = 0; k < saved->body_count; k++) {
+    const struct nb_saved_body *it = &saved->bodies[k];
+    const double numbers[] = {it->radius, it->position.x, it->position.y, it->velocity.x, it->velocity.y, it->spin};
+    for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
+      fuzz_hold(isfinite(numbers[n]), "the numbers of a body are finite");
+    fuzz_hold(it->radius > 0 && (size_t)it->material < saved->material_count, "a body has a size and a material");
+  }
   for (size_t k = 0; k < saved->ring.member_count; k++)
     fuzz_hold((size_t)saved->ring.members[k] < saved->body_count, "a member is a body");
   size_t size = 0, same = 0;

@@ -99,18 +99,22 @@ static void read_runs(const struct nb_page *page, nb_settings settings) {
   nb_mistakes_free(&mistakes);
 }
 
-/* The same with `--set`: a name of the page itself, if it has one, and laws, steps or what cannot be meant. */
+/* The same with `--set`: a law, a step or what cannot be meant, and a name of the page itself. */
 static void read_set(const struct nb_page *page, size_t chance) {
   static const char *const values[] = {"0", "-1", "1e300", "1e-300", "nan", "3 mm", "1 2", "", "$a", "a"};
   static const char *const more[] = {"normal=hertz",         "shear=linear", "shear=mindlin_deresiewicz pieces 4",
                                      "step=1e-300 s",        "normal=",      "shear",
                                      "step=1e9 of critical", "step=1 of",    "a=$b"};
-  char name[NB_NAME_SIZE] = "a", own[2 * NB_NAME_SIZE];
-  for (size_t k = 0; k < page->line_count; k++)
-    if (sscanf(page->lines[k], "let %63s", name) == 1 || sscanf(page->lines[k], "sweep %63s", name) == 1)
-      break;
-  snprintf(own, sizeof own, "%s=%s", name, values[chance % (sizeof values / sizeof *values)]);
-  read_runs(page, (const char *const[]){own, more[chance % (sizeof more / sizeof *more)], NULL});
+  char name[NB_NAME_SIZE], own[2 * NB_NAME_SIZE];
+  const char *texts[3] = {more[chance % (sizeof more / sizeof *more)]};
+  for (size_t k = 0; k < page->line_count && !texts[1]; k++)
+    if (sscanf(page->lines[k], "let %63s", name) == 1 || sscanf(page->lines[k], "sweep %63s", name) == 1) {
+      snprintf(own, sizeof own, "%s=%s", name, values[chance % (sizeof values / sizeof *values)]);
+      texts[1] = own;
+    }
+  read_runs(page, texts);
+  if (texts[1])
+    read_runs(page, texts + 1);
 }
 
 void fuzz_read(const unsigned char *bytes, size_t size) {
