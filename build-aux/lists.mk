@@ -404,7 +404,6 @@ VERDICT = \
 # The command line.
 PROGRAM = \
   src/report/command_state.c src/report/commands.c src/report/commands.h src/report/confine.c src/report/confine.h \
-  src/report/figure.c src/report/gnuplot.c src/report/main.c src/report/manual.c src/report/manual.h \
-  src/report/manual_man.c src/report/manual_md.c src/report/manual_text.c src/report/print.c src/report/report.c \
-  src/report/tables.c src/report/tables.h
+  src/report/figure.c src/report/gnuplot.c src/report/main.c src/report/manual.c src/report/print.c \
+  src/report/report.c src/report/tables.c src/report/tables.h
 

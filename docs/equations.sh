@@ -1,5 +1,6 @@
 #!/bin/sh
-# Which file carries which equation: reads the tags [CS79 8-15], [R89 4.13] of the sources and writes docs/EQUATIONS.md.
+# Which file carries which equation: reads the tags [CS79 8-15], [R89 4.13] of the sources and writes the
+# table of them, which the build keeps in docs/EQUATIONS.md.
 #
 #   docs/equations.sh [TOP]      the top of the source tree; default: where this script lies, and one up
 #
@@ -210,7 +211,7 @@ table() {
     }
     $3 != name { flush(); name = $3; about = ""; files = "" }
     $2 == 0 { about = $4 }
-    $2 == 1 { files = files (files == "" ? "" : ", ") "[" $4 "](../" $4 ")" }
+    $2 == 1 { files = files (files == "" ? "" : ", ") $4 }
     END { flush() }'
 }
 
@@ -219,7 +220,8 @@ found=$(tags | named)
 cat <<'HEAD'
 # Equations, and the files they stand in
 
-Made by `docs/equations.sh` from the tags in the sources; the symbols are those of the papers, see [METHOD.md](METHOD.md).
+Made by `docs/equations.sh` from the tags in the sources; the symbols are those of the papers, see docs/METHOD.md. Files are named
+from the top of the source tree.
 
 ## CS79: Cundall and Strack (1979)
 

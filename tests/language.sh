@@ -1,5 +1,5 @@
 #!/bin/sh
-# The manual is what the program makes of its tables, every word in it has an example, and every example is read and runs.
+# The reference is what the program makes of its tables, the manual page holds all of it, every word in it has an example, and every example is read and runs.
 # TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -9,8 +9,6 @@ language=$work/LANGUAGE.md
 
 "$nineball" --help language-md >"$language" && diff -u docs/LANGUAGE.md "$language" >"$work/said"
 result $? "docs/LANGUAGE.md is what the program makes; make language renews it"
-"$nineball" --help man >"$work/man" && diff -u docs/nineball.1 "$work/man" >"$work/said"
-result $? "docs/nineball.1 is what the program makes; make language renews it"
 
 # A word's part begins with `### WORD` and goes to the next heading; in one of its blocks a line must begin with the word,
 # or, for what follows a measure, hold it.
@@ -52,8 +50,16 @@ result $? 'nineball --help WORD tells of each'
 test $? -eq 2 && grep -q 'did you mean `disc`?' "$work/said"
 result $? 'and of a mistyped one what was meant'
 
+# The manual page, a term in bold each: the syntax of every statement, every option, every command.
+sh docs/man.sh "$nineball" >"$work/man" && {
+  sed -n '/^### /{n;n;p;}' "$language" | tr -d '`'
+  "$nineball" --help | sed -n 's/^ *\(.*[^ ]\)   *[^ ].*$/\1/p'
+} | sed 's/\\/\\e/g; s/-/\\-/g; s/…/.../g' | while read -r term; do
+  grep -qxF "\\fB$term\\fR" "$work/man" || echo "the manual page has no $term"
+done >"$work/said" && test ! -s "$work/said"
+result $? 'the manual page has every statement, option and command'
 if command -v groff >/dev/null; then
-  groff -man -Tutf8 -ww -z docs/nineball.1 >"$work/said" 2>&1
+  groff -man -Tutf8 -ww -z "$work/man" >"$work/said" 2>&1
   test ! -s "$work/said"
   result $? 'groff has nothing against the man page'
 else

@@ -28,6 +28,12 @@ enum nb_status nb_command_state(const struct nb_use *use);
 enum nb_status nb_command_laws(const struct nb_use *use);
 enum nb_status nb_command_list(const struct nb_use *use);
 
+/* manual.c: all words of pages, as Markdown with what they take and with examples; for a terminal with one sentence each. */
+void nb_manual(FILE *out, bool markdown);
+/* All about one word of a page: a statement, what follows a measure, a clause of statements, a quantity. False: there is none; then `hint`
+ * (NB_NAME_SIZE * 2 bytes) holds the nearest one, or is empty. */
+bool nb_manual_word(FILE *out, const char *word, char *hint);
+
 /* print.c: verdicts and progress on the terminal */
 struct nb_outcome;
 /* One a line: "PAGE:7: warning: …", with `before` before it. */

@@ -10,7 +10,6 @@
 #include "commands.h"
 #include "core/clean.h"
 #include "core/guess.h"
-#include "manual.h"
 
 static const struct {
   const char *name;
@@ -30,7 +29,9 @@ static const struct {
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
-static const struct nb_help_row option_rows[] = {
+static const struct {
+  const char *term, *help;
+} option_rows[] = {
     {"-o, --output FOLDER", "where files go (default: NAME.out; report: report); of `state` a FILE (NAME-STAGE.state)"},
     {"--set NAME=VALUE", "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
     {"--follow FILE", "take a page's contact along a path of your own: columns approach/m and slip/m"},
@@ -43,7 +44,6 @@ static const struct nb_help_row option_rows[] = {
     {"--tap", "verdicts in the form that `make check` reads"},
     {"-h, --help", "this; all words of pages: nineball --help scene; one of them: nineball --help disc"},
     {"--version", "version and licence"},
-    {NULL, NULL},
 };
 
 static void print_help(FILE *out) {
@@ -59,9 +59,11 @@ static void print_help(FILE *out) {
     fprintf(out, "  %-*s %s\n", width, call, commands[k].help);
   }
   fputc('\n', out);
-  for (const struct nb_help_row *row = option_rows; row->term; row++)
-    fprintf(out, "  %s%-*s %s\n", row->term[1] == '-' ? "    " : "", row->term[1] == '-' ? 19 : 23, row->term,
-            row->help);
+  for (size_t k = 0; k < sizeof option_rows / sizeof *option_rows; k++) {
+    const bool has_letter = option_rows[k].term[1] != '-';
+    fprintf(out, "  %s%-*s %s\n", has_letter ? "" : "    ", has_letter ? 23 : 19, option_rows[k].term,
+            option_rows[k].help);
+  }
   fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of "
         "memory\n",
         out);
@@ -70,19 +72,10 @@ static void print_help(FILE *out) {
 /* `nineball --help WORD`. */
 static enum nb_status print_help_of(const char *word) {
   char near[2 * NB_NAME_SIZE];
-  struct nb_help_row rows[COMMANDS + 1] = {{NULL, NULL}};
-  char calls[COMMANDS][64];
-  for (int k = 0; k < COMMANDS; k++) {
-    snprintf(calls[k], sizeof calls[k], "%s %s", commands[k].name, commands[k].arguments);
-    rows[k] = (struct nb_help_row){calls[k], commands[k].help};
-  }
-  if (strcmp(word, "scene") == 0)
-    nb_manual_language(stdout, &nb_manner_text, false);
-  else if (strcmp(word, "language-md") == 0)
-    nb_manual_md(stdout);
-  else if (strcmp(word, "man") == 0)
-    nb_manual_man(stdout, rows, option_rows);
-  else if (!nb_manual_word(stdout, word, near)) {
+  const bool markdown = strcmp(word, "language-md") == 0;
+  if (markdown || strcmp(word, "scene") == 0) {
+    nb_manual(stdout, markdown);
+  } else if (!nb_manual_word(stdout, word, near)) {
     fprintf(
         stderr,
         "nineball: no page knows the word `%s`%s%s%s; nineball --help scene lists all words, nineball laws the laws\n",

@@ -1,12 +1,90 @@
-/* What is in the manual, and in which order.
+/* The manual, made from the tables that the program itself reads: statements, expectations, quantities, units. As Markdown it is
+ * docs/LANGUAGE.md, from which docs/man.sh makes the manual page; on a terminal it is `nineball --help scene`, and of one
+ * word `nineball --help WORD`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "manual.h"
-
 #include <string.h>
 
+#include "commands.h"
 #include "expect_take.h"
 #include "input/reader.h"
+
+/* Where it goes, and how. */
+struct manual {
+  FILE *out;
+  bool markdown; /* else for a terminal */
+  bool whole;    /* with what every statement takes, and examples */
+};
+
+/* ---- how it is written ---- */
+
+/* The text in lines of at most 100 characters: the first one and the others begin at these columns. */
+static void wrapped(FILE *out, int first, int other, const char *text) {
+  enum { WIDEST = 100 };
+  int column = first;
+  fprintf(out, "%*s", first, "");
+  for (const char *word = text; *word;) {
+    const size_t length = strcspn(word, " ");
+    int letters = 0;
+    for (size_t k = 0; k < length; k++)
+      letters += (word[k] & 0xC0) != 0x80;
+    if (word > text && column + 1 + letters > WIDEST) {
+      fprintf(out, "\n%*s", other, "");
+      column = other;
+    } else if (word > text) {
+      fputc(' ', out);
+      column++;
+    }
+    fwrite(word, 1, length, out);
+    column += letters;
+    word += length + strspn(word + length, " ");
+  }
+  fputc('\n', out);
+}
+
+static void section(const struct manual *to, const char *title) {
+  fprintf(to->out, to->markdown ? "## %s\n\n" : "\n%s\n\n", title);
+}
+
+static void end(const struct manual *to) { fputc('\n', to->out); }
+
+static void paragraph(const struct manual *to, const char *text) {
+  if (to->markdown)
+    fprintf(to->out, "%s\n", text);
+  else
+    wrapped(to->out, 2, 2, text);
+  end(to);
+}
+
+/* What belongs to a statement, or a row of a list; unit or NULL. */
+static void part(const struct manual *to, const char *name, const char *unit, const char *text) {
+  char line[1024];
+  snprintf(line, sizeof line, to->markdown ? "- `%s`%s%s: %s" : "%s%s%s: %s", name, unit ? ", " : "", unit ? unit : "",
+           text);
+  if (to->markdown)
+    fprintf(to->out, "%s\n", line);
+  else
+    wrapped(to->out, 8, 10, line);
+}
+
+static void item(const struct manual *to, const char *word, const char *syntax, const char *help) {
+  if (to->markdown) {
+    fprintf(to->out, "### %s\n\n`%s`\n\n%s\n\n", word, syntax, help);
+    return;
+  }
+  wrapped(to->out, 2, 4, syntax);
+  wrapped(to->out, 6, 6, help);
+}
+
+/* Whole lines of a block of that kind, the last one without its end. */
+static void example(const struct manual *to, const char *block, const char *lines) {
+  if (to->markdown) {
+    fprintf(to->out, "\n```%s\n%s\n```\n", block, lines);
+    return;
+  }
+  for (const char *line = lines; *line; line += strcspn(line, "\n"), line += *line == '\n')
+    fprintf(to->out, "%s        %.*s\n", line == lines ? "\n" : "", (int)strcspn(line, "\n"), line);
+}
 
 /* ---- one statement ---- */
 
@@ -17,8 +95,8 @@ static int first_sentence(const char *help) {
   return (int)(end ? (size_t)(end - help) : all - (all > 0 && help[all - 1] == '.'));
 }
 
-/* "a length above 0; 2R if it is not there. From centre to centre; 2R: touching." */
-static void argument(FILE *out, const struct nb_manner *manner, const struct nb_argument *field) {
+/* "a length above 0; without it: 2R. From centre to centre; 2R: touching." */
+static void argument(const struct manual *to, const struct nb_argument *field) {
   char name[128], text[512];
   snprintf(name, sizeof name, "%s%s%s", field->word ? field->word : "", field->word && field->value ? " " : "",
            field->value ? field->value : "");
@@ -31,101 +109,102 @@ static void argument(FILE *out, const struct nb_manner *manner, const struct nb_
              number ? nb_range_words(field->range) : "", otherwise, field->help);
   else
     snprintf(text, sizeof text, "%.*s%s.", first_sentence(field->help), field->help, otherwise);
-  manner->part(out, name, text);
+  part(to, name, NULL, text);
 }
 
-static void statement(FILE *out, const struct nb_manner *manner, const struct nb_keyword *keyword, bool whole) {
+/* Examples of scenes and expectations are, one after the other, the page docs/LANGUAGE.md; others are text of it. */
+static const char *block_of(const struct nb_keyword *keyword) {
+  return keyword->where == NB_IN_EXPECT                 ? "expect"
+         : keyword->where & NB_IN_CELL                  ? "text of a scene with a cell"
+         : keyword->where & NB_APART                    ? "text of another page"
+         : keyword->where & (NB_IN_SCENE | NB_IN_STAGE) ? "scene"
+                                                        : "text of a path";
+}
+
+static void statement(const struct manual *to, const struct nb_keyword *keyword) {
   char syntax[512], help[1024];
   nb_keyword_syntax(syntax, sizeof syntax, keyword);
   const bool both = keyword->where & NB_IN_SCENE && keyword->where & NB_IN_STAGE;
   const bool shared = keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_PATH | NB_IN_LEG);
   snprintf(help, sizeof help, "%s%s%s%s", keyword->help, both ? " In the scene and in stages." : "",
            keyword->where & NB_IN_RAMP ? " Also behind `ramp`." : "", shared ? " Also on the bench." : "");
-  manner->item(out, keyword->word, syntax, help);
-  if (!whole)
+  item(to, keyword->word, syntax, help);
+  if (!to->whole)
     return;
   for (const struct nb_argument *field = keyword->arguments; field->count; field++)
-    argument(out, manner, field);
+    argument(to, field);
   if (keyword->example)
-    manner->example(out,
-                    keyword->where == NB_IN_EXPECT                 ? "expect"
-                    : keyword->where & NB_IN_CELL                  ? "text of a scene with a cell"
-                    : keyword->where & NB_APART                    ? "text of another page"
-                    : keyword->where & (NB_IN_SCENE | NB_IN_STAGE) ? "scene"
-                                                                   : "text of a path",
-                    keyword->example);
-  manner->end_item(out);
+    example(to, block_of(keyword), keyword->example);
+  end(to);
 }
 
-static void expectation(FILE *out, const struct nb_manner *manner, const struct nb_expectation_row *row, bool whole) {
-  manner->item(out, row->word, row->syntax, row->help);
-  if (!whole)
+static void expectation(const struct manual *to, const struct nb_expectation_row *row) {
+  item(to, row->word, row->syntax, row->help);
+  if (!to->whole)
     return;
-  manner->example(out, "expect", row->example);
-  manner->end_item(out);
+  example(to, "expect", row->example);
+  end(to);
 }
 
 /* ---- lists ---- */
 
-static void measures(FILE *out, const struct nb_manner *manner) {
-  manner->words(
-      out, "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the scene records, and how the rows of a "
-           "stage, the last one with rows if none is named, become one number. REDUCER:");
+static void measures(const struct manual *to) {
+  paragraph(to,
+            "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the scene records, and how the rows of a "
+            "stage, the last one with rows if none is named, become one number. REDUCER:");
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
-    manner->row(out, row->word, NULL, row->help);
-  manner->row(out, "at N cycles", NULL,
-              "in the row of that cycle, counted from the start of the run; on the bench `at N steps`");
-  manner->row(out, "at TIME", NULL, "at that time, between two rows along a straight line");
-  manner->row(out, "in all", NULL, "the rows of all stages");
-  manner->end_list(out);
+    part(to, row->word, NULL, row->help);
+  part(to, "at N cycles", NULL,
+       "in the row of that cycle, counted from the start of the run; on the bench `at N steps`");
+  part(to, "at TIME", NULL, "at that time, between two rows along a straight line");
+  part(to, "in all", NULL, "the rows of all stages");
+  end(to);
 }
 
-static void quantities(FILE *out, const struct nb_manner *manner) {
+static void quantities(const struct manual *to) {
   const char *name, *unit, *of, *help, *before = "";
-  manner->section(out, "Quantities");
-  manner->words(out,
-                "What can be recorded, waited for and expected: the name alone for the whole scene, `WATCH.NAME` for "
+  section(to, "Quantities");
+  paragraph(to, "What can be recorded, waited for and expected: the name alone for the whole scene, `WATCH.NAME` for "
                 "what a `watch` has named.");
   for (size_t row = 0; nb_quantity_row(row, &name, &unit, &of, &help); row++) {
     if (strcmp(of, before) != 0) {
       char text[64];
       snprintf(text, sizeof text, "Of %s:", of);
       if (before[0])
-        manner->end_list(out);
-      manner->words(out, text);
+        end(to);
+      paragraph(to, text);
     }
-    manner->row(out, name, strcmp(unit, "1") == 0 ? "" : unit, help);
+    part(to, name, strcmp(unit, "1") == 0 ? NULL : unit, help);
     before = of;
   }
-  manner->end_list(out);
+  end(to);
 }
 
-static void units(FILE *out, const struct nb_manner *manner) {
-  manner->section(out, "Units");
-  manner->words(
-      out, "A number and its unit are two words: `0.3 mm`. All but `deg` are powers of ten of the SI unit, so that "
-           "`0.3 mm` is the same double as `0.0003 m`. With `units none` all numbers are bare.");
+static void units(const struct manual *to) {
+  section(to, "Units");
+  paragraph(to,
+            "A number and its unit are two words: `0.3 mm`. All but `deg` are powers of ten of the SI unit, so that "
+            "`0.3 mm` is the same double as `0.0003 m`. With `units none` all numbers are bare.");
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++) {
     char list[256];
     nb_unit_list(list, sizeof list, (enum nb_unit_kind)kind);
-    manner->row(out, nb_unit_kind_name((enum nb_unit_kind)kind), NULL,
-                kind == NB_UNIT_NUMBER ? "bare, or with % or ppm" : list);
+    part(to, nb_unit_kind_name((enum nb_unit_kind)kind), NULL,
+         kind == NB_UNIT_NUMBER ? "bare, or with % or ppm" : list);
   }
-  manner->end_list(out);
+  end(to);
 }
 
-static void grammar(FILE *out, const struct nb_manner *manner) {
+static void grammar(const struct manual *to) {
   char text[1024];
-  manner->section(out, "Words");
-  manner->words(out,
-                "A page is Markdown. Its fenced blocks `scene` or `path`, `expect` and `gnuplot` are read; the rest is "
+  section(to, "Words");
+  paragraph(to, "A page is Markdown. Its fenced blocks `scene` or `path`, `expect` and `gnuplot` are read; the rest is "
                 "prose, which "
                 "may say anything. Several blocks of a kind are read as one, in their order. A statement is a line: a "
                 "first word, then what it takes, with blanks between; `#` begins a comment.");
-  manner->words(
-      out, "Below, CAPITALS stand for what you write there, `{...}` may be left out, and `a|b` is one of the two. "
-           "Clauses (a word and its values) come in any order. `$NAME` stands for a value that `let` or `sweep` has "
-           "named above.");
+  paragraph(to,
+            "Below, CAPITALS stand for what you write there, `{...}` may be left out, and `a|b` is one of the two. "
+            "Clauses (a word and its values) come in any order. `$NAME` stands for a value that `let` or `sweep` has "
+            "named above.");
   snprintf(
       text, sizeof text,
       "A name is a letter, then letters, digits, `_` and `-`, less than %d in all. A number is decimal: `-1.5e3`. A "
@@ -134,48 +213,57 @@ static void grammar(FILE *out, const struct nb_manner *manner) {
       "what was probably meant; all mistakes of a page at once.",
       NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_BODIES_MAX, NB_MATERIALS_MAX,
       NB_NAMED_MAX);
-  manner->words(out, text);
+  paragraph(to, text);
 }
 
-void nb_manual_language(FILE *out, const struct nb_manner *manner, bool whole) {
-  grammar(out, manner);
-  manner->section(out, "The scene");
-  for (const struct nb_keyword *keyword = nb_keywords(); keyword->apply; keyword++)
-    if (keyword->where & NB_IN_SCENE)
-      statement(out, manner, keyword, whole);
-  manner->section(out, "In a stage");
-  for (const struct nb_keyword *keyword = nb_keywords(); keyword->apply; keyword++)
-    if (keyword->where & NB_IN_STAGE && !(keyword->where & NB_IN_SCENE))
-      statement(out, manner, keyword, whole);
-  manner->section(out, "On the bench");
-  manner->words(out,
-                "A page with a block `path` instead of `scene` takes one contact through approach and slip, or through "
-                "forces: no bodies, no time. Its legs are stages to what is expected: `shear max in load`.");
-  for (const struct nb_keyword *keyword = nb_keywords(); keyword->apply; keyword++)
-    if (keyword->where & (NB_IN_PATH | NB_IN_LEG) && !(keyword->where & (NB_IN_SCENE | NB_IN_STAGE)))
-      statement(out, manner, keyword, whole);
-  manner->section(out, "Expectations");
-  measures(out, manner);
-  for (const struct nb_keyword *keyword = nb_expect_keywords(); keyword->apply; keyword++)
-    if (keyword->word)
-      statement(out, manner, keyword, whole);
+/* Those that may stand here, and not there. */
+static void statements(const struct manual *to, const struct nb_keyword *table, unsigned here, unsigned there) {
+  for (const struct nb_keyword *keyword = table; keyword->apply; keyword++)
+    if (keyword->word && keyword->where & here && !(keyword->where & there))
+      statement(to, keyword);
+}
+
+void nb_manual(FILE *out, bool markdown) {
+  const struct manual to = {out, markdown, markdown};
+  if (markdown)
+    fputs(
+        "# The language of pages\n\n"
+        "Every word that a page may use. This document is made by the program, from the tables that it reads pages by: "
+        "`make language` writes it anew. It is a page itself: its examples, one after the other, are a scene, and "
+        "`nineball explain docs/LANGUAGE.md` says what would run. On the terminal: `nineball --help scene`, and "
+        "`nineball --help disc` for one word.\n\n",
+        out);
+  grammar(&to);
+  section(&to, "The scene");
+  statements(&to, nb_keywords(), NB_IN_SCENE, 0);
+  section(&to, "In a stage");
+  statements(&to, nb_keywords(), NB_IN_STAGE, NB_IN_SCENE);
+  section(&to, "On the bench");
+  paragraph(&to,
+            "A page with a block `path` instead of `scene` takes one contact through approach and slip, or through "
+            "forces: no bodies, no time. Its legs are stages to what is expected: `shear max in load`.");
+  statements(&to, nb_keywords(), NB_IN_PATH | NB_IN_LEG, NB_IN_SCENE | NB_IN_STAGE);
+  section(&to, "Expectations");
+  measures(&to);
+  statements(&to, nb_expect_keywords(), NB_IN_EXPECT, 0);
   for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++)
-    expectation(out, manner, row, whole);
-  quantities(out, manner);
-  units(out, manner);
+    expectation(&to, row);
+  quantities(&to);
+  units(&to);
 }
 
 /* ---- one word ---- */
 
 /* A word that is no statement but the clause of some: each of them, and what the clause takes. */
 static bool clause(FILE *out, const char *word, const struct nb_keyword *keyword) {
+  const struct manual to = {out, false, false};
   bool found = false;
   for (; keyword->apply; keyword++)
     for (const struct nb_argument *field = keyword->arguments; field->count; field++) {
       if (!field->word || strcmp(field->word, word) != 0)
         continue;
-      statement(out, &nb_manner_text, keyword, false);
-      argument(out, &nb_manner_text, field);
+      statement(&to, keyword);
+      argument(&to, field);
       found = true;
     }
   return found;
@@ -196,6 +284,7 @@ static bool quantity(FILE *out, const char *word) {
 
 bool nb_manual_word(FILE *out, const char *word, char *hint) {
   const struct nb_keyword *const tables[] = {nb_keywords(), nb_expect_keywords()};
+  const struct manual to = {out, false, true};
   struct nb_guess guess = nb_guess_begin(word);
   bool found = false;
   for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
@@ -207,14 +296,14 @@ bool nb_manual_word(FILE *out, const char *word, char *hint) {
       nb_guess_offer(&guess, first);
       if (strcmp(first, word) != 0 && strcmp(keyword->word, word) != 0)
         continue;
-      statement(out, &nb_manner_text, keyword, true);
+      statement(&to, keyword);
       found = true;
     }
   for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
     nb_guess_offer(&guess, row->word);
     if (strcmp(row->word, word) != 0)
       continue;
-    expectation(out, &nb_manner_text, row, true);
+    expectation(&to, row);
     found = true;
   }
   for (size_t t = 0; t < sizeof tables / sizeof *tables && !found; t++)
