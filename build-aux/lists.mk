@@ -217,7 +217,7 @@ SUITES = \
   tests/units.c \
   tests/scene.c \
   tests/statements.c \
-  tests/refs.c tests/refs_covers.c \
+  tests/refs.c tests/refs_covers.c tests/refs_features.c \
   tests/refs_nine.c \
   tests/refs_row.c \
   tests/refs_impact.c \
@@ -272,7 +272,7 @@ SUITES = \
   tests/run.c \
   tests/state.c \
   tests/state_driven.c \
-  tests/state_file.c \
+  tests/state_file.c tests/state_records.c \
   tests/bench.c \
   tests/many.c \
   tests/tensor.c \

@@ -5,6 +5,7 @@
 #include <CUnit/CUnit.h>
 
 #include "continued.h"
+#include "state_text.h"
 #include "suites.h"
 
 static void same(const char *what, const char *page, const char *damping) {
@@ -85,9 +86,55 @@ static void a_box(void) {
   same("box, ratio", box, "damping contact-ratio 0.1");
 }
 
+/* What the page does not have, or has otherwise, is no state of it; `drop` says what differs. */
+static void otherwise(const char *statements, int drop) {
+  struct words words = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  const struct nb_options options = {.threads = 1};
+  words_add(&words, "%s", statements);
+  written_scene(&it, &words);
+  struct nb_model *model = written_model(&it, &options);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  written_cycles(model, 20);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  nb_model_free(model);
+  const struct nb_saved whole = saved;
+  struct nb_saved_carried some[9] = {{.by = NB_CARRIER_NONE}};
+  saved.carried = some;
+  saved.carried_count = drop == 1 ? 1 : drop == 2 ? saved.body_count : whole.carried_count;
+  saved.cell.is = saved.cell.is != (drop == 3);
+  saved.ring.is = saved.ring.is || drop == 4;
+  saved.turns = saved.turns && drop != 5;
+  saved.ring.pressing = drop == 6;
+  it.scene.start.stages = 1;
+  model = nb_model_resume(&it.scene, &options, &saved, &error);
+  if (drop ? model != NULL : model == NULL)
+    printf("# %d: %s\n", drop, error.text);
+  CU_ASSERT_EQUAL(error.status, drop ? NB_BAD_USE : NB_OK);
+  if (drop)
+    CU_ASSERT_STRING_EQUAL(error.text, "the state has a cell or a boundary otherwise than the page");
+  nb_model_free(model);
+  saved = whole;
+  nb_saved_free(&saved);
+  written_free(&it);
+}
+
+static void others_are_refused(void) {
+  for (int drop = 0; drop <= 5; drop++)
+    otherwise(state_plain, drop);
+  const int of_cells[] = {0, 1, 3}, of_rings[] = {0, 1, 3, 6};
+  for (size_t k = 0; k < sizeof of_cells / sizeof *of_cells; k++)
+    otherwise(state_cell, of_cells[k]);
+  for (size_t k = 0; k < sizeof of_rings / sizeof *of_rings; k++)
+    otherwise(state_ring, of_rings[k]);
+}
+
 void suite_state_driven(void) {
   CU_pSuite suite = CU_add_suite("state_driven", NULL, NULL);
   CU_add_test(suite, "an assembly with a boundary goes on to the same bits from every stage", a_ring);
   CU_add_test(suite, "and one in a periodic cell", a_cell);
   CU_add_test(suite, "and one between walls that follow", a_box);
+  CU_add_test(suite, "a state with a cell or a boundary otherwise than the page is refused", others_are_refused);
 }

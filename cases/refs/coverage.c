@@ -139,14 +139,14 @@ static void note_loading(int lines[], const struct nb_stage *it) {
   const int boundary = it->boundary.line;
   note(lines, HAS_BOUNDARY, it->circle.line, it->circle.line);
   note(lines, HAS_BOUNDARY_STRAIN, boundary && it->boundary.control == NB_CONTROL_STRAIN, boundary);
-  note(lines, HAS_BOUNDARY_STRESS, boundary && it->boundary.control == NB_CONTROL_STRESS, boundary);
-  note(lines, HAS_BOUNDARY_NONE, boundary && it->boundary.control == NB_CONTROL_NONE, boundary);
-  note(lines, HAS_CONTINUUM, it->continuum.line && strains(&it->continuum.strain), it->continuum.line);
-  note(lines, HAS_CONTINUUM_LITERAL, it->continuum.line && it->continuum.literal, it->continuum.line);
-  note(lines, HAS_CELL_STRAIN, it->cell_line && strains(&it->cell), it->cell_line);
-  note(lines, HAS_BOX_STRAIN, it->box_line && strains(&it->box), it->box_line);
+  note(lines, HAS_BOUNDARY_STRESS, it->boundary.control == NB_CONTROL_STRESS, boundary);
+  note(lines, HAS_BOUNDARY_NONE, it->boundary.control == NB_CONTROL_NONE, boundary);
+  note(lines, HAS_CONTINUUM, strains(&it->continuum.strain), it->continuum.line);
+  note(lines, HAS_CONTINUUM_LITERAL, it->continuum.literal, it->continuum.line);
+  note(lines, HAS_CELL_STRAIN, strains(&it->cell), it->cell_line);
+  note(lines, HAS_BOX_STRAIN, strains(&it->box), it->box_line);
   note(lines, HAS_SERVO, it->servo.line, it->servo.line);
-  note(lines, HAS_RAMP, it->servo.line && it->servo.ramp, it->servo.line);
+  note(lines, HAS_RAMP, it->servo.ramp, it->servo.line);
 }
 
 static void note_changes(int lines[], const struct nb_scene *scene, const struct nb_stage *it) {
@@ -195,7 +195,7 @@ void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene) {
 }
 
 static bool lists(const enum nb_feature list[], enum nb_feature feature) {
-  for (int k = 0; k < NB_FEATURES && list[k] != HAS_NOTHING; k++)
+  for (int k = 0; list[k] != HAS_NOTHING; k++)
     if (list[k] == feature)
       return true;
   return false;
@@ -204,9 +204,9 @@ static bool lists(const enum nb_feature list[], enum nb_feature feature) {
 /* Whether `laws`, names separated by blanks, has this one; an empty name is that of no law. */
 static bool lists_law(const char *laws, const char *law) {
   const size_t length = strlen(law);
-  if (length == 0 || (laws && strcmp(laws, NB_ANY_LAW) == 0))
+  if (length == 0 || strcmp(laws, NB_ANY_LAW) == 0)
     return true;
-  for (const char *at = laws; at && *at; at += strcspn(at, " "), at += strspn(at, " "))
+  for (const char *at = laws; *at; at += strcspn(at, " "), at += strspn(at, " "))
     if (strcspn(at, " ") == length && strncmp(at, law, length) == 0)
       return true;
   return false;

@@ -48,7 +48,8 @@ struct nb_reference {
   const char *name;   /* the word after `reference`, and the name of the file */
   const char *title;  /* one line: what it computes and how */
   const char *source; /* equation tags: "[CS79 1-7]" */
-  /* What its theory covers, and what it cannot do without; a list ends with HAS_NOTHING, as all that is left unsaid is. */
+  /* What its theory covers, and what it cannot do without; a list ends with HAS_NOTHING, as all that is left unsaid is,
+   * and has room for it. */
   enum nb_feature accepts[NB_FEATURES], needs[4];
   const char *normal, *shear; /* names of laws, separated by blanks, or NB_ANY_LAW */
   /* NB_OK, or NB_BAD_USE with an error in words when the numbers of the scene are none this reference can judge. It is asked

@@ -2,7 +2,6 @@
  * record by record; whatever is not as docs/STATE.md says is an error with file, line, column and what was expected.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +54,7 @@ double nb_saved_number(struct nb_state_reading *reading) {
   if (strcmp(field, "-") == 0)
     return NAN;
   const double value = strtod(field, &end);
-  if (*end || !field[0] || isnan(value))
+  if (*end || isnan(value))
     nb_saved_expected(reading, "a number");
   return value;
 }
@@ -104,9 +103,8 @@ struct nb_vec nb_saved_unit_vector(struct nb_state_reading *reading) {
 unsigned long nb_saved_count(struct nb_state_reading *reading, unsigned long low, unsigned long high) {
   char field[NB_STATE_FIELD], *end;
   nb_saved_take_field(reading, field, "a whole number");
-  errno = 0;
   const unsigned long value = strtoul(field, &end, 10);
-  if (*end || field[0] < '0' || field[0] > '9' || errno || value < low || value > high)
+  if (*end || field[0] < '0' || value < low || value > high)
     nb_saved_expected(reading, "a whole number from %lu to %lu", low, high);
   return reading->bad ? low : value;
 }

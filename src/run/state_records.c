@@ -119,7 +119,7 @@ static void read_law(struct nb_state_reading *reading) {
   if (name[0])
     nb_saved_expected(reading, "such a record once");
   nb_saved_name(reading, name, "the name of a law");
-  if (!reading->bad && !nb_law_find(shear ? "shear" : "normal", name))
+  if (!nb_law_find(shear ? "shear" : "normal", name))
     nb_saved_expected(reading, "a law of this program");
   if (shear)
     reading->saved->pieces = (int)nb_saved_count(reading, 0, NB_PIECES_MAX);
@@ -135,9 +135,12 @@ static void read_material(struct nb_state_reading *reading) {
 #define ROW(name, ...) it->name = nb_saved_not_negative(reading);
   NB_PAIR_ROWS(ROW)
 #undef ROW
-  it->young = nb_saved_not_negative_if_any(reading), it->poisson = nb_saved_not_negative(reading);
-  if (isnan(it->young) || it->poisson > 0.5)
-    nb_saved_expected(reading, "E and a number from 0 to 0.5");
+  it->young = nb_saved_not_negative_if_any(reading);
+  if (isnan(it->young))
+    nb_saved_expected(reading, "0 or more");
+  it->poisson = nb_saved_not_negative(reading);
+  if (it->poisson > 0.5)
+    nb_saved_expected(reading, "a number from 0 to 0.5");
 }
 
 static void read_pair(struct nb_state_reading *reading) {

@@ -1,0 +1,208 @@
+/* The records of a saved state, field by field: whatever docs/STATE.md does not allow is an error at that field.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../src/run/state_reading.h"
+#include "state_text.h"
+#include "suites.h"
+
+static const char exact[] = "units none\nmaterial m density 3 friction 0.3 young 5000 poisson 0.2\nnormal "
+                            "hertz\nshear mindlin_deresiewicz pieces 3\n"
+                            "wall w -5 0 to 5 0 m\nspheres lattice 2 by 1 m radius 1 spacing 1.99 from 0 "
+                            "0.995\ngravity 1 -1\nstep 0.001\nstage a\ncycles 20\n";
+
+/* What each field behind the word may be, one letter each. A field behind these is not looked at. */
+static const struct {
+  const char *page, *record, *fields;
+} records[] = {
+    {state_plain, "program", "t"},
+    {state_plain, "hash", "w"},
+    {state_plain, "stage", "t"},
+    {state_plain, "cycle", "cc"},
+    {state_plain, "time", "np"},
+    {state_plain, "units", "w"},
+    {state_plain, "gravity", "ff"},
+    {state_plain, "law normal", "w"},
+    {state_plain, "law shear", "wc"},
+    {state_plain, "material", "wnnnnnyv"},
+    {state_plain, "pair", "wwmmmm"},
+    {state_plain, "body", "kwwwpffffff"},
+    {state_plain, "wall", "wwffuufffffffff"},
+    {state_plain, "fields", "wwwwwwwwwwwww"},
+    {state_plain, "contact", "kwkwffnffffnnnfnnff"},
+    {state_plain, "shear", "g"},
+    {exact, "shear", "ggg"},
+    {state_ring, "inward", "fff"},
+    {state_ring, "rotation", "w"},
+    {state_ring, "centre", "ff"},
+    {state_ring, "carrier", "wwffffwffff"},
+    {state_ring, "carried", "kwff"},
+    {state_ring, "boundary", "wwpffffffff"},
+    {state_ring, "members", "kkk"},
+    {state_cell, "cell", "ffffffff"},
+};
+
+static const struct {
+  char kind;
+  const char *refused[9];
+} kinds[] = {
+    {'w', {"", "x!"}},                                                                  /* a word or a name */
+    {'t', {""}},                                                                        /* a word */
+    {'g', {"x", "-", "inf", "-inf", "nan", "0x1p+0x"}},                                 /* finite, or none */
+    {'f', {"", "x", "-", "inf", "-inf", "nan", "0x1p+0x"}},                             /* finite */
+    {'n', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0"}},                             /* 0 or more */
+    {'p', {"", "x", "-", "inf", "-inf", "nan", "-0x1p+0", "0x0p+0"}},                   /* above 0 */
+    {'m', {"", "x", "-inf", "nan", "-0x1p+0"}},                                         /* 0 or more, or not said */
+    {'y', {"", "x", "-", "-inf", "nan", "-0x1p+0"}},                                    /* E */
+    {'v', {"", "x", "-", "inf", "nan", "-0x1p+0", "0x1.00001p-1"}},                     /* Poisson's ratio */
+    {'u', {"", "x", "-", "inf", "nan", "0x1.00001p+0"}},                                /* of a unit vector */
+    {'c', {"", "x", "-", "-1", "+1", "1x", "1000000000001", "99999999999999999999"}},   /* a whole number */
+    {'k', {"", "x", "-", "-1", "+1", "1x", "0", "4000000000", "99999999999999999999"}}, /* from 1 on */
+};
+
+/* The start of the first record with this word, or of the line `end`; and the end of that line. */
+static char *line_of(char *text, const char *word, char **end) {
+  const size_t length = strlen(word);
+  char *at = text;
+  while (strncmp(at, word, length) != 0 || (at[length] != ' ' && at[length] != '\n'))
+    at = strchr(at, '\n') + 1;
+  *end = strchr(at, '\n');
+  return at;
+}
+
+static size_t line_number(const char *text, const char *at) {
+  size_t number = 1;
+  for (; text < at; text++)
+    number += *text == '\n';
+  return number;
+}
+
+/* Reads the text with the bytes from `from` to `to` replaced; what is said. */
+static struct nb_error said(const char *text, size_t size, const char *from, const char *to, const char *by) {
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  size_t sealed_size;
+  char *other = malloc(size + strlen(by) + 1);
+  sprintf(other, "%.*s%s%s", (int)(from - text), text, by, to);
+  char *sealed = state_sealed(other, strlen(other) - NB_STATE_END, &sealed_size);
+  nb_saved_read_text(&saved, "a.state", sealed, sealed_size, &error);
+  nb_saved_free(&saved);
+  free(sealed), free(other);
+  return error;
+}
+
+static void refused(const char *text, size_t size, char *field, size_t length, const char *by, bool vector) {
+  char where[32], *line = field;
+  while (line > text && line[-1] != '\n')
+    line--;
+  snprintf(where, sizeof where, "a.state:%zu:%zu: ", line_number(text, field), (size_t)(field - line) + 1);
+  where[vector ? strcspn(where, ":") + 1 : strlen(where)] = 0; /* a vector is refused at its last number */
+  const struct nb_error error = said(text, size, field, field + length, by);
+  if (strncmp(error.text, where, strlen(where)) != 0)
+    printf("# `%s` in %.*s: expected %s…, found `%s`\n", by, (int)(strcspn(field, "\n") + (size_t)(field - line)), line,
+           where, error.text);
+  CU_ASSERT(strncmp(error.text, where, strlen(where)) == 0);
+}
+
+static void every_field(void) {
+  char name[NB_NAME_SIZE + 1] = "", word[NB_STATE_FIELD + 1] = "";
+  memset(name, 'x', sizeof name - 1), memset(word, '0', sizeof word - 1);
+  for (size_t r = 0; r < sizeof records / sizeof *records; r++) {
+    size_t size;
+    char *text = state_of(records[r].page, &size), *end, *at = line_of(text, records[r].record, &end);
+    at += strlen(records[r].record);
+    CU_ASSERT_EQUAL(said(text, size, text, text, "").status, NB_OK);
+    for (const char *kind = records[r].fields; *kind && *at == ' '; kind++) {
+      const size_t length = strcspn(++at, " \n");
+      for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (int b = 0; kinds[k].kind == *kind && b < 9 && kinds[k].refused[b]; b++)
+          refused(text, size, at, length, kinds[k].refused[b], *kind == 'u');
+      refused(text, size, at, length, name, false);
+      refused(text, size, at, length, word, false);
+      at += length;
+    }
+    free(text);
+  }
+}
+
+/* A record that must be there, taken away, and one that may be there once, doubled. */
+static void every_record(void) {
+  static const struct {
+    const char *page, *record;
+    const char *gone; /* what is said without it */
+  } rows[] = {
+      {state_plain, "program", "expected a record `program` above"},
+      {state_plain, "page", "expected a record `page` above"},
+      {state_plain, "hash", "expected a record `hash` above"},
+      {state_plain, "stage", "expected a record `stage` above"},
+      {state_plain, "cycle", "expected a record `cycle` above"},
+      {state_plain, "time", "expected a record `time` above"},
+      {state_plain, "units", "expected a record `units` above"},
+      {state_plain, "gravity", "expected a record `gravity` above"},
+      {state_cell, "law normal", "expected records `law normal` and `law shear` above"},
+      {state_cell, "law shear", "expected records `law normal` and `law shear` above"},
+      {state_plain, "fields", "expected a record `fields` before the first contact"},
+      {state_plain, "shear", NULL},
+      {state_ring, "inward", NULL},
+      {state_ring, "rotation", NULL},
+      {state_ring, "centre", NULL},
+      {state_ring, "boundary", "expected records `boundary` and `members`, or neither"},
+      {state_ring, "members", "expected body 1 to be carried by a cell or a boundary that there is"},
+      {state_cell, "cell", "expected body 1 to be carried by a cell or a boundary that there is"},
+  };
+  for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
+    size_t size;
+    char *text = state_of(rows[r].page, &size), *end, *at = line_of(text, rows[r].record, &end), twice[1024];
+    snprintf(twice, sizeof twice, "%.*s\n%.*s\n", (int)(end - at), at, (int)(end - at), at);
+    struct nb_error error = said(text, size, at, end + 1, twice);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "expected such a record once"));
+    error = said(text, size, at, end + 1, "");
+    CU_ASSERT(rows[r].gone ? strstr(error.text, rows[r].gone) != NULL : error.status == NB_OK);
+    free(text);
+  }
+}
+
+static void without_bodies(void) {
+  static const char text[] =
+      "nineball state 1\nprogram 1\npage a\nhash 0000000000000000\nstage a\ncycle 1 1\n"
+      "time 0x1p+0 0x1p+0\nunits si\ngravity 0x0p+0 0x0p+0\nlaw normal linear\nlaw shear none 0\n"
+      "end 0000000000000000\n";
+  const struct nb_error error = said(text, sizeof text - 1, text, text, "");
+  CU_ASSERT_STRING_EQUAL(error.text, "a.state:12:1: expected a record `body` above, found `end`");
+  /* A last line without an end, and its right checksum. */
+  const char *end = strstr(text, "\nend ");
+  CU_ASSERT_PTR_NOT_NULL(strstr(said(text, sizeof text - 1, end, end + 1, "").text, "expected another checksum"));
+}
+
+/* As many records, and as many numbers in one, as there may be; and one more. */
+static void at_most(void) {
+  size_t size;
+  char *text = state_of(state_plain, &size), *end, *at = line_of(text, "units", &end);
+  char *many = calloc(NB_NAMED_MAX + 1, 16);
+  for (int k = 0; k + 1 < NB_NAMED_MAX; k++) /* there is one already */
+    strcat(many, "setting a=1\n");
+  CU_ASSERT_EQUAL(said(text, size, at, at, many).status, NB_OK);
+  strcat(many, "setting a=1\n");
+  CU_ASSERT_PTR_NOT_NULL(strstr(said(text, size, at, at, many).text, "expected at most 2000 such records"));
+  free(many);
+  at = line_of(text, "shear", &end);
+  many = calloc(NB_MEMORY_MAX + 3, 3);
+  strcpy(many, "shear");
+  for (int k = 0; k < NB_MEMORY_MAX; k++)
+    strcat(many, " 0");
+  CU_ASSERT_PTR_NOT_NULL(strstr(said(text, size, at, end, many).text, "numbers that the law can have remembered"));
+  strcat(many, " 0");
+  CU_ASSERT_PTR_NOT_NULL(strstr(said(text, size, at, end, many).text, "expected at most 1292 numbers"));
+  free(many), free(text);
+}
+
+void suite_state_records(void) {
+  CU_pSuite suite = CU_add_suite("state_records", NULL, NULL);
+  CU_add_test(suite, "what a field may not be is refused there", every_field);
+  CU_add_test(suite, "a record that is missing, or there twice", every_record);
+  CU_add_test(suite, "no body, no end of the last line", without_bodies);
+  CU_add_test(suite, "no more than there may be", at_most);
+}

@@ -1,0 +1,19 @@
+/* Small states as text, for the tests of what reads them.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_STATE_TEXT_H
+#define NB_STATE_TEXT_H
+
+#include <stddef.h>
+
+/* Statements of pages whose states have every record between them. */
+extern const char state_plain[], state_ring[], state_cell[];
+
+/* After twenty cycles; to be freed. */
+char *state_of(const char *statements, size_t *size);
+/* Such a state with `from` replaced by `to`, and the checksum that then belongs to it; to be freed. */
+char *state_changed(const char *statements, const char *from, const char *to, size_t *size);
+/* The first `length` bytes of a state, and their checksum; to be freed. */
+char *state_sealed(const char *text, size_t length, size_t *size);
+
+#endif
