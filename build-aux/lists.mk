@@ -331,79 +331,252 @@ REFERENCES_SHARED = \
 
 # Particles, walls, contacts, the list of near pairs, the calculation cycle.
 CORE = \
-  src/core/array.c src/core/array.h src/core/block.h src/core/carry.h src/core/cell.c src/core/cell.h src/core/clean.c \
-  src/core/clean.h src/core/clock.h src/core/contacts.c src/core/contacts.h src/core/cycle.c src/core/damping.c \
-  src/core/deep.c src/core/error.c src/core/guard.c src/core/guess.h src/core/joints.c src/core/joints.h \
-  src/core/machine.c src/core/materials.c src/core/memory.c src/core/model.h src/core/motion.c src/core/motion.h \
-  src/core/names.h src/core/near.c src/core/near.h src/core/near_pairs.c src/core/properties.c src/core/tensor.h \
-  src/core/vec.h src/core/velocity.c src/core/walls.c src/core/walls.h src/core/warning.c src/nineball.h
+  src/core/array.c \
+  src/core/array.h \
+  src/core/block.h \
+  src/core/blocks.c \
+  src/core/boundary.h \
+  src/core/carry.h \
+  src/core/cell.c \
+  src/core/cell.h \
+  src/core/clean.c \
+  src/core/clean.h \
+  src/core/clock.h \
+  src/core/contacts.c \
+  src/core/contacts.h \
+  src/core/cycle.c \
+  src/core/damping.c \
+  src/core/deep.c \
+  src/core/error.c \
+  src/core/guard.c \
+  src/core/guess.h \
+  src/core/hertz_impact.h \
+  src/core/joints.c \
+  src/core/joints.h \
+  src/core/machine.c \
+  src/core/materials.c \
+  src/core/memory.c \
+  src/core/model.h \
+  src/core/motion.c \
+  src/core/motion.h \
+  src/core/names.h \
+  src/core/near.c \
+  src/core/near.h \
+  src/core/near_pairs.c \
+  src/core/table.c \
+  src/core/tensor.h \
+  src/core/vec.h \
+  src/core/velocity.c \
+  src/core/walls.c \
+  src/core/walls.h \
+  src/core/warning.c \
+  src/nineball.h
 
 # What all laws are made with.
 LAWS_SHARED = \
-  src/laws/corners.h src/laws/law.h src/laws/law_batch.h src/laws/law_stages.h src/laws/laws_now.c \
-  src/laws/laws_now.h src/laws/randall.h src/laws/register.c
+  src/laws/corners.h \
+  src/laws/law.h \
+  src/laws/law_batch.h \
+  src/laws/law_stages.h \
+  src/laws/laws_now.c \
+  src/laws/laws_now.h \
+  src/laws/properties.c \
+  src/laws/randall.h \
+  src/laws/register.c
 
 # The passes of the force calculation.
 PASS = \
-  src/pass/dashpots.c src/pass/deep.c src/pass/disc_disc.c src/pass/disc_disc.h src/pass/disc_wall.c \
-  src/pass/joints.c src/pass/periodic.c src/pass/resolve.c
+  src/pass/dashpots.c \
+  src/pass/deep.c \
+  src/pass/disc_disc.c \
+  src/pass/disc_disc.h \
+  src/pass/disc_wall.c \
+  src/pass/joints.c \
+  src/pass/pass.h \
+  src/pass/periodic.c \
+  src/pass/resolve.c
 
 # What is measured of an assembly: stress, fabric, energy, the stable step. Changes nothing.
 MEASURE = \
-  src/measure/areas.c src/measure/areas.h src/measure/balance.c src/measure/balance.h src/measure/balance_bodies.c \
-  src/measure/balance_carry.c src/measure/balance_entry.c src/measure/balance_jumps.c src/measure/balance_steps.c \
-  src/measure/chains.c src/measure/coordination.c src/measure/energy.c src/measure/energy.h src/measure/fabric.c \
-  src/measure/fracc.c src/measure/hertz_impact.h src/measure/loads.c src/measure/meet.c src/measure/parted.c \
-  src/measure/porosity.c src/measure/rayleigh.c src/measure/region.c src/measure/region.h src/measure/since.c \
-  src/measure/since.h src/measure/snapshot.c src/measure/speeds.c src/measure/stable.c src/measure/step.c \
-  src/measure/step.h src/measure/step_kinds.c src/measure/strain.c src/measure/stress.c src/measure/summary.c \
+  src/measure/areas.c \
+  src/measure/areas.h \
+  src/measure/balance.c \
+  src/measure/balance.h \
+  src/measure/balance_bodies.c \
+  src/measure/balance_carry.c \
+  src/measure/balance_entry.c \
+  src/measure/balance_jumps.c \
+  src/measure/balance_steps.c \
+  src/measure/boundary.c \
+  src/measure/boundary.h \
+  src/measure/chains.c \
+  src/measure/coordination.c \
+  src/measure/energy.c \
+  src/measure/energy.h \
+  src/measure/fabric.c \
+  src/measure/fracc.c \
+  src/measure/loads.c \
+  src/measure/meet.c \
+  src/measure/parted.c \
+  src/measure/porosity.c \
+  src/measure/rayleigh.c \
+  src/measure/region.c \
+  src/measure/region.h \
+  src/measure/since.c \
+  src/measure/since.h \
+  src/measure/snapshot.c \
+  src/measure/snapshot.h \
+  src/measure/speeds.c \
+  src/measure/stable.c \
+  src/measure/step.c \
+  src/measure/step.h \
+  src/measure/step_kinds.c \
+  src/measure/strain.c \
+  src/measure/stress.c \
+  src/measure/summary.c \
   src/measure/watch.c
 
 # What moves an assembly from outside: boundary, cell, box, servo; what is taken out.
 LOADING = \
-  src/loading/box.c src/loading/box.h src/loading/box_kinds.c src/loading/carry.c src/loading/cell_kinds.c \
-  src/loading/drive.c src/loading/drive.h src/loading/drive_kinds.c src/loading/remove.c src/loading/ring.c \
-  src/loading/servo.c src/loading/servo.h
+  src/loading/box.c \
+  src/loading/box.h \
+  src/loading/box_kinds.c \
+  src/loading/carry.c \
+  src/loading/carry.h \
+  src/loading/cell_kinds.c \
+  src/loading/drive.c \
+  src/loading/drive.h \
+  src/loading/drive_kinds.c \
+  src/loading/remove.c \
+  src/loading/ring.c \
+  src/loading/servo.c \
+  src/loading/servo.h
 
 # Lattices and random filling.
 PACKING = \
-  src/packing/fill.c src/packing/fill_kinds.c src/packing/lattice.c src/packing/packing.h src/packing/random.c src/packing/random.h
+  src/packing/fill.c \
+  src/packing/fill_kinds.c \
+  src/packing/lattice.c \
+  src/packing/packing.h \
+  src/packing/random.c \
+  src/packing/random.h
 
 # A page, line by line, to struct nb_scene.
 INPUT = \
-  src/input/columns.c src/input/columns.h src/input/file.c src/input/hash.h src/input/keywords.c \
-  src/input/mistakes.c src/input/names.c src/input/page.c src/input/reader.h src/input/scene.c src/input/scene.h \
-  src/input/scene_bodies.c src/input/scene_box.c src/input/scene_cell.c src/input/scene_changes.c \
-  src/input/scene_drive.c src/input/scene_fields.h src/input/scene_fill.c src/input/scene_follow.c \
-  src/input/scene_free.c src/input/scene_impact.c src/input/scene_laws.c src/input/scene_packing.c \
-  src/input/scene_path.c src/input/scene_place.c src/input/scene_region.c src/input/scene_remove.c \
-  src/input/scene_repeat.c src/input/scene_servo.c src/input/scene_stages.c src/input/scene_start.c \
-  src/input/scene_step.c src/input/scene_table.c src/input/scene_values.c src/input/scene_whole.c \
-  src/input/scene_world.c src/input/text.c src/input/text.h src/input/units.c src/input/units.h src/input/values.c \
-  src/input/verbs.c src/input/words.c
+  src/input/columns.c \
+  src/input/columns.h \
+  src/input/file.c \
+  src/input/hash.h \
+  src/input/keywords.c \
+  src/input/mistakes.c \
+  src/input/names.c \
+  src/input/page.c \
+  src/input/reader.h \
+  src/input/scene.c \
+  src/input/scene.h \
+  src/input/scene_bodies.c \
+  src/input/scene_box.c \
+  src/input/scene_cell.c \
+  src/input/scene_changes.c \
+  src/input/scene_drive.c \
+  src/input/scene_fields.h \
+  src/input/scene_fill.c \
+  src/input/scene_follow.c \
+  src/input/scene_free.c \
+  src/input/scene_impact.c \
+  src/input/scene_laws.c \
+  src/input/scene_packing.c \
+  src/input/scene_path.c \
+  src/input/scene_place.c \
+  src/input/scene_region.c \
+  src/input/scene_remove.c \
+  src/input/scene_repeat.c \
+  src/input/scene_servo.c \
+  src/input/scene_stages.c \
+  src/input/scene_start.c \
+  src/input/scene_step.c \
+  src/input/scene_table.c \
+  src/input/scene_values.c \
+  src/input/scene_whole.c \
+  src/input/scene_world.c \
+  src/input/text.c \
+  src/input/text.h \
+  src/input/units.c \
+  src/input/units.h \
+  src/input/values.c \
+  src/input/verbs.c \
+  src/input/words.c
 
 # Plan, stages, states, tables, and one contact alone.
 RUN = \
-  src/run/bench.c src/run/bench.h src/run/bench_leg.c src/run/bench_names.c src/run/bench_run.c \
-  src/run/bench_traction.c src/run/impact.c src/run/impact.h src/run/model.c src/run/observe.c src/run/observe.h \
-  src/run/plan.c src/run/run.c src/run/save.c src/run/save.h src/run/stage.c src/run/start.c src/run/start.h \
-  src/run/state.c src/run/state.h src/run/state_contacts.c src/run/state_driven.c src/run/state_read.c \
-  src/run/state_reading.h src/run/state_records.c src/run/state_write.c
+  src/run/bench.c \
+  src/run/bench.h \
+  src/run/bench_leg.c \
+  src/run/bench_names.c \
+  src/run/bench_run.c \
+  src/run/bench_traction.c \
+  src/run/hooks.c \
+  src/run/impact.c \
+  src/run/impact.h \
+  src/run/model.c \
+  src/run/observe.c \
+  src/run/observe.h \
+  src/run/plan.c \
+  src/run/plan.h \
+  src/run/run.c \
+  src/run/save.c \
+  src/run/save.h \
+  src/run/stage.c \
+  src/run/start.c \
+  src/run/start.h \
+  src/run/state.c \
+  src/run/state.h \
+  src/run/state_contacts.c \
+  src/run/state_driven.c \
+  src/run/state_read.c \
+  src/run/state_reading.h \
+  src/run/state_records.c \
+  src/run/state_write.c
 
 # What a page would make the program do.
 EXPLAIN = \
-  src/report/explain.c src/report/explain.h src/report/explain_bench.c src/report/explain_changes.c \
-  src/report/explain_drive.c src/report/explain_fill.c src/report/explain_region.c src/report/explain_start.c
+  src/report/explain.c \
+  src/report/explain.h \
+  src/report/explain_bench.c \
+  src/report/explain_changes.c \
+  src/report/explain_drive.c \
+  src/report/explain_fill.c \
+  src/report/explain_region.c \
+  src/report/explain_start.c
 
 # What a page expects, and what came of it.
 VERDICT = \
-  src/report/expect.c src/report/expect.h src/report/expect_table.c src/report/expect_take.c \
-  src/report/expect_take.h src/report/outcome.c src/report/outcome.h src/report/reducers.c src/report/verdict.c \
-  src/report/verdict.h src/report/verdict_sample.c src/report/verdict_sweep.c
+  src/report/expect.c \
+  src/report/expect.h \
+  src/report/expect_table.c \
+  src/report/expect_take.c \
+  src/report/expect_take.h \
+  src/report/outcome.c \
+  src/report/outcome.h \
+  src/report/reducers.c \
+  src/report/verdict.c \
+  src/report/verdict.h \
+  src/report/verdict_sample.c \
+  src/report/verdict_sweep.c
 
 # The command line.
 PROGRAM = \
-  src/report/command_state.c src/report/commands.c src/report/commands.h src/report/confine.c src/report/confine.h \
-  src/report/figure.c src/report/gnuplot.c src/report/main.c src/report/manual.c src/report/print.c \
-  src/report/report.c src/report/tables.c src/report/tables.h
+  src/report/command_state.c \
+  src/report/commands.c \
+  src/report/commands.h \
+  src/report/confine.c \
+  src/report/confine.h \
+  src/report/figure.c \
+  src/report/gnuplot.c \
+  src/report/main.c \
+  src/report/manual.c \
+  src/report/print.c \
+  src/report/report.c \
+  src/report/tables.c \
+  src/report/tables.h
 

@@ -8,6 +8,7 @@
 
 #include "../src/core/near.h"
 #include "placed.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -93,7 +94,7 @@ static void all_copies_are_found(void) {
       CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
       for (int round = 0; round < 12; round++) {
         CU_ASSERT_EQUAL_FATAL(nb_near(model, &error), NB_OK);
-        const size_t wanted = compare(model, model->skin);
+        const size_t wanted = compare(model, model->search.skin);
         CU_ASSERT(wanted > 20 && wanted == model->contacts.count);
         for (int cycle = 0; cycle < 250; cycle++) {
           CU_ASSERT_EQUAL_FATAL(nb_cycle(model, &error), NB_OK);
@@ -101,7 +102,7 @@ static void all_copies_are_found(void) {
             CU_ASSERT(compare(model, 0) > 3); /* between searches, whatever touches */
         }
       }
-      CU_ASSERT(model->searches > 15 && model->searches < 1500);
+      CU_ASSERT(model->search.count > 15 && model->search.count < 1500);
       nb_model_free(model);
       written_free(&it);
     }
@@ -156,7 +157,7 @@ static void the_skin_changes_no_bit(void) {
     gas(&it, "cell strain 0.02 0 c12 0.9", skins[s], 1, 8);
     struct nb_model *model = run(&it, NULL, 1000);
     outcome(model, s ? seen : wanted);
-    searches[s] = model->searches;
+    searches[s] = model->search.count;
     CU_ASSERT(!s || memcmp(seen, wanted, sizeof seen) == 0);
     nb_model_free(model);
     written_free(&it);
@@ -207,7 +208,7 @@ static void a_strain_is_uniform(void) {
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.x"), 10 + xx * 28 - xy * 10, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.vx"), 0.01 * xx * 28 - 10 * (0.01 * xy + 0.05 * yy), 1e-3);
   CU_ASSERT(fabs(written_now(model, "energy.kinetic")) < 1e-25);
-  CU_ASSERT(model->searches < 40);
+  CU_ASSERT(model->search.count < 40);
   nb_model_free(model);
   written_free(&it);
 }

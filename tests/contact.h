@@ -8,6 +8,7 @@
 
 #include "../src/laws/law.h"
 #include "chance.h"
+#include "laws/laws_now.h"
 
 enum { PAIRS = 200, MOST = 16 + 5 * 64 };   /* doubles that a law may remember, here */
 static const double untouched = -12345.678; /* in the slots of memory that a law does not have */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../src/measure/step.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 

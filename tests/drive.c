@@ -7,6 +7,8 @@
 
 #include "../src/loading/drive.h"
 #include "chance.h"
+#include "measure/boundary.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 

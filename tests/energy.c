@@ -223,7 +223,7 @@ static void nothing_for_nothing(void) {
   CU_ASSERT_PTR_NULL(model->balance);
   CU_ASSERT_PTR_NULL(model->contacts.kept[NB_SHEAR_BEFORE]);
   CU_ASSERT_PTR_NULL(model->contacts.kept[NB_SLIP]);
-  CU_ASSERT_EQUAL(model->kept >> NB_FIELDS, 0);
+  CU_ASSERT_EQUAL(model->plan.kept >> NB_FIELDS, 0);
   nb_model_free(model);
   written_free(&it);
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../src/core/model.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 

@@ -6,6 +6,7 @@
 
 #include "../src/core/model.h"
 #include "chance.h"
+#include "pass/pass.h"
 #include "suites.h"
 
 enum { N = NB_BLOCK };

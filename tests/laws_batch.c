@@ -10,6 +10,7 @@
 
 #include "../src/core/model.h"
 #include "chance.h"
+#include "laws/laws_now.h"
 #include "suites.h"
 
 /* A law of the tests alone: it fills all the memory there is and never empties it, touching or not. */

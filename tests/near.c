@@ -82,7 +82,7 @@ static void all_pairs_are_found(void) {
       struct written it;
       cloud(&it, places[p][0], places[p][1], 1, p + 1);
       struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
-      const size_t wanted = compare(model, model->skin);
+      const size_t wanted = compare(model, model->search.skin);
       CU_ASSERT(wanted > DISCS / 2 && wanted == model->contacts.count); /* those, and no others */
       nb_model_free(model);
       written_free(&it);
@@ -98,7 +98,7 @@ static void whatever_touches_is_listed(void) {
     written_cycles(model, 1);
     CU_ASSERT(compare(model, 0) > DISCS / 4);
   }
-  CU_ASSERT(model->searches > 3 && model->searches < 100);
+  CU_ASSERT(model->search.count > 3 && model->search.count < 100);
   nb_model_free(model);
   written_free(&it);
 }
@@ -121,13 +121,13 @@ static void unlike_sizes(void) {
   written_scene(&it, &page);
   for (int shuffle = 0; shuffle < 2; shuffle++) {
     struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
-    CU_ASSERT_EQUAL(model->skin, 0.02);
-    const size_t wanted = compare(model, model->skin);
+    CU_ASSERT_EQUAL(model->search.skin, 0.02);
+    const size_t wanted = compare(model, model->search.skin);
     CU_ASSERT(wanted > SMALL / 5 && wanted == model->contacts.count);
     /* five large ones measure every small one at most; a small one its own neighbourhood, which is a few */
-    if (!(model->candidates < 5 * SMALL + 7 * SMALL))
-      printf("# %llu candidates for %zu pairs\n", model->candidates, wanted);
-    CU_ASSERT(model->candidates < 5 * SMALL + 7 * SMALL);
+    if (!(model->search.candidates < 5 * SMALL + 7 * SMALL))
+      printf("# %llu candidates for %zu pairs\n", model->search.candidates, wanted);
+    CU_ASSERT(model->search.candidates < 5 * SMALL + 7 * SMALL);
     nb_model_free(model);
   }
   written_free(&it);
@@ -143,8 +143,8 @@ static unsigned long long searches_of(const char *statements, unsigned long long
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   written_cycles(model, 400);
-  const unsigned long long searches = model->searches;
-  *candidates = model->candidates;
+  const unsigned long long searches = model->search.count;
+  *candidates = model->search.candidates;
   nb_model_free(model);
   written_free(&it);
   return searches;
@@ -200,11 +200,11 @@ static void the_skin_changes_no_bit(void) {
   for (int s = 0; s < 3; s++) {
     struct nb_error error;
     struct nb_model *model = written_model(&it, NULL);
-    model->skin = skins[s];
+    model->search.skin = skins[s];
     CU_ASSERT_EQUAL_FATAL(nb_near(model, &error), NB_OK);
     nb_forces(model);
     written_cycles(model, 300);
-    searches[s] = model->searches;
+    searches[s] = model->search.count;
     outcome(model, s ? seen : wanted);
     if (s)
       CU_ASSERT(memcmp(seen, wanted, sizeof seen) == 0);
@@ -232,7 +232,7 @@ static void laws_remember_through_searches(void) {
       struct nb_model *model = written_model(&it, NULL);
       written_cycles(model, 100);
       forces[often][0] = written_now(model, "C.normal"), forces[often][1] = written_now(model, "C.shear");
-      CU_ASSERT(often ? model->searches > 50 : model->searches == 1);
+      CU_ASSERT(often ? model->search.count > 50 : model->search.count == 1);
       nb_model_free(model);
       written_free(&it);
     }

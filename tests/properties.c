@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "../src/core/model.h"
+#include "laws/laws_now.h"
 #include "suites.h"
 
 /* Numbers of which no product and no mean is another. */

@@ -33,7 +33,7 @@ static void bodies(void) {
   for (int parts = 1; parts <= PARTS; parts += PARTS - 1) {
     struct nb_model *model = written_model(&it, NULL);
     int wanted = 0, seen = 0;
-    model->skin = 2 * half_skin;
+    model->search.skin = 2 * half_skin;
     for (size_t i = 0; i < BODIES; i++)
       model->bodies.searched[i] =
           found_near(vec_add(model->bodies.position[i], vec_scale(0.5, model->bodies.velocity[i])), &chance, &wanted);
@@ -62,7 +62,7 @@ static void walls(void) {
   struct nb_model *moved = written_model(&it, NULL), *model = written_model(&it, NULL);
   int wanted = 0;
   nb_motion_walls(moved);
-  model->skin = 2 * half_skin;
+  model->search.skin = 2 * half_skin;
   for (int w = 0; w < WALLS; w++)
     for (int end = 0; end < 2; end++) {
       const struct nb_vec there = nb_wall_end(&moved->walls, w, end);

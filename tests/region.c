@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "../src/measure/region.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 

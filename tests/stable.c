@@ -28,7 +28,7 @@ static struct told told(struct words *page, bool cycle) {
   written_scene(&it, page);
   struct nb_model *model = written_model(&it, NULL);
   struct told answer = {.safe = written_now(model, "step.safe"), .critical = written_now(model, "step.critical")};
-  CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, model->skin, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, model->search.skin, &error), NB_OK);
   CU_ASSERT_EQUAL(limit.lattice.contact_count, model->contacts.count);
   answer.parts = limit_of_parts(&limit, &it.scene), answer.modes = limit_of_modes(&limit);
   if (cycle)

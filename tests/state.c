@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "continued.h"
+#include "run/plan.h"
 #include "suites.h"
 
 /* Twelve bodies that are squeezed, dragged and pulled; a wall that turns, one that is ramped, a body that is held and moves, one
@@ -148,7 +149,7 @@ static void felt_without_dashpots(void) {
   page_of(&it, "linear", "linear", "");
   it.scene.stage_count = 1; /* a later stage has dashpots */
   struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
-  CU_ASSERT_FALSE(model->dashpots);
+  CU_ASSERT_FALSE(model->plan.dashpots);
   continued_stages(model, 0, 1);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   for (size_t c = 0; c < saved.contact_count; c++) {

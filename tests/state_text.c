@@ -2,6 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state_text.h"
+#include "run/plan.h"
 
 #include <CUnit/CUnit.h>
 #include <stdlib.h>

@@ -7,6 +7,8 @@
 
 #include "../src/measure/step.h"
 #include "chance.h"
+#include "measure/step.h"
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -49,7 +51,7 @@ static void an_impact_between_two_looks(void) {
   const double force = written_now(model, "C.normal"), young = 0.5;
   const double square = cbrt(6 * force * young * young * 0.5) + cbrt(6 * force * young * young * 1);
   CU_ASSERT(fabs(2 / sqrt(square) - 3) < 0.15); /* it swings a little about that balance */
-  CU_ASSERT(model->looks < (unsigned long)done / 2 && model->searches == 1);
+  CU_ASSERT(model->stability->looks < (unsigned long)done / 2 && model->search.count == 1);
   nb_model_free(model);
   written_free(&it);
 }
@@ -197,8 +199,8 @@ static void three_share_it(void) {
     const double known = stiffness * stiffness / (4 * young * young * radius[k]);
     CU_ASSERT(fabs(overlap_sure(model, k) - known) < 1e-9 * known);
   }
-  CU_ASSERT_EQUAL(model->sure[0].overlap, overlap_sure(model, 0));
-  CU_ASSERT_EQUAL(model->sure[1].overlap, overlap_sure(model, 1));
+  CU_ASSERT_EQUAL(model->blocks.sure[0].overlap, overlap_sure(model, 0));
+  CU_ASSERT_EQUAL(model->blocks.sure[1].overlap, overlap_sure(model, 1));
   nb_model_free(model);
   written_free(&it);
 }
@@ -243,7 +245,7 @@ static void no_cycle_is_unsure(void) {
     struct nb_model *model = written_model(&it, NULL);
     const int done = watched(model, &it, 400, &error);
     ended += done < 400, went += done == 400;
-    looks += model->looks, cycles += (unsigned long)done;
+    looks += model->stability->looks, cycles += (unsigned long)done;
     nb_model_free(model);
     written_free(&it);
   }

@@ -45,17 +45,13 @@ static inline void nb_carry_by(struct nb_carry *carry, size_t slot, enum nb_carr
   carry->carries[carrier] = true;
 }
 
-/* ---- carry.c ---- */
-enum nb_status nb_carry_create(struct nb_model *model,
-                               struct nb_error *error); /* model->carry stays NULL: nothing is */
-void nb_carry_free(struct nb_carry *carry);
-void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage); /* once the stage's step is known */
-/* Before the motion: whether it carries all bodies; else only a boundary's are carried. */
-bool nb_carry_step(struct nb_model *model);
-void nb_carry_still(struct nb_model *model);             /* nothing has been carried along so far */
-void nb_carry_drop(struct nb_model *model, size_t slot); /* that is taken out of the scene */
 /* Of the c of a body at x: what is no part of its own velocity afterwards, and what is (`literal`), m/s. */
-struct nb_vec nb_carry_remembered(const struct nb_carry *carry, size_t slot, struct nb_vec x);
-struct nb_vec nb_carry_left(const struct nb_carry *carry, size_t slot, struct nb_vec x);
+static inline struct nb_vec nb_carry_remembered(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
+  return vec_scale(carry->remembered[carry->by[slot]], nb_carried_at(carry, slot, x));
+}
+
+static inline struct nb_vec nb_carry_left(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
+  return vec_scale(1 - carry->remembered[carry->by[slot]], nb_carried_at(carry, slot, x));
+}
 
 #endif

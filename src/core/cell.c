@@ -36,7 +36,7 @@ bool nb_cell_create(struct nb_model *model) {
   cell->h = cell->first = tensor(from->h[0], from->h[1], from->h[2], from->h[3]);
   for (size_t i = 0; i < model->bodies.count; i++)
     cell->largest = fmax(cell->largest, model->bodies.rim[i].x);
-  nb_cell_searched(cell, model->skin);
+  nb_cell_searched(cell, model->search.skin);
   return true;
 }
 
@@ -47,7 +47,7 @@ void nb_cell_searched(struct nb_cell *cell, double skin) {
 
 int nb_cell_move(struct nb_model *model) {
   struct nb_cell *cell = model->cell;
-  if (!(model->skin < INFINITY))
+  if (!(model->search.skin < INFINITY))
     cell->since = one; /* nothing is searched for */
   const struct nb_tensor rate = model->carry->rate[NB_CARRIER_CELL], step = tensor_scale(model->step, rate);
   cell->parting = tensor_product(rate, cell->h);
@@ -56,7 +56,8 @@ int nb_cell_move(struct nb_model *model) {
   const struct nb_tensor change = tensor_sub(cell->since, one);
   const double strained =
       sqrt(change.xx * change.xx + change.xy * change.xy + change.yx * change.yx + change.yy * change.yy);
-  const double left = strained > 0 ? model->skin - strained * (2 * cell->largest + model->skin) : model->skin;
+  const double left =
+      strained > 0 ? model->search.skin - strained * (2 * cell->largest + model->search.skin) : model->search.skin;
   cell->reach = left > 0 ? left / 2 : 0;
   return left <= 0;
 }
@@ -110,7 +111,7 @@ struct nb_vec nb_cell_place(const struct nb_model *model, size_t slot) {
 
 enum nb_status nb_cell_wide(const struct nb_model *model, struct nb_error *error) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
-  const double width = nb_wrap_width(&wrap), least = 2 * (2 * model->cell->largest + model->skin);
+  const double width = nb_wrap_width(&wrap), least = 2 * (2 * model->cell->largest + model->search.skin);
   if (width >= least)
     return NB_OK;
   return nb_error_set(error, model->cycle ? NB_BROKEN : NB_BAD_USE,

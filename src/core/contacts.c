@@ -4,8 +4,7 @@
 #include <limits.h>
 #include <stdlib.h>
 
-#include "measure/hertz_impact.h"
-#include "measure/since.h"
+#include "hertz_impact.h"
 #include "near.h"
 
 int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
@@ -49,14 +48,13 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
         continue;
       if (now->muted && old->muted)
         now->muted[c] = old->muted[o];
-      if (model->keeping)
+      if (model->search.keeping)
         carry_all(now, c, old, o);
-      else if (model->balance)
+      else
         carry_fields(now, c, old, o);
       nb_memory_copy(&now->normal_memory, c, &old->normal_memory, o);
       nb_memory_copy(&now->shear_memory, c, &old->shear_memory, o);
-      if (model->since)
-        nb_memory_copy(&now->slid, c, &old->slid, o);
+      nb_memory_copy(&now->slid, c, &old->slid, o);
     }
   }
 }
@@ -64,6 +62,7 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
 void nb_contacts_free(struct nb_contacts *contacts) {
   free(contacts->a), free(contacts->b), free(contacts->pairing), free(contacts->muted), free(contacts->force);
   free(contacts->image);
+  free(contacts->of.first), free(contacts->of.middle), free(contacts->of.entry);
   for (int f = 0; f < NB_FIELDS; f++)
     free(contacts->kept[f]);
   nb_memory_free(&contacts->normal_memory), nb_memory_free(&contacts->shear_memory), nb_memory_free(&contacts->slid);
@@ -99,21 +98,14 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
   bool made = contacts->a && contacts->b && contacts->pairing && contacts->force;
   if (model->cell)
     made = (contacts->image = nb_array(n, sizeof *contacts->image)) && made;
-  if (model->joined)
+  if (model->joints.any)
     made = (contacts->muted = nb_array(n, sizeof(int))) && made;
   for (int f = 0; f < NB_FIELDS; f++)
-    if (model->kept & NB_BIT(f))
+    if (model->plan.kept & NB_BIT(f))
       made = (contacts->kept[f] = nb_array(n, sizeof(double))) && made;
-  int normal = 0, shear = 0;
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    const struct nb_pairing *q = &model->pairings[p];
-    const int pairs_normal = nb_law_memory(q->normal, q->values), pairs_shear = nb_law_memory(q->shear, q->values);
-    normal = pairs_normal > normal ? pairs_normal : normal;
-    shear = pairs_shear > shear ? pairs_shear : shear;
-  }
-  made = nb_memory_create(&contacts->normal_memory, normal, n) && made;
-  made = nb_memory_create(&contacts->shear_memory, shear, n) && made;
-  made = nb_memory_create(&contacts->slid, (int)nb_since_count(model->since), n) && made;
+  made = nb_memory_create(&contacts->normal_memory, model->plan.memory.normal, n) && made;
+  made = nb_memory_create(&contacts->shear_memory, model->plan.memory.shear, n) && made;
+  made = nb_memory_create(&contacts->slid, model->plan.memory.slid, n) && made;
   if (!made)
     return false;
   for (size_t c = 0; c < n; c++) {
@@ -136,10 +128,9 @@ static int partner(const struct nb_model *model, int contact, int slot) {
 }
 
 static bool incidence_renew(struct nb_model *model) {
-  struct nb_incidence *incidence = &model->incidence;
+  struct nb_incidence *incidence = &model->contacts.of;
   const struct nb_contacts *contacts = &model->contacts;
   const size_t n = model->bodies.count;
-  free(incidence->first), free(incidence->middle), free(incidence->entry);
   incidence->first = nb_array(n + 1, sizeof(int)), incidence->middle = nb_array(n + 1, sizeof(int));
   incidence->entry = nb_array(2 * contacts->count, sizeof(int));
   if (!incidence->first || !incidence->middle || !incidence->entry)
@@ -182,9 +173,9 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs
   carry_memory(model, &model->contacts, &now);
   nb_contacts_free(&model->contacts);
   model->contacts = now;
-  model->wall_contacts = 0;
-  while (model->wall_contacts < now.count && !model->pairings[now.pairing[model->wall_contacts]].wall)
-    model->wall_contacts++;
+  model->contacts.wall_from = 0;
+  while (model->contacts.wall_from < now.count && !model->pairings[now.pairing[model->contacts.wall_from]].wall)
+    model->contacts.wall_from++;
   return incidence_renew(model);
 }
 
@@ -197,7 +188,7 @@ struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {
 
 struct nb_tensor nb_contacts_virial(const struct nb_model *model) {
   struct nb_tensor sum = {0, 0, 0, 0};
-  for (size_t c = 0; c < model->wall_contacts; c++)
+  for (size_t c = 0; c < model->contacts.wall_from; c++)
     sum = tensor_sub(sum, tensor_outer(model->contacts.force[c], nb_contacts_branch(model, c)));
   return sum;
 }
@@ -210,7 +201,7 @@ struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, 
 
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, (size_t)a);
+  const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, (size_t)a);
   for (const int *entry = its.first; entry < its.end; entry++) {
     const int c = *entry;
     if (model->pairings[contacts->pairing[c]].wall != wall)
@@ -219,4 +210,13 @@ long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
       return c;
   }
   return -1;
+}
+
+double nb_overlap(const struct nb_model *model, size_t c) {
+  const bool wall = model->pairings[model->contacts.pairing[c]].wall;
+  const struct nb_bodies *bodies = &model->bodies;
+  const int i = model->contacts.a[c], j = model->contacts.b[c];
+  if (!wall)
+    return bodies->rim[i].x + bodies->rim[j].x - vec_length(nb_contacts_branch(model, c));
+  return bodies->rim[i].x - vec_length(nb_wall_apart(&model->walls, j, bodies->position[i]));
 }

@@ -5,8 +5,14 @@
 #define NB_CONTACTS_H
 
 #include "block.h"
-#include "laws/law.h"
 #include "tensor.h"
+
+/* For the motion half: which contacts a body has. */
+struct nb_incidence {
+  int *first;  /* slot -> its first entry; one more than bodies */
+  int *middle; /* slot -> the first entry in which it is the contact's first body */
+  int *entry;  /* contact */
+};
 
 /* Every pair that is near: touching, or closer than the skin. Sorted by pairing, then number of a, then of b. */
 struct nb_contacts {
@@ -17,14 +23,9 @@ struct nb_contacts {
   struct nb_vec *image;    /* m: the second body is met at x + H m, H the cell's sides; NULL without a cell */
   struct nb_vec *force;    /* on the first body, dashpots included, N */
   double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
+  size_t wall_from;        /* the first contact with a wall: they are the last ones */
+  struct nb_incidence of;  /* which of them a body has */
   struct nb_memory normal_memory, shear_memory, slid; /* slid: m, since each stage that a snapshot is from, since.c */
-};
-
-/* For the motion half: which contacts a body has. */
-struct nb_incidence {
-  int *first;  /* slot -> its first entry; one more than bodies */
-  int *middle; /* slot -> the first entry in which it is the contact's first body */
-  int *entry;  /* contact */
 };
 
 /* Those of one body, in the order in which forces are summed: of its partners' numbers, walls last. */
@@ -41,6 +42,8 @@ void nb_contacts_free(struct nb_contacts *contacts);
 /* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */
 struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
 struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs of bodies: -sum f_i l_j, N m */
+double nb_overlap(const struct nb_model *model,
+                  size_t contact); /* of positions as they are; < 0 where they are apart, m */
 /* What the laws of a contact are given: the constants of its pairing, and those of its own. */
 struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values);
 

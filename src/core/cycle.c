@@ -9,12 +9,7 @@
  * in fixed parts; every contact and every body is worked out by one of them alone, so their number changes no bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "loading/box.h"
-#include "loading/drive.h"
-#include "loading/servo.h"
-#include "measure/energy.h"
-#include "measure/since.h"
-#include "measure/step.h"
+#include "model.h"
 
 static void forces_of_block(const struct nb_model *model, const struct nb_view *view) {
   const struct nb_pairing *pairing = view->pairing;
@@ -23,14 +18,14 @@ static void forces_of_block(const struct nb_model *model, const struct nb_view *
 }
 
 static void forces_part(const struct nb_model *model, int part, int parts) {
-  const size_t n = model->view_count;
+  const size_t n = model->blocks.count;
   for (size_t v = n * (size_t)part / (size_t)parts; v < n * ((size_t)part + 1) / (size_t)parts; v++)
-    forces_of_block(model, &model->views[v]);
+    forces_of_block(model, &model->blocks.views[v]);
 }
 
 void nb_forces(struct nb_model *model) {
-  const int threads = model->busy;
-  if (model->joint_count)
+  const int threads = model->machine.busy;
+  if (model->joints.count)
     nb_joints_settle(model);
   if (threads == 1)
     forces_part(model, 0, 1);
@@ -42,12 +37,10 @@ void nb_forces(struct nb_model *model) {
   model->updates += model->contacts.count;
 }
 
-/* Answers how many bodies and walls have gone too far for the list of contacts. */
+/* Answers how many particles and walls have gone too far for the list of contacts. */
 static int motion(struct nb_model *model) {
-  const int threads = model->busy;
+  const int threads = model->machine.busy;
   int out = nb_motion_walls(model);
-  if (model->carry && !nb_carry_step(model) && model->drive)
-    nb_ring_carry(model);
   if (model->cell)
     out += nb_cell_move(model);
   if (threads == 1)
@@ -58,56 +51,33 @@ static int motion(struct nb_model *model) {
   return out;
 }
 
-static enum nb_status change(struct nb_model *model, bool *searched, struct nb_error *error) {
-  if (model->balance)
-    nb_balance_change(model, true);
-  const enum nb_status status = nb_stage_change(model, searched, error);
-  if (model->balance && !status)
-    nb_balance_change(model, false);
+static enum nb_status hooks(struct nb_model *model, enum nb_when when, struct nb_error *error) {
+  const struct nb_hooks *all = &model->hooks[when];
+  enum nb_status status = NB_OK;
+  for (size_t h = 0; h < all->count && !status; h++)
+    status = all->list[h].run(model, error);
   return status;
 }
 
+/* A hook may have searched already. */
+static enum nb_status search(struct nb_model *model, bool out, struct nb_error *error) {
+  if (out && model->search.made != model->cycle)
+    return nb_near(model, error);
+  return nb_guard_cycle(model, error);
+}
+
 enum nb_status nb_cycle(struct nb_model *model, struct nb_error *error) {
-  if (model->driven)
-    nb_stage_drive(model);
-  if (model->drive && nb_drive_before(model, error))
+  if (hooks(model, NB_BEFORE_MOTION, error))
     return error->status;
-  if (model->carry && model->stage && model->stage->servo.line)
-    nb_servo_set(model);
-  if (model->boxed)
-    nb_box_drive(model);
-  if (model->balance)
-    nb_balance_before(model);
-  const int out = motion(model);
-  if (model->balance)
-    nb_balance_kick(model);
-  if (model->drive)
-    nb_drive_after(model);
+  const int out = motion(model); /* [CS79 20-23] */
+  if (hooks(model, NB_AFTER_MOTION, error))
+    return error->status;
   model->cycle++;
   model->stage_cycle++;
   model->time = model->stage_time + (double)model->stage_cycle * model->step;
   model->previous_step = model->step;
-  bool searched = false;
-  if (model->changing && change(model, &searched, error))
+  if (hooks(model, NB_BEFORE_SEARCH, error) || search(model, out > 0, error) || hooks(model, NB_BEFORE_FORCES, error))
     return error->status;
-  const bool search = out && !searched;
-  if (search ? nb_near(model, error) : nb_guard_cycle(model, error))
-    return error->status;
-  const bool look = out || searched || model->cycle % NB_WATCH_CYCLES == 0;
-  if (look && nb_stable_watch(model, error))
-    return error->status;
-  if (look)
-    nb_guard_digits(model);
-  nb_forces(model);
-  if (model->sure && !nb_sure_all(model) && nb_stable_watch(model, error))
-    return error->status;
-  if (model->deep.counts)
-    nb_deep_look(model);
-  if (model->fracc_before)
-    nb_fracc_forces(model);
-  if (model->since)
-    nb_since_forces(model);
-  if (model->balance)
-    nb_balance_forces(model);
-  return NB_OK;
+  nb_forces(model); /* [CS79 8-19, 26-28] */
+  return hooks(model, NB_AFTER_FORCES, error);
 }

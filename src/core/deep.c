@@ -7,13 +7,13 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
-#include "measure/step.h"
+#include "model.h"
 
 double nb_deep_share(const struct nb_model *model) { return model->damping.deep > 0 ? model->damping.deep : 0.07; }
 
 static unsigned long long counted(const struct nb_model *model) {
   unsigned long long sum = 0;
-  for (size_t v = 0; model->deep.counts && v < model->view_count; v++)
+  for (size_t v = 0; model->deep.counts && v < model->blocks.count; v++)
     sum += model->deep.counts[v * NB_DEEP_APART];
   return sum;
 }

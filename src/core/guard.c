@@ -22,13 +22,12 @@
  * and do not count; where nothing else touches, a thousandth of the smallest radius stands for the overlap to come.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "measure/step.h"
 #include "model.h"
 
 bool nb_guard_turns(const struct nb_model *model, size_t w, double angle) {
   const struct nb_walls *walls = &model->walls;
   const double end = fabs(walls->h0[w]) + fmax(fabs(walls->h1[w]), fabs(walls->h2[w]));
-  return angle * angle * fmax(end, model->smallest) > 8 * model->smallest;
+  return angle * angle * fmax(end, model->search.smallest) > 8 * model->search.smallest;
 }
 
 static int line_of(const struct nb_model *model, int number) { return model->scene->bodies[number - 1].line; }
@@ -73,12 +72,12 @@ static enum nb_status wall_turned(const struct nb_model *model, size_t w, struct
       "passed through a particle. The limit is set by the smallest radius, %g m: the arc of the wall's "
       "far end may be no farther from the chord. Try a smaller step",
       model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, angle, model->previous_step,
-      model->smallest);
+      model->search.smallest);
 }
 
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error) {
   enum nb_status status = NB_OK;
-  if (!(model->skin < INFINITY))
+  if (!(model->search.skin < INFINITY))
     return NB_OK; /* nothing can touch */
   for (size_t k = 0; k < model->bodies.count && !status; k++)
     status = particle_moved(model, model->bodies.slot[k], error);
@@ -89,7 +88,7 @@ enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *er
 
 enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *error) {
   const struct nb_bodies *bodies = &model->bodies;
-  for (size_t c = 0; c < model->wall_contacts; c++) {
+  for (size_t c = 0; c < model->contacts.wall_from; c++) {
     const int i = model->contacts.a[c], j = model->contacts.b[c];
     const double overlap = nb_overlap(model, c), radius = fmin(bodies->rim[i].x, bodies->rim[j].x);
     if (!(overlap > radius))
@@ -111,11 +110,11 @@ enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *err
 }
 
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error) {
-  if (model->pressed && nb_walls_crossed(model, false, error))
+  if (model->search.pressed && nb_walls_crossed(model, false, error))
     return error->status;
-  if (model->skin > model->smallest && nb_guard_motion(model, error))
+  if (model->search.skin > model->search.smallest && nb_guard_motion(model, error))
     return error->status;
-  return model->squeezed ? nb_guard_pairs(model, error) : NB_OK;
+  return model->search.squeezed ? nb_guard_pairs(model, error) : NB_OK;
 }
 
 static double coordinate(const struct nb_model *model, int i) {
@@ -131,7 +130,8 @@ void nb_guard_digits(struct nb_model *model) {
   int farthest = 0, pressed = -1;
   for (int i = 0; i < (int)bodies->count; i++)
     farthest = coordinate(model, i) > coordinate(model, farthest) ? i : farthest;
-  if (model->coarse || !(model->skin < INFINITY) || ulp(coordinate(model, farthest)) <= share * touch * model->smallest)
+  if (model->search.coarse || !(model->search.skin < INFINITY) ||
+      ulp(coordinate(model, farthest)) <= share * touch * model->search.smallest)
     return;
   double sum = 0, count = 0;
   for (size_t c = 0; c < model->contacts.count; c++) {
@@ -143,9 +143,9 @@ void nb_guard_digits(struct nb_model *model) {
     pressed = pressed < 0 || coordinate(model, i) > coordinate(model, pressed) ? i : pressed;
   }
   const int i = count > 0 ? pressed : farthest;
-  const double overlap = count > 0 ? sum / count : model->smallest / 1000, x = coordinate(model, i);
-  model->coarse = ulp(x) > share * overlap;
-  if (!model->coarse)
+  const double overlap = count > 0 ? sum / count : model->search.smallest / 1000, x = coordinate(model, i);
+  model->search.coarse = ulp(x) > share * overlap;
+  if (!model->search.coarse)
     return;
   nb_warn(
       &model->warnings, line_of(model, bodies->number[i]),

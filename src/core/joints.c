@@ -49,14 +49,14 @@ bool nb_joints_meet(const struct nb_scene *scene) {
 /* ---- which there are ---- */
 
 static bool add(struct nb_model *model, struct nb_joint joint) {
-  if (model->joint_count == model->joint_capacity) {
-    const size_t capacity = model->joint_capacity ? 2 * model->joint_capacity : 16;
-    struct nb_joint *joints = realloc(model->joints, capacity * sizeof *joints);
+  if (model->joints.count == model->joints.capacity) {
+    const size_t capacity = model->joints.capacity ? 2 * model->joints.capacity : 16;
+    struct nb_joint *joints = realloc(model->joints.list, capacity * sizeof *joints);
     if (!joints)
       return false;
-    model->joints = joints, model->joint_capacity = capacity;
+    model->joints.list = joints, model->joints.capacity = capacity;
   }
-  model->joints[model->joint_count++] = joint;
+  model->joints.list[model->joints.count++] = joint;
   return true;
 }
 
@@ -69,7 +69,7 @@ static bool find_between(struct nb_model *model, int c, int d) {
     const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[c], ends & 1);
     const struct nb_vec other = nb_wall_end(&model->walls, contacts->b[d], ends >> 1);
     const double away = vec_length(vec_sub(one, model->bodies.position[i]));
-    if (common(one, other, radius) && away < radius + model->skin &&
+    if (common(one, other, radius) && away < radius + model->search.skin &&
         !add(model, (struct nb_joint){c, d, ends & 1, ends >> 1}))
       return false;
   }
@@ -79,23 +79,23 @@ static bool find_between(struct nb_model *model, int c, int d) {
 /* Contacts that meet no other are heard; those that do go on as before. */
 static void let_others_be_heard(struct nb_model *model) {
   int *muted = model->contacts.muted;
-  for (size_t c = model->wall_contacts; c < model->contacts.count; c++)
+  for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
     muted[c] &= NOW;
-  for (size_t j = 0; j < model->joint_count; j++)
-    muted[model->joints[j].c] |= BEFORE, muted[model->joints[j].d] |= BEFORE;
-  for (size_t c = model->wall_contacts; c < model->contacts.count; c++)
+  for (size_t j = 0; j < model->joints.count; j++)
+    muted[model->joints.list[j].c] |= BEFORE, muted[model->joints.list[j].d] |= BEFORE;
+  for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
     muted[c] = muted[c] & BEFORE ? muted[c] & NOW : 0;
 }
 
 bool nb_joints_find(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  model->joint_count = 0;
+  model->joints.count = 0;
   if (!contacts->muted)
     return true;
-  for (size_t c = model->wall_contacts; c < contacts->count; c++) {
-    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, (size_t)contacts->a[c]);
+  for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {
+    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, (size_t)contacts->a[c]);
     for (const int *d = its.middle; d < its.end; d++) /* walls in the order of the page */
-      if (*d >= (int)model->wall_contacts && contacts->b[*d] > contacts->b[c] && !find_between(model, (int)c, *d))
+      if (*d >= (int)model->contacts.wall_from && contacts->b[*d] > contacts->b[c] && !find_between(model, (int)c, *d))
         return false;
   }
   let_others_be_heard(model);
@@ -134,15 +134,15 @@ static void hand_over(struct nb_contacts *contacts, int from, int to) {
 void nb_joints_settle(struct nb_model *model) {
   struct nb_contacts *contacts = &model->contacts;
   int *muted = contacts->muted;
-  for (size_t c = model->wall_contacts; c < contacts->count; c++)
+  for (size_t c = model->contacts.wall_from; c < contacts->count; c++)
     muted[c] = muted[c] & NOW ? BEFORE : 0;
-  for (size_t j = 0; j < model->joint_count; j++) {
-    const int c = silent(model, &model->joints[j]);
+  for (size_t j = 0; j < model->joints.count; j++) {
+    const int c = silent(model, &model->joints.list[j]);
     if (c >= 0)
       muted[c] |= NOW;
   }
-  for (size_t j = 0; j < model->joint_count; j++) {
-    const int c = model->joints[j].c, d = model->joints[j].d;
+  for (size_t j = 0; j < model->joints.count; j++) {
+    const int c = model->joints.list[j].c, d = model->joints.list[j].d;
     if (muted[c] == NOW && muted[d] == BEFORE)
       hand_over(contacts, c, d);
     if (muted[d] == NOW && muted[c] == BEFORE)

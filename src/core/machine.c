@@ -21,23 +21,23 @@ static enum nb_isa widest_isa(void) {
 static const char *const isa_names[NB_ISAS] = {"plain", "avx2", "avx512"};
 
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error) {
-  model->isa = widest_isa();
+  model->machine.isa = widest_isa();
   if (options && options->isa) {
     enum nb_isa isa = NB_PLAIN;
     while (isa < NB_ISAS && strcmp(isa_names[isa], options->isa) != 0)
       isa = (enum nb_isa)(isa + 1);
-    if (isa > model->isa)
+    if (isa > model->machine.isa)
       return nb_error_set(error, NB_BAD_USE, "this machine does not run instruction set `%s`", options->isa);
-    model->isa = isa;
+    model->machine.isa = isa;
   }
-  model->threads = options ? options->threads : 1;
+  model->machine.threads = options ? options->threads : 1;
 #ifdef _OPENMP
-  if (model->threads <= 0)
-    model->threads = omp_get_max_threads();
+  if (model->machine.threads <= 0)
+    model->machine.threads = omp_get_max_threads();
 #endif
-  if (model->threads <= 0)
-    model->threads = 1;
-  if (model->threads > NB_THREADS)
-    model->threads = NB_THREADS;
+  if (model->machine.threads <= 0)
+    model->machine.threads = 1;
+  if (model->machine.threads > NB_THREADS)
+    model->machine.threads = NB_THREADS;
   return NB_OK;
 }

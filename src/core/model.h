@@ -13,9 +13,6 @@
 #include "cell.h"
 #include "contacts.h"
 #include "joints.h"
-#include "laws/law.h"
-#include "laws/laws_now.h"
-#include "run/impact.h"
 #include "tensor.h"
 #include "vec.h"
 #include "walls.h"
@@ -33,7 +30,9 @@ struct nb_bodies {
   int *material;
   struct nb_vec *searched; /* where they were at the last search */
   struct nb_vec *carried;  /* c, the part of the velocity that carries it along, m/s; NULL: nothing does (carry.h) */
-  bool *gone;              /* taken out of the scene (remove.c); NULL where no stage takes any out */
+  const struct nb_vec
+      *pressed; /* per slot: force of a stress on the boundary, N; NULL: there is none (loading/drive.c) */
+  bool *gone;   /* taken out of the scene (remove.c); NULL where no stage takes any out */
 };
 
 /* How a body or a wall moves. */
@@ -73,117 +72,152 @@ struct nb_properties {
   double pieces; /* of struct nb_pair; the same for all pairs */
 };
 
+/* The laws that all contacts follow. */
+struct nb_in_force {
+  const struct nb_law *normal, *shear;
+  int normal_line, shear_line; /* of the page that says so; 0: none */
+  double pieces;               /* as struct nb_pair has it */
+};
+
+/* What of the machine is used: machine.c. */
+struct nb_machine {
+  enum nb_isa isa;
+  int threads; /* there may be */
+  int busy;    /* threads that work on as many contacts as there are now, NB_THREAD_SHARE each or more */
+};
+
+/* What contacts need now, as run/plan.c finds it. */
+struct nb_plan {
+  unsigned asked;     /* set of fields, and of NB_ASKS_, that columns and conditions read */
+  unsigned kept;      /* set of fields that are kept */
+  enum nb_field drag; /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
+  struct {
+    int normal, shear, slid;
+  } memory;      /* doubles that a contact remembers: for its laws, and for since.c */
+  bool whole;    /* all is kept that a saved state holds */
+  bool elastic;  /* the normal law is one of elastic spheres */
+  bool rubs;     /* some pairing has a shear law now */
+  bool dashpots; /* some stage has contact damping */
+};
+
 /* A contact's springs, N/m, and dashpots, N s/m. */
 struct nb_stiff {
   double kn, ks, cn, cs;
 };
 
+/* What the force calculation goes through: blocks.c. */
+struct nb_blocks {
+  struct nb_view *views; /* one per block */
+  size_t count;
+  double *scratch; /* per thread NB_FIELDS * NB_BLOCK doubles */
+  struct nb_sure {
+    double overlap;       /* the smallest of a block's NB_SURE, m */
+    unsigned long above;  /* its contacts that are deeper than theirs */
+    double apart[6];      /* those of two threads lie in lines of their own */
+  } * sure;               /* per block; NULL: nothing that is watched gets stiffer */
+  struct nb_stiff *stiff; /* per contact: room for measure/stable.c */
+};
+
+/* The search for near pairs, and what it has found: near.c, guard.c. */
+struct nb_search {
+  double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, nothing is searched */
+  double smallest;                      /* radius of all particles, m */
+  unsigned long made;                   /* the cycle in which the list was made */
+  unsigned long long count, candidates; /* searches; pairs whose distance they have measured */
+  bool keeping;                         /* no forces follow the search to come: contacts keep those that they have */
+  bool pressed;  /* some centre was within the skin of a wall: it may cross it before the next search */
+  bool squeezed; /* some pair was within the skin of the overlap that guard.c allows */
+  bool coarse;   /* positions are too coarse for the overlaps, and the warning has been given */
+};
+
+/* Something optional that a cycle does, in its place: what a scene does not use is not in the list. Made by run/hooks.c. */
+enum nb_when {
+  NB_BEFORE_MOTION, /* loads for the step ahead */
+  NB_AFTER_MOTION,  /* while the forces and steps are still those of the kick */
+  NB_BEFORE_SEARCH, /* positions and time are those of the forces to come */
+  NB_BEFORE_FORCES, /* and the list of contacts is too */
+  NB_AFTER_FORCES,
+  NB_WHENS
+};
+enum { NB_HOOKS = 8 };
+struct nb_hooks {
+  size_t count;
+  struct nb_hook {
+    const char *name;
+    enum nb_status (*run)(struct nb_model *model, struct nb_error *error);
+  } list[NB_HOOKS];
+};
+
+/* A run. Each part has one owner, which alone changes it. */
 struct nb_model {
   const struct nb_scene *scene;
-  const char *states; /* folder of saved states; NULL: the usual one */
-  int threads;        /* there may be */
-  int busy;           /* threads that work on as many contacts as there are now, NB_THREAD_SHARE each or more */
-  enum nb_isa isa;
-  struct nb_bodies bodies;
-  struct nb_walls walls;
-  struct nb_cell *cell; /* NULL: the plane has no copies */
-  struct nb_pairing *pairings;
+  struct nb_machine machine;
+  struct nb_bodies bodies;         /* motion.c */
+  struct nb_walls walls;           /* walls.c */
+  struct nb_cell *cell;            /* cell.c; NULL: the plane has no copies */
+  struct nb_joints joints;         /* joints.c */
+  struct nb_properties properties; /* properties.c */
+  struct nb_in_force laws, coming; /* of the forces behind, and of those ahead: a stage may change them (laws_now.c) */
+  struct nb_pairing *pairings;     /* plan.c */
   size_t pairing_count;
-  struct nb_contacts contacts;
-  struct nb_incidence incidence;
-  struct nb_view *views; /* one per block */
-  size_t view_count;
-  double smallest;             /* radius of all particles, m */
-  double fracc, *fracc_before; /* fracc.c: of the cycle behind; per slot |SF| then, N; NULL: nobody asks */
+  struct nb_plan plan;
+  struct nb_search search;
+  struct nb_contacts contacts; /* contacts.c */
+  struct nb_blocks blocks;
+  struct nb_hooks hooks[NB_WHENS];
+
+  unsigned long cycle;        /* cycle.c, from here */
+  unsigned long stage_cycle;  /* since the stage began */
+  double stage_time, time;    /* at the begin of the stage; plus its cycles times the step, s */
+  double step, previous_step; /* dt of the step ahead, and of the one behind (0 at the start), s */
+  unsigned long long updates; /* of contacts; to here */
+  double critical;            /* 2 sqrt(m/k), s (measure/step.c) */
+
+  const struct nb_stage *stage;              /* run/stage.c, from here: the one that runs, NULL before the first */
+  struct nb_changes *changes;                /* what it changes little by little */
+  struct nb_damping damping, damping_before; /* of this stage; of the one before */
+  struct nb_vec gravity;                     /* over the kick to come, m/s2 */
+  struct nb_inward {
+    double strength;  /* m/s2; 0: none */
+    struct nb_vec to; /* the point, m */
+  } inward;           /* likewise; to here */
+
+  struct nb_carry *carry;         /* carry.h; NULL: nothing is carried along */
+  struct nb_drive *drive;         /* boundary.h; NULL: there is no boundary, and bodies turn */
+  struct nb_stability *stability; /* measure/step.h */
+  struct nb_balance *balance;     /* measure/energy.h; NULL: no column and no condition asks for one */
+  struct nb_regions *regions;     /* measure/region.h; NULL: the scene has none */
+  struct nb_since *since;         /* measure/since.h; NULL: no snapshot asks what has changed */
+  struct nb_fracc *fracc;         /* measure/fracc.c; NULL: nobody asks */
   struct nb_deep {
     unsigned long *counts;        /* per block since the last search, NB_DEEP_APART apart; NULL: nothing is elastic */
     unsigned long long count;     /* contact updates too deep until then */
     char first[3 * NB_NAME_SIZE]; /* the first of them, in words; empty: none yet */
-  } deep;
-  struct nb_sure {
-    double overlap;      /* the smallest of a block's NB_SURE, m */
-    unsigned long above; /* its contacts that are deeper than theirs */
-    double apart[6];     /* those of two threads lie in lines of their own */
-  } * sure;              /* per block; NULL: nothing that is watched gets stiffer */
-  double *scratch;       /* per thread NB_FIELDS * NB_BLOCK doubles */
-  unsigned kept;         /* set of fields that are kept */
-  enum nb_field drag;    /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
-  bool whole;            /* of contacts all is kept that a saved state holds */
-  bool keeping;          /* no forces follow the search to come: contacts keep those that they have */
-  bool rubs;             /* some pairing has a shear law now */
-  bool joined;           /* two walls have a common end */
-  bool pressed;  /* at the last search some centre was within the skin of a wall: it may cross it before the next one */
-  bool squeezed; /* and some pair was within the skin of the overlap that guard.c allows */
-  bool coarse;   /* positions are too coarse for the overlaps, and the warning has been given */
-  bool dashpots; /* some stage has contact damping */
-  size_t wall_contacts;    /* the first contact with a wall: they are the last ones of the list */
-  struct nb_joint *joints; /* where a disc may touch a common end of two walls before the next search */
-  size_t joint_count, joint_capacity;
-  double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, nothing is searched */
-  double step, previous_step; /* dt of the step ahead, and of the one behind (0 at the start), s */
-  int step_line;              /* of the statement that says how long a step is; -1: none has been worked out yet */
-  double critical;            /* 2 sqrt(m/k), s */
-  double safe;                /* largest step sure to be stable as this stage began, s */
-  struct nb_load *loads;      /* per slot, and */
-  struct nb_stiff *stiff;     /* per contact, room for stable.c */
-  bool allow_unstable;        /* the step is not watched now */
-  struct nb_damping damping, damping_before; /* of this stage; of the one before */
-  struct nb_vec gravity;                     /* over the kick to come, m/s2 */
-  struct nb_inward {
-    double strength;      /* m/s2; 0: none */
-    struct nb_vec to;     /* the point, m */
-  } inward;               /* likewise */
-  bool boxed;             /* the walls of the box follow its strain rate */
-  struct nb_carry *carry; /* carry.h; NULL: nothing is carried along */
-  struct nb_drive *drive; /* drive.h; NULL: there is no boundary, and bodies turn */
-  struct nb_properties properties;
-  struct nb_in_force laws, coming; /* of the forces behind, and of those ahead: a stage may change them */
-  const struct nb_stage *stage;    /* the one that runs, NULL before the first */
-  bool changing, driven;           /* it still changes properties or gravity; it ramps velocities of walls */
-  struct nb_pair *properties_from; /* per change, wall motion, and of gravity: what it was when the stage began */
-  struct nb_state *walls_from;
-  struct nb_vec gravity_from;
-  struct nb_inward inward_from;
-  struct nb_warnings warnings; /* of this model, not of its scene */
-  unsigned long cycle;
-  double time, stage_time; /* of cycle 0 of this stage plus its steps; at its begin; s */
-  double touch;            /* when what `impact` makes first touches, s */
-  unsigned long stage_cycle;
-  unsigned long looks;                              /* how often the watch has worked out the safe step */
-  unsigned long long updates, searches, candidates; /* candidates: pairs whose distance a search has measured */
-  struct nb_balance *balance;                       /* energy.h; NULL: no column and no condition asks for one */
-  struct nb_regions *regions;                       /* region.h; NULL: the scene has none */
-  struct nb_since *since;                           /* since.h; NULL: no snapshot asks what has changed */
+  } deep;                         /* deep.c */
+  struct nb_warnings warnings;    /* of this model, not of its scene */
+  double touch;                   /* when what `impact` makes first touches, s (run/impact.c) */
+  const char *states;             /* folder of saved states; NULL: the usual one (run/start.c) */
 };
-
-/* How much a geometry pass has to find out. */
-enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_CLOSING, NB_APPROACH_SLIP };
-/* What dashpots of some stage go with: k alone; sqrt(M* k) too; and whether the contact is deep. */
-enum nb_dashpots { NB_DASHPOTS_TIME, NB_DASHPOTS_SWING, NB_DASHPOTS_DEEP };
 
 /* machine.c: instruction set and threads, as the options say */
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);
 
-/* plan.c: which passes each pairing needs, and which fields are kept; then the blocks, after each search */
-enum nb_status nb_plan(struct nb_model *model, struct nb_error *error);
-enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error);
-bool nb_plan_stands(const struct nb_model *model); /* whether it is still the one that the pairings' values ask for */
+/* blocks.c: the contacts in blocks of one pairing, after each search */
+enum nb_status nb_blocks_cut(struct nb_model *model, struct nb_error *error);
 
-struct nb_saved;
-/* The same as nb_model_create, from a state instead of what the page says of bodies and walls; NULL: from the page. The state is
- * that of the scene's stage `begun - 1`. */
-struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
-                                 const struct nb_saved *saved, struct nb_error *error);
-
-/* observe.c: fields that some column or condition of the scene reads, and what else is to be kept for it: */
+/* What columns and conditions ask for besides fields, in model->plan.asked: */
 #define NB_ASKS_FRACC (1u << 27)  /* fracc.c */
 #define NB_ASKS_STRAIN (1u << 28) /* strain.c */
 #define NB_ASKS_WORK (1u << 29)   /* the work balance, energy.h */
 #define NB_ASKS_ENERGY (1u << 30) /* the energy balance */
 #define NB_ASKS_STORED (1u << 31) /* energies that only a law with stored energy has */
-unsigned nb_fields_watched(const struct nb_scene *scene);
 
-/* region.c */
+/* Whether a stage has taken it out of the scene (loading/remove.c). */
+static inline bool nb_gone(const struct nb_model *model, size_t slot) {
+  return model->bodies.gone && model->bodies.gone[slot];
+}
+
+/* materials.c */
 double nb_thickness(const struct nb_model *model); /* of discs 1 m, of spheres the mean diameter, m */
 
 /* guard.c: particles do not pass through each other, or through walls */
@@ -202,25 +236,6 @@ void nb_guard_digits(struct nb_model *model);
 
 /* near.c: makes the list of contacts anew, if no guard objects */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
-
-/* properties.c */
-bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene); /* as at time 0 */
-void nb_properties_free(struct nb_properties *now);
-struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_a, int material_b);
-/* What is now of the material or the pair that a change is about. */
-struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change);
-/* Makes what the change is about `share` (0 to 1) of its way from `from`. */
-void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from, double share);
-
-/* stage.c */
-enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
-void nb_stage_drive(struct nb_model *model); /* before the motion: velocities of walls over the step to come */
-/* After it: properties and gravity at the time that has been reached. *searched: contacts have been looked for anew. */
-enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb_error *error);
-
-/* remove.c */
-enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
-bool nb_gone(const struct nb_model *model, size_t slot);
 
 /* motion.c */
 /* Both answer how many bodies or walls are farther from where the last search found them than half the skin, or nowhere. */
@@ -250,18 +265,6 @@ void nb_walls_searched(struct nb_walls *walls); /* remembers where their ends ar
 /* NB_BROKEN when the centre of a body has crossed a wall in the step behind: of the pairs listed, or of all there are. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
 
-/* passes */
-extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
-extern const struct nb_pass nb_pass_joints;
-extern const struct nb_pass nb_pass_deep;
-extern const struct nb_pass nb_pass_dashpots[3]; /* by enum nb_dashpots */
-extern const struct nb_pass nb_pass_resolve[2];  /* without and with shear */
-/* What a contact's dashpots are: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */
-struct nb_dashpot {
-  double time, ratio;
-};
-struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall);
-
 /* deep.c: overlaps that are too deep for elastic spheres */
 enum { NB_DEEP_APART = 8 };                                /* counts of two threads lie in lines of their own */
 double nb_deep_share(const struct nb_model *model);        /* of the smaller diameter: the page's, or 7 % [R89 6.4.3] */
@@ -271,17 +274,7 @@ void nb_deep_look(struct nb_model *model);                 /* after the forces: 
 bool nb_deep_is(const struct nb_model *model, size_t contact);
 unsigned long long nb_deep_count(const struct nb_model *model);
 
-/* watch.c: whether the step is still sure to be stable */
-bool nb_sure_begin(struct nb_model *model, size_t blocks); /* after a search; false: no memory */
-void nb_sure_end(struct nb_model *model);                  /* the laws do not stiffen any more */
-bool nb_sure_all(struct nb_model *model);                  /* after the forces: no contact is deeper than its NB_SURE */
-/* NB_BROKEN when the step is above the safe one, unless the page allows it; what is sure from there on. */
-enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
-enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error);
-struct nb_safe; /* the same as a stage begins, for pairs that are apart too: step.h */
-enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error);
-
-/* cycle.c: the force half, for positions as they are */
+/* cycle.c: the force calculation, for positions as they are */
 void nb_forces(struct nb_model *model);
 
 #endif

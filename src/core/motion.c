@@ -207,16 +207,17 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
   const struct nb_felt felt = nb_felt_by(model);
   const double time = nb_kick_time(model);
   const struct part mine = {.bodies = model->bodies,
-                            .incidence = &model->incidence,
+                            .incidence = &model->contacts.of,
                             .factors = nb_factors(model, time, nb_kick_before(model)),
                             .gravity = model->gravity,
                             .inward = model->inward,
-                            .pressed = model->drive && model->drive->pressing ? model->drive->pressed : NULL,
+                            .pressed = model->bodies.pressed,
                             .carry = model->carry,
                             .along = model->carry && model->carry->all,
                             .cell = model->cell != NULL,
                             .time = time,
                             .step = model->step,
-                            .reach = model->cell ? model->cell->reach : model->skin / 2};
-  return moves[model->isa](&mine, &felt, n * (size_t)part / (size_t)parts, n * ((size_t)part + 1) / (size_t)parts);
+                            .reach = model->cell ? model->cell->reach : model->search.skin / 2};
+  return moves[model->machine.isa](&mine, &felt, n * (size_t)part / (size_t)parts,
+                                   n * ((size_t)part + 1) / (size_t)parts);
 }

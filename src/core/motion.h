@@ -4,7 +4,7 @@
 #ifndef NB_MOTION_H
 #define NB_MOTION_H
 
-#include "loading/drive.h"
+#include "carry.h"
 
 static inline double nb_kick_time(const struct nb_model *model) { return (model->previous_step + model->step) / 2; }
 
@@ -62,7 +62,7 @@ struct nb_felt {
 };
 
 static inline struct nb_felt nb_felt_by(const struct nb_model *model) {
-  return (struct nb_felt){model->contacts.force, model->rubs ? model->contacts.kept[model->drag] : NULL};
+  return (struct nb_felt){model->contacts.force, model->plan.rubs ? model->contacts.kept[model->plan.drag] : NULL};
 }
 
 /* The force stored is the one on the contact's first body, so where a body is second it feels the opposite. The shear forces

@@ -28,19 +28,12 @@ enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNE
    NB_BIT(NB_DRAG) | NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_LOST) | NB_BIT(NB_SHEAR_BEFORE) |     \
    NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_ASKS_ENERGY)
 
-/* The last row of each has no name. */
-extern const struct nb_quantity_kind nb_step_kinds[];   /* step_kinds.c */
-extern const struct nb_quantity_kind nb_drive_kinds[];  /* drive_kinds.c */
-extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c */
-extern const struct nb_quantity_kind nb_fill_kinds[];   /* fill_kinds.c */
-/* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c, speeds.c, parted.c. */
-extern const struct nb_quantity_kind nb_stress_kinds[], nb_fabric_kinds[], nb_porosity_kinds[], nb_coordination_kinds[],
-    nb_load_kinds[], nb_strain_kinds[], nb_speed_kinds[], nb_chain_kinds[], nb_parted_kinds[];
-extern const struct nb_quantity_kind nb_cell_kinds[]; /* cell_kinds.c */
-extern const struct nb_quantity_kind nb_box_kinds[];  /* box_kinds.c */
-
 /* bench_names.c: their values are asked for by nb_quantity_on_bench; NULL past the last one. */
 const struct nb_quantity_kind *nb_bench_row(size_t k);
+
+static inline double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model) {
+  return quantity.kind->value(model, quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch]);
+}
 
 /* Rows of quantities: a function for each, and the rows of a tensor, which all tensors have alike. */
 #define NB_QUANTITY(function, expression)                                                                              \

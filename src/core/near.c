@@ -48,10 +48,10 @@ enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
   if (nb_guard_positions(model, error) || nb_walls_crossed(model, true, error) || nb_guard_motion(model, error))
     return error->status;
   struct nb_near_pairs pairs = {0};
-  const bool searching = model->skin < INFINITY;
+  const bool searching = model->search.skin < INFINITY;
   if (model->cell && searching && nb_cell_wide(model, error))
     return error->status;
-  model->pressed = model->squeezed = false;
+  model->search.pressed = model->search.squeezed = false;
   const bool found = !searching || (nb_near_find(&pairs, model) && pairs_sort(&pairs, model));
   const bool made = found && nb_contacts_renew(model, &pairs) && nb_joints_find(model);
   free(pairs.list);
@@ -60,9 +60,10 @@ enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
   memcpy(model->bodies.searched, model->bodies.position, model->bodies.count * sizeof(struct nb_vec));
   nb_walls_searched(&model->walls);
   if (model->cell)
-    nb_cell_searched(model->cell, model->skin);
-  model->searches += searching;
-  if (model->squeezed && nb_guard_pairs(model, error))
+    nb_cell_searched(model->cell, model->search.skin);
+  model->search.count += searching;
+  model->search.made = model->cycle;
+  if (model->search.squeezed && nb_guard_pairs(model, error))
     return error->status;
-  return nb_plan_views(model, error);
+  return nb_blocks_cut(model, error);
 }

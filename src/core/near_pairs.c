@@ -55,10 +55,10 @@ static void choose_levels(struct grid *grid, const struct nb_model *model) {
   for (size_t i = 0; i < bodies->count; i++)
     largest = bodies->rim[i].x > largest ? bodies->rim[i].x : largest;
   for (int l = 0; l < LEVELS; l++)
-    grid->width[l] = l ? grid->width[l - 1] / 2 : 2 * largest + model->skin;
+    grid->width[l] = l ? grid->width[l - 1] / 2 : 2 * largest + model->search.skin;
   for (size_t i = 0; i < bodies->count; i++) {
     int level = 0;
-    while (level + 1 < LEVELS && grid->width[level + 1] >= 2 * bodies->rim[i].x + model->skin)
+    while (level + 1 < LEVELS && grid->width[level + 1] >= 2 * bodies->rim[i].x + model->search.skin)
       level++;
     grid->level[i] = level;
     grid->count[level]++;
@@ -132,16 +132,16 @@ static int pairing_of(const struct nb_model *model, int material_a, int material
 /* Bodies i and j, `apart` from each other, are listed when they are near, the one with the smaller number first. */
 static bool near_pair(struct nb_near_pairs *pairs, struct nb_model *model, int i, int j, struct nb_vec apart) {
   const struct nb_bodies *bodies = &model->bodies;
-  model->candidates++;
+  model->search.candidates++;
   const double distance = vec_length(apart), larger = fmax(bodies->rim[i].x, bodies->rim[j].x);
-  if (!(distance < bodies->rim[i].x + bodies->rim[j].x + model->skin))
+  if (!(distance < bodies->rim[i].x + bodies->rim[j].x + model->search.skin))
     return true;
   if (!(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
     return true; /* both are fixed */
   if (nb_gone(model, (size_t)i) || nb_gone(model, (size_t)j))
     return true;
   const int a = bodies->number[i] < bodies->number[j] ? i : j, b = a == i ? j : i;
-  model->squeezed = model->squeezed || !(distance > larger + model->skin);
+  model->search.squeezed = model->search.squeezed || !(distance > larger + model->search.skin);
   return pairs_add(pairs, a, b, pairing_of(model, bodies->material[a], bodies->material[b], false));
 }
 
@@ -200,9 +200,9 @@ static bool near_walls(struct nb_near_pairs *pairs, struct nb_model *model, int 
   const struct nb_bodies *bodies = &model->bodies;
   for (size_t w = 0; w < walls->count; w++) {
     const double apart = vec_length(nb_wall_apart(walls, (int)w, bodies->position[i]));
-    if (!(apart < bodies->rim[i].x + model->skin) || !(bodies->inverse_mass[i] > 0))
+    if (!(apart < bodies->rim[i].x + model->search.skin) || !(bodies->inverse_mass[i] > 0))
       continue;
-    model->pressed = model->pressed || !(apart > model->skin);
+    model->search.pressed = model->search.pressed || !(apart > model->search.skin);
     if (!pairs_add(pairs, i, (int)w, pairing_of(model, bodies->material[i], model->scene->walls[w].material, true)))
       return false;
   }

@@ -5,7 +5,7 @@
 
 struct nb_force nb_force_on(const struct nb_model *model, size_t slot) {
   const struct nb_felt felt = nb_felt_by(model);
-  struct nb_force sum = nb_sum_of(felt, nb_contacts_of(&model->incidence, slot), felt.drag != NULL);
+  struct nb_force sum = nb_sum_of(felt, nb_contacts_of(&model->contacts.of, slot), felt.drag != NULL);
   sum.moment *= model->bodies.rim[slot].x;
   return sum;
 }
@@ -19,8 +19,8 @@ struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec
 static struct nb_force all_forces(const struct nb_model *model, size_t slot, struct nb_force sum) {
   if (nb_pulls(model->gravity) || model->inward.strength != 0)
     sum.force = vec_add(sum.force, nb_weight(model, slot, model->bodies.position[slot]));
-  if (model->drive && model->drive->pressing)
-    sum.force = vec_add(sum.force, model->drive->pressed[slot]);
+  if (model->bodies.pressed)
+    sum.force = vec_add(sum.force, model->bodies.pressed[slot]);
   return sum;
 }
 

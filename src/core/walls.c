@@ -41,7 +41,7 @@ int nb_motion_walls(struct nb_model *model) {
     bool far = nb_guard_turns(model, w, angle); /* its ends may be where they were */
     for (int end = 0; end < 2; end++)
       far = far || !(vec_length(vec_sub(nb_wall_end(walls, (int)w, end), walls->searched[2 * w + (size_t)end])) <=
-                     model->skin / 2);
+                     model->search.skin / 2);
     out += far;
   }
   return out;
@@ -119,7 +119,7 @@ enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct n
       for (size_t w = 0; w < model->walls.count && !status; w++)
         status = check(model, (size_t)model->bodies.slot[k], w, error);
   else
-    for (size_t c = model->wall_contacts; c < contacts->count && !status; c++)
+    for (size_t c = model->contacts.wall_from; c < contacts->count && !status; c++)
       status = check(model, (size_t)contacts->a[c], (size_t)contacts->b[c], error);
   return status;
 }

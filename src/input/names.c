@@ -11,7 +11,19 @@
 #include "core/names.h"
 #include "loading/box.h"
 #include "measure/energy.h"
-#include "run/observe.h"
+
+/* ---- rows elsewhere ---- */
+
+/* The last row of each has no name. */
+extern const struct nb_quantity_kind nb_step_kinds[];   /* step_kinds.c */
+extern const struct nb_quantity_kind nb_drive_kinds[];  /* drive_kinds.c */
+extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c */
+extern const struct nb_quantity_kind nb_fill_kinds[];   /* fill_kinds.c */
+/* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c, speeds.c, parted.c. */
+extern const struct nb_quantity_kind nb_stress_kinds[], nb_fabric_kinds[], nb_porosity_kinds[], nb_coordination_kinds[],
+    nb_load_kinds[], nb_strain_kinds[], nb_speed_kinds[], nb_chain_kinds[], nb_parted_kinds[];
+extern const struct nb_quantity_kind nb_cell_kinds[]; /* cell_kinds.c */
+extern const struct nb_quantity_kind nb_box_kinds[];  /* box_kinds.c */
 
 /* ---- the whole scene ---- */
 
@@ -117,8 +129,8 @@ OF_PAIR(pair_overlap, field(model, watch, NB_OVERLAP))
 OF_PAIR(pair_normal, field(model, watch, NB_NORMAL))
 OF_PAIR(pair_shear, field(model, watch, NB_SHEAR))
 OF_PAIR(pair_sliding, field(model, watch, NB_SLIDING))
-OF_PAIR(pair_dashpot_normal, model->dashpots ? field(model, watch, NB_PUSH) - field(model, watch, NB_NORMAL) : 0)
-OF_PAIR(pair_dashpot_shear, model->dashpots ? field(model, watch, NB_DRAG) - field(model, watch, NB_SHEAR) : 0)
+OF_PAIR(pair_dashpot_normal, model->plan.dashpots ? field(model, watch, NB_PUSH) - field(model, watch, NB_NORMAL) : 0)
+OF_PAIR(pair_dashpot_shear, model->plan.dashpots ? field(model, watch, NB_DRAG) - field(model, watch, NB_SHEAR) : 0)
 
 enum {
   BODY = 1 << NB_WATCH_BODY,
@@ -255,15 +267,15 @@ bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene
   return false;
 }
 
+double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
+  return nb_quantity_now(quantity, model);
+}
+
 const char *nb_quantity_unit(struct nb_quantity quantity) { return quantity.kind->unit; }
 
 bool nb_quantity_vanishes(struct nb_quantity quantity) {
   const char *end = strrchr(quantity.kind->name, '.');
   return end && strcmp(end, ".residual") == 0;
-}
-
-double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
-  return quantity.kind->value(model, quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch]);
 }
 
 bool nb_quantity_row(size_t k, const char **name, const char **unit, const char **of, const char **help) {

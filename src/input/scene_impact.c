@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "core/model.h"
+#include "run/impact.h"
 #include "scene.h"
 
 static const double right_angle = NB_PI / 2;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/model.h"
+#include "laws/laws_now.h"
 #include "scene.h"
 
 /* At the first word of that line. */

@@ -6,7 +6,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
-#include "core/model.h"
+#include "laws_now.h"
 
 struct nb_in_force nb_laws_at_start(const struct nb_scene *scene) {
   const struct nb_law *shear = nb_law_find("shear", scene->shear);

@@ -4,16 +4,8 @@
 #ifndef NB_LAWS_NOW_H
 #define NB_LAWS_NOW_H
 
+#include "core/model.h"
 #include "law.h"
-
-struct nb_model;
-
-/* The laws that all contacts follow. */
-struct nb_in_force {
-  const struct nb_law *normal, *shear;
-  int normal_line, shear_line; /* of the page that says so; 0: none */
-  double pieces;               /* as struct nb_pair has it */
-};
 
 struct nb_in_force nb_laws_at_start(const struct nb_scene *scene);
 struct nb_in_force nb_laws_of(const struct nb_stage *stage, struct nb_in_force before); /* from that stage on */
@@ -24,5 +16,14 @@ bool nb_laws_shear(const struct nb_scene *scene);         /* some time there is 
 /* The first that stores no energy, of those that some stage says; NULL: all do. */
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal);
 void nb_laws_change(struct nb_model *model); /* those ahead are those in force from now on */
+
+/* properties.c */
+bool nb_properties_create(struct nb_properties *now, const struct nb_scene *scene); /* as at time 0 */
+void nb_properties_free(struct nb_properties *now);
+struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_a, int material_b);
+/* What is now of the material or the pair that a change is about. */
+struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change);
+/* Makes what the change is about `share` (0 to 1) of its way from `from`. */
+void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from, double share);
 
 #endif

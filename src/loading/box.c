@@ -43,6 +43,10 @@ bool nb_box_follows(const struct nb_scene *scene, size_t stage) {
   return follows;
 }
 
+bool nb_box_is_strained(const struct nb_model *model) {
+  return model->carry && model->stage && nb_box_follows(model->scene, (size_t)(model->stage - model->scene->stages));
+}
+
 /* The middle between opposite walls. */
 static struct nb_vec centre(const struct nb_walls *walls, int first) {
   struct nb_vec sum = {0, 0};
@@ -87,7 +91,7 @@ struct nb_tensor nb_box_stress(const struct nb_model *model) {
   const int first = nb_box_of(model->scene);
   const struct nb_vec sides = nb_box_sides(model), middle = centre(&model->walls, first);
   struct nb_tensor sum = {0, 0, 0, 0};
-  for (size_t c = model->wall_contacts; c < contacts->count; c++) {
+  for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {
     if (contacts->b[c] < first || contacts->b[c] >= first + SIDES)
       continue;
     const struct nb_vec at = nb_wall_nearest(&model->walls, contacts->b[c], model->bodies.position[contacts->a[c]]);

@@ -17,6 +17,7 @@ int nb_box_of(
 /* Whether its walls follow the box's strain rate in that stage: a stage says so, or has a servo by the box, and none since then has
  * moved one of them otherwise. */
 bool nb_box_follows(const struct nb_scene *scene, size_t stage);
+bool nb_box_is_strained(const struct nb_model *model);    /* the same in the stage that runs */
 void nb_box_drive(struct nb_model *model);                /* before the motion: how its walls go over the step ahead */
 struct nb_vec nb_box_sides(const struct nb_model *model); /* from west to east, from south to north, m */
 struct nb_vec nb_box_first(const struct nb_scene *scene); /* the same at time 0 */

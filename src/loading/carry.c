@@ -16,9 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/carry.h"
-
 #include "box.h"
+#include "carry.h"
 
 static bool wanted(const struct nb_scene *scene) {
   bool carries = scene->cell.line || scene->circle.line;
@@ -67,10 +66,9 @@ void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage) {
     cell->xx *= -1, cell->xy *= -1, cell->yx *= -1, cell->yy *= -1;
   if (stage->cell_line)
     *cell = stage->cell;
-  model->boxed = nb_box_follows(model->scene, (size_t)(stage - model->scene->stages));
   if (stage->box_line)
     asked[NB_CARRIER_BOX] = stage->box;
-  else if (!model->boxed)
+  else if (!nb_box_follows(model->scene, (size_t)(stage - model->scene->stages)))
     asked[NB_CARRIER_BOX] = (struct nb_strain_rate){.xx = 0};
   if (stage->boundary.line)
     asked[NB_CARRIER_BOUNDARY] = stage->boundary.strain;
@@ -107,12 +105,4 @@ void nb_carry_still(struct nb_model *model) {
 void nb_carry_drop(struct nb_model *model, size_t slot) {
   nb_carry_by(model->carry, slot, NB_CARRIER_NONE);
   model->bodies.carried[slot] = vec(0, 0);
-}
-
-struct nb_vec nb_carry_remembered(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
-  return vec_scale(carry->remembered[carry->by[slot]], nb_carried_at(carry, slot, x));
-}
-
-struct nb_vec nb_carry_left(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
-  return vec_scale(1 - carry->remembered[carry->by[slot]], nb_carried_at(carry, slot, x));
 }

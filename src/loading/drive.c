@@ -108,9 +108,9 @@ static void pressing(struct nb_model *model, bool on) {
   struct nb_drive *drive = model->drive;
   if (on)
     nb_ring_press(model);
-  for (size_t i = 0; i < model->bodies.count && (on || drive->pressing); i++)
+  for (size_t i = 0; i < model->bodies.count && (on || model->bodies.pressed); i++)
     nb_motion_release(model, i, (struct nb_force){vec_scale(on ? -1 : 1, drive->pressed[i]), 0});
-  drive->pressing = on;
+  model->bodies.pressed = on ? drive->pressed : NULL;
 }
 
 static void ring_begins(struct nb_model *model, const struct nb_stage *stage) {
@@ -147,9 +147,9 @@ enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *sta
 enum nb_status nb_drive_search(struct nb_model *model, struct nb_error *error) {
   if (model->balance)
     nb_balance_dropped(model);
-  model->keeping = true;
+  model->search.keeping = true;
   const enum nb_status status = nb_near(model, error);
-  model->keeping = false;
+  model->search.keeping = false;
   return !status && model->balance ? nb_balance_entered(model, error) : status;
 }
 
@@ -166,6 +166,6 @@ void nb_drive_after(struct nb_model *model) {
     const struct nb_tensor step = tensor_scale(model->step, model->carry->rate[NB_CARRIER_BOUNDARY]);
     ring->shape = tensor_add(ring->shape, tensor_product(step, ring->shape));
   }
-  if (drive->pressing)
+  if (model->bodies.pressed)
     nb_ring_press(model);
 }

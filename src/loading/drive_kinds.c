@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/names.h"
 #include "drive.h"
+#include "measure/boundary.h"
 #include "measure/energy.h"
 #include "measure/region.h"
 

@@ -14,14 +14,12 @@
 #include "drive.h"
 #include "measure/energy.h"
 
-bool nb_gone(const struct nb_model *model, size_t slot) { return model->bodies.gone && model->bodies.gone[slot]; }
-
 /* Contact c ends: what it did until now is done, and it reads as if it did not touch. */
 static void let_go(struct nb_model *model, size_t c) {
   struct nb_contacts *contacts = &model->contacts;
   const struct nb_bodies *bodies = &model->bodies;
   const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
-  const double *drag = contacts->kept[model->drag];
+  const double *drag = contacts->kept[model->plan.drag];
   const struct nb_vec force = contacts->force[c];
   nb_motion_release(model, a, (struct nb_force){force, drag ? drag[c] * bodies->rim[a].x : 0});
   if (!model->pairings[contacts->pairing[c]].wall)
@@ -36,7 +34,7 @@ static void take_out(struct nb_model *model, size_t i) {
   struct nb_bodies *bodies = &model->bodies;
   if (model->balance)
     nb_balance_removed(model, i);
-  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+  const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
   for (const int *c = its.first; c < its.end; c++)
     let_go(model, (size_t)*c);
   if (model->drive)
@@ -56,9 +54,9 @@ enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, s
   for (size_t r = 0; r < stage->removal_count; r++)
     for (size_t k = stage->removals[r].from; k <= stage->removals[r].to; k++)
       take_out(model, (size_t)model->bodies.slot[k]);
-  model->keeping = true;
+  model->search.keeping = true;
   const enum nb_status status = nb_near(model, error);
-  model->keeping = false;
+  model->search.keeping = false;
   if (model->balance && !status)
     nb_balance_remove(model, false);
   return status;

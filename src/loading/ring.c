@@ -13,16 +13,14 @@
  *
  * and each of them stands for half of its two sides, outward n l = ((x_(i+1) - x_(i-1))/2 turned clockwise). A stress s on the
  * boundary, compression positive, is the force -s n l h on each, h the thickness; together sum F_i X_j = -s A h, and no force
- * is left over. The stress that the assembly makes is measured alike, from the contact forces F on the boundary's bodies:
- *
- *   s_ij = sum F_i X_j / (A h)          the same as by all contacts, sum f_i l_j / (A h), while the bodies inside are at rest
+ * is left over. What it encloses and the stress on it: measure/boundary.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
 #include "drive.h"
+#include "measure/boundary.h"
 #include "measure/energy.h"
-#include "measure/region.h"
 
 /* ---- the circle ---- */
 
@@ -119,7 +117,7 @@ void nb_ring_drop(struct nb_model *model, size_t slot) {
 
 static void look(struct nb_model *model) {
   struct nb_ring *ring = &model->drive->ring;
-  const double inside = model->skin * size(tensor_inverse(ring->shape));
+  const double inside = model->search.skin * size(tensor_inverse(ring->shape));
   ring->rim_count = 0;
   for (size_t k = 0; k < model->bodies.count; k++) {
     const int i = model->bodies.slot[k];
@@ -127,13 +125,13 @@ static void look(struct nb_model *model) {
       ring->rim[ring->rim_count++] = i;
   }
   ring->looked = ring->shape;
-  ring->after = model->searches;
+  ring->after = model->search.count;
 }
 
 enum nb_status nb_ring_take_in(struct nb_model *model, struct nb_error *error) {
   struct nb_ring *ring = &model->drive->ring;
-  if (ring->after != model->searches ||
-      !(size(tensor_sub(ring->shape, ring->looked)) * ring->radius <= model->skin / 2))
+  if (ring->after != model->search.count ||
+      !(size(tensor_sub(ring->shape, ring->looked)) * ring->radius <= model->search.skin / 2))
     look(model);
   bool crossed = false;
   for (size_t k = 0; k < ring->rim_count && !crossed; k++)
@@ -169,47 +167,7 @@ void nb_ring_carry(struct nb_model *model) {
   }
 }
 
-/* ---- its polygon ---- */
-
-static struct nb_vec place(const struct nb_model *model, size_t k) {
-  const struct nb_ring *ring = &model->drive->ring;
-  return vec_sub(model->bodies.position[ring->member[k % ring->count]], model->carry->centre);
-}
-
-double nb_ring_area(const struct nb_model *model) {
-  double twice = 0;
-  for (size_t k = 0; k < model->drive->ring.count; k++) {
-    const struct nb_vec a = place(model, k), b = place(model, k + 1);
-    twice += a.x * b.y - b.x * a.y;
-  }
-  return twice / 2;
-}
-
-double nb_ring_radius(const struct nb_model *model) {
-  const size_t count = model->drive->ring.count;
-  double sum = 0;
-  for (size_t k = 0; k < count; k++)
-    sum += vec_length(place(model, k));
-  return count ? sum / (double)count : 0;
-}
-
-double nb_ring_unevenness(const struct nb_model *model) {
-  const size_t count = model->drive->ring.count;
-  const double mean = nb_ring_radius(model);
-  double sum = 0;
-  for (size_t k = 0; k < count; k++)
-    sum += (vec_length(place(model, k)) - mean) * (vec_length(place(model, k)) - mean);
-  return count ? sqrt(sum / (double)count) / mean : 0;
-}
-
-struct nb_tensor nb_ring_stress(const struct nb_model *model) {
-  const struct nb_ring *ring = &model->drive->ring;
-  struct nb_tensor sum = tensor(0, 0, 0, 0);
-  const double volume = nb_ring_area(model) * nb_thickness(model);
-  for (size_t k = 0; k < ring->count; k++)
-    sum = tensor_add(sum, tensor_outer(nb_force_on(model, (size_t)ring->member[k]).force, place(model, k)));
-  return volume > 0 ? tensor_scale(1 / volume, sum) : tensor(0, 0, 0, 0);
-}
+/* ---- a stress on it ---- */
 
 void nb_ring_press(struct nb_model *model) {
   struct nb_drive *drive = model->drive;
@@ -217,7 +175,7 @@ void nb_ring_press(struct nb_model *model) {
   const double thickness = nb_thickness(model);
   memset(drive->pressed, 0, model->bodies.count * sizeof *drive->pressed);
   for (size_t k = 0; k < count; k++) {
-    const struct nb_vec along = vec_sub(place(model, k + 1), place(model, k + count - 1));
+    const struct nb_vec along = vec_sub(nb_ring_place(model, k + 1), nb_ring_place(model, k + count - 1));
     drive->pressed[drive->ring.member[k]] =
         vec_scale(-thickness / 2, tensor_times(drive->stress, vec_clockwise(along)));
   }

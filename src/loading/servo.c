@@ -27,6 +27,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "servo.h"
 #include "box.h"
+#include "core/names.h"
+#include "measure/boundary.h"
 #include "measure/region.h"
 
 /* B, Pa, and M/(A h), kg/m3: of all that is there. */
@@ -61,7 +63,7 @@ static struct nb_tensor axes(const struct nb_servo *servo) {
 static struct nb_tensor stress(const struct nb_model *model, const struct nb_servo *servo) {
   double seen[4];
   for (int k = 0; k < 4; k++)
-    seen[k] = nb_quantity_value(servo->quantity[k], model);
+    seen[k] = nb_quantity_now(servo->quantity[k], model);
   return tensor_turned(tensor_transpose(axes(servo)), tensor(seen[0], seen[1], seen[2], seen[3]));
 }
 

@@ -44,7 +44,7 @@ static const struct nb_law *not_stored(const struct nb_model *model, bool normal
 }
 
 enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
-  const unsigned asked = nb_fields_watched(model->scene);
+  const unsigned asked = model->plan.asked;
   const struct nb_law *normal = not_stored(model, true), *shear = not_stored(model, false);
   normal = normal ? normal : nb_laws_unstored(model->scene, true);
   shear = shear ? shear : nb_laws_unstored(model->scene, false);
@@ -110,7 +110,7 @@ static void contacts_do(struct nb_sum terms[], const struct nb_model *model, con
   const double time = kick->behind + kick->ahead;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    if ((!model->dashpots && !pairing->wall) || !(contacts->kept[NB_OVERLAP][c] > 0))
+    if ((!model->plan.dashpots && !pairing->wall) || !(contacts->kept[NB_OVERLAP][c] > 0))
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
@@ -127,7 +127,7 @@ static void contacts_do(struct nb_sum terms[], const struct nb_model *model, con
       way = vec_sub(way, vec_add(vec_scale(time, kick->now[j].velocity), carried));
       rolled += time * kick->now[j].spin * model->bodies.rim[j].x;
     }
-    if (!model->dashpots)
+    if (!model->plan.dashpots)
       continue;
     nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_PUSH][c] - contacts->kept[NB_NORMAL][c]) * vec_dot(way, e));
     if (pairing->shear)

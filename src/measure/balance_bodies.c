@@ -3,7 +3,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "balance.h"
 #include "core/motion.h"
-#include "loading/drive.h"
 
 /* A kick that lasts `time`, of which `before` is damped as before the stage. */
 struct kick {
@@ -37,15 +36,15 @@ static double damped(const struct nb_model *model, size_t i, struct nb_state was
 /* What that, and stress on a boundary, give a body in such a kick. */
 static double driven(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
   struct nb_vec impulse = vec_scale(model->bodies.mass[i], left(model, i));
-  if (model->drive && model->drive->pressing)
-    impulse = vec_add(impulse, vec_scale(time, model->drive->pressed[i]));
+  if (model->bodies.pressed)
+    impulse = vec_add(impulse, vec_scale(time, model->bodies.pressed[i]));
   return vec_dot(impulse, mean);
 }
 
 /* Weight and stress on a boundary, N. */
 static struct nb_vec outer_forces(const struct nb_model *model, size_t i) {
   const struct nb_vec weight = nb_weight(model, i, model->balance->position[i]);
-  return model->drive && model->drive->pressing ? vec_add(weight, model->drive->pressed[i]) : weight;
+  return model->bodies.pressed ? vec_add(weight, model->bodies.pressed[i]) : weight;
 }
 
 /* Bodies, in a kick that lasts `time` and of which `share` is counted, at the velocities of t_N. */
@@ -86,8 +85,8 @@ void nb_balance_work(struct nb_sum *work, const struct nb_model *model, double t
     if (model->carry)
       nb_sum_add(work, driven(model, i, mean.velocity, time));
     nb_sum_add(work, time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
-    if (model->drive && model->drive->pressing)
-      force.force = vec_add(force.force, model->drive->pressed[i]);
+    if (model->bodies.pressed)
+      force.force = vec_add(force.force, model->bodies.pressed[i]);
     nb_sum_add(work, -damped(model, i, was, mean, force, kick));
   }
 }

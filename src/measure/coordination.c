@@ -32,7 +32,7 @@ static void find_rattlers(const struct nb_model *model) {
   int *touching = model->regions->touching, *idle = model->regions->idle;
   size_t waiting = 0;
   for (size_t i = 0; i < model->bodies.count; i++) {
-    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
     touching[i] = 0;
     for (const int *c = its.first; c < its.end; c++)
       touching[i] += touches(model, (size_t)*c);
@@ -44,7 +44,7 @@ static void find_rattlers(const struct nb_model *model) {
     touching[idle[k]] = -1;
   while (waiting > 0) {
     const size_t i = (size_t)idle[--waiting];
-    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
     for (const int *entry = its.first; entry < its.end; entry++) {
       const size_t c = (size_t)*entry;
       const int other = touches(model, c) ? partner(model, c, i) : -1;
@@ -73,7 +73,7 @@ const struct nb_coordination *nb_coordination_of(const struct nb_model *model, c
     it->bodies++, inner += free;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
     it->loaded += touching[i] >= 0 ? touching[i] : 0;
-    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
     for (const int *entry = its.first; entry < its.end; entry++) {
       const size_t c = (size_t)*entry;
       if (!touches(model, c))

@@ -82,7 +82,7 @@ double nb_energy_of_contact(const struct nb_model *model, size_t c) {
 }
 
 double nb_energy_of_body(const struct nb_model *model, size_t slot) {
-  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, slot);
+  const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, slot);
   double sum = nb_energy_of_motion(model, slot);
   for (const int *c = its.first; c < its.end; c++)
     add_stored(&sum, model, (size_t)*c);
@@ -112,4 +112,17 @@ double nb_momentum_angular(const struct nb_model *model) {
     sum += bodies->mass[i] * (x.x * v.velocity.y - x.y * v.velocity.x) + bodies->inertia[i] * v.spin;
   }
   return sum;
+}
+
+double nb_unbalance(const struct nb_model *model) {
+  double sum = 0, contact = 0;
+  for (size_t i = 0; i < model->bodies.count; i++) {
+    const double size = model->bodies.inverse_mass[i] > 0 ? vec_length(nb_force_left(model, i)) : 0;
+    sum = size > sum ? size : sum;
+  }
+  for (size_t c = 0; c < model->contacts.count; c++) {
+    const double size = vec_length(model->contacts.force[c]);
+    contact = size > contact ? size : contact;
+  }
+  return contact > 0 ? sum / contact : 0;
 }

@@ -5,6 +5,7 @@
 #define NB_ENERGY_H
 
 #include "core/model.h"
+#include "laws/laws_now.h"
 
 /* ---- energy.c: at t_N ---- */
 
@@ -19,6 +20,10 @@ double nb_energy_of_body(const struct nb_model *model, size_t slot); /* its kine
 struct nb_vec nb_momentum(const struct nb_model *model);             /* of free bodies, kg m/s */
 double
 nb_momentum_angular(const struct nb_model *model); /* of free bodies about the origin, counterclockwise, kg m2/s */
+
+/* Largest force sum on a free body, weight included, over largest contact force: dF/F of [CS79 tables 1-3]; 0 while nothing
+ * touches. */
+double nb_unbalance(const struct nb_model *model);
 
 /* ---- balance.c: since the start ---- */
 

@@ -12,13 +12,23 @@
  *          bound. So FRACC is no bound for anything; cases/fracc.md. What is sure to be stable: stable.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+
 #include "step.h"
 
 bool nb_fracc_begin(struct nb_model *model) {
-  model->fracc_before = nb_array(model->bodies.count, sizeof *model->fracc_before);
-  for (size_t i = 0; model->fracc_before && i < model->bodies.count; i++)
-    model->fracc_before[i] = vec_length(nb_force_on(model, i).force);
-  return model->fracc_before != NULL;
+  model->fracc = calloc(1, sizeof *model->fracc);
+  if (!model->fracc || !(model->fracc->before = nb_array(model->bodies.count, sizeof *model->fracc->before)))
+    return false;
+  for (size_t i = 0; i < model->bodies.count; i++)
+    model->fracc->before[i] = vec_length(nb_force_on(model, i).force);
+  return true;
+}
+
+void nb_fracc_free(struct nb_fracc *fracc) {
+  if (fracc)
+    free(fracc->before);
+  free(fracc);
 }
 
 void nb_fracc_forces(struct nb_model *model) {
@@ -26,13 +36,13 @@ void nb_fracc_forces(struct nb_model *model) {
   const double dt = model->previous_step;
   double largest = 0;
   for (size_t i = 0; i < bodies->count; i++) {
-    const double is = vec_length(nb_force_on(model, i).force), change = fabs(is - model->fracc_before[i]);
+    const double is = vec_length(nb_force_on(model, i).force), change = fabs(is - model->fracc->before[i]);
     const double way = vec_length(bodies->velocity[i]) * dt;
-    model->fracc_before[i] = is;
+    model->fracc->before[i] = is;
     if (!(bodies->inverse_mass[i] > 0 && way > 0))
       continue;
     const double share = dt / 2 * sqrt(change * bodies->inverse_mass[i] / way);
     largest = share > largest ? share : largest;
   }
-  model->fracc = largest;
+  model->fracc->largest = largest;
 }

@@ -13,7 +13,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
-#include "hertz_impact.h"
+#include "core/hertz_impact.h"
 #include "step.h"
 
 /* How two that are to meet do. */

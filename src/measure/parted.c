@@ -12,7 +12,7 @@
 
 enum nb_status nb_parted_begin(struct nb_model *model, int stage, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  if (!(nb_fields_watched(scene) & NB_ASKS_PARTED))
+  if (!(model->plan.asked & NB_ASKS_PARTED))
     return NB_OK;
   for (size_t r = 0; r < scene->region_count; r++)
     if ((stage < 0 || scene->regions[r].stage == stage) && !nb_since_touching(&model->regions->list[r].touched, model))

@@ -10,7 +10,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "areas.h"
 #include "region.h"
-#include "run/observe.h"
+#include "snapshot.h"
 
 static double volume_of(const struct nb_model *model, size_t body) {
   const double r = model->scene->bodies[body].radius, area = nb_area_of_disc(r);

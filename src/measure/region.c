@@ -13,7 +13,7 @@
 #include <stdlib.h>
 
 #include "areas.h"
-#include "loading/drive.h"
+#include "boundary.h"
 
 enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
@@ -25,7 +25,7 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
     regions->touching = nb_array(model->bodies.count, sizeof(int));
     regions->idle = nb_array(model->bodies.count, sizeof(int));
   }
-  const bool chains = nb_fields_watched(scene) & NB_ASKS_CHAINS;
+  const bool chains = model->plan.asked & NB_ASKS_CHAINS;
   if (!regions || !regions->list || !regions->touching || !regions->idle || (chains && !nb_chains_create(model)))
     return nb_error_memory(error);
   for (size_t r = 0; r < scene->region_count; r++)
@@ -55,19 +55,6 @@ enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_err
 }
 
 /* ---- where it is ---- */
-
-double nb_thickness(const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
-  double sum = 0, count = 0;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (nb_gone(model, i))
-      continue;
-    sum += model->scene->bodies[k].shape == NB_SPHERE ? 2 * bodies->rim[i].x : 1;
-    count++;
-  }
-  return count > 0 ? sum / count : 1;
-}
 
 static void box(struct nb_region_now *now, struct nb_vec centre, struct nb_vec along, struct nb_vec half) {
   const struct nb_vec left = vec(-along.y, along.x);
@@ -183,7 +170,7 @@ bool nb_ends_body(struct nb_ends *ends) {
     const size_t slot = (size_t)model->bodies.slot[ends->body++];
     if (!nb_region_holds(model, ends->region, slot))
       continue;
-    const struct nb_contacts_of its = nb_contacts_of(&model->incidence, slot);
+    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, slot);
     ends->slot = slot, ends->next = its.first, ends->end = its.end;
     if (ends->next < ends->end)
       return true;

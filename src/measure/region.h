@@ -116,7 +116,6 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error);
 void nb_regions_free(struct nb_regions *regions, size_t count);
 
-double nb_thickness(const struct nb_model *model); /* of the assembly, normal to the plane, m */
 struct nb_region_now *nb_region_now(const struct nb_model *model, int region);
 /* True once a cycle: the measure is to be worked out. */
 bool nb_region_due(const struct nb_model *model, struct nb_region_now *region, enum nb_measure_of which);
@@ -159,13 +158,13 @@ static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
     const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
     const bool first = (size_t)contacts->a[c] == ends->slot;
     const double sign = first ? 1 : -1;
-    const enum nb_field push = model->dashpots ? NB_PUSH : NB_NORMAL;
+    const enum nb_field push = model->plan.dashpots ? NB_PUSH : NB_NORMAL;
     end->slot = ends->slot, end->contact = c;
     end->partner = pairing->wall ? -1 : first ? contacts->b[c] : contacts->a[c];
     end->e = vec(sign * contacts->kept[NB_EX][c], sign * contacts->kept[NB_EY][c]);
     end->arm = nb_contact_arm(model, c, ends->slot);
     end->push = contacts->kept[push][c];
-    end->drag = pairing->shear ? contacts->kept[model->drag][c] : 0;
+    end->drag = pairing->shear ? contacts->kept[model->plan.drag][c] : 0;
     ends->next++;
     return true;
   }

@@ -5,7 +5,7 @@
 #define NB_SINCE_H
 
 #include "core/near.h"
-#include "run/observe.h"
+#include "snapshot.h"
 
 bool nb_since_create(struct nb_model *model); /* leaves model->since NULL where no snapshot asks; false: no memory */
 void nb_since_free(struct nb_since *since);

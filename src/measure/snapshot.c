@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "region.h"
-#include "run/observe.h"
 #include "since.h"
+#include "snapshot.h"
 
 bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_head *columns,
                        size_t count) {
@@ -21,7 +21,7 @@ bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, con
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 static double touching(const struct nb_model *model, size_t slot) {
-  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, slot);
+  const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, slot);
   double count = 0;
   for (const int *c = its.first; c < its.end; c++)
     count += model->contacts.kept[NB_OVERLAP][*c] > 0;

@@ -36,9 +36,25 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "laws/laws_now.h"
 #include "step.h"
+
+bool nb_stability_create(struct nb_model *model) {
+  struct nb_stability *it = model->stability = calloc(1, sizeof *it);
+  if (!it)
+    return false;
+  it->step_line = -1;
+  return (it->loads = nb_array(model->bodies.count, sizeof *it->loads)) != NULL;
+}
+
+void nb_stability_free(struct nb_stability *stability) {
+  if (stability)
+    free(stability->loads);
+  free(stability);
+}
 
 /* A stage may have changed properties and laws since the last forces. */
 static void look_ahead(const struct nb_model *model) {
@@ -48,15 +64,6 @@ static void look_ahead(const struct nb_model *model) {
     pairing->coming = nb_properties_pair(&model->properties, pairing->a, pairing->b);
     pairing->coming_shear = pairing->coming.friction > 0 || pairing->coming.cohesion > 0 ? shear : NULL;
   }
-}
-
-double nb_overlap(const struct nb_model *model, size_t c) {
-  const bool wall = model->pairings[model->contacts.pairing[c]].wall;
-  const struct nb_bodies *bodies = &model->bodies;
-  const int i = model->contacts.a[c], j = model->contacts.b[c];
-  if (!wall)
-    return bodies->rim[i].x + bodies->rim[j].x - vec_length(nb_contacts_branch(model, c));
-  return bodies->rim[i].x - vec_length(nb_wall_apart(&model->walls, j, bodies->position[i]));
 }
 
 /* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
@@ -70,7 +77,7 @@ static struct nb_stiff stiff_at(const struct nb_model *model, const struct nb_pa
   struct nb_stiff k = {.kn = nb_normal_stiffest(normal)};
   if (pairing->coming_shear)
     k.ks = pairing->coming_shear->shear(values, normal, 0, shear_memory).stiffness;
-  if (!model->dashpots)
+  if (!model->plan.dashpots)
     return k;
   const struct nb_dashpot pot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, pairing->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
@@ -208,10 +215,10 @@ struct nb_safe nb_safe_begin(const struct nb_model *model) {
 struct nb_part nb_part_of(const struct nb_model *model, size_t c) {
   const struct nb_bodies *bodies = &model->bodies;
   const int i = model->contacts.a[c], j = model->contacts.b[c];
-  struct nb_part part = {.own = model->stiff[c]};
-  share(&part, &model->loads[i], bodies->inverse_mass[i], bodies->inverse_inertia[i]);
+  struct nb_part part = {.own = model->blocks.stiff[c]};
+  share(&part, &model->stability->loads[i], bodies->inverse_mass[i], bodies->inverse_inertia[i]);
   if (!model->pairings[model->contacts.pairing[c]].wall)
-    share(&part, &model->loads[j], bodies->inverse_mass[j], bodies->inverse_inertia[j]);
+    share(&part, &model->stability->loads[j], bodies->inverse_mass[j], bodies->inverse_inertia[j]);
   return part;
 }
 
@@ -223,13 +230,13 @@ struct nb_safe nb_safe_step(const struct nb_model *model) {
   if (contacts->count == 0)
     return nb_safe_apart(model);
   look_ahead(model);
-  memset(model->loads, 0, bodies->count * sizeof *model->loads);
+  memset(model->stability->loads, 0, bodies->count * sizeof *model->stability->loads);
   for (size_t c = 0; c < contacts->count; c++) { /* in the order of numbers, whatever the storage */
     const int i = contacts->a[c], j = contacts->b[c];
-    const struct nb_stiff k = model->stiff[c] = stiff_of(model, c);
-    add(&model->loads[i], &k, bodies->rim[i].x);
+    const struct nb_stiff k = model->blocks.stiff[c] = stiff_of(model, c);
+    add(&model->stability->loads[i], &k, bodies->rim[i].x);
     if (!model->pairings[contacts->pairing[c]].wall)
-      add(&model->loads[j], &k, bodies->rim[j].x);
+      add(&model->stability->loads[j], &k, bodies->rim[j].x);
   }
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_part part = nb_part_of(model, c);

@@ -102,7 +102,7 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   const int line = step->set ? 0 : step->line;
   char place[NB_NAME_SIZE];
   double unit = 1;
-  if (step->kind == NB_STEP_CONTACT && nb_step_elastic(model) && line == model->step_line)
+  if (step->kind == NB_STEP_CONTACT && nb_step_elastic(model) && line == model->stability->step_line)
     return NB_OK;
   switch (step->kind) {
   case NB_STEP_TIME:
@@ -111,7 +111,7 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
     unit = model->critical;
     break;
   case NB_STEP_SAFE:
-    unit = model->safe;
+    unit = model->stability->safe;
     break;
   case NB_STEP_CONTACT:
     unit = nb_step_contact(model);
@@ -131,7 +131,7 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
                         : step->kind == NB_STEP_CONTACT ? "a time, or `F of rayleigh`"
                                                         : "`N per contact` or `F of rayleigh`");
   model->step = step->value * unit;
-  model->step_line = line;
+  model->stability->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step))
     return nb_error_set(
         error, NB_BAD_USE,

@@ -4,7 +4,19 @@
 #ifndef NB_STEP_H
 #define NB_STEP_H
 
-#include "core/model.h"
+#include "laws/laws_now.h"
+#include "pass/pass.h"
+
+/* What the stable step is found from, and the watch over it: step.c, stable.c, watch.c. */
+struct nb_stability {
+  int step_line;         /* of the statement that says how long a step is; -1: none has been worked out yet */
+  double safe;           /* largest step sure to be stable as this stage began, s */
+  bool allow_unstable;   /* the step is not watched now */
+  unsigned long looks;   /* how often the watch has worked out the safe step */
+  struct nb_load *loads; /* per slot, room for stable.c */
+};
+bool nb_stability_create(struct nb_model *model); /* false: no memory */
+void nb_stability_free(struct nb_stability *stability);
 
 /* stable.c */
 struct nb_load {
@@ -36,10 +48,16 @@ static inline double nb_part_normal(const struct nb_part *part, double dt) { ret
 static inline double nb_part_turning(const struct nb_part *part, double dt) {
   return dt * (dt * part->q + 2 * part->p);
 }
-double nb_overlap(const struct nb_model *model,
-                  size_t contact); /* of positions as they are; < 0 where they are apart, m */
 /* "turning of body 5 at wall east" */
 void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe);
+
+/* watch.c: whether the step is still sure to be stable */
+bool nb_sure_all(struct nb_model *model); /* after the forces: no contact is deeper than its NB_SURE */
+/* NB_BROKEN when the step is above the safe one, unless the page allows it; what is sure from there on. */
+enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
+enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error);
+/* The same as a stage begins, for pairs that are apart too. */
+enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error);
 
 /* meet.c: of elastic spheres, what meets for the shortest time when all go straight on */
 struct nb_meeting {
@@ -56,7 +74,12 @@ double nb_rayleigh_fit(double poisson);  /* the same by [R89 4.34] */
 double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean);
 
 /* fracc.c */
-bool nb_fracc_begin(struct nb_model *model);  /* false: no memory */
+struct nb_fracc {
+  double largest; /* of the cycle behind */
+  double *before; /* per slot |SF| then, N */
+};
+bool nb_fracc_begin(struct nb_model *model); /* false: no memory */
+void nb_fracc_free(struct nb_fracc *fracc);
 void nb_fracc_forces(struct nb_model *model); /* after the forces */
 
 /* step.c */

@@ -12,7 +12,7 @@
 OF_STEP(step, model->step)
 OF_STEP(critical, model->critical)
 OF_STEP(safe, nb_safe_step(model).step)
-OF_STEP(fracc, model->fracc)
+OF_STEP(fracc, model->fracc->largest)
 OF_STEP(rayleigh, nb_step_rayleigh(model, false, false))
 OF_STEP(rayleigh_mean, nb_step_rayleigh(model, false, true))
 OF_STEP(rayleigh_fit, nb_step_rayleigh(model, true, false))

@@ -24,7 +24,7 @@ static void remember(const struct nb_model *model, struct nb_region_now *region)
 
 enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  if (!(nb_fields_watched(scene) & NB_ASKS_STRAIN))
+  if (!(model->plan.asked & NB_ASKS_STRAIN))
     return NB_OK;
   for (size_t r = 0; r < scene->region_count; r++) {
     struct nb_region_now *region = nb_region_now(model, (int)r);

@@ -10,7 +10,7 @@
 
 #include "areas.h"
 #include "region.h"
-#include "run/observe.h"
+#include "snapshot.h"
 
 bool nb_summary_averages(struct nb_table *table, const struct nb_table *of, size_t skip) {
   const size_t count = of->column_count - skip, rows = of->row_count;
@@ -52,7 +52,7 @@ static int before(const void *a, const void *b) {
 
 static struct type of_body(const struct nb_model *model, size_t i) {
   struct type type = {.material = model->bodies.material[i], .radius = model->bodies.rim[i].x, .bodies = 1};
-  const struct nb_contacts_of its = nb_contacts_of(&model->incidence, i);
+  const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
   for (const int *c = its.first; c < its.end; c++)
     type.ends += model->contacts.kept[NB_OVERLAP][*c] > 0;
   const int touching = model->regions->touching[i];

@@ -50,23 +50,10 @@ void nb_safe_words(char *text, size_t size, const struct nb_model *model, const 
 
 /* ---- what is sure until the next look ---- */
 
-bool nb_sure_begin(struct nb_model *model, size_t blocks) {
-  free(model->sure);
-  model->sure = nb_array(blocks, sizeof *model->sure);
-  for (size_t v = 0; model->sure && v < blocks; v++)
-    model->sure[v].overlap = INFINITY; /* no step has been judged yet */
-  return model->sure != NULL;
-}
-
-void nb_sure_end(struct nb_model *model) {
-  free(model->sure);
-  model->sure = NULL;
-}
-
 bool nb_sure_all(struct nb_model *model) {
   unsigned long above = 0;
-  for (size_t v = 0; v < model->view_count; v++)
-    above += model->sure[v].above, model->sure[v].above = 0;
+  for (size_t v = 0; v < model->blocks.count; v++)
+    above += model->blocks.sure[v].above, model->blocks.sure[v].above = 0;
   return above == 0;
 }
 
@@ -79,14 +66,14 @@ static double most_shear(const struct nb_model *model) {
     const double ratio = shears ? 4 * pairing->coming.shear / pairing->coming.young : 0;
     most = ratio > most ? ratio : most;
   }
-  return model->dashpots && most < 1 ? sqrt(most) : most;
+  return model->plan.dashpots && most < 1 ? sqrt(most) : most;
 }
 
 /* The k_n of a q:  dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q,  a square in k^(1/2). */
 static double stiffness_of(const struct nb_model *model, size_t c, double q) {
   const double dt = model->step;
   struct nb_dashpot pot = {0};
-  if (model->dashpots)
+  if (model->plan.dashpots)
     pot = nb_dashpot(model, model->pairings[model->contacts.pairing[c]].wall);
   if (model->damping.deep > 0)
     pot.ratio = pot.ratio > 2 ? pot.ratio : 2; /* it may get deep */
@@ -128,7 +115,7 @@ static void be_sure(struct nb_model *model) {
   double *sure = contacts->kept[NB_SURE];
   int slots[2];
   for (size_t i = 0; i < bodies->count; i++)
-    model->loads[i].left = INFINITY;
+    model->stability->loads[i].left = INFINITY;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_part part = nb_part_of(model, c);
     const int n = free_of(model, c, slots);
@@ -136,24 +123,25 @@ static void be_sure(struct nb_model *model) {
     const double left = limit - (shear > normal ? shear : normal);
     const bool apart = !(part.own.kn > 0) && !(left > 0); /* looked at as soon as they touch */
     for (int k = 0; k < n && !apart; k++)
-      model->loads[slots[k]].left = smaller(model->loads[slots[k]].left, left > 0 ? left / n : 0);
+      model->stability->loads[slots[k]].left = smaller(model->stability->loads[slots[k]].left, left > 0 ? left / n : 0);
     sure[c] = apart ? -INFINITY : dt * dt * part.own.kn + 2 * dt * part.own.cn; /* q, for now */
   }
-  for (size_t v = 0; v < model->view_count; v++)
-    model->sure[v].overlap = INFINITY;
-  for (size_t v = 0, c = 0; v < model->view_count; v++)
-    for (const size_t end = c + model->views[v].n; c < end; c++) {
+  for (size_t v = 0; v < model->blocks.count; v++)
+    model->blocks.sure[v].overlap = INFINITY;
+  for (size_t v = 0, c = 0; v < model->blocks.count; v++)
+    for (const size_t end = c + model->blocks.views[v].n; c < end; c++) {
       const int n = free_of(model, c, slots);
       double more = INFINITY;
       for (int k = 0; k < n; k++) {
         const int i = slots[k];
         const double inverse = bodies->inverse_mass[i], rim = bodies->rim[i].x;
         const double rolling = h * (inverse + rim * rim * bodies->inverse_inertia[i]);
-        const double each = model->loads[i].left / (double)(model->incidence.first[i + 1] - model->incidence.first[i]);
+        const double each =
+            model->stability->loads[i].left / (double)(model->contacts.of.first[i + 1] - model->contacts.of.first[i]);
         more = smaller(more, each / (rolling > inverse ? rolling : inverse));
       }
       sure[c] = overlap_of(model, c, stiffness_of(model, c, sure[c] + more));
-      model->sure[v].overlap = smaller(model->sure[v].overlap, sure[c]);
+      model->blocks.sure[v].overlap = smaller(model->blocks.sure[v].overlap, sure[c]);
     }
 }
 
@@ -172,19 +160,19 @@ static enum nb_status too_long(const struct nb_model *model, const struct nb_saf
 }
 
 enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error) {
-  if (model->allow_unstable || model->contacts.count == 0)
+  if (model->stability->allow_unstable || model->contacts.count == 0)
     return NB_OK;
   const struct nb_safe safe = nb_safe_step(model);
-  model->looks++;
+  model->stability->looks++;
   if (too_long(model, &safe, error))
     return error->status;
-  if (model->sure)
+  if (model->blocks.sure)
     be_sure(model);
   return NB_OK;
 }
 
 enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error) {
-  if (!model->allow_unstable && too_long(model, apart, error))
+  if (!model->stability->allow_unstable && too_long(model, apart, error))
     return error->status;
   return nb_stable_watch(model, error);
 }

@@ -35,7 +35,7 @@ static double tries(const struct nb_model *model, const struct nb_watch *watch) 
 static double gap(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
   const struct nb_bodies *bodies = &model->bodies;
-  double least = model->skin;
+  double least = model->search.skin;
   for (size_t c = 0; c < model->contacts.count; c++) {
     const int i = model->contacts.a[c], j = model->contacts.b[c];
     if (model->pairings[model->contacts.pairing[c]].wall)

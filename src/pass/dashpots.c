@@ -15,7 +15,7 @@
  * of it only. The limit of F_s has been taken from F_n alone before this pass.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "core/model.h"
+#include "pass.h"
 
 struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
   double beta;

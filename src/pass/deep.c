@@ -8,7 +8,7 @@
  * has none, which is told in one loop.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "core/model.h"
+#include "pass.h"
 
 static inline NB_FORM unsigned long above(const struct nb_view *view, double least) {
   const double *overlap = view->f[NB_OVERLAP];
@@ -34,7 +34,7 @@ static inline NB_FORM void deep(const struct nb_model *model, const struct nb_vi
   const double *overlap = view->f[NB_OVERLAP];
   double *mark = view->f[NB_DEEP];
   const struct nb_vec *rim = model->bodies.rim;
-  const double share = 2 * nb_deep_share(model), least = share * model->smallest;
+  const double share = 2 * nb_deep_share(model), least = share * model->search.smallest;
   const double sure = view->sure ? view->sure->overlap : INFINITY;
   const unsigned long any = above(view, least < sure ? least : sure);
   const size_t marks = model->damping.deep > 0 ? view->n : 0;

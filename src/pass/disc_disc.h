@@ -4,7 +4,7 @@
 #ifndef NB_DISC_DISC_H
 #define NB_DISC_DISC_H
 
-#include "core/model.h"
+#include "pass.h"
 
 /* What the loop of square roots needs, fetched body by body first: bodies lie anywhere, a block's vectors side by side. */
 struct fetched {

@@ -6,7 +6,7 @@
  *   e = (Q - x)/D,   alpha = R - D,   dn = (v - v_Q).e dt,   ds = ((v - v_Q).t - w R) dt        [CS79 12-15, R_y = 0]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "core/model.h"
+#include "pass.h"
 
 static inline NB_FORM void disc_wall(const struct nb_model *model, const struct nb_view *view,
                                      enum nb_approach approach) {

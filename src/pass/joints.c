@@ -1,7 +1,7 @@
 /* Contacts with a common end of two walls: one of them counts (joints.c), the others have no overlap.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "core/model.h"
+#include "pass.h"
 
 static inline NB_FORM void mute(const struct nb_model *model, const struct nb_view *view) {
   const int *muted = model->contacts.muted + (view->a - model->contacts.a);

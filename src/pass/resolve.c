@@ -5,7 +5,7 @@
  *   F_1 = -(F_n e1 + F_s t1),   F_2 = -(F_n e2 + F_s t2),   t = (e2, -e1)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "core/model.h"
+#include "pass.h"
 
 static inline NB_FORM void normal_only(const struct nb_model *model, const struct nb_view *view) {
   (void)model;

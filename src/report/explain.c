@@ -51,11 +51,11 @@ static void explain_memory(FILE *out, const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   const size_t memory = (size_t)(model->contacts.normal_memory.doubles + model->contacts.shear_memory.doubles);
   const size_t per_body = sizeof(double) * (bodies->spin ? 14 : 12) + 5 * sizeof(int);
-  const size_t per_contact = sizeof(double) * (2 + bits(model->kept) + memory) + 5 * sizeof(int);
+  const size_t per_contact = sizeof(double) * (2 + bits(model->plan.kept) + memory) + 5 * sizeof(int);
   fprintf(out, "memory\n  %zu bytes a body%s, %zu a contact (%zu fields kept, %zu remembered by laws)\n", per_body,
-          bodies->spin ? "" : " (no spin)", per_contact, bits(model->kept) + 2, memory);
-  fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->view_count, NB_BLOCK,
-          isa_names[model->isa], model->busy, model->busy == 1 ? "" : "s");
+          bodies->spin ? "" : " (no spin)", per_contact, bits(model->plan.kept) + 2, memory);
+  fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK,
+          isa_names[model->machine.isa], model->machine.busy, model->machine.busy == 1 ? "" : "s");
 }
 
 static void explain_safe(FILE *out, const struct nb_model *model, const char *unit) {
@@ -63,9 +63,9 @@ static void explain_safe(FILE *out, const struct nb_model *model, const char *un
   char what[3 * NB_NAME_SIZE];
   nb_safe_words(what, sizeof what, model, &safe);
   fprintf(out, "  safe: %g%s; the step is %g of it; set by %s%s\n", safe.step, unit, model->step / safe.step, what,
-          model->step <= safe.step ? ""
-          : model->allow_unstable  ? "; allowed to be unstable"
-                                   : "; ABOVE it: the run will stop at once");
+          model->step <= safe.step           ? ""
+          : model->stability->allow_unstable ? "; allowed to be unstable"
+                                             : "; ABOVE it: the run will stop at once");
 }
 
 static void explain_meeting(FILE *out, const struct nb_model *model, const char *unit) {
@@ -124,7 +124,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
 static double seconds_a_cycle(const struct nb_scene *scene, const struct nb_model *model) {
   struct nb_error error;
   struct nb_model *trial =
-      nb_model_create(scene, &(struct nb_options){.threads = model->threads, .states = model->states}, &error);
+      nb_model_create(scene, &(struct nb_options){.threads = model->machine.threads, .states = model->states}, &error);
   if (!trial)
     return 0;
   const double began = nb_clock();
@@ -169,9 +169,9 @@ static bool explain_stages(FILE *out, const struct nb_model *model) {
 bool nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model) {
   fprintf(out, "bodies\n  %zu free or fixed, %zu walls\n", scene->body_count, scene->wall_count);
   nb_explain_fills(out, scene);
-  if (model->skin < INFINITY)
+  if (model->search.skin < INFINITY)
     fprintf(out, "contacts\n  %zu pairs near (closer than %g), searched again when something has moved %g\n",
-            model->contacts.count, model->skin, model->skin / 2);
+            model->contacts.count, model->search.skin, model->search.skin / 2);
   else
     fprintf(out, "contacts\n  none, and no search: nothing is free to touch anything\n");
   if (scene->circle.line)

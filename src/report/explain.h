@@ -5,6 +5,7 @@
 #define NB_EXPLAIN_H
 
 #include "core/model.h"
+#include "laws/laws_now.h"
 
 void nb_explain_gravity(FILE *out, const struct nb_gravity *gravity, const char *unit); /* nothing where none is said */
 /* What the stage changes, beginning from what is `now`, which is moved on to its end; false: no memory. */

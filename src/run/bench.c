@@ -3,7 +3,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "bench.h"
-#include "measure/hertz_impact.h"
+#include "core/hertz_impact.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -8,8 +8,10 @@
  * M is the reduced mass, R* the reduced radius. All follow from the scene: a run keeps nothing for them but when it begins.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "impact.h"
+#include "core/hertz_impact.h"
 #include "core/names.h"
-#include "measure/hertz_impact.h"
+#include "laws/laws_now.h"
 
 /* V_N, V_T and the rest of incidence are those of the scene's velocities; N_max and T_c as if nothing were lost. */
 static void elastic(struct nb_strike *strike, struct nb_pair pair) {

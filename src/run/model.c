@@ -1,11 +1,15 @@
 /* From the scene to what runs: bodies, walls, pairings of materials, the plan, the first search, the forces at time 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "impact.h"
+#include "laws/laws_now.h"
 #include "loading/drive.h"
 #include "measure/energy.h"
 #include "measure/region.h"
 #include "measure/since.h"
 #include "measure/step.h"
+#include "observe.h"
+#include "plan.h"
 #include "start.h"
 #include "state.h"
 
@@ -149,23 +153,22 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   if (status)
     return status;
   if (!make_bodies(&model->bodies, scene, options && options->shuffle) || !make_walls(&model->walls, scene) ||
-      !nb_properties_create(&model->properties, scene) || !make_pairings(model) ||
-      !(model->loads = nb_array(scene->body_count, sizeof *model->loads)))
+      !nb_properties_create(&model->properties, scene) || !make_pairings(model) || !nb_stability_create(model) ||
+      !nb_changes_create(model))
     return nb_error_memory(error);
-  model->skin = skin_of(model);
+  model->search.skin = skin_of(model);
   if (!nb_cell_create(model) || !nb_since_create(model))
     return nb_error_memory(error);
-  model->smallest = INFINITY;
+  model->search.smallest = INFINITY;
   for (size_t k = 0; k < scene->body_count; k++)
-    model->smallest = fmin(model->smallest, scene->bodies[k].radius);
+    model->search.smallest = fmin(model->search.smallest, scene->bodies[k].radius);
   model->critical = nb_step_critical(model);
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
   model->inward.strength = scene->gravity.inward;
   model->inward.to = vec(scene->gravity.about_x, scene->gravity.about_y);
-  model->allow_unstable = scene->allow_unstable;
-  model->step_line = -1;
-  model->whole = options && options->whole;
+  model->stability->allow_unstable = scene->allow_unstable;
+  model->plan.whole = options && options->whole;
   model->states = options ? options->states : NULL;
   model->laws = model->coming = nb_laws_at_start(scene);
   if (!model->laws.normal || !model->laws.shear)
@@ -182,20 +185,24 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
     status = nb_plan(model, error);
   if (!status)
     status = nb_near(model, error);
-  model->safe = status ? 0 : nb_safe_begin(model).step;
+  model->stability->safe = status ? 0 : nb_safe_begin(model).step;
   if (!status && !saved)
     status = nb_step_set(model, &scene->stages[0].step, error);
   if (!status && scene->impact.line)
     nb_impact_begin(model);
   if (!status)
     status = feel(model, saved, error);
-  if (!status && nb_fields_watched(scene) & NB_ASKS_FRACC && !nb_fracc_begin(model))
+  if (!status && model->plan.asked & NB_ASKS_FRACC && !nb_fracc_begin(model))
     status = nb_error_memory(error);
   if (!status && !(status = nb_regions_create(model, error)))
     status = nb_regions_stage(model, -1, error);
   if (!status)
     nb_guard_digits(model);
-  return status ? status : nb_balance_create(model, error);
+  if (!status)
+    status = nb_balance_create(model, error);
+  if (!status)
+    nb_hooks_plan(model);
+  return status;
 }
 
 struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
@@ -206,6 +213,7 @@ struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_o
     return NULL;
   }
   model->scene = scene;
+  model->plan.asked = nb_fields_watched(scene);
   if (set_up(model, options, saved, error)) {
     nb_model_free(model);
     return NULL;
@@ -252,20 +260,13 @@ void nb_model_free(struct nb_model *model) {
                    w->angle,
                    w->searched,
                    model->cell,
-                   model->joints,
+                   model->joints.list,
                    model->pairings,
-                   model->properties_from,
-                   model->loads,
-                   model->stiff,
-                   model->walls_from,
-                   model->incidence.first,
-                   model->incidence.middle,
-                   model->incidence.entry,
-                   model->views,
-                   model->scratch,
-                   model->fracc_before,
+                   model->blocks.views,
+                   model->blocks.scratch,
+                   model->blocks.stiff,
                    model->deep.counts,
-                   model->sure};
+                   model->blocks.sure};
   for (size_t k = 0; k < COUNT(owned); k++)
     free(owned[k]);
   nb_properties_free(&model->properties);
@@ -275,5 +276,8 @@ void nb_model_free(struct nb_model *model) {
   nb_carry_free(model->carry);
   nb_drive_free(model->drive);
   nb_since_free(model->since);
+  nb_stability_free(model->stability);
+  nb_changes_free(model->changes);
+  nb_fracc_free(model->fracc);
   free(model);
 }

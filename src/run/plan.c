@@ -7,7 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "laws/law.h"
+#include "measure/since.h"
 #include "measure/step.h"
+#include "pass/pass.h"
+#include "plan.h"
 #include "state.h"
 
 static void add(struct nb_pairing *pairing, nb_run_pass *run, int line, const char *kind, const char *name) {
@@ -67,19 +71,19 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing) {
   pairing->shear = rubs(pairing) && strcmp(shear->name, "none") != 0 ? shear : NULL;
   pairing->pass_count = 0;
   if (stiffens(normal, shear))
-    model->kept |= NB_BIT(NB_SURE);
+    model->plan.kept |= NB_BIT(NB_SURE);
   const enum nb_dashpots form = dashpots_of(scene);
   if (form >= NB_DASHPOTS_SWING)
-    model->kept |= NB_BIT(NB_MASS);
-  const bool closing = model->dashpots || (normal->needs & NB_BIT(NB_CLOSING));
+    model->plan.kept |= NB_BIT(NB_MASS);
+  const bool closing = model->plan.dashpots || (normal->needs & NB_BIT(NB_CLOSING));
   const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
   const struct nb_pass *geometry = pairing->wall ? &nb_pass_disc_wall[approach]
                                    : model->cell ? &nb_pass_periodic[approach]
                                                  : &nb_pass_disc_disc[approach];
   const struct nb_pass *resolve = &nb_pass_resolve[pairing->shear != NULL];
-  const enum nb_isa isa = model->isa;
+  const enum nb_isa isa = model->machine.isa;
   add(pairing, geometry->run[isa], pairing->wall ? 0 : scene->cell.line, "", geometry->name);
-  if (pairing->wall && model->joined)
+  if (pairing->wall && model->joints.any)
     add(pairing, nb_pass_joints.run[isa], 0, "", nb_pass_joints.name);
   add(pairing, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
   if (pairing->shear)
@@ -87,43 +91,52 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing) {
   if (normal->elastic)
     add(pairing, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
   const struct nb_pass *dashpots = &nb_pass_dashpots[form];
-  if (model->dashpots)
+  if (model->plan.dashpots)
     add(pairing, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
   add(pairing, resolve->run[isa], 0, "", resolve->name);
 }
 
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  model->joined = nb_joints_meet(scene);
-  model->dashpots = first_damped_line(scene) > 0;
-  model->drag = model->dashpots ? NB_DRAG : NB_SHEAR;
-  model->kept = (nb_fields_watched(scene) & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_REACH);
-  if (model->whole)
-    model->kept |= NB_SAVED_MASK;
+  model->joints.any = nb_joints_meet(scene);
+  model->plan.elastic = model->laws.normal->elastic;
+  model->plan.memory.slid = (int)nb_since_count(model->since);
+  model->plan.dashpots = first_damped_line(scene) > 0;
+  model->plan.drag = model->plan.dashpots ? NB_DRAG : NB_SHEAR;
+  model->plan.kept = (model->plan.asked & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_REACH);
+  if (model->plan.whole)
+    model->plan.kept |= NB_SAVED_MASK;
   if (nb_laws_elastic(scene)) /* whenever that is: of a law that goes it is asked once more what it has stored */
-    model->kept |= NB_BIT(NB_REDUCED);
+    model->plan.kept |= NB_BIT(NB_REDUCED);
   bool shears = false, loses = false;
   for (size_t p = 0; p < model->pairing_count; p++) {
     plan_pairing(model, &model->pairings[p]);
     shears = shears || model->pairings[p].shear;
     loses = loses || (model->pairings[p].shear && model->pairings[p].shear->loses);
   }
-  model->rubs = shears;
+  model->plan.rubs = shears;
   if (shears)
-    model->kept |= NB_BIT(model->drag);
+    model->plan.kept |= NB_BIT(model->plan.drag);
   else
-    model->kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
+    model->plan.kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
   if (!loses)
-    model->kept &= ~NB_BIT(NB_LOST);
-  if (!model->dashpots) { /* then what is felt is what the laws say: one field for both */
-    if (model->kept & NB_BIT(NB_PUSH))
-      model->kept = (model->kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);
-    if (model->kept & NB_BIT(NB_DRAG))
-      model->kept = (model->kept & ~NB_BIT(NB_DRAG)) | NB_BIT(NB_SHEAR);
+    model->plan.kept &= ~NB_BIT(NB_LOST);
+  if (!model->plan.dashpots) { /* then what is felt is what the laws say: one field for both */
+    if (model->plan.kept & NB_BIT(NB_PUSH))
+      model->plan.kept = (model->plan.kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);
+    if (model->plan.kept & NB_BIT(NB_DRAG))
+      model->plan.kept = (model->plan.kept & ~NB_BIT(NB_DRAG)) | NB_BIT(NB_SHEAR);
   }
-  free(model->scratch);
-  model->scratch = nb_array((size_t)model->threads * NB_FIELDS * NB_BLOCK, sizeof(double));
-  return model->scratch ? NB_OK : nb_error_memory(error);
+  model->plan.memory.normal = model->plan.memory.shear = 0;
+  for (size_t p = 0; p < model->pairing_count; p++) {
+    const struct nb_pairing *it = &model->pairings[p];
+    const int in_normal = nb_law_memory(it->normal, it->values), in_shear = nb_law_memory(it->shear, it->values);
+    model->plan.memory.normal = in_normal > model->plan.memory.normal ? in_normal : model->plan.memory.normal;
+    model->plan.memory.shear = in_shear > model->plan.memory.shear ? in_shear : model->plan.memory.shear;
+  }
+  free(model->blocks.scratch);
+  model->blocks.scratch = nb_array((size_t)model->machine.threads * NB_FIELDS * NB_BLOCK, sizeof(double));
+  return model->blocks.scratch ? NB_OK : nb_error_memory(error);
 }
 
 bool nb_plan_stands(const struct nb_model *model) {
@@ -132,61 +145,4 @@ bool nb_plan_stands(const struct nb_model *model) {
     if (!none && rubs(&model->pairings[p]) != (model->pairings[p].shear != NULL))
       return false;
   return true;
-}
-
-static struct nb_view view_of(const struct nb_model *model, size_t from, size_t to, double *scratch) {
-  const struct nb_contacts *contacts = &model->contacts;
-  struct nb_view view = {.n = to - from, .a = contacts->a + from, .b = contacts->b + from};
-  view.force = contacts->force + from;
-  view.image = contacts->image ? contacts->image + from : NULL;
-  view.pairing = &model->pairings[contacts->pairing[from]];
-  for (int f = 0; f < NB_FIELDS; f++)
-    view.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK;
-  view.f[NB_LOST] = contacts->kept[NB_LOST] ? view.f[NB_LOST] : NULL; /* nobody asks what is lost */
-  if (!model->dashpots)
-    view.f[NB_PUSH] = view.f[NB_NORMAL], view.f[NB_DRAG] = view.f[NB_SHEAR];
-  view.normal_memory = nb_memory_from(&contacts->normal_memory, from);
-  view.shear_memory = nb_memory_from(&contacts->shear_memory, from);
-  return view;
-}
-
-/* Runs of one pairing, cut into blocks. Thread `t` of T works on views n t/T to n (t+1)/T, each thread in scratch of its own. */
-enum nb_status nb_plan_views(struct nb_model *model, struct nb_error *error) {
-  const struct nb_contacts *contacts = &model->contacts;
-  const size_t share = contacts->count / NB_THREAD_SHARE; /* a thread with less to do waits longer than it works */
-  model->busy = share < 1 ? 1 : share < (size_t)model->threads ? (int)share : model->threads;
-  size_t most = contacts->count / NB_BLOCK + model->pairing_count + 1;
-  free(model->views), free(model->stiff);
-  model->views = nb_array(most, sizeof *model->views);
-  model->stiff = nb_array(contacts->count, sizeof *model->stiff);
-  if (!model->views || !model->stiff)
-    return nb_error_memory(error);
-  size_t *start = nb_array(most + 1, sizeof *start);
-  if (!start)
-    return nb_error_memory(error);
-  size_t n = 0;
-  for (size_t c = 0; c < contacts->count; c++)
-    if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
-      start[n++] = c;
-  start[n] = contacts->count;
-  if (!model->laws.normal->elastic)
-    nb_deep_end(model);
-  if (!(model->kept & NB_BIT(NB_SURE)))
-    nb_sure_end(model);
-  if ((model->laws.normal->elastic && !nb_deep_begin(model, n)) ||
-      (model->kept & NB_BIT(NB_SURE) && !nb_sure_begin(model, n))) {
-    free(start);
-    return nb_error_memory(error);
-  }
-  for (size_t v = 0; v < n; v++) {
-    size_t thread = 0;
-    while (n * (thread + 1) / (size_t)model->busy <= v)
-      thread++;
-    model->views[v] = view_of(model, start[v], start[v + 1], model->scratch + thread * NB_FIELDS * NB_BLOCK);
-    model->views[v].sure = model->sure ? model->sure + v : NULL;
-    model->views[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_APART : NULL;
-  }
-  model->view_count = n;
-  free(start);
-  return NB_OK;
 }

@@ -6,7 +6,10 @@
 
 #include "bench.h"
 #include "core/clock.h"
+#include "laws/laws_now.h"
+#include "measure/snapshot.h"
 #include "observe.h"
+#include "plan.h"
 #include "start.h"
 
 struct run {
@@ -138,7 +141,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
     status = nb_saved_take(end, run->model, error);
   result->cycles = run->model->cycle - run->from;
   result->updates = run->model->updates;
-  result->searches = run->model->searches;
+  result->searches = run->model->search.count;
   result->deep = nb_deep_count(run->model);
   snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
   result->seconds = nb_clock() - run->began;

@@ -14,12 +14,34 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "laws/laws_now.h"
 #include "loading/drive.h"
 #include "loading/servo.h"
 #include "measure/energy.h"
 #include "measure/region.h"
 #include "measure/since.h"
 #include "measure/step.h"
+#include "plan.h"
+
+/* What the stage changes little by little: from where, and whether there is still something to change. */
+struct nb_changes {
+  bool changing, driven;           /* properties, laws or gravity; velocities of walls */
+  struct nb_pair *properties_from; /* per change, wall motion, and of gravity: what it was when the stage began */
+  struct nb_state *walls_from;
+  struct nb_vec gravity_from;
+  struct nb_inward inward_from;
+};
+
+bool nb_changes_create(struct nb_model *model) { return (model->changes = calloc(1, sizeof *model->changes)) != NULL; }
+
+void nb_changes_free(struct nb_changes *changes) {
+  if (changes)
+    free(changes->properties_from), free(changes->walls_from);
+  free(changes);
+}
+
+bool nb_stage_ramps_walls(const struct nb_model *model) { return model->changes->driven; }
+bool nb_stage_changes(const struct nb_model *model) { return model->changes->changing; }
 
 static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share) {
   return vec_add(from, vec_scale(share, vec_sub(to, from)));
@@ -39,7 +61,7 @@ static void stop_bodies(struct nb_model *model) {
   if (model->carry)
     nb_carry_still(model);
   model->previous_step = 0; /* as at time 0: nothing has slipped and nothing approaches */
-  if (model->dashpots)
+  if (model->plan.dashpots)
     nb_forces(model);
   if (model->balance)
     nb_balance_jump(model, NB_TERM_CHANGED, false);
@@ -81,17 +103,17 @@ static void walls_arrive(struct nb_model *model) {
 }
 
 static bool walls_begin(struct nb_model *model, const struct nb_stage *stage) {
-  model->driven = false;
-  free(model->walls_from);
-  model->walls_from = nb_array(stage->motion_count, sizeof *model->walls_from);
-  if (!model->walls_from)
+  model->changes->driven = false;
+  free(model->changes->walls_from);
+  model->changes->walls_from = nb_array(stage->motion_count, sizeof *model->changes->walls_from);
+  if (!model->changes->walls_from)
     return false;
   for (size_t k = 0; k < stage->motion_count; k++) {
     const struct nb_wall_motion *to = &stage->motions[k];
-    model->walls_from[k] = (struct nb_state){model->walls.velocity[to->wall], model->walls.spin[to->wall]};
+    model->changes->walls_from[k] = (struct nb_state){model->walls.velocity[to->wall], model->walls.spin[to->wall]};
     if (!to->ramp)
       wall_goes(&model->walls, to);
-    model->driven = model->driven || to->ramp;
+    model->changes->driven = model->changes->driven || to->ramp;
   }
   return true;
 }
@@ -101,7 +123,7 @@ void nb_stage_drive(struct nb_model *model) {
   const double share = ((double)model->stage_cycle + 0.5) / (double)stage->cycles;
   for (size_t k = 0; k < stage->motion_count; k++) {
     const struct nb_wall_motion *to = &stage->motions[k];
-    const struct nb_state *from = &model->walls_from[k];
+    const struct nb_state *from = &model->changes->walls_from[k];
     if (!to->ramp)
       continue;
     model->walls.velocity[to->wall] = between(from->velocity, vec(to->vx, to->vy), share);
@@ -115,19 +137,19 @@ void nb_stage_drive(struct nb_model *model) {
 static void properties_go(struct nb_model *model, double share) {
   for (size_t k = 0; k < model->stage->change_count; k++) {
     const struct nb_change *to = &model->stage->changes[k];
-    nb_properties_change(&model->properties, to, model->properties_from[k], to->ramp ? share : 1);
+    nb_properties_change(&model->properties, to, model->changes->properties_from[k], to->ramp ? share : 1);
   }
 }
 
 /* The critical step and the safe one must hold from the stage's begin to its end. */
 static bool properties_begin(struct nb_model *model, struct nb_safe *apart) {
   const struct nb_stage *stage = model->stage;
-  free(model->properties_from);
-  model->properties_from = nb_array(stage->change_count, sizeof *model->properties_from);
-  if (!model->properties_from)
+  free(model->changes->properties_from);
+  model->changes->properties_from = nb_array(stage->change_count, sizeof *model->changes->properties_from);
+  if (!model->changes->properties_from)
     return false;
   for (size_t k = 0; k < stage->change_count; k++)
-    model->properties_from[k] = nb_properties_before(&model->properties, &stage->changes[k]);
+    model->changes->properties_from[k] = nb_properties_before(&model->properties, &stage->changes[k]);
   properties_go(model, 1);
   const double last = nb_step_critical(model);
   properties_go(model, 0);
@@ -140,7 +162,7 @@ static bool properties_begin(struct nb_model *model, struct nb_safe *apart) {
   const struct nb_safe last_apart = nb_safe_apart(model);
   properties_go(model, 0);
   *apart = last_apart.step < apart->step ? last_apart : *apart;
-  model->safe = fmin(fmin(first_safe, last_safe), apart->step);
+  model->stability->safe = fmin(fmin(first_safe, last_safe), apart->step);
   return true;
 }
 
@@ -149,8 +171,8 @@ static bool properties_begin(struct nb_model *model, struct nb_safe *apart) {
 /* What it is when `share` of the way from what it was to what the page says has been gone. */
 static void gravity_go(struct nb_model *model, double share) {
   const struct nb_gravity *to = &model->stage->gravity;
-  const struct nb_inward *from = &model->inward_from;
-  model->gravity = share < 1 ? between(model->gravity_from, vec(to->x, to->y), share) : vec(to->x, to->y);
+  const struct nb_inward *from = &model->changes->inward_from;
+  model->gravity = share < 1 ? between(model->changes->gravity_from, vec(to->x, to->y), share) : vec(to->x, to->y);
   model->inward.strength = share < 1 ? from->strength + share * (to->inward - from->strength) : to->inward;
   if (to->inward != 0)
     model->inward.to = vec(to->about_x, to->about_y);
@@ -159,14 +181,14 @@ static void gravity_go(struct nb_model *model, double share) {
 /* Of the kick around the stage's t_0, previous_step/2 lies before it and step/2 after it. */
 static void gravity_begin(struct nb_model *model) {
   const struct nb_gravity *to = &model->stage->gravity;
-  model->gravity_from = model->gravity;
-  model->inward_from = model->inward;
+  model->changes->gravity_from = model->gravity;
+  model->changes->inward_from = model->inward;
   if (!to->line || to->ramp)
     return;
   const double before = model->previous_step, after = model->step;
   gravity_go(model, after / (before + after));
-  model->gravity = vec_scale(1 / (before + after),
-                             vec_add(vec_scale(before, model->gravity_from), vec_scale(after, vec(to->x, to->y))));
+  model->gravity = vec_scale(1 / (before + after), vec_add(vec_scale(before, model->changes->gravity_from),
+                                                           vec_scale(after, vec(to->x, to->y))));
 }
 
 /* ---- the stage ---- */
@@ -203,9 +225,11 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
     nb_servo_begin(model);
   if (stage->reverse)
     turn_bodies(model);
-  model->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||
-                    nb_laws_shear_changes(model);
-  model->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
+  model->changes->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||
+                             nb_laws_shear_changes(model);
+  model->stability->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
+  if (!status)
+    nb_hooks_plan(model);
   return status ? status : nb_stable_begin(model, &apart, error);
 }
 
@@ -216,7 +240,15 @@ static void forget_shear(struct nb_model *model) {
       nb_memory_forget(&model->contacts.shear_memory, c);
 }
 
-enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb_error *error) {
+/* The search makes the arrays that a new plan wants, and takes over what laws remember. */
+static enum nb_status plan_anew(struct nb_model *model, struct nb_error *error) {
+  if (nb_plan(model, error))
+    return error->status;
+  forget_shear(model);
+  return nb_near(model, error);
+}
+
+enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
   const struct nb_stage *stage = model->stage;
   const double share = (double)model->stage_cycle / (double)stage->cycles;
   bool ramps = stage->gravity.ramp;
@@ -224,20 +256,17 @@ enum nb_status nb_stage_change(struct nb_model *model, bool *searched, struct nb
     gravity_go(model, stage->gravity.ramp ? share : 1);
   for (size_t k = 0; k < stage->change_count; k++)
     ramps = ramps || stage->changes[k].ramp;
-  model->changing = ramps && share < 1;
-  *searched = false;
+  model->changes->changing = ramps && share < 1;
   const bool others = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
-  if (stage->change_count == 0 && !others)
+  if (stage->change_count == 0 && !others) {
+    nb_hooks_plan(model);
     return NB_OK;
+  }
   properties_go(model, share);
   for (size_t p = 0; p < model->pairing_count; p++)
     model->pairings[p].values = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b);
   nb_laws_change(model);
-  if (!others && nb_plan_stands(model))
-    return NB_OK;
-  *searched = true; /* the search makes the arrays that the new plan wants, and takes over what laws remember */
-  if (nb_plan(model, error))
-    return error->status;
-  forget_shear(model);
-  return nb_near(model, error);
+  const enum nb_status status = others || !nb_plan_stands(model) ? plan_anew(model, error) : NB_OK;
+  nb_hooks_plan(model);
+  return status;
 }

@@ -10,6 +10,8 @@
 
 #include "start.h"
 
+#include "plan.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

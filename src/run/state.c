@@ -6,6 +6,8 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state.h"
+#include "laws/laws_now.h"
+#include "measure/step.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -99,7 +101,7 @@ static void take_contacts(struct nb_saved *saved, const struct nb_model *model) 
                                   .force = contacts->force[c]};
 #define TAKEN(which, name) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
     NB_SAVED_FIELDS(TAKEN)
-    if (!model->dashpots) /* what is felt is what the laws say */
+    if (!model->plan.dashpots) /* what is felt is what the laws say */
       it.field[NB_PUSH] = it.field[NB_NORMAL], it.field[NB_DRAG] = it.field[NB_SHEAR];
     it.normal = take_memory(saved, &contacts->normal_memory, model->laws.normal, c, &it.normal_at);
     it.shear = take_memory(saved, &contacts->shear_memory, model->laws.shear, c, &it.shear_at);
@@ -215,7 +217,7 @@ static void put_stage(struct nb_model *model) {
   model->properties.pieces = model->laws.pieces;
   model->stage = &scene->stages[scene->start.stages - 1];
   model->damping = model->stage->damping;
-  model->step_line = model->stage->step.set ? 0 : model->stage->step.line;
+  model->stability->step_line = model->stage->step.set ? 0 : model->stage->step.line;
 }
 
 void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {

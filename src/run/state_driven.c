@@ -33,7 +33,7 @@ static bool take_ring(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_ring *ring = &drive->ring;
   saved->ring = (struct nb_saved_ring){.is = true,
                                        .held = ring->held,
-                                       .pressing = drive->pressing,
+                                       .pressing = model->bodies.pressed != NULL,
                                        .radius = ring->radius,
                                        .shape = ring->shape,
                                        .stress = drive->stress};
@@ -85,8 +85,9 @@ static void put_ring(struct nb_model *model, const struct nb_saved_ring *saved) 
   ring->count = saved->member_count;
   for (size_t k = 0; k < ring->count; k++)
     ring->member[k] = model->bodies.slot[saved->members[k]];
-  drive->pressing = saved->pressing, drive->stress = saved->stress;
-  if (drive->pressing)
+  drive->stress = saved->stress;
+  model->bodies.pressed = saved->pressing ? drive->pressed : NULL;
+  if (model->bodies.pressed)
     nb_ring_press(model);
 }
 

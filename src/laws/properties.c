@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model.h"
+#include "laws_now.h"
 
 /* Two springs in series, each half of the contact: 2ab/(a+b), which is k between like ones. A stiffness of 0 wins. */
 static double series(double a, double b) { return a == b ? a : 2 * a * b / (a + b); }

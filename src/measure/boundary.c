@@ -1,0 +1,44 @@
+/* What the boundary of an assembly encloses, and the stress on it.             [R89 6.4.1]
+ *
+ * The polygon through the centres of its particles has the area A = sum (x_i y_(i+1) - x_(i+1) y_i)/2. The stress that the
+ * assembly makes is measured from the contact forces F on the boundary's particles, compression positive:
+ *
+ *   s_ij = sum F_i X_j / (A h)          the same as by all contacts, sum f_i l_j / (A h), while the particles inside are at rest
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "boundary.h"
+
+double nb_ring_area(const struct nb_model *model) {
+  double twice = 0;
+  for (size_t k = 0; k < model->drive->ring.count; k++) {
+    const struct nb_vec a = nb_ring_place(model, k), b = nb_ring_place(model, k + 1);
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return twice / 2;
+}
+
+double nb_ring_radius(const struct nb_model *model) {
+  const size_t count = model->drive->ring.count;
+  double sum = 0;
+  for (size_t k = 0; k < count; k++)
+    sum += vec_length(nb_ring_place(model, k));
+  return count ? sum / (double)count : 0;
+}
+
+double nb_ring_unevenness(const struct nb_model *model) {
+  const size_t count = model->drive->ring.count;
+  const double mean = nb_ring_radius(model);
+  double sum = 0;
+  for (size_t k = 0; k < count; k++)
+    sum += (vec_length(nb_ring_place(model, k)) - mean) * (vec_length(nb_ring_place(model, k)) - mean);
+  return count ? sqrt(sum / (double)count) / mean : 0;
+}
+
+struct nb_tensor nb_ring_stress(const struct nb_model *model) {
+  const struct nb_ring *ring = &model->drive->ring;
+  struct nb_tensor sum = tensor(0, 0, 0, 0);
+  const double volume = nb_ring_area(model) * nb_thickness(model);
+  for (size_t k = 0; k < ring->count; k++)
+    sum = tensor_add(sum, tensor_outer(nb_force_on(model, (size_t)ring->member[k]).force, nb_ring_place(model, k)));
+  return volume > 0 ? tensor_scale(1 / volume, sum) : tensor(0, 0, 0, 0);
+}

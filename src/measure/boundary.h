@@ -1,0 +1,19 @@
+/* What the boundary of an assembly encloses, and the stress on it: boundary.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_BOUNDARY_MEASURE_H
+#define NB_BOUNDARY_MEASURE_H
+
+#include "core/boundary.h"
+
+/* From the boundary's centre to that of its k-th particle, counterclockwise and round again, m. */
+static inline struct nb_vec nb_ring_place(const struct nb_model *model, size_t k) {
+  const struct nb_ring *ring = &model->drive->ring;
+  return vec_sub(model->bodies.position[ring->member[k % ring->count]], model->carry->centre);
+}
+double nb_ring_area(const struct nb_model *model);       /* of the polygon through the centres of its bodies, m2 */
+double nb_ring_radius(const struct nb_model *model);     /* mean distance of their centres from the circle's, m */
+double nb_ring_unevenness(const struct nb_model *model); /* root of the mean square of what is left, over the mean */
+struct nb_tensor nb_ring_stress(const struct nb_model *model); /* from the forces on its bodies, Pa */
+
+#endif

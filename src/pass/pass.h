@@ -1,0 +1,25 @@
+/* The passes that the plan chooses from.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_PASS_H
+#define NB_PASS_H
+
+#include "core/model.h"
+
+/* How much a geometry pass has to find out. */
+enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_CLOSING, NB_APPROACH_SLIP };
+/* What dashpots of some stage go with: k alone; sqrt(M* k) too; and whether the contact is deep. */
+enum nb_dashpots { NB_DASHPOTS_TIME, NB_DASHPOTS_SWING, NB_DASHPOTS_DEEP };
+
+extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
+extern const struct nb_pass nb_pass_joints;
+extern const struct nb_pass nb_pass_deep;
+extern const struct nb_pass nb_pass_dashpots[3]; /* by enum nb_dashpots */
+extern const struct nb_pass nb_pass_resolve[2];  /* without and with shear */
+/* What a contact's dashpots are: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */
+struct nb_dashpot {
+  double time, ratio;
+};
+struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall);
+
+#endif
