@@ -138,30 +138,20 @@ static double skin_of(const struct nb_model *model) {
   return model->scene->skin > 0 ? model->scene->skin : 0.1 * sum / (double)bodies->count;
 }
 
-/* What contacts feel now: worked out, or as the state has it. */
-static enum nb_status feel(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
-  if (saved)
-    return nb_saved_put_contacts(model, saved, error);
-  nb_forces(model), nb_deep_look(model);
-  return NB_OK;
-}
-
-static enum nb_status set_up(struct nb_model *model, const struct nb_options *options, const struct nb_saved *saved,
-                             struct nb_error *error) {
-  const struct nb_scene *scene = model->scene;
-  enum nb_status status = nb_machine_choose(model, options, error);
-  if (status)
-    return status;
-  if (!make_bodies(&model->bodies, scene, options && options->shuffle) || !make_walls(&model->walls, scene) ||
+static bool make_parts(struct nb_model *model, const struct nb_scene *scene, bool shuffle) {
+  if (!make_bodies(&model->bodies, scene, shuffle) || !make_walls(&model->walls, scene) ||
       !nb_properties_create(&model->properties, scene) || !make_pairings(model) || !nb_stability_create(model) ||
       !nb_changes_create(model))
-    return nb_error_memory(error);
+    return false;
   model->search.skin = skin_of(model);
-  if (!nb_cell_create(model) || !nb_since_create(model))
-    return nb_error_memory(error);
   model->search.smallest = INFINITY;
   for (size_t k = 0; k < scene->body_count; k++)
     model->search.smallest = fmin(model->search.smallest, scene->bodies[k].radius);
+  return nb_cell_create(model) && nb_since_create(model);
+}
+
+/* What holds before the first stage. */
+static void begin(struct nb_model *model, const struct nb_scene *scene, const struct nb_options *options) {
   model->critical = nb_step_critical(model);
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
@@ -171,38 +161,54 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
   model->plan.whole = options && options->whole;
   model->states = options ? options->states : NULL;
   model->laws = model->coming = nb_laws_at_start(scene);
+}
+
+/* The first list of contacts, and the step. */
+static enum nb_status find_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+  if (nb_carry_create(model, error) || nb_drive_create(model, error) ||
+      (saved && nb_saved_put_driven(model, saved, error)) || nb_plan(model, error) || nb_near(model, error))
+    return error->status;
+  model->stability->safe = nb_safe_begin(model).step;
+  return saved ? NB_OK : nb_step_set(model, &model->scene->stages[0].step, error);
+}
+
+/* The forces at time 0: worked out, or as the state has them. */
+static enum nb_status find_forces(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+  if (model->scene->impact.line)
+    nb_impact_begin(model);
+  if (saved)
+    return nb_saved_put_contacts(model, saved, error);
+  nb_forces(model), nb_deep_look(model);
+  return NB_OK;
+}
+
+/* What some column, condition or snapshot asks for. */
+static enum nb_status make_measures(struct nb_model *model, struct nb_error *error) {
+  if (model->plan.asked & NB_ASKS_FRACC && !nb_fracc_begin(model))
+    return nb_error_memory(error);
+  if (nb_regions_create(model, error) || nb_regions_stage(model, -1, error))
+    return error->status;
+  return nb_balance_create(model, error);
+}
+
+static enum nb_status set_up(struct nb_model *model, const struct nb_options *options, const struct nb_saved *saved,
+                             struct nb_error *error) {
+  const struct nb_scene *scene = model->scene;
+  if (nb_machine_choose(model, options, error))
+    return error->status;
+  if (!make_parts(model, scene, options && options->shuffle))
+    return nb_error_memory(error);
+  begin(model, scene, options);
   if (!model->laws.normal || !model->laws.shear)
     return nb_error_set(error, NB_BAD_USE, "there is no law `%s %s`", model->laws.normal ? "shear" : "normal",
                         model->laws.normal ? scene->shear : scene->normal);
   if (saved)
     nb_saved_put(model, saved);
-  status = nb_carry_create(model, error);
-  if (!status)
-    status = nb_drive_create(model, error);
-  if (!status && saved)
-    status = nb_saved_put_driven(model, saved, error);
-  if (!status)
-    status = nb_plan(model, error);
-  if (!status)
-    status = nb_near(model, error);
-  model->stability->safe = status ? 0 : nb_safe_begin(model).step;
-  if (!status && !saved)
-    status = nb_step_set(model, &scene->stages[0].step, error);
-  if (!status && scene->impact.line)
-    nb_impact_begin(model);
-  if (!status)
-    status = feel(model, saved, error);
-  if (!status && model->plan.asked & NB_ASKS_FRACC && !nb_fracc_begin(model))
-    status = nb_error_memory(error);
-  if (!status && !(status = nb_regions_create(model, error)))
-    status = nb_regions_stage(model, -1, error);
-  if (!status)
-    nb_guard_digits(model);
-  if (!status)
-    status = nb_balance_create(model, error);
-  if (!status)
-    nb_hooks_plan(model);
-  return status;
+  if (find_contacts(model, saved, error) || find_forces(model, saved, error) || make_measures(model, error))
+    return error->status;
+  nb_guard_digits(model);
+  nb_hooks_plan(model);
+  return NB_OK;
 }
 
 struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_options *options,
