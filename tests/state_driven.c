@@ -5,6 +5,7 @@
 #include <CUnit/CUnit.h>
 
 #include "continued.h"
+#include "run/plan.h"
 #include "state_text.h"
 #include "suites.h"
 
