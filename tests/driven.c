@@ -121,6 +121,24 @@ static void a_boundary_is_held_anew(void) {
   nb_result_free(&result);
 }
 
+/* Another circle is another boundary: whoever is inside of it belongs to none any more, and each counts once. */
+static void another_circle(void) {
+  struct nb_result result;
+  run(&result, "material m density 2 kn 100\nstep 0.125\ndisc 20 0 radius 1 m\ndisc 0 20 radius 1 m\n"
+               "disc -20 0 radius 1 m\ndisc 0 -20 radius 1 m\ndisc 12 9 radius 1 m\n"
+               "record boundary.bodies boundary.radius boundary.area\nboundary circle 0 0 radius 20\n"
+               "stage a\ncycles 1\nstage b\nboundary circle 0 0 radius 15\ncycles 1\n"
+               "stage c\nboundary circle 45 0 radius 49\ncycles 1\n");
+  static const double seen[][3] = {{4, 20, 800}, {5, (4 * 20 + 15) / 5., 810}, {3, 0, 400}};
+  for (size_t k = 0; k < 3; k++) {
+    CU_ASSERT_EQUAL(column(&result, k + 1, 0), seen[k][0]);
+    if (k < 2)
+      CU_ASSERT_DOUBLE_EQUAL(column(&result, k + 1, 1), seen[k][1], 1e-13);
+    CU_ASSERT_DOUBLE_EQUAL(column(&result, k + 1, 2), seen[k][2], 1e-11);
+  }
+  nb_result_free(&result);
+}
+
 /* Two bodies of a boundary are carried into each other by a, then let go: they push apart with k a^2/2, which is put in from outside;
  * the energy balance stays closed but for the error of the step, a part in (k/m) dt^2. Under a stress likewise. */
 static void springs_that_are_let_go_count(void) {
@@ -158,5 +176,6 @@ void suite_driven(void) {
   CU_add_test(suite, "rest counts all that is felt", rest_counts_all_that_is_felt);
   CU_add_test(suite, "rotation stops and goes on", rotation_stops_and_goes_on);
   CU_add_test(suite, "a boundary is held anew", a_boundary_is_held_anew);
+  CU_add_test(suite, "another circle is another boundary", another_circle);
   CU_add_test(suite, "springs that are let go count", springs_that_are_let_go_count);
 }
