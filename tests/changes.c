@@ -266,6 +266,15 @@ static void walls_turn_round(void) {
   CU_ASSERT_EQUAL(after(DOOR "stage b\nreverse\ncycles 2\nstage c\nwall w velocity 0 0\ncycles 2\n", "W.angle"), 0);
 }
 
+/* From a spin to another one along a straight line, from 1/2 to 5/2 in two seconds; and to none. */
+static void a_spin_ramps(void) {
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nramp wall w spin 2.5\ncycles 8\n", "W.angle"), 0.5 + 3);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nramp wall w spin 2.5\ncycles 8\nstage c\ncycles 4\n", "W.angle"), 3.5 + 2.5);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nramp walls stop\ncycles 8\n", "W.angle"), 0.5 + 0.5);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nwalls stop\ncycles 8\n", "W.angle"), 0.5);
+  CU_ASSERT_EQUAL(after(DOOR "stage b\nwalls stop\ncycles 8\n", "W.y"), -2);
+}
+
 void suite_changes(void) {
   CU_pSuite suite = CU_add_suite("changes", NULL, NULL);
   CU_add_test(suite, "a body falls", a_body_falls);
@@ -281,4 +290,5 @@ void suite_changes(void) {
   CU_add_test(suite, "the step follows", the_step_follows);
   CU_add_test(suite, "weight counts in the balance", weight_counts_in_the_balance);
   CU_add_test(suite, "walls turn round", walls_turn_round);
+  CU_add_test(suite, "a spin ramps", a_spin_ramps);
 }

@@ -123,6 +123,23 @@ static void volumes(void) {
   done(&it, model);
 }
 
+/* A box is turned and mirrored with the scene, and so are its corners, which cut outlines. */
+static void a_box_that_is_turned(void) {
+  static const char *const places[] = {"", "place turn 0.5\n", "place mirror x turn 2 shift 3 -2\n"};
+  for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\n%smaterial m density 1 kn 10\nstep 0.001\ndisc 0 0 radius 1 m\ndisc 3 2 radius 1 m\n"
+              "region B box 0 -1 to 3 3\nrecord B.porosity B.area B.bodies\nstage s\ncycles 1\n",
+              places[k]);
+    struct nb_model *model = model_of(&it, &page);
+    CLOSE(model, "B.area", 12);
+    CLOSE(model, "B.porosity", 1 - pi / 12); /* half of each */
+    done(&it, model);
+  }
+}
+
 /* Bodies that fly as a velocity gradient says are strained by it times the time, to rounding. */
 static void strain(void) {
   const struct nb_tensor rate = tensor(0.2, -0.3, 0.7, -0.5);
@@ -258,6 +275,7 @@ void suite_region(void) {
   CU_add_test(suite, "contacts evenly round a disc: fabric of second and fourth order, stress", evenly_round);
   CU_add_test(suite, "who rattles, and coordination with and without", rattlers);
   CU_add_test(suite, "porosity, thickness and areas", volumes);
+  CU_add_test(suite, "a box that is turned", a_box_that_is_turned);
   CU_add_test(suite, "strain is the velocity gradient times the time", strain);
   CU_add_test(suite, "what contacts carry, on springs and by Hertz, and what is out of balance", loads);
   CU_add_test(suite, "which way contacts point that slide", who_slides);

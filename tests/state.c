@@ -199,6 +199,29 @@ static void the_step_before_goes_on(void) {
   written_free(&it);
 }
 
+/* Of what a law remembers all is kept, also where the first number is 0: a contact under load that has not slipped. And a Poisson's
+ * ratio may be all that it can be. */
+static void what_is_remembered_behind_a_0(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 young 1000 poisson 0.5 friction 0.5\nnormal hertz\nshear "
+                   "mindlin_scaled\nsphere 0 0 radius 1 m fixed\nsphere 1.99 0 radius 1 m\nstep 1e-4\nrecord time\n"
+                   "stage a\ncycles 3\nstage b\ncycles 3\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(saved.contact_count, 1);
+  CU_ASSERT_EQUAL_FATAL(saved.contacts[0].shear, 2); /* T and a */
+  CU_ASSERT(saved.memory[saved.contacts[0].shear_at] == 0 && saved.memory[saved.contacts[0].shear_at + 1] > 0);
+  nb_saved_free(&saved);
+  nb_model_free(model);
+  continued_same(&it, "poisson 0.5");
+  written_free(&it);
+}
+
 void suite_state(void) {
   CU_pSuite suite = CU_add_suite("state", NULL, NULL);
   CU_add_test(suite, "a run goes on to the same bits with every law", all_laws);
@@ -207,4 +230,5 @@ void suite_state(void) {
   CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
   CU_add_test(suite, "what is felt without dashpots", felt_without_dashpots);
   CU_add_test(suite, "the step before goes on", the_step_before_goes_on);
+  CU_add_test(suite, "what is remembered behind a 0", what_is_remembered_behind_a_0);
 }

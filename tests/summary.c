@@ -85,6 +85,25 @@ static void types(void) {
   written_free(&it);
 }
 
+/* Two that touch nothing: the free one is a rattler, what is fixed is not. */
+static void what_is_fixed_is_no_rattler(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 2 m fixed\ndisc 9 0 radius 1 m\nregion A all\n"
+            "step 0.1\nrecord A.rattlers\nstage s\ncycles 1\nsnapshot\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  const struct nb_table *table = &result.snapshots[0].types;
+  CU_ASSERT_EQUAL_FATAL(table->row_count, 2);
+  CU_ASSERT(cell(table, 0, "radius") == 2 && cell(table, 0, "rattlers") == 0);
+  CU_ASSERT(cell(table, 1, "radius") == 1 && cell(table, 1, "rattlers") == 1);
+  CU_ASSERT_EQUAL(written_last(&result, "A.rattlers"), 1);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 static void rings(void) {
   struct nb_result result;
   struct written it;
@@ -113,4 +132,5 @@ void suite_summary(void) {
   CU_add_test(suite, "the largest, the smallest and the mean of all bodies and contacts", averages);
   CU_add_test(suite, "what each size and material contributes", types);
   CU_add_test(suite, "porosity ring by ring", rings);
+  CU_add_test(suite, "what is fixed is no rattler", what_is_fixed_is_no_rattler);
 }

@@ -163,13 +163,18 @@ static void one_contact_at_a_corner(void) {
   CU_ASSERT_EQUAL(contacts, 2);
   push("wall a -9 0 to 1 0 m", 1.1, 0.9, &contacts); /* a wall and its end */
   CU_ASSERT_EQUAL(contacts, 1);
-  for (int k = 0; k < 20; k++) { /* far from the origin, where the ends differ by what rounding adds */
-    char walls[256];
-    const double x = 1e8 + 1.7 * k, y = -3e8 - 0.3 * k;
-    snprintf(walls, sizeof walls,
-             "wall a 99999990.3 -300000019.1 to %.17g %.17g m\nwall b %.17g %.17g to 100000085.7 -300000019.3 m", x, y,
-             x, y);
-    push(walls, x, y + 0.9, &contacts);
+  /* Far from the origin, where the ends differ by what rounding adds, whichever ends they are. */
+  for (int k = 0; k < 80; k++) {
+    char walls[512];
+    const double x = 1e8 + 1.7 * k, y = -3e8 - 0.3 * k, ex = cos(0.3 * k), ey = sin(0.3 * k);
+    const double a[2][2] = {{x - 9.7 * ex, y - 9.7 * ey}, {x, y}}, b[2][2] = {{x, y}, {x + 85.7 * ex, y + 85.7 * ey}};
+    const int from_a = k & 1, from_b = k >> 1 & 1;
+    snprintf(walls, sizeof walls, "wall a %.17g %.17g to %.17g %.17g m\nwall b %.17g %.17g to %.17g %.17g m",
+             a[from_a][0], a[from_a][1], a[!from_a][0], a[!from_a][1], b[from_b][0], b[from_b][1], b[!from_b][0],
+             b[!from_b][1]);
+    push(walls, x - 0.9 * ey, y + 0.9 * ex, &contacts); /* a straight joint, */
+    CU_ASSERT_EQUAL(contacts, 1);
+    push(walls, x - 0.9 * ey + 0.1 * ex, y + 0.9 * ex + 0.1 * ey, &contacts); /* and a little beyond it */
     CU_ASSERT_EQUAL(contacts, 1);
   }
 }
