@@ -540,14 +540,7 @@ RUN = \
 
 # What a page would make the program do.
 EXPLAIN = \
-  src/report/explain.c \
-  src/report/explain.h \
-  src/report/explain_bench.c \
-  src/report/explain_changes.c \
-  src/report/explain_drive.c \
-  src/report/explain_fill.c \
-  src/report/explain_region.c \
-  src/report/explain_start.c
+  src/report/explain.c
 
 # What a page expects, and what came of it.
 VERDICT = \

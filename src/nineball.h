@@ -639,9 +639,9 @@ struct nb_law;                                                        /* src/law
 const struct nb_law *nb_law_find(const char *kind, const char *name); /* "normal", "linear"; NULL: no such law */
 const struct nb_law *const *nb_laws(void);                            /* NULL-terminated */
 
-/* What `nineball explain` prints: the plan, what asked for it, bytes, the step and what sets it; false: no memory. */
-bool nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_model *model);
-/* The same of a path: the contact, its laws, its legs. */
-void nb_explain_bench(FILE *out, const struct nb_scene *scene);
+/* What `nineball explain` prints: the plan, what asked for it, bytes, the step and what sets it; of a path the contact, its laws, its
+ * legs. Warnings of the plan are added to those that are there. */
+enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
+                          struct nb_warnings *warnings, struct nb_error *error);
 
 #endif

@@ -239,9 +239,7 @@ out 'boundary none: its bodies are free (line 34)'
 out 'servo holds xx at 12 on B by the boundary, looked at every 10 cycles, at most 0.0001 per cycle (line 31)'
 out 'nothing is pressed yet'
 out 'A: circle of 5 about 1, 2: 1 bodies now; strain since stage b; 3 rings (line 10)'
-out '2 columns, the snapshot of stage `d`'
 out "B: inside 0.5 of the boundary's mean radius: 1 bodies now; strain since the start (line 11)"
-out '0 columns, the end of stage `c2`, the servo of stage `c2`'
 verdict 'explain'
 
 # ---- what a run leaves ----

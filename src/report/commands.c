@@ -7,10 +7,8 @@
 #include <string.h>
 
 #include "core/guess.h"
-#include "core/model.h"
 #include "laws/law.h"
 #include "run/save.h"
-#include "run/start.h"
 #include "tables.h"
 
 static enum nb_status worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
@@ -224,27 +222,13 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
     nb_print_trouble(&outcome, use->pages[k]);
     worst = worse(worst, outcome.status);
     for (size_t r = 0; r < outcome.run_count && !outcome.status; r++) {
-      struct nb_error error = {NB_OK, ""};
+      struct nb_error error;
       const struct nb_page_run *run = &outcome.runs[r];
-      const bool there = nb_start_there(&run->scene, &use->options);
-      struct nb_model *model = run->scene.path || !there ? NULL : nb_model_create(&run->scene, &use->options, &error);
       printf("%s%s%s%s\n", r ? "\n" : "", outcome.page.name, run->label[0] ? ", run " : "", run->label);
-      if (run->scene.path) {
-        nb_explain_bench(stdout, &run->scene);
-      } else if (!there) {
-        nb_explain_start(stdout, &run->scene, &use->options);
-        puts("  the plan can be told when it is there");
-      } else if (model) {
-        nb_explain_start(stdout, &run->scene, &use->options);
-        if (!nb_explain(stdout, &run->scene, model))
-          nb_error_memory(&error);
-      }
-      if (error.status)
+      if (nb_explain(stdout, &run->scene, &use->options, &outcome.warnings, &error)) {
         fprintf(stderr, "%s: error: %s\n", use->pages[k], error.text);
-      worst = worse(worst, error.status);
-      if (model)
-        nb_print_warnings(stdout, "", use->pages[k], &model->warnings);
-      nb_model_free(model);
+        worst = worse(worst, error.status);
+      }
     }
     nb_print_warnings(stdout, "", use->pages[k], &outcome.warnings);
     nb_outcome_free(&outcome);

@@ -21,9 +21,6 @@ struct nb_model *nb_start_model(const struct nb_scene *scene, const struct nb_op
 
 bool nb_start_there(const struct nb_scene *scene, const struct nb_options *options); /* or nothing to be there */
 
-/* explain_start.c: where the scene starts from, and whether that is there */
-void nb_explain_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options);
-
 /* run.c: the state at the end of the scene's last stage */
 enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
                          const struct nb_progress *progress, struct nb_error *error);
