@@ -154,6 +154,28 @@ refused 'a pipe as a path' "$no_file" "$nineball" check "$work/page.md"
 printf '```scene\nstart pipe stage go\nrecord time\nstage on\ncycles 1\n```\n' >"$work/page.md"
 refused 'a pipe as the page that another starts from' "$no_file" "$nineball" check "$work/page.md"
 
+# ---- files that are there twice, or have too long a path ----
+
+mkdir -p "$work/cases/a" "$work/cases/b" "$work/cases/c"
+page '' | tee "$work/cases/a/twice.md" >"$work/cases/b/twice.md"
+on twice go on >"$work/cases/c/wrong.md"
+on a/twice go on >"$work/cases/c/right.md"
+twice="expected a file that is there once, found \`$work/cases/a/twice.md\` and \`$work/cases/b/twice.md\`"
+"$nineball" explain "$work/cases/c/wrong.md" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -qF "cases/c/wrong.md:2:7: error: $twice" "$work/said" && grep -qF "hint: name it by its path from the folder of this page" "$work/said" &&
+  "$nineball" explain "$work/cases/c/right.md" >"$work/out" 2>"$work/why"
+result $? 'a page whose name is there twice'
+page 'discs packing twice.md rock' >"$work/cases/c/wrong.md"
+cat "$work/said" >>"$work/heard"
+"$nineball" explain "$work/cases/c/wrong.md" >"$work/out" 2>"$work/said"
+test $? -eq 2 && grep -qF "cases/c/wrong.md:3:15: error: $twice" "$work/said"
+result $? 'a packing whose name is there twice'
+page "discs packing $(many 4076 x) r" >"$work/wrong.md"
+"$nineball" explain "$work/wrong.md" >"$work/out" 2>"$work/why"
+test $? -eq 2 && grep -qF 'expected a file of less than 4096 bytes in its path' "$work/why"
+result $? 'a path that is too long'
+cat "$work/why" >>"$work/heard"
+
 # ---- every message has been heard ----
 
 # What cannot be brought about here: what the program itself says of a --set without `=`.

@@ -266,4 +266,83 @@ result $? 'a full disk: an error, and nothing is left'
 "$nineball" run "$pages/saved-stage.md" --states /dev/null/states -o "$work/none" >"$work/out" 2>"$work/said"
 test $? -eq 2 && grep -q 'cannot make the folder' "$work/said"
 result $? 'no folder: an error'
+
+# ---- where a page is found by its name ----
+
+# base NAME: a small page that has a stage `go` with one disc; on NAME FROM: one that goes on there.
+base() { printf '# Base\n```scene\nunits none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\nstep 0.1\nrecord time\nstage go\n  cycles %d\n```\n' "$1"; }
+on() { printf '# On\n```scene\nstart %s stage go\nrecord cycle\nstage more\n  cycles 1\n```\n' "$1"; }
+house=$work/house
+mkdir -p "$house/cases/1-one/deeper" "$house/cases/2-two" "$house/cases/3-three/cases/inner" "$house/other" "$house/outside"
+base 3 >"$house/cases/1-one/deeper/far.md"
+base 4 >"$house/cases/1-one/both.md"
+base 5 >"$house/cases/2-two/both.md"
+base 6 >"$house/cases/1-one/twice.md"
+cp "$house/cases/1-one/twice.md" "$house/cases/1-one/deeper/twice.md"
+cp "$house/cases/1-one/twice.md" "$house/cases/3-three"
+base 7 >"$house/outside/linked.md"
+mkdir "$house/cases/.kept" && base 8 >"$house/cases/.kept/hidden.md"
+ln -s .. "$house/cases/1-one/up"
+ln -s ../../outside "$house/cases/1-one/out"
+ln -s ../../outside/linked.md "$house/cases/1-one/alias.md"
+base 9 >"$house/cases/3-three/cases/inner/near.md"
+# cycle_of PAGE: the cycle in which it ends.
+cycle_of() {
+  "$nineball" run "$@" --states "$states" -o "$work/found" >"$work/out" 2>"$work/said" && tail -n 1 "$work/found/table.tsv" | cut -f 2
+}
+# no PAGE TEXT: is refused with status 2 and this text.
+no() {
+  "$nineball" explain "$1" >"$work/out" 2>"$work/said"
+  test $? -eq 2 && grep -qF -e "$2" "$work/said"
+}
+
+on both >"$house/cases/2-two/page.md"
+test "$(cycle_of "$house/cases/2-two/page.md")" = 6
+result $? 'a page is found beside, whatever else is below `cases`'
+on far >"$house/cases/2-two/page.md"
+test "$(cycle_of "$house/cases/2-two/page.md")" = 4
+result $? 'else below `cases`, also deeper'
+(cd "$house/cases/2-two" && test "$(cycle_of page.md)" = 4) && (cd "$house/cases" && test "$(cycle_of ./2-two/page.md)" = 4) &&
+  (cd "$house/outside" && test "$(cycle_of ../cases/1-one/../2-two/page.md)" = 4) && (cd "$house" && test "$(cycle_of cases/2-two/page.md)" = 4)
+result $? 'from wherever the program is called'
+on deeper/far.md >"$house/cases/2-two/page.md"
+test "$(cycle_of "$house/cases/2-two/page.md")" = 4
+result $? 'and by a name with a folder'
+on twice >"$house/cases/2-two/page.md"
+no "$house/cases/2-two/page.md" "page.md:3:7: error: expected a file that is there once, found \`$house/cases/1-one/deeper/twice.md\` and \`$house/cases/1-one/twice.md\`"
+result $? 'a name that is there twice is a mistake that says where'
+on 1-one/twice >"$house/cases/2-two/page.md" && test "$(cycle_of "$house/cases/2-two/page.md")" = 7 &&
+  on ../1-one/twice >"$house/cases/2-two/page.md" && test "$(cycle_of "$house/cases/2-two/page.md")" = 7
+result $? 'until its folder is named'
+missed=
+for name in linked hidden alias ../2-two/far 1-one/../1-one/both nowhere; do
+  on $name >"$house/cases/2-two/page.md"
+  no "$house/cases/2-two/page.md" "cases/2-two/$name.md: error: cannot be read: No such file" || missed="$missed $name"
+done
+echo "$missed" >"$work/said"
+test -z "$missed"
+result $? 'no link is followed; what is in a hidden folder, or nowhere, is not found'
+on far >"$house/cases/3-three/cases/page.md" && no "$house/cases/3-three/cases/page.md" 'cases/3-three/cases/far.md: error: cannot be read' &&
+  on near >"$house/cases/3-three/cases/page.md" && test "$(cycle_of "$house/cases/3-three/cases/page.md")" = 10
+result $? 'the nearest folder `cases` is searched, and no other one'
+on far >"$house/other/page.md" && no "$house/other/page.md" 'other/far.md: error: cannot be read' &&
+  no "$house/cases/../other/page.md" 'other/far.md: error: cannot be read' &&
+  mkdir "$house/casesnot" "$house/notcases" && cp "$house/other/page.md" "$house/casesnot" && cp "$house/other/page.md" "$house/notcases" &&
+  mkdir -p "$house/casesnot/b" "$house/notcases/b" &&
+  cp "$house/cases/1-one/deeper/far.md" "$house/casesnot/b" && cp "$house/cases/1-one/deeper/far.md" "$house/notcases/b" &&
+  no "$house/casesnot/page.md" 'cannot be read' && no "$house/notcases/page.md" 'cannot be read'
+result $? 'outside of `cases` a page is found beside alone'
+deep=$house/cases/2-two/3/4/5/6/7/8/9
+mkdir -p "$deep/10" && base 3 >"$deep/end.md" && base 3 >"$deep/10/over.md" && on end >"$house/cases/1-one/page.md" &&
+  test "$(cycle_of "$house/cases/1-one/page.md")" = 4 && on over >"$house/cases/1-one/page.md" && no "$house/cases/1-one/page.md" 'cannot be read'
+result $? 'eight folders deep, and no deeper'
+printf 'x/m\ty/m\tradius/m\n0\t0\t1\n' >"$house/cases/1-one/deeper/list.tsv"
+printf '# P\n```scene\nunits none\nmaterial m density 1 kn 100\ndiscs packing deeper/list.tsv m\nstep 0.1\nrecord cycle\nstage more\n cycles 3\n```\n' >"$house/cases/2-two/packed.md"
+sed 's/deeper.list/list/' "$house/cases/2-two/packed.md" >"$house/cases/2-two/also.md"
+sed -i 's/x.m/x\/-/; s/y.m/y\/-/; s/us.m/us\/-/' "$house/cases/1-one/deeper/list.tsv"
+test "$(cycle_of "$house/cases/2-two/packed.md")" = 3 && test "$(cycle_of "$house/cases/2-two/also.md")" = 3
+result $? 'a packing likewise'
+find cases -name '*.md' ! -name README.md | sed 's|.*/||' | sort | uniq -d >"$work/said"
+test ! -s "$work/said"
+result $? 'in the tree every page has a name of its own'
 echo "1..$n"

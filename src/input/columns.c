@@ -115,21 +115,20 @@ static bool read_number(double *value, const struct table *table, size_t line, i
   return false;
 }
 
-bool nb_file_beside(struct nb_reader *reader, const struct nb_token *token, char *path, size_t size) {
-  if (!token || token->hollow)
+bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char *path) {
+  struct nb_error error;
+  if (!token || token->hollow || !nb_file_find(reader, token, "", path))
     return false;
-  const char *page = reader->page->path, *slash = strrchr(page, '/');
-  const bool beside = token->text[0] != '/' && slash;
-  const int n = snprintf(path, size, "%.*s%s", beside ? (int)(slash - page) + 1 : 0, page, token->text);
-  struct nb_error error = {NB_BAD_USE, "has too long a name"};
-  FILE *file = n >= 0 && (size_t)n < size ? nb_file_open(path, &error) : NULL;
+  FILE *file = nb_file_open(path, &error);
   if (file)
     fclose(file);
   else if (error.status == NB_NO_MEMORY)
     nb_no_memory(reader);
   else
-    nb_token_mistake(reader, token, "it is looked for beside the page",
-                     "expected a file that can be read, found `%s`, which %s", token->text, error.text);
+    nb_token_mistake(
+        reader, token,
+        "it is looked for beside the page, then in the folder `cases` that the page lies in and those below",
+        "expected a file that can be read, found `%s`, which %s", token->text, error.text);
   return file != NULL;
 }
 

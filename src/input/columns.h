@@ -8,10 +8,10 @@
 
 #include "reader.h"
 
-enum { NB_COLUMNS_MAX = 3, NB_PATH_SIZE = 4096 };
+enum { NB_COLUMNS_MAX = 3 };
 
-/* The file beside the page that the token names, which may be NULL; false with a message when it cannot be opened. */
-bool nb_file_beside(struct nb_reader *reader, const struct nb_token *token, char *path, size_t size);
+/* The file that the token names, which may be NULL; false with a message when it cannot be opened. `path` has NB_PATH_SIZE bytes. */
+bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char *path);
 
 struct nb_wanted {
   const char *name, *also; /* "approach"; another name that will do, NULL: none */

@@ -1,11 +1,13 @@
-/* Files that are read: regular ones only.
+/* Files that are read: where one that a page names lies, and that it is a regular one.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -50,4 +52,101 @@ char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error 
   }
   fclose(file);
   return bytes;
+}
+
+/* ---- a file by its name ---- */
+
+enum { DEPTH_MAX = 8 }; /* folders below `cases` that are searched, one within the other */
+
+struct search {
+  const char *name;
+  char path[NB_PATH_SIZE];     /* the folder that is searched */
+  char found[2][NB_PATH_SIZE]; /* the first two in alphabetical order, since the order of a folder is chance */
+  size_t count;
+  bool no_memory;
+};
+
+static bool is(const char *path, mode_t type) {
+  struct stat status;
+  return lstat(path, &status) == 0 && (status.st_mode & S_IFMT) == type;
+}
+
+static void keep(struct search *search) {
+  const size_t place = search->count > 0 && strcmp(search->path, search->found[0]) > 0;
+  if (place == 0)
+    strcpy(search->found[1], search->found[0]);
+  if (place == 0 || search->count == 1 || strcmp(search->path, search->found[1]) < 0)
+    strcpy(search->found[place], search->path);
+  search->count++;
+}
+
+/* Searches a folder, then those in it. It follows no links, so it ends; and it passes over what it may not read. */
+static void search_below(struct search *search, int depth) {
+  const size_t length = strlen(search->path), room = sizeof search->path - length;
+  char *end = search->path + length;
+  if ((size_t)snprintf(end, room, "/%s", search->name) < room && is(search->path, S_IFREG))
+    keep(search);
+  *end = 0;
+  DIR *folder = depth < DEPTH_MAX ? opendir(search->path) : NULL;
+  search->no_memory = search->no_memory || (!folder && depth < DEPTH_MAX && errno == ENOMEM);
+  for (struct dirent *entry; folder && (entry = readdir(folder));) {
+    const bool fits = entry->d_name[0] != '.' && (size_t)snprintf(end, room, "/%s", entry->d_name) < room;
+    if (fits && is(search->path, S_IFDIR))
+      search_below(search, depth + 1);
+    *end = 0;
+  }
+  if (folder)
+    closedir(folder);
+}
+
+/* Cuts a path behind its last folder `cases`; false: it has none. */
+static bool cut_behind_cases(char *path) {
+  static const char name[] = "cases";
+  const size_t length = sizeof name - 1;
+  char *end = NULL;
+  for (char *at = path; (at = strstr(at, name)); at++)
+    if ((at == path || at[-1] == '/') && (at[length] == '/' || at[length] == 0))
+      end = at + length;
+  if (end)
+    *end = 0;
+  return end;
+}
+
+/* The nearest folder `cases` above a page: by its path as given, else by the whole path of its folder; false: there is none. */
+static bool find_cases(char *cases, const char *page) {
+  const char *slash = strrchr(page, '/');
+  snprintf(cases, NB_PATH_SIZE, "%.*s", slash ? (int)(slash - page) : 1, slash ? page : ".");
+  if (!strstr(cases, "..") && cut_behind_cases(cases))
+    return true;
+  char *whole = realpath(cases, NULL);
+  const bool found = whole && strlen(whole) < NB_PATH_SIZE && cut_behind_cases(strcpy(cases, whole));
+  free(whole);
+  return found;
+}
+
+bool nb_file_find(struct nb_reader *reader, const struct nb_token *token, const char *ending, char *path) {
+  const char *page = reader->page->path, *slash = strrchr(page, '/');
+  const bool whole = token->text[0] == '/', upward = strncmp(token->text, "../", 3) == 0 || strstr(token->text, "/../");
+  char name[NB_LINE_MAX];
+  struct search search = {.name = name};
+  snprintf(name, sizeof name, "%s%s", token->text, ending);
+  if (snprintf(path, NB_PATH_SIZE, "%.*s%s", whole || !slash ? 0 : (int)(slash - page) + 1, page, name) >=
+      NB_PATH_SIZE) {
+    nb_token_mistake(reader, token, NULL, "expected a file of less than %d bytes in its path", NB_PATH_SIZE);
+    return false;
+  }
+  if (whole || upward || access(path, F_OK) == 0 || !find_cases(search.path, page))
+    return true;
+  search_below(&search, 0);
+  if (search.no_memory)
+    return nb_no_memory(reader), false;
+  if (search.count > 1) {
+    nb_token_mistake(reader, token, "name it by its path from the folder of this page",
+                     "expected a file that is there once, found `%.400s` and `%.400s`", search.found[0],
+                     search.found[1]);
+    return false;
+  }
+  if (search.count == 1)
+    strcpy(path, search.found[0]);
+  return true;
 }

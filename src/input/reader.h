@@ -187,8 +187,15 @@ size_t nb_page_fence(const struct nb_page *page,
 /* A page from memory, under this path; without bytes it could not be read, and errno says why. */
 /* ---- file.c ---- */
 
-enum { NB_FILE_MAX = 1 << 30 }; /* bytes that are read at most, of a list or a state */
+enum {
+  NB_FILE_MAX = 1 << 30, /* bytes that are read at most, of a list or a state */
+  NB_PATH_SIZE = 4096
+};
 
+/* Where the file lies that the page names, with that ending: beside the page; else, unless the name begins with `/` or leads upward by
+ * `..`, in whichever folder has it of the nearest `cases` that the page lies in and those below. What is nowhere is beside the page: to open
+ * it is to hear so. False with a message when several folders have it. `path` has NB_PATH_SIZE bytes. */
+bool nb_file_find(struct nb_reader *reader, const struct nb_token *token, const char *ending, char *path);
 /* A regular file, open for reading; NULL with an error, "cannot be read: …", without the path. A folder is none, nor is a pipe or a device: one that never ends would
  * be waited for without end. */
 FILE *nb_file_open(const char *path, struct nb_error *error);

@@ -130,7 +130,7 @@ NB_APPLY(nb_apply_packing) {
   const bool said = record->keyword->variant >= 0;
   char path[NB_PATH_SIZE];
   struct nb_body all = {0};
-  bool whole = !reader->bad && nb_file_beside(reader, record->value[AT_NAME].token, path, sizeof path) &&
+  bool whole = !reader->bad && nb_file_named(reader, record->value[AT_NAME].token, path) &&
                (!said || nb_body_of(&all, scene, reader, record, 0));
   if (whole)
     whole = (is_state(path) ? from_state : from_list)(scene, reader, path, said ? &all : NULL);

@@ -139,7 +139,7 @@ static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
     *said = true;
     struct nb_aim *aim = normal ? &leg->normal : &leg->shear;
     if (word == FOLLOW)
-      return nb_file_beside(reader, nb_take(reader, "the name of a file"), path, sizeof path) &&
+      return nb_file_named(reader, nb_take(reader, "the name of a file"), path) &&
              nb_follow_read(leg, path, reader->unitless, reader->mistakes);
     if (word == IN) {
       if (!nb_take_count(reader, 1, STEPS_MAX, &stage->cycles))

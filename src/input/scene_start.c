@@ -115,17 +115,6 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
 
 /* ---- the other page ---- */
 
-/* PATH of the page that the word names: beside this page, `.md` unless the word ends in it. Owned by the caller. */
-static char *path_of(const struct nb_page *page, const char *word) {
-  const char *slash = strrchr(page->path, '/');
-  const size_t folder = slash && word[0] != '/' ? (size_t)(slash - page->path) + 1 : 0, length = strlen(word);
-  const bool whole = length > 3 && strcmp(word + length - 3, ".md") == 0;
-  char *path = malloc(folder + length + sizeof ".md");
-  if (path)
-    sprintf(path, "%.*s%s%s", (int)folder, page->path, word, whole ? "" : ".md");
-  return path;
-}
-
 static bool same_file(const char *a, const char *b) {
   struct stat one, other;
   return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
@@ -181,9 +170,11 @@ static bool read_other(struct nb_scene_reading *reading, struct nb_reader *reade
   }
   for (size_t k = 0; k < start->setting_count; k++)
     texts[k] = start->settings[k];
-  char *path = path_of(reader->page, word->text);
-  if (!path) {
-    nb_no_memory(reader);
+  const size_t length = strlen(word->text);
+  const bool whole = length > 3 && strcmp(word->text + length - 3, ".md") == 0;
+  char path[NB_PATH_SIZE];
+  if (!nb_file_find(reader, word, whole ? "" : ".md", path)) {
+    /* it has been said */
   } else if (pages_above(reading, path) >= CHAIN_MAX) {
     nb_token_mistake(reader, word,
                      "keep a state of one of them by `nineball state` and take its particles by `packing`",
@@ -198,7 +189,7 @@ static bool read_other(struct nb_scene_reading *reading, struct nb_reader *reade
       nb_token_mistake(reader, word, "give what it sweeps one value: `with NAME=VALUE`",
                        "expected a page of one run, found one of %zu", runs);
   }
-  free(path), free(texts);
+  free(texts);
   if (mistakes->made > before && !reader->bad)
     nb_token_mistake(reader, word, NULL, "the page that this one starts from has the mistakes above or below");
   return mistakes->made == before;

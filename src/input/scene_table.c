@@ -19,7 +19,8 @@ static const struct nb_keyword table[] = {
    "the product, the last one fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
   {"start", NB_IN_SCENE | NB_APART, start, "{with NAME=VALUE …}", 0, false, nb_apply_start,
-   "Goes on where a stage of another page ends: PAGE.md in the same folder, given these values as by --set. Bodies, walls, a boundary or a cell, materials, "
+   "Goes on where a stage of another page ends: PAGE.md, given these values as by --set. The page is found by its name: beside this one; else in the nearest "
+   "folder `cases` that this page lies in, or in any folder below, where the name must be there once. A name with `../` or `/` at its beginning is a path from this page's folder or from the root. Bodies, walls, a boundary or a cell, materials, "
    "laws, damping, gravity and step are those of its end, cycles and time count on; watches and columns are this page's own. What "
    "is said before the first stage holds from that stage on. The other page is run up to there once, and its state kept in a "
    "folder: docs/STATE.md. Stands before all but `units`, `let` and `sweep`.",
@@ -82,8 +83,9 @@ static const struct nb_keyword table[] = {
    "Discs in a box.",
    "discs     fill box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  tries 1000  else stop"},
   {"packing", NB_IN_SCENE | NB_APART, packing, NULL, -1, true, nb_apply_packing,
-   "Bodies from a file beside the page that `nineball state` has written, in its order: discs and spheres, with their radii where they were, free or fixed, of the page's "
-   "materials of the same names. They are at rest, and the contacts between them remember nothing. Numbers come as they are in the file, to the last bit: docs/STATE.md.",
+   "Bodies from a file that `nineball state` has written, in its order: discs and spheres, with their radii where they were, free or fixed, of the page's "
+   "materials of the same names. They are at rest, and the contacts between them remember nothing. Numbers come as they are in the file, to the last bit: docs/STATE.md. The file is "
+   "found as a page is by `start`.",
    "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state"},
   {"discs packing", NB_IN_SCENE | NB_APART, packing_of, NULL, NB_DISC, true, nb_apply_packing,
    "Discs of one material where bodies are in a file: one as for `packing`, or a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, "
@@ -248,7 +250,7 @@ static const struct nb_keyword table[] = {
    "Takes the contact on: the overlap or the normal force, and the slip or the shear force, each along a straight line to "
    "a value or by a difference; default 100 steps. Overlap and slip stay where they are unless something is said; `hold` "
    "holds a force instead. `follow` takes it from point to point of a file of tab-separated columns `approach/m` and "
-   "`slip/m`, one step each.",
+   "`slip/m`, one step each; the file is found as a page is by `start`.",
    "leg       press  overlap to 10 um  in 5 steps\nleg       load   shear to 15 N  hold normal\n"
    "leg       back   slip by -2 um  overlap by -1 um  in 1 step"},
   {"repeat", NB_IN_LEG, nothing, "from LEG N times", 0, false, nb_apply_repeat,
