@@ -1,4 +1,5 @@
-/* The contacts of a snapshot against the bodies of the same moment: directions, overlaps, forces by Hertz, and their sums.
+/* The contacts of a snapshot against the bodies of the same moment: directions, overlaps, forces by Hertz, and their sums; and the
+ * force chains of a region, found again from them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "recount.h"
@@ -57,7 +58,110 @@ static void contacts_are_those_of_the_bodies(void) {
   nb_result_free(&result), written_free(&it);
 }
 
+/* ---- force chains ---- */
+
+struct chained {
+  double r, volume, stress[3]; /* xx, xy, yy */
+  bool free, inside, strong;
+  int chain;
+};
+
+static double major(const double s[3]) { return (s[0] + s[2]) / 2 + hypot((s[0] - s[2]) / 2, s[1]); }
+
+/* Whether a direction is within 45 degrees of the major axis, by their angles. */
+static bool along_axis(const double s[3], double ex, double ey) {
+  const double off = atan2(ey, ex) - atan2(2 * s[1], s[0] - s[2]) / 2;
+  return fabs(remainder(off, pi)) < pi / 4;
+}
+
+/* Discs and spheres, among which one is fixed, pressed together and sheared with much friction. */
+static void run_assembly(struct written *it, struct nb_result *result, int seed) {
+  struct words page = {0};
+  words_add(
+      &page,
+      "units none\nmaterial m density 3 kn 3000 ks 2500 friction 0.9\nshear linear\ndamping global 2\nstep 0.004\n"
+      "disc 6 6 radius 0.5 m fixed\nbox 0 0 to 12 12 m\ngrading g 0.9 8 0.7 12\ngrading h 0.8 10 0.6 15\n"
+      "discs fill box 0.1 0.1 to 11.9 11.9 g m seed %d tries 20000 else skip\n"
+      "spheres fill box 0.1 0.1 to 11.9 11.9 h m seed %d tries 20000 else skip\n"
+      "region B circle 6 6 radius 4.2\nrecord B.chains B.chains.length B.chains.share B.chains.turn B.bodies\n"
+      "stage press\nbox strain -5e-5 per cycle -5e-5 per cycle\ncycles 6200\nrecord none\n"
+      "stage shear\nbox strain 4e-5 per cycle -6e-5 per cycle\ncycles 1500\nrecord every 1500 cycles\nsnapshot\n",
+      seed, seed + 100);
+  written_scene(it, &page);
+  written_run(result, it, NULL);
+}
+
+static void force_chains(void) {
+  enum { MOST = 100, LINKS = 12 };
+  double found = 0, turned = 0; /* of all seeds */
+  for (int seed = 1; seed <= 16; seed++) {
+    struct written it;
+    struct nb_result result;
+    struct chained all[MOST] = {{0}};
+    double ahead[MOST][LINKS][2], bodies = 0, sum = 0, turns = 0, pairs = 0, chains = 0, members = 0;
+    int links[MOST] = {0};
+    run_assembly(&it, &result, seed);
+    const struct nb_table *table = &result.snapshots[0].contacts, *places = &result.snapshots[0].bodies;
+    CU_ASSERT_FATAL(places->row_count < MOST);
+    for (size_t k = 0; k < places->row_count; k++) {
+      const int n = (int)of(places, k, "body");
+      struct chained *body = &all[n];
+      const double r = of(places, k, "radius");
+      body->r = r, body->free = of(places, k, "fixed") == 0, body->chain = n;
+      body->inside = hypot(of(places, k, "x") - 6, of(places, k, "y") - 6) <= 4.2;
+      body->volume = it.scene.bodies[n - 1].shape == NB_SPHERE ? 4 * pi / 3 * r * r * r : pi * r * r;
+    }
+    for (size_t c = 0; c < table->row_count; c++)
+      for (int second = 0; second < 2; second++) {
+        struct chained *body = &all[(int)of(table, c, second ? "b" : "a")];
+        const double ex = of(table, c, "ex"), ey = of(table, c, "ey"), overlap = of(table, c, "overlap");
+        const double push = of(table, c, "normal"), drag = of(table, c, "shear"); /* the same for -e */
+        const double per = (body->r - (of(table, c, "wall") > 0 ? overlap : overlap / 2)) / body->volume;
+        const double fx = push * ex + drag * ey, fy = push * ey - drag * ex;
+        body->stress[0] += per * fx * ex, body->stress[1] += per * (fx * ey + fy * ex) / 2,
+            body->stress[2] += per * fy * ey;
+      }
+    for (int n = 1; n < MOST; n++)
+      if (all[n].inside && all[n].free)
+        bodies++, sum += major(all[n].stress);
+    for (int n = 1; n < MOST; n++)
+      all[n].strong = all[n].inside && all[n].free && major(all[n].stress) > sum / bodies;
+    for (size_t c = 0; c < table->row_count; c++) {
+      const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b");
+      const double ex = of(table, c, "ex"), ey = of(table, c, "ey");
+      if (!b || !all[a].strong || !all[b].strong || !along_axis(all[a].stress, ex, ey) ||
+          !along_axis(all[b].stress, ex, ey))
+        continue;
+      CU_ASSERT_FATAL(links[a] < LINKS && links[b] < LINKS);
+      ahead[a][links[a]][0] = ex, ahead[a][links[a]++][1] = ey;
+      ahead[b][links[b]][0] = -ex, ahead[b][links[b]++][1] = -ey;
+      for (int n = 1, of_b = all[b].chain; n < MOST; n++)
+        all[n].chain = all[n].chain == of_b ? all[a].chain : all[n].chain;
+    }
+    for (int n = 1; n < MOST; n++) {
+      int length = 0;
+      for (int m = 1; m < MOST; m++)
+        length += all[m].chain == n;
+      chains += length > 2, members += length > 2 ? length : 0;
+      for (int k = 0; k < links[n]; k++)
+        for (int l = 0; l < k; l++) {
+          const double on = -(ahead[n][k][0] * ahead[n][l][0] + ahead[n][k][1] * ahead[n][l][1]);
+          pairs += on > 0, turns += on > 0 ? acos(fmin(on, 1)) : 0;
+        }
+    }
+    found += chains, turned += pairs;
+    CU_ASSERT_EQUAL(written_last(&result, "B.chains"), chains);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.length"), chains > 0 ? members / chains : 0, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.share"), members / bodies, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.turn"), pairs > 0 ? turns / pairs : 0,
+                           1e-6); /* acos near 1: a root */
+    nb_result_free(&result), written_free(&it);
+  }
+  CU_ASSERT(found >= 5 && turned >= 10);
+}
+
 void suite_recount_contacts(void) {
   CU_pSuite suite = CU_add_suite("recount contacts", NULL, NULL);
   CU_ADD_TEST(suite, contacts_are_those_of_the_bodies);
+  CU_ADD_TEST(suite, force_chains);
 }
