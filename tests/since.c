@@ -101,6 +101,23 @@ static void of_regions(void) {
   written_free(&it);
 }
 
+/* What the first stage takes out has touched when the run began, and had gone when the stage did. */
+static void since_the_start_or_the_first_stage(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page, "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\n"
+                   "region A all\nregion B all from a\nrecord A.contacts.lost A.fabric.lost.xx B.contacts.lost\n"
+                   "stage a\nremove disc 1\ncycles 3\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(written_last(&result, "A.contacts.lost"), 1);
+  CU_ASSERT_EQUAL(written_last(&result, "A.fabric.lost.xx"), 1);
+  CU_ASSERT_EQUAL(written_last(&result, "B.contacts.lost"), 0);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
 /* Spheres on an incline: p along it, n into it, from rest with the normal spring pressed as it will be. While it slides, the
  * slip grows as (p - 7/2 mu n) t^2/2 and what it began with. */
 static const double p = 3, n = 8, ks = 1e7, step = 2e-5;
@@ -213,4 +230,5 @@ void suite_since(void) {
   CU_add_test(suite, "one that rolls slides nothing", rolls);
   CU_add_test(suite, "a contact that comes back begins at 0", comes_back);
   CU_add_test(suite, "across the edge of a cell", across_the_edge);
+  CU_add_test(suite, "since the start, or since the first stage", since_the_start_or_the_first_stage);
 }
