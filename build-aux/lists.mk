@@ -568,6 +568,8 @@ PROGRAM = \
   src/report/gnuplot.c \
   src/report/main.c \
   src/report/manual.c \
+  src/report/options.c \
+  src/report/options.h \
   src/report/print.c \
   src/report/report.c \
   src/report/tables.c \

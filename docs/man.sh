@@ -39,6 +39,7 @@ A page's `gnuplot` block is a program. `figure` and `report` run it confined, by
 ## Environment
 
 - `NINEBALL_STATES`: the folder of states, unless --states says one
+- `NINEBALL_WAIT`: how many seconds the lock of a state is waited for, 3600 where it is not set
 - `NINEBALL_CONFINE`: landlock, bwrap or none: the only way in which gnuplot may be confined, instead of the first of the two that is available; without any, --trust must be given
 
 ## Files

@@ -102,7 +102,11 @@ verdict 'a wall that turns too far in one step: 3, naming it, moment and limit'
 
 run 3 run "$pages/too-long-a-step.md"
 said 'body 1 (line 5): at cycle 0, 0 s, the step 1 s is above what is sure to be stable, 0.000792665 s'
-said 'body 1 at body 2, as if they touched'
+said 'body 1 at body 2, as if they touched: write `step 0.00063 s`, or `allow unstable`' # 0.8 of the bound
+for step in '2 of safe:write `step 0.8 of safe`' '1 per contact:write `step 2 per contact`' '3 of critical:write `step 0.57 of critical`'; do
+  run 3 check "$pages/too-long-a-step.md" --set step="${step%%:*}"
+  said "${step#*:}"
+done
 run 0 explain "$pages/too-long-a-step.md"
 out 'as if they touched; ABOVE it: the run will stop at once'
 verdict 'a step that is too long for the first contact: 3 before there is one'
@@ -120,6 +124,17 @@ out "# $pages/warns.md:4: warning: friction"
 run 0 explain "$pages/warns.md" --set shear=linear
 out 'their shear stiffness `ks` is 0'
 verdict 'warnings: said once on standard error, repeated by verdict and explain, and the status stays'
+
+if command -v script >/dev/null; then # both are one terminal: once is enough
+  for command in check explain 'check --tap'; do
+    script -qec "'$nineball' $command '$pages/warns.md'" /dev/null >out 2>&1 </dev/null
+    test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 || echo "not once on a terminal: $command" >>why
+    script -qec "'$nineball' $command '$pages/warns.md' >repeated" /dev/null >out 2>&1 </dev/null
+    test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 && grep -q 'warning: friction' repeated ||
+      echo "not in both: $command" >>why
+  done
+  verdict 'warnings: once on a terminal, and kept where standard output is not that'
+fi
 
 for page in rayleigh-mean:gap='1e300 mm' chung-ooi-6:beta=1e9; do # which were solved without end
   run 2 check "$cases/${page%%:*}.md" --set "${page#*:}"
@@ -184,6 +199,25 @@ run 2 run -o both "$pages/passes.md" "$pages/swept.md"
 said 'one page at a time'
 absent both
 verdict 'options that are wrong'
+
+# Each command with an option that it does not use; the message names those that do.
+for use in 'check -o out:--output, which belongs to: run, figure, report, state' 'check --stage a:--stage, which belongs to: state' \
+  'figure --tap:--tap, which belongs to: check' 'explain -o out:--output, which' 'explain --jobs 2:--jobs, which belongs to: run, check, figure, report' \
+  'state --follow a:--follow, which belongs to: run, check, figure, report, explain' 'state --jobs 2:--jobs, which' \
+  'run --trust:--trust, which belongs to: figure, report' 'laws --threads 2:--threads, which' 'list --isa plain:--isa, which' \
+  'laws --set a=1:--set, which' 'list --states a:--states, which'; do
+  command=${use%%:*}
+  run 2 $command "$pages/passes.md"
+  quiet out
+  said "nineball: \`nineball ${command%% *}\` does not use ${use#*:}"
+done
+for command in run check figure report explain state; do # what all take
+  run 0 $command "$pages/passes.md" --threads 1 --isa plain --states there
+done
+run 0 check "$pages/passes.md" --tap --jobs 2
+run 0 figure "$pages/passes.md" --trust --jobs 2 -o drawn
+rm -rf out passes.out report passes-*.state
+verdict 'an option that a command does not use is an error'
 
 run 0 --version
 grep -Eqx 'nineball [0-9]+\.[0-9]+\.[0-9]+' out || echo 'no version' >>why

@@ -161,6 +161,7 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
     int column = (int)strspn(page->lines[opened_on - 1], " ") + 1;
     nb_mistake(mistakes, page, opened_on, column, (int)open, "close it with a line of as many signs, alone on the line",
                "expected the end of the block that begins here, found the end of the page");
+    memset(page->kind_of + opened_on, 0, page->line_count - opened_on); /* where it should have ended nobody knows */
   }
 }
 

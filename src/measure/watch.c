@@ -145,18 +145,37 @@ static void be_sure(struct nb_model *model) {
     }
 }
 
+/* A step below what is sure to be stable by a fifth, as the page says its own. */
+static void smaller_step(char *text, size_t size, const struct nb_model *model, double sure) {
+  static const char *const of[] = {[NB_STEP_TIME] = " s",
+                                   [NB_STEP_CRITICAL] = " of critical",
+                                   [NB_STEP_SAFE] = " of safe",
+                                   [NB_STEP_CONTACT] = " per contact",
+                                   [NB_STEP_RAYLEIGH] = " of rayleigh",
+                                   [NB_STEP_RAYLEIGH_MEAN] = " of rayleigh-mean",
+                                   [NB_STEP_RAYLEIGH_FIT] = " of rayleigh-fit",
+                                   [NB_STEP_RAYLEIGH_FIT_MEAN] = " of rayleigh-fit-mean"};
+  const struct nb_step *step = model->stage ? &model->stage->step : &model->scene->step;
+  const double value = 0.8 * step->value * sure / model->step;
+  if (step->kind == NB_STEP_CONTACT)
+    snprintf(text, size, "step %.0f%s", ceil(1 / value), of[step->kind]);
+  else
+    snprintf(text, size, "step %.2g%s", value, step->kind || !model->scene->unitless ? of[step->kind] : "");
+}
+
 /* A step that is the bound itself is not above it for the rounding of a share of it. */
 static enum nb_status too_long(const struct nb_model *model, const struct nb_safe *safe, struct nb_error *error) {
   if (model->step <= safe->step * (1 + 4 * DBL_EPSILON))
     return NB_OK;
-  char what[3 * NB_NAME_SIZE];
+  char what[3 * NB_NAME_SIZE], say[NB_NAME_SIZE];
   const int number = model->bodies.number[safe->a];
   nb_safe_words(what, sizeof what, model, safe);
+  smaller_step(say, sizeof say, model, safe->step);
   return nb_error_set(
       error, NB_BROKEN,
       "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
-      "is set by %s: take a smaller step (`step 0.8 of safe`), or say `allow unstable`",
-      number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, safe->step, what);
+      "is set by %s: write `%s`, or `allow unstable`",
+      number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, safe->step, what, say);
 }
 
 enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error) {

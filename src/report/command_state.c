@@ -95,5 +95,5 @@ enum nb_status nb_command_state(const struct nb_use *use) {
              scene->stages[stage].name, path, strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
   }
   nb_outcome_free(&outcome);
-  return stage < 0 ? NB_BAD_USE : status;
+  return stage < 0 && !status ? NB_BAD_USE : status;
 }

@@ -230,7 +230,7 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
         worst = worse(worst, error.status);
       }
     }
-    nb_print_warnings(stdout, "", use->pages[k], &outcome.warnings);
+    nb_repeat_warnings("", use->pages[k], &outcome.warnings);
     nb_outcome_free(&outcome);
   }
   return worst;

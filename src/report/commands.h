@@ -38,6 +38,8 @@ bool nb_manual_word(FILE *out, const char *word, char *hint);
 struct nb_outcome;
 /* One a line: "PAGE:7: warning: …", with `before` before it. */
 void nb_print_warnings(FILE *out, const char *before, const char *path, const struct nb_warnings *warnings);
+/* Likewise on stdout, of those that stderr has had already: not when both are one terminal. */
+void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings);
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
 void nb_print_trouble(const struct nb_outcome *outcome, const char *path); /* mistakes, or what broke, to stderr */

@@ -4,6 +4,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "commands.h"
@@ -31,6 +32,18 @@ void nb_print_warnings(FILE *out, const char *before, const char *path, const st
   }
 }
 
+/* Whether both come to one terminal, where once is enough. */
+static bool is_one_terminal(void) {
+  struct stat out, err;
+  return isatty(STDOUT_FILENO) && isatty(STDERR_FILENO) && fstat(STDOUT_FILENO, &out) == 0 &&
+         fstat(STDERR_FILENO, &err) == 0 && out.st_dev == err.st_dev && out.st_ino == err.st_ino;
+}
+
+void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings) {
+  if (!is_one_terminal())
+    nb_print_warnings(stdout, before, path, warnings);
+}
+
 void nb_print_verdict(const struct nb_outcome *outcome) {
   const size_t *marked = outcome->marked;
   printf("%s: %s\n", outcome->page.name, outcome->page.title);
@@ -46,7 +59,7 @@ void nb_print_verdict(const struct nb_outcome *outcome) {
   if (marked[NB_PASS] + marked[NB_FAIL] + marked[NB_NOTE])
     puts("");
   print_skipped(outcome);
-  nb_print_warnings(stdout, "  ", outcome->page.path, &outcome->warnings);
+  nb_repeat_warnings("  ", outcome->page.path, &outcome->warnings);
 }
 
 /* A `#` would begin a directive of TAP. */
@@ -77,7 +90,7 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
            : count                 ? "was not checked"
                                    : "did not run",
            outcome->mistakes.count ? "" : outcome->error.text);
-  nb_print_warnings(stdout, "# ", path, &outcome->warnings);
+  nb_repeat_warnings("# ", path, &outcome->warnings);
 }
 
 void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
