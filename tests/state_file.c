@@ -80,6 +80,7 @@ static void every_mistake(void) {
   static const struct mistake rows[] = {
       {"nineball state 1", "nineball state 2", "a.state:1:1: expected `nineball state 1`"},
       {"units none", "unit none", "a.state:9:1: expected a record that this program knows, found `unit`"},
+      {"units none", "units \033[2J\x80", "a.state:9:7: expected `si`, `none`, found `?[2J?`"},
       {"units none", "units ft", "a.state:9:7: expected `si`, `none`, found `ft`"},
       {"units none", "units none x", "a.state:9:12: expected the end of the line, found `x`"},
       {"gravity ", "gravity x ", "a.state:10:9: expected a number, found `x`"},
@@ -226,10 +227,25 @@ static void whole_or_not_at_all(void) {
   free(text);
 }
 
+/* 127 bytes of NAME=VALUE, and one more. */
+static void settings_are_not_cut(void) {
+  struct nb_saved saved = {0};
+  struct nb_error error = {NB_OK, ""};
+  char text[129];
+  memset(text, 'a', sizeof text), text[1] = '=', text[128] = 0;
+  CU_ASSERT_EQUAL(nb_saved_setting(&saved, text + 1, &error), NB_OK);
+  CU_ASSERT(saved.setting_count == 1 && strcmp(saved.settings[0], text + 1) == 0);
+  CU_ASSERT_EQUAL(nb_saved_setting(&saved, text, &error), NB_BAD_USE);
+  CU_ASSERT(saved.setting_count == 1 &&
+            strstr(error.text, "a state keeps settings shorter than 128 bytes, found `a=aa"));
+  nb_saved_free(&saved);
+}
+
 void suite_state_file(void) {
   CU_pSuite suite = CU_add_suite("state_file", NULL, NULL);
   CU_add_test(suite, "every flipped bit is found", every_bit);
   CU_add_test(suite, "a file that is cut off anywhere is found", every_length);
   CU_add_test(suite, "every mistake is said with file, line and column", every_mistake);
+  CU_add_test(suite, "settings are kept whole, or refused", settings_are_not_cut);
   CU_add_test(suite, "it is there whole or not at all", whole_or_not_at_all);
 }

@@ -24,7 +24,7 @@ struct nb_known_curve {
 /* Everything a reference knows of one run. */
 struct nb_known {
   struct nb_known_value {
-    char name[3 * NB_NAME_SIZE]; /* quantity, reducer, stage as on the page: `C.normal mean`, `C.normal mean in rest` */
+    char name[4 * NB_NAME_SIZE]; /* quantity, reducer, stage as on the page: `C.normal mean`, `C.normal mean in rest` */
     double value;                /* SI */
   } * values;
   size_t value_count;

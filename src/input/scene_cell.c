@@ -56,8 +56,6 @@ NB_APPLY(nb_apply_wave) {
                      "expected whole numbers of periods, at most 1e6, or the wave would not fit the cell");
     return;
   }
-  if (!(scene->cell.h[0] > 0 && scene->cell.h[3] > 0))
-    return; /* the cell has a mistake */
   const double two_pi = 6.28318530717958647692;
   for (size_t i = 0; i < scene->body_count && !reading->cell_unsure; i++) {
     struct nb_body *body = &scene->bodies[i];

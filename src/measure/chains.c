@@ -31,12 +31,6 @@ bool nb_chains_create(struct nb_model *model) {
   return model->regions->chained != NULL;
 }
 
-static double volume_of(const struct nb_model *model, size_t slot) {
-  const double radius = model->bodies.rim[slot].x;
-  const bool sphere = model->scene->bodies[model->bodies.number[slot] - 1].shape == NB_SPHERE;
-  return sphere ? 4. / 3 * NB_PI * radius * radius * radius : NB_PI * radius * radius; /* a disc is 1 m thick */
-}
-
 static bool counts(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
   return model->bodies.inverse_mass[slot] > 0 && nb_region_holds(model, region, slot);
 }
@@ -50,7 +44,7 @@ static double find_strong(const struct nb_model *model, const struct nb_region_n
     chained[i] = (struct nb_chain_body){.root = (int)i, .bodies = 1};
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
     const struct nb_vec felt = vec_add(vec_scale(end.push, end.e), vec_scale(end.drag, vec_clockwise(end.e)));
-    const struct nb_tensor part = tensor_outer(felt, vec_scale(end.arm / volume_of(model, end.slot), end.e));
+    const struct nb_tensor part = tensor_outer(felt, vec_scale(end.arm / nb_region_volume(model, end.slot), end.e));
     chained[end.slot].stress = tensor_add(chained[end.slot].stress, part);
   }
   double sum = 0, count = 0;

@@ -12,9 +12,9 @@
 #include "region.h"
 #include "snapshot.h"
 
-static double volume_of(const struct nb_model *model, size_t body) {
-  const double r = model->scene->bodies[body].radius, area = nb_area_of_disc(r);
-  return model->scene->bodies[body].shape == NB_SPHERE ? 4 * area * r / 3 : area;
+double nb_region_volume(const struct nb_model *model, size_t slot) {
+  const double r = model->bodies.rim[slot].x, area = nb_area_of_disc(r);
+  return model->scene->bodies[model->bodies.number[slot] - 1].shape == NB_SPHERE ? 4 * area * r / 3 : area;
 }
 
 const struct nb_porosity *nb_porosity_of(const struct nb_model *model, const struct nb_watch *watch) {
@@ -26,7 +26,7 @@ const struct nb_porosity *nb_porosity_of(const struct nb_model *model, const str
     const size_t i = (size_t)model->bodies.slot[k];
     const double part = nb_region_part(model, region, i);
     area += part;
-    volume += part > 0 ? volume_of(model, k) * (part / nb_area_of_disc(model->bodies.rim[i].x)) : 0;
+    volume += part > 0 ? nb_region_volume(model, i) * (part / nb_area_of_disc(model->bodies.rim[i].x)) : 0;
   }
   region->porosity.areal = region->area > 0 ? 1 - area / region->area : 0;
   region->porosity.volume = region->area > 0 ? 1 - volume / (region->area * region->thickness) : 0;

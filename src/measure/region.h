@@ -120,6 +120,7 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region);
 /* True once a cycle: the measure is to be worked out. */
 bool nb_region_due(const struct nb_model *model, struct nb_region_now *region, enum nb_measure_of which);
 bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot); /* its centre */
+double nb_region_volume(const struct nb_model *model, size_t slot); /* of a body, m3; a disc is 1 m thick */
 double nb_region_part(const struct nb_model *model, const struct nb_region_now *region,
                       size_t slot); /* of its outline, m2 */
 

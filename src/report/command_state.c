@@ -46,8 +46,7 @@ static enum nb_status write_state(struct nb_scene *scene, size_t stage, const ch
   enum nb_status status = nb_run_to(&saved, scene, &use->options, &progress, error);
   nb_print_progress_end(&line);
   for (size_t k = 0; use->settings[k] && !status; k++)
-    if (!nb_saved_setting(&saved, use->settings[k]))
-      status = nb_error_memory(error);
+    status = nb_saved_setting(&saved, use->settings[k], error);
   if (!status)
     saved.hash = scene->stages[stage].hash, status = nb_saved_write(&saved, path, error);
   nb_saved_free(&saved);

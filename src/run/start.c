@@ -198,10 +198,10 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
     return nb_error_set(error, status, "%s, from which this starts: %.400s", start->page->name, why.text);
   }
   saved->hash = last_of(scene)->hash;
-  for (size_t k = 0; k < start->setting_count; k++)
-    if (!nb_saved_setting(saved, start->settings[k]))
-      return nb_error_memory(error);
-  status = nb_saved_write(saved, path, error);
+  for (size_t k = 0; k < start->setting_count && !status; k++)
+    status = nb_saved_setting(saved, start->settings[k], error);
+  if (!status)
+    status = nb_saved_write(saved, path, error);
   if (!status)
     others(scene, options, true);
   return status;

@@ -20,13 +20,16 @@ void nb_saved_free(struct nb_saved *saved) {
   *saved = (struct nb_saved){0};
 }
 
-bool nb_saved_setting(struct nb_saved *saved, const char *text) {
+enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct nb_error *error) {
+  if (strlen(text) >= sizeof *saved->settings)
+    return nb_error_set(error, NB_BAD_USE, "a state keeps settings shorter than %zu bytes, found `%.40s…`",
+                        sizeof *saved->settings, text);
   void *more = nb_room(saved->settings, saved->setting_count, 1, sizeof *saved->settings);
   if (!more)
-    return false;
+    return nb_error_memory(error);
   saved->settings = more;
   snprintf(saved->settings[saved->setting_count++], sizeof *saved->settings, "%s", text);
-  return true;
+  return NB_OK;
 }
 
 /* ---- from a model ---- */

@@ -123,7 +123,7 @@ struct nb_saved {
 /* state.c */
 void nb_saved_free(struct nb_saved *saved);
 /* One more that the page was given; false: no memory. */
-bool nb_saved_setting(struct nb_saved *saved, const char *text);
+enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct nb_error *error);
 /* All of the model, which must have been made with options.whole; free it in any case. */
 enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error);
 /* NB_BAD_USE when it is not of this scene, which says what does not fit; `path` for the message. */
