@@ -1,5 +1,5 @@
-/* What a stage changes at its begin leaves the balance and the motion of second order: global damping, the stress on a
- * boundary, particles that a boundary releases, rotation. Each scene is run with a step, its half and its quarter; what is off by
+/* What a stage changes at its begin leaves the balance and the motion of second order: global damping, walls, laws, the stress on a
+ * boundary, particles that a boundary releases or takes, rotation. Each scene is run with a step, its half and its quarter; what is off by
  * a second-order error falls by 4 when the step halves, by a first-order one by 2. Held: 3.5 of the energy residual, and of the
  * difference between the kinetic energies of two steps where nothing else is of first order.
  *
@@ -65,6 +65,26 @@ static void stress_on_a_boundary_begins_at_the_stage(void) {
   second_order(SEVEN, "boundary strain -0.05 0.02", "boundary none\ndamping global 3", false);
 }
 
+/* Until t_0 the wall has gone as before, for half of the old step; from then on as the stage says. */
+static void walls_go_otherwise_from_the_stage_on(void) {
+  static const char head[] = "disc 0 0.55 radius 0.6 m\nwall w -9 0 to 9 0 m";
+  second_order(head, "wall w velocity 0 0.5", "wall w velocity 0 -0.7", true);
+  second_order(head, "walls stop", "wall w velocity 0 0.5", true);
+}
+
+/* Another shear law begins with nothing at t_0, and the half step behind it has gone against the old one's force. */
+static void another_law_begins_at_the_stage(void) {
+  second_order("material n density 2 young 9000 poisson 0.2 friction 0.9\nnormal hertz\nshear mindlin_deresiewicz\n"
+               "sphere 0 0.55 radius 0.6 n\nwall w -9 0 to 9 0 n velocity 0.5 0",
+               "", "shear mindlin_deresiewicz pieces 9", false);
+}
+
+/* And what a boundary takes has been damped until t_0 as the stage before says. */
+static void what_is_taken_was_damped_as_before(void) {
+  second_order(FLIES, "damping global 0.5", "damping global 9\nboundary circle 0 0 radius 0.1", false);
+  second_order(FLIES, "damping global 9", "damping none\nboundary circle 0 0 radius 0.1", false);
+}
+
 /* What a boundary lets go falls from rest: g t^2/2 after every step, to rounding, as the half step scheme has it. */
 static void what_is_let_go_begins_at_rest(void) {
   struct words words = {0};
@@ -83,6 +103,9 @@ static void what_is_let_go_begins_at_rest(void) {
 void suite_begins(void) {
   CU_pSuite suite = CU_add_suite("begins", NULL, NULL);
   CU_ADD_TEST(suite, global_damping_begins_at_the_stage);
+  CU_ADD_TEST(suite, walls_go_otherwise_from_the_stage_on);
+  CU_ADD_TEST(suite, another_law_begins_at_the_stage);
+  CU_ADD_TEST(suite, what_is_taken_was_damped_as_before);
   CU_ADD_TEST(suite, what_is_let_go_begins_at_rest);
   CU_ADD_TEST(suite, stress_on_a_boundary_begins_at_the_stage);
 }
