@@ -22,11 +22,11 @@ This list is made by `docs/cases.sh` from the pages, which it names in the order
 | --- | --- | --- |
 TEXT
 for page in $pages; do
-  awk -v file="$(basename "$page")" '
+  awk -v file="${page#cases/}" '
     /^# / && title == "" { title = substr($0, 3); next }
     /^\[/ && title != "" && source == "" { source = $0; sub(/^\[/, "", source); sub(/\]$/, "", source) }
     /^```/ { exit }
-    END { name = file; sub(/\.md$/, "", name); printf "| [%s](%s) | %s | %s |\n", name, file, title, source }' "$page"
+    END { name = file; sub(/.*\//, "", name); sub(/\.md$/, "", name); printf "| [%s](%s) | %s | %s |\n", name, file, title, source }' "$page"
 done
 
 cat <<'TEXT'
@@ -117,7 +117,7 @@ awk '
     found(held, of ": " word)
   }
   function look(file,  line, block, place, path, i) {
-    page = file; sub(/.*\//, "", page); sub(/\.md$/, "", page)
+    page = file; sub(/.*\//, "", page); sub(/\.md$/, "", page); path_of[page] = substr(file, 7)
     swept = ""; delete chosen; delete kind; path = 0; place = "The scene"; block = ""
     while ((getline line < file) > 0) {
       if (line ~ /^```/) { block = block == "" ? substr(line, 4) : ""; continue }
@@ -136,7 +136,7 @@ awk '
   }
   function links(list,  m, all, k, text) {
     m = split(list, all, " ")
-    for (k = 1; k <= m; k++) text = text (k > 1 ? ", " : "") "[" all[k] "](" all[k] ".md)"
+    for (k = 1; k <= m; k++) text = text (k > 1 ? ", " : "") "[" all[k] "](" path_of[all[k]] ")"
     return text
   }
   BEGIN {

@@ -185,8 +185,8 @@ for how in landlock bwrap; do
   done
 
   # The same figure as without: recipes and fonts can be read.
-  NINEBALL_CONFINE=none "$nineball" figure "$top/cases/nine-discs-statics.md" -o free --trust >said 2>&1 &&
-    NINEBALL_CONFINE=$how "$nineball" figure "$top/cases/nine-discs-statics.md" -o confined >said 2>&1 &&
+  NINEBALL_CONFINE=none "$nineball" figure "$top/cases/3-nine-discs/nine-discs-statics.md" -o free --trust >said 2>&1 &&
+    NINEBALL_CONFINE=$how "$nineball" figure "$top/cases/3-nine-discs/nine-discs-statics.md" -o confined >said 2>&1 &&
     cmp free/nine-discs-statics.svg confined/nine-discs-statics.svg >said 2>&1 && cmp free/nine-discs-statics.png confined/nine-discs-statics.png >said 2>&1
   result $? "$how: the figure is the same, bit by bit"
 

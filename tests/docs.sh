@@ -11,7 +11,7 @@
 . "${srcdir:-.}/tests/tap"
 top=$(pwd)
 PATH=$(dirname "$nineball"):$PATH
-documents="README.md HACKING.md NEWS $(echo docs/*.md cases/*.md)"
+documents="README.md HACKING.md NEWS $(echo docs/*.md cases/*.md cases/*/*.md)"
 
 # ---- links ----
 
@@ -28,10 +28,10 @@ result $? "links between documents"
 
 for recipe in plots/*.gp; do
   name=${recipe#plots/}
-  test "$name" = style.gp || grep -qF "load plots.'$name'" cases/*.md || echo "no page draws $recipe"
+  test "$name" = style.gp || grep -qF "load plots.'$name'" cases/*/*.md || echo "no page draws $recipe"
   grep -qF "$recipe" build-aux/lists.mk || echo "$recipe is not installed"
 done >"$work/said"
-grep -n '^ *set term' cases/*.md plots/*.gp | sed 's/$/: eval canvas(WIDE, HIGH) draws the PNG as well/' >>"$work/said"
+grep -n '^ *set term' cases/*/*.md plots/*.gp | sed 's/$/: eval canvas(WIDE, HIGH) draws the PNG as well/' >>"$work/said"
 test ! -s "$work/said"
 result $? "recipes of figures are drawn by a page, and installed"
 

@@ -11,7 +11,7 @@ mkdir "$pages"
 # bodies FILE: of a state what a packing takes, without velocities and spin.
 bodies() { grep '^body ' "$1" | cut -d ' ' -f 1-8; }
 
-"$nineball" state cases/nine-discs.md --stage load -o "$work/nine.state" >"$work/said" 2>&1 &&
+"$nineball" state cases/3-nine-discs/nine-discs.md --stage load -o "$work/nine.state" >"$work/said" 2>&1 &&
   for file in "$work/nine.state" cases/packings/nine-discs-load.state; do
     grep -v '^program \|^hash \|^end ' "$file" >"$work/$(basename "$file").numbers"
   done
@@ -110,15 +110,15 @@ refused() {
   test $? -eq 2 && grep -qF -e "$text" "$work/said" && test ! -e "$work/none"
   result $? "refused: $text"
 }
-text='has no stage `laod` of its own; did you mean `load`?' refused cases/nine-discs.md --stage laod
-text='has no stage `load` of its own' refused cases/saved-stage.md --stage load
-text='has a path: expected a scene' refused cases/mindlin-loops.md
-text='makes several runs' refused cases/fill-tries.md
-text='a state is one of one page' refused cases/nine-discs.md cases/nine-discs.md
-"$nineball" state cases/nine-discs.md -o "$work/no/folder/x.state" >"$work/out" 2>"$work/said"
+text='has no stage `laod` of its own; did you mean `load`?' refused cases/3-nine-discs/nine-discs.md --stage laod
+text='has no stage `load` of its own' refused cases/5-numerics/saved-stage.md --stage load
+text='has a path: expected a scene' refused cases/4-oblique/mindlin-loops.md
+text='makes several runs' refused cases/7-assemblies/fill-tries.md
+text='a state is one of one page' refused cases/3-nine-discs/nine-discs.md cases/3-nine-discs/nine-discs.md
+"$nineball" state cases/3-nine-discs/nine-discs.md -o "$work/no/folder/x.state" >"$work/out" 2>"$work/said"
 test $? -eq 2 && grep -q 'No such file' "$work/said"
 result $? 'a folder that is not there'
-(cd "$work" && "$nineball" state "$OLDPWD/cases/nine-discs.md" --stage load --set ks=0.9e9) >"$work/out" 2>"$work/said" &&
+(cd "$work" && "$nineball" state "$OLDPWD/cases/3-nine-discs/nine-discs.md" --stage load --set ks=0.9e9) >"$work/out" 2>"$work/said" &&
   grep -qx 'setting ks=0.9e9' "$work/nine-discs-load.state"
 result $? 'the file is named by page and stage, and says what the page was given'
 echo "1..$n"

@@ -136,7 +136,7 @@ if command -v script >/dev/null; then # both are one terminal: once is enough
   verdict 'warnings: once on a terminal, and kept where standard output is not that'
 fi
 
-for page in rayleigh-mean:gap='1e300 mm' chung-ooi-6:beta=1e9; do # which were solved without end
+for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # which were solved without end
   run 2 check "$cases/${page%%:*}.md" --set "${page#*:}"
   said "$cases/${page%%:*}.md: error: "
 done
@@ -412,7 +412,7 @@ run 2 run "$pages/passes.md" -o file
 said 'cannot make the folder file'
 verdict 'a folder that cannot be made'
 
-sed 's/^stage .*/&\n  rotation off/' "$pages/../../cases/chung-ooi-6.md" >held.md
+sed 's/^stage .*/&\n  rotation off/' "$pages/../../cases/8-published/chung-ooi-6.md" >held.md
 run 2 check held.md
 said 'held.md: error: the reference `rebound` does not cover `rotation off` (line 35)'
 verdict 'what a reference does not cover is refused, with its line'

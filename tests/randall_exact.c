@@ -94,7 +94,7 @@ static double rebound(const char *law, double friction, double psi1, int steps) 
   return psi;
 }
 
-/* R89's best reading is off by 0.15 at most, and by less than 0.001 from psi1 = 3 on (cases/oblique-impact-laws.md). */
+/* R89's best reading is off by 0.15 at most, and by less than 0.001 from psi1 = 3 on (cases/4-oblique/oblique-impact-laws.md). */
 static void error_in_an_impact_is_what_is_known(void) {
   double most = 0, where = 0, later = 0;
   for (double psi1 = 0.1; psi1 < 6; psi1 += 0.1) {

@@ -77,7 +77,7 @@ static void lattices_are_the_closed_forms(void) {
   }
 }
 
-/* By how much the safe step is shorter than the longest one, at most: the two shares in the prose of cases/step-limit.md, to the
+/* By how much the safe step is shorter than the longest one, at most: the two shares in the prose of cases/5-numerics/step-limit.md, to the
  * digits that it prints. */
 static void as_the_page_says(void) {
   static const int rows[4][4] = {{5, 1, 10, 2}, {2, 2, 4, 4}, {3, 3, 6, 6}, {4, 4, 8, 8}};

@@ -8,7 +8,7 @@
 pages=$work/pages
 mkdir "$pages"
 states=$work/states
-cp cases/nine-discs.md cases/saved-stage.md "$pages"
+cp cases/3-nine-discs/nine-discs.md cases/5-numerics/saved-stage.md "$pages"
 
 # rows FOLDER STAGE: the numbers of that stage.
 rows() { awk -F '\t' -v stage="$2" '/^#/ { next } !head { for (k = 1; k <= NF; k++) at[$k] = k; head = 1; next }
@@ -24,7 +24,7 @@ made() { grep -c 'is made$' "$work/said"; }
   grep -q 'nine-discs-load-[0-9a-f]*.state: not there, will be made' "$work/said"
 result $? 'explain says that it will be made'
 
-run whole cases/nine-discs.md
+run whole cases/3-nine-discs/nine-discs.md
 run now "$pages/saved-stage.md" && test "$(made)" -eq 1
 result $? 'the state is made'
 rows "$work/whole" swing >"$work/wanted"
@@ -60,7 +60,7 @@ mv "$pages/other.md" "$pages/saved-stage.md"
 "$nineball" explain "$pages/third.md" --states "$states" >"$work/out" 2>"$work/said"
 test $? -eq 2 && grep -q 'starts from itself in the end' "$work/said"
 result $? 'a chain that bites its tail is a mistake'
-cp cases/saved-stage.md "$pages"
+cp cases/5-numerics/saved-stage.md "$pages"
 
 # Whoever makes a state may have been stopped.
 rm "$states"/*.state
@@ -161,7 +161,7 @@ result $? 'walls that follow a servo'
 
 # ---- another text of the page ----
 
-sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/nine-discs.md >"$pages/nine-discs.md"
+sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
 "$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'stale, will be made anew' "$work/said"
 result $? 'a page that has changed makes its state stale'
 run changed "$pages/saved-stage.md"
@@ -169,7 +169,7 @@ test "$(made)" -eq 1 && ! cmp -s "$work/now/table.tsv" "$work/changed/table.tsv"
   test "$(ls "$states" | grep -c '^nine-discs-load-')" -eq 1
 result $? 'it is made anew, and the old one goes'
 sed 's/^walls     inward 0.12/walls     inward 0.12   # as ever/; s/^cycles    4000/cycles    7/; s/^record .*/record time/' \
-  cases/nine-discs.md >"$pages/nine-discs.md"
+  cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
 run back "$pages/saved-stage.md" && run again "$pages/saved-stage.md" && test "$(made)" -eq 0
 result $? 'what is only looked at, remarks and what comes later make no difference'
 
@@ -226,8 +226,8 @@ run turns "$pages/turns.md" --set v=0.5 --set x=7 --set n=4 && test "$(tail -n 1
 result $? 'a value that no turn has takes the place of its own'
 
 # A state that takes a while.
-sed 's/^cycles    40$/cycles    800000/; s/inward 0.12/inward 1e-5/; s/^record .*/record time/; s/^stage     load/&\nrecord none/' cases/nine-discs.md >"$pages/nine-discs.md"
-sed 's/^cycles    4000/cycles    10/; /^```expect/,/^```$/d' cases/saved-stage.md >"$pages/saved-stage.md"
+sed 's/^cycles    40$/cycles    800000/; s/inward 0.12/inward 1e-5/; s/^record .*/record time/; s/^stage     load/&\nrecord none/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
+sed 's/^cycles    4000/cycles    10/; /^```expect/,/^```$/d' cases/5-numerics/saved-stage.md >"$pages/saved-stage.md"
 rm "$states"/*
 for k in 1 2 3; do
   "$nineball" run "$pages/saved-stage.md" --states "$states" -o "$work/at-once-$k" >"$work/out-$k" 2>"$work/said-$k" &

@@ -9,7 +9,7 @@
  * Source     [R89 4.11, 4.12, 4.14]. The stiffness answered is that of the step to come, 2 E* a with the a of now; R89's dashpot
  *            [R89 4.13] has the a before it, which is the same to first order.
  * Order      first, and always to one side: dn at the old radius is too little while N grows and too much while it falls. A blow
- *            comes back with 0.971, 0.975 and 0.978 of its speed at 30, 35 and 40 steps a contact (cases/hertz-increment.md), and the force is
+ *            comes back with 0.971, 0.975 and 0.978 of its speed at 30, 35 and 40 steps a contact (cases/2-hertz/hertz-increment.md), and the force is
  *            gone before the overlap is, at a tenth of the largest one.
  * Parting    when N <= 0, and then "the contact data is set to zero" (4.3.1): N, a, and with them what a shear law
  *            remembers. The outlines may still overlap; R89's [4.11] would then want the root of a negative number. Read here:

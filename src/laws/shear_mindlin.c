@@ -13,7 +13,7 @@
  * Range      as normal_hertz.c.
  * Remembers  m[0]  T, N.
  * Gains      T is kept when N falls, as if the part of the circle that is gone still held it: around a closed square in (N, ds),
- *            up to a2, out by s, down to a1, back by s, the work is  -4 G* (a2 - a1) s^2  (cases/closed-squares.md). So it has no stored energy.
+ *            up to a2, out by s, down to a1, back by s, the work is  -4 G* (a2 - a1) s^2  (cases/4-oblique/closed-squares.md). So it has no stored energy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

@@ -4,7 +4,7 @@
  * listed contact through one whole cycle, the motion of the bodies included: what a whole run takes, not the law alone.
  *
  * In seconds of the processor. Laws take turns, so that whatever else the machine does falls on all of them alike; medians of
- * eleven. The line `price` is that of cases/contact-ladder.md. Not a test: compare the ratios of one run.
+ * eleven. The line `price` is that of cases/4-oblique/contact-ladder.md. Not a test: compare the ratios of one run.
  *
  *   tests/bench/laws [ISA [LAW]]
  *

@@ -174,21 +174,26 @@ static void take_file(struct corpus *corpus, const char *path) {
 
 static int by_name(const void *a, const void *b) { return strcmp(a, b); }
 
-/* In the order of names, so that chance finds the same pages on every machine. */
+/* With the folders in it, in the order of names, so that chance finds the same pages on every machine. */
 static void take_folder(struct corpus *corpus, const char *top, const char *folder) {
   char path[4096], names[PAGES_MAX][256];
+  const bool corpora = strcmp(folder, "tests/fuzz/corpus") == 0; /* names without an ending */
   size_t count = 0;
   snprintf(path, sizeof path, "%s/%s", top, folder);
   DIR *directory = opendir(path);
   for (struct dirent *entry; directory && count < PAGES_MAX && (entry = readdir(directory));)
-    if (entry->d_name[0] != '.' && (strstr(entry->d_name, ".md") || strcmp(folder, "tests/fuzz/corpus") == 0))
+    if (entry->d_name[0] != '.' && (corpora || strstr(entry->d_name, ".md") || !strchr(entry->d_name, '.')))
       snprintf(names[count++], sizeof *names, "%s", entry->d_name);
   if (directory)
     closedir(directory);
   qsort(names, count, sizeof *names, by_name);
   for (size_t k = 0; k < count; k++) {
-    if (snprintf(path, sizeof path, "%s/%s/%.255s", top, folder, names[k]) < (int)sizeof path)
+    if (!corpora && !strchr(names[k], '.')) {
+      snprintf(path, sizeof path, "%s/%.255s", folder, names[k]);
+      take_folder(corpus, top, path);
+    } else if (snprintf(path, sizeof path, "%s/%s/%.255s", top, folder, names[k]) < (int)sizeof path) {
       take_file(corpus, path);
+    }
   }
 }
 
