@@ -565,7 +565,6 @@ VERDICT = \
 
 # The command line.
 PROGRAM = \
-  src/report/command_state.c \
   src/report/commands.c \
   src/report/commands.h \
   src/report/confine.c \
@@ -574,10 +573,7 @@ PROGRAM = \
   src/report/gnuplot.c \
   src/report/main.c \
   src/report/manual.c \
-  src/report/options.c \
-  src/report/options.h \
   src/report/print.c \
   src/report/report.c \
-  src/report/tables.c \
-  src/report/tables.h
+  src/report/tables.c
 

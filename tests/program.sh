@@ -75,6 +75,10 @@ said 'did you mean `radius`?'
 quiet out
 absent mistaken
 verdict 'a page with a mistake: 2, with its place, and nothing is written'
+run 2 run "$pages/mistaken.md" "$pages/passes.md"
+there passes.out/table.tsv
+rm -rf passes.out
+verdict 'and the pages after it are run'
 
 run 3 check "$pages/nowhere.md"
 said 'particle 2 (line 9): its position is NaN or infinite'
@@ -322,6 +326,7 @@ run 0 check own.md
 out '1 of 1 checks passed'
 run 0 run own.md -o own
 test "$(column slip/m own/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 8.9999999999999996e-07 ' || echo 'the leg did not follow its file' >>why
+run 0 run "$pages/bench.md" --follow none.tsv --follow path.tsv -o path
 run 0 explain "$pages/bench.md" --follow path.tsv
 out 'from point to point of a file'
 run 2 check "$pages/bench.md" --follow path.tsv
@@ -379,7 +384,7 @@ out 'ok 2 - D.x same over v within 0 # SKIP `v` has one value only, so there is 
 run 0 run "$pages/hidden.md" -o hidden
 grep -q '^skip	45	' hidden/verdict.tsv || echo 'the verdict as a table does not have it' >>why
 run 0 report "$pages/hidden.md" -o hidden
-grep -q '<td class="none">skip</td><td>D.x same over v' hidden/index.html || echo 'nor has the report' >>why
+grep -q '<td class="skip">skip</td><td>D.x same over v' hidden/index.html || echo 'nor has the report' >>why
 run 2 check "$pages/swept.md" --set v=1
 out '1 expectation was not checked:'
 said 'none of its expectations was checked'

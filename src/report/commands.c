@@ -1,24 +1,30 @@
 /* The commands.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#define _POSIX_C_SOURCE 200809L
+
 #include "commands.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/guess.h"
+#include "input/scene.h"
 #include "laws/law.h"
-#include "run/save.h"
-#include "tables.h"
+#include "run/start.h"
 
 static enum nb_status worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
 
-static const char *folder_of(const struct nb_use *use, const struct nb_outcome *outcome, char *text, size_t size) {
-  if (use->folder)
-    return use->folder;
-  snprintf(text, size, "%s.out", outcome->page.name);
-  return text;
+static enum nb_status complain(const struct nb_error *error) {
+  fprintf(stderr, "nineball: %s\n", error->text);
+  return error->status;
 }
+
+/* ---- run, check, figure, report ---- */
+
+/* What is done with the outcome of a page; a set. */
+enum { VERDICT = 1, CHECKED = 2, TABLES = 4, FIGURE = 8 };
 
 static void carry_out(struct nb_outcome *outcome, const struct nb_use *use, const char *path) {
   struct nb_progress_line line = {.page = path};
@@ -42,13 +48,6 @@ static enum nb_status check_folders(const struct nb_use *use) {
   return NB_OK;
 }
 
-static enum nb_status check_folder(const struct nb_use *use) {
-  if (!use->folder || use->page_count == 1)
-    return check_folders(use);
-  fputs("nineball: -o FOLDER takes one page at a time; `nineball report` takes many\n", stderr);
-  return NB_BAD_USE;
-}
-
 /* Whether there is anything to keep: also of a run that did not come to its end. */
 static bool is_seen(const struct nb_outcome *outcome) {
   bool seen = outcome->status <= NB_FAILED;
@@ -57,140 +56,111 @@ static bool is_seen(const struct nb_outcome *outcome) {
   return seen;
 }
 
-static const char *incomplete(const struct nb_outcome *outcome) {
-  return outcome->status > NB_FAILED ? ", up to where the run was stopped" : "";
-}
-
-static enum nb_status complain(const struct nb_error *error) {
-  fprintf(stderr, "nineball: %s\n", error->text);
-  return error->status;
-}
-
-static void next_step(const char *words, const char *folder, const char *file, const char *more) {
-  printf("%s %s%s%s%s\n", words, folder, file[0] ? "/" : "", file, more);
-}
-
-enum nb_status nb_command_run(const struct nb_use *use) {
-  enum nb_status worst = check_folder(use);
-  for (size_t k = 0; k < use->page_count && worst < NB_BAD_USE; k++) {
-    struct nb_outcome outcome;
-    struct nb_error error;
-    char text[NB_NAME_SIZE + 8];
-    carry_out(&outcome, use, use->pages[k]);
-    worst = worse(worst, outcome.status);
-    nb_print_trouble(&outcome, use->pages[k]);
-    if (outcome.status <= NB_FAILED)
-      nb_print_verdict(&outcome);
-    if (is_seen(&outcome)) {
-      const char *folder = folder_of(use, &outcome, text, sizeof text);
-      if (nb_tables_save(&outcome, folder, &error)) {
-        worst = worse(worst, complain(&error));
-      } else {
-        next_step("tables are in", folder, "", incomplete(&outcome));
-        if (nb_figure_wanted(&outcome.page))
-          printf("to draw the figure: nineball figure %s\n", use->pages[k]);
-      }
-    }
-    nb_outcome_free(&outcome);
-  }
-  return worst;
-}
-
 /* No page passes unless something is checked. */
 static bool is_unchecked(const struct nb_outcome *outcome) {
   return outcome->status == NB_OK && !outcome->marked[NB_PASS];
 }
 
-enum nb_status nb_command_check(const struct nb_use *use) {
-  enum nb_status worst = NB_OK;
-  for (size_t k = 0; k < use->page_count; k++) {
-    struct nb_outcome outcome;
-    carry_out(&outcome, use, use->pages[k]);
-    if (!use->tap && outcome.status <= NB_FAILED)
-      nb_print_verdict(&outcome);
-    if (is_unchecked(&outcome))
-      outcome.status = nb_error_set(
-          &outcome.error, NB_BAD_USE, "%s: no page passes unless something is checked; %s or use `nineball run`",
-          outcome.check_count ? "none of its expectations was checked" : "nothing is expected",
-          outcome.check_count ? "see the reasons," : "add a block of kind `expect`,");
-    nb_print_trouble(&outcome, use->pages[k]);
-    if (use->tap)
-      nb_print_tap(&outcome, use->pages[k]);
-    worst = worse(worst, outcome.status);
-    nb_outcome_free(&outcome);
+/* Tables and figure, into the folder, and where they are. */
+static enum nb_status keep(const struct nb_outcome *outcome, const struct nb_use *use, const char *path,
+                           unsigned wanted) {
+  struct nb_error error;
+  char name[NB_NAME_SIZE + 8];
+  bool drawn = false;
+  snprintf(name, sizeof name, "%s.out", outcome->page.name);
+  const char *folder = use->folder ? use->folder : name;
+  const char *incomplete = outcome->status > NB_FAILED ? ", up to where the run was stopped" : "";
+  if (wanted & TABLES) {
+    if (nb_tables_save(outcome, folder, &error))
+      return complain(&error);
+    printf("tables are in %s%s\n", folder, incomplete);
+    if (nb_figure_wanted(&outcome->page))
+      printf("to draw the figure: nineball figure %s\n", path);
   }
+  if (wanted & FIGURE) {
+    if (nb_figure_draw(outcome, folder, use->trust, &drawn, &error))
+      return complain(&error);
+    if (drawn)
+      printf("look at %s/%s.svg%s\n", folder, outcome->page.name, incomplete);
+    else
+      printf("%s has no block of kind `gnuplot`\n", path);
+  }
+  return NB_OK;
+}
+
+static enum nb_status one_page(const struct nb_use *use, const char *path, unsigned wanted) {
+  struct nb_outcome outcome;
+  carry_out(&outcome, use, path);
+  if (wanted & VERDICT && !use->tap && outcome.status <= NB_FAILED)
+    nb_print_verdict(&outcome);
+  if (wanted & CHECKED && is_unchecked(&outcome))
+    outcome.status = nb_error_set(&outcome.error, NB_BAD_USE,
+                                  "%s: no page passes unless something is checked; %s or use `nineball run`",
+                                  outcome.check_count ? "none of its expectations was checked" : "nothing is expected",
+                                  outcome.check_count ? "see the reasons," : "add a block of kind `expect`,");
+  nb_print_trouble(&outcome, path);
+  if (wanted & VERDICT && use->tap)
+    nb_print_tap(&outcome, path);
+  enum nb_status status = wanted & VERDICT || outcome.status > NB_FAILED ? outcome.status : NB_OK;
+  if (wanted & (TABLES | FIGURE) && is_seen(&outcome))
+    status = worse(status, keep(&outcome, use, path, wanted));
+  nb_outcome_free(&outcome);
+  return status;
+}
+
+static enum nb_status all_pages(const struct nb_use *use, unsigned wanted) {
+  enum nb_status worst = wanted & (TABLES | FIGURE) ? check_folders(use) : NB_OK;
+  if (wanted & (TABLES | FIGURE) && use->folder && use->page_count > 1) {
+    fputs("nineball: -o FOLDER takes one page at a time; `nineball report` takes many\n", stderr);
+    return NB_BAD_USE;
+  }
+  if (worst)
+    return worst;
+  for (size_t k = 0; k < use->page_count; k++)
+    worst = worse(worst, one_page(use, use->pages[k], wanted));
   return worst;
 }
 
-enum nb_status nb_command_figure(const struct nb_use *use) {
-  enum nb_status worst = check_folder(use);
-  for (size_t k = 0; k < use->page_count && worst < NB_BAD_USE; k++) {
-    struct nb_outcome outcome;
-    struct nb_error error;
-    char text[NB_NAME_SIZE + 8], name[NB_NAME_SIZE + 8];
-    bool drawn = false;
-    carry_out(&outcome, use, use->pages[k]);
-    worst = worse(worst, outcome.status > NB_FAILED ? outcome.status : NB_OK);
-    nb_print_trouble(&outcome, use->pages[k]);
-    if (is_seen(&outcome)) {
-      const char *folder = folder_of(use, &outcome, text, sizeof text);
-      snprintf(name, sizeof name, "%s.svg", outcome.page.name);
-      if (nb_figure_draw(&outcome, folder, use->trust, &drawn, &error))
-        worst = worse(worst, complain(&error));
-      else if (drawn)
-        next_step("look at", folder, name, incomplete(&outcome));
-      else
-        printf("%s has no block of kind `gnuplot`\n", use->pages[k]);
-    }
-    nb_outcome_free(&outcome);
-  }
-  return worst;
-}
+enum nb_status nb_command_run(const struct nb_use *use) { return all_pages(use, VERDICT | TABLES); }
+enum nb_status nb_command_check(const struct nb_use *use) { return all_pages(use, VERDICT | CHECKED); }
+enum nb_status nb_command_figure(const struct nb_use *use) { return all_pages(use, FIGURE); }
 
-/* Tables and figure of one page, and its line of the report, which takes over the verdicts. */
+/* Tables and figure of one page, and its line of the report, which keeps all of the outcome but the runs. */
 static enum nb_status report_one(const struct nb_use *use, const char *path, const char *folder,
                                  struct nb_report_line *line) {
-  struct nb_outcome outcome;
+  struct nb_outcome *outcome = &line->outcome;
   struct nb_error error = {NB_OK, ""};
   char part[4096];
   const char *name;
   const size_t length = nb_page_name(path, &name);
-  carry_out(&outcome, use, path);
-  nb_print_trouble(&outcome, path);
   snprintf(line->name, sizeof line->name, "%.*s", (int)length, name); /* a page that cannot be read has one too */
-  memcpy(line->title, outcome.page.title, sizeof line->title);
-  line->status = outcome.status;
-  if (outcome.status > NB_FAILED)
+  carry_out(outcome, use, path);
+  nb_print_trouble(outcome, path);
+  if (outcome->status > NB_FAILED)
     snprintf(line->message, sizeof line->message, "%s",
-             outcome.mistakes.text ? outcome.mistakes.text : outcome.error.text);
-  if (is_seen(&outcome)) {
-    snprintf(part, sizeof part, "%.3900s/%s", folder, outcome.page.name);
-    line->kept = !nb_tables_save(&outcome, part, &error);
+             outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text);
+  if (is_seen(outcome)) {
+    snprintf(part, sizeof part, "%.3900s/%s", folder, outcome->page.name);
+    line->kept = !nb_tables_save(outcome, part, &error);
     if (line->kept)
-      nb_figure_draw(&outcome, part, use->trust, &line->drawn, &error);
+      nb_figure_draw(outcome, part, use->trust, &line->drawn, &error);
     if (error.status) {
       const size_t said = strlen(line->message);
       complain(&error);
       snprintf(line->message + said, sizeof line->message - said, "%s%s", said ? "; " : "", error.text);
     }
-    for (size_t r = 0; r < outcome.run_count; r++)
-      line->seconds += outcome.runs[r].result.seconds;
   }
-  line->warnings = outcome.warnings;
-  if (is_unchecked(&outcome)) /* its figure is drawn nevertheless */
-    line->status = NB_BAD_USE;
-  line->checks = outcome.check_count, line->stopped = outcome.status > NB_FAILED;
-  memcpy(line->marked, outcome.marked, sizeof line->marked);
-  line->verdicts = outcome.checks, outcome.checks = NULL;
-  printf("%-28s %4zu checks, %zu failed%s%s\n", line->name, line->marked[NB_PASS] + line->marked[NB_FAIL],
-         line->marked[NB_FAIL],
-         line->stopped            ? "; did not run to its end"
-         : is_unchecked(&outcome) ? "; nothing was checked"
-                                  : "",
+  for (size_t r = 0; r < outcome->run_count; r++)
+    line->seconds += outcome->runs[r].result.seconds;
+  printf("%-28s %4zu checks, %zu failed%s%s\n", line->name, outcome->marked[NB_PASS] + outcome->marked[NB_FAIL],
+         outcome->marked[NB_FAIL],
+         outcome->status > NB_FAILED ? "; did not run to its end"
+         : is_unchecked(outcome)     ? "; nothing was checked"
+                                     : "",
          error.status ? line->kept ? "; no figure" : "; no tables" : "");
   fflush(stdout);
-  nb_outcome_free(&outcome);
-  return worse(line->status, error.status);
+  nb_outcome_free_runs(outcome);
+  return worse(is_unchecked(outcome) ? NB_BAD_USE : outcome->status, error.status);
 }
 
 enum nb_status nb_command_report(const struct nb_use *use) {
@@ -207,12 +177,14 @@ enum nb_status nb_command_report(const struct nb_use *use) {
   if (nb_save_folder(folder, &error) || nb_report_write(folder, lines, use->page_count, &error))
     worst = worse(worst, complain(&error));
   else
-    next_step("look at", folder, "index.html", "");
+    printf("look at %s/index.html\n", folder);
   for (size_t k = 0; k < use->page_count; k++)
-    free(lines[k].verdicts);
+    nb_outcome_free(&lines[k].outcome);
   free(lines);
   return worst;
 }
+
+/* ---- explain ---- */
 
 enum nb_status nb_command_explain(const struct nb_use *use) {
   enum nb_status worst = NB_OK;
@@ -235,6 +207,95 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
   }
   return worst;
 }
+
+/* ---- state ---- */
+
+/* Index of the stage whose end is wanted, by default the last one; -1 with a message. */
+static int stage_of(const struct nb_use *use, const struct nb_outcome *outcome) {
+  const struct nb_scene *scene = &outcome->runs[0].scene;
+  char hint[NB_HINT_SIZE];
+  if (scene->path || outcome->run_count > 1) {
+    fprintf(stderr, "nineball: %s %s\n", use->pages[0],
+            scene->path ? "has a path: expected a scene"
+                        : "makes several runs: give what it sweeps one value by --set NAME=VALUE");
+    return -1;
+  }
+  if (!use->stage)
+    return (int)scene->stage_count - 1;
+  struct nb_guess guess = nb_guess_begin(use->stage);
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
+    if (strcmp(scene->stages[s].name, use->stage) == 0)
+      return (int)s;
+    nb_guess_offer(&guess, scene->stages[s].name);
+  }
+  const char *near = nb_guess_hint(&guess, hint);
+  fprintf(stderr, "nineball: %s has no stage `%s` of its own%s%s\n", use->pages[0], use->stage, near ? "; " : "",
+          near ? near : "");
+  return -1;
+}
+
+/* The state at the end of a stage in a file of its own, which says what the page was given. */
+static enum nb_status write_state(struct nb_scene *scene, size_t stage, const char *path, const struct nb_use *use,
+                                  struct nb_error *error) {
+  struct nb_saved saved = {0};
+  struct nb_progress_line line = {.page = use->pages[0]};
+  const struct nb_progress progress = nb_print_progress(&line);
+  nb_scene_cut(scene, stage);
+  enum nb_status status = nb_run_to(&saved, scene, &use->options, &progress, error);
+  nb_print_progress_end(&line);
+  for (size_t k = 0; use->settings[k] && !status; k++)
+    status = nb_saved_setting(&saved, use->settings[k], error);
+  if (!status)
+    saved.hash = scene->stages[stage].hash, status = nb_saved_write(&saved, path, error);
+  nb_saved_free(&saved);
+  return status;
+}
+
+/* A state takes the place of nothing but a state: a page or a table of that name stays. */
+static bool may_be_replaced(const char *path) {
+  static const char first[] = "nineball state ";
+  char begin[sizeof first] = "";
+  struct stat status;
+  if (lstat(path, &status) != 0)
+    return true;
+  FILE *file = S_ISREG(status.st_mode) ? fopen(path, "r") : NULL;
+  if (file) {
+    begin[fread(begin, 1, sizeof first - 1, file)] = 0;
+    fclose(file);
+  }
+  if (strcmp(begin, first) == 0)
+    return true;
+  fprintf(stderr, "nineball: %s is no state, and stays: expected the name of a state or of a new file\n", path);
+  return false;
+}
+
+enum nb_status nb_command_state(const struct nb_use *use) {
+  struct nb_outcome outcome;
+  char text[3 * NB_NAME_SIZE];
+  if (use->page_count > 1) {
+    fputs("nineball: a state is one of one page\n", stderr);
+    return NB_BAD_USE;
+  }
+  enum nb_status status = nb_outcome_read(&outcome, use->pages[0], use->settings);
+  nb_print_trouble(&outcome, use->pages[0]);
+  const int stage = status ? -1 : stage_of(use, &outcome);
+  if (stage >= 0) {
+    struct nb_scene *scene = &outcome.runs[0].scene;
+    struct nb_error error = {NB_OK, ""};
+    snprintf(text, sizeof text, "%s-%s.state", outcome.page.name, scene->stages[stage].name);
+    const char *path = use->folder ? use->folder : text;
+    status = may_be_replaced(path) ? write_state(scene, (size_t)stage, path, use, &error) : NB_BAD_USE;
+    if (error.status)
+      fprintf(stderr, "nineball: %s: %s\n", use->pages[0], error.text);
+    else if (!status)
+      printf("the state at the end of stage `%s` is in %s\na page beside it takes the bodies: packing %s\n",
+             scene->stages[stage].name, path, strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
+  }
+  nb_outcome_free(&outcome);
+  return stage < 0 && !status ? NB_BAD_USE : status;
+}
+
+/* ---- laws, list ---- */
 
 enum nb_status nb_command_laws(const struct nb_use *use) {
   (void)use;

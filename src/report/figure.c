@@ -20,8 +20,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "run/save.h"
-#include "tables.h"
+#include "commands.h"
+#include "input/reader.h"
+
+enum { STYLE_MAX = 1 << 20 }; /* bytes */
 
 /* The same for every page: no text of a page or name is among gnuplot's arguments. */
 #define SETTINGS(terminal) "terminal = \"" terminal "\"; set terminal " terminal " size 840,560"
@@ -33,37 +35,28 @@ bool nb_figure_wanted(const struct nb_page *page) {
   return false;
 }
 
-/* A name that gnuplot takes: C.normal at 40 cycles, _3 -> C_normal_at_40_cycles_3. */
-static void variable(char *text, size_t size, const char *prefix, const char *label, const char *number) {
-  snprintf(text, size, "%s%s%s", prefix, label, number);
-  for (char *c = text; *c; c++)
-    if (!isalnum((unsigned char)*c))
-      *c = '_';
+/* A name that gnuplot takes: C.normal at 40 cycles -> C_normal_at_40_cycles. */
+static void write_name(FILE *out, const char *label) {
+  for (const char *c = label; *c; c++)
+    fputc(isalnum((unsigned char)*c) ? *c : '_', out);
 }
 
-static void write_number(FILE *out, const char *name, double value) {
-  if (isfinite(value))
-    fprintf(out, "%s = %.17g\n", name, value);
-  else
-    fprintf(out, "%s = NaN\n", name);
+static void write_value(FILE *out, const char *prefix, const char *label, const char *number, double value) {
+  fputs(prefix, out);
+  write_name(out, label);
+  fprintf(out, isfinite(value) ? "%s = %.17g\n" : "%s = NaN\n", number, value);
 }
 
 static void write_measures(FILE *out, const struct nb_page_run *run, const char *number) {
-  char name[4 * NB_NAME_SIZE];
   for (size_t k = 0; k < run->expectations.count; k++) {
     const struct nb_expectation *e = &run->expectations.list[k];
     struct nb_error error;
     double seen;
-    if (e->kind == NB_ALONG)
-      continue;
-    variable(name, sizeof name, "", e->measure.label, number);
-    if (nb_measure_seen(&seen, &e->measure, &run->result.table, &error))
-      write_number(out, name, seen);
+    if (e->kind != NB_ALONG && nb_measure_seen(&seen, &e->measure, &run->result.table, &error))
+      write_value(out, "", e->measure.label, number, seen);
   }
-  for (size_t k = 0; k < run->known.value_count; k++) {
-    variable(name, sizeof name, "known_", run->known.values[k].name, number);
-    write_number(out, name, run->known.values[k].value);
-  }
+  for (size_t k = 0; k < run->known.value_count; k++)
+    write_value(out, "known_", run->known.values[k].name, number, run->known.values[k].value);
 }
 
 static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
@@ -71,7 +64,7 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   char number[32] = "";
   if (outcome->run_count > 1)
     snprintf(number, sizeof number, "_%zu", r + 1);
-  write_measures(out, &outcome->runs[r], number);
+  write_measures(out, run, number);
   fprintf(out, "$table%s << EOD\n", number);
   nb_table_write_run(out, run);
   fputs("EOD\n", out);
@@ -80,81 +73,61 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
     const struct nb_table *table;
     const char *part;
     for (int t = 0; nb_snapshot_part(snapshot, t, &part, &table); t++) {
-      char stage[NB_NAME_SIZE];
-      variable(stage, sizeof stage, "", run->scene.stages[snapshot->stage].name, "");
-      fprintf(out, "$%s_%s%s << EOD\n", stage, part, number);
+      fputc('$', out);
+      write_name(out, run->scene.stages[snapshot->stage].name);
+      fprintf(out, "_%s%s << EOD\n", part, number);
       nb_table_write(out, table);
       fputs("EOD\n", out);
     }
   }
 }
 
-static bool copy_file(FILE *out, const char *path) {
-  FILE *in = fopen(path, "r");
-  if (!in)
-    return false;
-  char buffer[4096];
-  size_t n;
-  while ((n = fread(buffer, 1, sizeof buffer, in)) > 0)
-    fwrite(buffer, 1, n, out);
-  fclose(in);
-  return true;
-}
-
 /* The folder of style and recipes, the program's own and never the page's: beside the program in the tree where it was built,
- * else where both were installed. */
-static bool find_plots(char *plots, size_t size, struct nb_error *error) {
+ * else where both were installed. Empty with an error: it is nowhere. */
+static void find_plots(char *plots, size_t size, struct nb_error *error) {
   char program[2048], style[4096];
   const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
   program[length > 0 ? length : 0] = 0;
   char *slash = strrchr(program, '/');
   if (slash)
     *slash = 0;
-  for (int k = slash ? 0 : 2; k < 3; k++) {
-    snprintf(style, sizeof style, "%s%s/style.gp", k < 2 ? program : NB_DATADIR,
-             k == 0   ? "/plots"
-             : k == 1 ? "/../share/nineball/plots"
-                      : "/plots");
+  const char *const places[][2] = {{program, "/plots"}, {program, "/../share/nineball/plots"}, {NB_DATADIR, "/plots"}};
+  plots[0] = 0;
+  for (size_t k = slash ? 0 : 2; k < sizeof places / sizeof *places && !plots[0]; k++) {
+    snprintf(style, sizeof style, "%s%s/style.gp", places[k][0], places[k][1]);
     char *real = realpath(style, NULL);
-    if (real) {
+    if (real)
       snprintf(plots, size, "%.*s", (int)(strrchr(real, '/') - real + 1), real);
-      free(real);
-      return true;
-    }
+    free(real);
   }
-  nb_error_set(error, NB_BAD_USE, "the style of figures, plots/style.gp, is neither beside the program nor in %s/plots",
-               NB_DATADIR);
-  return false;
+  if (!plots[0])
+    nb_error_set(error, NB_BAD_USE,
+                 "the style of figures, plots/style.gp, is neither beside the program nor in %s/plots", NB_DATADIR);
 }
 
 /* As gnuplot reads it: nothing in single quotes stands for anything but itself, two of them for one. */
-static void write_quoted(FILE *out, const char *text) {
-  fputc('\'', out);
-  for (; *text; text++)
-    fputs(*text == '\'' ? "''" : (char[]){*text, 0}, out);
-  fputc('\'', out);
+static void write_quoted(FILE *out, const char *name, const char *text) {
+  static const struct nb_escape quote[] = {{'\'', "''"}, {0, NULL}};
+  fprintf(out, "%s = '", name);
+  nb_print_escaped(out, text, quote);
+  fputs("'\n", out);
 }
 
-static bool write_script(FILE *out, const struct nb_outcome *outcome, const char *plots) {
+static void write_script(FILE *out, const struct nb_outcome *outcome, const char *plots, const char *style) {
   const struct nb_page *page = &outcome->page;
-  char style[4096];
-  snprintf(style, sizeof style, "%.4000sstyle.gp", plots);
   fprintf(out, "# %s\n", page->title);
   nb_preamble_write(out, outcome);
-  fputs("plots = ", out);
-  write_quoted(out, plots);
-  fputc('\n', out);
-  if (!copy_file(out, style))
-    return false;
+  write_quoted(out, "plots", plots);
+  fputs(style, out);
   if (outcome->status > NB_FAILED)
     fputs("set label 9999 'INCOMPLETE: the run was stopped' at screen 0.99, screen 0.98 right noenhanced front tc rgb "
           "'#a3123a'\n",
           out);
   fprintf(out, "runs = %zu\narray run[runs]\n", outcome->run_count);
   for (size_t r = 0; r < outcome->run_count; r++) {
-    fprintf(out, "run[%zu] = ", r + 1);
-    write_quoted(out, outcome->runs[r].label);
-    fputc('\n', out);
+    char name[32];
+    snprintf(name, sizeof name, "run[%zu]", r + 1);
+    write_quoted(out, name, outcome->runs[r].label);
   }
   fputs("$values << EOD\n", out);
   nb_values_write(out, outcome);
@@ -164,15 +137,31 @@ static bool write_script(FILE *out, const struct nb_outcome *outcome, const char
   for (size_t k = 0; k < page->line_count; k++)
     if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT)
       fprintf(out, "%s\n", page->lines[k]);
-  return true;
+}
+
+static enum nb_status save_script(const struct nb_outcome *outcome, const char *folder, const char *plots,
+                                  struct nb_error *error) {
+  char path[4096];
+  size_t size;
+  struct nb_save file;
+  snprintf(path, sizeof path, "%.4000sstyle.gp", plots);
+  char *style = nb_file_read(path, STYLE_MAX, &size, error);
+  if (!style)
+    return error->status == NB_NO_MEMORY ? NB_NO_MEMORY : nb_error_set(error, NB_BAD_USE, "cannot read %.300s", path);
+  enum nb_status status = nb_save_in(&file, error, folder, "%s.gp", outcome->page.name);
+  if (!status) {
+    write_script(file.file, outcome, plots, style);
+    status = nb_save_end(&file, error);
+  }
+  free(style);
+  return status;
 }
 
 /* FOLDER/NAME.KIND, by one of gnuplot's terminals. */
 static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const char *magic, struct nb_error *error) {
-  char path[4096], begin[8] = "";
+  char begin[8] = "";
   struct nb_save file;
-  snprintf(path, sizeof path, "%s/%s.%s", drawing->folder, drawing->name, kind);
-  if (nb_save_begin(&file, path, error))
+  if (nb_save_in(&file, error, drawing->folder, "%s.%s", drawing->name, kind))
     return error->status;
   drawing->figure = fileno(file.file);
   enum nb_status status = nb_gnuplot_run(drawing, error);
@@ -183,22 +172,12 @@ static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const c
 
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error) {
-  char script[4096], plots[4096];
-  struct nb_save file;
+  char plots[4096];
   *drawn = false;
   if (!nb_figure_wanted(&outcome->page))
     return NB_OK;
-  if (!find_plots(plots, sizeof plots, error) || nb_save_folder(folder, error))
-    return error->status;
-  if ((size_t)snprintf(script, sizeof script, "%s/%s.gp", folder, outcome->page.name) >= sizeof script)
-    return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
-  if (nb_save_begin(&file, script, error))
-    return error->status;
-  if (!write_script(file.file, outcome, plots)) {
-    nb_save_drop(&file);
-    return nb_error_set(error, NB_BAD_USE, "cannot read %.300sstyle.gp", plots);
-  }
-  if (nb_save_end(&file, error))
+  find_plots(plots, sizeof plots, error);
+  if (!plots[0] || nb_save_folder(folder, error) || save_script(outcome, folder, plots, error))
     return error->status;
   struct nb_gnuplot drawing = {.folder = folder, .name = outcome->page.name, .recipes = plots, .trust = trust};
   drawing.commands = SETTINGS("svg font 'sans,13' background 'white'"), drawing.aloud = true;

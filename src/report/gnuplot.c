@@ -13,9 +13,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "commands.h"
 #include "confine.h"
 #include "core/clean.h"
-#include "tables.h"
 
 /* Writes what gnuplot said to stderr, if aloud; into `last` the line that names the mistake: the last one that is not blank. A
  * column that is not there is only a warning of gnuplot's, and the figure lacks a line: then `last` is that warning and the

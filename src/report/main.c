@@ -1,15 +1,17 @@
-/* nineball, the program: the table of contents.
+/* nineball, the program: the tables of its commands and options.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <getopt.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "commands.h"
 #include "core/clean.h"
 #include "core/guess.h"
-#include "options.h"
 
 static const struct {
   const char *name;
@@ -29,20 +31,81 @@ static const struct {
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
+/* Which commands take an option. */
+#define CHECKING "run, check, figure, report"
+#define ALL CHECKING ", explain, state"
+
+#define AT(member) offsetof(struct nb_use, member)
+static const struct option_row {
+  const char *name, *value; /* how the help writes the value; NULL: there is none */
+  int letter;               /* its short form; 0: none */
+  enum { TEXT, NUMBER, FLAG, SETTING, FOLLOW } kind;
+  size_t at;            /* where it goes */
+  const char *commands; /* that take it; NULL: it stands alone */
+  const char *help;
+} options[] = {
+    {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, state",
+     "where files go (default: NAME.out; report: report); of `state` a FILE (NAME-STAGE.state)"},
+    {"set", "NAME=VALUE", 0, SETTING, 0, ALL, "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
+    {"follow", "FILE", 0, FOLLOW, 0, CHECKING ", explain",
+     "take a page's contact along a path of your own: columns approach/m and slip/m"},
+    {"stage", "NAME", 0, TEXT, AT(stage), "state", "at the end of which stage (default: the last one)"},
+    {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
+     "where the states lie that pages start from (default: $NINEBALL_STATES, or states)"},
+    {"jobs", "N", 0, NUMBER, AT(options.jobs), CHECKING,
+     "runs of a sweep side by side (default: as many as there are processors)"},
+    {"threads", "N", 0, NUMBER, AT(options.threads), ALL,
+     "at most so many (default 1); the results do not depend on it"},
+    {"isa", "NAME", 0, TEXT, AT(options.isa), ALL, "plain, avx2 or avx512 (default: the widest); nor on this"},
+    {"trust", NULL, 0, FLAG, AT(trust), "figure, report",
+     "draw also where gnuplot cannot be confined, for pages that you trust"},
+    {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts in the form that `make check` reads"},
+    {"help", NULL, 'h', FLAG, AT(help), NULL,
+     "this; all words of pages: nineball --help scene; one of them: nineball --help disc"},
+    {"version", NULL, 0, FLAG, AT(version), NULL, "version and licence"},
+};
+enum { OPTIONS = sizeof options / sizeof *options, LONG_OPTION = 256 };
+
+static enum nb_status usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static enum nb_status usage(const char *format, ...) {
+  va_list words;
+  fputs("nineball: ", stderr);
+  va_start(words, format);
+  vfprintf(stderr, format, words);
+  va_end(words);
+  fputs("; nineball --help tells\n", stderr);
+  return NB_BAD_USE;
+}
+
+static enum nb_status no_memory(void) {
+  struct nb_error error;
+  nb_error_memory(&error);
+  fprintf(stderr, "nineball: %s\n", error.text);
+  return error.status;
+}
+
+/* ---- help ---- */
+
 static void print_help(FILE *out) {
+  char term[64];
   fputs("nineball: discs and spheres in the plane, by the distinct element method; every page marks itself\n\n"
         "usage: nineball COMMAND …\n\n",
         out);
   for (int k = 0; k < COMMANDS; k++) {
-    char call[64];
-    snprintf(call, sizeof call, "%s %s", commands[k].name, commands[k].arguments);
+    snprintf(term, sizeof term, "%s %s", commands[k].name, commands[k].arguments);
     int width = 28; /* columns; a character of several bytes takes one of them */
-    for (const char *c = call; *c; c++)
+    for (const char *c = term; *c; c++)
       width += (*c & 0xC0) == 0x80;
-    fprintf(out, "  %-*s %s\n", width, call, commands[k].help);
+    fprintf(out, "  %-*s %s\n", width, term, commands[k].help);
   }
   fputc('\n', out);
-  nb_options_help(out);
+  for (int k = 0; k < OPTIONS; k++) {
+    const char letter[] = {'-', (char)options[k].letter, ',', 0}, *takers = options[k].commands;
+    const bool some = takers && strcmp(takers, ALL) != 0;
+    snprintf(term, sizeof term, "--%s %s", options[k].name, options[k].value ? options[k].value : "");
+    fprintf(out, "  %-3s %-19s %s%s%s%s\n", letter[1] ? letter : "", term, options[k].help, some ? " (" : "",
+            some ? takers : "", some ? ")" : "");
+  }
   fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of "
         "memory\n",
         out);
@@ -64,10 +127,64 @@ static enum nb_status print_help_of(const char *word) {
   return NB_OK;
 }
 
-static void print_version(void) {
-  puts("nineball " NB_VERSION "\n"
-       "Copyright (C) 2026 the nineball authors.\n"
-       "GPL-3.0-or-later: free software, without any warranty.");
+/* ---- the command line ---- */
+
+static bool number_of(int *number, const char *text) {
+  char *end;
+  const long value = strtol(text, &end, 10);
+  *number = (int)value;
+  return !*end && end != text && value >= 1 && value <= 256;
+}
+
+static enum nb_status take_option(struct nb_use *use, const struct option_row *row, char *value) {
+  void *at = (char *)use + row->at;
+  size_t settings = 0;
+  while (use->settings[settings])
+    settings++;
+  switch (row->kind) {
+  case TEXT:
+    *(const char **)at = value;
+    break;
+  case FLAG:
+    *(bool *)at = true;
+    break;
+  case NUMBER:
+    if (!number_of(at, value))
+      return usage("--%s wants a number from 1 to 256, found `%s`", row->name, value);
+    break;
+  case SETTING:
+    if (!strchr(value, '='))
+      return usage("--set wants NAME=VALUE, found `%s`", value);
+    use->settings[settings] = value;
+    break;
+  case FOLLOW: /* the last one holds */
+    if (!use->follow[0])
+      use->settings[settings] = use->follow;
+    if ((size_t)snprintf(use->follow, sizeof use->follow, "follow=%s", value) >= sizeof use->follow)
+      return usage("--follow wants a name of less than %zu bytes", sizeof use->follow - sizeof "follow=");
+    break;
+  }
+  return NB_OK;
+}
+
+static enum nb_status read_options(struct nb_use *use, int count, char **words) {
+  struct option list[OPTIONS + 1] = {{NULL, 0, NULL, 0}};
+  enum nb_status status = NB_OK;
+  for (int k = 0; k < OPTIONS; k++)
+    list[k] = (struct option){options[k].name, options[k].value ? required_argument : no_argument, NULL,
+                              options[k].letter ? options[k].letter : LONG_OPTION + k};
+  for (int found; !status && (found = getopt_long(count, words, "o:h", list, NULL)) != -1;) {
+    int k = 0;
+    while (k < OPTIONS && found != list[k].val)
+      k++;
+    if (k == OPTIONS) { /* getopt has said what it did not like */
+      fputs("nineball --help tells\n", stderr);
+      return NB_BAD_USE;
+    }
+    use->given |= 1U << k;
+    status = take_option(use, &options[k], optarg);
+  }
+  return status;
 }
 
 static int command_of(const char *word) {
@@ -77,25 +194,61 @@ static int command_of(const char *word) {
   return -1;
 }
 
-static int find_command(const char *word) {
+/* Whether the word is one of those of a list, which commas part. */
+static bool lists(const char *list, const char *word) {
+  const size_t length = strlen(word);
+  for (; *list; list += strcspn(list, " "), list += strspn(list, " "))
+    if (strncmp(list, word, length) == 0 && (list[length] == ',' || !list[length]))
+      return true;
+  return false;
+}
+
+static enum nb_status run_command(struct nb_use *use, const char *word) {
   const int command = command_of(word);
+  for (int k = 0; k < OPTIONS && command >= 0; k++)
+    if (use->given & 1U << k && options[k].commands && !lists(options[k].commands, word)) {
+      fprintf(stderr, "nineball: `nineball %s` does not use --%s, which belongs to: %s\n", word, options[k].name,
+              options[k].commands);
+      return NB_BAD_USE;
+    }
+  if (command >= 0 && commands[command].arguments[0] && use->page_count == 0)
+    return usage("`nineball %s` wants the name of a page", word);
   if (command >= 0)
-    return command;
+    return commands[command].run(use);
   char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(word);
   for (int k = 0; k < COMMANDS; k++)
     nb_guess_offer(&guess, commands[k].name);
   const char *near = nb_guess_hint(&guess, hint);
-  fprintf(stderr, "nineball: there is no command `%s`%s%s; nineball --help tells\n", word, near ? "; " : "",
-          near ? near : "");
-  return -1;
+  return usage("there is no command `%s`%s%s", word, near ? "; " : "", near ? near : "");
+}
+
+static enum nb_status carry_out(struct nb_use *use, int count, char **words) {
+  const enum nb_status status = read_options(use, count, words);
+  const char *word = optind < count ? words[optind] : NULL;
+  if (status)
+    return status;
+  if (use->version) {
+    puts("nineball " NB_VERSION "\n"
+         "Copyright (C) 2026 the nineball authors.\n"
+         "GPL-3.0-or-later: free software, without any warranty.");
+    return NB_OK;
+  }
+  if (use->help && word && command_of(word) < 0)
+    return print_help_of(word);
+  if (use->help || !word) {
+    print_help(use->help ? stdout : stderr);
+    return use->help ? NB_OK : NB_BAD_USE;
+  }
+  use->pages = words + optind + 1, use->page_count = (size_t)(count - optind - 1);
+  return run_command(use, word);
 }
 
 /* Names and values go to the terminal and into files: none may hold what a terminal would obey. */
 static enum nb_status check_word(const char *word) {
   char *shown = word ? strdup(word) : NULL;
   unsigned byte;
-  enum nb_status status = word && !shown ? nb_options_no_memory() : NB_OK;
+  enum nb_status status = word && !shown ? no_memory() : NB_OK;
   if (shown && nb_clean(shown, strlen(shown), &byte)) {
     fprintf(stderr, "nineball: expected text, found the byte 0x%02X (shown as `?`) in `%s`\n", byte, shown);
     status = NB_BAD_USE;
@@ -104,45 +257,19 @@ static enum nb_status check_word(const char *word) {
   return status;
 }
 
-static enum nb_status carry_out(struct nb_call *call, const char *word) {
-  const int command = find_command(word);
-  if (command < 0 || nb_options_check(call, word))
-    return NB_BAD_USE;
-  if (commands[command].arguments[0] && call->use.page_count == 0)
-    return nb_options_usage("`nineball %s` wants the name of a page", word);
-  return commands[command].run(&call->use);
-}
-
 int main(int count, char **words) {
-  struct nb_call call = {.use.options.threads = 1};
-  struct nb_use *use = &call.use;
-  use->options.states = getenv("NINEBALL_STATES");
-  enum nb_status status = check_word(use->options.states);
+  struct nb_use use = {.options = {.threads = 1}};
+  use.options.states = getenv("NINEBALL_STATES");
+  enum nb_status status = check_word(use.options.states);
   for (int k = 1; k < count && !status; k++)
     status = check_word(words[k]);
   if (status)
     return (int)status;
-  use->settings = calloc((size_t)count + 1, sizeof *use->settings);
-  if (!use->settings)
-    return nb_options_no_memory();
-  status = nb_options_read(&call, count, words);
-  const char *word = optind < count ? words[optind] : NULL;
-  if (!status && call.version) {
-    print_version();
-  } else if (!status && call.help) {
-    if (word && command_of(word) < 0)
-      status = print_help_of(word);
-    else
-      print_help(stdout);
-  } else if (!status && !word) {
-    print_help(stderr);
-    status = NB_BAD_USE;
-  } else if (!status) {
-    use->pages = words + optind + 1, use->page_count = (size_t)(count - optind - 1);
-    status = carry_out(&call, word);
-  }
-  free(use->settings);
-  free(use->follow);
+  use.settings = calloc((size_t)count + 1, sizeof *use.settings);
+  if (!use.settings)
+    return no_memory();
+  status = carry_out(&use, count, words);
+  free(use.settings);
   if (fflush(stdout) != 0 || ferror(stdout)) { /* a full disk, a closed pipe */
     fputs("nineball: the output could not be written\n", stderr);
     return NB_BAD_USE;

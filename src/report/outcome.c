@@ -178,7 +178,7 @@ enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_
   return outcome->status;
 }
 
-void nb_outcome_free(struct nb_outcome *outcome) {
+void nb_outcome_free_runs(struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
     struct nb_page_run *run = &outcome->runs[r];
     nb_expectations_free(&run->expectations);
@@ -187,6 +187,11 @@ void nb_outcome_free(struct nb_outcome *outcome) {
     nb_scene_free(&run->scene);
   }
   free(outcome->runs);
+  outcome->runs = NULL, outcome->run_count = 0;
+}
+
+void nb_outcome_free(struct nb_outcome *outcome) {
+  nb_outcome_free_runs(outcome);
   free(outcome->checks);
   nb_page_free(&outcome->page);
   nb_mistakes_free(&outcome->mistakes);

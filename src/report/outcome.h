@@ -54,6 +54,7 @@ enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_
 /* Only read: pages, scenes, expectations. What `run` and `explain` begin with. */
 enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings);
 void nb_outcome_free(struct nb_outcome *outcome);
+void nb_outcome_free_runs(struct nb_outcome *outcome); /* page, checks, warnings and error stay */
 
 /* ---- reducers.c: from the rows of a table to one number ---- */
 

@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "commands.h"
-#include "outcome.h"
 
 /* What was expected and not checked, each with its line and the reason. */
 static void print_skipped(const struct nb_outcome *outcome) {
@@ -62,10 +61,19 @@ void nb_print_verdict(const struct nb_outcome *outcome) {
   nb_repeat_warnings("  ", outcome->page.path, &outcome->warnings);
 }
 
+void nb_print_escaped(FILE *out, const char *text, const struct nb_escape *list) {
+  for (; *text; text++) {
+    const struct nb_escape *row = list;
+    while (row->character && row->character != *text)
+      row++;
+    fputs(row->character ? row->by : (char[]){*text, 0}, out);
+  }
+}
+
 /* A `#` would begin a directive of TAP. */
 static void tap_text(const char *words) {
-  for (; *words; words++)
-    putchar(*words == '#' ? ' ' : *words);
+  static const struct nb_escape list[] = {{'#', " "}, {0, NULL}};
+  nb_print_escaped(stdout, words, list);
 }
 
 void nb_print_tap(const struct nb_outcome *outcome, const char *path) {

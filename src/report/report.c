@@ -4,32 +4,17 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "run/save.h"
-#include "tables.h"
+#include "commands.h"
 
 enum { MANY = 20 }; /* so many checks are folded away, unless one failed */
 
-static void text(FILE *out, const char *words) {
-  for (; *words; words++)
-    switch (*words) {
-    case '<':
-      fputs("&lt;", out);
-      break;
-    case '>':
-      fputs("&gt;", out);
-      break;
-    case '&':
-      fputs("&amp;", out);
-      break;
-    case '"':
-      fputs("&quot;", out);
-      break;
-    case '\'':
-      fputs("&#39;", out);
-      break;
-    default:
-      fputc(*words, out);
-    }
+/* HTML, then a text of the page or of the program, then HTML. */
+static void text(FILE *out, const char *before, const char *words, const char *after) {
+  static const struct nb_escape list[] = {{'<', "&lt;"},   {'>', "&gt;"},   {'&', "&amp;"},
+                                          {'"', "&quot;"}, {'\'', "&#39;"}, {0, NULL}};
+  fputs(before, out);
+  nb_print_escaped(out, words, list);
+  fputs(after, out);
 }
 
 /* NAME/FILE as an address: all but letters, digits, `-`, `_` and `.` as %XX (RFC 3986). */
@@ -64,71 +49,62 @@ static void write_summary(FILE *out, const struct nb_report_line *lines, size_t 
         out);
   for (size_t k = 0; k < count; k++) {
     const struct nb_report_line *line = &lines[k];
+    const size_t *marked = line->outcome.marked, checks = marked[NB_PASS] + marked[NB_FAIL];
     fprintf(out, "<tr><td><a href=\"#page%zu\">", k + 1);
-    text(out, line->name);
-    fputs("</a></td><td>", out);
-    text(out, line->title);
-    if (line->stopped) {
-      fputs("</td><td colspan=\"5\" class=\"fail\">did not run to its end</td></tr>\n", out);
+    text(out, "", line->name, "</a></td><td>");
+    text(out, "", line->outcome.page.title, "</td>");
+    if (line->outcome.status > NB_FAILED) {
+      fputs("<td colspan=\"5\" class=\"fail\">did not run to its end</td></tr>\n", out);
       continue;
     }
-    const size_t failed = line->marked[NB_FAIL], checks = line->marked[NB_PASS] + failed;
-    fprintf(out, "</td><td>%zu</td><td class=\"%s\">%zu%s%s</td>", checks,
-            failed || !checks || line->message[0] ? "fail" : "pass", failed, checks ? "" : ", nothing was checked",
+    fprintf(out, "<td>%zu</td><td class=\"%s\">%zu%s%s</td>", checks,
+            marked[NB_FAIL] || !checks || line->message[0] ? "fail" : "pass", marked[NB_FAIL],
+            checks ? "" : ", nothing was checked",
             !line->message[0] ? ""
             : line->kept      ? ", no figure"
                               : ", no tables");
-    fprintf(out, "<td>%zu</td><td>%zu</td><td>%.2f</td></tr>\n", line->marked[NB_NOTE], line->marked[NB_SKIP],
-            line->seconds);
+    fprintf(out, "<td>%zu</td><td>%zu</td><td>%.2f</td></tr>\n", marked[NB_NOTE], marked[NB_SKIP], line->seconds);
   }
   fputs("</table>\n", out);
 }
 
-static void write_page(FILE *out, const struct nb_report_line *line, size_t number) {
-  const size_t failed = line->marked[NB_FAIL];
-  fprintf(out, "<h2 id=\"page%zu\">", number);
-  text(out, line->title[0] ? line->title : line->name);
-  fputs("</h2>\n", out);
-  if (line->message[0]) {
-    fputs("<p class=\"fail\">", out);
-    text(out, line->message);
-    fputs("</p>\n", out);
+static void write_checks(FILE *out, const struct nb_outcome *outcome) {
+  const size_t *marked = outcome->marked;
+  fprintf(out,
+          "<details%s><summary>%zu checks, %zu "
+          "failed, %zu noted, %zu skipped</summary>\n<table><tr><th></th><th>expected</th><th>seen</th></tr>\n",
+          outcome->check_count < MANY || marked[NB_FAIL] ? " open" : "", marked[NB_PASS] + marked[NB_FAIL],
+          marked[NB_FAIL], marked[NB_NOTE], marked[NB_SKIP]);
+  for (size_t k = 0; k < outcome->check_count; k++) {
+    const struct nb_check *check = &outcome->checks[k];
+    fprintf(out, "<tr><td class=\"%s\">%s", /* note and skip have no look of their own */
+            check->mark == NB_FAIL ? "fail" : nb_mark_word(check->mark), nb_mark_word(check->mark));
+    text(out, "</td><td>", check->label, "</td>");
+    text(out, "<td>", check->words, "</td></tr>\n");
   }
-  for (size_t k = 0; k < line->warnings.count; k++) {
-    const struct nb_warning *warning = &line->warnings.list[k];
+  fputs("</table></details>\n", out);
+}
+
+static void write_page(FILE *out, const struct nb_report_line *line, size_t number) {
+  const struct nb_outcome *outcome = &line->outcome;
+  fprintf(out, "<h2 id=\"page%zu\">", number);
+  text(out, "", outcome->page.title[0] ? outcome->page.title : line->name, "</h2>\n");
+  if (line->message[0])
+    text(out, "<p class=\"fail\">", line->message, "</p>\n");
+  for (size_t k = 0; k < outcome->warnings.count; k++) {
+    const struct nb_warning *warning = &outcome->warnings.list[k];
     fputs("<p>Warning: ", out);
     if (warning->line)
       fprintf(out, "line %d: ", warning->line);
-    text(out, warning->text);
-    fputs("</p>\n", out);
+    text(out, "", warning->text, "</p>\n");
   }
   if (line->drawn) {
     fputs("<p><img ", out);
     address(out, "src", line->name, line->name, ".svg");
-    fputs(" alt=\"figure of ", out);
-    text(out, line->name);
-    fputs("\"></p>\n", out);
+    text(out, " alt=\"figure of ", line->name, "\"></p>\n");
   }
-  if (line->checks)
-    fprintf(out,
-            "<details%s><summary>%zu checks, %zu "
-            "failed, %zu noted, %zu skipped</summary>\n<table><tr><th></th><th>expected</th><th>seen</th></tr>\n",
-            line->checks < MANY || failed ? " open" : "", line->marked[NB_PASS] + failed, failed, line->marked[NB_NOTE],
-            line->marked[NB_SKIP]);
-  for (size_t k = 0; k < line->checks; k++) {
-    const struct nb_check *check = &line->verdicts[k];
-    fprintf(out, "<tr><td class=\"%s\">%s</td><td>",
-            check->mark == NB_FAIL   ? "fail"
-            : check->mark == NB_PASS ? "pass"
-                                     : "none",
-            nb_mark_word(check->mark));
-    text(out, check->label);
-    fputs("</td><td>", out);
-    text(out, check->words);
-    fputs("</td></tr>\n", out);
-  }
-  if (line->checks)
-    fputs("</table></details>\n", out);
+  if (outcome->check_count)
+    write_checks(out, outcome);
   if (!line->kept)
     return;
   write_link(out, "<p>Files: ", line, "table", ".tsv", "table");
@@ -141,22 +117,16 @@ static void write_page(FILE *out, const struct nb_report_line *line, size_t numb
   fputs("</p>\n", out);
 }
 
-enum nb_status nb_report_write(const char *folder, const struct nb_report_line *lines, size_t count,
-                               struct nb_error *error) {
-  char path[4096];
-  struct nb_save file;
-  if ((size_t)snprintf(path, sizeof path, "%s/index.html", folder) >= sizeof path)
-    return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
-  if (nb_save_begin(&file, path, error))
-    return error->status;
+/* The heading, and all pages in figures. */
+static void write_head(FILE *out, const struct nb_report_line *lines, size_t count) {
   size_t checks = 0, failed = 0, broken = 0, bare = 0, unchecked = 0;
   for (size_t k = 0; k < count; k++) {
-    const size_t *marked = lines[k].marked, judged = marked[NB_PASS] + marked[NB_FAIL];
-    checks += judged, failed += marked[NB_FAIL], broken += lines[k].stopped;
-    bare += !lines[k].stopped && lines[k].message[0];
-    unchecked += !lines[k].stopped && judged == 0;
+    const size_t *marked = lines[k].outcome.marked, judged = marked[NB_PASS] + marked[NB_FAIL];
+    const bool stopped = lines[k].outcome.status > NB_FAILED;
+    checks += judged, failed += marked[NB_FAIL], broken += stopped;
+    bare += !stopped && lines[k].message[0];
+    unchecked += !stopped && judged == 0;
   }
-  FILE *out = file.file;
   fprintf(out,
           "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta http-equiv=\"Content-Security-Policy\" "
           "content=\"default-src 'none'; img-src 'self' file:; style-src 'unsafe-inline'\"><title>nineball "
@@ -164,16 +134,27 @@ enum nb_status nb_report_write(const char *folder, const struct nb_report_line *
           style);
   fprintf(out, "<h1>nineball %s</h1>\n<p>%zu pages, %zu checks, <span class=\"%s\">%zu failed</span>", NB_VERSION,
           count, checks, failed ? "fail" : "pass", failed);
-  if (broken)
-    fprintf(out, ", <span class=\"fail\">%zu did not run to their end</span>", broken);
-  if (unchecked)
-    fprintf(out, ", <span class=\"fail\">%zu on which nothing was checked</span>", unchecked);
-  if (bare)
-    fprintf(out, ", <span class=\"fail\">%zu without figure or tables</span>", bare);
+  const struct {
+    size_t pages;
+    const char *what;
+  } wrong[] = {{broken, "did not run to their end"},
+               {unchecked, "on which nothing was checked"},
+               {bare, "without figure or tables"}};
+  for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
+    if (wrong[k].pages)
+      fprintf(out, ", <span class=\"fail\">%zu %s</span>", wrong[k].pages, wrong[k].what);
   fputs(".</p>\n", out);
-  write_summary(out, lines, count);
+}
+
+enum nb_status nb_report_write(const char *folder, const struct nb_report_line *lines, size_t count,
+                               struct nb_error *error) {
+  struct nb_save file;
+  if (nb_save_in(&file, error, folder, "index.html"))
+    return error->status;
+  write_head(file.file, lines, count);
+  write_summary(file.file, lines, count);
   for (size_t k = 0; k < count; k++)
-    write_page(out, &lines[k], k + 1);
-  fputs("</html>\n", out);
+    write_page(file.file, &lines[k], k + 1);
+  fputs("</html>\n", file.file);
   return nb_save_end(&file, error);
 }

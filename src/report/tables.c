@@ -2,13 +2,12 @@
  * same bits.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "tables.h"
-
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
+#include "commands.h"
 #include "input/hash.h"
-#include "run/save.h"
 
 static const char *unit_word(const char *unit, bool unitless) {
   return unitless || strcmp(unit, "1") == 0 ? "-" : unit;
@@ -27,20 +26,15 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
 }
 
 /* "0.12 m/s" is 0.12 under the head v/(m/s); also where --set has left one value, since figures ask for the column. */
-static void swept_head(FILE *out, const struct nb_page_run *run) {
+static void swept(FILE *out, const struct nb_page_run *run, bool head) {
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];
-    const char *unit = strchr(binding->text, ' ');
-    if (binding->sweep >= 0)
-      fprintf(out, "%s/%s\t", binding->name, unit ? unit + 1 : "-");
-  }
-}
-
-static void swept_values(FILE *out, const struct nb_page_run *run) {
-  for (size_t k = 0; k < run->scene.binding_count; k++) {
-    const struct nb_binding *binding = &run->scene.bindings[k];
-    if (binding->sweep >= 0)
-      fprintf(out, "%.*s\t", (int)strcspn(binding->text, " "), binding->text);
+    const int digits = (int)strcspn(binding->text, " ");
+    const char *unit = binding->text[digits] ? binding->text + digits + 1 : "-";
+    if (binding->sweep >= 0 && head)
+      fprintf(out, "%s/%s\t", binding->name, unit);
+    else if (binding->sweep >= 0)
+      fprintf(out, "%.*s\t", digits, binding->text);
   }
 }
 
@@ -90,15 +84,14 @@ void nb_table_write(FILE *out, const struct nb_table *table) {
 }
 
 static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
-  nb_preamble_write(out, outcome);
   for (size_t r = 0; r < outcome->run_count; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
     if (r == 0) {
-      swept_head(out, run);
+      swept(out, run, true);
       head(out, run);
     }
     for (size_t k = 0; k < run->result.table.row_count; k++) {
-      swept_values(out, run);
+      swept(out, run, false);
       row(out, run, k);
     }
   }
@@ -119,7 +112,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
     const struct nb_page_run *run = &outcome->runs[r];
     const struct nb_expectations *all = &run->expectations;
     if (r == 0) {
-      swept_head(out, run);
+      swept(out, run, true);
       fputs("run", out);
       for (size_t k = 0; k < all->count; k++)
         if (first_of_its_name(all, k)) {
@@ -128,7 +121,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
         }
       fputc('\n', out);
     }
-    swept_values(out, run);
+    swept(out, run, false);
     fprintf(out, "%zu", r + 1);
     for (size_t k = 0; k < all->count; k++) {
       struct nb_error error;
@@ -143,13 +136,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
   }
 }
 
-static void write_values(FILE *out, const struct nb_outcome *outcome) {
-  nb_preamble_write(out, outcome);
-  nb_values_write(out, outcome);
-}
-
 static void write_verdict(FILE *out, const struct nb_outcome *outcome) {
-  nb_preamble_write(out, outcome);
   fputs("verdict\tline\texpected\tseen\n", out);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
@@ -159,15 +146,24 @@ static void write_verdict(FILE *out, const struct nb_outcome *outcome) {
 
 /* ---- files ---- */
 
+enum nb_status nb_save_in(struct nb_save *file, struct nb_error *error, const char *folder, const char *format, ...) {
+  char path[4096];
+  va_list name;
+  const size_t length = (size_t)snprintf(path, sizeof path, "%s/", folder), left = sizeof path - length;
+  va_start(name, format);
+  const bool fits = length < sizeof path && (size_t)vsnprintf(path + length, left, format, name) < left;
+  va_end(name);
+  if (!fits)
+    return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
+  return nb_save_begin(file, path, error);
+}
+
 static enum nb_status save(const char *folder, const char *name, void (*write)(FILE *, const struct nb_outcome *),
                            const struct nb_outcome *outcome, struct nb_error *error) {
-  char path[4096];
   struct nb_save file;
-  if ((size_t)snprintf(path, sizeof path, "%s/%s", folder, name) >= sizeof path)
-    return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
-  const enum nb_status status = nb_save_begin(&file, path, error);
-  if (status)
-    return status;
+  if (nb_save_in(&file, error, folder, "%s", name))
+    return error->status;
+  nb_preamble_write(file.file, outcome);
   write(file.file, outcome);
   return nb_save_end(&file, error);
 }
@@ -177,15 +173,12 @@ static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, 
   const struct nb_page_run *run = &outcome->runs[r];
   const struct nb_table *table;
   const char *name;
+  char number[32] = "";
+  if (outcome->run_count > 1)
+    snprintf(number, sizeof number, "-%zu", r + 1);
   for (int k = 0; nb_snapshot_part(snapshot, k, &name, &table); k++) {
-    char path[4096], number[32] = "";
     struct nb_save file;
-    if (outcome->run_count > 1)
-      snprintf(number, sizeof number, "-%zu", r + 1);
-    if ((size_t)snprintf(path, sizeof path, "%s/%s-%s%s.tsv", folder, run->scene.stages[snapshot->stage].name, name,
-                         number) >= sizeof path)
-      return nb_error_set(error, NB_BAD_USE, "the name of the folder is too long: %.200s…", folder);
-    if (nb_save_begin(&file, path, error))
+    if (nb_save_in(&file, error, folder, "%s-%s%s.tsv", run->scene.stages[snapshot->stage].name, name, number))
       return error->status;
     nb_preamble_write(file.file, outcome);
     if (run->label[0])
@@ -198,15 +191,13 @@ static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, 
 }
 
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error) {
-  enum nb_status status = nb_save_folder(folder, error);
-  if (!status)
-    status = save(folder, "table.tsv", write_all_runs, outcome, error);
-  if (!status)
-    status = save(folder, "values.tsv", write_values, outcome, error);
-  if (!status)
-    status = save(folder, "verdict.tsv", write_verdict, outcome, error);
+  if (nb_save_folder(folder, error) || save(folder, "table.tsv", write_all_runs, outcome, error) ||
+      save(folder, "values.tsv", nb_values_write, outcome, error) ||
+      save(folder, "verdict.tsv", write_verdict, outcome, error))
+    return error->status;
   for (size_t r = 0; r < outcome->run_count; r++)
-    for (size_t k = 0; k < outcome->runs[r].result.snapshot_count && !status; k++)
-      status = save_snapshot(outcome, r, &outcome->runs[r].result.snapshots[k], folder, error);
-  return status;
+    for (size_t k = 0; k < outcome->runs[r].result.snapshot_count; k++)
+      if (save_snapshot(outcome, r, &outcome->runs[r].result.snapshots[k], folder, error))
+        return error->status;
+  return NB_OK;
 }

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../../src/report/tables.h"
+#include "../../src/report/commands.h"
 #include "faults.h"
 
 static struct {

@@ -47,6 +47,8 @@ static const char *const cases[][8] = {
     {"nineball", "run", "packed.md"},
     {"nineball", "run", "path.md"},
     {"nineball", "explain", "first.md"},
+    {"nineball", "explain", "path.md"},
+    {"nineball", "state", "first.md"},
     {"nineball", "check", "wrong.md", "--set", "a=1"},
 };
 enum { CASES = sizeof cases / sizeof *cases };
