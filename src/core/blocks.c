@@ -29,7 +29,27 @@ static struct nb_view view_of(const struct nb_model *model, size_t from, size_t 
   return view;
 }
 
-/* Runs of one pairing, cut into blocks. Thread `t` of T works on views n t/T to n (t+1)/T, each thread in scratch of its own. */
+/* Where the blocks begin, runs of one pairing, and where the last one ends; how many they are. */
+static size_t cut(size_t start[], const struct nb_contacts *contacts) {
+  size_t n = 0;
+  for (size_t c = 0; c < contacts->count; c++)
+    if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
+      start[n++] = c;
+  start[n] = contacts->count;
+  return n;
+}
+
+/* What is counted and watched block by block, where the plan asks for it. */
+static bool make_counts(struct nb_model *model, size_t blocks) {
+  const bool watched = model->plan.kept & NB_BIT(NB_SURE);
+  if (!model->plan.elastic)
+    nb_deep_end(model);
+  if (!watched)
+    free(model->blocks.sure), model->blocks.sure = NULL;
+  return (!model->plan.elastic || nb_deep_begin(model, blocks)) && (!watched || sure_begin(model, blocks));
+}
+
+/* Thread t of T works on views n t/T to n (t+1)/T, each thread in scratch of its own. */
 enum nb_status nb_blocks_cut(struct nb_model *model, struct nb_error *error) {
   const struct nb_contacts *contacts = &model->contacts;
   const size_t share = contacts->count / NB_THREAD_SHARE; /* a thread with less to do waits longer than it works */
@@ -38,22 +58,9 @@ enum nb_status nb_blocks_cut(struct nb_model *model, struct nb_error *error) {
   free(model->blocks.views), free(model->blocks.stiff);
   model->blocks.views = nb_array(most, sizeof *model->blocks.views);
   model->blocks.stiff = nb_array(contacts->count, sizeof *model->blocks.stiff);
-  if (!model->blocks.views || !model->blocks.stiff)
-    return nb_error_memory(error);
   size_t *start = nb_array(most + 1, sizeof *start);
-  if (!start)
-    return nb_error_memory(error);
-  size_t n = 0;
-  for (size_t c = 0; c < contacts->count; c++)
-    if (c == 0 || contacts->pairing[c] != contacts->pairing[c - 1] || c - start[n - 1] == NB_BLOCK)
-      start[n++] = c;
-  start[n] = contacts->count;
-  if (!model->plan.elastic)
-    nb_deep_end(model);
-  if (!(model->plan.kept & NB_BIT(NB_SURE)))
-    free(model->blocks.sure), model->blocks.sure = NULL;
-  if ((model->plan.elastic && !nb_deep_begin(model, n)) ||
-      (model->plan.kept & NB_BIT(NB_SURE) && !sure_begin(model, n))) {
+  const size_t n = start ? cut(start, contacts) : 0;
+  if (!model->blocks.views || !model->blocks.stiff || !start || !make_counts(model, n)) {
     free(start);
     return nb_error_memory(error);
   }

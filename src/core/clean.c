@@ -6,21 +6,26 @@
 
 #include <stdbool.h>
 
+/* Bytes of a character, by its first one; 0: no character begins so. */
+static size_t length_of(unsigned char first) {
+  return first < 0x80 ? 1 : (first & 0xE0) == 0xC0 ? 2 : (first & 0xF0) == 0xE0 ? 3 : (first & 0xF8) == 0xF0 ? 4 : 0;
+}
+
+static bool is_control(unsigned long code) { return (code < 0x20 && code != '\t') || (code >= 0x7F && code < 0xA0); }
+
 size_t nb_clean_character(const unsigned char *c, size_t left) {
   static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
-  size_t n = c[0] < 0x80 ? 1 : (c[0] & 0xE0) == 0xC0 ? 2 : (c[0] & 0xF0) == 0xE0 ? 3 : (c[0] & 0xF8) == 0xF0 ? 4 : 0;
+  const size_t n = length_of(c[0]);
   if (n == 0 || n > left)
     return 0;
-  if (n == 1)
-    return c[0] == '\t' || (c[0] >= 0x20 && c[0] != 0x7F) ? 1 : 0;
-  unsigned long code = c[0] & (0x7FU >> n);
+  unsigned long code = n == 1 ? c[0] : c[0] & (0x7FU >> n);
   for (size_t i = 1; i < n; i++) {
     if ((c[i] & 0xC0) != 0x80)
       return 0;
     code = code << 6 | (c[i] & 0x3FU);
   }
-  bool control = code >= 0x80 && code < 0xA0, surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return code < least[n] || code > 0x10FFFF || control || surrogate ? 0 : n;
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return code < least[n] || code > 0x10FFFF || is_control(code) || surrogate ? 0 : n;
 }
 
 int nb_clean(char *text, size_t length, unsigned *byte) {

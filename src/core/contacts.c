@@ -89,10 +89,8 @@ static void find_images(struct nb_contacts *contacts, const struct nb_model *mod
     contacts->image[c] = nb_wrap_image(&wrap, vec_sub(x[contacts->b[c]], x[contacts->a[c]]));
 }
 
-static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
-                            const struct nb_near_pairs *pairs) {
-  const size_t n = pairs->count;
-  *contacts = (struct nb_contacts){.count = n};
+static bool make_arrays(struct nb_contacts *contacts, const struct nb_model *model) {
+  const size_t n = contacts->count;
   contacts->a = nb_array(n, sizeof(int)), contacts->b = nb_array(n, sizeof(int));
   contacts->pairing = nb_array(n, sizeof(int)), contacts->force = nb_array(n, sizeof *contacts->force);
   bool made = contacts->a && contacts->b && contacts->pairing && contacts->force;
@@ -105,10 +103,15 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
       made = (contacts->kept[f] = nb_array(n, sizeof(double))) && made;
   made = nb_memory_create(&contacts->normal_memory, model->plan.memory.normal, n) && made;
   made = nb_memory_create(&contacts->shear_memory, model->plan.memory.shear, n) && made;
-  made = nb_memory_create(&contacts->slid, model->plan.memory.slid, n) && made;
-  if (!made)
+  return nb_memory_create(&contacts->slid, model->plan.memory.slid, n) && made;
+}
+
+static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
+                            const struct nb_near_pairs *pairs) {
+  *contacts = (struct nb_contacts){.count = pairs->count};
+  if (!make_arrays(contacts, model))
     return false;
-  for (size_t c = 0; c < n; c++) {
+  for (size_t c = 0; c < pairs->count; c++) {
     contacts->a[c] = pairs->list[c].a, contacts->b[c] = pairs->list[c].b;
     contacts->pairing[c] = pairs->list[c].pairing;
     find_constants(contacts, c, model);

@@ -144,6 +144,19 @@ static void explain_memory(FILE *out, const struct nb_model *model) {
           isa_names[model->machine.isa], model->machine.busy, model->machine.busy == 1 ? "" : "s");
 }
 
+/* What a cycle does besides motion, search and forces, as the run begins. */
+static void explain_hooks(FILE *out, const struct nb_model *model) {
+  static const char *const when[NB_WHENS] = {[NB_BEFORE_MOTION] = "before the motion",
+                                             [NB_AFTER_MOTION] = "after the motion",
+                                             [NB_BEFORE_SEARCH] = "before the search",
+                                             [NB_BEFORE_FORCES] = "before the forces",
+                                             [NB_AFTER_FORCES] = "after the forces"};
+  fputs("hooks of the cycle, as the run begins\n", out);
+  for (int w = 0; w < NB_WHENS; w++)
+    for (size_t h = 0; h < model->hooks[w].count; h++)
+      fprintf(out, "  %-18s %s\n", when[w], model->hooks[w].list[h].name);
+}
+
 static void explain_plan(FILE *out, const struct nb_model *model) {
   if (model->search.skin < INFINITY)
     fprintf(out, "contacts\n  %zu pairs near (closer than %g), searched again when something has moved %g\n",
@@ -157,6 +170,7 @@ static void explain_plan(FILE *out, const struct nb_model *model) {
   fprintf(out, "passes of the force half, for each pairing of materials\n");
   for (size_t p = 0; p < model->pairing_count; p++)
     explain_pairing(out, model, &model->pairings[p]);
+  explain_hooks(out, model);
   explain_memory(out, model);
   if (model->balance)
     fprintf(out, "balances\n  %s%s%s, summed up every cycle by one thread\n", model->balance->works ? "work" : "",

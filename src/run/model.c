@@ -41,6 +41,22 @@ static bool takes_out(const struct nb_scene *scene) {
   return false;
 }
 
+static void fill_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, bool shuffle) {
+  for (size_t k = 0; k < bodies->count; k++) {
+    const struct nb_body *body = &scene->bodies[k];
+    const size_t i = slot_of(k, bodies->count, shuffle);
+    bodies->slot[k] = (int)i, bodies->number[i] = (int)k + 1;
+    bodies->position[i] = vec(body->x, body->y), bodies->velocity[i] = vec(body->vx, body->vy);
+    bodies->rim[i] = vec(body->radius, body->spin * body->radius);
+    if (bodies->spin)
+      bodies->spin[i] = body->spin;
+    bodies->mass[i] = nb_body_mass(scene, body), bodies->inertia[i] = nb_body_inertia(scene, body);
+    bodies->inverse_mass[i] = body->fixed ? 0 : 1 / bodies->mass[i];
+    bodies->inverse_inertia[i] = body->fixed ? 0 : 1 / bodies->inertia[i];
+    bodies->material[i] = body->material;
+  }
+}
+
 static bool make_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, bool shuffle) {
   const size_t n = bodies->count = scene->body_count;
   double **numbers[] = {&bodies->mass, &bodies->inertia, &bodies->inverse_mass, &bodies->inverse_inertia};
@@ -59,22 +75,9 @@ static bool make_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, 
   }
   if (takes_out(scene))
     made = (bodies->gone = nb_array(n, sizeof(bool))) && made;
-  if (!made)
-    return false;
-  for (size_t k = 0; k < n; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    const size_t i = slot_of(k, n, shuffle);
-    bodies->slot[k] = (int)i, bodies->number[i] = (int)k + 1;
-    bodies->position[i] = vec(body->x, body->y), bodies->velocity[i] = vec(body->vx, body->vy);
-    bodies->rim[i] = vec(body->radius, body->spin * body->radius);
-    if (bodies->spin)
-      bodies->spin[i] = body->spin;
-    bodies->mass[i] = nb_body_mass(scene, body), bodies->inertia[i] = nb_body_inertia(scene, body);
-    bodies->inverse_mass[i] = body->fixed ? 0 : 1 / bodies->mass[i];
-    bodies->inverse_inertia[i] = body->fixed ? 0 : 1 / bodies->inertia[i];
-    bodies->material[i] = body->material;
-  }
-  return true;
+  if (made)
+    fill_bodies(bodies, scene, shuffle);
+  return made;
 }
 
 static bool make_walls(struct nb_walls *walls, const struct nb_scene *scene) {

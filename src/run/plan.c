@@ -64,6 +64,14 @@ static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
 }
 
+static const struct nb_pass *geometry_of(const struct nb_model *model, const struct nb_pairing *pairing) {
+  const bool closing = model->plan.dashpots || (pairing->normal->needs & NB_BIT(NB_CLOSING));
+  const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
+  return pairing->wall ? &nb_pass_disc_wall[approach]
+         : model->cell ? &nb_pass_periodic[approach]
+                       : &nb_pass_disc_disc[approach];
+}
+
 static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing) {
   const struct nb_scene *scene = model->scene;
   const struct nb_law *normal = model->laws.normal, *shear = model->laws.shear;
@@ -75,11 +83,7 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing) {
   const enum nb_dashpots form = dashpots_of(scene);
   if (form >= NB_DASHPOTS_SWING)
     model->plan.kept |= NB_BIT(NB_MASS);
-  const bool closing = model->plan.dashpots || (normal->needs & NB_BIT(NB_CLOSING));
-  const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
-  const struct nb_pass *geometry = pairing->wall ? &nb_pass_disc_wall[approach]
-                                   : model->cell ? &nb_pass_periodic[approach]
-                                                 : &nb_pass_disc_disc[approach];
+  const struct nb_pass *geometry = geometry_of(model, pairing);
   const struct nb_pass *resolve = &nb_pass_resolve[pairing->shear != NULL];
   const enum nb_isa isa = model->machine.isa;
   add(pairing, geometry->run[isa], pairing->wall ? 0 : scene->cell.line, "", geometry->name);
@@ -96,44 +100,44 @@ static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing) {
   add(pairing, resolve->run[isa], 0, "", resolve->name);
 }
 
+/* Fields that nothing reads, or that are the same as others, are not kept. */
+static unsigned fewer(unsigned kept, bool loses, const struct nb_plan *plan) {
+  if (!plan->rubs)
+    kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
+  if (!loses)
+    kept &= ~NB_BIT(NB_LOST);
+  if (!plan->dashpots && kept & NB_BIT(NB_PUSH)) /* then what is felt is what the laws say: one field for both */
+    kept = (kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);
+  if (!plan->dashpots && kept & NB_BIT(NB_DRAG))
+    kept = (kept & ~NB_BIT(NB_DRAG)) | NB_BIT(NB_SHEAR);
+  return kept;
+}
+
+static int larger(int a, int b) { return a > b ? a : b; }
+
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
+  struct nb_plan *plan = &model->plan;
   model->joints.any = nb_joints_meet(scene);
-  model->plan.elastic = model->laws.normal->elastic;
-  model->plan.memory.slid = (int)nb_since_count(model->since);
-  model->plan.dashpots = first_damped_line(scene) > 0;
-  model->plan.drag = model->plan.dashpots ? NB_DRAG : NB_SHEAR;
-  model->plan.kept = (model->plan.asked & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_REACH);
-  if (model->plan.whole)
-    model->plan.kept |= NB_SAVED_MASK;
+  plan->elastic = model->laws.normal->elastic;
+  plan->memory.normal = plan->memory.shear = 0;
+  plan->memory.slid = (int)nb_since_count(model->since);
+  plan->dashpots = first_damped_line(scene) > 0;
+  plan->drag = plan->dashpots ? NB_DRAG : NB_SHEAR;
+  plan->kept = (plan->asked & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_REACH) | (plan->whole ? NB_SAVED_MASK : 0);
   if (nb_laws_elastic(scene)) /* whenever that is: of a law that goes it is asked once more what it has stored */
-    model->plan.kept |= NB_BIT(NB_REDUCED);
-  bool shears = false, loses = false;
+    plan->kept |= NB_BIT(NB_REDUCED);
+  bool loses = false;
+  plan->rubs = false;
   for (size_t p = 0; p < model->pairing_count; p++) {
-    plan_pairing(model, &model->pairings[p]);
-    shears = shears || model->pairings[p].shear;
-    loses = loses || (model->pairings[p].shear && model->pairings[p].shear->loses);
+    struct nb_pairing *it = &model->pairings[p];
+    plan_pairing(model, it);
+    plan->rubs = plan->rubs || it->shear;
+    loses = loses || (it->shear && it->shear->loses);
+    plan->memory.normal = larger(plan->memory.normal, nb_law_memory(it->normal, it->values));
+    plan->memory.shear = larger(plan->memory.shear, nb_law_memory(it->shear, it->values));
   }
-  model->plan.rubs = shears;
-  if (shears)
-    model->plan.kept |= NB_BIT(model->plan.drag);
-  else
-    model->plan.kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
-  if (!loses)
-    model->plan.kept &= ~NB_BIT(NB_LOST);
-  if (!model->plan.dashpots) { /* then what is felt is what the laws say: one field for both */
-    if (model->plan.kept & NB_BIT(NB_PUSH))
-      model->plan.kept = (model->plan.kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);
-    if (model->plan.kept & NB_BIT(NB_DRAG))
-      model->plan.kept = (model->plan.kept & ~NB_BIT(NB_DRAG)) | NB_BIT(NB_SHEAR);
-  }
-  model->plan.memory.normal = model->plan.memory.shear = 0;
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    const struct nb_pairing *it = &model->pairings[p];
-    const int in_normal = nb_law_memory(it->normal, it->values), in_shear = nb_law_memory(it->shear, it->values);
-    model->plan.memory.normal = in_normal > model->plan.memory.normal ? in_normal : model->plan.memory.normal;
-    model->plan.memory.shear = in_shear > model->plan.memory.shear ? in_shear : model->plan.memory.shear;
-  }
+  plan->kept = fewer(plan->kept | (plan->rubs ? NB_BIT(plan->drag) : 0), loses, plan);
   free(model->blocks.scratch);
   model->blocks.scratch = nb_array((size_t)model->machine.threads * NB_FIELDS * NB_BLOCK, sizeof(double));
   return model->blocks.scratch ? NB_OK : nb_error_memory(error);

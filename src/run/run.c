@@ -76,36 +76,42 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
   }
 }
 
-static enum nb_status run_stage(struct run *run, int index, struct nb_error *error) {
+/* One cycle, and a row of the table after it. */
+static enum nb_status run_cycle(struct run *run, int index, bool *ended, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   struct nb_model *model = run->model;
+  if (nb_cycle(model, error))
+    return error->status;
+  const bool over = model->stage_cycle >= stage->cycles;
+  *ended = stage->condition_count ? holds(stage, model) : over;
+  const bool due = stage->record && (model->stage_cycle % stage->record == 0 || *ended || over);
+  if (due && !nb_observe(&run->result->table, model, index))
+    return nb_error_memory(error);
+  return over && !*ended ? never_ended(stage, model, error) : NB_OK;
+}
+
+static enum nb_status take_snapshot(struct run *run, int index, struct nb_error *error) {
   struct nb_result *result = run->result;
-  enum nb_status status = nb_stage_begin(model, stage, error);
+  struct nb_snapshot *more = nb_room(result->snapshots, result->snapshot_count, 1, sizeof *more);
+  if (!more)
+    return nb_error_memory(error);
+  result->snapshots = more;
+  return nb_snapshot_take(&more[result->snapshot_count++], run->model, index) ? NB_OK : nb_error_memory(error);
+}
+
+static enum nb_status run_stage(struct run *run, int index, struct nb_error *error) {
+  const struct nb_stage *stage = &run->scene->stages[index];
+  enum nb_status status = nb_stage_begin(run->model, stage, error);
   note_laws(run, stage);
-  bool ended = false, over = false;
-  while (!status && !ended) {
-    status = nb_cycle(model, error);
-    if (status)
-      break;
-    ended = stage->condition_count ? holds(stage, model) : model->stage_cycle >= stage->cycles;
-    over = model->stage_cycle >= stage->cycles;
-    if (stage->record && (model->stage_cycle % stage->record == 0 || ended || over))
-      if (!nb_observe(&result->table, model, index))
-        status = nb_error_memory(error);
-    if (!ended && over && !status)
-      status = never_ended(stage, model, error);
-    tell(run, stage);
-  }
-  result->stage_cycles[index] = model->stage_cycle;
-  if ((!status || over) && stage->snapshot) { /* of a stage that did not end too */
-    struct nb_snapshot *more = realloc(result->snapshots, (result->snapshot_count + 1) * sizeof *more);
-    if (!more)
-      return nb_error_memory(error);
-    result->snapshots = more;
-    if (!nb_snapshot_take(&more[result->snapshot_count++], model, index) && !status)
-      status = nb_error_memory(error);
-  }
-  return status;
+  for (bool ended = false; !status && !ended; tell(run, stage))
+    status = run_cycle(run, index, &ended, error);
+  const bool whole = !status || run->model->stage_cycle >= stage->cycles; /* or it did not end in time */
+  run->result->stage_cycles[index] = run->model->stage_cycle;
+  if (!whole || !stage->snapshot)
+    return status;
+  struct nb_error second;
+  const enum nb_status taken = take_snapshot(run, index, status ? &second : error);
+  return status ? status : taken;
 }
 
 /* From the scene's first stage to its last, or from behind those that a state stands for. What was seen is in the result whatever

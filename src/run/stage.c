@@ -193,44 +193,57 @@ static void gravity_begin(struct nb_model *model) {
 
 /* ---- the stage ---- */
 
-enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
-  model->damping_before = model->damping;
-  model->stage_time = model->time;
-  model->stage_cycle = 0;
+/* What it takes out, where measures begin anew, and what turns round or stops. */
+static enum nb_status begin_assembly(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+  const int index = (int)(stage - model->scene->stages);
   if (stage->removal_count > 0 && nb_remove(model, stage, error))
     return error->status;
   walls_arrive(model);
   model->stage = stage;
-  if (nb_regions_stage(model, (int)(stage - model->scene->stages), error))
+  if (nb_regions_stage(model, index, error))
     return error->status;
-  if (model->since && !nb_since_begin(model, (int)(stage - model->scene->stages)))
+  if (model->since && !nb_since_begin(model, index))
     return nb_error_memory(error);
   if (stage->still)
     stop_bodies(model);
   if (stage->reverse)
     turn_walls(model);
+  return NB_OK;
+}
+
+/* What it does to boundary, cell and box, once its step is known. */
+static enum nb_status begin_loading(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+  gravity_begin(model);
+  if (model->carry)
+    nb_carry_begin(model, stage);
+  if (model->drive && nb_drive_begin(model, stage, error))
+    return error->status;
+  if (stage->servo.line)
+    nb_servo_begin(model);
+  if (stage->reverse)
+    turn_bodies(model);
+  return NB_OK;
+}
+
+enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+  model->damping_before = model->damping;
+  model->stage_time = model->time;
+  model->stage_cycle = 0;
+  if (begin_assembly(model, stage, error))
+    return error->status;
   model->damping = stage->damping;
   model->coming = nb_laws_of(stage, model->laws);
   model->properties.pieces = model->coming.pieces;
   struct nb_safe apart;
   if (!walls_begin(model, stage) || !properties_begin(model, &apart))
     return nb_error_memory(error);
-  const enum nb_status status = nb_step_set(model, &stage->step, error);
-  gravity_begin(model);
-  if (model->carry)
-    nb_carry_begin(model, stage);
-  if (!status && model->drive && nb_drive_begin(model, stage, error))
+  if (nb_step_set(model, &stage->step, error) || begin_loading(model, stage, error))
     return error->status;
-  if (!status && stage->servo.line)
-    nb_servo_begin(model);
-  if (stage->reverse)
-    turn_bodies(model);
   model->changes->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||
                              nb_laws_shear_changes(model);
   model->stability->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
-  if (!status)
-    nb_hooks_plan(model);
-  return status ? status : nb_stable_begin(model, &apart, error);
+  nb_hooks_plan(model);
+  return nb_stable_begin(model, &apart, error);
 }
 
 /* Contacts of a pairing that has lost its shear forget what they remembered of it. */
