@@ -505,6 +505,8 @@ INPUT = \
   src/input/scene_values.c \
   src/input/scene_whole.c \
   src/input/scene_world.c \
+  src/input/state_file.c \
+  src/input/state_file.h \
   src/input/text.c \
   src/input/text.h \
   src/input/units.c \
@@ -536,13 +538,7 @@ RUN = \
   src/run/start.c \
   src/run/start.h \
   src/run/state.c \
-  src/run/state.h \
-  src/run/state_contacts.c \
-  src/run/state_driven.c \
-  src/run/state_read.c \
-  src/run/state_reading.h \
-  src/run/state_records.c \
-  src/run/state_write.c
+  src/run/state.h
 
 # What a page would make the program do.
 EXPLAIN = \

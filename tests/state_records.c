@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/run/state_reading.h"
+#include "../src/input/reader.h"
+#include "../src/input/state_file.h"
 #include "state_text.h"
 #include "suites.h"
 

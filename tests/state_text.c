@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/run/state_reading.h"
+#include "../src/run/state.h"
 #include "written.h"
 
 const char state_plain[] =

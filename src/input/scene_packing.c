@@ -8,15 +8,13 @@
 #include <string.h>
 
 #include "columns.h"
-#include "run/state.h"
 #include "scene.h"
+#include "state_file.h"
 
 static bool is_state(const char *path) {
-  static const char head[] = "nineball state ";
-  char begin[sizeof head] = "";
   struct nb_error error;
   FILE *file = nb_file_open(path, &error);
-  const bool is = file && fread(begin, 1, sizeof head - 1, file) == sizeof head - 1 && strcmp(begin, head) == 0;
+  const bool is = file && nb_saved_is(file);
   if (file)
     fclose(file);
   return is;

@@ -253,20 +253,16 @@ static enum nb_status write_state(struct nb_scene *scene, size_t stage, const ch
 
 /* A state takes the place of nothing but a state: a page or a table of that name stays. */
 static bool may_be_replaced(const char *path) {
-  static const char first[] = "nineball state ";
-  char begin[sizeof first] = "";
   struct stat status;
   if (lstat(path, &status) != 0)
     return true;
   FILE *file = S_ISREG(status.st_mode) ? fopen(path, "r") : NULL;
-  if (file) {
-    begin[fread(begin, 1, sizeof first - 1, file)] = 0;
+  const bool is = file && nb_saved_is(file);
+  if (file)
     fclose(file);
-  }
-  if (strcmp(begin, first) == 0)
-    return true;
-  fprintf(stderr, "nineball: %s is no state, and stays: expected the name of a state or of a new file\n", path);
-  return false;
+  if (!is)
+    fprintf(stderr, "nineball: %s is no state, and stays: expected the name of a state or of a new file\n", path);
+  return is;
 }
 
 enum nb_status nb_command_state(const struct nb_use *use) {

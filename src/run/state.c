@@ -4,33 +4,20 @@
  * something else, since a law has taken up the slip of the step behind already. So a model that goes on from a state lists what
  * is near, takes these over and begins with the motion; it comes to the very same bits as the one that was not interrupted.
  *
+ * Strain rates are those of the step behind: the row that the next stage begins with still sees them. What the page asks of
+ * each carrier lasts until a stage asks for something else. What a servo has added ends with its stage. Where bodies were at the
+ * last search, and which may cross the boundary before the next one, is looked for anew and changes nothing.
+ *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state.h"
-#include "laws/laws_now.h"
-#include "measure/step.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "input/reader.h"
-
-void nb_saved_free(struct nb_saved *saved) {
-  free(saved->settings), free(saved->materials), free(saved->rules), free(saved->bodies), free(saved->walls);
-  free(saved->contacts), free(saved->memory), free(saved->carried), free(saved->ring.members);
-  *saved = (struct nb_saved){0};
-}
-
-enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct nb_error *error) {
-  if (strlen(text) >= sizeof *saved->settings)
-    return nb_error_set(error, NB_BAD_USE, "a state keeps settings shorter than %zu bytes, found `%.40s…`",
-                        sizeof *saved->settings, text);
-  void *more = nb_room(saved->settings, saved->setting_count, 1, sizeof *saved->settings);
-  if (!more)
-    return nb_error_memory(error);
-  saved->settings = more;
-  snprintf(saved->settings[saved->setting_count++], sizeof *saved->settings, "%s", text);
-  return NB_OK;
-}
+#include "laws/laws_now.h"
+#include "loading/drive.h"
+#include "measure/step.h"
+#include "save.h"
 
 /* ---- from a model ---- */
 
@@ -55,41 +42,32 @@ static void take_bodies(struct nb_saved *saved, const struct nb_model *model) {
   saved->body_count = bodies->count;
 }
 
+/* What a state has of a wall as struct nb_walls has it. */
+#define WALL_ROWS(X) X(pivot) X(along) X(velocity) X(turn) X(h0) X(h1) X(h2) X(spin) X(angle)
+
 static void take_walls(struct nb_saved *saved, const struct nb_model *model) {
-  const struct nb_walls *walls = &model->walls;
-  for (size_t w = 0; w < walls->count; w++) {
+  for (size_t w = 0; w < model->walls.count; w++) {
     struct nb_saved_wall *it = &saved->walls[w];
-    *it = (struct nb_saved_wall){
-        .material = model->scene->walls[w].material,
-        .pivot = walls->pivot[w],
-        .along = walls->along[w],
-        .velocity = walls->velocity[w],
-        .turn = walls->turn[w],
-        .h0 = walls->h0[w],
-        .h1 = walls->h1[w],
-        .h2 = walls->h2[w],
-        .spin = walls->spin[w],
-        .angle = walls->angle[w],
-    };
     memcpy(it->name, model->scene->walls[w].name, sizeof it->name);
+    it->material = model->scene->walls[w].material;
+#define TAKE(row) it->row = model->walls.row[w];
+    WALL_ROWS(TAKE)
   }
-  saved->wall_count = walls->count;
+  saved->wall_count = model->walls.count;
 }
 
-/* What a law remembers of a contact, at the end of what is remembered so far; how many doubles, 0: nothing but zeros. */
-static int take_memory(struct nb_saved *saved, const struct nb_memory *memory, const struct nb_law *law, size_t c,
-                       size_t *at) {
-  double room[NB_MEMORY], any = 0;
+/* What a law remembers of a contact, at the end of what is remembered so far; nothing where all of it is 0. */
+static struct nb_saved_memory take_memory(struct nb_saved *saved, const struct nb_memory *memory,
+                                          const struct nb_law *law, size_t c) {
+  double room[NB_MEMORY];
   const double *m = nb_memory_read(memory, c, room);
-  *at = saved->memory_count;
+  struct nb_saved_memory it = {.at = saved->memory_count};
   for (int k = 0; k < (memory->rows ? 1 : memory->doubles); k++)
-    any = m[k] != 0 ? 1 : any;
-  if (any == 0)
-    return 0;
-  const int used = law->used ? law->used(m) : memory->doubles;
-  memcpy(saved->memory + saved->memory_count, m, (size_t)used * sizeof *m);
-  saved->memory_count += (size_t)used;
-  return used;
+    if (m[k] != 0)
+      it.count = law->used ? law->used(m) : memory->doubles;
+  memcpy(saved->memory + it.at, m, (size_t)it.count * sizeof *m);
+  saved->memory_count += (size_t)it.count;
+  return it;
 }
 
 static void take_contacts(struct nb_saved *saved, const struct nb_model *model) {
@@ -102,13 +80,13 @@ static void take_contacts(struct nb_saved *saved, const struct nb_model *model) 
                                   .wall = wall,
                                   .muted = contacts->muted && (contacts->muted[c] & 1),
                                   .force = contacts->force[c]};
-#define TAKEN(which, name) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
+#define TAKEN(which, name, range) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
     NB_SAVED_FIELDS(TAKEN)
     if (!model->plan.dashpots) /* what is felt is what the laws say */
       it.field[NB_PUSH] = it.field[NB_NORMAL], it.field[NB_DRAG] = it.field[NB_SHEAR];
-    it.normal = take_memory(saved, &contacts->normal_memory, model->laws.normal, c, &it.normal_at);
-    it.shear = take_memory(saved, &contacts->shear_memory, model->laws.shear, c, &it.shear_at);
-    if (it.field[NB_OVERLAP] > 0 || it.muted || it.normal || it.shear)
+    it.normal = take_memory(saved, &contacts->normal_memory, model->laws.normal, c);
+    it.shear = take_memory(saved, &contacts->shear_memory, model->laws.shear, c);
+    if (it.field[NB_OVERLAP] > 0 || it.muted || it.normal.count || it.shear.count)
       saved->contacts[saved->contact_count++] = it;
   }
 }
@@ -123,6 +101,52 @@ static bool make_room(struct nb_saved *saved, const struct nb_model *model) {
   saved->contacts = calloc(contacts->count + 1, sizeof *saved->contacts);
   saved->memory = calloc(contacts->count * remembered + 1, sizeof *saved->memory);
   return saved->materials && saved->rules && saved->bodies && saved->walls && saved->contacts && saved->memory;
+}
+
+static bool take_carry(struct nb_saved *saved, const struct nb_model *model) {
+  const struct nb_carry *carry = model->carry;
+  const struct nb_bodies *bodies = &model->bodies;
+  saved->centre = carry->centre;
+  for (int c = 0; c < NB_CARRIERS; c++)
+    saved->carriers[c] = (struct nb_saved_carrier){carry->asked[c], carry->rate[c], !(carry->remembered[c] > 0)};
+  saved->carried = calloc(bodies->count + 1, sizeof *saved->carried);
+  if (!saved->carried)
+    return false;
+  saved->carried_count = bodies->count;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    saved->carried[k] = (struct nb_saved_carried){(enum nb_carrier)carry->by[i], bodies->carried[i]};
+  }
+  return true;
+}
+
+static bool take_ring(struct nb_saved *saved, const struct nb_model *model) {
+  const struct nb_drive *drive = model->drive;
+  const struct nb_ring *ring = &drive->ring;
+  saved->ring = (struct nb_saved_ring){.is = true,
+                                       .held = ring->held,
+                                       .pressing = model->bodies.pressed != NULL,
+                                       .radius = ring->radius,
+                                       .shape = ring->shape,
+                                       .stress = drive->stress};
+  saved->ring.members = calloc(ring->count + 1, sizeof *saved->ring.members);
+  if (!saved->ring.members)
+    return false;
+  saved->ring.member_count = ring->count;
+  for (size_t k = 0; k < ring->count; k++)
+    saved->ring.members[k] = model->bodies.number[ring->member[k]] - 1;
+  return true;
+}
+
+static enum nb_status take_driven(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
+  saved->inward = model->inward;
+  saved->turns = !model->drive || model->drive->turns;
+  if (model->cell)
+    saved->cell = (struct nb_saved_cell){true, model->cell->h, model->cell->parting};
+  if ((model->carry && !take_carry(saved, model)) ||
+      (model->drive && model->drive->ring.begun && !take_ring(saved, model)))
+    return nb_error_memory(error);
+  return NB_OK;
 }
 
 enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
@@ -150,34 +174,45 @@ enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *mode
   take_bodies(saved, model);
   take_walls(saved, model);
   take_contacts(saved, model);
-  return nb_saved_take_driven(saved, model, error);
+  return take_driven(saved, model, error);
 }
 
 /* ---- into a model ---- */
 
+static bool same_names(const struct nb_saved *saved, const struct nb_scene *scene) {
+  bool same = saved->material_count == scene->material_count && saved->wall_count == scene->wall_count;
+  for (size_t m = 0; same && m < saved->material_count; m++)
+    same = strcmp(saved->materials[m].name, scene->materials[m].name) == 0;
+  for (size_t w = 0; same && w < saved->wall_count; w++)
+    same = strcmp(saved->walls[w].name, scene->walls[w].name) == 0;
+  return same;
+}
+
+static bool same_body(const struct nb_saved_body *it, const struct nb_body *body, bool may_be_gone) {
+  const bool moves = it->mobility == NB_GONE ? may_be_gone : (it->mobility == NB_FIXED) == body->fixed;
+  return moves && it->radius == body->radius && it->shape == body->shape && it->material == body->material;
+}
+
+static bool same_laws(const struct nb_saved *saved, struct nb_in_force laws) {
+  return laws.normal && laws.shear && strcmp(laws.normal->name, saved->normal) == 0 &&
+         strcmp(laws.shear->name, saved->shear) == 0 && (int)laws.pieces == saved->pieces;
+}
+
 enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
                              struct nb_error *error) {
-  size_t rules = scene->pair_rule_count, removals = 0;
+  size_t rules = scene->pair_rule_count, removals = 0, k = 0;
   for (size_t s = 0; s < scene->stage_count; s++)
     rules += scene->stages[s].change_count, removals += scene->stages[s].removal_count;
-  bool named = saved->material_count == scene->material_count && saved->wall_count == scene->wall_count;
-  for (size_t m = 0; named && m < saved->material_count; m++)
-    named = strcmp(saved->materials[m].name, scene->materials[m].name) == 0;
-  for (size_t w = 0; named && w < saved->wall_count; w++)
-    named = strcmp(saved->walls[w].name, scene->walls[w].name) == 0;
-  size_t k = 0;
-  while (k < saved->body_count && k < scene->body_count && saved->bodies[k].radius == scene->bodies[k].radius &&
-         saved->bodies[k].shape == scene->bodies[k].shape && saved->bodies[k].material == scene->bodies[k].material &&
-         (saved->bodies[k].mobility == NB_GONE ? removals > 0
-                                               : (saved->bodies[k].mobility == NB_FIXED) == scene->bodies[k].fixed))
-    k++;
   struct nb_in_force laws = nb_laws_at_start(scene);
   for (size_t s = 0; s < scene->start.stages; s++)
     laws = nb_laws_of(&scene->stages[s], laws);
-  if (!laws.normal || !laws.shear || strcmp(laws.normal->name, saved->normal) != 0 ||
-      strcmp(laws.shear->name, saved->shear) != 0 || (int)laws.pieces != saved->pieces)
+  if (!same_laws(saved, laws))
     return nb_error_set(error, NB_BAD_USE, "%.200s: expected the laws of the page, found normal %s and shear %s", path,
                         saved->normal, saved->shear);
+  const bool named = same_names(saved, scene);
+  while (k < saved->body_count && k < scene->body_count &&
+         same_body(&saved->bodies[k], &scene->bodies[k], removals > 0))
+    k++;
   if (named && saved->rule_count <= rules && k == scene->body_count && k == saved->body_count)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE,
@@ -203,10 +238,9 @@ static void put_bodies(struct nb_bodies *bodies, const struct nb_saved *saved) {
 static void put_walls(struct nb_walls *walls, const struct nb_saved *saved) {
   for (size_t w = 0; w < walls->count; w++) {
     const struct nb_saved_wall *it = &saved->walls[w];
-    walls->pivot[w] = it->pivot, walls->along[w] = it->along;
-    walls->velocity[w] = it->velocity, walls->turn[w] = it->turn;
-    walls->h0[w] = it->h0, walls->h1[w] = it->h1, walls->h2[w] = it->h2;
-    walls->spin[w] = it->spin, walls->angle[w] = it->angle;
+#define PUT(row) walls->row[w] = it->row;
+    WALL_ROWS(PUT)
+#undef PUT
     walls->point[w] = vec_add(it->pivot, vec_scale(-it->h0, vec_clockwise(it->along)));
   }
 }
@@ -239,18 +273,18 @@ void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
   model->step = model->previous_step = saved->step;
 }
 
-static void put_memory(struct nb_memory *memory, size_t c, const double *from, int doubles) {
-  const int n = doubles < memory->doubles ? doubles : memory->doubles;
+static void put_memory(struct nb_memory *memory, size_t c, const double *all, struct nb_saved_memory it) {
+  const int n = it.count < memory->doubles ? it.count : memory->doubles;
   if (n > 0 && memory->rows)
-    memcpy(memory->rows + c * (size_t)memory->doubles, from, (size_t)n * sizeof *from);
+    memcpy(memory->rows + c * (size_t)memory->doubles, all + it.at, (size_t)n * sizeof *all);
   for (int m = 0; m < n && !memory->rows; m++)
-    memory->field[m][c] = from[m];
+    memory->field[m][c] = all[it.at + (size_t)m];
 }
 
 static void put_contact(struct nb_contacts *contacts, size_t c, const struct nb_saved_contact *it,
                         const double *memory) {
   contacts->force[c] = it->force;
-#define PUT(which, name)                                                                                               \
+#define PUT(which, name, range)                                                                                        \
   if (contacts->kept[which])                                                                                           \
     contacts->kept[which][c] = it->field[which];
   NB_SAVED_FIELDS(PUT)
@@ -260,8 +294,8 @@ static void put_contact(struct nb_contacts *contacts, size_t c, const struct nb_
   }
   if (contacts->muted)
     contacts->muted[c] = it->muted;
-  put_memory(&contacts->normal_memory, c, memory + it->normal_at, it->normal);
-  put_memory(&contacts->shear_memory, c, memory + it->shear_at, it->shear);
+  put_memory(&contacts->normal_memory, c, memory, it->normal);
+  put_memory(&contacts->shear_memory, c, memory, it->shear);
 }
 
 enum nb_status nb_saved_put_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
@@ -276,4 +310,90 @@ enum nb_status nb_saved_put_contacts(struct nb_model *model, const struct nb_sav
                           it->a + 1, it->wall ? "wall" : "body", it->b + 1);
   }
   return NB_OK;
+}
+
+static void put_carry(struct nb_model *model, const struct nb_saved *saved) {
+  struct nb_carry *carry = model->carry;
+  struct nb_bodies *bodies = &model->bodies;
+  carry->centre = saved->centre;
+  for (int c = 0; c < NB_CARRIERS; c++) {
+    carry->asked[c] = saved->carriers[c].asked;
+    carry->rate[c] = carry->level[c] = saved->carriers[c].rate;
+    carry->remembered[c] = saved->carriers[c].literal ? 0 : 1;
+  }
+  for (size_t k = 0; k < saved->carried_count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    nb_carry_by(carry, i, saved->carried[k].by);
+    bodies->carried[i] = saved->carried[k].along;
+    if (carry->by[i] == NB_CARRIER_BOUNDARY)
+      bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
+  }
+}
+
+static void put_ring(struct nb_model *model, const struct nb_saved_ring *saved) {
+  struct nb_drive *drive = model->drive;
+  struct nb_ring *ring = &drive->ring;
+  ring->begun = true, ring->held = saved->held;
+  ring->radius = saved->radius, ring->shape = saved->shape;
+  ring->count = saved->member_count;
+  for (size_t k = 0; k < ring->count; k++)
+    ring->member[k] = model->bodies.slot[saved->members[k]];
+  drive->stress = saved->stress;
+  model->bodies.pressed = saved->pressing ? drive->pressed : NULL;
+  if (model->bodies.pressed)
+    nb_ring_press(model);
+}
+
+/* Whether what moves the assembly from outside is there in both. */
+static bool driven_alike(const struct nb_model *model, const struct nb_saved *saved) {
+  if (saved->carried_count != 0 && (saved->carried_count != model->bodies.count || !model->carry))
+    return false;
+  if (!model->drive)
+    return saved->cell.is == (model->cell != NULL) && !saved->ring.is && saved->turns;
+  return saved->cell.is == (model->cell != NULL) && (model->drive->pressed || !saved->ring.pressing);
+}
+
+enum nb_status nb_saved_put_driven(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+  struct nb_bodies *bodies = &model->bodies;
+  if (!driven_alike(model, saved))
+    return nb_error_set(error, NB_BAD_USE, "the state has a cell or a boundary otherwise than the page");
+  model->inward = saved->inward;
+  if (saved->cell.is)
+    model->cell->h = saved->cell.h, model->cell->parting = saved->cell.parting;
+  if (saved->carried_count > 0)
+    put_carry(model, saved);
+  if (saved->ring.is)
+    put_ring(model, &saved->ring);
+  if (model->drive)
+    model->drive->turns = saved->turns;
+  for (size_t i = 0; i < bodies->count && !saved->turns; i++)
+    bodies->inverse_inertia[i] = 0;
+  return NB_OK;
+}
+
+/* ---- to a file ---- */
+
+/* What has been written must be what reading accepts: else the next page would find a state that it cannot use. */
+static enum nb_status check(const char *path, const char *text, size_t size, struct nb_error *error) {
+  struct nb_saved again;
+  const enum nb_status status = nb_saved_read_text(&again, path, text, size, error);
+  nb_saved_free(&again);
+  return status;
+}
+
+enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, struct nb_error *error) {
+  struct nb_save file;
+  size_t size = 0;
+  char *text = nb_saved_text(saved, &size);
+  if (!text)
+    return nb_error_memory(error);
+  enum nb_status status = check(path, text, size, error);
+  if (!status)
+    status = nb_save_begin(&file, path, error);
+  if (!status) {
+    fwrite(text, 1, size, file.file); /* nb_save_end tells whether it could be written */
+    status = nb_save_end(&file, error);
+  }
+  free(text);
+  return status;
 }

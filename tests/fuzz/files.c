@@ -99,9 +99,11 @@ static void hold_saved(const struct nb_saved *saved) {
     const size_t others = it->wall ? saved->wall_count : saved->body_count;
     fuzz_hold(it->a >= 0 && (size_t)it->a < saved->body_count && it->b >= 0 && (size_t)it->b < others,
               "a contact is between bodies and walls of the state");
-    fuzz_hold(it->normal >= 0 && it->normal_at + (size_t)it->normal <= saved->memory_count && it->shear >= 0 &&
-                  it->shear_at + (size_t)it->shear <= saved->memory_count,
-              "what a law remembers lies in the memory");
+    for (int shear = 0; shear < 2; shear++) {
+      const struct nb_saved_memory memory = shear ? it->shear : it->normal;
+      fuzz_hold(memory.count >= 0 && memory.at + (size_t)memory.count <= saved->memory_count,
+                "what a law remembers lies in the memory");
+    }
   }
   for (size_t k = 0; k < saved->body_count; k++) {
     const struct nb_saved_body *it = &saved->bodies[k];

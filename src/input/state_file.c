@@ -1,0 +1,662 @@
+/* A saved state to text, and from text. A record is a word and its fields, one a line, fields parted by one blank; the last line
+ * is the checksum of all before it. Numbers are written by %a, which reads back to the same bits.
+ *
+ * What a record holds is said once, by a function that goes through its fields in order: it writes them when there is a text to
+ * write to, else it reads them and checks what they may be. A file that is cut off, or in which anything has changed, is not
+ * read at all; then whatever is not as docs/STATE.md says is an error with file, line, column and what was expected. A record
+ * that others need later is a row of the table below, and one in docs/STATE.md.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "state_file.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "laws/law.h"
+#include "reader.h"
+#include "text.h"
+
+static const double unit_error = 1e-9; /* of the length of a unit vector, whose rounding adds up as its wall turns */
+
+enum { MANY = 1 << 30 };
+
+struct stream {
+  struct nb_saved *saved;
+  struct nb_text *out; /* NULL: the state is read */
+  size_t k;            /* which of such records is written, from 0 */
+  /* Of a state that is read: */
+  const char *path;
+  const char *line, *end;  /* the record that is read, and one past its last character */
+  const char *at, *taken;  /* what is to be read next; the field that was taken last, for messages */
+  size_t number;           /* of the line */
+  unsigned seen, carriers; /* sets of records, and of carriers, that have been read */
+  struct nb_error *error;
+  bool fields, bad; /* the names of a contact's fields have been read; something was wrong */
+};
+
+void nb_saved_free(struct nb_saved *saved) {
+  free(saved->settings), free(saved->materials), free(saved->rules), free(saved->bodies), free(saved->walls);
+  free(saved->contacts), free(saved->memory), free(saved->carried), free(saved->ring.members);
+  *saved = (struct nb_saved){0};
+}
+
+enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct nb_error *error) {
+  if (strlen(text) >= sizeof *saved->settings)
+    return nb_error_set(error, NB_BAD_USE, "a state keeps settings shorter than %zu bytes, found `%.40s…`",
+                        sizeof *saved->settings, text);
+  void *more = nb_room(saved->settings, saved->setting_count, 1, sizeof *saved->settings);
+  if (!more)
+    return nb_error_memory(error);
+  saved->settings = more;
+  snprintf(saved->settings[saved->setting_count++], sizeof *saved->settings, "%s", text);
+  return NB_OK;
+}
+
+/* ---- fields ---- */
+
+/* "PATH:7:12: expected a number, found `x`" at the field that was taken last, of the first mistake in the file. */
+static void __attribute__((format(printf, 2, 3))) expected(struct stream *stream, const char *format, ...) {
+  char what[160];
+  va_list list;
+  if (stream->bad || stream->out) /* what is written is read again (run/state.c) */
+    return;
+  stream->bad = true;
+  va_start(list, format);
+  vsnprintf(what, sizeof what, format, list);
+  va_end(list);
+  const char *from = stream->taken < stream->end ? stream->taken : stream->end;
+  const int column = (int)(from - stream->line) + 1, length = (int)strcspn(from, " \n");
+  if (length > 0)
+    nb_error_set(stream->error, NB_BAD_USE, "%.150s:%zu:%d: expected %s, found `%.*s`", stream->path, stream->number,
+                 column, what, length < 60 ? length : 60, from);
+  else
+    nb_error_set(stream->error, NB_BAD_USE, "%.150s:%zu:%d: expected %s, found the end of the line", stream->path,
+                 stream->number, column, what);
+}
+
+static bool ended(const struct stream *stream) { return stream->at >= stream->end; }
+
+/* The next field, as a text of its own; empty, and said, when there is none. */
+static void take(struct stream *stream, char field[NB_STATE_FIELD], const char *what) {
+  field[0] = 0;
+  stream->taken = stream->at;
+  const size_t length = ended(stream) ? 0 : strcspn(stream->at, " \n");
+  if (length == 0 || length >= NB_STATE_FIELD) {
+    expected(stream, "%s", what);
+    return;
+  }
+  memcpy(field, stream->at, length);
+  field[length] = 0;
+  stream->at += length;
+  if (!ended(stream))
+    stream->at++;
+}
+
+/* Whatever takes a field that is not what it should be leaves something harmless. */
+
+enum range { FINITE, FROM_0, ABOVE_0, FROM_0_IF_SAID }; /* the last one may be infinite, or `-`, which is NAN */
+
+static void number(struct stream *stream, double *value, enum range range) {
+  char field[NB_STATE_FIELD], *end = field;
+  if (stream->out && isnan(*value)) {
+    nb_text_add(stream->out, " -");
+  } else if (stream->out) {
+    nb_text_add(stream->out, " %a", *value);
+  } else {
+    take(stream, field, "a number");
+    const bool said = strcmp(field, "-") != 0;
+    *value = said ? strtod(field, &end) : NAN;
+    if (said && (*end || isnan(*value)))
+      expected(stream, "a number");
+    if (range != FROM_0_IF_SAID && !isfinite(*value))
+      expected(stream, "a finite number");
+    if (range == ABOVE_0 && !(*value > 0))
+      expected(stream, "a number above 0");
+    if (range != FINITE && *value < 0)
+      expected(stream, "0 or more");
+  }
+}
+
+static void vector(struct stream *stream, struct nb_vec *value) {
+  number(stream, &value->x, FINITE), number(stream, &value->y, FINITE);
+}
+
+static void four(struct stream *stream, double *xx, double *xy, double *yx, double *yy) {
+  number(stream, xx, FINITE), number(stream, xy, FINITE), number(stream, yx, FINITE), number(stream, yy, FINITE);
+}
+static void tensor_of(struct stream *stream, struct nb_tensor *value) {
+  four(stream, &value->xx, &value->xy, &value->yx, &value->yy);
+}
+
+/* Of these and the ones below: what is written, and what has been read. */
+static unsigned long whole(struct stream *stream, unsigned long now, unsigned long low, unsigned long high) {
+  char field[NB_STATE_FIELD], *end;
+  if (stream->out)
+    return nb_text_add(stream->out, " %lu", now), now;
+  take(stream, field, "a whole number");
+  const unsigned long value = strtoul(field, &end, 10);
+  if (*end || field[0] < '0' || value < low || value > high)
+    expected(stream, "a whole number from %lu to %lu", low, high);
+  return stream->bad ? low : value;
+}
+
+/* Which of these words. */
+#define WORDS(...) ((const char *const[]){__VA_ARGS__, NULL})
+static int one_of(struct stream *stream, int now, const char *const words[]) {
+  char field[NB_STATE_FIELD], list[NB_STATE_FIELD] = "";
+  if (stream->out)
+    return nb_text_add(stream->out, " %s", words[now]), now;
+  for (int w = 0; words[w]; w++)
+    snprintf(list + strlen(list), sizeof list - strlen(list), "%s`%s`",
+             !w             ? ""
+             : words[w + 1] ? ", "
+                            : " or ",
+             words[w]);
+  take(stream, field, list);
+  for (int w = 0; words[w]; w++)
+    if (strcmp(field, words[w]) == 0)
+      return w;
+  expected(stream, "%s", list);
+  return 0;
+}
+static bool either(struct stream *stream, bool now, const char *no, const char *yes) {
+  return one_of(stream, now, WORDS(no, yes)) == 1;
+}
+
+static void name(struct stream *stream, char own[NB_NAME_SIZE], const char *what) {
+  char field[NB_STATE_FIELD];
+  if (stream->out) {
+    nb_text_add(stream->out, " %s", own);
+    return;
+  }
+  take(stream, field, what);
+  if (strlen(field) >= NB_NAME_SIZE)
+    expected(stream, "%s", what);
+  snprintf(own, NB_NAME_SIZE, "%.*s", NB_NAME_SIZE - 1, field);
+}
+
+/* Which of the names that such elements begin with. */
+static int known_name(struct stream *stream, int now, const void *known, size_t count, size_t element,
+                      const char *what) {
+  char field[NB_NAME_SIZE] = "";
+  if (stream->out)
+    memcpy(field, (const char *)known + (size_t)now * element, sizeof field);
+  name(stream, field, what);
+  for (size_t k = 0; k < count; k++)
+    if (strcmp((const char *)known + k * element, field) == 0)
+      return (int)k;
+  expected(stream, "%s that stands above", what);
+  return 0;
+}
+
+/* The name of the last one of `count` elements, which no other has. */
+static void new_name(struct stream *stream, char *own, const void *known, size_t count, size_t element,
+                     const char *what) {
+  name(stream, own, what);
+  if (!nb_is_name(own))
+    expected(stream, "%s", what);
+  for (size_t k = 0; k + 1 < count; k++)
+    if (strcmp((const char *)known + k * element, own) == 0)
+      expected(stream, "%s, each once", what);
+}
+
+/* The rest of the line, blanks and all. */
+static void rest(struct stream *stream, char *text, size_t size) {
+  if (stream->out) {
+    nb_text_add(stream->out, " %s", text);
+    return;
+  }
+  stream->taken = stream->at;
+  const size_t length = ended(stream) ? 0 : (size_t)(stream->end - stream->at);
+  if (length == 0 || length >= size)
+    expected(stream, "a text shorter than %zu bytes", size);
+  snprintf(text, size, "%.*s", (int)(length < size ? length : 0), stream->at);
+  stream->at = stream->end;
+}
+
+/* One more at the end of an array of the state; NULL, and said, when there are too many or no memory. */
+static void *more(struct stream *stream, void **array, size_t *count, size_t element, size_t most) {
+  if (*count >= most) {
+    expected(stream, "at most %zu such records", most);
+    return NULL;
+  }
+  void *room = nb_room(*array, *count, 1, element);
+  if (!room) {
+    stream->bad = true;
+    nb_error_memory(stream->error);
+    return NULL;
+  }
+  *array = room;
+  return memset((char *)room + element * (*count)++, 0, element);
+}
+/* The element that is written, or one more to be read. */
+#define ELEMENT(stream, things, count, most)                                                                           \
+  ((stream)->out ? &(stream)->saved->things[(stream)->k]                                                               \
+                 : more(stream, (void **)&(stream)->saved->things, &(stream)->saved->count,                            \
+                        sizeof *(stream)->saved->things, most))
+
+/* ---- records ---- */
+
+static void program(struct stream *stream) { name(stream, stream->saved->program, "the version of the program"); }
+static void page(struct stream *stream) { rest(stream, stream->saved->page, sizeof stream->saved->page); }
+static void stage(struct stream *stream) { name(stream, stream->saved->stage, "the name of a stage"); }
+static void gravity(struct stream *stream) { vector(stream, &stream->saved->gravity); }
+static void centre(struct stream *stream) { vector(stream, &stream->saved->centre); }
+
+static void hash(struct stream *stream) {
+  char field[NB_STATE_FIELD], *end;
+  if (stream->out) {
+    nb_text_add(stream->out, " %016llx", stream->saved->hash);
+    return;
+  }
+  take(stream, field, "16 hexadecimal digits");
+  stream->saved->hash = strtoull(field, &end, 16);
+  if (*end || strlen(field) != 16)
+    expected(stream, "16 hexadecimal digits");
+}
+
+static void setting(struct stream *stream) {
+  char(*it)[2 * NB_NAME_SIZE] = ELEMENT(stream, settings, setting_count, NB_NAMED_MAX);
+  if (it)
+    rest(stream, *it, sizeof *it);
+}
+
+static void cycle(struct stream *stream) {
+  struct nb_saved *saved = stream->saved;
+  saved->cycle = whole(stream, saved->cycle, 0, 1000000000000UL);
+  saved->stage_cycle = whole(stream, saved->stage_cycle, 0, saved->cycle);
+}
+
+static void time_and_step(struct stream *stream) {
+  number(stream, &stream->saved->time, FROM_0), number(stream, &stream->saved->step, ABOVE_0);
+}
+
+static void units(struct stream *stream) {
+  stream->saved->unitless = either(stream, stream->saved->unitless, "si", "none");
+}
+
+static void law(struct stream *stream) {
+  struct nb_saved *saved = stream->saved;
+  const bool shear = either(stream, stream->k == 1, "normal", "shear");
+  char *own = shear ? saved->shear : saved->normal;
+  if (own[0])
+    expected(stream, "such a record once");
+  name(stream, own, "the name of a law");
+  if (!nb_law_find(shear ? "shear" : "normal", own))
+    expected(stream, "a law of this program");
+  if (shear)
+    saved->pieces = (int)whole(stream, (unsigned long)saved->pieces, 0, NB_PIECES_MAX);
+}
+
+static void inward(struct stream *stream) {
+  number(stream, &stream->saved->inward.strength, FINITE), vector(stream, &stream->saved->inward.to);
+}
+
+static void rotation(struct stream *stream) {
+  stream->saved->turns = either(stream, stream->saved->turns, "off", "on");
+}
+
+static void cell(struct stream *stream) {
+  struct nb_saved_cell *it = &stream->saved->cell;
+  it->is = true;
+  tensor_of(stream, &it->h);
+  if (!(it->h.xx * it->h.yy - it->h.xy * it->h.yx > 0))
+    expected(stream, "a cell with an area above 0");
+  tensor_of(stream, &it->parting);
+}
+
+static enum nb_carrier carrier_of(struct stream *stream, enum nb_carrier now) {
+  static const char *const words[NB_CARRIERS + 1] = {[NB_CARRIER_NONE] = "nothing",
+                                                     [NB_CARRIER_CONTINUUM] = "continuum",
+                                                     [NB_CARRIER_BOUNDARY] = "boundary",
+                                                     [NB_CARRIER_CELL] = "cell",
+                                                     [NB_CARRIER_BOX] = "box"};
+  return (enum nb_carrier)one_of(stream, (int)now, words);
+}
+
+static void carrier(struct stream *stream) {
+  const enum nb_carrier which = carrier_of(stream, stream->out ? (enum nb_carrier)(stream->k + 1) : NB_CARRIER_NONE);
+  struct nb_saved_carrier *it = &stream->saved->carriers[which];
+  if (stream->carriers & 1U << which)
+    expected(stream, "such a record once for each carrier");
+  stream->carriers |= 1U << which;
+  it->literal = either(stream, it->literal, "apart", "literal");
+  tensor_of(stream, &it->rate);
+  it->asked.per_cycle = either(stream, it->asked.per_cycle, "time", "cycle");
+  four(stream, &it->asked.xx, &it->asked.xy, &it->asked.yx, &it->asked.yy);
+}
+
+static int material_of(struct stream *stream, int now) {
+  const struct nb_saved *saved = stream->saved;
+  return known_name(stream, now, saved->materials, saved->material_count, sizeof *saved->materials,
+                    "the name of a material");
+}
+
+static void material(struct stream *stream) {
+  struct nb_saved *saved = stream->saved;
+  struct nb_material *it = ELEMENT(stream, materials, material_count, NB_MATERIALS_MAX);
+  if (!it)
+    return;
+  new_name(stream, it->name, saved->materials, saved->material_count, sizeof *it, "the name of a material");
+  number(stream, &it->density, FROM_0);
+#define ROW(name, ...) number(stream, &it->name, FROM_0);
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+  number(stream, &it->young, FROM_0_IF_SAID);
+  if (isnan(it->young))
+    expected(stream, "0 or more");
+  number(stream, &it->poisson, FROM_0);
+  if (it->poisson > 0.5)
+    expected(stream, "a number from 0 to 0.5");
+}
+
+static void pair(struct stream *stream) {
+  struct nb_pair_rule *it = ELEMENT(stream, rules, rule_count, NB_MATERIALS_MAX * NB_MATERIALS_MAX);
+  if (!it)
+    return;
+  it->a = material_of(stream, it->a), it->b = material_of(stream, it->b);
+#define ROW(name, ...) number(stream, &it->name, FROM_0_IF_SAID);
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+}
+
+static void body(struct stream *stream) {
+  struct nb_saved_body *it = ELEMENT(stream, bodies, body_count, NB_BODIES_MAX);
+  if (!it)
+    return;
+  const size_t own = (size_t)(it - stream->saved->bodies) + 1;
+  whole(stream, own, own, own);
+  it->shape = either(stream, it->shape == NB_SPHERE, "disc", "sphere") ? NB_SPHERE : NB_DISC;
+  it->material = material_of(stream, it->material);
+  it->mobility = (enum nb_mobility)one_of(stream, (int)it->mobility, WORDS("free", "fixed", "gone"));
+  number(stream, &it->radius, ABOVE_0);
+  vector(stream, &it->position), vector(stream, &it->velocity);
+  number(stream, &it->spin, FINITE), number(stream, &it->angle, FINITE);
+}
+
+static void carried(struct stream *stream) {
+  struct nb_saved_carried *it = ELEMENT(stream, carried, carried_count, NB_BODIES_MAX);
+  if (!it)
+    return;
+  const size_t own = (size_t)(it - stream->saved->carried) + 1;
+  if (own > stream->saved->body_count)
+    expected(stream, "such a record once for each body above");
+  whole(stream, own, own, own);
+  it->by = carrier_of(stream, it->by);
+  vector(stream, &it->along);
+}
+
+static void boundary(struct stream *stream) {
+  struct nb_saved_ring *it = &stream->saved->ring;
+  it->is = true;
+  it->held = !either(stream, !it->held, "held", "loose");
+  it->pressing = !either(stream, !it->pressing, "pressed", "unpressed");
+  number(stream, &it->radius, ABOVE_0);
+  tensor_of(stream, &it->shape), tensor_of(stream, &it->stress);
+}
+
+static void members(struct stream *stream) {
+  struct nb_saved *saved = stream->saved;
+  for (size_t k = 0; stream->out && k < saved->ring.member_count; k++)
+    nb_text_add(stream->out, " %d", saved->ring.members[k] + 1);
+  while (!ended(stream) && !stream->bad) {
+    const int member = (int)whole(stream, 0, 1, saved->body_count) - 1;
+    if (saved->body_count == 0 || saved->bodies[member].member)
+      expected(stream, "each body once");
+    else
+      saved->bodies[member].member = true;
+    int *it = ELEMENT(stream, ring.members, ring.member_count, NB_BODIES_MAX);
+    if (it)
+      *it = member;
+  }
+}
+
+static void wall(struct stream *stream) {
+  struct nb_saved *saved = stream->saved;
+  struct nb_saved_wall *it = ELEMENT(stream, walls, wall_count, NB_NAMED_MAX);
+  if (!it)
+    return;
+  new_name(stream, it->name, saved->walls, saved->wall_count, sizeof *it, "the name of a wall");
+  it->material = material_of(stream, it->material);
+  vector(stream, &it->pivot), vector(stream, &it->along);
+  if (!(fabs(hypot(it->along.x, it->along.y) - 1) < unit_error))
+    expected(stream, "a vector of length 1");
+  number(stream, &it->h0, FINITE), number(stream, &it->h1, FINITE), number(stream, &it->h2, FINITE);
+  vector(stream, &it->velocity), number(stream, &it->spin, FINITE);
+  vector(stream, &it->turn), number(stream, &it->angle, FINITE);
+}
+
+/* ---- records of contacts ---- */
+
+static void fields(struct stream *stream) {
+#define ROW(field, name, range) one_of(stream, 0, WORDS(name));
+  NB_SAVED_FIELDS(ROW)
+#undef ROW
+  stream->fields = true;
+}
+
+static void write_memory(struct stream *stream, const char *word, struct nb_saved_memory it) {
+  if (it.count > 0)
+    nb_text_add(stream->out, "\n%s", word);
+  for (int m = 0; m < it.count; m++)
+    number(stream, &stream->saved->memory[it.at + (size_t)m], FINITE);
+}
+
+static void contact(struct stream *stream) {
+  const struct nb_saved *saved = stream->saved;
+  struct nb_saved_contact *it = ELEMENT(stream, contacts, contact_count, MANY);
+  if (!it)
+    return;
+  if (!stream->fields)
+    expected(stream, "a record `fields` before the first contact");
+  it->a = (int)whole(stream, (unsigned long)it->a + 1, 1, saved->body_count) - 1;
+  it->wall = either(stream, it->wall, "body", "wall");
+  if (it->wall)
+    it->b = known_name(stream, it->b, saved->walls, saved->wall_count, sizeof *saved->walls, "the name of a wall");
+  else
+    it->b = (int)whole(stream, (unsigned long)it->b + 1, (unsigned long)it->a + 2, saved->body_count) - 1;
+  it->muted = either(stream, it->muted, "heard", "muted");
+  vector(stream, &it->force);
+#define ROW(which, name, range) number(stream, &it->field[which], range);
+  NB_SAVED_FIELDS(ROW)
+#undef ROW
+  if (stream->out)
+    write_memory(stream, "normal", it->normal), write_memory(stream, "shear", it->shear);
+}
+
+static bool can_be(const struct nb_saved *saved, const struct nb_law *law, struct nb_saved_memory it) {
+  return law->valid ? law->valid(saved->memory + it.at, it.count, saved->pieces) : it.count == law->memory;
+}
+
+/* What a law remembers of the contact above. */
+static void read_memory(struct stream *stream, bool shear) {
+  struct nb_saved *saved = stream->saved;
+  struct nb_saved_contact *above = saved->contact_count ? &saved->contacts[saved->contact_count - 1] : NULL;
+  struct nb_saved_memory *it = !above ? NULL : shear ? &above->shear : &above->normal;
+  const struct nb_law *remembers = nb_law_find(shear ? "shear" : "normal", shear ? saved->shear : saved->normal);
+  if (!it || !remembers || it->count > 0) {
+    stream->taken = stream->line;
+    expected(stream, "such a record once, below its contact");
+    return;
+  }
+  it->at = saved->memory_count;
+  while (!ended(stream) && !stream->bad) {
+    double *value = ELEMENT(stream, memory, memory_count, MANY);
+    if (value)
+      number(stream, value, FINITE);
+    if (++it->count > NB_MEMORY_MAX)
+      expected(stream, "at most %d numbers", NB_MEMORY_MAX);
+  }
+  if (!stream->bad && !can_be(saved, remembers, *it)) {
+    stream->taken = stream->line;
+    expected(stream, "numbers that the law can have remembered");
+  }
+}
+static void normal(struct stream *stream) { read_memory(stream, false); }
+static void shear(struct stream *stream) { read_memory(stream, true); }
+
+/* ---- the whole ---- */
+
+/* Word, function, how often it must stand in a file, and how many are written: what the scene does not have, or is as it always
+ * is, is not. What laws remember is written with its contact. */
+#define RECORDS(X)                                                                                                     \
+  X("program", program, ONCE, 1)                                                                                       \
+  X("page", page, ONCE, 1)                                                                                             \
+  X("hash", hash, ONCE, 1)                                                                                             \
+  X("setting", setting, ANY_TIMES, saved->setting_count)                                                               \
+  X("stage", stage, ONCE, 1)                                                                                           \
+  X("cycle", cycle, ONCE, 1)                                                                                           \
+  X("time", time_and_step, ONCE, 1)                                                                                    \
+  X("units", units, ONCE, 1)                                                                                           \
+  X("gravity", gravity, ONCE, 1)                                                                                       \
+  X("law", law, ONCE_OR_MORE, 2)                                                                                       \
+  X("inward", inward, AT_MOST_ONCE, saved->inward.strength != 0)                                                       \
+  X("rotation", rotation, AT_MOST_ONCE, !saved->turns)                                                                 \
+  X("cell", cell, AT_MOST_ONCE, saved->cell.is)                                                                        \
+  X("centre", centre, AT_MOST_ONCE, saved->carried_count > 0)                                                          \
+  X("carrier", carrier, ANY_TIMES, saved->carried_count > 0 ? NB_CARRIERS - 1 : 0)                                     \
+  X("material", material, ANY_TIMES, saved->material_count)                                                            \
+  X("pair", pair, ANY_TIMES, saved->rule_count)                                                                        \
+  X("body", body, ONCE_OR_MORE, saved->body_count)                                                                     \
+  X("carried", carried, ANY_TIMES, saved->carried_count)                                                               \
+  X("boundary", boundary, AT_MOST_ONCE, saved->ring.is)                                                                \
+  X("members", members, AT_MOST_ONCE, saved->ring.is)                                                                  \
+  X("wall", wall, ANY_TIMES, saved->wall_count)                                                                        \
+  X("fields", fields, AT_MOST_ONCE, saved->contact_count > 0)                                                          \
+  X("contact", contact, ANY_TIMES, saved->contact_count)                                                               \
+  X("normal", normal, ANY_TIMES, 0)                                                                                    \
+  X("shear", shear, ANY_TIMES, 0)
+
+static const struct {
+  const char *word;
+  void (*walk)(struct stream *stream);
+  enum { ANY_TIMES, AT_MOST_ONCE, ONCE, ONCE_OR_MORE } times;
+} records[] = {
+#define ROW(word, walk, times, many) {word, walk, times},
+    RECORDS(ROW)
+#undef ROW
+};
+enum { COUNT = sizeof records / sizeof *records };
+
+static const char head[] = "nineball state 1\n";
+static const size_t any_version = sizeof "nineball state " - 1; /* characters of it */
+
+bool nb_saved_is(FILE *file) {
+  char begin[sizeof head];
+  return fread(begin, 1, any_version, file) == any_version && memcmp(begin, head, any_version) == 0;
+}
+
+char *nb_saved_text(const struct nb_saved *saved, size_t *size) {
+#define ROW(word, walk, times, many) many,
+  const size_t many[COUNT] = {RECORDS(ROW)};
+#undef ROW
+  struct nb_saved copy = *saved;
+  struct nb_text text = {0};
+  struct stream stream = {.saved = &copy, .out = &text};
+  nb_text_add(&text, "%s", head);
+  for (size_t r = 0; r < COUNT; r++)
+    for (stream.k = 0; stream.k < many[r]; stream.k++) {
+      nb_text_add(&text, "%s", records[r].word);
+      records[r].walk(&stream);
+      nb_text_add(&text, "\n");
+    }
+  if (!text.failed)
+    nb_text_add(&text, "end %016llx\n", nb_hash(NB_HASH_BEGIN, text.at, text.length));
+  *size = text.length;
+  return text.at;
+}
+
+static void read_record(struct stream *stream) {
+  char word[NB_STATE_FIELD];
+  size_t r = 0;
+  stream->at = stream->line;
+  take(stream, word, "a record");
+  while (r < COUNT && strcmp(records[r].word, word) != 0)
+    r++;
+  if (r == COUNT) {
+    expected(stream, "a record that this program knows");
+    return;
+  }
+  if (stream->seen & 1U << r && (records[r].times == ONCE || records[r].times == AT_MOST_ONCE))
+    expected(stream, "such a record once");
+  stream->seen |= 1U << r;
+  records[r].walk(stream);
+  stream->taken = stream->at;
+  if (!ended(stream))
+    expected(stream, "the end of the line");
+}
+
+/* Whether what carries a body is there. */
+static bool has_carrier(const struct nb_saved *saved, size_t body) {
+  const enum nb_carrier by = saved->carried[body].by;
+  return by == NB_CARRIER_CELL ? saved->cell.is : by != NB_CARRIER_BOUNDARY || saved->bodies[body].member;
+}
+
+/* At the last line, when all records have been read: what must be there is, and goes together. */
+static void check_whole(struct stream *stream) {
+  const struct nb_saved *saved = stream->saved;
+  stream->taken = stream->line;
+  for (size_t r = 0; r < COUNT; r++)
+    if (records[r].times >= ONCE && !(stream->seen & 1U << r))
+      expected(stream, "a record `%s` above", records[r].word);
+  if (!saved->normal[0] || !saved->shear[0])
+    expected(stream, "records `law normal` and `law shear` above");
+  if (saved->carried_count != 0 && saved->carried_count != saved->body_count)
+    expected(stream, "a record `carried` for each body, or for none");
+  for (size_t k = 0; k < saved->carried_count; k++)
+    if (!has_carrier(saved, k))
+      expected(stream, "body %zu to be carried by a cell or a boundary that there is", k + 1);
+  if (saved->ring.is != (saved->ring.member_count > 0))
+    expected(stream, "records `boundary` and `members`, or neither");
+}
+
+static enum nb_status damaged(const char *path, const char *text, size_t size, size_t last, const char *what,
+                              struct nb_error *error) {
+  size_t line = 1;
+  for (size_t i = 0; i < last && i < size; i++)
+    line += text[i] == '\n';
+  return nb_error_set(error, NB_BAD_USE, "%.200s:%zu:1: %s", path, line, what);
+}
+
+enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, const char *text, size_t size,
+                                  struct nb_error *error) {
+  char end[NB_STATE_END + 1];
+  *saved = (struct nb_saved){.turns = true};
+  if (size < sizeof head - 1 || memcmp(text, head, sizeof head - 1) != 0)
+    return damaged(path, text, 0, 0, "expected `nineball state 1`: this is no saved state, or one of another version",
+                   error);
+  const size_t last = size - NB_STATE_END;
+  if (size < sizeof head - 1 + NB_STATE_END || memcmp(text + last, "end ", 4) != 0)
+    return damaged(path, text, size, size, "expected a last line `end` with its checksum: the file is cut off", error);
+  snprintf(end, sizeof end, "end %016llx\n", nb_hash(NB_HASH_BEGIN, text, last));
+  if (text[last - 1] != '\n' || memcmp(text + last, end, NB_STATE_END) != 0)
+    return damaged(path, text, size, last, "expected another checksum: something in the file has changed", error);
+
+  struct stream stream = {.saved = saved, .path = path, .number = 1, .error = error, .line = text + sizeof head - 1};
+  while (stream.line < text + last && !stream.bad) {
+    stream.end = memchr(stream.line, '\n', (size_t)(text + last - stream.line)); /* the last line ends in one */
+    stream.number++;
+    read_record(&stream);
+    stream.line = stream.end + 1;
+  }
+  stream.end = text + size - 1, stream.number++;
+  if (!stream.bad)
+    check_whole(&stream);
+  if (!stream.bad)
+    return NB_OK;
+  nb_saved_free(saved);
+  return error->status;
+}
+
+enum nb_status nb_saved_read(struct nb_saved *saved, const char *path, struct nb_error *error) {
+  size_t size;
+  *saved = (struct nb_saved){0};
+  char *text = nb_file_read(path, NB_FILE_MAX, &size, error);
+  const struct nb_error why = text ? (struct nb_error){NB_OK, ""} : *error;
+  if (why.status == NB_BAD_USE)
+    nb_error_set(error, NB_BAD_USE, "%.200s: %.200s", path, why.text);
+  const enum nb_status status = text ? nb_saved_read_text(saved, path, text, size, error) : why.status;
+  free(text);
+  return status;
+}
