@@ -421,6 +421,8 @@ MEASURE = \
   src/measure/energy.h \
   src/measure/fabric.c \
   src/measure/fracc.c \
+  src/measure/impact.c \
+  src/measure/impact.h \
   src/measure/loads.c \
   src/measure/meet.c \
   src/measure/parted.c \
@@ -524,8 +526,6 @@ RUN = \
   src/run/bench_run.c \
   src/run/bench_traction.c \
   src/run/hooks.c \
-  src/run/impact.c \
-  src/run/impact.h \
   src/run/model.c \
   src/run/observe.c \
   src/run/observe.h \

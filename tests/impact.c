@@ -7,7 +7,7 @@
 
 #include "../src/core/model.h"
 #include "../src/input/reader.h"
-#include "run/impact.h"
+#include "../src/measure/impact.h"
 #include "suites.h"
 #include "written.h"
 

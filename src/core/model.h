@@ -195,7 +195,7 @@ struct nb_model {
     char first[3 * NB_NAME_SIZE]; /* the first of them, in words; empty: none yet */
   } deep;                         /* deep.c */
   struct nb_warnings warnings;    /* of this model, not of its scene */
-  double touch;                   /* when what `impact` makes first touches, s (run/impact.c) */
+  double touch;                   /* when what `impact` makes first touches, s (measure/impact.c) */
   const char *states;             /* folder of saved states; NULL: the usual one (run/start.c) */
 };
 

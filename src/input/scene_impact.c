@@ -9,8 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/model.h"
-#include "run/impact.h"
+#include "measure/impact.h"
 #include "scene.h"
 
 static const double right_angle = NB_PI / 2;

@@ -1,10 +1,10 @@
 /* From the scene to what runs: bodies, walls, pairings of materials, the plan, the first search, the forces at time 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "impact.h"
 #include "laws/laws_now.h"
 #include "loading/drive.h"
 #include "measure/energy.h"
+#include "measure/impact.h"
 #include "measure/region.h"
 #include "measure/since.h"
 #include "measure/step.h"
@@ -175,10 +175,19 @@ static enum nb_status find_contacts(struct nb_model *model, const struct nb_save
   return saved ? NB_OK : nb_step_set(model, &model->scene->stages[0].step, error);
 }
 
+/* Goes back from first touch by `phase` of the step. */
+static void begin_impact(struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  const struct nb_strike strike = nb_impact_strike(scene);
+  const int i = model->bodies.slot[scene->watches[scene->impact.watch].a];
+  model->touch = scene->impact.phase * model->step;
+  model->bodies.position[i] = vec_add(model->bodies.position[i], vec_scale(-model->touch, strike.arrival));
+}
+
 /* The forces at time 0: worked out, or as the state has them. */
 static enum nb_status find_forces(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   if (model->scene->impact.line)
-    nb_impact_begin(model);
+    begin_impact(model);
   if (saved)
     return nb_saved_put_contacts(model, saved, error);
   nb_forces(model), nb_deep_look(model);

@@ -1,4 +1,4 @@
-/* An impact that a page asks for: what the scene says of it, and where the run begins.
+/* An impact that a page asks for: what the scene says of it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_IMPACT_H
@@ -18,6 +18,5 @@ struct nb_strike {
   double peak, duration;         /* N_max, N; T_c, s: of the elastic impact [R89 5.9, 5.12] */
 };
 struct nb_strike nb_impact_strike(const struct nb_scene *scene); /* what the scene says of its impact */
-void nb_impact_begin(struct nb_model *model);                    /* goes back from first touch by `phase` of the step */
 
 #endif

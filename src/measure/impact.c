@@ -62,14 +62,6 @@ struct nb_strike nb_impact_strike(const struct nb_scene *scene) {
   return strike;
 }
 
-void nb_impact_begin(struct nb_model *model) {
-  const struct nb_scene *scene = model->scene;
-  const struct nb_strike strike = nb_impact_strike(scene);
-  const int i = model->bodies.slot[scene->watches[scene->impact.watch].a];
-  model->touch = scene->impact.phase * model->step;
-  model->bodies.position[i] = vec_add(model->bodies.position[i], vec_scale(-model->touch, strike.arrival));
-}
-
 /* ---- now ---- */
 
 struct now {
