@@ -471,6 +471,7 @@ PACKING = \
 
 # A page, line by line, to struct nb_scene.
 INPUT = \
+  src/input/bench_quantities.h \
   src/input/columns.c \
   src/input/columns.h \
   src/input/file.c \
@@ -521,10 +522,7 @@ INPUT = \
 RUN = \
   src/run/bench.c \
   src/run/bench.h \
-  src/run/bench_leg.c \
-  src/run/bench_names.c \
-  src/run/bench_run.c \
-  src/run/bench_traction.c \
+  src/run/bench_quantities.c \
   src/run/hooks.c \
   src/run/model.c \
   src/run/observe.c \

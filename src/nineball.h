@@ -92,7 +92,6 @@ void nb_page_free(struct nb_page *page);
 /* ---- names.c: dotted names ---------------------------------------------------------------------------------------- */
 
 struct nb_model;
-struct nb_bench;
 struct nb_scene;
 
 /* A quantity that can be recorded, waited for or expected: `C.normal`, `time`, `energy.kinetic`. */
@@ -103,9 +102,8 @@ struct nb_quantity {
 
 /* Finds `text`; false when the scene has no such name, then `hint` (NB_NAME_SIZE * 2 bytes) holds the nearest one, or is empty. */
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint);
-const char *nb_quantity_unit(struct nb_quantity quantity);                              /* "N", "m", "1" */
-double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model);    /* SI */
-double nb_quantity_on_bench(struct nb_quantity quantity, const struct nb_bench *bench); /* SI, of a path's contact */
+const char *nb_quantity_unit(struct nb_quantity quantity);                           /* "N", "m", "1" */
+double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model); /* SI */
 bool nb_quantity_vanishes(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
 /* Row by row all there are, for the manual; false past the last one. `of`: what such a quantity belongs to. */
 bool nb_quantity_row(size_t row, const char **name, const char **unit, const char **of, const char **help);

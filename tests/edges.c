@@ -82,7 +82,7 @@ static void what_is_let_go_does_not_turn(void) {
   "path\nmaterial soft young 1 MPa poisson 0 friction 0.3\ncontact sphere 10 mm soft with sphere 10 mm soft\n"         \
   "normal hertz\n"
 
-/* bench_run.c, run_leg: the last step of a leg has a row whatever the rows are counted by. */
+/* bench.c, run_leg: the last step of a leg has a row whatever the rows are counted by. */
 static void the_last_step_of_a_leg_is_recorded(void) {
   struct written it;
   struct nb_result result;
@@ -94,7 +94,7 @@ static void the_last_step_of_a_leg_is_recorded(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* bench_leg.c, seek: a force is sought up to an overlap of two radii: here one of half a radius, R* = 5 mm, E* = 0.5 MPa. */
+/* bench.c, seek: a force is sought up to an overlap of two radii: here one of half a radius, R* = 5 mm, E* = 0.5 MPa. */
 static void a_force_deep_in_the_contact_is_found(void) {
   struct written it;
   struct nb_result result;

@@ -28,8 +28,8 @@ enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNE
    NB_BIT(NB_DRAG) | NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_LOST) | NB_BIT(NB_SHEAR_BEFORE) |     \
    NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_ASKS_ENERGY)
 
-/* bench_names.c: their values are asked for by nb_quantity_on_bench; NULL past the last one. */
-const struct nb_quantity_kind *nb_bench_row(size_t k);
+/* Of the contact on the bench, which works out their values (run/bench_quantities.c); the last one has no name. */
+extern const struct nb_quantity_kind nb_bench_kinds[];
 
 static inline double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model) {
   return quantity.kind->value(model, quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch]);

@@ -208,9 +208,9 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 /* The rows one after the other, those of other files behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
   static const struct nb_quantity_kind *const others[] = {
-      nb_step_kinds,   nb_drive_kinds,    nb_fill_kinds,         nb_impact_kinds, nb_stress_kinds,
-      nb_fabric_kinds, nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds,   nb_strain_kinds,
-      nb_speed_kinds,  nb_chain_kinds,    nb_parted_kinds,       nb_cell_kinds,   nb_box_kinds};
+      nb_step_kinds,     nb_drive_kinds,        nb_fill_kinds, nb_impact_kinds, nb_stress_kinds, nb_fabric_kinds,
+      nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds, nb_strain_kinds, nb_speed_kinds,  nb_chain_kinds,
+      nb_parted_kinds,   nb_cell_kinds,         nb_box_kinds,  nb_bench_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -218,7 +218,7 @@ static const struct nb_quantity_kind *row(size_t k) {
     for (const struct nb_quantity_kind *kind = others[o]; kind->name; kind++, k--)
       if (k == 0)
         return kind;
-  return nb_bench_row(k);
+  return NULL;
 }
 
 /* Whether such a quantity is one of watch w, -1: of the whole scene. */

@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench_quantities.h"
 #include "columns.h"
 #include "core/names.h"
+#include "laws/law.h"
 #include "packing/packing.h"
-#include "run/bench.h"
 #include "scene.h"
 
 enum { STEPS_MAX = 1000000000, STEPS_DEFAULT = 100 };
@@ -179,6 +180,14 @@ NB_APPLY(nb_apply_leg) {
   if (!add_leg(scene, reader, stage))
     free(stage.leg.points);
 }
+
+/* ---- quantities ---- */
+
+const struct nb_quantity_kind nb_bench_kinds[] = {
+#define ROW(function, name, unit, asks, help) {name, NB_OF_BENCH, unit, asks, NULL, help},
+    NB_BENCH_QUANTITIES(ROW)
+#undef ROW
+        {NULL, 0, NULL, 0, NULL, NULL}};
 
 /* ---- the whole ---- */
 
