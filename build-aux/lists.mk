@@ -313,6 +313,7 @@ SHELL_TESTS = \
   tests/recipes.sh \
   tests/equations.sh \
   tests/language.sh \
+  tests/layers.sh \
   tests/hacking.sh
 
 # Recipes of figures, and their style.
