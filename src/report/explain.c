@@ -451,16 +451,14 @@ static bool explain_stage(FILE *out, const struct nb_model *model, const struct 
   return stage->change_count == 0 || explain_changes(out, model, stage, now);
 }
 
-/* Measured, not guessed: some cycles of a model of its own, at rest as the scene begins. */
-static double seconds_a_cycle(const struct nb_scene *scene, const struct nb_model *model) {
-  struct nb_error error;
+/* Measured, not guessed: some cycles of a model of its own, at rest as the scene begins. Seconds a cycle; 0 and an error when
+ * not even one could be made. */
+static double seconds_a_cycle(const struct nb_scene *scene, const struct nb_model *model, struct nb_error *error) {
   struct nb_model *trial =
-      nb_model_create(scene, &(struct nb_options){.threads = model->machine.threads, .states = model->states}, &error);
-  if (!trial)
-    return 0;
+      nb_model_create(scene, &(struct nb_options){.threads = model->machine.threads, .states = model->states}, error);
   const double began = nb_clock();
   unsigned long cycles = 0;
-  while (nb_clock() - began < 0.02 && !nb_cycle(trial, &error))
+  while (trial && (cycles == 0 || nb_clock() - began < 0.02) && !nb_cycle(trial, error))
     cycles++;
   const double seconds = nb_clock() - began;
   nb_model_free(trial);
@@ -482,10 +480,14 @@ static bool explain_stages(FILE *out, const struct nb_model *model) {
     cycles += scene->stages[s].cycles;
   }
   nb_properties_free(&now);
-  const double each = seconds_a_cycle(scene, model);
-  fprintf(out, "cost\n  %lu cycles, %.3g s (%.3g us a cycle, measured just now)\n", cycles, each * (double)cycles,
-          1e6 * each);
-  return known;
+  struct nb_error error = {NB_OK, ""};
+  const double each = known ? seconds_a_cycle(scene, model, &error) : 0;
+  fprintf(out, "cost\n  %lu cycles", cycles);
+  if (each > 0)
+    fprintf(out, ", %.3g s (%.3g us a cycle, measured just now)\n", each * (double)cycles, 1e6 * each);
+  else
+    fprintf(out, "; the time of a cycle cannot be measured: %s\n", known ? error.text : "out of memory");
+  return known && error.status != NB_NO_MEMORY;
 }
 
 /* ---- a path ---- */
