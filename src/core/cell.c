@@ -128,7 +128,3 @@ double nb_cell_area_first(const struct nb_cell *cell) { return fabs(tensor_deter
 struct nb_tensor nb_cell_strain(const struct nb_cell *cell) {
   return tensor_symmetric(tensor_sub(tensor_product(cell->h, tensor_inverse(cell->first)), one));
 }
-
-struct nb_tensor nb_cell_stress(const struct nb_model *model) {
-  return tensor_scale(1 / (nb_cell_area(model->cell) * nb_thickness(model)), nb_contacts_virial(model));
-}

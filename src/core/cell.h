@@ -41,8 +41,6 @@ struct nb_vec nb_cell_place(const struct nb_model *model, size_t slot); /* of a 
 /* m, in sides of H: that copy of what lies `apart` from a body is the nearest one to it. */
 struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart);
 
-/* By contacts, compression positive: -(1/V) sum f_i l_j, f on the first body, l from its centre to that of the copy. */
-struct nb_tensor nb_cell_stress(const struct nb_model *model); /* Pa */
 double nb_cell_area(const struct nb_cell *cell),
     nb_cell_area_first(const struct nb_cell *cell);          /* now, at time 0; m2 */
 struct nb_tensor nb_cell_strain(const struct nb_cell *cell); /* symmetric part of H H_0^-1 - 1 */

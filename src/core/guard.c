@@ -24,12 +24,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
 
-bool nb_guard_turns(const struct nb_model *model, size_t w, double angle) {
-  const struct nb_walls *walls = &model->walls;
-  const double end = fabs(walls->h0[w]) + fmax(fabs(walls->h1[w]), fabs(walls->h2[w]));
-  return angle * angle * fmax(end, model->search.smallest) > 8 * model->search.smallest;
-}
-
 static int line_of(const struct nb_model *model, int number) { return model->scene->bodies[number - 1].line; }
 
 /* Without what a periodic cell carries along: its copies are carried with it. */

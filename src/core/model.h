@@ -221,7 +221,6 @@ static inline bool nb_gone(const struct nb_model *model, size_t slot) {
 double nb_thickness(const struct nb_model *model); /* of discs 1 m, of spheres the mean diameter, m */
 
 /* guard.c: particles do not pass through each other, or through walls */
-bool nb_guard_turns(const struct nb_model *model, size_t wall, double angle); /* too far for one step, rad */
 /* NB_BROKEN when a position is NaN or infinite; when a particle moved, or a wall turned, too far in the step behind. */
 enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error);
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error);
@@ -261,7 +260,8 @@ void nb_motion_begin(struct nb_model *model, size_t slot, struct nb_state now);
 void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */
-void nb_walls_searched(struct nb_walls *walls); /* remembers where their ends are now */
+bool nb_guard_turns(const struct nb_model *model, size_t wall, double angle); /* too far for one step, rad */
+void nb_walls_searched(struct nb_walls *walls);                               /* remembers where their ends are now */
 /* NB_BROKEN when the centre of a body has crossed a wall in the step behind: of the pairs listed, or of all there are. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
 

@@ -23,6 +23,13 @@ static struct nb_vec turned(struct nb_vec e, struct nb_vec by) {
   return vec_scale(1 / vec_length(to), to);
 }
 
+/* The arc of its far end leaves the chord by more than the smallest radius: guard.c says why. */
+bool nb_guard_turns(const struct nb_model *model, size_t w, double angle) {
+  const struct nb_walls *walls = &model->walls;
+  const double end = fabs(walls->h0[w]) + fmax(fabs(walls->h1[w]), fabs(walls->h2[w]));
+  return angle * angle * fmax(end, model->search.smallest) > 8 * model->search.smallest;
+}
+
 /* Returns how many walls have an end farther from where the last search found it than half the skin, or moved too far. */
 int nb_motion_walls(struct nb_model *model) {
   struct nb_walls *walls = &model->walls;

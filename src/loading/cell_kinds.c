@@ -12,8 +12,13 @@ NB_QUANTITY(strain_xx, nb_cell_strain(model->cell).xx)
 NB_QUANTITY(strain_xy, nb_cell_strain(model->cell).xy)
 NB_QUANTITY(strain_yy, nb_cell_strain(model->cell).yy)
 NB_QUANTITY(strain_volume, nb_cell_area(model->cell) / nb_cell_area_first(model->cell) - 1)
-NB_TENSOR_QUANTITIES(stress, nb_cell_stress(model))
-NB_QUANTITY(stress_mean, tensor_mean(nb_cell_stress(model)))
+/* By contacts, compression positive: -(1/V) sum f_i l_j, f on the first body, l from its centre to that of the copy; Pa. */
+static struct nb_tensor stress_now(const struct nb_model *model) {
+  return tensor_scale(1 / (nb_cell_area(model->cell) * nb_thickness(model)), nb_contacts_virial(model));
+}
+
+NB_TENSOR_QUANTITIES(stress, stress_now(model))
+NB_QUANTITY(stress_mean, tensor_mean(stress_now(model)))
 
 const struct nb_quantity_kind nb_cell_kinds[] = {
     {"cell.xx", NB_OF_CELL, "m", 0, h_xx, "side of the cell that was the southern one: to the east"},
