@@ -555,7 +555,6 @@ VERDICT = \
   src/report/reducers.c \
   src/report/verdict.c \
   src/report/verdict.h \
-  src/report/verdict_sample.c \
   src/report/verdict_sweep.c
 
 # The command line.

@@ -5,6 +5,8 @@
 #include "clean.h"
 
 #include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
 
 /* Bytes of a character, by its first one; 0: no character begins so. */
 static size_t length_of(unsigned char first) {
@@ -42,4 +44,16 @@ int nb_clean(char *text, size_t length, unsigned *byte) {
     i += n ? n : 1;
   }
   return first;
+}
+
+void nb_append_list(char *text, size_t size, const char *format, va_list list) {
+  const size_t length = strlen(text);
+  vsnprintf(text + length, size - length, format, list);
+}
+
+void nb_append(char *text, size_t size, const char *format, ...) {
+  va_list list;
+  va_start(list, format);
+  nb_append_list(text, size, format, list);
+  va_end(list);
 }

@@ -19,17 +19,6 @@ static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *m
     nb_warnings_add(&outcome->warnings, &more->list[k]);
 }
 
-static void make_label(struct nb_page_run *run) {
-  run->label[0] = 0;
-  for (size_t k = 0; k < run->scene.binding_count; k++) {
-    const struct nb_binding *binding = &run->scene.bindings[k];
-    const size_t length = strlen(run->label);
-    if (binding->swept)
-      snprintf(run->label + length, sizeof run->label - length, "%s%s=%s", length ? ", " : "", binding->name,
-               binding->text);
-  }
-}
-
 /* All runs of the page; an error only if memory runs out. */
 static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
   const size_t runs = nb_scene_runs(&outcome->page, settings, &outcome->mistakes);
@@ -40,7 +29,7 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
     struct nb_page_run *run = &outcome->runs[outcome->run_count++];
     nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
-    make_label(run);
+    nb_sweep_words(run->label, sizeof run->label, run, NULL);
     add_warnings(outcome, &run->scene.warnings);
   }
 }

@@ -67,6 +67,9 @@ void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *ta
 const double *nb_measure_known(const struct nb_measure *measure, const struct nb_scene *scene,
                                const struct nb_known *known);
 
+/* What is swept, in this run: "v=0.12, n=40"; without what the expectation is judged over, if there is one. */
+void nb_sweep_words(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);
+
 /* ---- verdict.c ---- */
 enum nb_status nb_verdict(struct nb_outcome *outcome);
 const char *nb_mark_word(enum nb_mark mark); /* "pass" */

@@ -6,19 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
+#include "core/clean.h"
 #include "verdict.h"
 
 static struct nb_check *new_check(struct nb_outcome *outcome) {
-  const size_t n = outcome->check_count;
-  if ((n & (n - 1)) == 0) { /* room doubles at powers of two */
-    struct nb_check *checks = realloc(outcome->checks, (n ? 2 * n : 1) * sizeof *checks);
-    if (!checks)
-      return NULL;
-    outcome->checks = checks;
-  }
-  outcome->checks[n] = (struct nb_check){.mark = NB_FAIL};
-  outcome->check_count++;
-  return &outcome->checks[n];
+  struct nb_check *checks = nb_room(outcome->checks, outcome->check_count, 1, sizeof *checks);
+  if (!checks)
+    return NULL;
+  outcome->checks = checks;
+  outcome->checks[outcome->check_count] = (struct nb_check){.mark = NB_FAIL};
+  return &outcome->checks[outcome->check_count++];
 }
 
 const char *nb_mark_word(enum nb_mark mark) {
@@ -27,24 +25,12 @@ const char *nb_mark_word(enum nb_mark mark) {
   return words[mark];
 }
 
-static void add(struct nb_check *check, const char *format, va_list arguments) {
-  const size_t length = strlen(check->words);
-  vsnprintf(check->words + length, sizeof check->words - length, format, arguments);
-}
-
-void nb_check_add(struct nb_check *check, const char *format, ...) {
-  va_list arguments;
-  va_start(arguments, format);
-  add(check, format, arguments);
-  va_end(arguments);
-}
-
 void nb_check_say(struct nb_check *check, bool passed, const char *format, ...) {
   va_list arguments;
   check->words[0] = 0;
   check->mark = passed ? NB_PASS : NB_FAIL;
   va_start(arguments, format);
-  add(check, format, arguments);
+  nb_append_list(check->words, sizeof check->words, format, arguments);
   va_end(arguments);
 }
 
@@ -64,19 +50,19 @@ static void compare(struct nb_check *check, const struct nb_tolerance *tolerance
   nb_check_say(check, nb_excess(tolerance, seen, known, scale) <= 1, "seen %.12g%s%s, %s %.12g", seen,
                unit[0] ? " " : "", unit, from, known);
   if (!isfinite(seen) || !isfinite(known))
-    nb_check_add(check, ": not a finite number");
+    nb_append(check->words, sizeof check->words, ": not a finite number");
   else if (relative && !isfinite(tolerance->value * scale))
-    nb_check_add(check, ": a share of %g is no finite tolerance", scale);
+    nb_append(check->words, sizeof check->words, ": a share of %g is no finite tolerance", scale);
   else if (!relative)
-    nb_check_add(check, ", off by %.3g", off);
+    nb_append(check->words, sizeof check->words, ", off by %.3g", off);
   else if (scale != 0)
-    nb_check_add(check, ", off by %.3g %%%s%s", 100 * off / fabs(scale),
-                 tolerance->kind == NB_OF_PEAK      ? " of peak"
-                 : tolerance->kind == NB_OF_MEASURE ? " of "
-                                                    : "",
-                 tolerance->kind == NB_OF_MEASURE ? tolerance->of.label : "");
+    nb_append(check->words, sizeof check->words, ", off by %.3g %%%s%s", 100 * off / fabs(scale),
+              tolerance->kind == NB_OF_PEAK      ? " of peak"
+              : tolerance->kind == NB_OF_MEASURE ? " of "
+                                                 : "",
+              tolerance->kind == NB_OF_MEASURE ? tolerance->of.label : "");
   else
-    nb_check_add(check, ", off by %.3g; a tolerance in %% of 0 allows no error", off);
+    nb_append(check->words, sizeof check->words, ", off by %.3g; a tolerance in %% of 0 allows no error", off);
 }
 
 /* What a share is of: the other measure that the tolerance names, or else `own`; false with words when there is none. */
@@ -155,7 +141,7 @@ static void check_along(struct nb_check *check, const struct nb_page_run *run, c
       continue;
     most = excess;
     compare(check, &e->tolerance, seen, known, share_of, unit_of(run, e->measure.unit), "known");
-    nb_check_add(check, ", worst of %zu rows at %s %.6g", to - from, e->along, x);
+    nb_append(check->words, sizeof check->words, ", worst of %zu rows at %s %.6g", to - from, e->along, x);
   }
 }
 
@@ -186,35 +172,17 @@ static void judge(struct nb_check *check, const struct nb_outcome *outcome, size
   const struct nb_page_run *run = &outcome->runs[r];
   const struct nb_expectation *e = &run->expectations.list[index];
   char group[256];
-  nb_sweep_group(group, sizeof group, run, e);
-  const size_t length = strlen(check->label);
+  nb_sweep_words(group, sizeof group, run, e);
   if (group[0])
-    snprintf(check->label + length, sizeof check->label - length, " (%s)", group);
-  if (e->among[0]) {
-    nb_check_sample(check, outcome, r, index);
-    return;
-  }
-  switch (e->kind) {
-  case NB_WITHIN:
-  case NB_STATED:
-    check_value(check, run, e);
-    break;
-  case NB_ALONG:
-    check_along(check, run, e);
-    break;
-  case NB_LESS:
-  case NB_MORE:
-    check_order(check, run, e);
-    break;
-  case NB_RISES:
-  case NB_FALLS:
-  case NB_SAME:
+    nb_append(check->label, sizeof check->label, " (%s)", group);
+  if (nb_over_sweep(e))
     nb_check_sweep(check, outcome, r, index);
-    break;
-  case NB_ORDER:
-    nb_check_slope(check, outcome, r, index);
-    break;
-  }
+  else if (e->kind == NB_ALONG)
+    check_along(check, run, e);
+  else if (e->kind == NB_LESS || e->kind == NB_MORE)
+    check_order(check, run, e);
+  else
+    check_value(check, run, e);
 }
 
 static bool is_skipped(const struct nb_outcome *outcome, int line) {
@@ -256,27 +224,34 @@ static bool skip_unread(struct nb_outcome *outcome) {
   return all;
 }
 
-enum nb_status nb_verdict(struct nb_outcome *outcome) {
+/* What run r expects, unless an earlier run of the same group has been judged for it. */
+static bool judge_run(struct nb_outcome *outcome, size_t r) {
+  const struct nb_expectations *expectations = &outcome->runs[r].expectations;
   bool room = true;
-  for (size_t r = 0; r < outcome->run_count && room; r++) {
-    const struct nb_expectations *expectations = &outcome->runs[r].expectations;
-    for (size_t k = 0; k < expectations->count && room; k++) {
-      const struct nb_expectation *e = &expectations->list[k];
-      if (nb_over_sweep(e) && !nb_sweep_leads(outcome, r, e))
-        continue;
-      const char *constant = nb_over_sweep(e) ? nb_sweep_constant(outcome, r, e) : NULL;
-      if (constant) {
-        room = skip(outcome, e->line, "`%s` has one value only, so there is nothing to compare", constant);
-        continue;
-      }
-      struct nb_check *check = new_check(outcome);
-      room = check != NULL;
-      if (check) {
-        label(check, outcome, e->line);
-        judge(check, outcome, r, k);
-      }
+  for (size_t k = 0; k < expectations->count && room; k++) {
+    const struct nb_expectation *e = &expectations->list[k];
+    const bool over = nb_over_sweep(e);
+    if (over && !nb_sweep_leads(outcome, r, e))
+      continue;
+    const char *constant = over ? nb_sweep_constant(outcome, r, e) : NULL;
+    if (constant) {
+      room = skip(outcome, e->line, "`%s` has one value only, so there is nothing to compare", constant);
+      continue;
+    }
+    struct nb_check *check = new_check(outcome);
+    room = check != NULL;
+    if (check) {
+      label(check, outcome, e->line);
+      judge(check, outcome, r, k);
     }
   }
+  return room;
+}
+
+enum nb_status nb_verdict(struct nb_outcome *outcome) {
+  bool room = true;
+  for (size_t r = 0; r < outcome->run_count && room; r++)
+    room = judge_run(outcome, r);
   if (!room || !skip_unread(outcome))
     return nb_error_memory(&outcome->error);
   for (size_t k = 0; k < outcome->check_count; k++)

@@ -1,4 +1,4 @@
-/* Between the verdict on one run (verdict.c), on a sweep (verdict_sweep.c), and on samples (verdict_sample.c).
+/* Between the verdict on one run (verdict.c) and on those of a sweep (verdict_sweep.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_VERDICT_H
@@ -7,8 +7,6 @@
 #include "outcome.h"
 
 void nb_check_say(struct nb_check *check, bool passed, const char *format, ...) __attribute__((format(printf, 3, 4)));
-/* Behind what is said already. */
-void nb_check_add(struct nb_check *check, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* The rule of every tolerance: |computed - reference| as a multiple of the error that is allowed, so at most 1 when the
  * expectation holds. `scale`: what a tolerance in per cent is a share of. Infinite when one of the numbers is not finite. */
 double nb_excess(const struct nb_tolerance *tolerance, double computed, double reference, double scale);
@@ -18,20 +16,13 @@ bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_
 /* Of the reference, or 0 for a residual; NULL: not known. */
 const double *nb_check_known(const struct nb_page_run *run, const struct nb_measure *measure);
 
+/* ---- verdict_sweep.c ---- */
+
 bool nb_over_sweep(const struct nb_expectation *expectation);
 /* A group of runs that differ in the swept names only is judged once, at its first run. */
 bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *expectation);
 /* The swept name of which all runs of the group have one value, so that nothing can be compared; NULL: none. */
 const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *expectation);
-/* There is one: expectations name only what is swept. */
-const struct nb_binding *nb_sweep_binding(const struct nb_page_run *run, const char *name);
-/* Whether two runs differ in nothing but these names, and in what goes with them in the same sweep. Empty: no such name. */
-bool nb_sweep_same_but(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other);
 void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index);
-void nb_check_slope(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index);
-
-/* What all runs that it is about have in common, of what is swept: "v=0.12, n=40". */
-void nb_sweep_group(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);
-void nb_check_sample(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index);
 
 #endif

@@ -1,23 +1,50 @@
-/* Expectations over a sweep: what rises, falls, stays, or has an order. Those over samples: verdict_sample.c.
+/* Expectations over the runs of a sweep.
+ *
+ *   rises, falls with N           from each value of N to the next
+ *   same over N within            the largest less the smallest; a share is of the mean
+ *   order P over N within         P is the slope of the straight line nearest to log(error) over log(N)
+ *
+ * Among S, a sweep whose runs are draws of the same, as assemblies that differ in their seed are:
+ *
+ *   stated X among S              where X lies in the sample: the share of the runs below it, and half of those at it
+ *   rises, falls with N among S   d, the difference from one value of N to the next, run by run of S: the interval
+ *                                 mean d -+ t s/sqrt(n) of 95 % confidence lies above 0, or below
+ *   same over N among S within    that interval, between every two values of N, lies within -+ the tolerance
+ *
+ * s is the standard deviation of the n differences, t the quantile 0.975 of Student's distribution of n - 1 degrees of freedom.
+ * Runs are paired, since two that share a seed share most of what makes a sample scatter.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
 #include <string.h>
 
+#include "core/clean.h"
 #include "input/reader.h"
+#include "student.h"
 #include "verdict.h"
 
+/* ---- runs and what is swept ---- */
+
+static bool along_sweep(enum nb_expectation_kind kind) {
+  return kind == NB_RISES || kind == NB_FALLS || kind == NB_SAME || kind == NB_ORDER;
+}
+
+bool nb_over_sweep(const struct nb_expectation *e) { return along_sweep(e->kind) || e->among[0]; }
+
+static const char *along_of(const struct nb_expectation *e) { return along_sweep(e->kind) ? e->along : ""; }
+
 /* There is one: expectations name only what is swept. */
-const struct nb_binding *nb_sweep_binding(const struct nb_page_run *run, const char *name) {
+static const struct nb_binding *binding_of(const struct nb_page_run *run, const char *name) {
   size_t k = 0;
   while (k + 1 < run->scene.binding_count && strcmp(run->scene.bindings[k].name, name) != 0)
     k++;
   return &run->scene.bindings[k];
 }
 
-bool nb_sweep_same_but(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
-  const int sweep = name[0] ? nb_sweep_binding(a, name)->sweep : -1;
-  const int second = other[0] ? nb_sweep_binding(a, other)->sweep : -1;
+/* Whether two runs differ in nothing but these names, and in what goes with them in the same sweep. Empty: no such name. */
+static bool same_but(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
+  const int sweep = name[0] ? binding_of(a, name)->sweep : -1;
+  const int second = other[0] ? binding_of(a, other)->sweep : -1;
   for (size_t k = 0; k < a->scene.binding_count; k++) {
     const struct nb_binding *binding = &a->scene.bindings[k];
     const bool fixed = binding->sweep >= 0 && binding->sweep != sweep && binding->sweep != second; /* a `let` follows */
@@ -27,74 +54,9 @@ bool nb_sweep_same_but(const struct nb_page_run *a, const struct nb_page_run *b,
   return true;
 }
 
-void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
-  const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
-  double smallest = INFINITY, largest = -INFINITY, before = 0, sum = 0, count = 0;
-  bool ordered = true;
-  char values[sizeof check->words] = "";
-  for (size_t r = first; r < outcome->run_count; r++) {
-    double seen;
-    if (!nb_sweep_same_but(&outcome->runs[first], &outcome->runs[r], e->along, ""))
-      continue;
-    if (!nb_check_value(&seen, check, &outcome->runs[r], &outcome->runs[r].expectations.list[index]))
-      return;
-    if (count > 0)
-      ordered = ordered && (e->kind == NB_RISES ? seen > before : seen < before);
-    smallest = fmin(smallest, seen), largest = fmax(largest, seen);
-    sum += seen, count++, before = seen;
-    const size_t length = strlen(values);
-    snprintf(values + length, sizeof values - length, "%s%.6g at %s", length ? ", " : "seen ", seen,
-             nb_sweep_binding(&outcome->runs[r], e->along)->text);
-  }
-  const bool same = nb_excess(&e->tolerance, largest, smallest, sum / count) <= 1;
-  nb_check_say(check, e->kind == NB_SAME ? same : ordered, "%s", values);
-}
-
-/* Slope of the straight line nearest to log(error) over log(value) of all runs in a sweep. */
-void nb_check_slope(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
-  const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  char errors[256] = "";
-  for (size_t r = first; r < outcome->run_count; r++) {
-    const struct nb_page_run *run = &outcome->runs[r];
-    const struct nb_measure *measure = &run->expectations.list[index].measure;
-    double seen;
-    if (!nb_sweep_same_but(&outcome->runs[first], run, e->along, ""))
-      continue;
-    const double *known = nb_check_known(run, measure);
-    const struct nb_binding *binding = nb_sweep_binding(run, e->along);
-    const double value = nb_value_number(binding->text);
-    if (!known || !(value > 0)) {
-      nb_check_say(check, false, known ? "`%s` is not a number above 0" : "the reference does not know `%s`",
-                   known ? binding->text : measure->label);
-      return;
-    }
-    if (!nb_check_value(&seen, check, run, &run->expectations.list[index]))
-      return;
-    const double off = fabs(seen - *known), lx = log(value), ly = log(off);
-    if (!isfinite(ly)) {
-      nb_check_say(check, false, "the error at %s is %g, which has no logarithm", binding->text, off);
-      return;
-    }
-    n++, x += lx, y += ly, xx += lx * lx, xy += lx * ly;
-    const size_t length = strlen(errors);
-    snprintf(errors + length, sizeof errors - length, "%s%.3g at %s", n > 1 ? ", " : "", off, binding->text);
-  }
-  const double slope = (n * xy - x * y) / (n * xx - x * x);
-  nb_check_say(check, nb_excess(&e->tolerance, slope, e->stated, e->stated) <= 1, "seen order %.4g: errors %s", slope,
-               errors);
-}
-
-static bool along_sweep(enum nb_expectation_kind kind) {
-  return kind == NB_RISES || kind == NB_FALLS || kind == NB_SAME || kind == NB_ORDER;
-}
-
-bool nb_over_sweep(const struct nb_expectation *e) { return along_sweep(e->kind) || e->among[0]; }
-
 bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *e) {
-  const char *along = along_sweep(e->kind) ? e->along : "";
   for (size_t r = 0; r < run; r++)
-    if (nb_sweep_same_but(&outcome->runs[r], &outcome->runs[run], along, e->among))
+    if (same_but(&outcome->runs[r], &outcome->runs[run], along_of(e), e->among))
       return false;
   return true;
 }
@@ -104,27 +66,204 @@ static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
 }
 
 const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *e) {
-  const char *const names[] = {along_sweep(e->kind) ? e->along : "", e->among};
+  const char *const names[] = {along_of(e), e->among};
   const struct nb_page_run *one = &outcome->runs[first];
   for (int k = 0; k < 2; k++) {
     bool varies = !names[k][0];
     for (size_t r = first + 1; r < outcome->run_count && !varies; r++)
-      varies = nb_sweep_same_but(one, &outcome->runs[r], names[k], "") &&
-               !same_value(nb_sweep_binding(one, names[k]), nb_sweep_binding(&outcome->runs[r], names[k]));
+      varies = same_but(one, &outcome->runs[r], names[k], "") &&
+               !same_value(binding_of(one, names[k]), binding_of(&outcome->runs[r], names[k]));
     if (!varies)
       return names[k];
   }
   return NULL;
 }
 
-void nb_sweep_group(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *e) {
-  const int along = along_sweep(e->kind) ? nb_sweep_binding(run, e->along)->sweep : -1;
-  const int among = e->among[0] ? nb_sweep_binding(run, e->among)->sweep : -1;
+void nb_sweep_words(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *e) {
+  const int along = e && along_of(e)[0] ? binding_of(run, e->along)->sweep : -1;
+  const int among = e && e->among[0] ? binding_of(run, e->among)->sweep : -1;
   text[0] = 0;
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];
-    const size_t length = strlen(text);
-    if (binding->swept && binding->sweep != along && binding->sweep != among)
-      snprintf(text + length, size - length, "%s%s=%s", length ? ", " : "", binding->name, binding->text);
+    if (binding->swept && (!e || (binding->sweep != along && binding->sweep != among)))
+      nb_append(text, size, "%s%s=%s", text[0] ? ", " : "", binding->name, binding->text);
   }
+}
+
+/* ---- an expectation and the runs that it is about ---- */
+
+struct group {
+  struct nb_check *check;
+  const struct nb_outcome *outcome;
+  size_t first, index; /* the first run, and which of its expectations */
+  const struct nb_expectation *e;
+};
+
+/* Whether run r differs from run `as` in these names only. */
+static bool is_in(const struct group *group, size_t r, size_t as, const char *name, const char *other) {
+  return same_but(&group->outcome->runs[as], &group->outcome->runs[r], name, other);
+}
+
+/* What is swept along, in run r, as it was written. */
+static const char *swept(const struct group *group, size_t r) {
+  return binding_of(&group->outcome->runs[r], group->e->along)->text;
+}
+
+/* Of run r; false with words when it cannot be formed. */
+static bool value_of(double *value, const struct group *group, size_t r) {
+  const struct nb_page_run *run = &group->outcome->runs[r];
+  return nb_check_value(value, group->check, run, &run->expectations.list[group->index]);
+}
+
+struct sample {
+  double count, mean, squares, smallest, largest; /* squares: of the distances from the mean (Welford 1962) */
+};
+
+static void add(struct sample *sample, double value) {
+  const double off = value - sample->mean;
+  sample->count++;
+  sample->mean += off / sample->count;
+  sample->squares += off * (value - sample->mean);
+  sample->smallest = sample->count > 1 && sample->smallest < value ? sample->smallest : value;
+  sample->largest = sample->count > 1 && sample->largest > value ? sample->largest : value;
+}
+
+static double deviation(const struct sample *sample) { return sqrt(sample->squares / (sample->count - 1)); }
+
+/* ---- along a sweep ---- */
+
+static void check_trend(const struct group *group) {
+  const struct nb_expectation *e = group->e;
+  struct sample all = {.count = 0};
+  double before = 0;
+  bool ordered = true;
+  for (size_t r = group->first; r < group->outcome->run_count; r++) {
+    double seen;
+    if (!is_in(group, r, group->first, e->along, ""))
+      continue;
+    if (!value_of(&seen, group, r))
+      return;
+    if (all.count > 0)
+      ordered = ordered && (e->kind == NB_RISES ? seen > before : seen < before);
+    nb_append(group->check->words, sizeof group->check->words, "%s%.6g at %s", all.count > 0 ? ", " : "seen ", seen,
+              swept(group, r));
+    add(&all, seen);
+    before = seen;
+  }
+  const bool same = nb_excess(&e->tolerance, all.largest, all.smallest, all.mean) <= 1;
+  group->check->mark = (e->kind == NB_SAME ? same : ordered) ? NB_PASS : NB_FAIL;
+}
+
+static void check_slope(const struct group *group) {
+  const struct nb_expectation *e = group->e;
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  char errors[256] = "";
+  for (size_t r = group->first; r < group->outcome->run_count; r++) {
+    const struct nb_page_run *run = &group->outcome->runs[r];
+    const struct nb_measure *measure = &run->expectations.list[group->index].measure;
+    double seen;
+    if (!is_in(group, r, group->first, e->along, ""))
+      continue;
+    const double *known = nb_check_known(run, measure), value = nb_value_number(swept(group, r));
+    if (!known || !(value > 0)) {
+      nb_check_say(group->check, false, known ? "`%s` is not a number above 0" : "the reference does not know `%s`",
+                   known ? swept(group, r) : measure->label);
+      return;
+    }
+    if (!value_of(&seen, group, r))
+      return;
+    const double off = fabs(seen - *known), lx = log(value), ly = log(off);
+    if (!isfinite(ly)) {
+      nb_check_say(group->check, false, "the error at %s is %g, which has no logarithm", swept(group, r), off);
+      return;
+    }
+    n++, x += lx, y += ly, xx += lx * lx, xy += lx * ly;
+    nb_append(errors, sizeof errors, "%s%.3g at %s", n > 1 ? ", " : "", off, swept(group, r));
+  }
+  const double slope = (n * xy - x * y) / (n * xx - x * x);
+  nb_check_say(group->check, nb_excess(&e->tolerance, slope, e->stated, e->stated) <= 1, "seen order %.4g: errors %s",
+               slope, errors);
+}
+
+/* ---- among a sample ---- */
+
+static void check_stated(const struct group *group) {
+  const struct nb_expectation *e = group->e;
+  struct sample sample = {.count = 0};
+  double below = 0;
+  for (size_t r = group->first; r < group->outcome->run_count; r++) {
+    double seen;
+    if (!is_in(group, r, group->first, "", e->among))
+      continue;
+    if (!value_of(&seen, group, r))
+      return;
+    add(&sample, seen);
+    below += seen < e->stated ? 1 : seen == e->stated ? 0.5 : 0;
+  }
+  const bool inside = sample.smallest <= e->stated && e->stated <= sample.largest;
+  nb_check_say(group->check, inside,
+               "stated %.6g, %s %.0f of %s: %.4g to %.4g, mean %.4g, deviation %.2g; at the %.0f %% point", e->stated,
+               inside ? "within" : "outside of", sample.count, e->among, sample.smallest, sample.largest, sample.mean,
+               deviation(&sample), 100 * below / sample.count);
+  group->check->mark = NB_NOTE;
+}
+
+/* The run that goes with run r when the swept name has the value it has in `as`: the same but for that name. */
+static size_t partner(const struct group *group, size_t r, size_t as) {
+  size_t other = 0; /* there is one: sweeps are combined with each other */
+  while (!is_in(group, r, other, group->e->along, "") || !is_in(group, as, other, "", group->e->among))
+    other++;
+  return other;
+}
+
+/* Differences from the runs that have the value of `from` to those that have the value of `to`, held against what is expected of
+ * them, and said. */
+static bool holds(const struct group *group, size_t from, size_t to, bool *formed) {
+  const struct nb_expectation *e = group->e;
+  struct sample d = {.count = 0}, level = {.count = 0};
+  for (size_t r = 0; r < group->outcome->run_count; r++) {
+    double before, after;
+    if (!is_in(group, r, from, "", e->among))
+      continue;
+    *formed = value_of(&before, group, r) && value_of(&after, group, partner(group, r, to));
+    if (!*formed)
+      return false;
+    add(&d, after - before);
+    add(&level, (before + after) / 2);
+  }
+  const double half = student_reach(d.count, 0.95) * deviation(&d) / sqrt(d.count);
+  const double low = d.mean - half, high = d.mean + half;
+  nb_append(group->check->words, sizeof group->check->words, "%sfrom %s to %s %+.4g (%.4g to %.4g) on %.4g",
+            group->check->words[0] ? "; " : "", swept(group, from), swept(group, to), d.mean, low, high, level.mean);
+  if (e->kind == NB_SAME)
+    return nb_excess(&e->tolerance, low, 0, level.mean) <= 1 && nb_excess(&e->tolerance, high, 0, level.mean) <= 1;
+  return e->kind == NB_RISES ? low > 0 : high < 0;
+}
+
+static void check_differences(const struct group *group) {
+  const size_t runs = group->outcome->run_count;
+  bool all = true, formed = true;
+  for (size_t from = group->first; from < runs; from++) {
+    if (!is_in(group, from, group->first, group->e->along, ""))
+      continue;
+    for (size_t to = from + 1; to < runs; to++) {
+      if (!is_in(group, to, group->first, group->e->along, ""))
+        continue;
+      all = holds(group, from, to, &formed) && all;
+      if (!formed)
+        return;
+      if (group->e->kind != NB_SAME)
+        break; /* from each value to the next */
+    }
+  }
+  group->check->mark = all ? NB_PASS : NB_FAIL;
+}
+
+void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
+  const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
+  const struct group group = {check, outcome, first, index, e};
+  if (e->among[0])
+    (e->kind == NB_STATED ? check_stated : check_differences)(&group);
+  else
+    (e->kind == NB_ORDER ? check_slope : check_trend)(&group);
 }
