@@ -355,6 +355,8 @@ CORE = \
   src/core/damping.c \
   src/core/deep.c \
   src/core/error.c \
+  src/core/grid.c \
+  src/core/grid.h \
   src/core/guard.c \
   src/core/guess.h \
   src/core/hertz_impact.h \

@@ -166,6 +166,12 @@ static void what_is_there_stays_free(void) {
   sound(&it.scene, 2);
   it.scene.fill_count = 2;
   written_free(&it);
+  /* Dust that is a thousandth of what is to come lies in more boxes than there are grains. */
+  make(&it, ROCK "grading dust 0.01 300\n" WIDE "discs fill circle 0 0 radius 30 dust rock seed 1 tries 9 else stop\n"
+                 "discs fill circle 0 0 radius 30 w rock seed 2 tries 1000 else skip\n");
+  CU_ASSERT(it.scene.fills[0].count == 300 && it.scene.fills[1].count > 1000);
+  sound(&it.scene, it.scene.fills[1].first);
+  written_free(&it);
 }
 
 /* How often a place is free when a share q of the plane is taken, in powers of q [Schaaf and Talbot, J. Chem. Phys. 91

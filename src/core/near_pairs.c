@@ -1,109 +1,49 @@
 /* Which pairs of bodies, and of bodies and walls, are nearer than the skin.
  *
- * Bodies are put into square boxes; a box is found by a hash of its whole-number co-ordinates, so a scene may lie anywhere and
- * have no edge. There are levels of boxes, each half as wide as the one before: a body lives on the finest level whose boxes
- * are as wide as it is and the skin. So a few large bodies among many small ones cost the small ones nothing: a body looks at
- * the nine boxes around it on its own level, and on those of larger bodies, as far as there are any. Scenes of a few bodies
- * have no boxes.
+ * Bodies lie in boxes on levels by size (grid.h), each on the finest level whose boxes are as wide as it is and the skin. A body
+ * looks at the nine boxes around it on its own level, and on those of larger bodies, as far as there are any. Scenes of a few
+ * bodies have no boxes.
  *
  * In a periodic cell (cell.c) bodies count as where their copy in the cell is. Whichever of its copies comes near the cell
  * looks around as well, and that finds every pair once.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdint.h>
 #include <stdlib.h>
 
+#include "grid.h"
 #include "near.h"
 
-enum {
-  LEVELS = 24,
-  FEW = 16
-}; /* radii from 1 to 2^-23: the last level takes all that are smaller; bodies without boxes */
+enum { FEW = 16 }; /* bodies without boxes */
 
-struct grid {
-  double width[LEVELS];
-  size_t count[LEVELS]; /* bodies on each level */
-  size_t mask;          /* buckets - 1, a power of two less one */
-  int *level;           /* per slot */
-  int64_t *cx, *cy;     /* per slot: its box on its level */
-  size_t *first;        /* per bucket: first of its bodies in `member` */
-  int *member;          /* slots, bucket by bucket, in the order of their numbers */
+struct search {
+  struct nb_grid grid;
   struct nb_wrap wrap;  /* of the periodic cell that bodies are in; */
   struct nb_vec *place; /* per slot: where its copy in the cell is, m; NULL without a cell */
 };
 
-static size_t bucket_of(const struct grid *grid, int level, int64_t cx, int64_t cy) {
-  uint64_t h =
-      (uint64_t)cx * 0x9e3779b97f4a7c15u ^ (uint64_t)cy * 0xc2b2ae3d27d4eb4fu ^ (uint64_t)level * 0x165667b19e3779f9u;
-  h ^= h >> 29;
-  return (size_t)h & grid->mask;
+static bool wrap_places(struct search *search, const struct nb_model *model) {
+  const size_t n = model->bodies.count;
+  search->place = nb_array(n, sizeof *search->place);
+  search->wrap = nb_cell_wrap(model->cell);
+  for (size_t i = 0; i < n && search->place; i++)
+    search->place[i] = nb_wrapped(&search->wrap, model->bodies.position[i]);
+  return search->place != NULL;
 }
 
-static void grid_free(struct grid *grid) {
-  free(grid->level), free(grid->cx), free(grid->cy), free(grid->first), free(grid->member), free(grid->place);
+static inline struct nb_vec place_of(const struct search *search, const struct nb_model *model, int i) {
+  return search->place ? search->place[i] : model->bodies.position[i];
 }
 
-/* Farther out than whole numbers go in a double, the last box takes all: they are still in order, and compared by distance. */
-static int64_t box_at(double widths) {
-  const double last = 9007199254740992;
-  return (int64_t)(widths < -last ? -last : widths > last ? last : floor(widths));
-}
-
-static void choose_levels(struct grid *grid, const struct nb_model *model) {
+static bool search_begin(struct search *search, const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   double largest = 0;
   for (size_t i = 0; i < bodies->count; i++)
     largest = bodies->rim[i].x > largest ? bodies->rim[i].x : largest;
-  for (int l = 0; l < LEVELS; l++)
-    grid->width[l] = l ? grid->width[l - 1] / 2 : 2 * largest + model->search.skin;
-  for (size_t i = 0; i < bodies->count; i++) {
-    int level = 0;
-    while (level + 1 < LEVELS && grid->width[level + 1] >= 2 * bodies->rim[i].x + model->search.skin)
-      level++;
-    grid->level[i] = level;
-    grid->count[level]++;
-  }
-}
-
-static bool wrap_places(struct grid *grid, const struct nb_model *model) {
-  const size_t n = model->bodies.count;
-  grid->place = nb_array(n, sizeof *grid->place);
-  grid->wrap = nb_cell_wrap(model->cell);
-  for (size_t i = 0; i < n && grid->place; i++)
-    grid->place[i] = nb_wrapped(&grid->wrap, model->bodies.position[i]);
-  return grid->place != NULL;
-}
-
-static inline struct nb_vec place_of(const struct grid *grid, const struct nb_model *model, int i) {
-  return grid->place ? grid->place[i] : model->bodies.position[i];
-}
-
-static bool grid_fill(struct grid *grid, const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
-  const size_t n = bodies->count;
-  size_t buckets = 16;
-  while (buckets < 2 * n)
-    buckets *= 2;
-  *grid = (struct grid){.mask = buckets - 1, .level = nb_array(n, sizeof *grid->level)};
-  grid->cx = nb_array(n, sizeof *grid->cx), grid->cy = nb_array(n, sizeof *grid->cy);
-  grid->first = nb_array(buckets + 2, sizeof *grid->first), grid->member = nb_array(n, sizeof *grid->member);
-  if (!grid->level || !grid->cx || !grid->cy || !grid->first || !grid->member)
+  if (!nb_grid_create(&search->grid, bodies->count, 2 * largest + model->search.skin) ||
+      (model->cell && !wrap_places(search, model)))
     return false;
-  choose_levels(grid, model);
-  if (model->cell && !wrap_places(grid, model))
-    return false;
-  for (size_t i = 0; i < n; i++) {
-    const struct nb_vec x = place_of(grid, model, (int)i);
-    grid->cx[i] = box_at(x.x / grid->width[grid->level[i]]);
-    grid->cy[i] = box_at(x.y / grid->width[grid->level[i]]);
-    grid->first[bucket_of(grid, grid->level[i], grid->cx[i], grid->cy[i]) + 2]++;
-  }
-  for (size_t b = 2; b < buckets + 2; b++)
-    grid->first[b] += grid->first[b - 1];
-  for (size_t k = 0; k < n; k++) { /* in the order of numbers */
-    const int i = bodies->slot[k];
-    grid->member[grid->first[bucket_of(grid, grid->level[i], grid->cx[i], grid->cy[i]) + 1]++] = i;
-  }
+  for (int i = 0; i < (int)bodies->count; i++)
+    nb_grid_add(&search->grid, i, place_of(search, model, i), 2 * bodies->rim[i].x + model->search.skin);
   return true;
 }
 
@@ -151,45 +91,43 @@ struct looking {
   struct nb_vec from; /* m */
 };
 
-/* The bodies of one box on a level: all of them when they are larger than i, those with larger numbers on its own. */
-static bool near_in_box(struct nb_near_pairs *pairs, struct nb_model *model, const struct grid *grid,
-                        struct looking who, int level, int64_t cx, int64_t cy) {
+/* The bodies of one box: all of them when they are larger than i, those with larger numbers on its own level. */
+static bool near_in_box(struct nb_near_pairs *pairs, struct nb_model *model, const struct search *search,
+                        struct looking who, struct nb_box box) {
   const int *number = model->bodies.number;
-  const size_t bucket = bucket_of(grid, level, cx, cy);
-  for (size_t k = grid->first[bucket]; k < grid->first[bucket + 1]; k++) {
-    const int j = grid->member[k];
-    if (grid->cx[j] != cx || grid->cy[j] != cy || grid->level[j] != level)
+  const bool own = box.level == search->grid.in[who.i].box.level;
+  NB_IN_BOX(&search->grid, j, box) {
+    if (own && number[j] <= number[who.i])
       continue;
-    if (level == grid->level[who.i] && number[j] <= number[who.i])
-      continue;
-    if (!near_pair(pairs, model, who.i, j, vec_sub(place_of(grid, model, j), who.from)))
+    if (!near_pair(pairs, model, who.i, j, vec_sub(place_of(search, model, j), who.from)))
       return false;
   }
   return true;
 }
 
-static bool near_around(struct nb_near_pairs *pairs, struct nb_model *model, const struct grid *grid,
+static bool near_around(struct nb_near_pairs *pairs, struct nb_model *model, const struct search *search,
                         struct looking who) {
-  for (int level = grid->level[who.i]; level >= 0; level--) {
+  const struct nb_grid *grid = &search->grid;
+  for (int level = grid->in [who.i].box.level; level >= 0; level--) {
     if (!grid->count[level])
       continue;
-    const int64_t cx = box_at(who.from.x / grid->width[level]), cy = box_at(who.from.y / grid->width[level]);
+    const int64_t x = nb_grid_place(grid, level, who.from.x), y = nb_grid_place(grid, level, who.from.y);
     for (int64_t dy = -1; dy <= 1; dy++)
       for (int64_t dx = -1; dx <= 1; dx++)
-        if (!near_in_box(pairs, model, grid, who, level, cx + dx, cy + dy))
+        if (!near_in_box(pairs, model, search, who, (struct nb_box){level, x + dx, y + dy}))
           return false;
   }
   return true;
 }
 
 /* From each of the nine copies of i that lies in the cell, or no farther outside than a contact reaches. */
-static bool near_copies(struct nb_near_pairs *pairs, struct nb_model *model, const struct grid *grid, int i) {
-  const struct nb_wrap *wrap = &grid->wrap;
-  const double edge = (0.5 + grid->width[0] / nb_wrap_width(wrap)) * (1 + 1e-12);
+static bool near_copies(struct nb_near_pairs *pairs, struct nb_model *model, const struct search *search, int i) {
+  const struct nb_wrap *wrap = &search->wrap;
+  const double edge = (0.5 + search->grid.width[0] / nb_wrap_width(wrap)) * (1 + 1e-12);
   for (int m = 0; m < 9; m++) {
-    const struct nb_vec from = vec_add(grid->place[i], tensor_times(wrap->h, vec(m % 3 - 1, m / 3 - 1)));
+    const struct nb_vec from = vec_add(search->place[i], tensor_times(wrap->h, vec(m % 3 - 1, m / 3 - 1)));
     const struct nb_vec at = tensor_times(wrap->inverse, vec_sub(from, wrap->centre));
-    if (fabs(at.x) <= edge && fabs(at.y) <= edge && !near_around(pairs, model, grid, (struct looking){i, from}))
+    if (fabs(at.x) <= edge && fabs(at.y) <= edge && !near_around(pairs, model, search, (struct looking){i, from}))
       return false;
   }
   return true;
@@ -214,18 +152,19 @@ bool nb_near_find(struct nb_near_pairs *found, struct nb_model *model) {
   const struct nb_vec *x = bodies->position;
   const int n = (int)bodies->count;
   const bool all = n <= FEW && !model->cell;
-  struct grid grid = {0};
-  bool room = all || grid_fill(&grid, model);
+  struct search search = {0};
+  bool room = all || search_begin(&search, model);
   for (int k = 0; k < n && room; k++) {
     const int i = bodies->slot[k];
     if (model->cell)
-      room = near_copies(found, model, &grid, i);
+      room = near_copies(found, model, &search, i);
     else if (!all)
-      room = near_around(found, model, &grid, (struct looking){i, x[i]});
+      room = near_around(found, model, &search, (struct looking){i, x[i]});
     for (int l = k + 1; l < n && all && room; l++)
       room = near_pair(found, model, i, bodies->slot[l], vec_sub(x[bodies->slot[l]], x[i]));
     room = room && near_walls(found, model, i);
   }
-  grid_free(&grid);
+  nb_grid_free(&search.grid);
+  free(search.place);
   return room;
 }

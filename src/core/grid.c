@@ -1,0 +1,35 @@
+/* Boxes on levels: made, and filled.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "grid.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "array.h"
+
+bool nb_grid_create(struct nb_grid *grid, size_t things, double widest) {
+  size_t buckets = 16;
+  while (buckets < 2 * things)
+    buckets *= 2;
+  *grid = (struct nb_grid){
+      .mask = buckets - 1, .first = nb_array(buckets, sizeof *grid->first), .in = nb_array(things, sizeof *grid->in)};
+  for (int l = 0; l < NB_GRID_LEVELS; l++, widest /= 2)
+    grid->width[l] = widest;
+  if (grid->first)
+    memset(grid->first, -1, buckets * sizeof *grid->first); /* all bits set: -1 */
+  return grid->first && grid->in;
+}
+
+void nb_grid_free(struct nb_grid *grid) { free(grid->first), free(grid->in); }
+
+void nb_grid_add(struct nb_grid *grid, int thing, struct nb_vec at, double width) {
+  int level = 0;
+  while (level + 1 < NB_GRID_LEVELS && grid->width[level + 1] >= width)
+    level++;
+  const struct nb_box box = {level, nb_grid_place(grid, level, at.x), nb_grid_place(grid, level, at.y)};
+  int *first = &grid->first[nb_grid_bucket(grid, box)];
+  grid->in[thing] = (struct nb_in_box){box, *first};
+  *first = thing;
+  grid->count[level]++;
+}
