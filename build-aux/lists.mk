@@ -17,6 +17,31 @@ LAWS = \
   src/laws/shear_randall.c \
   src/laws/shear_randall_literal.c
 
+# One statement of the page language each, or a family of them; the register, help and manual come from this list, in its order.
+STATEMENTS = \
+  src/input/let.c \
+  src/input/start.c \
+  src/input/material.c \
+  src/input/law.c \
+  src/input/damping.c \
+  src/input/gravity.c \
+  src/input/body.c \
+  src/input/fill.c \
+  src/input/packing.c \
+  src/input/wall.c \
+  src/input/cell.c \
+  src/input/watch.c \
+  src/input/region.c \
+  src/input/impact.c \
+  src/input/place.c \
+  src/input/step.c \
+  src/input/record.c \
+  src/input/stage.c \
+  src/input/remove.c \
+  src/input/servo.c \
+  src/input/boundary.c \
+  src/input/path.c
+
 # One judge each: what theory says of a scene.
 REFERENCES = \
   cases/refs/momentum.c \
@@ -479,47 +504,21 @@ INPUT = \
   src/input/columns.h \
   src/input/file.c \
   src/input/hash.h \
-  src/input/keywords.c \
+  src/input/line.c \
   src/input/mistakes.c \
   src/input/names.c \
   src/input/page.c \
   src/input/reader.h \
   src/input/scene.c \
   src/input/scene.h \
-  src/input/scene_bodies.c \
-  src/input/scene_box.c \
-  src/input/scene_cell.c \
-  src/input/scene_changes.c \
-  src/input/scene_drive.c \
-  src/input/scene_fields.h \
-  src/input/scene_fill.c \
-  src/input/scene_follow.c \
-  src/input/scene_free.c \
-  src/input/scene_impact.c \
-  src/input/scene_laws.c \
-  src/input/scene_packing.c \
-  src/input/scene_path.c \
-  src/input/scene_place.c \
-  src/input/scene_region.c \
-  src/input/scene_remove.c \
-  src/input/scene_repeat.c \
-  src/input/scene_servo.c \
-  src/input/scene_stages.c \
-  src/input/scene_start.c \
-  src/input/scene_step.c \
-  src/input/scene_table.c \
-  src/input/scene_values.c \
-  src/input/scene_whole.c \
-  src/input/scene_world.c \
   src/input/state_file.c \
   src/input/state_file.h \
+  src/input/statement.c \
+  src/input/statement.h \
   src/input/text.c \
   src/input/text.h \
   src/input/units.c \
-  src/input/units.h \
-  src/input/values.c \
-  src/input/verbs.c \
-  src/input/words.c
+  src/input/units.h
 
 # Plan, stages, states, tables, and one contact alone.
 RUN = \

@@ -56,11 +56,11 @@ void nb_warnings_add(struct nb_warnings *warnings, const struct nb_warning *warn
 /* ---- mistakes.c: what is wrong with a page, every mistake of it at once ------------------------------------------ */
 
 struct nb_mistakes {
-  char *text;                      /* the messages, ready to print; NULL while there are none; owned here */
-  size_t count;                    /* how many that differ */
-  size_t made;                     /* how many times one was made, the same one again too */
-  bool no_memory;                  /* memory ran out, which counts as made and has no text; it stays so */
-  struct nb_mistake_place *places; /* where in the text each one begins: mistakes.c's own; owned here */
+  char *text;                        /* the messages, ready to print; NULL while there are none; owned here */
+  size_t count;                      /* how many have been said */
+  size_t made;                       /* how many there are, with those that are left unsaid */
+  bool no_memory;                    /* memory ran out, which counts as made and has no text; it stays so */
+  struct nb_mistakes_inside *inside; /* mistakes.c's own; owned here */
 };
 void nb_mistakes_free(struct nb_mistakes *mistakes);
 
@@ -462,16 +462,6 @@ struct nb_binding {
   int sweep; /* which `sweep` of the page it comes from, though --set may have left it one value; -1: a `let` */
 };
 
-/* What the mistakes of a page leave unknown; a set. What is in it is not asked about. */
-enum nb_unsure {
-  NB_UNSURE_UNITS = 1,   /* whether there are units */
-  NB_UNSURE_VALUES = 2,  /* which names `let` and `sweep` give */
-  NB_UNSURE_WATCHES = 4, /* which names `watch` gives, or what they are of */
-  NB_UNSURE_COLUMNS = 8, /* what is recorded */
-  NB_UNSURE_STAGES = 16, /* which stages there are */
-  NB_UNSURE_ALL = 31
-};
-
 /* `start PAGE stage NAME`: the scene goes on where a stage of another page ends. The scene has all that the other one has, its
  * stages too; those are not run again, but their end is looked up among the saved states, or made first. */
 struct nb_start {
@@ -527,7 +517,6 @@ struct nb_scene {
   size_t stage_count;
   struct nb_binding *bindings;
   size_t binding_count;
-  unsigned unsure;             /* set of enum nb_unsure, of what mistakes leave unknown */
   struct nb_warnings warnings; /* found while it was read */
 };
 

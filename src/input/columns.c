@@ -117,7 +117,7 @@ static bool read_number(double *value, const struct table *table, size_t line, i
 
 bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char *path) {
   struct nb_error error;
-  if (!token || token->hollow || !nb_file_find(reader, token, "", path))
+  if (!token || !nb_file_find(reader, token, "", path))
     return false;
   FILE *file = nb_file_open(path, &error);
   if (file)

@@ -16,16 +16,36 @@
 
 enum { MISTAKES_MAX = 1000 };
 
-struct nb_mistake_place {
-  size_t start; /* in the text */
+/* Where in the text a message begins, and what it is of. */
+struct place {
+  size_t start;
   size_t line;
   int column;
 };
+struct name {
+  char name[2 * NB_NAME_SIZE];
+};
+
+struct nb_mistakes_inside {
+  struct place *places; /* of each message */
+  struct name *excused; /* names that nothing is said of any more */
+  size_t excused_count;
+};
 
 void nb_mistakes_free(struct nb_mistakes *mistakes) {
+  if (mistakes->inside)
+    free(mistakes->inside->places), free(mistakes->inside->excused);
+  free(mistakes->inside);
   free(mistakes->text);
-  free(mistakes->places);
   memset(mistakes, 0, sizeof *mistakes);
+}
+
+static struct nb_mistakes_inside *inside(struct nb_mistakes *mistakes) {
+  if (!mistakes->inside)
+    mistakes->inside = calloc(1, sizeof *mistakes->inside);
+  if (!mistakes->inside)
+    nb_mistake_memory(mistakes);
+  return mistakes->inside;
 }
 
 /* The bytes of the first n characters. */
@@ -67,7 +87,7 @@ static void add_line(struct nb_text *text, const char *line, size_t number, int 
 static size_t place_of(const struct nb_mistakes *mistakes, const char *path, size_t line, int column) {
   size_t at = mistakes->count, length = strlen(path);
   for (; at > 0; at--) {
-    const struct nb_mistake_place *before = &mistakes->places[at - 1];
+    const struct place *before = &mistakes->inside->places[at - 1];
     if (strncmp(mistakes->text + before->start, path, length) != 0)
       break;
     if (before->line < line || (before->line == line && before->column <= column))
@@ -76,45 +96,32 @@ static size_t place_of(const struct nb_mistakes *mistakes, const char *path, siz
   return at;
 }
 
-/* Whether the very same was said before. */
-static bool is_said(const struct nb_mistakes *mistakes, size_t line, int column, const struct nb_text *message) {
-  for (size_t i = 0; i < mistakes->count; i++)
-    if (mistakes->places[i].line == line && mistakes->places[i].column == column &&
-        strncmp(mistakes->text + mistakes->places[i].start, message->at, message->length) == 0)
-      return true;
-  return false;
-}
-
 static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, int column,
                    const struct nb_text *message) {
-  size_t count = mistakes->count, at = place_of(mistakes, path, line, column);
+  struct nb_mistakes_inside *book = inside(mistakes);
+  size_t count = mistakes->count, at = book ? place_of(mistakes, path, line, column) : 0;
   size_t end = mistakes->text ? strlen(mistakes->text) : 0;
-  size_t start = at < count ? mistakes->places[at].start : end;
-  struct nb_mistake_place *places = nb_room(mistakes->places, count, 1, sizeof *places);
+  struct place *places = book ? nb_room(book->places, count, 1, sizeof *places) : NULL;
   char *text = places ? realloc(mistakes->text, end + message->length + 1) : NULL;
   if (places)
-    mistakes->places = places;
+    book->places = places;
   if (!text) {
     mistakes->no_memory = true;
     return;
   }
+  const size_t start = at < count ? places[at].start : end;
   mistakes->text = text;
   memmove(text + start + message->length, text + start, end - start);
   memcpy(text + start, message->at, message->length);
   text[end + message->length] = '\0';
   memmove(places + at + 1, places + at, (count - at) * sizeof *places);
-  places[at] = (struct nb_mistake_place){start, line, column};
+  places[at] = (struct place){start, line, column};
   for (size_t i = at + 1; i <= count; i++)
     places[i].start += message->length;
   mistakes->count++;
 }
 
 void nb_mistake_memory(struct nb_mistakes *mistakes) { mistakes->made++, mistakes->no_memory = true; }
-
-void nb_no_memory(struct nb_reader *reader) {
-  reader->bad = true;
-  nb_mistake_memory(reader->mistakes);
-}
 
 enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before) {
   return mistakes->no_memory ? NB_NO_MEMORY : mistakes->made > before ? NB_BAD_USE : NB_OK;
@@ -140,19 +147,65 @@ void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t
     add_line(&message, page->lines[line - 1], in_file ? line : 0, column, length);
   if (hint && hint[0])
     nb_text_add(&message, "  hint: %s\n", hint);
-  bool said = !message.failed && is_said(mistakes, line, column, &message);
-  if (!message.failed && !said && mistakes->count == MISTAKES_MAX) {
+  if (!message.failed && mistakes->count == MISTAKES_MAX) {
     line = page->line_count + 1, message.length = 0;
     nb_text_add(&message, "%s: error: more than %d mistakes: the others are left unsaid\n", page->path, MISTAKES_MAX);
   }
   if (message.failed)
     mistakes->no_memory = true;
-  else if (!said)
+  else
     insert(mistakes, page->path, line, column, &message);
   free(message.at);
 }
 
+/* ---- names ---- */
+
+void nb_excuse(struct nb_mistakes *mistakes, const char *name) {
+  struct nb_mistakes_inside *book = inside(mistakes);
+  struct name one = {""};
+  if (!book || nb_excused(mistakes, name) || strlen(name) >= sizeof one.name)
+    return;
+  strcpy(one.name, name);
+  struct name *excused = nb_room(book->excused, book->excused_count, 1, sizeof *excused);
+  if (!excused) {
+    nb_mistake_memory(mistakes);
+    return;
+  }
+  book->excused = excused;
+  excused[book->excused_count++] = one;
+}
+
+bool nb_excused(const struct nb_mistakes *mistakes, const char *name) {
+  const struct nb_mistakes_inside *book = mistakes->inside;
+  char stem[2 * NB_NAME_SIZE];
+  const char *const names[] = {name, stem, NB_ANYTHING};
+  snprintf(stem, sizeof stem, "%.*s", (int)strcspn(name, "."), name);
+  for (size_t k = 0; book && k < sizeof names / sizeof *names; k++)
+    if (NB_FIND(book->excused, book->excused_count, names[k]) >= 0)
+      return true;
+  return false;
+}
+
+void nb_excuse_none(struct nb_mistakes *mistakes) {
+  if (mistakes->inside)
+    mistakes->inside->excused_count = 0;
+}
+
+int nb_find(const void *things, size_t count, size_t size, const char *name) {
+  for (size_t i = 0; i < count; i++)
+    if (strcmp((const char *)things + i * size, name) == 0)
+      return (int)i;
+  return -1;
+}
+
 /* ---- did you mean ---- */
+
+const char *nb_nearest(char *hint, const char *word, const void *things, size_t count, size_t size) {
+  struct nb_guess guess = nb_guess_begin(word);
+  for (size_t i = 0; i < count; i++)
+    nb_guess_offer(&guess, (const char *)things + i * size);
+  return nb_guess_hint(&guess, hint);
+}
 
 /* How many letters must be put in, left out, changed or swapped to make b of a (optimal string alignment). A letter in
  * the wrong case costs nothing but counts as a change, so that `Disc` finds `disc`. */

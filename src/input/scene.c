@@ -1,8 +1,8 @@
 /* A page's scene blocks as a struct nb_scene: every name resolved, every number SI.
  *
  * Two passes. The first looks at `units`, `let` and `sweep` only: how long the sweeps are decides which values a run
- * takes. The second reads every statement by the table in scene_table.c. What needs the whole scene is checked at its
- * end.
+ * takes. The second reads every statement by the register of statements. What needs the whole scene is checked at its
+ * end: which kind of page it is, what its columns are, whether anything is missing.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "scene.h"
@@ -11,75 +11,64 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* ---- the register ---- */
+
+#define NB_STATEMENTS(file) extern const struct nb_keyword nb_statements_##file[];
+#include "statements-register.h"
+#undef NB_STATEMENTS
+
+const struct nb_family *nb_keywords(void) {
+  static const struct nb_family families[] = {
+#define NB_STATEMENTS(file) {nb_statements_##file},
+#include "statements-register.h"
+#undef NB_STATEMENTS
+      {NULL}};
+  return families;
+}
+
+/* ---- mistakes that several statements may make ---- */
+
+bool nb_said_twice(struct nb_reader *reader, int line) {
+  if (line)
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is said twice: first on line %d", reader->tokens[0].text,
+                     line);
+  return reader->bad;
+}
+
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what) {
-  if (count < (size_t)most)
-    return false;
-  nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d %s, with this there are more", most, what);
-  return true;
+  if (count >= (size_t)most)
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d %s, with this there are more", most, what);
+  return reader->bad;
 }
 
-bool nb_watch_unsure(const struct nb_scene *scene, const char *name) {
-  size_t length = strcspn(name, ".");
-  for (size_t i = 0; i < scene->watch_count; i++) {
-    const struct nb_watch *watch = &scene->watches[i];
-    if (watch->a < 0 && strncmp(watch->name, name, length) == 0 && watch->name[length] == '\0')
-      return true;
-  }
-  return false;
+bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line) {
+  if (line)
+    nb_token_mistake(reader, name, NULL, "there is a %s `%s` already, on line %d", what, name->text, line);
+  return reader->bad;
 }
 
-bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked) {
-  char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE] = "";
-  if (nb_watch_unsure(reading->scene, asked->name))
-    return false;
-  if (nb_quantity_find(quantity, reading->scene, asked->name, nearest))
-    return true;
-  if (nearest[0])
-    snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
-  nb_mistake(reading->reader.mistakes, &reading->reader.page[0], asked->line, asked->column, asked->length, hint,
-             "expected a quantity, found `%s`", asked->name);
-  return false;
-}
-
-void nb_say_of_scene(struct nb_scene_reading *reading, const char *hint, const char *what) {
+void nb_say_of_scene(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what) {
   const struct nb_page *page = reading->reader.page;
   const char *kind = reading->scene->path ? "path" : "scene";
   size_t fence = nb_page_fence(page, reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE);
   const char *word = fence ? strstr(page->lines[fence - 1], kind) : NULL;
-  nb_mistake(reading->reader.mistakes, page, fence, word ? (int)(word - page->lines[fence - 1]) + 1 : 1,
-             (int)strlen(kind), hint, "%s", what);
+  if (!nb_excused(reading->reader.mistakes, statement))
+    nb_mistake(reading->reader.mistakes, page, fence, word ? (int)(word - page->lines[fence - 1]) + 1 : 1,
+               (int)strlen(kind), hint, "%s", what);
 }
 
-/* What a statement that was wrong leaves unknown. Of one that gives a name, and has it, that is known. */
-static unsigned unsure_after(const struct nb_reader *reader) {
-  static const struct {
-    const char *word;
-    bool names;
-    unsigned unsure;
-  } rows[] = {{"units", false, NB_UNSURE_UNITS},    {"let", true, NB_UNSURE_VALUES},
-              {"sweep", true, NB_UNSURE_VALUES},    {"watch", true, NB_UNSURE_WATCHES},
-              {"region", true, NB_UNSURE_WATCHES},  {"impact", false, NB_UNSURE_WATCHES},
-              {"record", false, NB_UNSURE_COLUMNS}, {"stage", true, NB_UNSURE_STAGES},
-              {"leg", true, NB_UNSURE_STAGES},      {"repeat", false, NB_UNSURE_STAGES}};
-  const struct nb_token *name = reader->count > 1 ? &reader->tokens[1] : NULL;
-  const bool several = reader->count > 2 && strcmp(reader->tokens[2].text, "with") == 0;
-  const bool named = name && !name->hollow && nb_is_name(name->text) && !several;
-  if (!reader->meant)
-    return NB_UNSURE_ALL;
-  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
-    if (strcmp(rows[k].word, reader->meant->word) == 0)
-      return rows[k].names && named ? 0 : rows[k].unsure;
-  return 0;
-}
+/* ---- the passes ---- */
 
 /* A statement, if there is one in that line. */
 static void read_line(struct nb_scene_reading *reading, size_t line) {
   struct nb_reader *reader = &reading->reader;
-  if (reader->page->kind_of[line - 1] != 1 + (reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE) ||
-      !nb_line_read(reader, line))
+  const struct nb_scene *scene = reading->scene;
+  if (reader->page->kind_of[line - 1] != 1 + (scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE))
+    return;
+  if (!nb_line_read(reader, line))
     return;
   const char *verb = reader->tokens[0].text;
-  bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
+  const bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
   if (value ? reading->repeat.now > 0 : reading->survey)
     return;
   if (!value)
@@ -87,13 +76,11 @@ static void read_line(struct nb_scene_reading *reading, size_t line) {
   if (!value && nb_repeat_closed(reading))
     return;
   nb_statement_read(reader, nb_keywords(), reading->here, reading);
-  reading->cell_unsure = reading->cell_unsure || (reader->bad && strcmp(verb, "cell") == 0);
-  if (reading->lost)
-    return;
-  if (reader->bad && !reading->survey)
-    reader->unsure |= unsure_after(reader);
-  if (reading->scene->stage_count > 0 && !reading->survey)
-    nb_stage_now(reading->scene)->hash = reading->hash;
+  struct nb_stage *stage = nb_stage_now(scene);
+  if (stage && !reading->survey && !reading->lost)
+    stage->hash = reading->hash;
+  if (stage && reader->bad) /* whether it ends may be what is wrong */
+    nb_excuse(reader->mistakes, stage->name);
 }
 
 static void read_lines(struct nb_scene_reading *reading) {
@@ -118,11 +105,12 @@ static void survey(struct nb_scene_reading *reading, struct nb_mistakes *mistake
   reading->reader.mistakes = reading->setting.mistakes = &unsaid;
   read_lines(reading);
   reading->survey = false;
-  reading->reader.mistakes = reading->setting.mistakes = mistakes;
+  reading->setting.mistakes = mistakes;
+  nb_settings_read(reading);
+  reading->reader.mistakes = mistakes;
   if (unsaid.no_memory)
     nb_mistake_memory(mistakes);
   nb_mistakes_free(&unsaid);
-  nb_settings_read(reading);
   reading->scene->binding_count = reading->reader.binding_count = 0;
   reading->sweep = 0;
   reading->units_line = 0;
@@ -146,29 +134,78 @@ static bool keep_settings(struct nb_scene_reading *reading, nb_settings settings
   return reading->settings.lines != NULL;
 }
 
+/* ---- the whole ---- */
+
+static void find_columns(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  for (size_t i = 0; i < reading->asked_count; i++) {
+    struct nb_column column;
+    memcpy(column.name, reading->asked[i].name, sizeof column.name);
+    if (nb_asked_find(reading, &column.quantity, &reading->asked[i]))
+      NB_APPEND(&reading->reader, scene->columns, scene->column_count, column);
+  }
+}
+
+static void check_whole(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  struct nb_reader *reader = &reading->reader;
+  if (scene->path && nb_page_fence(reader->page, NB_BLOCK_SCENE))
+    nb_say_of_scene(reading, "scene",
+                    "a path is one contact on a bench, in a scene bodies move: make two pages of them",
+                    "expected blocks of kind `scene` or `path`, found both");
+  if (!scene->path && !nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
+    nb_say_of_scene(reading, "scene", "begin one with a line of three backticks and the word `scene`",
+                    "expected a block of kind `scene`, found none");
+    nb_excuse(reader->mistakes, NB_ANYTHING);
+    return;
+  }
+  find_columns(reading);
+  if (scene->path) {
+    nb_path_check(reading);
+    return;
+  }
+  if (reading->opening)
+    nb_stages_free(scene, scene->start.stages);
+  nb_ramps_check(reading);
+  nb_regions_check(reading);
+  nb_cell_check(reading);
+  nb_drives_check(reading);
+  nb_boxes_check(reading);
+  if (scene->body_count == 0 && !nb_bodies_unsure(reading))
+    nb_say_of_scene(reading, "body", "`disc`, `sphere`, `discs` and `spheres` make them",
+                    "expected a scene with bodies, found none");
+  if (scene->stage_count == scene->start.stages)
+    nb_say_of_scene(reading, "stage", "begin it with `stage NAME`, and say how long it is with `cycles N`",
+                    "expected a scene with a stage, found none");
+  for (size_t i = 0; i < scene->stage_count; i++)
+    if (scene->stages[i].cycles == 0 && !nb_excused(reader->mistakes, scene->stages[i].name))
+      nb_line_mistake(reader, (size_t)scene->stages[i].line,
+                      "`cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
+                      "expected a stage that ends, found neither `cycles` nor `until` in `%s`", scene->stages[i].name);
+  if ((scene->stage_count > 0 ? scene->stages[0].step.value : scene->step.value) == 0)
+    nb_say_of_scene(reading, "step", "`step TIME` or `step F of safe`", "expected a scene with a `step`, found none");
+}
+
 static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
   const size_t before = mistakes->made;
   struct nb_scene *scene = reading->scene;
   survey(reading, mistakes);
   read_lines(reading);
   if (reading->lost) {
-    scene->unsure = NB_UNSURE_ALL;
+    nb_excuse(mistakes, NB_ANYTHING);
     return;
   }
-  nb_whole_check(reading);
+  check_whole(reading);
   if (!scene->normal[0])
     strcpy(scene->normal, "linear");
   if (!scene->shear[0])
     strcpy(scene->shear, "none");
   if (scene->impact.line && mistakes->made == before)
     nb_impact_aim(reading);
-  if (!nb_scene_place(scene, &reading->place) && mistakes->made == before) {
-    nb_line_mistake(&reading->reader, reading->place.line, NULL,
+  if (!nb_scene_place(scene, &reading->place) && mistakes->made == before)
+    nb_line_mistake(&reading->reader, (size_t)reading->place.line, NULL,
                     "expected a place that a double can hold, this one is too far away");
-  }
   scene->unitless = reading->reader.unitless;
-  scene->unsure =
-      scene->path || nb_page_fence(reading->reader.page, NB_BLOCK_SCENE) ? reading->reader.unsure : NB_UNSURE_ALL;
   if (mistakes->made == before)
     nb_laws_check(reading);
   if (mistakes->made == before && scene->path)
@@ -209,19 +246,59 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
 
 size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes) {
   struct nb_scene scene;
+  struct nb_mistakes unsaid = {0}; /* who reads a run is told */
   size_t runs;
-  read_run(&scene, page, 0, settings, mistakes, NULL, &runs);
+  read_run(&scene, page, 0, settings, &unsaid, NULL, &runs);
   nb_scene_free(&scene);
+  if (unsaid.no_memory)
+    nb_mistake_memory(mistakes);
+  nb_mistakes_free(&unsaid);
   return runs <= NB_RUNS_MAX ? runs : 1;
 }
 
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                              struct nb_mistakes *mistakes) {
   size_t runs;
+  nb_excuse_none(mistakes);
   return read_run(scene, page, run, settings, mistakes, NULL, &runs);
 }
 
 enum nb_status nb_scene_read_below(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
                                    struct nb_mistakes *mistakes, const struct nb_scene_reading *above, size_t *runs) {
   return read_run(scene, page, 0, settings, mistakes, above, runs);
+}
+
+/* ---- what a scene owns ---- */
+
+void nb_stages_free(struct nb_scene *scene, size_t from) {
+  for (size_t i = from; i < scene->stage_count; i++) {
+    free(scene->stages[i].motions);
+    free(scene->stages[i].changes);
+    free(scene->stages[i].removals);
+    free(scene->stages[i].conditions);
+    free(scene->stages[i].leg.points);
+  }
+  scene->stage_count = from < scene->stage_count ? from : scene->stage_count;
+}
+
+void nb_scene_free(struct nb_scene *scene) {
+  nb_stages_free(scene, 0);
+  nb_start_free(&scene->start);
+  for (size_t i = 0; i < scene->grading_count; i++)
+    free(scene->gradings[i].sizes);
+  free(scene->gradings);
+  for (size_t i = 0; i < scene->packing_count; i++)
+    free(scene->packings[i].path);
+  free(scene->packings);
+  free(scene->fills);
+  free(scene->materials);
+  free(scene->pair_rules);
+  free(scene->bodies);
+  free(scene->walls);
+  free(scene->watches);
+  free(scene->regions);
+  free(scene->columns);
+  free(scene->stages);
+  free(scene->bindings);
+  memset(scene, 0, sizeof *scene);
 }

@@ -38,13 +38,7 @@ static void apply_expectation(struct nb_reader *reader, const struct nb_record *
   (void)record;
   if (!nb_take_measure(reader, reading->scene, &expectation.measure) || !take_kind(reader, reading, &expectation))
     return;
-  struct nb_expectation *list = nb_room(all->list, all->count, 1, sizeof *list);
-  if (!list) {
-    nb_no_memory(reader);
-    return;
-  }
-  all->list = list;
-  all->list[all->count++] = expectation;
+  NB_APPEND(reader, all->list, all->count, expectation);
 }
 
 static void apply_reference(struct nb_reader *reader, const struct nb_record *record, void *subject) {
@@ -76,7 +70,10 @@ static const struct nb_keyword table[] = {
     {0},
 };
 
-const struct nb_keyword *nb_expect_keywords(void) { return table; }
+const struct nb_family *nb_expect_keywords(void) {
+  static const struct nb_family families[] = {{table}, {NULL}};
+  return families;
+}
 
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes) {
@@ -88,12 +85,12 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
     nb_mistake_memory(mistakes);
     return NB_NO_MEMORY;
   }
-  reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless, reader->unsure = scene->unsure;
+  reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
   bool sought = true; /* a wrong line of two words was meant to name a reference: an expectation has three or more */
   for (size_t line = 1; line <= page->line_count && !scene->followed; line++)
     if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
-      nb_statement_read(reader, table, NB_IN_EXPECT, &reading);
+      nb_statement_read(reader, nb_expect_keywords(), NB_IN_EXPECT, &reading);
       sought = sought && !(reader->bad && reader->count == 2);
     }
   for (size_t k = 0; k < expectations->count && sought && !expectations->reference; k++) {

@@ -37,12 +37,7 @@ static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, c
       return true;
     nb_guess_offer(&guess, binding->name);
   }
-  if (token->hollow || scene->unsure & NB_UNSURE_VALUES)
-    return true;
-  nb_token_mistake(reader, token, nb_guess_hint(&guess, hint), "expected the name of a `sweep`, found `%s`",
-                   token->text);
-  reader->next = reader->count;
-  return false;
+  return nb_not_known(reader, token, nb_guess_hint(&guess, hint), "the name of a `sweep`");
 }
 
 /* `among NAME`, or nothing: the sweep whose runs are a sample. */
@@ -83,7 +78,7 @@ static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, 
   const struct nb_measure *measure = &expectation->measure;
   const size_t at = reader->next + 1;
   return nb_take_tolerance(reader, scene, measure->unit, &expectation->tolerance) &&
-         refuse_share_of_zero(reader, expectation, measure->unit && measure->vanishes, at);
+         refuse_share_of_zero(reader, expectation, measure->vanishes, at);
 }
 
 static bool take_along(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {

@@ -10,17 +10,6 @@ static void append(struct nb_measure *measure, const char *format, const char *w
   snprintf(measure->label + length, sizeof measure->label - length, format, word);
 }
 
-/* Whether a mistake of the scene may be why nothing of that name is known. */
-static bool explained(const struct nb_scene *scene, const char *name) {
-  const size_t length = strcspn(name, ".");
-  if (nb_watch_unsure(scene, name))
-    return true;
-  for (size_t w = 0; w < scene->watch_count; w++)
-    if (strncmp(scene->watches[w].name, name, length) == 0 && !scene->watches[w].name[length])
-      return false;
-  return name[length] && scene->unsure & NB_UNSURE_WATCHES;
-}
-
 bool nb_find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
                     size_t *column, struct nb_quantity *quantity) {
   for (size_t c = 0; c < scene->column_count; c++)
@@ -30,18 +19,16 @@ bool nb_find_column(struct nb_reader *reader, const struct nb_scene *scene, cons
     }
   char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE];
   const bool known = nb_quantity_find(quantity, scene, token->text, nearest);
-  *column = 0;
-  if (token->hollow || (known ? scene->unsure & NB_UNSURE_COLUMNS : explained(scene, token->text)))
-    return true;
+  if (nb_excused(reader->mistakes, token->text) || (known && nb_excused(reader->mistakes, "record")))
+    return nb_silent(reader);
+  nb_excuse(reader->mistakes, token->text);
   if (known)
     snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
   else if (nearest[0])
     snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
   else
     snprintf(hint, sizeof hint, "`record` names the quantities that can be expected");
-  nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
-  reader->next = reader->count;
-  return false;
+  return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
 }
 
 bool nb_take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
@@ -51,20 +38,15 @@ bool nb_take_stage(struct nb_reader *reader, const struct nb_scene *scene, struc
   const struct nb_token *token = nb_take(reader, "the name of a stage");
   if (!token)
     return false;
-  for (size_t s = 0; s < scene->stage_count; s++)
-    if (strcmp(scene->stages[s].name, token->text) == 0)
-      measure->stage = (int)s;
+  measure->stage = NB_FIND(scene->stages, scene->stage_count, token->text);
   if (measure->stage < 0 && strcmp(token->text, "all") == 0)
     measure->stage = NB_STAGE_ALL;
-  if (measure->stage == -1 && !token->hollow && !(scene->unsure & NB_UNSURE_STAGES)) {
+  if (measure->stage == -1) {
     char hint[NB_HINT_SIZE];
-    struct nb_guess guess = nb_guess_begin(token->text);
-    for (size_t s = 0; s < scene->stage_count; s++)
-      nb_guess_offer(&guess, scene->stages[s].name);
-    nb_token_mistake(reader, token, nb_guess_hint(&guess, hint), "expected the name of a stage, found `%s`",
-                     token->text);
-    reader->next = reader->count;
-    return false;
+    if (nb_excused(reader->mistakes, "repeat"))
+      return nb_silent(reader);
+    return nb_not_known(reader, token, NB_NEAREST(hint, token->text, scene->stages, scene->stage_count),
+                        "the name of a stage");
   }
   append(measure, " in %s", token->text);
   return true;
@@ -130,8 +112,8 @@ bool nb_take_measure(struct nb_reader *reader, const struct nb_scene *scene, str
   struct nb_quantity quantity;
   if (!token || !nb_find_column(reader, scene, token, &measure->column, &quantity))
     return false;
-  measure->unit = quantity.kind ? nb_quantity_unit(quantity) : NULL;
-  measure->vanishes = !quantity.kind || nb_quantity_vanishes(quantity);
+  measure->unit = nb_quantity_unit(quantity);
+  measure->vanishes = nb_quantity_vanishes(quantity);
   append(measure, "%s", token->text);
   bool reduced = false;
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word && !reduced; row++) {

@@ -27,10 +27,9 @@ struct nb_expectation_row {
 };
 const struct nb_expectation_row *nb_expectation_rows(void); /* ends in a row without a word */
 /* The statements of expect blocks: `reference NAME`, and all others. */
-const struct nb_keyword *nb_expect_keywords(void);
+const struct nb_family *nb_expect_keywords(void);
 
-/* The column of the scene's table that the token names, and its quantity: one without a kind where mistakes of the scene
- * leave it unknown. */
+/* The column of the scene's table that the token names, and its quantity. */
 bool nb_find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
                     size_t *column, struct nb_quantity *quantity);
 /* `in STAGE`, or nothing. */

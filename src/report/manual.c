@@ -217,8 +217,9 @@ static void grammar(const struct manual *to) {
 }
 
 /* Those that may stand here, and not there. */
-static void statements(const struct manual *to, const struct nb_keyword *table, unsigned here, unsigned there) {
-  for (const struct nb_keyword *keyword = table; keyword->apply; keyword++)
+static void statements(const struct manual *to, const struct nb_family *table, unsigned here, unsigned there) {
+  const struct nb_keyword *keyword;
+  for (size_t k = 0; (keyword = nb_keyword_row(table, k)); k++)
     if (keyword->word && keyword->where & here && !(keyword->where & there))
       statement(to, keyword);
 }
@@ -255,10 +256,11 @@ void nb_manual(FILE *out, bool markdown) {
 /* ---- one word ---- */
 
 /* A word that is no statement but the clause of some: each of them, and what the clause takes. */
-static bool clause(FILE *out, const char *word, const struct nb_keyword *keyword) {
+static bool clause(FILE *out, const char *word, const struct nb_family *table) {
+  const struct nb_keyword *keyword;
   const struct manual to = {out, false, false};
   bool found = false;
-  for (; keyword->apply; keyword++)
+  for (size_t k = 0; (keyword = nb_keyword_row(table, k)); k++)
     for (const struct nb_argument *field = keyword->arguments; field->count; field++) {
       if (!field->word || strcmp(field->word, word) != 0)
         continue;
@@ -283,12 +285,13 @@ static bool quantity(FILE *out, const char *word) {
 }
 
 bool nb_manual_word(FILE *out, const char *word, char *hint) {
-  const struct nb_keyword *const tables[] = {nb_keywords(), nb_expect_keywords()};
+  const struct nb_family *const tables[] = {nb_keywords(), nb_expect_keywords()};
+  const struct nb_keyword *keyword;
   const struct manual to = {out, false, true};
   struct nb_guess guess = nb_guess_begin(word);
   bool found = false;
   for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
-    for (const struct nb_keyword *keyword = tables[t]; keyword->apply; keyword++) {
+    for (size_t k = 0; (keyword = nb_keyword_row(tables[t], k)); k++) {
       if (!keyword->word)
         continue;
       char first[NB_NAME_SIZE];

@@ -12,20 +12,18 @@
 #include "core/clock.h"
 #include "input/reader.h"
 
-enum { ENOUGH = 100000 }; /* mistakes, most of them the same ones of many runs: then the other runs are not read */
-
 static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *more) {
   for (size_t k = 0; k < more->count; k++)
     nb_warnings_add(&outcome->warnings, &more->list[k]);
 }
 
-/* All runs of the page; an error only if memory runs out. */
+/* All runs of the page, up to the first one that has mistakes: most of them would be in all. */
 static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
   const size_t runs = nb_scene_runs(&outcome->page, settings, &outcome->mistakes);
   outcome->runs = calloc(runs + 1, sizeof *outcome->runs);
   if (!outcome->runs)
     nb_mistake_memory(&outcome->mistakes);
-  for (size_t r = 0; r < runs && outcome->runs && outcome->mistakes.made < ENOUGH; r++) {
+  for (size_t r = 0; r < runs && outcome->runs && outcome->mistakes.made == 0; r++) {
     struct nb_page_run *run = &outcome->runs[outcome->run_count++];
     nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);

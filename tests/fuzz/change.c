@@ -44,11 +44,10 @@ static const char *word(unsigned long long *chance) {
       "global", "con1",     "mirror", "turn",    "-$a",        "$a$b", "="};
   const size_t kind = below(chance, 5);
   if (kind == 0) {
-    const struct nb_keyword *table = nb_keywords();
     size_t count = 0;
-    while (table[count].apply)
+    while (nb_keyword_row(nb_keywords(), count))
       count++;
-    const struct nb_keyword *row = &table[below(chance, count)];
+    const struct nb_keyword *row = nb_keyword_row(nb_keywords(), below(chance, count));
     size_t fields = 0;
     while (row->arguments[fields].count)
       fields++;

@@ -3,7 +3,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
-#include "scene.h"
+#include "statement.h"
+
+static const struct nb_argument nothing[] = {END};
 
 /* The line that takes out a body of that range already, and which; 0: none. */
 static int removed_already(const struct nb_scene *scene, struct nb_removal removal, size_t *which) {
@@ -25,60 +27,58 @@ static size_t misnamed(const struct nb_scene *scene, struct nb_removal removal, 
   return k;
 }
 
-/* `disc N`: one word of four, and the numbers of the first body and the last one; false with a message. */
-static bool take_range(const struct nb_scene_reading *reading, struct nb_reader *reader, enum nb_shape *shape,
-                       struct nb_removal *removal) {
+/* `disc N`: one word of four, and the numbers of the first body and the last one. */
+static struct nb_removal take_range(const struct nb_scene_reading *reading, struct nb_reader *reader,
+                                    enum nb_shape *shape) {
   const size_t count = reading->scene->body_count;
-  const unsigned long most = reading->bodies_unsure || !count ? NB_BODIES_MAX : count;
-  const bool disc = nb_token_is(reader, "disc"), discs = nb_token_is(reader, "discs");
-  const bool sphere = nb_token_is(reader, "sphere"), spheres = nb_token_is(reader, "spheres");
+  const bool unsure = nb_bodies_unsure(reading);
+  const unsigned long most = unsure || !count ? NB_BODIES_MAX : count;
+  const bool disc = nb_token_skip(reader, "disc"), discs = !disc && nb_token_skip(reader, "discs");
+  const bool sphere = nb_token_skip(reader, "sphere"), spheres = !sphere && nb_token_skip(reader, "spheres");
   unsigned long from, to;
-  if (!disc && !discs && !sphere && !spheres) {
+  if (!disc && !discs && !sphere && !spheres)
     nb_expected(reader, NULL, "`disc N`, `discs N to M`, `sphere N` or `spheres N to M`");
-    return false;
-  }
-  reader->next++;
-  if (!nb_take_count(reader, 1, most, &from))
-    return false;
+  nb_take_count(reader, 1, most, &from);
   to = from;
-  if ((discs || spheres) && !(nb_take_word(reader, "to") && nb_take_count(reader, from, most, &to)))
-    return false;
+  if ((discs || spheres) && nb_take_word(reader, "to"))
+    nb_take_count(reader, from, most, &to);
+  if (unsure || count == 0)
+    nb_silent(reader);
   *shape = disc || discs ? NB_DISC : NB_SPHERE;
-  *removal = (struct nb_removal){from - 1, to - 1, (int)reader->line};
-  return !reader->bad && !reading->bodies_unsure && count > 0;
+  return (struct nb_removal){from - 1, to - 1, (int)reader->line};
 }
 
-NB_APPLY(nb_apply_remove) {
+NB_APPLY(apply_remove) {
   static const char *const names[] = {[NB_DISC] = "disc", [NB_SPHERE] = "sphere"};
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   struct nb_stage *stage = nb_stage_now(scene);
-  struct nb_removal removal;
   enum nb_shape shape;
   size_t which, all = 0;
   (void)record;
-  if (!stage || !take_range(reading, reader, &shape, &removal))
-    return;
+  const struct nb_removal removal = take_range(reading, reader, &shape);
   for (size_t s = 0; s < scene->stage_count; s++)
     all += scene->stages[s].removal_count;
+  if (reader->bad || nb_too_many(reader, all, NB_NAMED_MAX, "statements `remove`"))
+    return;
   const int line = removed_already(scene, removal, &which);
   const size_t other = misnamed(scene, removal, shape);
-  if (nb_too_many(reader, all, NB_NAMED_MAX, "statements `remove`"))
-    return;
-  if (other <= removal.to) {
+  if (other <= removal.to)
     nb_token_mistake(reader, &reader->tokens[1], NULL, "expected a %s of each number, but body %zu is a %s",
                      names[shape], other + 1, names[scene->bodies[other].shape]);
-    return;
-  }
-  if (line) {
+  else if (line)
     nb_token_mistake(reader, &reader->tokens[1], NULL, "body %zu is taken out already, by line %d", which + 1, line);
-    return;
-  }
-  struct nb_removal *removals = nb_room(stage->removals, stage->removal_count, 1, sizeof *removals);
-  if (!removals) {
-    nb_no_memory(reader);
-    return;
-  }
-  stage->removals = removals;
-  removals[stage->removal_count++] = removal;
+  else
+    NB_APPEND(reader, stage->removals, stage->removal_count, removal);
 }
+
+/* clang-format off */
+NB_STATEMENTS(remove) = {
+  {"remove", NB_IN_STAGE, nothing, "disc N | discs N to M", 0, false, apply_remove,
+   "Takes bodies out of the scene at the beginning of this stage, with what energy they have. They no longer move, touch "
+   "or weigh anything, and no snapshot shows them; the others keep their numbers. Read from then on, a body that is gone "
+   "is where it was last, with all else 0, and its pairs are 0. Spheres are `sphere N`, `spheres N to M`.",
+   "stage     less\n  remove  disc 8\n  cycles  10"},
+  {0},
+};
+/* clang-format on */

@@ -1,4 +1,4 @@
-/* A packing from a file: bodies where somebody else has put them.
+/* A packing from a file, `packing`: bodies where somebody else has put them.
  *
  * The file is a saved state (docs/STATE.md), of which only the bodies are taken, or a list of columns `x/m`, `y/m` and `radius/m`.
  * Either way a number comes to the page as the file has it, to the last bit.
@@ -8,8 +8,14 @@
 #include <string.h>
 
 #include "columns.h"
-#include "scene.h"
+#include "hash.h"
 #include "state_file.h"
+#include "statement.h"
+
+enum { AT_FILE, AT_MATERIAL };
+#define FILE_NAME WORD("FILE", AT_FILE, "the name of a file")
+static const struct nb_argument packing_fields[] = {FILE_NAME, END};
+static const struct nb_argument packing_of_fields[] = {FILE_NAME, MATERIAL(AT_MATERIAL), END};
 
 static bool is_state(const char *path) {
   struct nb_error error;
@@ -20,36 +26,23 @@ static bool is_state(const char *path) {
   return is;
 }
 
-/* Room for so many more; false with a message. */
-static bool make_room(struct nb_scene *scene, struct nb_reader *reader, size_t count) {
-  if (nb_too_many_bodies(reader, scene, count))
-    return false;
-  struct nb_body *bodies = nb_room(scene->bodies, scene->body_count, count, sizeof *bodies);
-  if (!bodies)
-    return nb_no_memory(reader), false;
-  scene->bodies = bodies;
-  return true;
-}
-
 /* The word of the statement that names the file. */
 static const struct nb_token *file_of(const struct nb_reader *reader, bool all) { return &reader->tokens[all ? 2 : 1]; }
 
 /* Index of the page's material of this name, for a body that is free or fixed; -1 with a message. */
 static int material_named(const struct nb_scene *scene, struct nb_reader *reader, const char *name, bool fixed) {
   const struct nb_token *file = file_of(reader, false);
-  int m = (int)scene->material_count - 1;
-  while (m >= 0 && strcmp(scene->materials[m].name, name) != 0)
-    m--;
+  const int m = NB_FIND(scene->materials, scene->material_count, name);
   if (m < 0)
     nb_token_mistake(reader, file, "define it above, or give all the same one: `discs packing FILE MATERIAL`",
                      "expected the page to have all materials of the file, `%s` is missing", name);
   else if (scene->materials[m].density == 0 && !fixed)
     nb_token_mistake(reader, file, NULL, "expected materials with mass for free bodies, `%s` has no `density`", name);
-  return reader->bad ? -1 : m;
+  return m;
 }
 
 /* Those that are not gone; with `all` of its shape and material, and free. */
-static bool from_state(struct nb_scene *scene, struct nb_reader *reader, const char *path, const struct nb_body *all) {
+static void from_state(struct nb_scene *scene, struct nb_reader *reader, const char *path, const struct nb_body *all) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
   if (nb_saved_read(&saved, path, &error) == NB_NO_MEMORY)
@@ -58,7 +51,7 @@ static bool from_state(struct nb_scene *scene, struct nb_reader *reader, const c
     nb_token_mistake(reader, file_of(reader, all), NULL, "no bodies can be taken from the file: %s", error.text);
   else if (saved.unitless != reader->unitless)
     nb_token_mistake(reader, file_of(reader, all), NULL, "expected a file from a page with the same `units`");
-  else if (make_room(scene, reader, saved.body_count))
+  else if (!nb_too_many_bodies(reader, scene, saved.body_count))
     for (size_t k = 0; k < saved.body_count && !reader->bad; k++) {
       const struct nb_saved_body *it = &saved.bodies[k];
       struct nb_body body = {.shape = it->shape, .fixed = it->mobility == NB_FIXED};
@@ -70,30 +63,29 @@ static bool from_state(struct nb_scene *scene, struct nb_reader *reader, const c
         body.material = material_named(scene, reader, saved.materials[it->material].name, body.fixed);
       body.x = it->position.x, body.y = it->position.y, body.radius = it->radius, body.line = (int)reader->line;
       if (!reader->bad)
-        scene->bodies[scene->body_count++] = body;
+        NB_APPEND(reader, scene->bodies, scene->body_count, body);
     }
   nb_saved_free(&saved);
-  return !reader->bad;
 }
 
-static bool from_list(struct nb_scene *scene, struct nb_reader *reader, const char *path, const struct nb_body *all) {
+static void from_list(struct nb_scene *scene, struct nb_reader *reader, const char *path, const struct nb_body *all) {
   static const struct nb_wanted wanted[] = {{"x", NULL, false}, {"y", NULL, false}, {"radius", NULL, true}};
   double *lengths;
   size_t rows;
   if (!all) {
     nb_token_mistake(reader, file_of(reader, all), "say it of all: `discs packing FILE MATERIAL`",
                      "expected a file of `nineball state`: a list does not tell what its bodies are");
-    return false;
+    return;
   }
-  const bool whole = nb_columns_read(&lengths, &rows, path, wanted, 3, reader->unitless, reader->mistakes) &&
-                     make_room(scene, reader, rows);
-  for (size_t k = 0; k < rows && whole; k++) {
-    struct nb_body *body = &scene->bodies[scene->body_count++];
-    *body = *all;
-    body->x = lengths[3 * k], body->y = lengths[3 * k + 1], body->radius = lengths[3 * k + 2];
+  if (!nb_columns_read(&lengths, &rows, path, wanted, 3, reader->unitless, reader->mistakes))
+    nb_silent(reader);
+  nb_too_many_bodies(reader, scene, rows);
+  for (size_t k = 0; k < rows && !reader->bad; k++) {
+    struct nb_body body = *all;
+    body.x = lengths[3 * k], body.y = lengths[3 * k + 1], body.radius = lengths[3 * k + 2];
+    NB_APPEND(reader, scene->bodies, scene->body_count, body);
   }
   free(lengths);
-  return whole;
 }
 
 /* What a state of this page depends on: not the name of the file but what has come from it. */
@@ -106,33 +98,46 @@ static void hash_bodies(struct nb_scene_reading *reading, size_t first) {
   }
 }
 
-static bool keep(struct nb_scene *scene, struct nb_reader *reader, const char *path, size_t first) {
-  struct nb_packing *packings = nb_room(scene->packings, scene->packing_count, 1, sizeof *packings);
-  char *own = malloc(strlen(path) + 1);
-  if (packings)
-    scene->packings = packings;
-  if (!packings || !own) {
-    free(own);
-    return nb_no_memory(reader), false;
-  }
-  packings[scene->packing_count++] =
-      (struct nb_packing){strcpy(own, path), first, scene->body_count - first, (int)reader->line};
-  return true;
-}
-
 /* variant: enum nb_shape of all, or -1: as the file has them. */
-NB_APPLY(nb_apply_packing) {
+NB_APPLY(apply_packing) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
-  const size_t first = scene->body_count;
-  const bool said = record->keyword->variant >= 0;
+  struct nb_packing one = {.first = scene->body_count, .line = (int)reader->line};
+  const int shape = record->keyword->variant;
   char path[NB_PATH_SIZE];
   struct nb_body all = {0};
-  bool whole = !reader->bad && nb_file_named(reader, record->value[AT_NAME].token, path) &&
-               (!said || nb_body_of(&all, scene, reader, record, 0));
-  if (whole)
-    whole = (is_state(path) ? from_state : from_list)(scene, reader, path, said ? &all : NULL);
-  whole = whole && keep(scene, reader, path, first);
-  hash_bodies(reading, first);
-  reading->bodies_unsure = reading->bodies_unsure || !whole;
+  nb_file_named(reader, record->value[AT_FILE].token, path);
+  if (shape >= 0)
+    all = nb_body_of(reader, scene, (enum nb_shape)shape, record->value[AT_MATERIAL].token, false, 0);
+  if (!reader->bad)
+    (is_state(path) ? from_state : from_list)(scene, reader, path, shape >= 0 ? &all : NULL);
+  one.path = reader->bad ? NULL : malloc(strlen(path) + 1);
+  if (!one.path) {
+    if (!reader->bad)
+      nb_no_memory(reader);
+    return;
+  }
+  strcpy(one.path, path);
+  one.count = scene->body_count - one.first;
+  if (!NB_APPEND(reader, scene->packings, scene->packing_count, one))
+    free(one.path);
+  hash_bodies(reading, one.first);
 }
+
+/* clang-format off */
+NB_STATEMENTS(packing) = {
+  {"packing", NB_IN_SCENE | NB_APART, packing_fields, NULL, -1, false, apply_packing,
+   "Bodies from a file that `nineball state` has written, in its order: discs and spheres, with their radii where they were, free or fixed, of the page's "
+   "materials of the same names. They are at rest, and the contacts between them remember nothing. Numbers come as they are in the file, to the last bit: docs/STATE.md. The file is "
+   "found as a page is by `start`.",
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state"},
+  {"discs packing", NB_IN_SCENE | NB_APART, packing_of_fields, NULL, NB_DISC, false, apply_packing,
+   "Discs of one material where bodies are in a file: one as for `packing`, or a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, "
+   "parted by tabs or by blanks; other columns are passed over, and lines that begin with `#`. So STAGE-bodies.tsv of any run will do.",
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\ndiscs     packing heap.tsv rock"},
+  {"spheres packing", NB_IN_SCENE | NB_APART, packing_of_fields, NULL, NB_SPHERE, false, apply_packing,
+   "The same with spheres.",
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\nspheres   packing heap.tsv rock"},
+  {0},
+};
+/* clang-format on */

@@ -1,4 +1,4 @@
-/* What laws of elastic spheres ask of a scene, checked when all of it has been read.
+/* The laws of contacts: `normal`, `shear`; and what laws ask of a scene, checked when all of it has been read.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -6,11 +6,62 @@
 
 #include "core/model.h"
 #include "laws/laws_now.h"
-#include "scene.h"
+#include "statement.h"
+
+enum { AT_NAME, AT_PIECES };
+static const struct nb_argument normal_fields[] = {WORD("LAW", AT_NAME, "the name of a law"), END};
+static const struct nb_argument shear_fields[] = {
+    WORD("LAW", AT_NAME, "the name of a law"),
+    COUNT("pieces", "K", AT_PIECES, "as many as the law likes best",
+          "How much of a contact's history is kept, by a law that keeps it."),
+    END};
+
+static void say_unknown(struct nb_reader *reader, const char *kind, const struct nb_token *token) {
+  char what[NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  struct nb_guess guess = nb_guess_begin(token->text);
+  for (const struct nb_law *const *law = nb_laws(); *law; law++)
+    if (strcmp((*law)->kind, kind) == 0)
+      nb_guess_offer(&guess, (*law)->name);
+  const char *near = nb_guess_hint(&guess, hint);
+  snprintf(what, sizeof what, "a law of kind `%s`", kind);
+  nb_expected_at(reader, token, near ? near : "`nineball laws` lists them", what);
+}
+
+/* variant 0: normal, 1: shear */
+NB_APPLY(apply_law) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
+  const struct nb_token *token = record->value[AT_NAME].token;
+  const struct nb_value *pieces = &record->value[AT_PIECES];
+  const char *kind = record->keyword->word;
+  const bool shear = record->keyword->variant, setting = reader == &reading->setting;
+  struct nb_stage *stage = setting ? NULL : nb_stage_now(scene);
+  int *line = stage   ? shear ? &stage->laws.shear_line : &stage->laws.normal_line
+              : shear ? &scene->shear_line
+                      : &scene->normal_line;
+  char *name = stage ? shear ? stage->laws.shear : stage->laws.normal : shear ? scene->shear : scene->normal;
+  const struct nb_law *law = nb_law_find(kind, token->text);
+  bool *set = &reading->law_set[shear];
+  if (!law)
+    say_unknown(reader, kind, token);
+  else if (pieces->token && law->piece == 0)
+    nb_token_mistake(reader, pieces->token, NULL, "`shear %s` keeps no pieces of history", token->text);
+  else if (pieces->token && (pieces->number < 2 || pieces->number > NB_PIECES_MAX))
+    nb_token_mistake(reader, pieces->token, NULL, "expected 2 to %d pieces", NB_PIECES_MAX);
+  if (reader->bad || (!setting && (nb_said_twice(reader, *line) || *set)))
+    return;
+  *set = setting;
+  if (shear)
+    *(stage ? &stage->laws.pieces : &scene->pieces) = pieces->token ? (int)pieces->number : 0;
+  *line = setting ? 0 : (int)reader->line;
+  snprintf(name, NB_NAME_SIZE, "%s", token->text);
+}
+
+/* ---- what laws ask of a scene ---- */
 
 /* At the first word of that line. */
 static void say(struct nb_scene_reading *reading, int line, const char *hint, const char *what, const char *name) {
-  nb_line_mistake(&reading->reader, line, hint, what, name);
+  nb_line_mistake(&reading->reader, (size_t)line, hint, what, name);
 }
 
 static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *said) {
@@ -49,8 +100,7 @@ static void check_elastic(struct nb_scene_reading *reading, const char *law) {
       disc = &scene->bodies[k];
   }
   for (size_t w = 0; w < scene->wall_count; w++)
-    if (scene->walls[w].material >= 0)
-      check_material(reading, scene->walls[w].material, law, said), on_wall[scene->walls[w].material]++;
+    check_material(reading, scene->walls[w].material, law, said), on_wall[scene->walls[w].material]++;
   if (disc)
     say(reading, disc->line, "`sphere` or `spheres`, or `normal linear`",
         "expected spheres for `normal %s`, found a disc", law);
@@ -88,12 +138,12 @@ static void check_damping(struct nb_scene_reading *reading, const struct nb_damp
 }
 
 /* What two laws ask that are in force together from `line` on; 0: as a --set says. */
-static void check_laws(struct nb_scene_reading *reading, const struct nb_in_force *laws, int line) {
+static void check_laws(struct nb_scene_reading *reading, const struct nb_in_force *laws, bool other_normal, int line) {
   const struct nb_scene *scene = reading->scene;
   const int cohesive = cohesive_line(scene);
-  if (laws->normal->elastic)
+  if (laws->normal->elastic && other_normal)
     check_elastic(reading, laws->normal->name);
-  else if (laws->shear->elastic)
+  else if (!laws->normal->elastic && laws->shear->elastic)
     nb_line_mistake(line ? &reading->reader : &reading->setting,
                     line ? (size_t)line : nb_setting_find(reading, "shear"), "`normal hertz`",
                     "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
@@ -168,7 +218,7 @@ static void warn_of_friction(struct nb_scene_reading *reading) {
 void nb_laws_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_in_force now = nb_laws_at_start(scene);
-  check_laws(reading, &now, now.shear_line);
+  check_laws(reading, &now, true, now.shear_line);
   check_damping(reading, &scene->damping, now.normal);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -176,10 +226,25 @@ void nb_laws_check(struct nb_scene_reading *reading) {
     const struct nb_in_force old = now;
     now = nb_laws_of(stage, now);
     if (old.normal != now.normal || old.shear != now.shear)
-      check_laws(reading, &now, stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line);
+      check_laws(reading, &now, old.normal != now.normal,
+                 stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line);
     if (old.normal != now.normal || !nb_damping_alike(before, &stage->damping)) /* each is said once */
       check_damping(reading, &stage->damping, now.normal);
   }
   if (!scene->path)
     warn_of_friction(reading);
 }
+
+/* clang-format off */
+NB_STATEMENTS(law) = {
+  {"normal", NB_IN_SCENE | NB_IN_PATH | NB_IN_STAGE | NB_IN_START, normal_fields, NULL, 0, false, apply_law,
+   "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it everywhere. In a stage: from "
+   "this stage on; another law begins with contacts of which it remembers nothing.",
+   "normal    linear"},
+  {"shear", NB_IN_SCENE | NB_IN_PATH | NB_IN_STAGE | NB_IN_START, shear_fields, NULL, 1, false, apply_law,
+   "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it everywhere. In a stage: from this "
+   "stage on, as `normal`.",
+   "shear     linear"},
+  {0},
+};
+/* clang-format on */

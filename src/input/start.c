@@ -12,7 +12,14 @@
 #include <sys/stat.h>
 
 #include "hash.h"
-#include "scene.h"
+#include "statement.h"
+
+enum { AT_PAGE, AT_STAGE };
+static const struct nb_argument start_fields[] = {WORD("PAGE", AT_PAGE, "the name of another page"),
+                                                  {"stage", "NAME", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_STAGE,
+                                                   1, NULL,
+                                                   "Where it begins: at the end of that stage of the other page."},
+                                                  END};
 
 enum { CHAIN_MAX = 50 }; /* pages that start one from another: each is read and run within the next */
 
@@ -133,18 +140,17 @@ static int pages_above(const struct nb_scene_reading *reading, const char *path)
 static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
   while (nb_token_skip(reader, "with"), nb_token_peek(reader)) {
     const struct nb_token *token = nb_take(reader, "NAME=VALUE");
-    if (!token || token->hollow)
+    if (!token)
       return false;
     if (!strchr(token->text, '=') || token->text[0] == '=') {
       reader->next--;
-      nb_expected(reader, NULL, "NAME=VALUE");
-      return false;
+      return nb_expected(reader, NULL, "NAME=VALUE");
     }
     const struct nb_token *unit = nb_token_peek(reader);
-    const bool with_unit = unit && !unit->hollow && nb_unit_find(unit->text);
+    const bool with_unit = unit && nb_unit_find(unit->text);
     void *more = nb_room(start->settings, start->setting_count, 1, sizeof *start->settings);
     if (!more)
-      return nb_no_memory(reader), false;
+      return nb_no_memory(reader);
     start->settings = more;
     char(*setting)[2 * NB_NAME_SIZE] = &start->settings[start->setting_count++];
     if ((size_t)snprintf(*setting, sizeof *setting, "%s%s%s", token->text, with_unit ? " " : "",
@@ -166,7 +172,7 @@ static bool read_other(struct nb_scene_reading *reading, struct nb_reader *reade
   size_t runs = 1;
   if (!texts || !start->page || !start->scene) {
     free(texts);
-    return nb_no_memory(reader), false;
+    return nb_no_memory(reader);
   }
   for (size_t k = 0; k < start->setting_count; k++)
     texts[k] = start->settings[k];
@@ -204,31 +210,23 @@ void nb_scene_cut(struct nb_scene *scene, size_t stage) {
 
 /* Cuts the other page's scene behind that stage. */
 static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct nb_token *name) {
-  char hint[NB_HINT_SIZE];
-  struct nb_guess guess = nb_guess_begin(name->text);
-  size_t s = 0;
-  while (s < other->stage_count && strcmp(other->stages[s].name, name->text) != 0)
-    nb_guess_offer(&guess, other->stages[s++].name);
-  if (s == other->stage_count) {
-    nb_token_mistake(reader, name, nb_guess_hint(&guess, hint), "expected the name of a stage of that page, found `%s`",
-                     name->text);
+  const int s = NB_NAMED(reader, name, other->stages, other->stage_count, "the name of a stage of that page", NULL);
+  if (s < 0)
     return false;
-  }
-  if (s < other->start.stages) {
-    nb_token_mistake(reader, name, "start from that page instead",
-                     "expected a stage that the page has of its own, `%s` is one that it starts from", name->text);
-    return false;
-  }
-  nb_scene_cut(other, s);
+  if (s < (int)other->start.stages)
+    return nb_token_mistake(reader, name, "start from that page instead",
+                            "expected a stage that the page has of its own, `%s` is one that it starts from",
+                            name->text);
+  nb_scene_cut(other, (size_t)s);
   return true;
 }
 
-NB_APPLY(nb_apply_start) {
+NB_APPLY(apply_start) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   struct nb_start *start = &scene->start;
-  const struct nb_token *word = record->value[AT_NAME].token, *name = record->value[AT_NAME2].token;
-  reading->lost = reading->bodies_unsure = true; /* until all is known */
+  const struct nb_token *word = record->value[AT_PAGE].token, *name = record->value[AT_STAGE].token;
+  reading->lost = true; /* until all is known */
   if (scene->start.line || reading->first != reader->line) {
     nb_token_mistake(reader, &reader->tokens[0], NULL,
                      "expected `start` once, before all but `units`, `let` and `sweep`");
@@ -252,7 +250,7 @@ NB_APPLY(nb_apply_start) {
     return;
   }
   start->stages = start->scene->stage_count;
-  reading->lost = reading->bodies_unsure = false;
+  reading->lost = false;
   reading->opening = true;
   reading->here = NB_IN_START;
 }
@@ -289,3 +287,16 @@ void nb_hash_line(struct nb_scene_reading *reading) {
     reading->hash = nb_hash(reading->hash, reader->tokens[k].text, strlen(reader->tokens[k].text) + 1);
   reading->hash = nb_hash(reading->hash, "\n", 1);
 }
+
+/* clang-format off */
+NB_STATEMENTS(start) = {
+  {"start", NB_IN_SCENE | NB_APART, start_fields, "{with NAME=VALUE …}", 0, false, apply_start,
+   "Goes on where a stage of another page ends: PAGE.md, given these values as by --set. The page is found by its name: beside this one; else in the nearest "
+   "folder `cases` that this page lies in, or in any folder below, where the name must be there once. A name with `../` or `/` at its beginning is a path from this page's folder or from the root. Bodies, walls, a boundary or a cell, materials, "
+   "laws, damping, gravity and step are those of its end, cycles and time count on; watches and columns are this page's own. What "
+   "is said before the first stage holds from that stage on. The other page is run up to there once, and its state kept in a "
+   "folder: docs/STATE.md. Stands before all but `units`, `let` and `sweep`.",
+   "start     nine-discs stage load\nwatch     C  disc 5 with disc 6\nrecord    cycle C.normal\nstage     rest\n  walls   stop\n  cycles  400"},
+  {0},
+};
+/* clang-format on */

@@ -9,42 +9,44 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/vec.h"
 #include "measure/impact.h"
-#include "scene.h"
+#include "statement.h"
 
-static const double right_angle = NB_PI / 2;
+enum { AT_NAME, AT_SPEED, AT_ANGLE, AT_PSI1, AT_PHASE };
 
-static int find_contact(const struct nb_scene *scene, const char *name) {
-  for (size_t w = 0; w < scene->watch_count; w++)
-    if (strcmp(scene->watches[w].name, name) == 0 && scene->watches[w].kind != NB_WATCH_BODY &&
-        scene->watches[w].kind != NB_WATCH_WALL)
-      return (int)w;
-  return -1;
-}
+/* clang-format off */
+static const struct nb_argument impact_fields[] = {
+  WORD("WATCH", AT_NAME, "the name of a watched contact"),
+  CLAUSE("speed", "V", NB_UNIT_VELOCITY, NB_POSITIVE, AT_SPEED, 1, NULL,
+         "Of the sphere's centre, relative to what it strikes."),
+  CLAUSE("angle", "A", NB_UNIT_ANGLE, NB_NOT_NEGATIVE, AT_ANGLE, 1, "from `psi1`",
+         "Between that velocity and the normal of the contact, below 90 deg."),
+  CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "from `angle`",
+         "The same as a pure number, V_T/(mu kappa V_N) of the point that will touch, spin included [R89 5.15]: kappa = "
+         "E*/(4 G*), or k_n/k_s of linear springs."),
+  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_SHARE, AT_PHASE, 1, "0", "It first touches when this much of the first step is over."),
+  END
+};
+/* clang-format on */
 
-NB_APPLY(nb_apply_impact) {
+NB_APPLY(apply_impact) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
   const struct nb_token *name = value[AT_NAME].token, *angle = value[AT_ANGLE].token, *psi1 = value[AT_PSI1].token;
-  const int watch = find_contact(scene, name->text);
-  if (scene->impact.line) {
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is said twice: first on line %d", reader->tokens[0].text,
-                     scene->impact.line);
+  const int watch = NB_FIND(scene->watches, scene->watch_count, name->text);
+  const enum nb_watch_kind kind = watch < 0 ? NB_WATCH_BODY : scene->watches[watch].kind;
+  if (nb_said_twice(reader, scene->impact.line))
     return;
-  }
-  if (watch < 0) {
+  if (kind != NB_WATCH_BODY_BODY && kind != NB_WATCH_BODY_WALL)
     nb_not_known(reader, name, "name it above: `watch NAME sphere N with wall NAME`", "the name of a watched contact");
-    return;
-  }
-  if (!angle == !psi1) {
+  if (!angle == !psi1)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected either `angle` or `psi1`, found %s",
                      angle ? "both" : "neither");
+  if (angle && !(value[AT_ANGLE].number < NB_PI / 2))
+    nb_expected_at(reader, angle, NULL, "an angle below 90 deg");
+  if (reader->bad)
     return;
-  }
-  if (angle && !(value[AT_ANGLE].number < right_angle)) {
-    nb_not_known(reader, angle, NULL, "an angle below 90 deg");
-    return;
-  }
   scene->impact = (struct nb_impact){
       .watch = watch,
       .speed = value[AT_SPEED].number,
@@ -56,8 +58,8 @@ NB_APPLY(nb_apply_impact) {
 }
 
 static const char *aim(struct nb_scene *scene) {
-  struct nb_impact *impact = &scene->impact;
-  const struct nb_watch *watch = &scene->watches[impact->watch];
+  struct nb_impact *it = &scene->impact;
+  const struct nb_watch *watch = &scene->watches[it->watch];
   struct nb_body *body = &scene->bodies[watch->a];
   const struct nb_body *other = watch->kind == NB_WATCH_BODY_BODY ? &scene->bodies[watch->b] : NULL;
   const struct nb_strike strike = nb_impact_strike(scene);
@@ -67,15 +69,15 @@ static const char *aim(struct nb_scene *scene) {
     return "expected a particle without `velocity`: `impact` gives it one";
   if (!isfinite(strike.normal.x))
     return "expected a body beside what it strikes, this one is in its middle";
-  const double slope = impact->psi1 > 0 ? impact->psi1 * strike.friction * strike.kappa : 0;
-  if (impact->psi1 > 0 && !(slope > 0))
+  const double slope = it->psi1 > 0 ? it->psi1 * strike.friction * strike.kappa : 0;
+  if (it->psi1 > 0 && !(slope > 0))
     return "expected friction and a shear stiffness in the contact of `psi1`, there is none";
-  if (isnan(impact->angle))
-    impact->angle = atan(slope) - asin(strike.rim / (impact->speed * sqrt(1 + slope * slope)));
-  if (!(cos(impact->angle) > 0))
+  if (isnan(it->angle))
+    it->angle = atan(slope) - asin(strike.rim / (it->speed * sqrt(1 + slope * slope)));
+  if (!(cos(it->angle) > 0))
     return "expected a speed that makes this `psi1`, the spin is too fast for it";
   const double distance = body->radius + (other ? other->radius : 0);
-  const double down = -impact->speed * cos(impact->angle), along = impact->speed * sin(impact->angle);
+  const double down = -it->speed * cos(it->angle), along = it->speed * sin(it->angle);
   body->x = strike.point.x + distance * strike.normal.x;
   body->y = strike.point.y + distance * strike.normal.y;
   body->vx += down * strike.normal.x + along * strike.tangent.x - strike.arrival.x;
@@ -86,5 +88,16 @@ static const char *aim(struct nb_scene *scene) {
 void nb_impact_aim(struct nb_scene_reading *reading) {
   const char *wrong = aim(reading->scene);
   if (wrong)
-    nb_line_mistake(&reading->reader, reading->scene->impact.line, NULL, "%s", wrong);
+    nb_line_mistake(&reading->reader, (size_t)reading->scene->impact.line, NULL, "%s", wrong);
 }
+
+/* clang-format off */
+NB_STATEMENTS(impact) = {
+  {"impact", NB_IN_SCENE, impact_fields, NULL, 0, false, apply_impact,
+   "Lets the first body of a watched contact strike the other one, or the wall: from the side where the page has put it, "
+   "it is moved until it just touches and flies from there, east when what it strikes lies to the south. Its velocity is replaced, its spin is "
+   "not. Then there are quantities `impact.NAME`.",
+   "impact    F  speed 0.4 m/s  angle 20 deg  phase 0.5"},
+  {0},
+};
+/* clang-format on */

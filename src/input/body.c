@@ -1,0 +1,116 @@
+/* Particles, alone and in lattices: `disc`, `sphere`, `discs lattice`, `spheres lattice`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "packing/packing.h"
+#include "statement.h"
+
+enum { AT_X, AT_Y, AT_RADIUS, AT_MATERIAL, AT_VX, AT_VY, AT_SPIN, AT_FIXED };
+enum { AT_NX = AT_VX, AT_NY, AT_SPACING, AT_SQUARE, AT_HEXAGONAL };
+
+/* clang-format off */
+static const struct nb_argument body_fields[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
+  RADIUS(AT_RADIUS),
+  MATERIAL(AT_MATERIAL),
+  VELOCITY(AT_VX, "0 0"),
+  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity, counterclockwise."),
+  FLAG("fixed", AT_FIXED, "free", "Held where it is; its mass counts as infinite."),
+  END
+};
+static const struct nb_argument lattice_fields[] = {
+  FLAG("square", AT_SQUARE, "the same", "Rows above each other."),
+  FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row half a spacing to the east, rows sqrt(3)/2 of it apart: six neighbours, equally far."),
+  COUNT(NULL, "NX", AT_NX, NULL, "How many from west to east."),
+  COUNT("by", "NY", AT_NY, NULL, "How many rows, from south to north."),
+  CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, in the south-west."),
+  RADIUS(AT_RADIUS),
+  CLAUSE("spacing", "S", NB_UNIT_LENGTH, NB_POSITIVE, AT_SPACING, 1, "2R", "From centre to centre; 2R: touching."),
+  MATERIAL(AT_MATERIAL),
+  END
+};
+/* clang-format on */
+
+bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, size_t more) {
+  if (more > NB_BODIES_MAX || scene->body_count + more > NB_BODIES_MAX)
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d bodies, with these there are %zu",
+                     NB_BODIES_MAX, scene->body_count + more);
+  return reader->bad;
+}
+
+bool nb_bodies_unsure(const struct nb_scene_reading *reading) {
+  static const char *const words[] = {"disc", "sphere", "discs", "spheres", "packing", "start"};
+  bool unsure = false;
+  for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+    unsure = unsure || nb_excused(reading->reader.mistakes, words[k]);
+  return unsure;
+}
+
+struct nb_body nb_body_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
+                          const struct nb_token *material, bool fixed, size_t count) {
+  struct nb_body body = {.shape = shape, .fixed = fixed, .line = (int)reader->line};
+  body.material = nb_material_of(scene, reader, material);
+  if (!reader->bad && scene->materials[body.material].density == 0 && !fixed)
+    nb_expected_at(reader, material, "give the material a `density`, or hold the body with `fixed`",
+                   "a material with mass for a free body");
+  nb_too_many_bodies(reader, scene, count);
+  return body;
+}
+
+/* variant: enum nb_shape, here and below */
+NB_APPLY(apply_body) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  struct nb_body one = nb_body_of(reader, scene, (enum nb_shape)record->keyword->variant, value[AT_MATERIAL].token,
+                                  value[AT_FIXED].token != NULL, 1);
+  one.x = value[AT_X].number, one.y = value[AT_Y].number, one.radius = value[AT_RADIUS].number;
+  one.vx = value[AT_VX].number, one.vy = value[AT_VY].number, one.spin = value[AT_SPIN].number;
+  if (!reader->bad)
+    NB_APPEND(reader, scene->bodies, scene->body_count, one);
+}
+
+NB_APPLY(apply_lattice) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  const double radius = value[AT_RADIUS].number;
+  const bool from = value[AT_X].token != NULL, spaced = value[AT_SPACING].token != NULL;
+  const struct nb_lattice like = {
+      .nx = (size_t)value[AT_NX].number,
+      .ny = (size_t)value[AT_NY].number,
+      .x = from ? value[AT_X].number : radius,
+      .y = from ? value[AT_Y].number : radius,
+      .spacing = spaced ? value[AT_SPACING].number : 2 * radius,
+      .hexagonal = value[AT_HEXAGONAL].token != NULL,
+  };
+  struct nb_body one = nb_body_of(reader, scene, (enum nb_shape)record->keyword->variant, value[AT_MATERIAL].token,
+                                  false, like.nx * like.ny);
+  const double far_x = like.x + like.spacing * (double)like.nx, far_y = like.y + like.spacing * (double)like.ny;
+  one.radius = radius;
+  if (value[AT_HEXAGONAL].token && value[AT_SQUARE].token)
+    nb_token_mistake(reader, value[AT_HEXAGONAL].token, NULL, "expected `square` or `hexagonal`, not both");
+  if (!(isfinite(far_x) && isfinite(far_y)))
+    nb_token_mistake(reader, &reader->tokens[0], NULL,
+                     "expected a lattice that a double can hold, this one is too large");
+  if (!reader->bad && !nb_fill_lattice(scene, like, one))
+    nb_no_memory(reader);
+}
+
+/* clang-format off */
+NB_STATEMENTS(body) = {
+  {"disc", NB_IN_SCENE, body_fields, NULL, NB_DISC, false, apply_body,
+   "One disc, a cylinder 1 m thick; it gets the next number.",
+   "disc      35.02 mm 60 mm  radius 5 mm  steel  velocity -$speed 0 m/s  spin -3 rad/s"},
+  {"sphere", NB_IN_SCENE, body_fields, NULL, NB_SPHERE, false, apply_body,
+   "One sphere, which moves in the plane; it gets the next number.",
+   "sphere    25 mm 60 mm  radius 5 mm  glass"},
+  {"discs lattice", NB_IN_SCENE, lattice_fields, NULL, NB_DISC, false, apply_lattice,
+   "Discs in a lattice, numbered row by row from the south-west: to the east, then the next row to the north.",
+   "discs     lattice 3 by 2  from 15 mm 15 mm  radius 5 mm  spacing 12 mm  glass"},
+  {"spheres lattice", NB_IN_SCENE, lattice_fields, NULL, NB_SPHERE, false, apply_lattice,
+   "Spheres in a lattice, numbered as `discs lattice`.",
+   "spheres   lattice hexagonal 2 by 1  from 15 mm 40 mm  radius 5 mm  steel"},
+  {0},
+};
+/* clang-format on */

@@ -1,0 +1,215 @@
+/* What moves an assembly from outside: its boundary, what carries it along, a box that is strained.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "loading/box.h"
+
+#include <string.h>
+
+#include "statement.h"
+
+enum { AT_X, AT_Y, AT_RADIUS };
+enum { AT_SXX, AT_SYY, AT_SXY };
+enum { AT_APART = NB_AT_BEHIND_STRAIN, AT_LITERAL };
+
+/* clang-format off */
+static const struct nb_argument nothing[] = {END};
+static const struct nb_argument circle_fields[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
+  RADIUS(AT_RADIUS),
+  END
+};
+static const struct nb_argument stress_fields[] = {
+  VALUE("SXX", NB_UNIT_PRESSURE, NB_ANY, AT_SXX, "Compression is positive."),
+  VALUE("SYY", NB_UNIT_PRESSURE, NB_ANY, AT_SYY, "Likewise."),
+  CLAUSE("shear", "SXY", NB_UNIT_PRESSURE, NB_ANY, AT_SXY, 1, "0", "The same on both pairs of sides."),
+  END
+};
+static const struct nb_argument strain_fields[] = {STRAIN, END};
+static const struct nb_argument box_strain_fields[] = {STRAIN_SIDES, END};
+static const struct nb_argument continuum_strain_fields[] = {
+  STRAIN,
+  FLAG("apart", AT_APART, "apart", "What carries a body along is no part of its own velocity [R89 4.41]."),
+  FLAG("literal", AT_LITERAL, "apart",
+       "The equations as R89 codes them: what carries a body along is added to its velocity in every cycle and stays there."),
+  END
+};
+/* clang-format on */
+
+/* ---- strain rates ---- */
+
+/* Whether its unit is `per cycle`. */
+static bool per_cycle(const struct nb_reader *reader, const struct nb_value *value) {
+  const struct nb_token *unit = value->token ? value->token + 1 : NULL;
+  return unit && unit < reader->tokens + reader->count && strcmp(unit->text, NB_PER_CYCLE) == 0;
+}
+
+struct nb_strain_rate nb_strain_of(struct nb_reader *reader, const struct nb_value value[]) {
+  const bool shear = value[NB_AT_XY].token;
+  const struct nb_strain_rate rate = {.xx = value[NB_AT_XX].number,
+                                      .xy = value[shear ? NB_AT_XY : NB_AT_C12].number,
+                                      .yx = value[shear ? NB_AT_XY : NB_AT_C21].number,
+                                      .yy = value[NB_AT_YY].number,
+                                      .per_cycle = per_cycle(reader, &value[NB_AT_XX])};
+  if (shear && (value[NB_AT_C12].token || value[NB_AT_C21].token))
+    nb_token_mistake(reader, value[NB_AT_XY].token, NULL, "expected `shear`, or `c12` and `c21`, found both");
+  for (int k = NB_AT_YY; k <= NB_AT_C21; k++)
+    if (value[k].token && per_cycle(reader, &value[k]) != rate.per_cycle)
+      nb_token_mistake(reader, value[k].token, NULL,
+                       "expected all of a strain rate in the same way, `per cycle` or by time");
+  return rate;
+}
+
+/* ---- the boundary ---- */
+
+/* Before the first stage, or in one. */
+NB_APPLY(apply_circle) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  const struct nb_value *value = record->value;
+  struct nb_circle *it = stage ? &stage->circle : &scene->circle;
+  if (!nb_said_twice(reader, it->line))
+    *it = (struct nb_circle){value[AT_X].number, value[AT_Y].number, value[AT_RADIUS].number, (int)reader->line};
+}
+
+bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
+  bool begun = scene->circle.line > 0;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    begun = begun || scene->stages[s].circle.line > 0;
+    if (scene->stages[s].boundary.line && scene->stages[s].boundary.control == NB_CONTROL_NONE)
+      begun = false;
+  }
+  if (!begun && nb_excused(reader->mistakes, "boundary"))
+    nb_silent(reader);
+  if (!begun)
+    nb_token_mistake(reader, &reader->tokens[0], "begin one with `boundary circle X Y radius R`",
+                     "expected a scene with a boundary, found none");
+  return reader->bad;
+}
+
+/* variant 0: strain, 1: stress, 2: hold, 3: none */
+NB_APPLY(apply_boundary) {
+  static const enum nb_control controls[] = {NB_CONTROL_STRAIN, NB_CONTROL_STRESS, NB_CONTROL_STRAIN, NB_CONTROL_NONE};
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  const struct nb_value *value = record->value;
+  const int variant = record->keyword->variant;
+  struct nb_boundary boundary = {.control = controls[variant], .line = (int)reader->line};
+  if (variant == 0)
+    boundary.strain = nb_strain_of(reader, value);
+  if (variant == 1)
+    boundary.sxx = value[AT_SXX].number, boundary.syy = value[AT_SYY].number, boundary.sxy = value[AT_SXY].number;
+  if (!nb_said_twice(reader, stage->boundary.line) && !nb_lacks_boundary(scene, reader))
+    stage->boundary = boundary;
+}
+
+/* ---- the continuum, and the box ---- */
+
+/* variant 1: none */
+NB_APPLY(apply_continuum) {
+  struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  const struct nb_value *value = record->value;
+  struct nb_continuum continuum = {.line = (int)reader->line, .literal = value[AT_LITERAL].token != NULL};
+  if (record->keyword->variant == 0)
+    continuum.strain = nb_strain_of(reader, value);
+  if (continuum.literal && value[AT_APART].token)
+    nb_token_mistake(reader, value[AT_LITERAL].token, NULL, "expected `apart` or `literal`, not both");
+  if (!nb_said_twice(reader, stage->continuum.line))
+    stage->continuum = continuum;
+}
+
+NB_APPLY(apply_box_strain) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  if (nb_lacks_box(scene, reader) || nb_said_twice(reader, stage->box_line))
+    return;
+  stage->box = nb_strain_of(reader, record->value);
+  stage->box_line = (int)reader->line;
+}
+
+/* ---- what must hold in all stages ---- */
+
+static void say(struct nb_scene_reading *reading, int line, const char *hint, const char *what) {
+  nb_line_mistake(&reading->reader, (size_t)line, hint, "%s", what);
+}
+
+/* Walls that follow the box do nothing else. */
+void nb_boxes_check(struct nb_scene_reading *reading) {
+  const struct nb_scene *scene = reading->scene;
+  const int first = nb_box_of(scene);
+  bool turned = false;
+  for (size_t s = 0; s < scene->stage_count && first >= 0; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    const int line = stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
+    bool moved = false;
+    for (size_t m = 0; m < stage->motion_count; m++) {
+      const bool mine = stage->motions[m].wall >= first && stage->motions[m].wall < first + 4;
+      moved = moved || mine, turned = turned || (mine && stage->motions[m].spin != 0);
+    }
+    if (!line || s < scene->start.stages)
+      continue;
+    if (moved)
+      say(reading, line, NULL, "expected a stage that moves the walls of the box in one way, found two");
+    if (turned)
+      say(reading, line, NULL, "expected a box whose walls do not turn");
+  }
+}
+
+/* What is carried along comes a step later to where it is carried: that has no way back. A cell carries its bodies itself. */
+void nb_drives_check(struct nb_scene_reading *reading) {
+  const struct nb_scene *scene = reading->scene;
+  int first = scene->circle.line;
+  for (size_t s = 0; s < scene->stage_count && !first; s++)
+    first = scene->stages[s].circle.line ? scene->stages[s].circle.line : scene->stages[s].continuum.line;
+  if (scene->cell.line && first) {
+    nb_line_mistake(&reading->reader, (size_t)first, "a cell has no boundary: say `cell strain`",
+                    "expected a scene without a cell, found one on line %d", scene->cell.line);
+  }
+  int line = 0;
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    const struct nb_strain_rate *rate = &stage->boundary.strain;
+    const bool strained = rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0;
+    line = line ? line : strained ? stage->boundary.line : stage->continuum.line;
+    line = line ? line : stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
+    if (!stage->reverse || !line)
+      continue;
+    nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
+                    "expected a stage without `reverse`: what line %d carries along does not go back", line);
+  }
+}
+
+/* clang-format off */
+NB_STATEMENTS(boundary) = {
+  {"boundary circle", NB_IN_SCENE | NB_IN_STAGE, circle_fields, NULL, 0, false, apply_circle,
+   "Bodies whose centres are on this circle or beyond are the assembly's boundary from here on; at first it is held. While it is held or "
+   "strained it carries the circle with it, and who comes to more than half cross it belongs to the boundary as well [R89 6.4.1].",
+   "boundary  circle 40 mm 40 mm  radius 1 m"},
+  {"boundary strain", NB_IN_STAGE, strain_fields, NULL, 0, false, apply_boundary,
+   "The centres of the boundary's bodies follow a strain rate about the circle's centre, exactly; they do not turn, and there is no force "
+   "between two of them. From this stage on.",
+   "stage     squeeze\n  boundary strain -1e-6 per cycle -1e-6 per cycle\n  cycles  10"},
+  {"boundary stress", NB_IN_STAGE, stress_fields, NULL, 1, false, apply_boundary,
+   "The boundary's bodies are free, and on each acts the force of a stress on its share of the polygon through their centres. From this "
+   "stage on.",
+   "stage     load\n  boundary stress 1 kPa 1 kPa\n  cycles  10"},
+  {"boundary hold", NB_IN_STAGE, nothing, NULL, 2, false, apply_boundary,
+   "The boundary's bodies stand still from this stage on.",
+   "stage     rest\n  boundary hold\n  cycles  10"},
+  {"boundary none", NB_IN_STAGE, nothing, NULL, 3, false, apply_boundary,
+   "There is no boundary from this stage on: its bodies are free again, with the velocity that they have.",
+   "stage     loose\n  boundary none\n  cycles  10"},
+  {"box strain", NB_IN_STAGE, box_strain_fields, NULL, 0, false, apply_box_strain,
+   "The walls of the box follow a strain rate about its middle, exactly; they grow or shrink with it, so that its corners stay closed. From this stage on, until a stage moves one "
+   "of them by `wall` or `walls`.",
+   "stage     narrow\n  box     strain -1e-6 per cycle 1e-7 per cycle\n  cycles  10"},
+  {"continuum strain", NB_IN_STAGE, continuum_strain_fields, NULL, 0, false, apply_continuum,
+   "All bodies that are free and no boundary's are carried along with a strain rate about the boundary's centre, or the origin of the page. "
+   "Forces and damping change what their velocities are beyond it [R89 4.41, 4.42]. From this stage on.",
+   "stage     carry\n  continuum strain -1e-6 per cycle 1e-6 per cycle  shear 1e-7 per cycle\n  cycles  10"},
+  {"continuum none", NB_IN_STAGE, nothing, NULL, 1, false, apply_continuum,
+   "Nothing is carried along from this stage on, but the boundary.",
+   "stage     stop\n  continuum none\n  cycles  10"},
+  {0},
+};
+/* clang-format on */

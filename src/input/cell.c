@@ -1,0 +1,114 @@
+/* The periodic cell, how stages strain it, and waves in it: `cell`, `wave`, `cell strain`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
+#include "core/vec.h"
+#include "statement.h"
+
+enum { AT_X, AT_Y, AT_X1, AT_Y1 };
+enum { AT_VX, AT_VY };
+
+/* clang-format off */
+static const struct nb_argument cell_fields[] = {CORNERS(AT_X, AT_X1), END};
+static const struct nb_argument wave_fields[] = {
+  VALUE("VX", NB_UNIT_VELOCITY, NB_ANY, AT_VX, "To the east, where it is largest."),
+  VALUE("VY", NB_UNIT_VELOCITY, NB_ANY, AT_VY, "To the north, where it is largest."),
+  END
+};
+static const struct nb_argument strain_fields[] = {STRAIN, END};
+/* clang-format on */
+
+NB_APPLY(apply_cell) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  const double x = value[AT_X].number, y = value[AT_Y].number, x1 = value[AT_X1].number, y1 = value[AT_Y1].number;
+  if (!nb_said_twice(reader, scene->cell.line) && !nb_inside_out(reader, x, y, x1, y1))
+    scene->cell = (struct nb_scene_cell){
+        .x = x + (x1 - x) / 2, .y = y + (y1 - y) / 2, .h = {x1 - x, 0, 0, y1 - y}, .line = (int)reader->line};
+}
+
+bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader) {
+  if (!scene->cell.line && nb_excused(reader->mistakes, "cell"))
+    nb_silent(reader);
+  if (!scene->cell.line)
+    nb_token_mistake(reader, &reader->tokens[0], "define it before the stages with `cell X Y to X Y`",
+                     "expected a scene with a cell, found none");
+  return reader->bad;
+}
+
+NB_APPLY(apply_strain) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  if (nb_lacks_cell(scene, reader))
+    return;
+  stage->cell = nb_strain_of(reader, record->value);
+  stage->cell_line = (int)reader->line;
+}
+
+NB_APPLY(apply_wave) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  const double most = 1e6; /* the sine of a number without digits behind the point is none */
+  double nx, ny;
+  if (nb_lacks_cell(scene, reader) || !nb_take_word(reader, "periods") ||
+      !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &nx) || !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &ny))
+    return;
+  if (nx != round(nx) || ny != round(ny) || fabs(nx) > most || fabs(ny) > most)
+    nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL,
+                     "expected whole numbers of periods, at most 1e6, or the wave would not fit the cell");
+  for (size_t i = 0; i < scene->body_count && !reader->bad; i++) {
+    struct nb_body *body = &scene->bodies[i];
+    const double sine =
+        sin(2 * NB_PI *
+            (nx * (body->x - scene->cell.x) / scene->cell.h[0] + ny * (body->y - scene->cell.y) / scene->cell.h[3]));
+    if (body->fixed)
+      continue;
+    body->vx += sine * value[AT_VX].number;
+    body->vy += sine * value[AT_VY].number;
+  }
+}
+
+/* A mistake of the cell as a whole, at its line. */
+static void say(struct nb_scene_reading *reading, const char *hint, const char *what) {
+  nb_line_mistake(&reading->reader, (size_t)reading->scene->cell.line, hint, "%s", what);
+}
+
+void nb_cell_check(struct nb_scene_reading *reading) {
+  const struct nb_scene *scene = reading->scene;
+  double largest = 0, sum = 0;
+  char what[2 * NB_NAME_SIZE];
+  if (!scene->cell.line)
+    return;
+  if (scene->wall_count > 0)
+    say(reading, "what a wall would be in every copy of the cell is not worked out",
+        "expected a cell or walls, found both");
+  for (size_t i = 0; i < scene->body_count; i++)
+    largest = fmax(largest, scene->bodies[i].radius), sum += scene->bodies[i].radius;
+  const double skin = scene->skin > 0 ? scene->skin : 0.1 * sum / (double)scene->body_count;
+  const double least = 2 * (2 * largest + skin), width = fmin(scene->cell.h[0], scene->cell.h[3]);
+  const char *unit = reading->reader.unitless ? "" : " m";
+  if (nb_bodies_unsure(reading) || scene->body_count < 2 || width >= least)
+    return;
+  snprintf(what, sizeof what, "expected a cell twice as wide as the largest diameter and the skin, %g%s, found %g%s",
+           least, unit, width, unit);
+  say(reading, "in a narrower one a body would meet another in two places", what);
+}
+
+/* clang-format off */
+NB_STATEMENTS(cell) = {
+  {"cell", NB_IN_SCENE | NB_IN_CELL, cell_fields, NULL, 0, false, apply_cell,
+   "A periodic cell: copies of it fill the plane, and every body of it meets those of others. All bodies belong to it, wherever "
+   "they are. In place of walls; then there are quantities `cell.NAME`.",
+   "cell      0 mm 0 mm to 80 mm 80 mm"},
+  {"wave", NB_IN_SCENE | NB_IN_CELL, wave_fields, "periods NX NY", 0, false, apply_wave,
+   "Gives the free bodies above a velocity more, times the sine of a plane wave: so many periods from side to side of the "
+   "cell, to the east and to the north, from its centre.",
+   "wave      0 m/s 1 mm/s  periods 1 0"},
+  {"cell strain", NB_IN_STAGE | NB_IN_CELL, strain_fields, NULL, 0, false, apply_strain,
+   "How the periodic cell is strained from the beginning of this stage on, about its centre, and all bodies in it are carried along "
+   "[R89 4.43, 4.44].",
+   "  cell    strain -0.01 1/s -0.01 1/s"},
+  {0},
+};
+/* clang-format on */

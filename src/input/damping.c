@@ -1,0 +1,108 @@
+/* Damping, of the scene and from a stage on.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "statement.h"
+
+static const struct nb_argument nothing[] = {END};
+
+static const struct damping_word {
+  enum nb_contact_damping contact_kind; /* or, of all bodies: */
+  enum nb_global_damping global_kind;
+  enum nb_unit_kind unit;
+  enum nb_range range;
+} words[] = {
+    {NB_CONTACT_BETA, NB_GLOBAL_UNDAMPED, NB_UNIT_TIME, NB_NOT_NEGATIVE},
+    {NB_CONTACT_FRACTION, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
+    {NB_CONTACT_RATIO, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
+    {NB_CONTACT_UNDAMPED, NB_GLOBAL_ALPHA, NB_UNIT_RATE, NB_NOT_NEGATIVE},
+    {NB_CONTACT_UNDAMPED, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_SHARE},
+};
+#define CONTACT_WORDS "contact-beta|contact-fraction|contact-ratio"
+enum { WALLS = 3, CRITICAL, GLOBAL, CON1, NONE }; /* the words behind them */
+
+/* What one statement says. */
+struct said {
+  bool all, walls; /* of all contacts; of those with walls alone */
+  bool global, deep;
+  struct damping_word of;
+  double value;
+};
+
+static void take_damping(struct nb_reader *reader, struct said *said) {
+  static const enum nb_global_damping readings[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
+  int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|global|con1|none");
+  if (word == WALLS) {
+    said->walls = true;
+    word = nb_take_choice(reader, CONTACT_WORDS "|none");
+    word = word == WALLS ? NONE : word;
+  }
+  if (word == NONE)
+    said->all = said->global = said->deep = !said->walls;
+  if (word == CRITICAL) { /* `above 7 %`: of the smaller diameter */
+    said->deep = nb_take_word(reader, "above");
+    nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &said->value);
+  }
+  if (word < 0 || word == NONE || word == CRITICAL)
+    return;
+  said->of = words[word < WALLS ? word : WALLS + word - GLOBAL];
+  said->global = word >= GLOBAL, said->all = !said->global && !said->walls;
+  nb_take_number(reader, said->of.unit, said->of.range, &said->value);
+  if (word == CON1 && !nb_token_skip(reader, "reading"))
+    nb_expected(reader, NULL, "`reading cs79`, `reading velocity` or `reading all`");
+  if (word == CON1) {
+    const int reading = nb_take_choice(reader, "cs79|velocity|all");
+    said->of.global_kind = readings[reading < 0 ? 0 : reading];
+  }
+}
+
+/* One statement each for what contacts do, for contacts with walls, for those that are deep, and for all bodies; `none` is
+ * all of them. In a stage each replaces what it inherits. */
+NB_APPLY(apply_damping) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_damping *damping = stage ? &stage->damping : &scene->damping;
+  const int line = (int)reader->line, since = stage ? stage->line : 0;
+  struct said said = {0};
+  (void)record;
+  take_damping(reader, &said);
+  const struct {
+    bool said;
+    int *line;
+  } parts[] = {{said.all, &damping->contact_line},
+               {said.walls, &damping->walls_line},
+               {said.global, &damping->global_line},
+               {said.deep, &damping->deep_line}};
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+    if (parts[k].said && *parts[k].line > since && *parts[k].line < line)
+      nb_said_twice(reader, *parts[k].line);
+  if (reader->bad)
+    return;
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+    if (parts[k].said)
+      *parts[k].line = line;
+  if (said.all)
+    damping->contact_kind = said.of.contact_kind, damping->contact = said.value;
+  if (said.walls)
+    damping->walls_apart = true, damping->walls_kind = said.of.contact_kind, damping->walls = said.value;
+  if (said.all && said.global)
+    damping->walls_apart = false;
+  if (said.global)
+    damping->global_kind = said.of.global_kind, damping->global = said.value;
+  if (said.deep)
+    damping->deep = said.value;
+}
+
+/* clang-format off */
+NB_STATEMENTS(damping) = {
+  {"damping", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing,
+   "{walls} contact-beta TIME|contact-fraction X|contact-ratio X | walls none | critical above SHARE | global RATE | "
+   "con1 X reading cs79|velocity|all | none",
+   0, false, apply_damping,
+   "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all bodies [CS79 34] [R89 6.5.1], one statement for each; "
+   "default none. `walls` is for contacts with walls alone, which are damped as all others without it. `critical above`: contacts "
+   "that overlap by more than that share of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
+   "stage on.",
+   "damping   contact-ratio 0.1\ndamping   walls contact-ratio 0.3\ndamping   global 2 1/s"},
+  {0},
+};
+/* clang-format on */

@@ -1,0 +1,186 @@
+/* Gradings, and what is filled with them: `grading`, `spheres fill`, `discs fill`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/vec.h"
+#include "packing/packing.h"
+#include "statement.h"
+
+enum { TRIES_MAX = 1000000 }; /* a second or so for each size that does not fit */
+
+enum { AT_NAME };
+enum { AT_X, AT_Y, AT_X1, AT_Y1, AT_RADIUS, AT_GRADING, AT_MATERIAL, AT_SEED, AT_TRIES, AT_ELSE };
+
+/* clang-format off */
+static const struct nb_argument grading_fields[] = {NAME(AT_NAME, "a name for the grading"), END};
+#define FILLING \
+  WORD("GRADING", AT_GRADING, "the name of a grading"), \
+  MATERIAL(AT_MATERIAL), \
+  COUNT("seed", "N", AT_SEED, NULL, "Which of all random packings it is."), \
+  COUNT("tries", "N", AT_TRIES, NULL, "How many places are tried for each body, at most 1000000."), \
+  CHOICE("else", "stop|skip", AT_ELSE, NULL, "`stop` or `skip`")
+static const struct nb_argument fill_circle_fields[] = {
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre of the circle, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre of the circle, to the north."),
+  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, NULL, "Radius of the circle."),
+  FILLING,
+  END
+};
+static const struct nb_argument fill_box_fields[] = {CORNERS(AT_X, AT_X1), FILLING, END};
+/* clang-format on */
+
+/* ---- gradings ---- */
+
+static int grading_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
+  return NB_NAMED(reader, token, scene->gradings, scene->grading_count, "the name of a grading",
+                  "define it above with `grading NAME …`");
+}
+
+int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size) {
+  double radius;
+  const int index = grading_of(scene, reader, nb_take(reader, "the name of a grading"));
+  *size = -1;
+  if (index < 0 || !nb_token_peek(reader))
+    return index;
+  const struct nb_grading *it = &scene->gradings[index];
+  const struct nb_token *at = nb_take_word(reader, "radius") ? nb_token_peek(reader) : NULL;
+  nb_take_number(reader, NB_UNIT_LENGTH, NB_POSITIVE, &radius);
+  for (size_t s = 0; s < it->size_count; s++)
+    if (it->sizes[s].radius == radius)
+      *size = (int)s;
+  if (*size < 0)
+    nb_token_mistake(reader, at, NULL, "expected a radius of the grading `%s`", it->name);
+  return index;
+}
+
+/* RADIUS N: one more size, where it belongs: largest first. */
+static void take_size(struct nb_grading *it, struct nb_reader *reader) {
+  const struct nb_token *at = nb_token_peek(reader);
+  struct nb_size size = {0};
+  size_t s = 0;
+  nb_take_number(reader, NB_UNIT_LENGTH, NB_POSITIVE, &size.radius);
+  nb_take_count(reader, 1, NB_BODIES_MAX, &size.count);
+  while (s < it->size_count && it->sizes[s].radius > size.radius)
+    s++;
+  if (s < it->size_count && it->sizes[s].radius == size.radius)
+    nb_token_mistake(reader, at, NULL, "expected every radius once, found this one twice");
+  if (reader->bad || !NB_APPEND(reader, it->sizes, it->size_count, size))
+    return;
+  memmove(it->sizes + s + 1, it->sizes + s, (it->size_count - 1 - s) * sizeof size);
+  it->sizes[s] = size;
+  it->count += size.count;
+}
+
+NB_APPLY(apply_grading) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_token *name = record->value[AT_NAME].token;
+  const int same = NB_FIND(scene->gradings, scene->grading_count, name->text);
+  struct nb_grading one = {.line = (int)reader->line};
+  if (nb_exists(reader, name, "grading", same < 0 ? 0 : scene->gradings[same].line) ||
+      nb_too_many(reader, scene->grading_count, NB_NAMED_MAX, "gradings"))
+    return;
+  snprintf(one.name, sizeof one.name, "%s", name->text);
+  do
+    take_size(&one, reader);
+  while (nb_token_peek(reader));
+  if (reader->bad || !NB_APPEND(reader, scene->gradings, scene->grading_count, one))
+    free(one.sizes);
+}
+
+/* ---- filling ---- */
+
+/* Of the circle or the box, m2. */
+static double area(const struct nb_fill *fill) {
+  return fill->circle ? NB_PI * fill->radius * fill->radius : (fill->x1 - fill->x) * (fill->y1 - fill->y);
+}
+
+/* Bodies of that radius among those of the filling. */
+static size_t placed(const struct nb_scene *scene, const struct nb_fill *fill, double radius) {
+  size_t count = 0;
+  for (size_t k = fill->first; k < scene->body_count; k++)
+    count += scene->bodies[k].radius == radius;
+  return count;
+}
+
+/* How many of which size there are when no place is found for one more. */
+static void say_stopped(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_fill *fill) {
+  const struct nb_grading *it = &scene->gradings[fill->grading];
+  char list[1024] = "";
+  for (size_t s = 0; s < it->size_count; s++) {
+    const struct nb_size *size = &it->sizes[s];
+    const size_t used = strlen(list), n = placed(scene, fill, size->radius);
+    snprintf(list + used, sizeof list - used, "%s%zu of %zu with radius %g%s", s ? ", " : "", n, size->count,
+             size->radius, reader->unitless ? "" : " m");
+    if (n < size->count)
+      break;
+  }
+  nb_token_mistake(
+      reader, &reader->tokens[0], "fill more room, try oftener, or say `else skip`: smaller ones may still fit",
+      "expected room for all %zu bodies of `%s`, found no place for the next one with `tries %lu`; placed: %s",
+      it->count, it->name, fill->tries, list);
+}
+
+/* variant: enum nb_shape */
+NB_APPLY(apply_fill) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  struct nb_fill fill = {
+      .circle = value[AT_RADIUS].token != NULL,
+      .x = value[AT_X].number,
+      .y = value[AT_Y].number,
+      .radius = value[AT_RADIUS].number,
+      .x1 = value[AT_X1].number,
+      .y1 = value[AT_Y1].number,
+      .grading = grading_of(scene, reader, value[AT_GRADING].token),
+      .seed = (unsigned long)value[AT_SEED].number,
+      .tries = (unsigned long)value[AT_TRIES].number,
+      .skip = value[AT_ELSE].number == 1,
+      .first = scene->body_count,
+      .line = (int)reader->line,
+  };
+  if (fill.tries > TRIES_MAX)
+    nb_token_mistake(reader, value[AT_TRIES].token, NULL, "expected at most %d tries for each body", TRIES_MAX);
+  if (!fill.circle && !(fill.x1 > fill.x && fill.y1 > fill.y))
+    nb_token_mistake(reader, value[AT_X1].token, NULL,
+                     "expected a north-east corner to the north and east of the first one");
+  if (!isfinite(area(&fill)))
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a place to fill that a double can hold the area of");
+  const struct nb_body like =
+      nb_body_of(reader, scene, (enum nb_shape)record->keyword->variant, value[AT_MATERIAL].token, false,
+                 reader->bad ? 0 : scene->gradings[fill.grading].count);
+  if (reader->bad)
+    return;
+  const enum nb_filled filled = nb_fill_random(scene, &fill, like);
+  fill.count = scene->body_count - fill.first;
+  NB_APPEND(reader, scene->fills, scene->fill_count, fill);
+  if (filled == NB_FILL_NO_MEMORY)
+    nb_no_memory(reader);
+  else if (filled == NB_FILL_STOPPED)
+    say_stopped(reader, scene, &fill);
+}
+
+/* clang-format off */
+NB_STATEMENTS(fill) = {
+  {"grading", NB_IN_SCENE, grading_fields, "RADIUS N {RADIUS N …}", 0, false, apply_grading,
+   "How many bodies of which radius: what `fill` fills with.",
+   "grading   mixed  8 mm 2  5 mm 6"},
+  {"spheres fill circle", NB_IN_SCENE, fill_circle_fields, NULL, NB_SPHERE, false, apply_fill,
+   "Spheres of a grading at random in a circle, largest first and numbered so, wholly inside and not touching each other nor a body "
+   "that is there already (R89, sections 4.4 and 6.4); walls are not looked at. What is meant by a seed is the same on every machine. For a body that finds no place in so many tries: "
+   "`else stop` says so and ends, as the old generator did, `else skip` goes on with the next smaller size; then what was dropped is a quantity.",
+   "spheres   fill circle 200 mm 40 mm radius 30 mm  mixed steel  seed 1  tries 1000  else skip"},
+  {"spheres fill box", NB_IN_SCENE, fill_box_fields, NULL, NB_SPHERE, false, apply_fill,
+   "The same in a box, whose sides are no walls.",
+   "spheres   fill box 250 mm 0 mm to 320 mm 80 mm  mixed steel  seed 2  tries 1000  else stop"},
+  {"discs fill circle", NB_IN_SCENE, fill_circle_fields, NULL, NB_DISC, false, apply_fill,
+   "The same with discs.",
+   "discs     fill circle 200 mm 140 mm radius 30 mm  mixed glass  seed 3  tries 1000  else skip"},
+  {"discs fill box", NB_IN_SCENE, fill_box_fields, NULL, NB_DISC, false, apply_fill,
+   "Discs in a box.",
+   "discs     fill box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  tries 1000  else stop"},
+  {0},
+};
+/* clang-format on */

@@ -1,0 +1,169 @@
+/* Materials and pairs of them: `material`, `pair`; and what stages change of them.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "statement.h"
+
+/* ---- what they take ---- */
+
+enum {
+  AT_NAME,
+  AT_OTHER,
+  AT_DENSITY,
+#define ROW(name, ...) AT_##name,
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+      AT_YOUNG,
+  AT_POISSON,
+  AT_RIGID
+};
+
+/* clang-format off */
+#define PAIR_CLAUSE(name, shown, unit, range, otherwise, help) \
+  CLAUSE(#name, shown, NB_UNIT_##unit, NB_##range, AT_##name, 1, otherwise, help),
+#define OF_MATERIAL(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, otherwise, help)
+#define OF_PAIR(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, MAKES_##rule, help)
+#define OF_CHANGE(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, "as it was", help)
+#define MAKES_series "2ab/(a+b)"
+#define MAKES_smaller "the smaller one"
+#define TWO MATERIAL(AT_NAME), MATERIAL(AT_OTHER)
+
+static const struct nb_argument material_fields[] = {
+  NAME(AT_NAME, "a name for the material"),
+  CLAUSE("density", "D", NB_UNIT_DENSITY, NB_NOT_NEGATIVE, AT_DENSITY, 1, "0",
+         "Mass per volume; a free body needs it."),
+  NB_PAIR_ROWS(OF_MATERIAL)
+  CLAUSE("young", "E", NB_UNIT_PRESSURE, NB_POSITIVE, AT_YOUNG, 1, "none",
+         "Young's modulus, for the laws of elastic spheres [R89 4.7]."),
+  CLAUSE("poisson", "NU", NB_UNIT_NUMBER, NB_HALF, AT_POISSON, 1, "0", "Poisson's ratio, 0 to 0.5."),
+  FLAG("rigid", AT_RIGID, "elastic", "Of infinite Young's modulus: what touches it has all the deformation."),
+  END
+};
+static const struct nb_argument pair_fields[] = {TWO, NB_PAIR_ROWS(OF_PAIR) END};
+static const struct nb_argument material_change_fields[] = {
+  WORD("NAME", AT_NAME, "the name of a material"), NB_PAIR_ROWS(OF_CHANGE) END
+};
+static const struct nb_argument pair_change_fields[] = {TWO, NB_PAIR_ROWS(OF_CHANGE) END};
+/* clang-format on */
+
+/* ---- in the scene ---- */
+
+int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
+  return NB_NAMED(reader, token, scene->materials, scene->material_count, "the name of a material",
+                  "define it above with `material NAME …`");
+}
+
+NB_APPLY(apply_material) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  const struct nb_token *name = value[AT_NAME].token;
+  const int same = NB_FIND(scene->materials, scene->material_count, name->text);
+  if (nb_exists(reader, name, "material", same < 0 ? 0 : scene->materials[same].line) ||
+      nb_too_many(reader, scene->material_count, NB_MATERIALS_MAX, "materials"))
+    return;
+  struct nb_material one = {
+      .density = value[AT_DENSITY].number,
+#define ROW(name, ...) .name = value[AT_##name].number,
+      NB_PAIR_ROWS(ROW)
+#undef ROW
+          .young = value[AT_RIGID].token ? INFINITY : value[AT_YOUNG].number,
+      .poisson = value[AT_POISSON].number,
+      .line = (int)reader->line,
+  };
+  snprintf(one.name, sizeof one.name, "%s", name->text);
+  if (value[AT_RIGID].token && value[AT_YOUNG].token)
+    nb_token_mistake(reader, value[AT_RIGID].token, NULL, "expected `rigid` or `young`, not both");
+  else
+    NB_APPEND(reader, scene->materials, scene->material_count, one);
+}
+
+static double said(const struct nb_value *value) { return value->token ? value->number : NAN; }
+
+NB_APPLY(apply_pair) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  struct nb_pair_rule rule = {
+      .a = nb_material_of(scene, reader, value[AT_NAME].token),
+      .b = nb_material_of(scene, reader, value[AT_OTHER].token),
+#define ROW(name, ...) .name = said(&value[AT_##name]),
+      NB_PAIR_ROWS(ROW)
+#undef ROW
+          .line = (int)reader->line,
+  };
+  for (size_t i = 0; i < scene->pair_rule_count; i++) {
+    const struct nb_pair_rule *other = &scene->pair_rules[i];
+    if ((other->a == rule.a && other->b == rule.b) || (other->a == rule.b && other->b == rule.a))
+      nb_token_mistake(reader, &reader->tokens[0], NULL, "this pair is given already, on line %d", other->line);
+  }
+  if (!reader->bad)
+    NB_APPEND(reader, scene->pair_rules, scene->pair_rule_count, rule);
+}
+
+/* ---- in a stage ---- */
+
+/* Do two changes say one property? */
+static bool overlap(const struct nb_change *a, const struct nb_change *b) {
+  bool both = false;
+#define ROW(name, ...) both = both || (!isnan(a->name) && !isnan(b->name));
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+  return both;
+}
+
+/* The change of the same thing that this stage makes already; NULL: none. */
+static const struct nb_change *changed_already(const struct nb_stage *stage, const struct nb_change *change) {
+  for (size_t i = 0; i < stage->change_count; i++) {
+    const struct nb_change *other = &stage->changes[i];
+    const bool same = other->a == change->a && other->b == change->b;
+    const bool swapped = change->b >= 0 && other->a == change->b && other->b == change->a;
+    if ((same || swapped) && overlap(other, change))
+      return other;
+  }
+  return NULL;
+}
+
+/* `material` and, as variant 1, `pair`. */
+NB_APPLY(apply_change) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  const struct nb_value *value = record->value;
+  struct nb_change change = {
+      .a = nb_material_of(scene, reader, value[AT_NAME].token),
+      .b = record->keyword->variant ? nb_material_of(scene, reader, value[AT_OTHER].token) : -1,
+#define ROW(name, ...) .name = said(&value[AT_##name]),
+      NB_PAIR_ROWS(ROW)
+#undef ROW
+          .line = (int)reader->line,
+  };
+#define ROW(name, shown, ...) " `" #name " " shown "`"
+  if (!overlap(&change, &change))
+    nb_expected(reader, NULL, "what changes, one of" NB_PAIR_ROWS(ROW));
+#undef ROW
+  const struct nb_change *other = changed_already(stage, &change);
+  if (other)
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "this stage changes that already, on line %d", other->line);
+  if (!reader->bad)
+    NB_APPEND(reader, stage->changes, stage->change_count, change);
+}
+
+/* clang-format off */
+NB_STATEMENTS(material) = {
+  {"material", NB_IN_SCENE | NB_IN_PATH, material_fields, NULL, 0, false, apply_material,
+   "What bodies and walls are made of: the stiffness, friction and cohesion of a contact between two of the same "
+   "material.",
+   "material  steel  density 7.8 g/cm3  kn 10 MN/m  ks 8 MN/m  friction $grip\nmaterial  glass  density 2.5 g/cm3  kn 5 MN/m   ks 4 MN/m  friction 0.2"},
+  {"pair", NB_IN_SCENE | NB_IN_PATH, pair_fields, NULL, 0, false, apply_pair,
+   "What holds between two materials where the rule does not: harmonic mean of stiffnesses, smaller friction and "
+   "cohesion.",
+   "pair      steel glass  friction 0.1"},
+  {"material", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, material_change_fields, NULL, 0, false, apply_change,
+   "What a material is from this stage on; what is not said stays as it was.",
+   "  material glass  friction 0.4"},
+  {"pair", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, pair_change_fields, NULL, 1, false, apply_change,
+   "What holds between two materials from this stage on, whatever the rule says; what is not said stays as it was.",
+   "  pair    steel glass  cohesion 1 N"},
+  {0},
+};
+/* clang-format on */

@@ -1,0 +1,237 @@
+/* A path: the contact on the bench, `contact`, and the legs that it goes through, `leg`; `repeat` them. Its bodies and its wall are
+ * those of a scene, so that whoever reads a scene finds them; its legs are stages. A leg, or --follow, may take its points from a file
+ * of columns: `approach` (or `overlap`, from a table of our own) and `slip`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench_quantities.h"
+#include "columns.h"
+#include "core/names.h"
+#include "laws/law.h"
+#include "statement.h"
+
+enum { STEPS_DEFAULT = 100 };
+
+enum { AT_NAME };
+static const struct nb_argument nothing[] = {END};
+static const struct nb_argument leg_fields[] = {NAME(AT_NAME, "a name for the leg"), END};
+
+/* ---- contact ---- */
+
+static int take_material(const struct nb_scene *scene, struct nb_reader *reader) {
+  return nb_material_of(scene, reader, nb_take(reader, "the name of a material"));
+}
+
+/* `sphere R MATERIAL`: a body that touches the plane x = 0, the first one from the left. */
+static void take_body(struct nb_scene *scene, struct nb_reader *reader) {
+  const bool sphere = nb_token_skip(reader, "sphere");
+  if (!sphere && !nb_token_skip(reader, "disc"))
+    nb_expected(reader, NULL,
+                scene->body_count ? "`sphere R MATERIAL`, `disc R MATERIAL` or `wall MATERIAL`"
+                                  : "`sphere R MATERIAL` or `disc R MATERIAL`");
+  struct nb_body one = {.shape = sphere ? NB_SPHERE : NB_DISC, .line = (int)reader->line};
+  nb_take_number(reader, NB_UNIT_LENGTH, NB_POSITIVE, &one.radius);
+  one.material = take_material(scene, reader);
+  one.x = scene->body_count ? one.radius : -one.radius;
+  if (!reader->bad)
+    NB_APPEND(reader, scene->bodies, scene->body_count, one);
+}
+
+static void take_wall(struct nb_scene *scene, struct nb_reader *reader) {
+  const double half = scene->bodies[0].radius;
+  const struct nb_wall one = {.name = "wall",
+                              .ey = 1,
+                              .h1 = -half,
+                              .h2 = half,
+                              .material = take_material(scene, reader),
+                              .line = (int)reader->line};
+  if (!reader->bad)
+    NB_APPEND(reader, scene->walls, scene->wall_count, one);
+}
+
+NB_APPLY(apply_contact) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
+  (void)record;
+  if (nb_said_twice(reader, reading->contact_line))
+    return;
+  reading->contact_line = (int)reader->line;
+  take_body(scene, reader);
+  if (!nb_take_word(reader, "with"))
+    return;
+  if (nb_token_skip(reader, "wall"))
+    take_wall(scene, reader);
+  else
+    take_body(scene, reader);
+}
+
+/* ---- legs ---- */
+
+static bool read_points(struct nb_leg *it, const char *path, bool unitless, struct nb_mistakes *mistakes) {
+  static const struct nb_wanted wanted[] = {{"approach", "overlap", false}, {"slip", NULL, false}};
+  double *lengths;
+  size_t rows;
+  const bool whole = nb_columns_read(&lengths, &rows, path, wanted, 2, unitless, mistakes);
+  it->points = calloc(rows + 1, sizeof *it->points);
+  for (size_t k = 0; k < rows && it->points; k++)
+    it->points[it->point_count++] = (struct nb_point){.approach = lengths[2 * k], .slip = lengths[2 * k + 1]};
+  free(lengths);
+  return whole;
+}
+
+static bool take_aim(struct nb_reader *reader, struct nb_aim *aim, bool force, bool normal) {
+  aim->force = force;
+  aim->by = nb_token_skip(reader, "by");
+  if (!aim->by && !nb_token_skip(reader, "to"))
+    return nb_expected(reader, NULL, "`to` or `by`");
+  const bool push = normal && force && !aim->by; /* spheres do not pull */
+  return nb_take_number(reader, force ? NB_UNIT_FORCE : NB_UNIT_LENGTH, push ? NB_NOT_NEGATIVE : NB_ANY, &aim->value);
+}
+
+/* What a leg says, in any order, each once. */
+static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
+  static const char *const words[] = {"overlap", "normal", "slip", "shear", "hold", "in", "follow"};
+  enum { OVERLAP, NORMAL, SLIP, SHEAR, HOLD, IN, FOLLOW, WORDS };
+  struct nb_leg *it = &stage->leg;
+  char path[NB_PATH_SIZE];
+  bool normal_said = false, shear_said = false, steps_said = false;
+  while (nb_token_peek(reader)) {
+    int word = 0;
+    while (word < WORDS && !nb_token_skip(reader, words[word]))
+      word++;
+    if (word == HOLD && !nb_token_is(reader, "normal") && !nb_token_is(reader, "shear"))
+      return nb_expected(reader, "overlap and slip stay where they are without a word", "`normal` or `shear`");
+    const bool normal = word == OVERLAP || word == NORMAL || (word == HOLD && nb_token_is(reader, "normal"));
+    bool *said = word == IN ? &steps_said : normal ? &normal_said : &shear_said;
+    if (word == WORDS || (word == FOLLOW && (normal_said || shear_said || steps_said)))
+      return nb_expected(reader, NULL,
+                         "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line");
+    if (*said) {
+      reader->next--;
+      return nb_expected(reader, NULL,
+                         normal       ? "one of `overlap`, `normal` and `hold normal`"
+                         : word == IN ? "`in N steps` once"
+                                      : "one of `slip`, `shear` and `hold shear`");
+    }
+    *said = true;
+    struct nb_aim *aim = normal ? &it->normal : &it->shear;
+    if (word == FOLLOW)
+      return (nb_file_named(reader, nb_take(reader, "the name of a file"), path) &&
+              read_points(it, path, reader->unitless, reader->mistakes)) ||
+             nb_silent(reader);
+    if (word == IN)
+      nb_take_counted(reader, "step", &stage->cycles);
+    else if (word == HOLD)
+      reader->next++, aim->force = true;
+    else
+      take_aim(reader, aim, word == NORMAL || word == SHEAR, normal);
+  }
+  return normal_said || shear_said ||
+         nb_expected(reader, NULL, "`overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`");
+}
+
+/* A wrong line begins a leg too: the lines below belong to it. */
+NB_APPLY(apply_leg) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
+  const struct nb_token *name = record->value[AT_NAME].token;
+  struct nb_stage one = {.record = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
+  one.leg.normal.by = one.leg.shear.by = true;
+  if (!scene->path) /* in a scene it is a mistake */
+    return;
+  reading->here = NB_IN_LEG;
+  if (name)
+    nb_stage_name(&one, reading, name);
+  const int same = NB_FIND(scene->stages, scene->stage_count, one.name);
+  if (name)
+    nb_exists(reader, name, "leg", same < 0 ? 0 : scene->stages[same].line);
+  if (!reader->bad && take_leg(reader, &one) && one.leg.points)
+    one.cycles = one.leg.point_count;
+  nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "legs");
+  if (scene->stage_count >= NB_NAMED_MAX || !NB_APPEND(reader, scene->stages, scene->stage_count, one))
+    free(one.leg.points);
+}
+
+/* ---- quantities ---- */
+
+const struct nb_quantity_kind nb_bench_kinds[] = {
+#define ROW(function, name, unit, asks, help) {name, NB_OF_BENCH, unit, asks, NULL, help},
+    NB_BENCH_QUANTITIES(ROW)
+#undef ROW
+        {NULL, 0, NULL, 0, NULL, NULL}};
+
+/* ---- the whole ---- */
+
+/* --follow: one leg with the points of a file instead of those of the page. */
+static void follow(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  struct nb_stage one = {.name = "follow", .record = 1, .look = 1, .snapshot_from = -1};
+  for (size_t s = 0; s < scene->stage_count; s++)
+    one.snapshot = one.snapshot || scene->stages[s].snapshot;
+  nb_stages_free(scene, 0);
+  scene->followed = true;
+  const bool whole = read_points(&one.leg, reading->follow, reading->reader.unitless, reading->reader.mistakes);
+  one.cycles = one.leg.point_count;
+  if (!whole || !NB_APPEND(&reading->reader, scene->stages, scene->stage_count, one))
+    free(one.leg.points);
+}
+
+void nb_path_check(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  static const char *const usual[] = {"step", "overlap", "slip", "normal", "shear"};
+  if (!reading->contact_line)
+    nb_say_of_scene(reading, "contact", "`contact sphere R MATERIAL with sphere R MATERIAL` puts one there",
+                    "expected a path with a `contact`, found none");
+  if (scene->stage_count == 0 && !reading->follow)
+    nb_say_of_scene(reading, "leg", "`leg NAME overlap to 1 um in 10 steps`",
+                    "expected a path with a `leg`, found none");
+  if (reading->follow)
+    follow(reading);
+  for (size_t k = 0; k < sizeof usual / sizeof *usual && reading->asked_count == 0; k++) {
+    struct nb_column column = {.quantity = {NULL, -1}};
+    strcpy(column.name, usual[k]);
+    nb_quantity_find(&column.quantity, scene, usual[k], NULL);
+    NB_APPEND(&reading->reader, scene->columns, scene->column_count, column);
+  }
+}
+
+/* ---- what quantities and snapshots ask of the laws ---- */
+
+/* At the name of the column. */
+static void say_of_law(struct nb_scene_reading *reading, const struct nb_asked *asked, const struct nb_law *law) {
+  nb_mistake(reading->reader.mistakes, reading->reader.page, asked->line, asked->column, asked->length,
+             "`nineball laws` tells what each law knows", "expected laws that know `%s`, `%s %s` does not", asked->name,
+             law->kind, law->name);
+}
+
+void nb_path_laws_check(struct nb_scene_reading *reading) {
+  const struct nb_scene *scene = reading->scene;
+  const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
+  for (size_t k = 0; k < reading->asked_count; k++) {
+    const unsigned asks = scene->columns[k].quantity.kind->fields;
+    if (asks & NB_ASKS_STORE && !normal->stored)
+      say_of_law(reading, &reading->asked[k], normal);
+    if ((asks & NB_ASKS_STORE && !shear->stored) || (asks & NB_ASKS_LOSS && !shear->loses) ||
+        (asks & NB_ASKS_PIECES && !shear->pieces_of))
+      say_of_law(reading, &reading->asked[k], shear);
+  }
+}
+
+/* clang-format off */
+NB_STATEMENTS(path) = {
+  {"contact", NB_IN_PATH, nothing, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, false, apply_contact,
+   "The contact on the bench: of two bodies, or of one with a wall. They just touch at first.",
+   "contact   disc 10 mm steel  with wall steel"},
+  {"leg", NB_IN_PATH | NB_IN_LEG, leg_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
+   0, true, apply_leg,
+   "Takes the contact on: the overlap or the normal force, and the slip or the shear force, each along a straight line to "
+   "a value or by a difference; default 100 steps. Overlap and slip stay where they are unless something is said; `hold` "
+   "holds a force instead. `follow` takes it from point to point of a file of tab-separated columns `approach/m` and "
+   "`slip/m`, one step each; the file is found as a page is by `start`.",
+   "leg       press  overlap to 10 um  in 5 steps\nleg       load   shear to 15 N  hold normal\n"
+   "leg       back   slip by -2 um  overlap by -1 um  in 1 step"},
+  {0},
+};
+/* clang-format on */

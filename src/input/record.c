@@ -1,0 +1,106 @@
+/* What is recorded and kept: `record QUANTITY …`; in a stage `record every N cycles` and `snapshot`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "statement.h"
+
+static const struct nb_argument nothing[] = {END};
+
+bool nb_take_asked(struct nb_reader *reader, struct nb_asked *asked) {
+  const struct nb_token *token = nb_take(reader, "a quantity, such as `C.normal`");
+  if (token && strlen(token->text) >= sizeof asked->name)
+    nb_token_mistake(reader, token, NULL, "expected a name shorter than %zu bytes", sizeof asked->name);
+  if (reader->bad)
+    return false;
+  *asked = (struct nb_asked){.line = reader->line, .column = token->column, .length = token->length};
+  snprintf(asked->name, sizeof asked->name, "%s", token->text);
+  return true;
+}
+
+bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked) {
+  char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE] = "";
+  struct nb_mistakes *mistakes = reading->reader.mistakes;
+  if (nb_quantity_find(quantity, reading->scene, asked->name, nearest))
+    return true;
+  if (nb_excused(mistakes, asked->name))
+    return false;
+  nb_excuse(mistakes, asked->name);
+  if (nearest[0])
+    snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
+  nb_mistake(mistakes, reading->reader.page, asked->line, asked->column, asked->length, hint,
+             "expected a quantity, found `%s`", asked->name);
+  return false;
+}
+
+/* `record QUANTITY …` in the scene: the names are looked up when all watches are known. */
+NB_APPLY(apply_columns) {
+  struct nb_scene_reading *reading = subject;
+  (void)record;
+  do {
+    struct nb_asked one;
+    if (!nb_take_asked(reader, &one) || nb_too_many(reader, reading->asked_count, NB_NAMED_MAX, "columns"))
+      return;
+    const int same = NB_FIND(reading->asked, reading->asked_count, one.name);
+    if (same >= 0)
+      nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL, "`%s` is recorded already, by line %zu",
+                       one.name, reading->asked[same].line);
+    else
+      NB_APPEND(reader, reading->asked, reading->asked_count, one);
+  } while (nb_token_peek(reader));
+}
+
+/* In a stage: `record every N cycles` or `record none`. */
+NB_APPLY(apply_record) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  unsigned long every = 0;
+  (void)record;
+  if (nb_token_skip(reader, "every"))
+    nb_take_counted(reader, scene->path ? "step" : "cycle", &every);
+  else if (!nb_token_skip(reader, "none"))
+    nb_expected(reader, "what to record is said before the first stage", "`every N cycles` or `none`");
+  if (!reader->bad)
+    nb_stage_now(scene)->record = every;
+}
+
+bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name) {
+  const bool before = NB_FIND(scene->stages, scene->start.stages, name->text) >= 0;
+  if (before)
+    nb_token_mistake(reader, name, "the first stage of this page begins with the state: name that one",
+                     "expected a stage of this page: of `%s`, which is run before, the state has only how it ended",
+                     name->text);
+  return before;
+}
+
+/* `snapshot {from STAGE}`: that stage is this one or an earlier one, and runs: those of another page may not. */
+NB_APPLY(apply_snapshot) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_stage *stage = nb_stage_now(scene);
+  (void)record;
+  stage->snapshot = true;
+  if (scene->path || !nb_token_skip(reader, "from"))
+    return;
+  const struct nb_token *name = nb_take(reader, "the name of this stage or of an earlier one");
+  const int from = name ? NB_FIND(scene->stages, scene->stage_count, name->text) : -1;
+  if (from >= (int)scene->start.stages)
+    stage->snapshot_from = from;
+  else if (name && !nb_stage_not_here(scene, reader, name))
+    nb_not_known(reader, name, NULL, "the name of this stage or of an earlier one");
+}
+
+/* clang-format off */
+NB_STATEMENTS(record) = {
+  {"record", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, nothing, "QUANTITY …", 0, false, apply_columns,
+   "The columns of the table, in this order; on the bench default step, overlap, slip, normal and shear.",
+   "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
+  {"record", NB_IN_STAGE | NB_IN_LEG, nothing, "every N cycles | none", 0, false, apply_record,
+   "How often a row is added to the table; default every 1 cycle.",
+   "  record  every 10 cycles"},
+  {"snapshot", NB_IN_STAGE | NB_IN_LEG, nothing, "{from STAGE}", 0, false, apply_snapshot,
+   "Keeps bodies, walls and contacts as they are at the end of the stage; on the bench the traction over the contact and "
+   "the pieces of its history, which a shear law must keep. With `from` also what has changed since that stage began, which is this one or "
+   "an earlier one: how bodies have moved and turned, which contacts are new and which are lost, how far contacts have slid.",
+   "  snapshot from strike"},
+  {0},
+};
+/* clang-format on */

@@ -1,0 +1,99 @@
+/* What is measured together: `region NAME circle …`, `box …`, `inside F`, `all`.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "statement.h"
+
+enum { RINGS_MAX = 1000 };
+
+enum { AT_NAME };
+static const struct nb_argument region_fields[] = {NAME(AT_NAME, "a name for the region"), END};
+
+static bool take_place(struct nb_reader *reader, double *x, double *y) {
+  return nb_take_number(reader, NB_UNIT_LENGTH, NB_ANY, x) && nb_take_number(reader, NB_UNIT_LENGTH, NB_ANY, y);
+}
+
+static bool take_circle(struct nb_reader *reader, struct nb_region *it) {
+  it->kind = NB_REGION_CIRCLE;
+  return take_place(reader, &it->x, &it->y) && nb_take_word(reader, "radius") &&
+         nb_take_number(reader, NB_UNIT_LENGTH, NB_POSITIVE, &it->radius);
+}
+
+static bool take_box(struct nb_reader *reader, struct nb_region *it) {
+  double x1, y1, x2, y2;
+  it->kind = NB_REGION_BOX;
+  if (!take_place(reader, &x1, &y1) || !nb_take_word(reader, "to") || !take_place(reader, &x2, &y2))
+    return false;
+  if (nb_inside_out(reader, x1, y1, x2, y2))
+    return false;
+  it->x = x1 + (x2 - x1) / 2, it->y = y1 + (y2 - y1) / 2;
+  it->half_x = (x2 - x1) / 2, it->half_y = (y2 - y1) / 2;
+  it->ex = 1, it->ey = 0;
+  return true;
+}
+
+static bool take_region(struct nb_reader *reader, struct nb_region *it) {
+  if (nb_token_skip(reader, "circle"))
+    return take_circle(reader, it);
+  if (nb_token_skip(reader, "box"))
+    return take_box(reader, it);
+  if (nb_token_skip(reader, "inside")) {
+    it->kind = NB_REGION_INSIDE;
+    return nb_take_number(reader, NB_UNIT_NUMBER, NB_SHARE, &it->radius);
+  }
+  if (!nb_token_skip(reader, "all"))
+    return nb_expected(reader, NULL, "`circle X Y radius R`, `box X1 Y1 to X2 Y2`, `inside F` or `all`");
+  it->kind = NB_REGION_ALL;
+  it->ex = 1, it->ey = 0;
+  return true;
+}
+
+/* {rings N} {from STAGE} */
+static void take_clauses(struct nb_reader *reader, struct nb_region *it) {
+  unsigned long rings = 0;
+  if (nb_token_is(reader, "rings") && it->kind != NB_REGION_CIRCLE && it->kind != NB_REGION_INSIDE)
+    nb_expected(reader, "rings go round the centre of a circle", "the end of the line, or `from STAGE`");
+  else if (nb_token_skip(reader, "rings") && nb_take_count(reader, 1, RINGS_MAX, &rings))
+    it->rings = (int)rings;
+  const struct nb_token *stage = nb_token_skip(reader, "from") ? nb_take(reader, "the name of a stage") : NULL;
+  if (stage && strlen(stage->text) < sizeof it->from)
+    snprintf(it->from, sizeof it->from, "%s", stage->text);
+}
+
+NB_APPLY(apply_region) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  struct nb_region one = {.stage = -1, .line = (int)reader->line};
+  const struct nb_watch watch = {.kind = NB_WATCH_REGION, .a = (int)scene->region_count, .b = -1};
+  if (take_region(reader, &one))
+    take_clauses(reader, &one);
+  if (!reader->bad && nb_watch_add(scene, reader, record->value[AT_NAME].token, watch))
+    NB_APPEND(reader, scene->regions, scene->region_count, one);
+}
+
+/* Once all stages are known: which one `from` names. It is one that runs: those of another page, from which this one starts, do not. */
+void nb_regions_check(struct nb_scene_reading *reading) {
+  struct nb_scene *scene = reading->scene;
+  struct nb_reader *reader = &reading->reader;
+  for (size_t r = 0; r < scene->region_count; r++) {
+    struct nb_region *it = &scene->regions[r];
+    for (size_t s = scene->start.stages; s < scene->stage_count; s++)
+      if (strcmp(scene->stages[s].name, it->from) == 0)
+        it->stage = (int)s;
+    if (!it->from[0] || it->stage >= 0 || nb_excused(reader->mistakes, "repeat"))
+      continue;
+    nb_line_read(reader, (size_t)it->line);
+    const struct nb_token *name = &reader->tokens[reader->count - 1];
+    if (!nb_stage_not_here(scene, reader, name))
+      nb_not_known(reader, name, NULL, "the name of a stage of this page");
+  }
+}
+
+/* clang-format off */
+NB_STATEMENTS(region) = {
+  {"region", NB_IN_SCENE | NB_IN_START, region_fields, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, false, apply_region,
+   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest box round all outlines that is upright before `place`, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain, and what contacts are lost and new, are counted from the stage of this page that `from` names, else from the start of its run.",
+   "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
+  {0},
+};
+/* clang-format on */

@@ -1,0 +1,230 @@
+/* What happens: `stage`, how long one lasts, `ramp` before what shall come gradually; `still`, `reverse`, `rotation`; and stages
+ * once more, `repeat from NAME N times`, of which the lines are read again as if they stood there so often.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "statement.h"
+
+enum { AT_NAME };
+enum { AT_CYCLES };
+static const struct nb_argument nothing[] = {END};
+static const struct nb_argument stage_fields[] = {NAME(AT_NAME, "a name for the stage"), END};
+static const struct nb_argument cycles_fields[] = {COUNT(NULL, "N", AT_CYCLES, NULL, "a number of cycles"), END};
+
+struct nb_stage *nb_stage_now(const struct nb_scene *scene) {
+  return scene->stage_count ? &scene->stages[scene->stage_count - 1] : NULL;
+}
+
+void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *reading, const struct nb_token *name) {
+  char number[24] = "";
+  if (reading->repeat.now)
+    snprintf(number, sizeof number, "-%lu", reading->repeat.now);
+  const size_t most = sizeof stage->name - 1 - strlen(number), length = strlen(name->text);
+  snprintf(stage->name, sizeof stage->name, "%.*s%s", (int)(length < most ? length : most), name->text, number);
+}
+
+/* A stage begins with the step and damping of the one before it, the first one with those of the scene. A wrong line begins one too:
+ * the lines below belong to it. */
+NB_APPLY(apply_stage) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_scene *scene = reading->scene;
+  const struct nb_token *name = record->value[AT_NAME].token;
+  const struct nb_stage *before = nb_stage_now(scene);
+  struct nb_stage one = {.record = 1, .look = 1, .snapshot_from = -1};
+  one.step = before ? before->step : scene->step;
+  one.damping = before ? before->damping : scene->damping;
+  if (reading->opening) { /* what was said behind `start` is said in this one */
+    one = scene->stages[--scene->stage_count];
+    reading->opening = false;
+  }
+  one.line = (int)reader->line;
+  if (name)
+    nb_stage_name(&one, reading, name);
+  const int same = NB_FIND(scene->stages, scene->stage_count, one.name);
+  if (name)
+    nb_exists(reader, name, "stage", same < 0 ? 0 : scene->stages[same].line);
+  nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "stages");
+  if (scene->stage_count < NB_NAMED_MAX && NB_APPEND(reader, scene->stages, scene->stage_count, one))
+    reading->here = NB_IN_STAGE;
+}
+
+/* ---- how long it lasts ---- */
+
+/* A stage lasts once: `cycles` or one `until`. */
+static bool ends_twice(const struct nb_stage *stage, struct nb_reader *reader) {
+  if (stage->cycles != 0)
+    nb_token_mistake(reader, &reader->tokens[0], NULL,
+                     "the stage `%s` has an end already: `cycles` or `until`, and once", stage->name);
+  return stage->cycles != 0;
+}
+
+NB_APPLY(apply_cycles) {
+  struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  if (!ends_twice(stage, reader))
+    stage->cycles = (unsigned long)record->value[AT_CYCLES].number;
+}
+
+/* QUANTITY above|below VALUE */
+static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_condition *condition) {
+  struct nb_asked asked;
+  condition->line = (int)reader->line;
+  if (!nb_take_asked(reader, &asked))
+    return false;
+  if (!nb_asked_find(reading, &condition->quantity, &asked))
+    return nb_silent(reader);
+  snprintf(condition->name, sizeof condition->name, "%s", asked.name);
+  condition->relation = nb_take_choice(reader, "above|below") == 0 ? NB_ABOVE : NB_BELOW;
+  return nb_take_in(reader, nb_quantity_unit(condition->quantity), &condition->value);
+}
+
+NB_APPLY(apply_until) {
+  struct nb_scene_reading *reading = subject;
+  struct nb_stage *stage = nb_stage_now(reading->scene);
+  (void)record;
+  if (ends_twice(stage, reader))
+    return;
+  do {
+    struct nb_condition condition = {0};
+    if (take_condition(reading, reader, &condition))
+      NB_APPEND(reader, stage->conditions, stage->condition_count, condition);
+  } while (nb_token_skip(reader, "and"));
+  if (nb_token_skip(reader, "every"))
+    nb_take_counted(reader, "cycle", &stage->look);
+  if (!nb_token_skip(reader, "at"))
+    nb_expected(reader, "a stage that may last for ever is not run", "`and`, `every N cycles` or `at most N cycles`");
+  else if (nb_take_word(reader, "most"))
+    nb_take_counted(reader, "cycle", &stage->cycles);
+}
+
+/* ---- what comes gradually, and at once ---- */
+
+/* What follows `ramp` is a statement of its own; whatever this line has said then is ramped. */
+NB_APPLY(apply_ramp) {
+  struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  const int line = (int)reader->line;
+  (void)record;
+  if (!nb_take(reader, "what shall change: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
+    return;
+  memmove(reader->tokens, reader->tokens + 1, --reader->count * sizeof *reader->tokens);
+  nb_statement_read(reader, nb_keywords(), NB_IN_RAMP, subject);
+  for (size_t i = 0; i < it->motion_count; i++)
+    it->motions[i].ramp = it->motions[i].ramp || it->motions[i].line == line;
+  for (size_t i = 0; i < it->change_count; i++)
+    it->changes[i].ramp = it->changes[i].ramp || it->changes[i].line == line;
+  it->servo.ramp = it->servo.ramp || it->servo.line == line;
+  it->gravity.ramp = it->gravity.ramp || it->gravity.line == line;
+}
+
+/* The line of a ramp; 0: none. */
+static int ramp_of(const struct nb_stage *it) {
+  for (size_t i = 0; i < it->motion_count; i++)
+    if (it->motions[i].ramp)
+      return it->motions[i].line;
+  for (size_t i = 0; i < it->change_count; i++)
+    if (it->changes[i].ramp)
+      return it->changes[i].line;
+  return it->servo.ramp ? it->servo.line : it->gravity.ramp ? it->gravity.line : 0;
+}
+
+void nb_ramps_check(struct nb_scene_reading *reading) {
+  for (size_t i = 0; i < reading->scene->stage_count; i++) {
+    const struct nb_stage *it = &reading->scene->stages[i];
+    const int line = ramp_of(it);
+    if (!line || it->condition_count == 0)
+      continue;
+    nb_line_mistake(&reading->reader, (size_t)line, "a ramp ends with its stage: say how long that is with `cycles N`",
+                    "expected a ramp in a stage of `cycles N`, found `until` in `%s`", it->name);
+  }
+}
+
+/* variant 1: reverse */
+NB_APPLY(apply_still) {
+  struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  if (record->keyword->variant && it->motion_count > 0)
+    nb_token_mistake(reader, &reader->tokens[0], "it turns round what walls did until then",
+                     "expected `reverse` above the statements that move walls, found it below");
+  *(record->keyword->variant ? &it->reverse : &it->still) = true;
+}
+
+/* variant 1: off */
+NB_APPLY(apply_rotation) {
+  struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  if (nb_said_twice(reader, it->rotation_line))
+    return;
+  it->rotation = record->keyword->variant ? NB_ROTATION_OFF : NB_ROTATION_ON;
+  it->rotation_line = (int)reader->line;
+}
+
+/* ---- stages or legs once more: what they begin is called NAME-2, NAME-3, … ---- */
+
+bool nb_repeat_closed(struct nb_scene_reading *reading) {
+  struct nb_reader *reader = &reading->reader;
+  const struct nb_scene *scene = reading->scene;
+  const char *begins = scene->path ? "leg" : "stage", *verb = reader->tokens[0].text;
+  if (reading->repeat.now || reading->repeat.until == 0 || strcmp(verb, begins) == 0 || strcmp(verb, "repeat") == 0 ||
+      (size_t)nb_stage_now(scene)->line > reading->repeat.until)
+    return false;
+  nb_token_mistake(reader, &reader->tokens[0],
+                   "above the `repeat` it is said of all of them, here of the last one only",
+                   "expected `%s` below the `repeat` of line %zu", begins, reading->repeat.until);
+  return true;
+}
+
+NB_APPLY(apply_repeat) {
+  struct nb_scene_reading *reading = subject;
+  const struct nb_scene *scene = reading->scene;
+  const size_t before = scene->start.stages;
+  const char *what = scene->path ? "the name of a leg" : "the name of a stage";
+  unsigned long times;
+  (void)record;
+  const struct nb_token *token = nb_take_word(reader, "from") ? nb_take(reader, what) : NULL;
+  if (!token || nb_stage_not_here(scene, reader, token))
+    return;
+  const int s = NB_NAMED(reader, token, scene->stages + before, scene->stage_count - before,
+                         scene->path ? "the name of a leg above" : "the name of a stage above", NULL);
+  const size_t from = s < 0 ? 0 : (size_t)scene->stages[before + (size_t)s].line;
+  if (from < reading->repeat.until)
+    nb_token_mistake(reader, token, NULL, "expected %s that stands below the last `repeat`, on line %zu",
+                     scene->path ? "a leg" : "a stage", reading->repeat.until);
+  else if (nb_take_count(reader, 1, NB_NAMED_MAX, &times) &&
+           (nb_token_skip(reader, "time") || nb_take_word(reader, "times")))
+    reading->repeat = (struct nb_repeat){.from = from, .times = times, .until = reader->line};
+}
+
+/* clang-format off */
+NB_STATEMENTS(stage) = {
+  {"stage", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, stage_fields, NULL, 0, true, apply_stage,
+   "Begins a stage; the statements below belong to it, until the next one.",
+   "stage     strike"},
+  {"ramp", NB_IN_STAGE, nothing, "wall … | walls … | material … | pair … | gravity … | servo …", 0, false, apply_ramp,
+   "What follows does not jump but goes along a straight line, from what it is to what is said, over the cycles of the "
+   "stage.",
+   "  ramp    material steel  friction 0.5"},
+  {"cycles", NB_IN_STAGE, cycles_fields, NULL, 0, false, apply_cycles, "How many cycles the stage lasts.",
+   "  cycles  400"},
+  {"until", NB_IN_STAGE, nothing,
+   "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N cycles", 0, false, apply_until,
+   "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure. `every`: they are looked at every so many cycles only, default 1.",
+   "stage     part\n  until   C.overlap below 1 nm and time above 1 ms  at most 10000 cycles"},
+  {"still", NB_IN_STAGE, nothing, NULL, 0, false, apply_still,
+   "All bodies stop at the beginning of this stage; walls do not.",
+   "stage     halt\n  still\n  cycles  10"},
+  {"reverse", NB_IN_STAGE, nothing, NULL, 1, false, apply_still,
+   "All velocities and spins turn round at the beginning of this stage, those of walls too: what has no friction and no "
+   "damping goes back the way it came.",
+   "stage     back\n  reverse\n  cycles  10"},
+  {"rotation off", NB_IN_STAGE, nothing, NULL, 1, false, apply_rotation,
+   "Bodies stop turning when this stage begins, and do not turn from then on.",
+   "stage     stiff\n  rotation off\n  cycles  10"},
+  {"rotation on", NB_IN_STAGE, nothing, NULL, 0, false, apply_rotation, "They turn again.",
+   "stage     roll\n  rotation on\n  cycles  10"},
+  {"repeat", NB_IN_STAGE, nothing, "from STAGE N times", 1, false, apply_repeat,
+   "The lines from STAGE down to here once more, so often; those stages are called STAGE-2, STAGE-3 and so on.",
+   "stage     again\n  cycles  10\nrepeat    from again 2 times"},
+  {"repeat", NB_IN_LEG, nothing, "from LEG N times", 0, false, apply_repeat,
+   "The lines from LEG down to here once more, so often; those legs are called LEG-2, LEG-3 and so on.",
+   "repeat    from load 2 times"},
+  {0},
+};
+/* clang-format on */

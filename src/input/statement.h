@@ -1,0 +1,47 @@
+/* How a statement is written: ways to write the rows of what it takes, and its words. For the files of STATEMENTS alone.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_STATEMENT_H
+#define NB_STATEMENT_H
+
+#include "scene.h"
+
+/* Ways to write a row of what it takes; `at` is a slot of the record. What must be there has no default. Words and names say what they
+ * are; numbers which unit. */
+/* clang-format off */
+#define NAME(at, what) {NULL, "NAME", NB_ARGUMENT_NAME, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
+#define WORD(shown, at, what) {NULL, shown, NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
+#define CHOICE(word, words, at, otherwise, what) \
+  {word, words, NB_ARGUMENT_CHOICE, NB_UNIT_NUMBER, NB_ANY, at, 1, otherwise, what}
+#define VALUE(shown, unit, range, at, help) {NULL, shown, NB_ARGUMENT_NUMBER, unit, range, at, 1, NULL, help}
+#define CLAUSE(word, shown, unit, range, at, count, otherwise, help) \
+  {word, shown, NB_ARGUMENT_NUMBER, unit, range, at, count, otherwise, help}
+#define COUNT(word, shown, at, otherwise, help) \
+  {word, shown, NB_ARGUMENT_COUNT, NB_UNIT_NUMBER, NB_ANY, at, 1, otherwise, help}
+#define FLAG(word, at, otherwise, help) {word, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, at, 1, otherwise, help}
+#define END {NULL, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, 0, 0, NULL, NULL}
+/* What several statements take. */
+#define MATERIAL(at) WORD("MATERIAL", at, "the name of a material")
+#define RADIUS(at) CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, at, 1, NULL, "Radius.")
+#define VELOCITY(at, otherwise) \
+  CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, at, 2, otherwise, "Velocity to the east and to the north.")
+#define CORNERS(at, other) \
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, at, "South-west corner, to the east."), \
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, at + 1, "South-west corner, to the north."), \
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, other, 2, NULL, "North-east corner.")
+#define STRAIN_SIDES \
+  VALUE("EXX", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XX, "Of length to the east; extension is positive."), \
+  VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_YY, "Of length to the north.")
+#define STRAIN \
+  STRAIN_SIDES, \
+  CLAUSE("shear", "EXY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XY, 1, "0", "Of shape: c_12 = c_21 = EXY, which turns nothing."), \
+  CLAUSE("c12", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C12, 1, "0", "Velocity to the east for a unit of way to the north."), \
+  CLAUSE("c21", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C21, 1, "0", "Velocity to the north for a unit of way to the east.")
+/* clang-format on */
+
+/* A function that applies a statement; subject is the struct nb_scene_reading. */
+#define NB_APPLY(name) static void name(struct nb_reader *reader, const struct nb_record *record, void *subject)
+/* The statements of a file, by the file's name; the last row is {0}. */
+#define NB_STATEMENTS(file) const struct nb_keyword nb_statements_##file[]
+
+#endif

@@ -1,0 +1,225 @@
+/* Walls: `wall`, `box`; and how stages move them.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+#include <string.h>
+
+#include "loading/box.h"
+#include "statement.h"
+
+enum { AT_NAME, AT_X, AT_Y, AT_X1, AT_Y1, AT_MATERIAL, AT_ABOUT_X, AT_ABOUT_Y, AT_VX, AT_VY, AT_SPIN };
+enum { AT_INWARD, AT_STOP };
+
+/* clang-format off */
+static const struct nb_argument box_fields[] = {CORNERS(AT_X, AT_X1), MATERIAL(AT_MATERIAL), END};
+static const struct nb_argument wall_fields[] = {
+  NAME(AT_NAME, "a name for the wall"),
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "First end, to the east."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "First end, to the north."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "Second end."),
+  MATERIAL(AT_MATERIAL),
+  CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_ABOUT_X, 2, "its middle",
+         "The point P that it turns about and whose velocity is given [CS79 figure 4]; it need not be on the wall."),
+  VELOCITY(AT_VX, "0 0"),
+  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity about P, counterclockwise."),
+  END
+};
+static const struct nb_argument walls_fields[] = {
+  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "none",
+         "Each wall of the box along its normal to the inside."),
+  FLAG("stop", AT_STOP, "none", "All walls stand still."),
+  END
+};
+static const struct nb_argument wall_motion_fields[] = {
+  WORD("NAME", AT_NAME, "the name of a wall"),
+  VELOCITY(AT_VX, "as before"),
+  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "as before", "Angular velocity about P, counterclockwise."),
+  END
+};
+/* clang-format on */
+
+int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
+  const bool known = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
+  if (!known && nb_excused(reader->mistakes, "box")) /* whose walls have names */
+    nb_silent(reader);
+  return NB_NAMED(reader, token, scene->walls, scene->wall_count, "the name of a wall",
+                  "define it above with `wall NAME …` or `box …`");
+}
+
+bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
+  const bool none = nb_box_of(scene) < 0;
+  if (none && nb_excused(reader->mistakes, "box"))
+    nb_silent(reader);
+  if (none)
+    nb_token_mistake(reader, &reader->tokens[0], "define it before the stages with `box X Y to X Y MATERIAL`",
+                     "expected a scene with a box of walls, found none");
+  return reader->bad;
+}
+
+/* ---- in the scene ---- */
+
+/* A wall from one end to the other; `place` is what is wrong when it is. */
+static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *place, const char *name,
+                     struct nb_wall wall, double x1, double y1) {
+  const int same = NB_FIND(scene->walls, scene->wall_count, name);
+  const double length = hypot(x1 - wall.x, y1 - wall.y);
+  if (same >= 0)
+    nb_token_mistake(reader, place, NULL, "there is a wall `%s` already, on line %d", name, scene->walls[same].line);
+  if (!isfinite(length))
+    nb_token_mistake(reader, place, NULL, "expected a wall whose length a double can hold, this one is too long");
+  if (!isnormal(length)) /* the direction of a shorter one would not have length 1 */
+    nb_token_mistake(reader, place, NULL, "expected a wall with two ends, the ends of this one are the same point");
+  if (reader->bad || nb_too_many(reader, scene->wall_count, NB_NAMED_MAX, "walls"))
+    return;
+  wall.ex = (x1 - wall.x) / length;
+  wall.ey = (y1 - wall.y) / length;
+  wall.x = wall.x + (x1 - wall.x) / 2;
+  wall.y = wall.y + (y1 - wall.y) / 2;
+  wall.h1 = -length / 2;
+  wall.h2 = length / 2;
+  wall.line = (int)reader->line;
+  snprintf(wall.name, sizeof wall.name, "%s", name);
+  NB_APPEND(reader, scene->walls, scene->wall_count, wall);
+}
+
+/* Moves P from the middle of the wall to x, y; a point that is on the wall's line but for rounding counts as on it. */
+static void turn_about(struct nb_wall *wall, double x, double y) {
+  const double dx = wall->x - x, dy = wall->y - y, along = dx * wall->ex + dy * wall->ey;
+  const double left = dy * wall->ex - dx * wall->ey;
+  wall->h0 = fabs(left) > 1e-12 * (wall->h2 + hypot(dx, dy)) ? left : 0;
+  wall->h1 += along;
+  wall->h2 += along;
+  wall->x = x;
+  wall->y = y;
+}
+
+NB_APPLY(apply_wall) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  const struct nb_token *name = value[AT_NAME].token;
+  const struct nb_wall one = {.x = value[AT_X].number,
+                              .y = value[AT_Y].number,
+                              .vx = value[AT_VX].number,
+                              .vy = value[AT_VY].number,
+                              .spin = value[AT_SPIN].number,
+                              .material = nb_material_of(scene, reader, value[AT_MATERIAL].token)};
+  add_wall(scene, reader, name, name->text, one, value[AT_X1].number, value[AT_Y1].number);
+  if (value[AT_ABOUT_X].token && !reader->bad)
+    turn_about(&scene->walls[scene->wall_count - 1], value[AT_ABOUT_X].number, value[AT_ABOUT_Y].number);
+}
+
+bool nb_inside_out(struct nb_reader *reader, double x, double y, double x1, double y1) {
+  if (!(x1 > x && y1 > y && isfinite(x1 - x) && isfinite(y1 - y)))
+    nb_token_mistake(reader, &reader->tokens[0], NULL,
+                     "expected the south-west corner and then the north-east one, found them the other way");
+  return reader->bad;
+}
+
+/* Counterclockwise from the south-west corner, so that the inside is to the left of e. */
+NB_APPLY(apply_box) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  const double x0 = value[AT_X].number, y0 = value[AT_Y].number, x1 = value[AT_X1].number, y1 = value[AT_Y1].number;
+  const struct nb_token *verb = &reader->tokens[0];
+  const int m = nb_material_of(scene, reader, value[AT_MATERIAL].token);
+  if (nb_inside_out(reader, x0, y0, x1, y1))
+    return;
+  add_wall(scene, reader, verb, "south", (struct nb_wall){.x = x0, .y = y0, .iny = 1, .material = m}, x1, y0);
+  add_wall(scene, reader, verb, "east", (struct nb_wall){.x = x1, .y = y0, .inx = -1, .material = m}, x1, y1);
+  add_wall(scene, reader, verb, "north", (struct nb_wall){.x = x1, .y = y1, .iny = -1, .material = m}, x0, y1);
+  add_wall(scene, reader, verb, "west", (struct nb_wall){.x = x0, .y = y1, .inx = 1, .material = m}, x0, y0);
+}
+
+/* ---- in a stage ---- */
+
+/* What a wall does by now, as the page has it: `reverse` has turned round what it was told before. */
+static struct nb_wall_motion wall_so_far(const struct nb_scene *scene, size_t index) {
+  const struct nb_wall *it = &scene->walls[index];
+  struct nb_wall_motion motion = {.wall = (int)index, .vx = it->vx, .vy = it->vy, .spin = it->spin};
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    if (stage->reverse) /* + 0.0 makes a -0 a plain 0 */
+      motion.vx = -motion.vx + 0.0, motion.vy = -motion.vy + 0.0, motion.spin = -motion.spin + 0.0;
+    for (size_t i = 0; i < stage->motion_count; i++)
+      if (stage->motions[i].wall == (int)index)
+        motion = stage->motions[i];
+  }
+  return motion;
+}
+
+/* A second motion of the same wall in a stage takes the place of the first: `walls inward 1 mm/s`, but one of them
+ * stands. */
+static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct nb_wall_motion motion) {
+  struct nb_stage *stage = nb_stage_now(scene);
+  motion.line = (int)reader->line, motion.ramp = false;
+  for (size_t i = 0; i < stage->motion_count; i++) {
+    if (stage->motions[i].wall != motion.wall)
+      continue;
+    stage->motions[i] = motion;
+    return;
+  }
+  NB_APPEND(reader, stage->motions, stage->motion_count, motion);
+}
+
+NB_APPLY(apply_walls) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *inward = &record->value[AT_INWARD], *stop = &record->value[AT_STOP];
+  size_t moved = 0;
+  if (!inward->token == !stop->token) {
+    if (inward->token)
+      nb_token_mistake(reader, &reader->tokens[0], NULL, "expected one of `inward V` and `stop`, found both");
+    else
+      nb_expected(reader, NULL, "`inward V` or `stop`");
+    return;
+  }
+  for (size_t i = 0; i < scene->wall_count; i++) {
+    const struct nb_wall *wall = &scene->walls[i];
+    bool of_box = wall->inx != 0 || wall->iny != 0;
+    if (inward->token && !of_box)
+      continue;
+    struct nb_wall_motion motion = wall_so_far(scene, i);
+    motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* which makes the -0 of a product a plain 0 */
+    motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
+    motion.spin = stop->token ? 0 : motion.spin;
+    move_wall(scene, reader, motion);
+    moved++;
+  }
+  if (moved == 0 && nb_excused(reader->mistakes, inward->token ? "box" : "wall"))
+    nb_silent(reader);
+  if (moved == 0)
+    nb_token_mistake(reader, &reader->tokens[0], inward->token ? "define it before the stages with `box …`" : NULL,
+                     "expected a scene with %s, found none", inward->token ? "a box" : "walls");
+}
+
+NB_APPLY(apply_wall_motion) {
+  struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
+  const struct nb_value *value = record->value;
+  const int wall = nb_wall_of(scene, reader, value[AT_NAME].token);
+  if (!value[AT_VX].token && !value[AT_SPIN].token)
+    nb_expected(reader, NULL, "`velocity VX VY`, `spin W` or both");
+  if (reader->bad)
+    return;
+  struct nb_wall_motion motion = wall_so_far(scene, (size_t)wall);
+  if (value[AT_VX].token)
+    motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number;
+  if (value[AT_SPIN].token)
+    motion.spin = value[AT_SPIN].number;
+  move_wall(scene, reader, motion);
+}
+
+/* clang-format off */
+NB_STATEMENTS(wall) = {
+  {"box", NB_IN_SCENE, box_fields, NULL, 0, false, apply_box, "Four walls named south, east, north and west.",
+   "box       0 mm 0 mm to 80 mm 80 mm  steel"},
+  {"wall", NB_IN_SCENE, wall_fields, NULL, 0, false, apply_wall,
+   "A straight wall between two ends; it pushes on both sides.",
+   "wall      shelf  10 mm 48 mm to 60 mm 48 mm  glass"},
+  {"walls", NB_IN_STAGE | NB_IN_RAMP, walls_fields, NULL, 0, false, apply_walls,
+   "How all walls move from the beginning of this stage on: one of the two.",
+   "  walls   inward 1 mm/s"},
+  {"wall", NB_IN_STAGE | NB_IN_RAMP, wall_motion_fields, NULL, 0, false, apply_wall_motion,
+   "How one wall moves from the beginning of this stage on: the velocity of its point P, its spin about P, or both.",
+   "  wall    shelf  velocity 0 m/s -2 mm/s  spin 0.1 rad/s"},
+  {0},
+};
+/* clang-format on */
