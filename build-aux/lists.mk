@@ -236,6 +236,18 @@ PAGES_LONG = \
   cases/7-assemblies/pinched-sphere.md \
   cases/7-assemblies/ejected-particle.md
 
+# The introductions of the cases and of each chapter.
+CASE_LISTS = \
+  cases/README.md \
+  cases/1-two-discs/README.md \
+  cases/2-hertz/README.md \
+  cases/3-nine-discs/README.md \
+  cases/4-oblique/README.md \
+  cases/5-numerics/README.md \
+  cases/6-lattices/README.md \
+  cases/7-assemblies/README.md \
+  cases/8-published/README.md
+
 # Files that pages take particles from.
 PACKINGS = \
   cases/packings/nine-discs-load.state \

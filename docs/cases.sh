@@ -1,35 +1,58 @@
 #!/bin/sh
-# Writes cases/README.md: the pages in reading order, and what is tried where: words from docs/LANGUAGE.md, laws from src/laws, uses from the pages.
+# Renews the lists in cases/README.md and in the README.md of every chapter, between two lines that say so: the chapters and their cases in reading
+# order; and what is tried where: words from docs/LANGUAGE.md, laws from src/laws, uses from the pages. The rest of them is written by hand.
 #
-#   docs/cases.sh >cases/README.md
+#   docs/cases.sh            in the tree
+#   docs/cases.sh FOLDER     writes them to FOLDER/cases: for a comparison
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
 cd "$(dirname "$0")/.."
+into=${1:-.}
 
 # The pages of the lists PAGES and PAGES_LONG of build-aux/lists.mk, in their order.
 pages=$(awk '
   ($1 == "PAGES" || $1 == "PAGES_LONG") && $2 == "=" { inside = 1; $1 = $2 = "" }
   inside { more = sub(/\\$/, ""); for (i = 1; i <= NF; i++) if ($i != "") print $i; inside = more }' build-aux/lists.mk)
 
-cat <<'TEXT'
-# The cases
+# The cases of a chapter, in the order of the lists.
+cases_of() {
+  for page in $pages; do
+    case $page in "$1"/*) echo "$page" ;; esac
+  done
+}
 
-Every page here is a handout, an input and a test. `nineball check PAGE` runs it and says what came out; its figure is drawn by `nineball figure PAGE`.
-This list is made by `docs/cases.sh` from the pages, which it names in the order in which they are best read.
+# | case | about | from |, of a chapter.
+chapter_list() {
+  printf '\n| case | about | from |\n| --- | --- | --- |\n'
+  for page in $(cases_of "$1"); do
+    awk -v file="${page##*/}" '
+      /^# / && title == "" { title = substr($0, 3); next }
+      /^\[/ && title != "" && source == "" { source = $0; sub(/^\[/, "", source); sub(/\]$/, "", source) }
+      /^```/ { exit }
+      END { name = file; sub(/\.md$/, "", name); printf "| [%s](%s) | %s | %s |\n", name, file, title, source }' "$page"
+  done
+  echo
+}
 
-| page | about | from |
-| --- | --- | --- |
-TEXT
-for page in $pages; do
-  awk -v file="${page#cases/}" '
-    /^# / && title == "" { title = substr($0, 3); next }
-    /^\[/ && title != "" && source == "" { source = $0; sub(/^\[/, "", source); sub(/\]$/, "", source) }
-    /^```/ { exit }
-    END { name = file; sub(/.*\//, "", name); sub(/\.md$/, "", name); printf "| [%s](%s) | %s | %s |\n", name, file, title, source }' "$page"
-done
+# The chapters: title and first sentence of their README.md, and their cases.
+chapters() {
+  printf '\n## Chapters\n\n| chapter | cases |\n| --- | --- |\n'
+  for chapter in cases/[1-9]-*; do
+    name=${chapter#cases/}
+    title=$(sed -n '1s/^# //p' "$chapter/README.md")
+    links=
+    for page in $(cases_of "$chapter"); do
+      case=${page##*/}
+      links="$links${links:+, }[${case%.md}]($name/$case)"
+    done
+    echo "| [${name%%-*}. $title]($name/README.md): $(sed -n 3p "$chapter/README.md") | $links |"
+  done
+}
 
-cat <<'TEXT'
+# What is tried where.
+tried() {
+  cat <<'TEXT'
 
 ## What is tried where
 
@@ -164,7 +187,29 @@ awk '
     exit
   }' $pages
 
-cat <<'TEXT'
+}
 
-A page of your own: [docs/TUTORIAL.md](../docs/TUTORIAL.md). How to add it here: [HACKING.md](../HACKING.md).
-TEXT
+# renew README COMMAND...: puts what the command prints between the two lines of the file.
+renew() {
+  readme=$1
+  shift
+  "$@" >"$work/list"
+  awk -v list="$work/list" '
+    /^<!-- to here -->$/ { inside = 0 }
+    !inside { print }
+    /^<!-- made by docs\/cases.sh, from here -->$/ { inside = found = 1; while ((getline line < list) > 0) print line }
+    END { exit !found || inside }' "$readme" >"$work/README.md" || {
+    echo "$readme lacks a line that says where its list begins or ends" >&2
+    exit 1
+  }
+  mkdir -p "$into/${readme%/*}"
+  test -f "$into/$readme" && cmp -s "$work/README.md" "$into/$readme" || cp "$work/README.md" "$into/$readme"
+}
+whole() { chapters && tried && echo; }
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+renew cases/README.md whole
+for chapter in cases/[1-9]-*; do
+  renew "$chapter/README.md" chapter_list "$chapter"
+done

@@ -4,7 +4,8 @@
 #
 # A command must end with status 0, or with the one its comment names: `nineball check mine.md  # exit status 1`. Those
 # of one document run one after the other in a folder of their own that has cases/ and plots/. What installs, configures
-# or builds is not run here: of setup and make the targets must exist, of other programs of the tree the file.
+# or builds is not run here: of setup and make the targets must exist, of other programs of the tree the file. A page whose comment says that it
+# takes minutes is explained instead; make check-long runs it.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -15,14 +16,39 @@ documents="README.md HACKING.md NEWS $(echo docs/*.md cases/*.md cases/*/*.md)"
 
 # ---- links ----
 
-for document in $documents; do
-  grep -o '](\([^)#]*\)[^)]*)' "$document" | sed 's/^](//; s/[)#].*//' | grep -v '^[a-z]*:' | sort -u |
-    while read -r link; do
-      [ -z "$link" ] || [ -e "$(dirname "$document")/$link" ] || echo "$document links to $link, which is not there"
-    done
-done >"$work/said"
+# The anchors of a document: its headings, in small letters, blanks as -, without signs; the second of one name ends in -1.
+anchors() {
+  awk '/^(```|~~~)/ { inside = !inside; next }
+    !inside && /^#+ / {
+      sub(/^#+ +/, ""); gsub(/\]\([^)]*\)/, ""); $0 = tolower($0); gsub(/[][!-,.\/:-@\\^`{|}~]/, ""); gsub(/ /, "-")
+      print $0 (seen[$0]++ ? "-" seen[$0] - 1 : "") }' "$1"
+}
+
+# links DOCUMENT...: says which lead nowhere.
+links() {
+  for document in "$@"; do
+    grep -o ']([^) ]*)' "$document" | sed 's/^](//; s/)$//' | grep -v '^[a-z]*:' | sort -u |
+      while read -r link; do
+        file=$(dirname "$document")/${link%%#*}
+        test "${link%%#*}" || file=$document
+        case $link in
+        *#*) anchors "$file" 2>/dev/null | grep -qxF -e "${link#*#}" || echo "$document links to $link, a heading that is not there" ;;
+        *) test -e "$file" || echo "$document links to $link, which is not there" ;;
+        esac
+      done
+  done
+}
+links $documents >"$work/said"
 test ! -s "$work/said"
 result $? "links between documents"
+
+# Of these three links two lead nowhere, and of these four anchors two.
+mkdir "$work/links"
+printf '# A *small* `thing`: [what](b.md) it is\n## Twice\n## Twice\n[b](b.md) [c](c.md) [d](../links/b.md) [e](d/b.md)\n' >"$work/links/a.md"
+printf '[1](a.md#a-small-thing-what-it-is) [2](a.md#twice-1) [3](a.md#twice-2) [4](#here)\n```\n# Here\n```\n' >"$work/links/b.md"
+links "$work/links/a.md" "$work/links/b.md" | sed 's/.* to //; s/,.*//' | tr '\n' ' ' >"$work/said"
+test "$(cat "$work/said")" = 'c.md d/b.md #here a.md#twice-2 '
+result $? "and a link that leads nowhere is seen"
 
 # ---- recipes of figures ----
 
@@ -35,8 +61,11 @@ grep -n '^ *set term' cases/*/*.md plots/*.gp | sed 's/$/: eval canvas(WIDE, HIG
 test ! -s "$work/said"
 result $? "recipes of figures are drawn by a page, and installed"
 
-docs/cases.sh >"$work/README.md" && diff -u cases/README.md "$work/README.md" >"$work/said"
-result $? 'cases/README.md is what docs/cases.sh makes'
+docs/cases.sh "$work/renewed" >"$work/said" 2>&1 && for list in cases/README.md cases/*/README.md; do
+  diff -u "$list" "$work/renewed/$list"
+done >"$work/said"
+test ! -s "$work/said"
+result $? 'the lists of cases are what docs/cases.sh makes'
 
 # ---- commands ----
 
@@ -94,6 +123,7 @@ for document in $documents; do
   awk -v into="$folder" -f "$top/tests/fences.awk" "$work/document" >/dev/null
   while IFS='	' read -r line command; do
     name=$(echo "$document:$line: $command" | sed 's/ *#.*//')
+    case $command in *'# takes '*minute*) command=$(echo "$command" | sed 's/nineball [a-z]* /nineball explain /') ;; esac
     case $command in
     ./setup* | make* | ./autogen.sh* | *configure* | apt* | git* | .ci/* | bash* | sh\ * | docs/*)
       exists "$(echo "$command" | sed 's/ #.*//')"
