@@ -21,8 +21,6 @@ enum { NB_ASKS_STORE = 1, NB_ASKS_LOSS = 2, NB_ASKS_PIECES = 4 };
   X(radius, "radius", "m", 0, "of the contact circle, a; 0 for laws that know none")                                   \
   X(stick, "radius.stick", "m", NB_ASKS_PIECES,                                                                        \
     "within it nothing slipped in the step behind, c; for laws that keep pieces")                                      \
-  X(normal_stiffness, "stiffness.normal", "N/m", 0, "by which the normal force grows with overlap")                    \
-  X(shear_stiffness, "stiffness.shear", "N/m", 0, "by which the shear force grows with slip while it sticks")          \
   X(work, "work", "J", 0, "done on the contact since the start, both sides")                                           \
   X(work_normal, "work.normal", "J", 0, "mean normal force of each step's two ends times its closing")                 \
   X(work_shear, "work.shear", "J", 0, "mean shear force of each step's two ends times its slip")                       \
