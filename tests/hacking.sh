@@ -41,11 +41,13 @@ sed -n '/^## A worked example/,$p' HACKING.md >"$work/example.md"
 awk -v into="$tree" -f tests/fences.awk "$work/example.md" >"$work/lists" && test -s "$work/lists"
 result $? "the example's files are written"
 
-# `FILE LIST LINE`: the line goes behind `LIST = \` of a Makefile, or `#define LIST(ROW) \` of a header.
+# `FILE LIST LINE`: the line goes behind the first of `LIST = \` of a Makefile, `#define LIST(ROW) \`, `#include LIST`, `struct LIST {`, or
+# `LIST[] = {`.
 while read -r file list line; do
   list=$list line=$line awk '
     { print }
-    $0 == ENVIRON["list"] " = \\" || index($0, "#define " ENVIRON["list"] "(") == 1 { print "  " ENVIRON["line"]; found = 1 }
+    !found && ($0 == ENVIRON["list"] " = \\" || index($0, "#define " ENVIRON["list"] "(") == 1 || $0 == "#include " ENVIRON["list"] ||
+               $0 == "struct " ENVIRON["list"] " {" || index($0, ENVIRON["list"] "[] = {")) { print "  " ENVIRON["line"]; found = 1 }
     END { if (!found) print "there is no list " ENVIRON["list"] >"/dev/stderr" }' "$tree/$file" >"$work/file"
   cat "$work/file" >"$tree/$file"
 done <"$work/lists" 2>"$work/said"
