@@ -560,9 +560,6 @@ EXPLAIN = \
 VERDICT = \
   src/report/expect.c \
   src/report/expect.h \
-  src/report/expect_table.c \
-  src/report/expect_take.c \
-  src/report/expect_take.h \
   src/report/outcome.c \
   src/report/outcome.h \
   src/report/reducers.c \

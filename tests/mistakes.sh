@@ -187,7 +187,7 @@ as_pattern() {
     sed -e 's/[][\\.*^$+?(){}|/]/\\&/g' | awk 'NR > 1 { printf ".*" } { printf "%s", $0 } END { print "" }'
 }
 
-for source in $(grep -lE '"(reader|scene|expect_take)\.h"' src/*.c src/*/*.c | grep -v manual); do
+for source in $(grep -lE '"(input/)?(reader|scene)\.h"' src/*/*.c | grep -v manual); do
   awk -f tests/messages.awk "$source" | grep '[a-z]' | while IFS='	' read -r line text; do
     bare=$(echo "$text" | sed 's/%[-+ 0#]*[0-9]*\(\.[0-9*]*\)*[lzh]*[a-zA-Z]//g')
     case $bare in

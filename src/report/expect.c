@@ -1,7 +1,7 @@
-/* The expect blocks of a page.
+/* What a page expects: its `expect` blocks, read.
  *
- *   reference NAME            here
- *   MEASURE EXPECTATION       expect_table.c, what there is; expect_take.c, the parts
+ *   reference NAME
+ *   MEASURE EXPECTATION       one row of a table each, from which `nineball --help scene` and the manual come too
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "expect.h"
@@ -9,8 +9,323 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "expect_take.h"
+#include "core/clean.h"
+#include "input/reader.h"
 #include "reference.h"
+
+/* ---- what is measured: QUANTITY {REDUCER} {in STAGE} ---- */
+
+static const struct nb_reducer_row reducers[] = {
+    {"last", NB_LAST, "what was seen last; so it is without any of these words"},
+    {"max", NB_MAX, "the largest"},
+    {"min", NB_MIN, "the smallest"},
+    {"mean", NB_MEAN, "the mean of all rows"},
+    {"amplitude", NB_AMPLITUDE, "half of the largest less the smallest"},
+    {"frequency", NB_FREQUENCY, "how often it rises through its mean, 1/s"},
+    {NULL, NB_LAST, NULL},
+};
+
+const struct nb_reducer_row *nb_reducer_rows(void) { return reducers; }
+
+/* The column of the scene's table that the token names, and its quantity. */
+static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
+                        size_t *column, struct nb_quantity *quantity) {
+  for (size_t c = 0; c < scene->column_count; c++)
+    if (strcmp(scene->columns[c].name, token->text) == 0) {
+      *column = c, *quantity = scene->columns[c].quantity;
+      return true;
+    }
+  char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE];
+  const bool known = nb_quantity_find(quantity, scene, token->text, nearest);
+  if (nb_excused(reader->mistakes, token->text) || (known && nb_excused(reader->mistakes, "record")))
+    return nb_silent(reader);
+  nb_excuse(reader->mistakes, token->text);
+  if (known)
+    snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
+  else if (nearest[0])
+    snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
+  else
+    snprintf(hint, sizeof hint, "`record` names the quantities that can be expected");
+  return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
+}
+
+/* `in STAGE`, or nothing. */
+static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
+  char hint[NB_HINT_SIZE];
+  measure->stage = -1;
+  if (!nb_token_skip(reader, "in"))
+    return true;
+  const struct nb_token *token = nb_take(reader, "the name of a stage");
+  if (!token)
+    return false;
+  measure->stage = NB_FIND(scene->stages, scene->stage_count, token->text);
+  if (measure->stage < 0 && strcmp(token->text, "all") == 0)
+    measure->stage = NB_STAGE_ALL;
+  if (measure->stage == -1)
+    return nb_excused(reader->mistakes, "repeat")
+               ? nb_silent(reader)
+               : nb_not_known(reader, token, NB_NEAREST(hint, token->text, scene->stages, scene->stage_count),
+                              "the name of a stage");
+  nb_append(measure->label, sizeof measure->label, " in %s", token->text);
+  return true;
+}
+
+/* Behind `at`: a number of cycles, of a path of steps, or a time. */
+static bool take_moment(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
+  const char *const words[] = {scene->path ? "steps" : "cycles", scene->path ? "step" : "cycle"};
+  const struct nb_token *number = nb_token_peek(reader);
+  const bool counted = number && reader->next + 1 < reader->count &&
+                       (strcmp(number[1].text, words[0]) == 0 || strcmp(number[1].text, words[1]) == 0);
+  if (scene->path && !counted)
+    return nb_expected(reader, "on the bench there is no time: `at 10 steps`", "a number and `steps`");
+  if (counted) {
+    unsigned long count;
+    if (!nb_take_count(reader, 0, NB_COUNT_MAX, &count))
+      return false;
+    reader->next++;
+    measure->reducer = NB_AT_CYCLE, measure->at = (double)count;
+    nb_append(measure->label, sizeof measure->label, " at %lu %s", count, words[0]);
+    return true;
+  }
+  if (!nb_take_number(reader, NB_UNIT_TIME, NB_NOT_NEGATIVE, &measure->at))
+    return false;
+  measure->reducer = NB_AT_TIME;
+  nb_append(measure->label, sizeof measure->label, reader->unitless ? " at %g" : " at %g s", measure->at);
+  return true;
+}
+
+/* A word that is no reducer, and nothing that may follow one. */
+static bool unknown_reducer(struct nb_reader *reader, bool reduced) {
+  char hint[NB_HINT_SIZE], words[256] = "";
+  const struct nb_token *token = nb_token_peek(reader);
+  if (!token || strcmp(token->text, "in") == 0 || strcmp(token->text, "among") == 0 || token->text[0] == '[')
+    return false; /* of a stated number the source may follow */
+  struct nb_guess guess = nb_guess_begin(token->text);
+  for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
+    if (strcmp(row->word, token->text) == 0)
+      return false;
+    nb_guess_offer(&guess, row->word);
+    nb_append(words, sizeof words, "%s`%s`", words[0] ? ", " : "", row->word);
+  }
+  nb_guess_offer(&guess, "in");
+  if (reduced)
+    return !nb_expected(reader, nb_guess_hint(&guess, hint), "`in`, or what is expected (%s)", words);
+  nb_guess_offer(&guess, "at");
+  for (const struct nb_reducer_row *row = reducers; row->word; row++)
+    nb_guess_offer(&guess, row->word);
+  return !nb_expected(reader, nb_guess_hint(&guess, hint),
+                      "`max`, `min`, `mean`, `last`, `amplitude`, `frequency`, `at`, `in`, or what is expected (%s)",
+                      words);
+}
+
+static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
+  const struct nb_token *token = nb_take(reader, "a quantity that the scene records");
+  const struct nb_reducer_row *row = reducers;
+  *measure = (struct nb_measure){.stage = -1};
+  struct nb_quantity quantity;
+  if (!token || !find_column(reader, scene, token, &measure->column, &quantity))
+    return false;
+  snprintf(measure->label, sizeof measure->label, "%s", token->text);
+  while (row->word && !nb_token_skip(reader, row->word))
+    row++;
+  measure->reducer = row->reducer; /* NB_LAST at the end */
+  if (measure->reducer != NB_LAST)
+    nb_append(measure->label, sizeof measure->label, " %s", row->word);
+  measure->unit = measure->reducer == NB_FREQUENCY ? "1/s" : nb_quantity_unit(quantity);
+  measure->vanishes = nb_quantity_vanishes(quantity);
+  if (!row->word && nb_token_skip(reader, "at"))
+    return take_moment(reader, scene, measure) && take_stage(reader, scene, measure);
+  return !unknown_reducer(reader, row->word) && take_stage(reader, scene, measure);
+}
+
+/* ---- how near it must be ---- */
+
+/* `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`: the last two where there is a scene. */
+static bool take_share(struct nb_reader *reader, const struct nb_scene *scene, struct nb_tolerance *tolerance) {
+  tolerance->kind = NB_RELATIVE;
+  if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_NOT_NEGATIVE, &tolerance->value))
+    return false;
+  if (!scene || !nb_token_skip(reader, "of"))
+    return true;
+  tolerance->kind = nb_token_is(reader, "peak") ? NB_OF_PEAK : NB_OF_MEASURE;
+  return tolerance->kind == NB_OF_PEAK ? nb_take_word(reader, "peak") : take_measure(reader, scene, &tolerance->of);
+}
+
+/* Whether the number that comes is followed by that word. */
+static bool is_before(const struct nb_reader *reader, const char *word) {
+  return reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, word) == 0;
+}
+
+/* `within` and a share, or a number in the unit of what is measured: `within 2 nm`, `within 1e-12`. */
+static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
+                           struct nb_tolerance *tolerance) {
+  if (!nb_take_word(reader, "within"))
+    return false;
+  const size_t from = reader->next;
+  const bool share = is_before(reader, "%") || is_before(reader, "ppm") || (scene && is_before(reader, "of"));
+  tolerance->kind = NB_ABSOLUTE;
+  if (!(share ? take_share(reader, scene, tolerance) : nb_take_in(reader, unit, &tolerance->value)))
+    return false;
+  tolerance->text[0] = 0;
+  for (size_t k = from; k < reader->next; k++)
+    nb_append(tolerance->text, sizeof tolerance->text, "%s%s", k > from ? " " : "", reader->tokens[k].text);
+  return tolerance->value >= 0 || nb_token_mistake(reader, &reader->tokens[from], NULL,
+                                                   "expected a tolerance of 0 or more, found `%s`", tolerance->text);
+}
+
+/* A percentage of a reference that is 0 allows no error, so it cannot have been meant. */
+static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *scene, const char *unit, bool zero,
+                              struct nb_tolerance *tolerance) {
+  const size_t at = reader->next + 1;
+  if (!take_tolerance(reader, scene, unit, tolerance))
+    return false;
+  return !zero || tolerance->kind != NB_RELATIVE ||
+         nb_token_mistake(reader, &reader->tokens[at],
+                          "give it a unit, or name what it is a share of: `within 1 % of energy.kinetic max`",
+                          "expected a tolerance that is no share of 0, found `%s`", tolerance->text);
+}
+
+/* ---- what is expected of it ---- */
+
+static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
+  char hint[NB_HINT_SIZE];
+  const struct nb_token *token = nb_take(reader, "the name of a `sweep`");
+  if (!token)
+    return false;
+  snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
+  struct nb_guess guess = nb_guess_begin(token->text);
+  for (size_t k = 0; k < scene->binding_count; k++) {
+    const struct nb_binding *binding = &scene->bindings[k];
+    if (binding->sweep < 0)
+      continue;
+    if (strcmp(binding->name, token->text) == 0)
+      return true;
+    nb_guess_offer(&guess, binding->name);
+  }
+  return nb_not_known(reader, token, nb_guess_hint(&guess, hint), "the name of a `sweep`");
+}
+
+/* `among NAME`, or nothing: the sweep whose runs are a sample. */
+static bool take_among(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  return !nb_token_skip(reader, "among") || take_swept(reader, scene, expectation->among);
+}
+
+/* `[CS79 figure 6]`, several tokens. */
+static bool take_source(struct nb_reader *reader, struct nb_expectation *expectation) {
+  const struct nb_token *token = nb_token_peek(reader);
+  if (!token || token->text[0] != '[')
+    return nb_expected(reader, "a number from a paper names its place: `[CS79 figure 6]`", "the source in brackets");
+  while ((token = nb_token_peek(reader))) {
+    nb_append(expectation->source, sizeof expectation->source, "%s%s", expectation->source[0] ? " " : "", token->text);
+    reader->next++;
+    if (token->text[strlen(token->text) - 1] == ']')
+      return true;
+  }
+  return nb_expected(reader, NULL, "a closing bracket `]`");
+}
+
+static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  const struct nb_measure *measure = &expectation->measure;
+  return take_tolerance_of(reader, scene, measure->unit, measure->vanishes, &expectation->tolerance);
+}
+
+static bool take_along(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  reader->next++;
+  const struct nb_token *token = nb_take(reader, "a quantity that the scene records");
+  struct nb_quantity quantity;
+  if (!token || !find_column(reader, scene, token, &expectation->along_column, &quantity))
+    return false;
+  snprintf(expectation->along, sizeof expectation->along, "%s", token->text);
+  return take_stage(reader, scene, &expectation->measure) &&
+         take_tolerance(reader, scene, expectation->measure.unit, &expectation->tolerance);
+}
+
+static bool take_stated(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  reader->next++;
+  const char *unit = expectation->measure.unit;
+  expectation->has_scale = is_before(reader, "of") || is_before(reader, "%");
+  if (expectation->has_scale) {
+    if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->stated))
+      return false;
+    if (!nb_token_skip(reader, "of"))
+      return nb_expected(reader, "a share is of something: `15 % of C.normal mean`", "`of` and a quantity");
+    if (!take_measure(reader, scene, &expectation->other))
+      return false;
+  } else if (!nb_take_in(reader, unit, &expectation->stated)) {
+    return false;
+  }
+  return take_among(reader, scene, expectation) &&
+         (expectation->among[0] || take_tolerance_of(reader, scene, expectation->has_scale ? "1" : unit,
+                                                     expectation->stated == 0, &expectation->tolerance)) &&
+         take_source(reader, expectation);
+}
+
+static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  reader->next++;
+  return take_measure(reader, scene, &expectation->other);
+}
+
+static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  reader->next++;
+  return nb_take_word(reader, "with") && take_swept(reader, scene, expectation->along) &&
+         take_among(reader, scene, expectation);
+}
+
+static bool take_same(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  reader->next++;
+  return nb_take_word(reader, "over") && take_swept(reader, scene, expectation->along) &&
+         take_among(reader, scene, expectation) &&
+         take_tolerance(reader, NULL, expectation->measure.unit, &expectation->tolerance);
+}
+
+static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  reader->next++;
+  return nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->stated) && nb_take_word(reader, "over") &&
+         take_swept(reader, scene, expectation->along) && take_tolerance(reader, NULL, "1", &expectation->tolerance);
+}
+
+/* clang-format off */
+static const struct nb_expectation_row rows[] = {
+  {"within", NB_WITHIN, "MEASURE within TOLERANCE", take_within,
+   "What was seen is what the reference knows; a residual should be 0. TOLERANCE: `0.1 %` or `10 ppm` of it, `2 nm` with "
+   "a unit, a bare `1e-12` of what has none, `1e-12 of energy.kinetic max` of another measure.",
+   "C.normal max in strike  within 0.1 %"},
+  {"along", NB_ALONG, "QUANTITY along COLUMN {in STAGE} within TOLERANCE", take_along,
+   "The same of a curve, at every row; COLUMN is what the reference knows it along. `0.5 % of peak`: of the largest "
+   "known value.",
+   "C.normal along time in strike  within 0.5 % of peak"},
+  {"stated", NB_STATED, "MEASURE stated NUMBER {of MEASURE} within TOLERANCE [SOURCE]", take_stated,
+   "What was seen is a number that somebody states, and SOURCE says who. With `of` it is a share of another measure. "
+   "`stated NUMBER among NAME [SOURCE]`: where it lies among the runs of a sweep, one draw among many; that is said, and fails "
+   "nothing.",
+   "time at 0 cycles  stated 0 s within 0 s  [the clock starts]\n"
+   "C.normal in part  stated 0 of C.normal max in strike within 0.01  [the discs part]"},
+  {"below", NB_LESS, "MEASURE below MEASURE", take_other, "Two measures of the same run.",
+   "C.overlap in part  below  C.overlap max in strike"},
+  {"above", NB_MORE, "MEASURE above MEASURE", take_other, "Likewise.",
+   "C.normal max in strike  above  C.normal mean in strike"},
+  {"rises", NB_RISES, "MEASURE rises with NAME {among SAMPLE}", take_trend,
+   "NAME is a sweep: from each of its values to the next, while other sweeps stay where they are. With `among` the runs of the "
+   "sweep SAMPLE are a sample of the same: the mean of their differences is above 0 with 95 % confidence (Student).",
+   "C.normal max in strike  rises with speed"},
+  {"falls", NB_FALLS, "MEASURE falls with NAME {among SAMPLE}", take_trend, "Likewise.",
+   "A.vx in strike  falls with speed"},
+  {"same", NB_SAME, "MEASURE same over NAME {among SAMPLE} within TOLERANCE", take_same,
+   "For all values of a sweep: the largest less the smallest; a share is of their mean. With `among`: the interval of 95 % "
+   "confidence of every mean difference lies within.",
+   "time at 100 cycles in strike  same over speed within 1 ns"},
+  {"order", NB_ORDER, "MEASURE order NUMBER over NAME within TOLERANCE", take_order,
+   "The error goes with this power of the swept NAME: the slope of the best straight line through log(error) against "
+   "log(NAME). The "
+   "error is seen less known; a residual is an error by itself.",
+   "C.normal max in strike  order 2 over speed  within 0.1"},
+  {NULL, NB_WITHIN, NULL, NULL, NULL, NULL},
+};
+/* clang-format on */
+
+const struct nb_expectation_row *nb_expectation_rows(void) { return rows; }
+
+/* ---- the statements ---- */
 
 struct reading {
   struct nb_expectations *expectations;
@@ -19,16 +334,14 @@ struct reading {
 
 static bool take_kind(struct nb_reader *reader, const struct reading *reading, struct nb_expectation *expectation) {
   char words[256] = "";
-  for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
+  for (const struct nb_expectation_row *row = rows; row->word; row++) {
     if (nb_token_is(reader, row->word)) {
       expectation->kind = row->kind;
       return row->take(reader, reading->scene, expectation);
     }
-    const size_t length = strlen(words);
-    snprintf(words + length, sizeof words - length, "%s`%s`", !length ? "" : row[1].word ? ", " : " or ", row->word);
+    nb_append(words, sizeof words, "%s`%s`", !words[0] ? "" : row[1].word ? ", " : " or ", row->word);
   }
-  nb_expected(reader, NULL, "%s", words);
-  return false;
+  return nb_expected(reader, NULL, "%s", words);
 }
 
 static void apply_expectation(struct nb_reader *reader, const struct nb_record *record, void *subject) {
@@ -36,9 +349,8 @@ static void apply_expectation(struct nb_reader *reader, const struct nb_record *
   struct nb_expectations *all = reading->expectations;
   struct nb_expectation expectation = {.line = (int)reader->line};
   (void)record;
-  if (!nb_take_measure(reader, reading->scene, &expectation.measure) || !take_kind(reader, reading, &expectation))
-    return;
-  NB_APPEND(reader, all->list, all->count, expectation);
+  if (take_measure(reader, reading->scene, &expectation.measure) && take_kind(reader, reading, &expectation))
+    NB_APPEND(reader, all->list, all->count, expectation);
 }
 
 static void apply_reference(struct nb_reader *reader, const struct nb_record *record, void *subject) {
@@ -53,8 +365,7 @@ static void apply_reference(struct nb_reader *reader, const struct nb_record *re
   for (const struct nb_reference *const *reference = nb_references(); *reference; reference++)
     nb_guess_offer(&guess, (*reference)->name);
   const char *near = nb_guess_hint(&guess, hint);
-  nb_token_mistake(reader, token, near ? near : "`nineball list` names them all",
-                   "expected the name of a reference, found `%s`", token->text);
+  nb_expected_at(reader, token, near ? near : "`nineball list` names them all", "the name of a reference");
 }
 
 static const struct nb_argument reference[] = {
@@ -75,6 +386,16 @@ const struct nb_family *nb_expect_keywords(void) {
   return families;
 }
 
+/* A line of the first expectation that only a reference can tell; 0: there is none. */
+static int line_judged(const struct nb_expectations *expectations) {
+  for (size_t k = 0; k < expectations->count; k++) {
+    const struct nb_expectation *e = &expectations->list[k];
+    if ((e->kind == NB_WITHIN || e->kind == NB_ALONG || e->kind == NB_ORDER) && !e->measure.vanishes)
+      return e->line;
+  }
+  return 0;
+}
+
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes) {
   const size_t before = mistakes->made;
@@ -93,15 +414,10 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
       nb_statement_read(reader, nb_expect_keywords(), NB_IN_EXPECT, &reading);
       sought = sought && !(reader->bad && reader->count == 2);
     }
-  for (size_t k = 0; k < expectations->count && sought && !expectations->reference; k++) {
-    const enum nb_expectation_kind kind = expectations->list[k].kind;
-    const bool judged = kind == NB_WITHIN || kind == NB_ALONG || kind == NB_ORDER;
-    if (judged && !expectations->list[k].measure.vanishes) {
-      nb_line_mistake(reader, expectations->list[k].line, "put `reference NAME` before it; `nineball list` names them",
-                      "expected a `reference` in this page, found none to compare with");
-      sought = false;
-    }
-  }
+  const int line = expectations->reference || !sought ? 0 : line_judged(expectations);
+  if (line)
+    nb_line_mistake(reader, (size_t)line, "put `reference NAME` before it; `nineball list` names them",
+                    "expected a `reference` in this page, found none to compare with");
   free(reader);
   const enum nb_status status = nb_mistakes_status(mistakes, before);
   if (status)

@@ -67,6 +67,30 @@ struct nb_expectations {
   size_t count;
 };
 
+/* How the rows of a table become one number; the list ends in a row without a word. */
+struct nb_reducer_row {
+  const char *word;
+  enum nb_reducer reducer;
+  const char *help;
+};
+const struct nb_reducer_row *nb_reducer_rows(void);
+
+/* What may be expected of a measure; the list ends in a row without a word. */
+struct nb_reader;
+struct nb_expectation_row {
+  const char *word; /* that follows the measure */
+  enum nb_expectation_kind kind;
+  const char *syntax; /* of the whole statement, for the manual */
+  /* Reads from the word on; what is measured is in place. */
+  bool (*take)(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation);
+  const char *help;
+  const char *example; /* as those of struct nb_keyword */
+};
+const struct nb_expectation_row *nb_expectation_rows(void);
+struct nb_family;
+const struct nb_family *
+nb_expect_keywords(void); /* the statements of expect blocks: `reference NAME`, and all others */
+
 /* The expect blocks of the page, for one run. Empty when there are mistakes. A page may have none. The scene may be one that
  * has mistakes: what they leave unknown is not asked about. */
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "commands.h"
-#include "expect_take.h"
+#include "expect.h"
 #include "input/reader.h"
 
 /* Where it goes, and how. */

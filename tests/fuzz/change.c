@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "../../src/input/reader.h"
-#include "../../src/report/expect_take.h"
+#include "../../src/report/expect.h"
 #include "fuzz.h"
 
 /* Vigna, An experimental exploration of Marsaglia's xorshift generators, ACM TOMS 42 (2016) 30. */
