@@ -389,6 +389,7 @@ CORE = \
   src/core/contacts.c \
   src/core/contacts.h \
   src/core/cycle.c \
+  src/core/families.c \
   src/core/damping.c \
   src/core/deep.c \
   src/core/error.c \
@@ -465,16 +466,14 @@ MEASURE = \
   src/measure/impact.h \
   src/measure/loads.c \
   src/measure/meet.c \
-  src/measure/parted.c \
-  src/measure/porosity.c \
   src/measure/rayleigh.c \
   src/measure/region.c \
   src/measure/region.h \
+  src/measure/region_kinds.c \
   src/measure/since.c \
   src/measure/since.h \
   src/measure/snapshot.c \
   src/measure/snapshot.h \
-  src/measure/speeds.c \
   src/measure/stable.c \
   src/measure/step.c \
   src/measure/step.h \
@@ -488,13 +487,11 @@ MEASURE = \
 LOADING = \
   src/loading/box.c \
   src/loading/box.h \
-  src/loading/box_kinds.c \
   src/loading/carry.c \
   src/loading/carry.h \
-  src/loading/cell_kinds.c \
   src/loading/drive.c \
   src/loading/drive.h \
-  src/loading/drive_kinds.c \
+  src/loading/loading_kinds.c \
   src/loading/remove.c \
   src/loading/ring.c \
   src/loading/servo.c \

@@ -98,6 +98,7 @@ struct nb_scene;
 struct nb_quantity {
   const struct nb_quantity_kind *kind; /* one row of the table in names.c, NULL: none */
   int watch;                           /* index of the watch it belongs to, -1: of the whole scene */
+  const struct nb_suffix *suffix; /* of a family of quantities (families.c): which of them; NULL: it is one alone */
 };
 
 /* Finds `text`; false when the scene has no such name, then `hint` (NB_NAME_SIZE * 2 bytes) holds the nearest one, or is empty. */
@@ -105,8 +106,12 @@ bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene
 const char *nb_quantity_unit(struct nb_quantity quantity);                           /* "N", "m", "1" */
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model); /* SI */
 bool nb_quantity_vanishes(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
-/* Row by row all there are, for the manual; false past the last one. `of`: what such a quantity belongs to. */
-bool nb_quantity_row(size_t row, const char **name, const char **unit, const char **of, const char **help);
+/* One by one all there are, for the manual; false past the last one. */
+struct nb_quantity_row {
+  char name[NB_NAME_SIZE], help[512];
+  const char *unit, *of; /* what such a quantity belongs to */
+};
+bool nb_quantity_row(struct nb_quantity_row *row, size_t k);
 
 /* ---- scene.c: what a page says ------------------------------------------------------------------------------------ */
 

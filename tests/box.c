@@ -67,7 +67,7 @@ static void corners_stay_closed(void) {
     struct nb_result result;
     words_add(&words,
               "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nbox -3 -2 to 3 2 m\n%s"
-              "record box.width box.height box.strain.width box.area box.strain.height\nstage s\n"
+              "record box.width box.height box.strain.width box.strain.height\nstage s\n"
               "box strain 1e-4 per cycle -2e-4 per cycle\ncycles 500\nsnapshot\n",
               places[k]);
     written_scene(&it, &words);
@@ -77,8 +77,7 @@ static void corners_stay_closed(void) {
     CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[0], wide, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[1], high, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[2], wide / 6 - 1, 1e-12);
-    CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[3], wide * high, 1e-11);
-    CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[4], high / 4 - 1, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(row(&result, 500)[3], high / 4 - 1, 1e-12);
     for (int w = 0; w < 4; w++) {
       const double *wall = result.snapshots[0].walls.values + 5 * w;
       for (int end = 0; end < 2; end++) {

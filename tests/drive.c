@@ -152,7 +152,7 @@ static void crowd(struct words *page, const char *more) {
       "boundary circle 0 0 radius 5.3\n"
       "record cycle D.x D.y D.angle E.x E.y boundary.bodies boundary.area boundary.stress.xx boundary.stress.xy "
       "boundary.stress.yx boundary.stress.yy work.residual energy.driven energy.walls energy.removed energy.residual "
-      "energy.kinetic energy.kinetic.whole energy.stored contacts\n%s",
+      "energy.kinetic energy.stored contacts\n%s",
       more);
 }
 

@@ -42,11 +42,14 @@ static void tensor_near(const struct nb_result *result, const char *stem, const 
 }
 
 static void directions_near(const struct nb_result *result, const char *stem, struct sums *sums) {
-  static const char *const parts[] = {"xxxx", "xxxy", "xxyy", "xyyy", "yyyy"};
   CU_ASSERT(sums->weight > 0);
   for (int k = 0; k < 4; k++)
     sums->second[k] /= sums->weight;
   tensor_near(result, stem, sums->second, 1);
+}
+
+static void fourth_near(const struct nb_result *result, const char *stem, const struct sums *sums) {
+  static const char *const parts[] = {"xxxx", "xxxy", "xxyy", "xyyy", "yyyy"};
   for (int k = 0; k < 5; k++) {
     char name[64];
     snprintf(name, sizeof name, "%s.fourth.%s", stem, parts[k]);
@@ -133,11 +136,10 @@ static void stress_and_fabric(void) {
   }
   near_(&result, "stress.mean", size / 2, size);
   near_(&result, "stress.sinphi", sqrt(apart * apart + mixed * mixed) / size, 1);
-  near_(&result, "stress.contacts.sinphi", sqrt(apart * apart + mixed * mixed) / size, 1);
   directions_near(&result, "fabric", &plain), directions_near(&result, "fabric.normal", &normal);
   directions_near(&result, "fabric.shear", &shear), directions_near(&result, "fabric.sliding", &sliding);
+  fourth_near(&result, "fabric", &plain), fourth_near(&result, "fabric.sliding", &sliding);
   near_(&result, "fabric.kk", count * all.radius / volume, 1);
-  near_(&result, "thickness", all.thickness, 1);
   near_(&result, "area", pi * reach * reach, 1);
   near_(&result, "bodies", all.count, 0);
   near_(&result, "coordination", count / all.count, 0);
@@ -151,7 +153,7 @@ static void loads(void) {
   static const char *const columns[] = {"normal", "shear", "normal_stress", "shear_stress", "ratio", "obliquity"};
   static const char *const names[] = {"normal",        "shear",         "contact_stress",
                                       "contact_shear", "contact_ratio", "obliquity"};
-  double values[6][100], sliding = 0, near_limit = 0, force = 0, inner = 0, speed = 0, fastest = 0;
+  double values[6][100], sliding = 0, near_limit = 0, force = 0, speed = 0, fastest = 0;
   int count = 0;
   made(&it, &result);
   read_bodies(&all, &result.snapshots[0].bodies);
@@ -159,7 +161,6 @@ static void loads(void) {
   for (size_t c = 0; c < table->row_count; c++) {
     const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b");
     const bool one = all.of[a].inside, two = b && all.of[b].inside;
-    inner += (one && !all.of[a].fixed) + (two && !all.of[b].fixed);
     if (!one && !two)
       continue;
     for (int k = 0; k < 6; k++)
@@ -180,7 +181,6 @@ static void loads(void) {
   near_(&result, "contacts", count, 0);
   near_(&result, "unbalance.force", force / all.free, 0);
   near_(&result, "unbalance", force / all.free / mean_of(values[0], count), 0);
-  near_(&result, "coordination.inner", inner / all.free, 0);
   near_(&result, "speed.mean", speed / all.free, 0), near_(&result, "speed.max", fastest, 0);
   nb_result_free(&result), written_free(&it);
 }

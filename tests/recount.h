@@ -39,19 +39,18 @@ static inline void made(struct written *it, struct nb_result *result) {
       "sphere 1.98 1.99 radius 0.45 m\nsphere 5.92 3.96 radius 0.45 m fixed\nsphere 3.95 5.93 radius 0.4 m\n"
       "sphere 3.95 3.96 radius 0.43 m\ngravity 3 -9\nstep 0.001\n"
       "region B circle 5 4.5 radius 3.2\nrecord " TENSOR("stress") TENSOR("stress.contacts") TENSOR("stress.normal")
-          TENSOR("stress.shear") TENSOR("stress.fabric") TENSOR("stress.variation") TENSOR("fabric")
-              TENSOR("fabric.normal") TENSOR("fabric.shear") TENSOR("fabric.sliding") FOURTH("fabric")
-                  FOURTH("fabric.normal") FOURTH("fabric.shear") FOURTH("fabric.sliding") SPREAD("normal")
-                      SPREAD("shear") SPREAD("contact_stress") SPREAD("contact_shear") SPREAD("contact_ratio") SPREAD(
-                          "obliquity") "B.stress.mean B.stress.sinphi "
-                                       "B.stress.contacts.sinphi B.stress.normal.share B.stress.shear.share "
-                                       "B.stress.fabric.share "
-                                       "B.stress.variation.share B.fabric.kk B.sliding B.sliding.near B.unbalance "
-                                       "B.unbalance.force B.bodies "
-                                       "B.contacts B.coordination B.coordination.inner B.thickness B.area B.speed.mean "
-                                       "B.speed.max\n"
-                                       "stage a\nwall west velocity 0.3 0.2\nrecord every 400 cycles\ncycles 400\n"
-                                       "stage b\nremove sphere 7\ncycles 150\nrecord every 150 cycles\nsnapshot\n");
+          TENSOR("stress.shear") TENSOR("stress.fabric") TENSOR("stress.variation") TENSOR("fabric") TENSOR(
+              "fabric.normal") TENSOR("fabric.shear") TENSOR("fabric.sliding") FOURTH("fabric") FOURTH("fabric.sliding")
+              SPREAD("normal") SPREAD("shear") SPREAD("contact_stress") SPREAD("contact_shear") SPREAD("contact_ratio")
+                  SPREAD("obliquity") "B.stress.mean B.stress.sinphi "
+                                      "B.stress.normal.share B.stress.shear.share "
+                                      "B.stress.fabric.share "
+                                      "B.stress.variation.share B.fabric.kk B.sliding B.sliding.near B.unbalance "
+                                      "B.unbalance.force B.bodies "
+                                      "B.contacts B.coordination B.area B.speed.mean "
+                                      "B.speed.max\n"
+                                      "stage a\nwall west velocity 0.3 0.2\nrecord every 400 cycles\ncycles 400\n"
+                                      "stage b\nremove sphere 7\ncycles 150\nrecord every 150 cycles\nsnapshot\n");
   written_scene(it, &page);
   written_run(result, it, NULL);
 }

@@ -6,6 +6,19 @@
 
 #include "model.h"
 
+/* Quantities NAME.SUFFIX that are made of the same few numbers: components, what follows from them, statistics of a sample. */
+enum nb_quantity_family {
+  NB_ALONE,      /* one quantity without a suffix */
+  NB_COMPONENTS, /* xx xy yx yy */
+  NB_TENSOR,     /* and principal values, deviator, angle; */
+  NB_STRESSES,   /* and the mean as well; */
+  NB_FABRICS,    /* where the deviator is called anisotropy */
+  NB_FOURTH,     /* the five components of a symmetric tensor of fourth order */
+  NB_SPREAD,     /* mean max min deviation */
+};
+enum { NB_PARTS = 5 }; /* numbers that a family is made of, at most */
+
+/* A row of the table: one quantity, or a family. */
 struct nb_quantity_kind {
   const char *name;
   unsigned
@@ -14,6 +27,12 @@ struct nb_quantity_kind {
   unsigned fields; /* contact fields it reads, to be kept; on the bench what it asks of the laws */
   double (*value)(const struct nb_model *model, const struct nb_watch *watch);
   const char *help;
+
+  enum nb_quantity_family family; /* of a family, and of a region: value is NULL, and */
+  void (*parts)(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,
+                const struct nb_watch *watch);
+  int measure; /* of a region: measure/region.h; */
+  size_t at;   /* and where in struct nb_region_now it is */
 };
 #define NB_OF_IMPACT (1u << 31)
 #define NB_OF_CELL (1u << 29)  /* of a periodic cell */
@@ -31,34 +50,29 @@ enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNE
 /* Of the contact on the bench, which works out their values (run/bench_quantities.c); the last one has no name. */
 extern const struct nb_quantity_kind nb_bench_kinds[];
 
-static inline double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model) {
-  return quantity.kind->value(model, quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch]);
-}
+/* families.c */
+struct nb_suffix {
+  unsigned families; /* set of those that have it */
+  const char *name, *help;
+  int part;                                /* which of the numbers it is, where it is one; else */
+  double (*of)(const struct nb_tensor *t); /* what follows from those of a tensor */
+  const char *unit;                        /* NULL: the family's */
+};
+const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k);       /* NULL past the last one */
+double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model); /* SI */
 
-/* Rows of quantities: a function for each, and the rows of a tensor, which all tensors have alike. */
+/* A function of one quantity, and one of a tensor. */
 #define NB_QUANTITY(function, expression)                                                                              \
   static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
     (void)model, (void)watch;                                                                                          \
     return expression;                                                                                                 \
   }
-#define NB_TENSOR_QUANTITIES(stem, expression)                                                                         \
-  NB_QUANTITY(stem##_xx, (expression).xx)                                                                              \
-  NB_QUANTITY(stem##_xy, (expression).xy)                                                                              \
-  NB_QUANTITY(stem##_yx, (expression).yx)                                                                              \
-  NB_QUANTITY(stem##_yy, (expression).yy)                                                                              \
-  NB_QUANTITY(stem##_major, tensor_major(expression))                                                                  \
-  NB_QUANTITY(stem##_minor, tensor_minor(expression))                                                                  \
-  NB_QUANTITY(stem##_deviator, 2 * tensor_radius(expression))                                                          \
-  NB_QUANTITY(stem##_angle, tensor_angle(expression))
-#define NB_TENSOR_ROWS(name, of, unit, fields, stem, deviator, what)                                                   \
-  {name ".xx", of, unit, fields, stem##_xx, what ", component"},                                                       \
-      {name ".xy", of, unit, fields, stem##_xy, what ", component"},                                                   \
-      {name ".yx", of, unit, fields, stem##_yx, what ", component"},                                                   \
-      {name ".yy", of, unit, fields, stem##_yy, what ", component"},                                                   \
-      {name ".major", of, unit, fields, stem##_major, what ", major principal value [R89 4.52]"},                      \
-      {name ".minor", of, unit, fields, stem##_minor, what ", minor principal value [R89 4.53]"},                      \
-      {name "." deviator, of, unit, fields, stem##_deviator, what ", major less minor principal value"}, {             \
-    name ".angle", of, "rad", fields, stem##_angle, what ", from x to the major principal axis [R89 4.54]"             \
+#define NB_TENSOR_QUANTITY(function, expression)                                                                       \
+  static void function(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,              \
+                       const struct nb_watch *watch) {                                                                 \
+    (void)kind, (void)watch;                                                                                           \
+    const struct nb_tensor t = expression;                                                                             \
+    parts[0] = t.xx, parts[1] = t.xy, parts[2] = t.yx, parts[3] = t.yy;                                                \
   }
 
 #endif

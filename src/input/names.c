@@ -15,15 +15,11 @@
 /* ---- rows elsewhere ---- */
 
 /* The last row of each has no name. */
-extern const struct nb_quantity_kind nb_step_kinds[];   /* step_kinds.c */
-extern const struct nb_quantity_kind nb_drive_kinds[];  /* drive_kinds.c */
-extern const struct nb_quantity_kind nb_impact_kinds[]; /* impact.c */
-extern const struct nb_quantity_kind nb_fill_kinds[];   /* fill_kinds.c */
-/* Of a region: stress.c, fabric.c, porosity.c, coordination.c, loads.c, strain.c, speeds.c, parted.c. */
-extern const struct nb_quantity_kind nb_stress_kinds[], nb_fabric_kinds[], nb_porosity_kinds[], nb_coordination_kinds[],
-    nb_load_kinds[], nb_strain_kinds[], nb_speed_kinds[], nb_chain_kinds[], nb_parted_kinds[];
-extern const struct nb_quantity_kind nb_cell_kinds[]; /* cell_kinds.c */
-extern const struct nb_quantity_kind nb_box_kinds[];  /* box_kinds.c */
+extern const struct nb_quantity_kind nb_step_kinds[];    /* step_kinds.c */
+extern const struct nb_quantity_kind nb_loading_kinds[]; /* loading_kinds.c */
+extern const struct nb_quantity_kind nb_impact_kinds[];  /* impact.c */
+extern const struct nb_quantity_kind nb_fill_kinds[];    /* fill_kinds.c */
+extern const struct nb_quantity_kind nb_region_kinds[];  /* region_kinds.c */
 
 /* ---- the whole scene ---- */
 
@@ -207,10 +203,8 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* The rows one after the other, those of other files behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
-  static const struct nb_quantity_kind *const others[] = {
-      nb_step_kinds,     nb_drive_kinds,        nb_fill_kinds, nb_impact_kinds, nb_stress_kinds, nb_fabric_kinds,
-      nb_porosity_kinds, nb_coordination_kinds, nb_load_kinds, nb_strain_kinds, nb_speed_kinds,  nb_chain_kinds,
-      nb_parted_kinds,   nb_cell_kinds,         nb_box_kinds,  nb_bench_kinds};
+  static const struct nb_quantity_kind *const others[] = {nb_step_kinds,   nb_loading_kinds, nb_fill_kinds,
+                                                          nb_impact_kinds, nb_region_kinds,  nb_bench_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -231,38 +225,65 @@ static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *
          (kind->watches == NB_OF_CELL && scene->cell.line) || (kind->watches == NB_OF_BOX && nb_box_of(scene) >= 0);
 }
 
-/* Row `kind` as the scene would call it, of watch w: "C.normal", "time". Empty when it does not belong to it. */
-static const char *full_name(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w, char *text,
-                             size_t size) {
-  text[0] = 0;
-  if (belongs(kind, scene, w))
-    snprintf(text, size, "%s%s%s", w < 0 ? "" : scene->watches[w].name, w < 0 ? "" : ".", kind->name);
-  return text;
+/* The s-th quantity of a row, `suffix` NULL where it is one alone; false past the last one. */
+static bool nth(const struct nb_quantity_kind *kind, size_t s, const struct nb_suffix **suffix) {
+  *suffix = kind->family == NB_ALONE ? NULL : nb_suffix(kind->family, s);
+  return *suffix || (kind->family == NB_ALONE && s == 0);
 }
 
-/* The row of a quantity of watch w, -1: of the whole scene, by the name behind the dot. */
-static const struct nb_quantity_kind *row_of(const struct nb_scene *scene, int w, const char *name) {
+/* NAME, or NAME.SUFFIX. */
+static void name_of(char *text, size_t size, const struct nb_quantity_kind *kind, const struct nb_suffix *suffix) {
+  snprintf(text, size, "%s%s%s", kind->name, suffix ? "." : "", suffix ? suffix->name : "");
+}
+
+/* Whether a name is one of that row: with which suffix. */
+static bool has(const struct nb_quantity_kind *kind, const char *name, const struct nb_suffix **suffix) {
+  const size_t length = strlen(kind->name);
+  if (strncmp(kind->name, name, length) != 0)
+    return false;
+  for (size_t s = 0; nth(kind, s, suffix); s++)
+    if (*suffix ? name[length] == '.' && strcmp((*suffix)->name, name + length + 1) == 0 : name[length] == '\0')
+      return true;
+  return false;
+}
+
+/* Finds a quantity of watch w, -1: of the whole scene, by the name behind the dot. */
+static bool find(struct nb_quantity *quantity, const struct nb_scene *scene, int w, const char *name) {
+  const struct nb_suffix *suffix;
   for (size_t k = 0; row(k); k++)
-    if (belongs(row(k), scene, w) && strcmp(row(k)->name, name) == 0)
-      return row(k);
-  return NULL;
+    if (belongs(row(k), scene, w) && has(row(k), name, &suffix)) {
+      *quantity = (struct nb_quantity){row(k), w, suffix};
+      return true;
+    }
+  return false;
+}
+
+/* Offers all names that the scene has for what is watched, -1: for the whole scene. */
+static void offer(struct nb_guess *guess, const struct nb_scene *scene, int w) {
+  char name[NB_NAME_SIZE], whole[3 * NB_NAME_SIZE];
+  const struct nb_suffix *suffix;
+  for (size_t k = 0; row(k); k++)
+    for (size_t s = 0; belongs(row(k), scene, w) && nth(row(k), s, &suffix); s++) {
+      name_of(name, sizeof name, row(k), suffix);
+      snprintf(whole, sizeof whole, "%s%s%s", w < 0 ? "" : scene->watches[w].name, w < 0 ? "" : ".", name);
+      nb_guess_offer(guess, whole);
+    }
 }
 
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint) {
-  *quantity = (struct nb_quantity){row_of(scene, -1, text), -1};
+  *quantity = (struct nb_quantity){.watch = -1};
+  if (find(quantity, scene, -1, text))
+    return true;
   const size_t length = strcspn(text, "."); /* a watch's name has no dot */
-  for (int w = 0; w < (int)scene->watch_count && !quantity->kind && text[length]; w++)
-    if (strncmp(scene->watches[w].name, text, length) == 0 && !scene->watches[w].name[length])
-      *quantity = (struct nb_quantity){row_of(scene, w, text + length + 1), w};
-  if (quantity->kind || !hint)
-    return quantity->kind != NULL;
-
-  char name[3 * NB_NAME_SIZE];
+  for (int w = 0; w < (int)scene->watch_count && text[length]; w++)
+    if (strncmp(scene->watches[w].name, text, length) == 0 && !scene->watches[w].name[length] &&
+        find(quantity, scene, w, text + length + 1))
+      return true;
+  if (!hint)
+    return false;
   struct nb_guess guess = nb_guess_begin(text);
   for (int w = -1; w < (int)scene->watch_count; w++)
-    for (size_t k = 0; row(k); k++)
-      if (*full_name(row(k), scene, w, name, sizeof name))
-        nb_guess_offer(&guess, name);
+    offer(&guess, scene, w);
   snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return false;
 }
@@ -271,27 +292,39 @@ double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *mod
   return nb_quantity_now(quantity, model);
 }
 
-const char *nb_quantity_unit(struct nb_quantity quantity) { return quantity.kind->unit; }
+static const char *unit_of(const struct nb_quantity_kind *kind, const struct nb_suffix *suffix) {
+  return suffix && suffix->unit ? suffix->unit : kind->unit;
+}
+
+const char *nb_quantity_unit(struct nb_quantity quantity) { return unit_of(quantity.kind, quantity.suffix); }
 
 bool nb_quantity_vanishes(struct nb_quantity quantity) {
   const char *end = strrchr(quantity.kind->name, '.');
   return end && strcmp(end, ".residual") == 0;
 }
 
-bool nb_quantity_row(size_t k, const char **name, const char **unit, const char **of, const char **help) {
-  if (!row(k))
-    return false;
-  const unsigned watches = row(k)->watches;
-  *name = row(k)->name, *unit = row(k)->unit, *help = row(k)->help;
-  *of = watches == BODY           ? "a body"
-        : watches == WALL         ? "a wall"
-        : watches == PAIR         ? "a pair"
-        : watches == NB_OF_REGION ? "a region"
-        : watches & GRADING       ? "a grading"
-        : watches == NB_OF_IMPACT ? "an impact"
-        : watches == NB_OF_CELL   ? "a periodic cell"
-        : watches == NB_OF_BOX    ? "a box of walls"
-        : watches == NB_OF_BENCH  ? "the contact on the bench"
-                                  : "the scene";
-  return true;
+static const char *owner_of(unsigned watches) {
+  return watches == BODY           ? "a body"
+         : watches == WALL         ? "a wall"
+         : watches == PAIR         ? "a pair"
+         : watches == NB_OF_REGION ? "a region"
+         : watches & GRADING       ? "a grading"
+         : watches == NB_OF_IMPACT ? "an impact"
+         : watches == NB_OF_CELL   ? "a periodic cell"
+         : watches == NB_OF_BOX    ? "a box of walls"
+         : watches == NB_OF_BENCH  ? "the contact on the bench"
+                                   : "the scene";
+}
+
+bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
+  const struct nb_suffix *suffix;
+  for (size_t r = 0; row(r); r++)
+    for (size_t s = 0; nth(row(r), s, &suffix); s++)
+      if (k-- == 0) {
+        name_of(it->name, sizeof it->name, row(r), suffix);
+        snprintf(it->help, sizeof it->help, "%s%s%s", row(r)->help, suffix ? ", " : "", suffix ? suffix->help : "");
+        it->unit = unit_of(row(r), suffix), it->of = owner_of(row(r)->watches);
+        return true;
+      }
+  return false;
 }

@@ -83,7 +83,7 @@ static struct nb_tensor off_by(const struct nb_model *model, const struct nb_ser
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
   const struct nb_vec sides = servo->box ? nb_box_sides(model) : vec(0, 0);
   *b = *t = 0;
-  if (!servo->cell && !servo->box && !(model->drive && model->drive->ring.begun))
+  if (!servo->cell && !servo->box && !nb_ring_begun(model))
     return false;
   const double area = servo->cell ? nb_cell_area(model->cell) : servo->box ? sides.x * sides.y : nb_ring_area(model);
   const double width = servo->cell || servo->box ? sqrt(area) : 2 * nb_ring_radius(model);

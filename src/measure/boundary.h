@@ -6,6 +6,7 @@
 
 #include "core/boundary.h"
 
+static inline bool nb_ring_begun(const struct nb_model *model) { return model->drive && model->drive->ring.begun; }
 /* From the boundary's centre to that of its k-th particle, counterclockwise and round again, m. */
 static inline struct nb_vec nb_ring_place(const struct nb_model *model, size_t k) {
   const struct nb_ring *ring = &model->drive->ring;

@@ -93,12 +93,8 @@ static void add_turns(const struct nb_model *model, struct nb_ends ends, const s
   }
 }
 
-static const struct nb_chains *chains_of(const struct nb_model *model, const struct nb_watch *watch) {
-  struct nb_region_now *region = nb_region_now(model, watch->a);
-  struct nb_chains *chains = &region->chains;
+void nb_measure_chains(const struct nb_model *model, struct nb_region_now *region) {
   struct nb_chain_body *chained = model->regions->chained;
-  if (!nb_region_due(model, region, NB_CHAINS))
-    return chains;
   const double bodies = find_strong(model, region);
   double turns = 0, pairs = 0, in_chains = 0, count = 0;
   struct nb_end end;
@@ -111,25 +107,10 @@ static const struct nb_chains *chains_of(const struct nb_model *model, const str
   for (size_t i = 0; i < model->bodies.count; i++)
     if (chained[i].root == (int)i && chained[i].bodies > 2)
       in_chains += chained[i].bodies, count++;
-  chains->count = count;
-  chains->length = count > 0 ? in_chains / count : 0;
-  chains->share = bodies > 0 ? in_chains / bodies : 0;
-  chains->turn = pairs > 0 ? turns / pairs : 0;
-  return chains;
+  region->chains = (struct nb_chains){
+      .count = count,
+      .length = count > 0 ? in_chains / count : 0,
+      .share = bodies > 0 ? in_chains / bodies : 0,
+      .turn = pairs > 0 ? turns / pairs : 0,
+  };
 }
-
-NB_QUANTITY(count, chains_of(model, watch)->count)
-NB_QUANTITY(length, chains_of(model, watch)->length)
-NB_QUANTITY(share, chains_of(model, watch)->share)
-NB_QUANTITY(turn, chains_of(model, watch)->turn)
-
-enum { READS = NB_READS_ENDS | NB_ASKS_CHAINS };
-const struct nb_quantity_kind nb_chain_kinds[] = {
-    {"chains", NB_OF_REGION, "1", READS, count,
-     "force chains: three bodies or more, of major stress above the mean, that touch along their major axes"},
-    {"chains.length", NB_OF_REGION, "1", READS, length, "bodies of a force chain, on average"},
-    {"chains.share", NB_OF_REGION, "1", READS, share, "of the free bodies inside, those in force chains"},
-    {"chains.turn", NB_OF_REGION, "rad", READS, turn,
-     "angle between successive links of force chains, mean size: 0 is straight"},
-    {NULL, 0, NULL, 0, NULL, NULL},
-};

@@ -1,7 +1,6 @@
 /* How many contacts a body of a region has.
  *
  *   coordination          2M/N          ends of contacts on the bodies inside, over those bodies
- *   coordination.inner                  the same over the bodies inside that are not fixed
  *   coordination.loaded                 the same without rattlers, and without their contacts
  *
  * A rattler has fewer than two contacts with bodies that are none, or with walls: what is left of all bodies, inside or not,
@@ -57,20 +56,16 @@ static void find_rattlers(const struct nb_model *model) {
   }
 }
 
-const struct nb_coordination *nb_coordination_of(const struct nb_model *model, const struct nb_watch *watch) {
-  struct nb_region_now *region = nb_region_now(model, watch->a);
+void nb_measure_coordination(const struct nb_model *model, struct nb_region_now *region) {
   struct nb_coordination *it = &region->coordination;
-  if (!nb_region_due(model, region, NB_COORDINATION))
-    return it;
   *it = (struct nb_coordination){0};
   find_rattlers(model);
   const int *touching = model->regions->touching;
-  double inner = 0, loaded = 0; /* bodies */
+  double loaded = 0; /* bodies */
   for (size_t i = 0; i < model->bodies.count; i++) {
     if (!nb_region_holds(model, region, i))
       continue;
-    const bool free = model->bodies.inverse_mass[i] > 0;
-    it->bodies++, inner += free;
+    it->bodies++;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
     it->loaded += touching[i] >= 0 ? touching[i] : 0;
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
@@ -79,31 +74,10 @@ const struct nb_coordination *nb_coordination_of(const struct nb_model *model, c
       if (!touches(model, c))
         continue;
       const int other = partner(model, c, i);
-      it->all++, it->inner += free;
+      it->all++;
       it->contacts += other < 0 || !nb_region_holds(model, region, (size_t)other) || i == (size_t)model->contacts.a[c];
     }
   }
   it->all /= it->bodies > 0 ? it->bodies : 1;
-  it->inner /= inner > 0 ? inner : 1;
   it->loaded /= loaded > 0 ? loaded : 1;
-  return it;
 }
-
-#define COORDINATION nb_coordination_of(model, watch)
-NB_QUANTITY(bodies, COORDINATION->bodies)
-NB_QUANTITY(contacts, COORDINATION->contacts)
-NB_QUANTITY(all, COORDINATION->all)
-NB_QUANTITY(inner, COORDINATION->inner)
-NB_QUANTITY(loaded, COORDINATION->loaded)
-NB_QUANTITY(rattlers, COORDINATION->rattlers)
-
-const struct nb_quantity_kind nb_coordination_kinds[] = {
-    {"bodies", NB_OF_REGION, "1", NB_READS_TOUCH, bodies, "how many have their centre inside"},
-    {"contacts", NB_OF_REGION, "1", NB_READS_TOUCH, contacts, "how many contacts those bodies have, each once"},
-    {"coordination", NB_OF_REGION, "1", NB_READS_TOUCH, all, "contacts of a body inside, on average"},
-    {"coordination.inner", NB_OF_REGION, "1", NB_READS_TOUCH, inner, "the same over bodies that are not fixed"},
-    {"coordination.loaded", NB_OF_REGION, "1", NB_READS_TOUCH, loaded, "the same without rattlers and their contacts"},
-    {"rattlers", NB_OF_REGION, "1", NB_READS_TOUCH, rattlers,
-     "bodies inside that are free and have fewer than two contacts, those with rattlers not counted"},
-    {NULL, 0, NULL, 0, NULL, NULL},
-};

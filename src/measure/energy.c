@@ -39,17 +39,6 @@ double nb_energy_of_motion(const struct nb_model *model, size_t slot) {
   return model->bodies.inverse_mass[slot] > 0 ? kinetic_of(&model->bodies, slot, nb_velocity_now(model, slot)) : 0;
 }
 
-double nb_energy_kinetic_whole(const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
-  double sum = 0;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (bodies->inverse_mass[i] > 0)
-      sum += kinetic_of(bodies, i, (struct nb_state){nb_velocity_whole(model, i), nb_velocity_now(model, i).spin});
-  }
-  return sum;
-}
-
 /* Adds to a sum what the springs of contact c hold. */
 static void add_stored(double *sum, const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;

@@ -13,7 +13,6 @@ double nb_energy_kinetic(const struct nb_model *model);      /* of free bodies, 
 double nb_energy_kinetic_half(const struct nb_model *model); /* the same with those of the half step behind, J */
 /* In springs, from the laws' state functions; contacts whose law has none are left out. J */
 double nb_energy_stored(const struct nb_model *model);
-double nb_energy_kinetic_whole(const struct nb_model *model);              /* with what carries bodies along, J */
 double nb_energy_of_contact(const struct nb_model *model, size_t contact); /* what its springs hold, J */
 double nb_energy_of_motion(const struct nb_model *model, size_t slot);     /* kinetic energy of a free body, J */
 double nb_energy_of_body(const struct nb_model *model, size_t slot); /* its kinetic energy and that of its springs, J */

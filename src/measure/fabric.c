@@ -13,8 +13,15 @@
  *
  * n contacts evenly round a body give Phi_ij = delta_ij/2 for n of 3 or more, Phi_xxxx = 3/8 and Phi_xxyy = 1/8 for 3, 5 or more.
  *
+ * Contacts lost and new [R89 figure 6.35] have the mean over their ends likewise:
+ *
+ *   lost   touched as the region's `from` stage began, or the run, and does not now
+ *   new    touches now and did not then: what has parted and met again in between is neither
+ *   n      unit vector between the centres of now, or to the nearest point of the wall
+ *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
+#include "since.h"
 
 /* Adds an end with a weight. */
 static void add(struct nb_anisotropy *phi, double *sum, double weight, struct nb_vec n) {
@@ -43,11 +50,8 @@ static double mean_radius(const struct nb_model *model, const struct nb_region_n
   return count > 0 ? sum / count : 0;
 }
 
-const struct nb_fabric *nb_fabric_of(const struct nb_model *model, const struct nb_watch *watch) {
-  struct nb_region_now *region = nb_region_now(model, watch->a);
+void nb_measure_fabric(const struct nb_model *model, struct nb_region_now *region) {
   struct nb_fabric *fabric = &region->fabric;
-  if (!nb_region_due(model, region, NB_FABRIC))
-    return fabric;
   *fabric = (struct nb_fabric){0};
   double ends_count = 0, normal = 0, shear = 0, sliding = 0;
   struct nb_end end;
@@ -62,36 +66,38 @@ const struct nb_fabric *nb_fabric_of(const struct nb_model *model, const struct 
   divide(&fabric->sliding, sliding);
   const double volume = region->area * region->thickness;
   fabric->kk = volume > 0 ? ends_count * mean_radius(model, region) / volume : 0;
-  return fabric;
 }
 
-#define FABRIC nb_fabric_of(model, watch)
-#define QUANTITIES(stem)                                                                                               \
-  NB_TENSOR_QUANTITIES(stem, FABRIC->stem.second)                                                                      \
-  NB_QUANTITY(stem##_xxxx, FABRIC->stem.xxxx)                                                                          \
-  NB_QUANTITY(stem##_xxxy, FABRIC->stem.xxxy)                                                                          \
-  NB_QUANTITY(stem##_xxyy, FABRIC->stem.xxyy)                                                                          \
-  NB_QUANTITY(stem##_xyyy, FABRIC->stem.xyyy)                                                                          \
-  NB_QUANTITY(stem##_yyyy, FABRIC->stem.yyyy)
-QUANTITIES(plain)
-QUANTITIES(normal)
-QUANTITIES(shear)
-QUANTITIES(sliding)
-NB_QUANTITY(kk, FABRIC->kk)
+/* ---- contacts lost and new ---- */
 
-enum { READS = NB_READS_ENDS | NB_READS_LOADS };
-#define FOURTH(name, stem, index, what)                                                                                \
-  { name ".fourth." #index, NB_OF_REGION, "1", READS, stem##_##index, what ", of fourth order" }
-#define ROWS(name, stem, what)                                                                                         \
-  NB_TENSOR_ROWS(name, NB_OF_REGION, "1", READS, stem, "anisotropy", what), FOURTH(name, stem, xxxx, what),            \
-      FOURTH(name, stem, xxxy, what), FOURTH(name, stem, xxyy, what), FOURTH(name, stem, xyyy, what),                  \
-      FOURTH(name, stem, yyyy, what)
+enum nb_status nb_parted_begin(struct nb_model *model, int stage, struct nb_error *error) {
+  const struct nb_scene *scene = model->scene;
+  if (!(model->plan.asked & NB_ASKS_PARTED))
+    return NB_OK;
+  for (size_t r = 0; r < scene->region_count; r++)
+    if ((stage < 0 || scene->regions[r].stage == stage) && !nb_since_touching(&model->regions->list[r].touched, model))
+      return nb_error_memory(error);
+  return NB_OK;
+}
 
-const struct nb_quantity_kind nb_fabric_kinds[] = {
-    ROWS("fabric", plain, "structural anisotropy Phi [R89 4.48]"),
-    {"fabric.kk", NB_OF_REGION, "1/m2", READS, kk, "F_kk, ends of contacts times mean radius over volume [R89 4.46]"},
-    ROWS("fabric.normal", normal, "Phi weighted by the normal force"),
-    ROWS("fabric.shear", shear, "Phi weighted by the shear force's size"),
-    ROWS("fabric.sliding", sliding, "Phi of contacts whose shear force is 0.99 of its limit or more"),
-    {NULL, 0, NULL, 0, NULL, NULL},
-};
+static double ends_inside(const struct nb_model *model, const struct nb_region_now *region, struct nb_near_pair pair) {
+  const bool wall = model->pairings[pair.pairing].wall;
+  return nb_region_holds(model, region, (size_t)pair.a) + (!wall && nb_region_holds(model, region, (size_t)pair.b));
+}
+
+static void count(struct nb_parted *it, double ends, struct nb_vec line) {
+  const double square = vec_dot(line, line); /* 0: a centre on a wall */
+  it->count += ends > 0, it->ends += ends;
+  it->phi = tensor_add(it->phi, tensor_scale(square > 0 ? ends / square : 0, tensor_outer(line, line)));
+}
+static void average(struct nb_parted *it) { it->phi = tensor_scale(it->ends > 0 ? 1 / it->ends : 0, it->phi); }
+
+void nb_measure_parted(const struct nb_model *model, struct nb_region_now *region) {
+  region->lost = region->made = (struct nb_parted){0};
+  struct nb_since_walk walk = {.model = model, .then = &region->touched};
+  struct nb_near_pair pair;
+  for (int kind; nb_since_next(&walk, &pair, &kind);)
+    if (kind)
+      count(kind < 0 ? &region->lost : &region->made, ends_inside(model, region, pair), nb_since_line(model, pair));
+  average(&region->lost), average(&region->made);
+}

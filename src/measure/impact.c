@@ -152,5 +152,5 @@ const struct nb_quantity_kind nb_impact_kinds[] = {
     {"impact.energy.normal", NB_OF_IMPACT, "J", 0, of_normal, "of the relative motion along the normal of first touch"},
     {"impact.energy.tangential", NB_OF_IMPACT, "J", 0, of_tangent, "and along its tangent"},
     {"impact.energy.rotational", NB_OF_IMPACT, "J", 0, of_spin, "of rotation"},
-    {NULL, 0, NULL, 0, NULL, NULL},
+    {.name = NULL},
 };

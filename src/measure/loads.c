@@ -51,11 +51,8 @@ static double mean_force_sum(const struct nb_model *model, const struct nb_regio
   return count > 0 ? sum / count : 0;
 }
 
-const struct nb_loads *nb_loads_of(const struct nb_model *model, const struct nb_watch *watch) {
-  struct nb_region_now *region = nb_region_now(model, watch->a);
+void nb_measure_loads(const struct nb_model *model, struct nb_region_now *region) {
   struct nb_loads *loads = &region->loads;
-  if (!nb_region_due(model, region, NB_LOADS))
-    return loads;
   const struct nb_contacts *contacts = &model->contacts;
   struct gathered normal = {0}, shear = {0}, pressure = {0}, traction = {0}, ratio = {0}, obliquity = {0};
   double sliding = 0, near_sliding = 0;
@@ -78,8 +75,11 @@ const struct nb_loads *nb_loads_of(const struct nb_model *model, const struct nb
   loads->near_sliding = normal.count > 0 ? near_sliding / normal.count : 0;
   loads->force_sum = mean_force_sum(model, region);
   loads->unbalance = loads->normal.mean > 0 ? loads->force_sum / loads->normal.mean : 0;
-  return loads;
 }
+
+/* From which share of its limit on a shear force counts as near it. A contact at its limit leaves it in every unloading, however small;
+ * one in a hundred is what the force scatters by in steps of usual size. */
+static const double near_limit = 0.99;
 
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact) {
   const struct nb_contacts *contacts = &model->contacts;
@@ -92,50 +92,10 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
   load.shear = rubs ? fabs(contacts->kept[NB_SHEAR][contact]) : 0;
   load.sliding = rubs ? contacts->kept[NB_SLIDING][contact] : 0;
   load.limit = rubs ? pairing->values.friction * load.normal + pairing->values.cohesion : 0;
-  load.near = load.limit > 0 && load.shear >= 0.99 * load.limit;
+  load.near = load.limit > 0 && load.shear >= near_limit * load.limit;
   load.obliquity = load.limit > 0 ? load.shear / load.limit : 0;
   load.pressure = a > 0 ? load.normal / area : 0;
   load.traction = a > 0 ? load.shear / area : 0;
   load.ratio = a / (first < second ? first : second);
   return load;
 }
-
-#define LOADS nb_loads_of(model, watch)
-#define SPREAD(stem)                                                                                                   \
-  NB_QUANTITY(stem##_mean, LOADS->stem.mean)                                                                           \
-  NB_QUANTITY(stem##_max, LOADS->stem.max)                                                                             \
-  NB_QUANTITY(stem##_min, LOADS->stem.min)                                                                             \
-  NB_QUANTITY(stem##_deviation, LOADS->stem.deviation)
-SPREAD(normal)
-SPREAD(shear)
-SPREAD(pressure)
-SPREAD(traction)
-SPREAD(ratio)
-SPREAD(obliquity)
-NB_QUANTITY(sliding, LOADS->sliding)
-NB_QUANTITY(near_sliding, LOADS->near_sliding)
-NB_QUANTITY(unbalance, LOADS->unbalance)
-NB_QUANTITY(force_sum, LOADS->force_sum)
-
-#define ROWS(name, unit, stem, what)                                                                                   \
-  {name ".mean", NB_OF_REGION, unit, NB_READS_LOADS, stem##_mean, what ", mean"},                                      \
-      {name ".max", NB_OF_REGION, unit, NB_READS_LOADS, stem##_max, what ", the largest"},                             \
-      {name ".min", NB_OF_REGION, unit, NB_READS_LOADS, stem##_min, what ", the smallest"}, {                          \
-    name ".deviation", NB_OF_REGION, unit, NB_READS_LOADS, stem##_deviation, what ", standard deviation"               \
-  }
-
-const struct nb_quantity_kind nb_load_kinds[] = {
-    ROWS("normal", "N", normal, "elastic normal force of the contacts"),
-    ROWS("shear", "N", shear, "size of the elastic shear force of the contacts"),
-    ROWS("contact_stress", "Pa", pressure, "normal force over contact area [R89 4.6]"),
-    ROWS("contact_shear", "Pa", traction, "size of the shear force over contact area [R89 4.6]"),
-    ROWS("contact_ratio", "1", ratio, "radius of the contact over the smaller body's [R89 4.6]"),
-    ROWS("obliquity", "1", obliquity, "shear force over its limit, of contacts that have one"),
-    {"sliding", NB_OF_REGION, "1", NB_READS_LOADS, sliding, "share of the contacts whose shear force is at its limit"},
-    {"sliding.near", NB_OF_REGION, "1", NB_READS_LOADS, near_sliding,
-     "share of the contacts whose shear force is 0.99 of its limit or more"},
-    {"unbalance", NB_OF_REGION, "1", NB_READS_LOADS, unbalance,
-     "mean force sum on a free body over the mean normal force of the contacts"},
-    {"unbalance.force", NB_OF_REGION, "N", NB_READS_LOADS, force_sum, "mean size of the force sum on a free body"},
-    {NULL, 0, NULL, 0, NULL, NULL},
-};

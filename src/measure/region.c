@@ -1,7 +1,14 @@
-/* Regions: which bodies are inside, area, thickness, and the ends of their contacts.
+/* Regions: which bodies are inside, area, thickness, porosity, and the ends of their contacts.
  *
  * A body is inside when its centre is. The thickness, normal to the plane, is the mean over all bodies, inside or not, of
  * what each measures there: a sphere its diameter [R89 4.4], a disc 1 m.
+ *
+ *   areal     n = 1 - sum A_p/A              A_p  of each outline what is inside, exactly, m2; A  of the region, m2
+ *   volume    n = 1 - sum V_p (A_p/pi R^2)/(A s)    V_p  volume, m3, 4/3 pi R^3 or pi R^2 times 1 m; s  thickness, m
+ *   voids     e = n/(1 - n), void ratio, of the areal one
+ *
+ * Where outlines overlap that is counted for both bodies, so what is deep in itself has less porosity than the plane's uncovered
+ * part. The volume of a sphere that the region's edge cuts is counted by the share of its outline that is inside.
  *
  * `inside F` is the circle about the boundary's centre whose radius is F of the boundary's mean radius now.
  * `all` is the smallest box upright on the page, before `place` turns the scene, that holds the outlines of all bodies, or the
@@ -99,7 +106,7 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
     now->area = nb_area_of_disc(it->radius);
     break;
   case NB_REGION_INSIDE: /* nothing, while there is no boundary */
-    if (model->drive && model->drive->ring.begun)
+    if (nb_ring_begun(model))
       now->centre = model->carry->centre, now->radius = it->radius * nb_ring_radius(model);
     else
       now->centre = vec(0, 0), now->radius = 0;
@@ -115,12 +122,6 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
     break;
   }
   return now;
-}
-
-bool nb_region_due(const struct nb_model *model, struct nb_region_now *region, enum nb_measure_of which) {
-  const bool due = region->measured[which] != model->cycle + 1;
-  region->measured[which] = model->cycle + 1;
-  return due;
 }
 
 /* ---- what is inside ---- */
@@ -176,4 +177,42 @@ bool nb_ends_body(struct nb_ends *ends) {
       return true;
   }
   return false;
+}
+
+/* ---- porosity ---- */
+
+double nb_region_volume(const struct nb_model *model, size_t slot) {
+  const double r = model->bodies.rim[slot].x, area = nb_area_of_disc(r);
+  return model->scene->bodies[model->bodies.number[slot] - 1].shape == NB_SPHERE ? 4 * area * r / 3 : area;
+}
+
+static void measure_porosity(const struct nb_model *model, struct nb_region_now *region) {
+  double area = 0, volume = 0;
+  for (size_t k = 0; k < model->bodies.count; k++) {
+    const size_t i = (size_t)model->bodies.slot[k];
+    const double part = nb_region_part(model, region, i);
+    area += part;
+    volume += part > 0 ? nb_region_volume(model, i) * (part / nb_area_of_disc(model->bodies.rim[i].x)) : 0;
+  }
+  region->porosity.areal = region->area > 0 ? 1 - area / region->area : 0;
+  region->porosity.volume = region->area > 0 ? 1 - volume / (region->area * region->thickness) : 0;
+  region->porosity.voids = region->porosity.areal / (1 - region->porosity.areal);
+}
+
+/* ---- measures ---- */
+
+const struct nb_region_now *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which) {
+  static void (*const measures[NB_MEASURES])(const struct nb_model *, struct nb_region_now *) = {
+      [NB_STRESS] = nb_measure_stress, [NB_STRESS_PARTS] = nb_measure_stress_parts,
+      [NB_FABRIC] = nb_measure_fabric, [NB_POROSITY] = measure_porosity,
+      [NB_LOADS] = nb_measure_loads,   [NB_COORDINATION] = nb_measure_coordination,
+      [NB_STRAIN] = nb_measure_strain, [NB_SPEEDS] = nb_measure_speeds,
+      [NB_PARTED] = nb_measure_parted, [NB_CHAINS] = nb_measure_chains,
+  };
+  struct nb_region_now *now = nb_region_now(model, region);
+  if (now->measured[which] != model->cycle + 1) {
+    now->measured[which] = model->cycle + 1;
+    measures[which](model, now);
+  }
+  return now;
 }

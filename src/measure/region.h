@@ -1,16 +1,14 @@
 /* Measures of a region: a part of the plane, and averages over the bodies whose centres lie in it.
  *
- *   region.c        which bodies are inside, its area and volume; contacts end by end
+ *   region.c        which bodies are inside, its area, volume and porosity; contacts end by end
+ *   region_kinds.c  the quantities that can be asked for
  *   areas.c         how much of an outline is inside
  *   stress.c        stress, by particles and by contacts, and its parts
- *   fabric.c        directions of contacts
- *   porosity.c      voids, of the region and ring by ring
+ *   fabric.c        directions of contacts, of those that are lost and new too
  *   coordination.c  contacts of a body, rattlers
  *   loads.c         what contacts carry: forces, contact stresses, sliding, out-of-balance
- *   strain.c        how the bodies have moved
- *   parted.c        contacts that are lost and new
+ *   strain.c        how the bodies have moved, and how fast they go
  *   chains.c        force chains
- *   speeds.c        how fast they go
  *
  * Each is worked out at most once a cycle, when somebody asks; a scene without regions has none of this.
  *
@@ -22,9 +20,14 @@
 #include "core/near.h"
 #include "core/tensor.h"
 
+enum nb_stress_part { NB_STRESS_NORMAL, NB_STRESS_SHEAR, NB_STRESS_FABRIC, NB_STRESS_VARIATION, NB_STRESS_PARTS_COUNT };
 struct nb_stress {
-  struct nb_tensor whole, normal, shear, fabric, variation; /* by particles, Pa */
-  struct nb_tensor contacts;                                /* by contacts, Pa */
+  struct nb_tensor whole, contacts; /* by particles, by contacts, Pa */
+  double sinphi, residual;          /* of the whole, 1; Pa */
+  struct {
+    struct nb_tensor stress; /* by particles, Pa */
+    double share;            /* of the whole deviator */
+  } part[NB_STRESS_PARTS_COUNT];
 };
 struct nb_anisotropy {
   struct nb_tensor second;             /* Phi_ij: of trace 1, or 0 where nothing touches */
@@ -39,13 +42,12 @@ struct nb_parted {
   struct nb_tensor phi; /* of trace 1, or 0 of none */
 };
 struct nb_porosity {
-  double areal, volume;
+  double areal, volume, voids;
 };
 struct nb_coordination {
   double bodies, contacts; /* inside; theirs, each once */
-  double all, inner,
-      loaded;      /* contacts of a body: of all, of those that are not fixed, of those that are no rattlers */
-  double rattlers; /* bodies */
+  double all, loaded;      /* contacts of a body: of all, of those that are no rattlers */
+  double rattlers;         /* bodies */
 };
 struct nb_spread {
   double mean, max, min, deviation; /* 0 of nothing; deviation: root of the mean square of what is off the mean */
@@ -58,6 +60,10 @@ struct nb_loads {
   double sliding, near_sliding;        /* shares of the contacts */
   double force_sum, unbalance;         /* mean |sum of the forces on a free body|, N; over mean F_n */
 };
+struct nb_strain {
+  struct nb_tensor strain;
+  double volume, turn; /* 1, rad */
+};
 struct nb_speeds {
   double mean, max, carried, ratio; /* m/s, m/s, m/s, 1 */
 };
@@ -65,7 +71,7 @@ struct nb_chains {
   double count, length, share; /* chains; bodies of one; of the free bodies, those in chains */
   double turn;                 /* mean angle between successive links, rad */
 };
-enum nb_measure_of {
+enum nb_measure {
   NB_STRESS,
   NB_STRESS_PARTS,
   NB_FABRIC,
@@ -94,7 +100,7 @@ struct nb_region_now {
   struct nb_coordination coordination;
   struct nb_loads loads;
   struct nb_speeds speeds;
-  struct nb_tensor strain;
+  struct nb_strain strain;
   struct nb_chains chains;
   struct nb_parted lost, made;
   struct nb_near_pairs touched; /* then; none: nobody asks */
@@ -108,7 +114,7 @@ struct nb_regions {
 
 /* strain.c: strain begins with this stage for the regions that say so; -1: the start, for all of them. */
 enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_error *error);
-/* parted.c: likewise, what contacts are counted from. */
+/* fabric.c: likewise, what contacts are counted from. */
 enum nb_status nb_parted_begin(struct nb_model *model, int stage, struct nb_error *error);
 
 enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error);
@@ -117,8 +123,11 @@ enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_err
 void nb_regions_free(struct nb_regions *regions, size_t count);
 
 struct nb_region_now *nb_region_now(const struct nb_model *model, int region);
-/* True once a cycle: the measure is to be worked out. */
-bool nb_region_due(const struct nb_model *model, struct nb_region_now *region, enum nb_measure_of which);
+/* With that measure, worked out in this cycle. */
+const struct nb_region_now *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);
+static inline int nb_region_index(const struct nb_model *model, const struct nb_region_now *region) {
+  return (int)(region - model->regions->list);
+}
 bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot); /* its centre */
 double nb_region_volume(const struct nb_model *model, size_t slot); /* of a body, m3; a disc is 1 m thick */
 double nb_region_part(const struct nb_model *model, const struct nb_region_now *region,
@@ -181,7 +190,7 @@ enum {
 /* loads.c: what one contact that touches carries. */
 struct nb_contact_load {
   double normal, shear;      /* F_n, |F_s|, N */
-  double sliding, near;      /* 1 where F_s is at its limit; where it is 0.99 of it or more */
+  double sliding, near;      /* 1 where F_s is at its limit; where it is near it */
   double limit, obliquity;   /* mu F_n + c, N; |F_s| over it; 0 where nothing rubs */
   double radius;             /* a, m; 0 where the law knows none; */
   double pressure, traction; /* F_n/(pi a^2), |F_s|/(pi a^2), Pa; */
@@ -190,15 +199,18 @@ struct nb_contact_load {
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact);
 
 #define NB_ASKS_CHAINS (1u << 26)              /* beside what model.h has: chains.c, */
-#define NB_ASKS_PARTED (1u << 25)              /* parted.c */
+#define NB_ASKS_PARTED (1u << 25)              /* contacts lost and new, fabric.c */
 bool nb_chains_create(struct nb_model *model); /* room; false: no memory */
 
-/* What a watch of a region sees, worked out in this cycle. */
-struct nb_tensor nb_stress_whole(const struct nb_model *model, const struct nb_watch *watch); /* by particles, Pa */
-const struct nb_stress *nb_stress_of(const struct nb_model *model, const struct nb_watch *watch);
-const struct nb_fabric *nb_fabric_of(const struct nb_model *model, const struct nb_watch *watch);
-const struct nb_porosity *nb_porosity_of(const struct nb_model *model, const struct nb_watch *watch);
-const struct nb_coordination *nb_coordination_of(const struct nb_model *model, const struct nb_watch *watch);
-const struct nb_loads *nb_loads_of(const struct nb_model *model, const struct nb_watch *watch);
+/* Each works out its measure of a region: called by nb_region_measured alone. */
+void nb_measure_stress(const struct nb_model *model, struct nb_region_now *region);
+void nb_measure_stress_parts(const struct nb_model *model, struct nb_region_now *region);
+void nb_measure_fabric(const struct nb_model *model, struct nb_region_now *region);
+void nb_measure_coordination(const struct nb_model *model, struct nb_region_now *region);
+void nb_measure_loads(const struct nb_model *model, struct nb_region_now *region);
+void nb_measure_strain(const struct nb_model *model, struct nb_region_now *region);
+void nb_measure_speeds(const struct nb_model *model, struct nb_region_now *region);
+void nb_measure_parted(const struct nb_model *model, struct nb_region_now *region);
+void nb_measure_chains(const struct nb_model *model, struct nb_region_now *region);
 
 #endif

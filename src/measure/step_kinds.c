@@ -28,5 +28,5 @@ const struct nb_quantity_kind nb_step_kinds[] = {
     {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "the same round the sphere that is the mean of all"},
     {"step.rayleigh-fit", 0, "s", 0, rayleigh_fit, "as step.rayleigh, with R89's fit of the wave's speed [R89 4.34]"},
     {"step.rayleigh-fit-mean", 0, "s", 0, rayleigh_fit_mean, "R89's step: the fit, and the mean sphere"},
-    {NULL, 0, NULL, 0, NULL, NULL},
+    {.name = NULL},
 };

@@ -1,4 +1,4 @@
-/* How the bodies of a region have moved: the strain that fits best.
+/* How the bodies of a region have moved, the strain that fits best, and how fast they go.
  *
  *   u_i = a_i + G_ij X_j,   sum |u - a - G X|^2 least   =>   G = (sum u X')(sum X' X')^-1
  *
@@ -9,9 +9,17 @@
  * that moment's lengths, e_ij = (G_ij + G_ji)/2; extension is positive, as in a rate of strain, while of a stress compression is.
  * Three bodies that do not lie in a line are the fewest that have one.
  *
+ * Speeds of the free bodies are those beyond what carries them along:                                          [R89 6.5.1]
+ *
+ *   w = u - c,   c = L (x - x_0)
+ *
+ *   u   velocity of a body at t_N, m/s      c   what carries it along then, the mean over both half steps, m/s; 0 where nothing does
+ *
+ * R89's *perturbation velocities* are w, its *fixed imposed velocities* c. `speed.ratio` is mean |w| over mean |c|.
+ * Where c is added to u for good (`literal`) w is still u - c, so that both codings are measured alike.
+ *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdlib.h>
-
+#include "core/carry.h"
 #include "region.h"
 
 static void remember(const struct nb_model *model, struct nb_region_now *region) {
@@ -35,6 +43,10 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
   }
   return NB_OK;
 }
+
+/* Bodies lie in a line where the determinant of their second moments is less than this share of the product of the two, 1: the square
+ * of the sine of the angle that they are spread by, 1e-6. Rounding alone leaves some 1e-15. */
+static const double in_line = 1e-12;
 
 static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec from[]) {
   const struct nb_bodies *bodies = &model->bodies;
@@ -62,30 +74,44 @@ static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec fr
     square = tensor_add(square, tensor_outer(place, place));
   }
   const double det = square.xx * square.yy - square.xy * square.yx;
-  if (!(det > 1e-12 * square.xx * square.yy)) /* in a line: nothing is known of the strain across it */
+  if (!(det > in_line * square.xx * square.yy)) /* nothing is known of the strain across the line */
     return tensor(0, 0, 0, 0);
   return tensor_scale(1 / det,
                       tensor(both.xx * square.yy - both.xy * square.yx, both.xy * square.xx - both.xx * square.xy,
                              both.yx * square.yy - both.yy * square.yx, both.yy * square.xx - both.yx * square.xy));
 }
 
-static struct nb_tensor strain_of(const struct nb_model *model, const struct nb_watch *watch) {
-  struct nb_region_now *region = nb_region_now(model, watch->a);
-  if (nb_region_due(model, region, NB_STRAIN))
-    region->strain = fit(model, region->from);
-  return region->strain;
+void nb_measure_strain(const struct nb_model *model, struct nb_region_now *region) {
+  const struct nb_tensor g = fit(model, region->from);
+  region->strain = (struct nb_strain){tensor_symmetric(g), tensor_trace(g), (g.yx - g.xy) / 2};
 }
 
-#define STRAIN tensor_symmetric(strain_of(model, watch))
-NB_TENSOR_QUANTITIES(strain, STRAIN)
-NB_QUANTITY(volume, tensor_trace(STRAIN))
-NB_QUANTITY(turn, (strain_of(model, watch).yx - strain_of(model, watch).xy) / 2)
+/* ---- speeds ---- */
 
-const struct nb_quantity_kind nb_strain_kinds[] = {
-    NB_TENSOR_ROWS("strain", NB_OF_REGION, "1", NB_ASKS_STRAIN, strain, "deviator",
-                   "strain that fits the bodies' displacements best, extension positive"),
-    {"strain.volume", NB_OF_REGION, "1", NB_ASKS_STRAIN, volume, "xx + yy: growth of the area"},
-    {"strain.turn", NB_OF_REGION, "rad", NB_ASKS_STRAIN, turn,
-     "how far the region has turned, counterclockwise, as small turns go"},
-    {NULL, 0, NULL, 0, NULL, NULL},
-};
+/* c at t_N, the mean over both half steps; `stored`: it is a part of the body's own velocity. */
+static struct nb_vec carried(const struct nb_model *model, size_t i, bool *stored) {
+  const struct nb_carry *carry = model->carry;
+  *stored = carry && model->previous_step > 0 && carry->remembered[carry->by[i]] == 0;
+  if (!*stored)
+    return carry ? nb_carried_now(model, i) : vec(0, 0);
+  const struct nb_vec back = vec_scale(model->previous_step / 2, nb_velocity_half(model, i).velocity);
+  return nb_carried_at(carry, i, vec_sub(model->bodies.position[i], back));
+}
+
+void nb_measure_speeds(const struct nb_model *model, struct nb_region_now *region) {
+  struct nb_speeds *it = &region->speeds;
+  *it = (struct nb_speeds){0};
+  double count = 0;
+  for (size_t k = 0; k < model->bodies.count; k++) {
+    const size_t i = (size_t)model->bodies.slot[k];
+    if (!(model->bodies.inverse_mass[i] > 0) || !nb_region_holds(model, region, i))
+      continue;
+    bool stored;
+    const struct nb_vec c = carried(model, i, &stored), v = nb_velocity_now(model, i).velocity;
+    const double own = vec_length(stored ? vec_sub(v, c) : v);
+    it->max = own > it->max ? own : it->max;
+    it->mean += own, it->carried += vec_length(c), count++;
+  }
+  it->ratio = it->carried > 0 ? it->mean / it->carried : 0;
+  it->mean /= count > 0 ? count : 1, it->carried /= count > 0 ? count : 1;
+}

@@ -43,16 +43,20 @@ static struct nb_tensor by_particles(const struct nb_model *model, const struct 
   return sum;
 }
 
-static void parts(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_now *region) {
+static void find_parts(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_now *region) {
   const double mean = mean_push(model, region);
+  struct nb_tensor sum[NB_STRESS_PARTS_COUNT] = {{0, 0, 0, 0}};
   struct nb_end end;
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
-    const struct nb_vec branch = vec_scale(end.arm, end.e), t = vec_clockwise(end.e);
-    stress->normal = tensor_add(stress->normal, tensor_scale(end.push, tensor_outer(end.e, branch)));
-    stress->shear = tensor_add(stress->shear, tensor_scale(end.drag, tensor_outer(t, branch)));
-    stress->fabric = tensor_add(stress->fabric, tensor_scale(mean, tensor_outer(end.e, branch)));
-    stress->variation = tensor_add(stress->variation, tensor_scale(end.push - mean, tensor_outer(end.e, branch)));
+    const struct nb_vec branch = vec_scale(end.arm, end.e);
+    const struct nb_tensor along = tensor_outer(end.e, branch), across = tensor_outer(vec_clockwise(end.e), branch);
+    sum[NB_STRESS_NORMAL] = tensor_add(sum[NB_STRESS_NORMAL], tensor_scale(end.push, along));
+    sum[NB_STRESS_SHEAR] = tensor_add(sum[NB_STRESS_SHEAR], tensor_scale(end.drag, across));
+    sum[NB_STRESS_FABRIC] = tensor_add(sum[NB_STRESS_FABRIC], tensor_scale(mean, along));
+    sum[NB_STRESS_VARIATION] = tensor_add(sum[NB_STRESS_VARIATION], tensor_scale(end.push - mean, along));
   }
+  for (int k = 0; k < NB_STRESS_PARTS_COUNT; k++)
+    stress->part[k].stress = sum[k];
 }
 
 static struct nb_tensor by_contacts(const struct nb_model *model, const struct nb_region_now *region) {
@@ -82,28 +86,6 @@ static double per_volume(const struct nb_region_now *region) {
   return volume > 0 ? 1 / volume : 0;
 }
 
-struct nb_tensor nb_stress_whole(const struct nb_model *model, const struct nb_watch *watch) {
-  struct nb_region_now *region = nb_region_now(model, watch->a);
-  if (nb_region_due(model, region, NB_STRESS))
-    region->stress.whole = tensor_scale(per_volume(region), by_particles(model, region));
-  return region->stress.whole;
-}
-
-const struct nb_stress *nb_stress_of(const struct nb_model *model, const struct nb_watch *watch) {
-  struct nb_region_now *region = nb_region_now(model, watch->a);
-  struct nb_stress *stress = &region->stress;
-  if (!nb_region_due(model, region, NB_STRESS_PARTS))
-    return stress;
-  const double per = per_volume(region);
-  *stress = (struct nb_stress){.whole = nb_stress_whole(model, watch)};
-  parts(stress, model, region);
-  struct nb_tensor *const sums[] = {&stress->normal, &stress->shear, &stress->fabric, &stress->variation};
-  for (size_t k = 0; k < sizeof sums / sizeof *sums; k++)
-    *sums[k] = tensor_scale(per, *sums[k]);
-  stress->contacts = tensor_scale(per, by_contacts(model, region));
-  return stress;
-}
-
 static double sin_phi(struct nb_tensor stress) {
   const double mean = tensor_mean(stress);
   return mean != 0 ? tensor_radius(stress) / mean : 0;
@@ -117,10 +99,12 @@ static double share(struct nb_tensor part, struct nb_tensor whole) {
 
 /* The largest component of what should be 0: by particles less by contacts, parts less what they sum to. */
 static double residual(const struct nb_stress *stress) {
+  const struct nb_tensor normal = stress->part[NB_STRESS_NORMAL].stress, shear = stress->part[NB_STRESS_SHEAR].stress;
+  const struct nb_tensor fabric = stress->part[NB_STRESS_FABRIC].stress;
   const struct nb_tensor zeros[] = {
       tensor_sub(stress->whole, stress->contacts),
-      tensor_sub(tensor_add(stress->normal, stress->shear), stress->whole),
-      tensor_sub(tensor_add(stress->fabric, stress->variation), stress->normal),
+      tensor_sub(tensor_add(normal, shear), stress->whole),
+      tensor_sub(tensor_add(fabric, stress->part[NB_STRESS_VARIATION].stress), normal),
   };
   double most = 0;
   for (size_t k = 0; k < sizeof zeros / sizeof *zeros; k++)
@@ -128,50 +112,20 @@ static double residual(const struct nb_stress *stress) {
   return most;
 }
 
-#define WHOLE nb_stress_whole(model, watch)
-#define STRESS nb_stress_of(model, watch)
-NB_TENSOR_QUANTITIES(whole, WHOLE)
-NB_TENSOR_QUANTITIES(contacts, STRESS->contacts)
-NB_TENSOR_QUANTITIES(normal, STRESS->normal)
-NB_TENSOR_QUANTITIES(shear, STRESS->shear)
-NB_TENSOR_QUANTITIES(fabric, STRESS->fabric)
-NB_TENSOR_QUANTITIES(variation, STRESS->variation)
-NB_QUANTITY(whole_mean, tensor_mean(WHOLE))
-NB_QUANTITY(contacts_mean, tensor_mean(STRESS->contacts))
-NB_QUANTITY(normal_mean, tensor_mean(STRESS->normal))
-NB_QUANTITY(shear_mean, tensor_mean(STRESS->shear))
-NB_QUANTITY(fabric_mean, tensor_mean(STRESS->fabric))
-NB_QUANTITY(variation_mean, tensor_mean(STRESS->variation))
-NB_QUANTITY(sinphi, sin_phi(WHOLE))
-NB_QUANTITY(sinphi_contacts, sin_phi(STRESS->contacts))
-NB_QUANTITY(stress_residual, residual(STRESS))
-NB_QUANTITY(normal_share, share(STRESS->normal, STRESS->whole))
-NB_QUANTITY(shear_share, share(STRESS->shear, STRESS->whole))
-NB_QUANTITY(fabric_share, share(STRESS->fabric, STRESS->whole))
-NB_QUANTITY(variation_share, share(STRESS->variation, STRESS->whole))
+void nb_measure_stress(const struct nb_model *model, struct nb_region_now *region) {
+  region->stress.whole = tensor_scale(per_volume(region), by_particles(model, region));
+  region->stress.sinphi = sin_phi(region->stress.whole);
+}
 
-#define ROWS(name, stem, what)                                                                                         \
-  NB_TENSOR_ROWS(name, NB_OF_REGION, "Pa", NB_READS_ENDS, stem, "deviator", what), {                                   \
-    name ".mean", NB_OF_REGION, "Pa", NB_READS_ENDS, stem##_mean, what ", (xx + yy)/2"                                 \
+void nb_measure_stress_parts(const struct nb_model *model, struct nb_region_now *region) {
+  struct nb_stress *stress = &region->stress;
+  const double per = per_volume(region);
+  nb_region_measured(model, nb_region_index(model, region), NB_STRESS);
+  find_parts(stress, model, region);
+  for (int k = 0; k < NB_STRESS_PARTS_COUNT; k++) {
+    stress->part[k].stress = tensor_scale(per, stress->part[k].stress);
+    stress->part[k].share = share(stress->part[k].stress, stress->whole);
   }
-#define SHARE(name, function, what)                                                                                    \
-  { name ".share", NB_OF_REGION, "1", NB_READS_ENDS, function, what ", its share of the deviator of the whole" }
-
-const struct nb_quantity_kind nb_stress_kinds[] = {
-    ROWS("stress", whole, "stress by particles, compression positive"),
-    {"stress.sinphi", NB_OF_REGION, "1", NB_READS_ENDS, sinphi, "sin Phi, deviator over twice the mean stress"},
-    ROWS("stress.contacts", contacts, "stress by contacts"),
-    {"stress.contacts.sinphi", NB_OF_REGION, "1", NB_READS_ENDS, sinphi_contacts, "sin Phi of it"},
-    ROWS("stress.normal", normal, "part of the normal forces"),
-    SHARE("stress.normal", normal_share, "part of the normal forces"),
-    ROWS("stress.shear", shear, "part of the shear forces"),
-    SHARE("stress.shear", shear_share, "part of the shear forces"),
-    ROWS("stress.fabric", fabric, "part of mean normal forces"),
-    SHARE("stress.fabric", fabric_share, "part of mean normal forces"),
-    ROWS("stress.variation", variation, "part of normal forces less their mean"),
-    SHARE("stress.variation", variation_share, "part of normal forces less their mean"),
-    {"stress.residual", NB_OF_REGION, "Pa", NB_READS_ENDS, stress_residual,
-     "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
-     "rounding"},
-    {NULL, 0, NULL, 0, NULL, NULL},
-};
+  stress->contacts = tensor_scale(per, by_contacts(model, region));
+  stress->residual = residual(stress);
+}

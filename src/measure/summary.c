@@ -87,11 +87,11 @@ bool nb_summary_types(struct nb_table *table, const struct nb_model *model, int 
   struct type *types = malloc((model->bodies.count + 1) * sizeof *types);
   bool whole = types && nb_snapshot_table(table, model->scene, heads, COLUMNS);
   for (size_t r = 0; whole && r < model->scene->region_count; r++) {
-    const struct nb_coordination *all = nb_coordination_of(model, &(struct nb_watch){.a = (int)r}); /* finds rattlers */
-    const size_t count = types_of(types, model, nb_region_now(model, (int)r));
+    const struct nb_region_now *region = nb_region_measured(model, (int)r, NB_COORDINATION); /* finds rattlers */
+    const size_t count = types_of(types, model, region);
     for (size_t k = 0; whole && k < count; k++) {
       const struct type t = types[k];
-      const double ends = all->all * all->bodies, carrying = t.bodies - t.rattlers;
+      const double ends = region->coordination.all * region->coordination.bodies, carrying = t.bodies - t.rattlers;
       double *row = nb_table_row(table, stage, (double)model->cycle, model->time);
       whole = row;
       const double values[COLUMNS] = {(double)r + 1,

@@ -56,5 +56,5 @@ const struct nb_quantity_kind nb_fill_kinds[] = {
     {"placed", EITHER, "1", 0, placed, "bodies for which there was a place"},
     {"dropped", EITHER, "1", 0, dropped, "bodies for which there was none"},
     {"tries", GRADING, "1", 0, tries, "places that were tried, for all bodies"},
-    {NULL, 0, NULL, 0, NULL, NULL},
+    {.name = NULL},
 };

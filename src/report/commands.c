@@ -309,8 +309,8 @@ enum nb_status nb_command_list(const struct nb_use *use) {
   for (const struct nb_reference *const *reference = nb_references(); *reference; reference++)
     printf("  %-24s %s  %s\n", (*reference)->name, (*reference)->title, (*reference)->source);
   puts("\nquantities, for `record`: WATCH.NAME for what is watched, the name alone for the scene");
-  const char *name, *unit, *of, *help;
-  for (size_t row = 0; nb_quantity_row(row, &name, &unit, &of, &help); row++)
-    printf("  %-16s %-6s of %-10s %s\n", name, unit, of, help);
+  struct nb_quantity_row row;
+  for (size_t k = 0; nb_quantity_row(&row, k); k++)
+    printf("  %-16s %-6s of %-10s %s\n", row.name, row.unit, row.of, row.help);
   return NB_OK;
 }

@@ -162,20 +162,21 @@ static void measures(const struct manual *to) {
 }
 
 static void quantities(const struct manual *to) {
-  const char *name, *unit, *of, *help, *before = "";
+  struct nb_quantity_row row;
+  const char *before = "";
   section(to, "Quantities");
   paragraph(to, "What can be recorded, waited for and expected: the name alone for the whole scene, `WATCH.NAME` for "
                 "what a `watch` has named.");
-  for (size_t row = 0; nb_quantity_row(row, &name, &unit, &of, &help); row++) {
-    if (strcmp(of, before) != 0) {
+  for (size_t k = 0; nb_quantity_row(&row, k); k++) {
+    if (strcmp(row.of, before) != 0) {
       char text[64];
-      snprintf(text, sizeof text, "Of %s:", of);
+      snprintf(text, sizeof text, "Of %s:", row.of);
       if (before[0])
         end(to);
       paragraph(to, text);
     }
-    part(to, name, strcmp(unit, "1") == 0 ? NULL : unit, help);
-    before = of;
+    part(to, row.name, strcmp(row.unit, "1") == 0 ? NULL : row.unit, row.help);
+    before = row.of;
   }
   end(to);
 }
@@ -273,12 +274,13 @@ static bool clause(FILE *out, const char *word, const struct nb_family *table) {
 
 /* `C.normal` and `normal`: of whatever has a quantity of that name. */
 static bool quantity(FILE *out, const char *word) {
-  const char *name, *unit, *of, *help, *dot = strchr(word, '.');
+  struct nb_quantity_row row;
+  const char *dot = strchr(word, '.');
   bool found = false;
-  for (size_t row = 0; nb_quantity_row(row, &name, &unit, &of, &help); row++)
-    if (strcmp(name, word) == 0 || (dot && strcmp(name, dot + 1) == 0)) {
-      fprintf(out, "  %s of %s%s%s: %s\n", name, of, strcmp(unit, "1") == 0 ? "" : ", in ",
-              strcmp(unit, "1") == 0 ? "" : unit, help);
+  for (size_t k = 0; nb_quantity_row(&row, k); k++)
+    if (strcmp(row.name, word) == 0 || (dot && strcmp(row.name, dot + 1) == 0)) {
+      const bool bare = strcmp(row.unit, "1") == 0;
+      fprintf(out, "  %s of %s%s%s: %s\n", row.name, row.of, bare ? "" : ", in ", bare ? "" : row.unit, row.help);
       found = true;
     }
   return found;

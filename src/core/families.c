@@ -1,0 +1,60 @@
+/* Families of quantities: what each suffix means, and the value of any quantity.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "names.h"
+
+static double major(const struct nb_tensor *t) { return tensor_major(*t); }
+static double minor(const struct nb_tensor *t) { return tensor_minor(*t); }
+static double deviator(const struct nb_tensor *t) { return 2 * tensor_radius(*t); }
+static double angle(const struct nb_tensor *t) { return tensor_angle(*t); }
+static double mean(const struct nb_tensor *t) { return tensor_mean(*t); }
+
+enum {
+  STRESSES = 1 << NB_STRESSES,
+  FABRICS = 1 << NB_FABRICS,
+  TENSORS = 1 << NB_TENSOR | STRESSES | FABRICS,
+  COMPONENTS = 1 << NB_COMPONENTS | TENSORS,
+  FOURTH = 1 << NB_FOURTH,
+  SPREAD = 1 << NB_SPREAD
+};
+static const struct nb_suffix suffixes[] = {
+    {COMPONENTS, "xx", "component", 0, NULL, NULL},
+    {COMPONENTS, "xy", "component", 1, NULL, NULL},
+    {COMPONENTS, "yx", "component", 2, NULL, NULL},
+    {COMPONENTS, "yy", "component", 3, NULL, NULL},
+    {TENSORS, "major", "major principal value [R89 4.52]", 0, major, NULL},
+    {TENSORS, "minor", "minor principal value [R89 4.53]", 0, minor, NULL},
+    {TENSORS & ~FABRICS, "deviator", "major less minor principal value", 0, deviator, NULL},
+    {FABRICS, "anisotropy", "major less minor principal value", 0, deviator, NULL},
+    {TENSORS, "angle", "from x to the major principal axis [R89 4.54]", 0, angle, "rad"},
+    {STRESSES, "mean", "(xx + yy)/2", 0, mean, NULL},
+    {FOURTH, "xxxx", "component", 0, NULL, NULL},
+    {FOURTH, "xxxy", "component", 1, NULL, NULL},
+    {FOURTH, "xxyy", "component", 2, NULL, NULL},
+    {FOURTH, "xyyy", "component", 3, NULL, NULL},
+    {FOURTH, "yyyy", "component", 4, NULL, NULL},
+    {SPREAD, "mean", "mean", 0, NULL, NULL},
+    {SPREAD, "max", "the largest", 1, NULL, NULL},
+    {SPREAD, "min", "the smallest", 2, NULL, NULL},
+    {SPREAD, "deviation", "standard deviation", 3, NULL, NULL},
+};
+
+const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k) {
+  for (size_t s = 0; s < sizeof suffixes / sizeof *suffixes; s++)
+    if (suffixes[s].families & 1u << family && k-- == 0)
+      return &suffixes[s];
+  return NULL;
+}
+
+double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model) {
+  const struct nb_quantity_kind *kind = quantity.kind;
+  const struct nb_watch *watch = quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch];
+  double parts[NB_PARTS];
+  if (kind->value)
+    return kind->value(model, watch);
+  kind->parts(parts, kind, model, watch);
+  if (!quantity.suffix)
+    return parts[0];
+  const struct nb_tensor t = tensor(parts[0], parts[1], parts[2], parts[3]);
+  return quantity.suffix->of ? quantity.suffix->of(&t) : parts[quantity.suffix->part];
+}

@@ -1,0 +1,70 @@
+/* What can be asked of a boundary, a periodic cell and a box of walls. A boundary's quantities are 0 where there is none.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "box.h"
+#include "core/names.h"
+#include "measure/boundary.h"
+
+#define OF_RING(function, expression) NB_QUANTITY(function, nb_ring_begun(model) ? expression : 0)
+OF_RING(ring_bodies, (double)model->drive->ring.count)
+OF_RING(ring_radius, nb_ring_radius(model))
+OF_RING(ring_area, nb_ring_area(model))
+OF_RING(ring_unevenness, nb_ring_unevenness(model))
+NB_TENSOR_QUANTITY(ring_stress, nb_ring_begun(model) ? nb_ring_stress(model) : tensor(0, 0, 0, 0))
+
+/* The largest component of the difference to the stress by contacts. */
+static double differs(const struct nb_model *model) {
+  const double volume = nb_ring_area(model) * nb_thickness(model);
+  if (!(volume > 0))
+    return 0;
+  return tensor_largest(tensor_sub(nb_ring_stress(model), tensor_scale(1 / volume, nb_contacts_virial(model))));
+}
+OF_RING(ring_residual, differs(model))
+
+NB_TENSOR_QUANTITY(cell_sides, model->cell->h)
+/* By contacts, compression positive: -(1/V) sum f_i l_j, f on the first body, l from its centre to that of the copy; Pa. */
+NB_TENSOR_QUANTITY(cell_stress,
+                   tensor_scale(1 / (nb_cell_area(model->cell) * nb_thickness(model)), nb_contacts_virial(model)))
+NB_TENSOR_QUANTITY(cell_strain, nb_cell_strain(model->cell))
+NB_QUANTITY(cell_strain_volume, nb_cell_area(model->cell) / nb_cell_area_first(model->cell) - 1)
+
+NB_QUANTITY(box_width, nb_box_sides(model).x)
+NB_QUANTITY(box_height, nb_box_sides(model).y)
+NB_QUANTITY(box_strain_width, nb_box_sides(model).x / nb_box_first(model->scene).x - 1)
+NB_QUANTITY(box_strain_height, nb_box_sides(model).y / nb_box_first(model->scene).y - 1)
+NB_TENSOR_QUANTITY(box_stress, nb_box_stress(model))
+
+#define TENSOR(called, of, in, kind, tensor, what)                                                                     \
+  { .name = called, .family = kind, .watches = of, .unit = in, .parts = tensor, .help = what }
+
+const struct nb_quantity_kind nb_loading_kinds[] = {
+    {"boundary.bodies", 0, "1", 0, ring_bodies, "how many bodies are the boundary"},
+    {"boundary.radius", 0, "m", 0, ring_radius, "mean distance of their centres from that of the circle"},
+    {"boundary.area", 0, "m2", 0, ring_area, "of the polygon through their centres"},
+    {"boundary.unevenness", 0, "1", 0, ring_unevenness,
+     "root of the mean square of their distances' deviations from boundary.radius, over it [R89 6.4.1]"},
+    TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, ring_stress,
+           "from the contact forces on the boundary's bodies, sum F_i X_j over the polygon's area and the "
+           "thickness, compression positive"),
+    {"boundary.stress.residual", 0, "Pa", 0, ring_residual,
+     "largest difference between it and the stress by all contacts over the same volume: sum F_i X_j of the bodies "
+     "inside, 0 at rest"},
+
+    TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
+           "sides of the cell: xx, yx of the one that was the southern one, xy, yy of the western one"),
+    TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
+           "by contacts, sum F_i l_j of forces and branches over the volume, 1 m thick with discs, the mean "
+           "diameter with spheres; compression positive, dashpots included"),
+    TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
+           "of the cell since time 0, extension positive; xy is half the change of the right angle, while small"),
+    {"cell.strain.volume", NB_OF_CELL, "1", 0, cell_strain_volume, "growth of its area since time 0, as a share"},
+
+    {"box.width", NB_OF_BOX, "m", 0, box_width, "from the box's wall `west` to `east`"},
+    {"box.height", NB_OF_BOX, "m", 0, box_height, "from `south` to `north`"},
+    TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
+           "from the forces on its walls, sum F_i X_j of the places where they act over the volume, 1 m thick "
+           "with discs, the mean diameter with spheres; compression positive, dashpots included"),
+    {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width, "growth of the box's width since time 0, as a share"},
+    {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height, "of its height"},
+    {.name = NULL},
+};

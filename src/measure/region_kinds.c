@@ -1,0 +1,105 @@
+/* What can be asked of a region: each row names the measure that works it out, and where in struct nb_region_now it is then.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "region.h"
+
+static void parts_of(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,
+                     const struct nb_watch *watch) {
+  const size_t count = kind->family == NB_ALONE ? 1 : kind->family == NB_FOURTH ? 5 : 4;
+  memcpy(parts, (const char *)nb_region_measured(model, watch->a, (enum nb_measure)kind->measure) + kind->at,
+         count * sizeof *parts);
+}
+
+#define OF(called, of, in, reads, by, member, what)                                                                    \
+  {                                                                                                                    \
+    .name = called, .family = of, .watches = NB_OF_REGION, .unit = in, .fields = reads, .parts = parts_of,             \
+    .measure = by, .at = offsetof(struct nb_region_now, member), .help = what                                          \
+  }
+#define ENDS(called, of, in, by, member, what) OF(called, of, in, NB_READS_ENDS, by, member, what)
+#define FABRIC(called, of, in, member, what)                                                                           \
+  OF(called, of, in, NB_READS_ENDS | NB_READS_LOADS, NB_FABRIC, fabric.member, what)
+#define PART(called, which, what)                                                                                      \
+  ENDS(called, NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.part[which].stress, what),                                   \
+      ENDS(called ".share", NB_ALONE, "1", NB_STRESS_PARTS, stress.part[which].share,                                  \
+           what ", its share of the deviator of the whole")
+#define COUNT(called, member, what)                                                                                    \
+  OF(called, NB_ALONE, "1", NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
+#define LOAD(called, of, in, member, what) OF(called, of, in, NB_READS_LOADS, NB_LOADS, loads.member, what)
+#define STRAIN(called, of, in, member, what) OF(called, of, in, NB_ASKS_STRAIN, NB_STRAIN, strain.member, what)
+#define SPEED(called, in, member, what) OF(called, NB_ALONE, in, 0, NB_SPEEDS, speeds.member, what)
+#define CHAIN(called, in, member, what)                                                                                \
+  OF(called, NB_ALONE, in, NB_READS_ENDS | NB_ASKS_CHAINS, NB_CHAINS, chains.member, what)
+#define PARTED(called, of, member, what) OF(called, of, "1", NB_READS_TOUCH | NB_ASKS_PARTED, NB_PARTED, member, what)
+
+const struct nb_quantity_kind nb_region_kinds[] = {
+    ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.whole, "stress by particles, compression positive"),
+    ENDS("stress.sinphi", NB_ALONE, "1", NB_STRESS, stress.sinphi, "sin Phi, deviator over twice the mean stress"),
+    ENDS("stress.contacts", NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.contacts, "stress by contacts"),
+    PART("stress.normal", NB_STRESS_NORMAL, "part of the normal forces"),
+    PART("stress.shear", NB_STRESS_SHEAR, "part of the shear forces"),
+    PART("stress.fabric", NB_STRESS_FABRIC, "part of mean normal forces"),
+    PART("stress.variation", NB_STRESS_VARIATION, "part of normal forces less their mean"),
+    ENDS("stress.residual", NB_ALONE, "Pa", NB_STRESS_PARTS, stress.residual,
+         "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
+         "rounding"),
+
+    FABRIC("fabric", NB_FABRICS, "1", plain.second, "structural anisotropy Phi [R89 4.48]"),
+    FABRIC("fabric.fourth", NB_FOURTH, "1", plain.xxxx, "structural anisotropy of fourth order [R89 4.48]"),
+    FABRIC("fabric.kk", NB_ALONE, "1/m2", kk, "F_kk, ends of contacts times mean radius over volume [R89 4.46]"),
+    FABRIC("fabric.normal", NB_FABRICS, "1", normal.second, "Phi weighted by the normal force"),
+    FABRIC("fabric.shear", NB_FABRICS, "1", shear.second, "Phi weighted by the shear force's size"),
+    FABRIC("fabric.sliding", NB_FABRICS, "1", sliding.second,
+           "Phi of contacts whose shear force is 0.99 of its limit or more"),
+    FABRIC("fabric.sliding.fourth", NB_FOURTH, "1", sliding.xxxx, "the same of fourth order"),
+
+    OF("area", NB_ALONE, "m2", 0, NB_POROSITY, area, "of the region"),
+    OF("porosity", NB_ALONE, "1", 0, NB_POROSITY, porosity.areal,
+       "areal: what outlines do not cover; those cut by the edge count by the part inside"),
+    OF("porosity.volume", NB_ALONE, "1", 0, NB_POROSITY, porosity.volume,
+       "the same of volumes, area times thickness: mean diameter of all spheres, 1 m of discs [R89 4.4]"),
+    OF("voids", NB_ALONE, "1", 0, NB_POROSITY, porosity.voids, "void ratio e = n/(1 - n), n the areal porosity"),
+
+    COUNT("bodies", bodies, "how many have their centre inside"),
+    COUNT("contacts", contacts, "how many contacts those bodies have, each once"),
+    COUNT("coordination", all, "contacts of a body inside, on average"),
+    COUNT("coordination.loaded", loaded, "the same without rattlers and their contacts"),
+    COUNT("rattlers", rattlers,
+          "bodies inside that are free and have fewer than two contacts, those with rattlers not counted"),
+
+    LOAD("normal", NB_SPREAD, "N", normal, "elastic normal force of the contacts"),
+    LOAD("shear", NB_SPREAD, "N", shear, "size of the elastic shear force of the contacts"),
+    LOAD("contact_stress", NB_SPREAD, "Pa", pressure, "normal force over contact area [R89 4.6]"),
+    LOAD("contact_shear", NB_SPREAD, "Pa", traction, "size of the shear force over contact area [R89 4.6]"),
+    LOAD("contact_ratio", NB_SPREAD, "1", ratio, "radius of the contact over the smaller body's [R89 4.6]"),
+    LOAD("obliquity", NB_SPREAD, "1", obliquity, "shear force over its limit, of contacts that have one"),
+    LOAD("sliding", NB_ALONE, "1", sliding, "share of the contacts whose shear force is at its limit"),
+    LOAD("sliding.near", NB_ALONE, "1", near_sliding,
+         "share of the contacts whose shear force is 0.99 of its limit or more"),
+    LOAD("unbalance", NB_ALONE, "1", unbalance,
+         "mean force sum on a free body over the mean normal force of the contacts"),
+    LOAD("unbalance.force", NB_ALONE, "N", force_sum, "mean size of the force sum on a free body"),
+
+    STRAIN("strain", NB_TENSOR, "1", strain, "strain that fits the bodies' displacements best, extension positive"),
+    STRAIN("strain.volume", NB_ALONE, "1", volume, "xx + yy: growth of the area"),
+    STRAIN("strain.turn", NB_ALONE, "rad", turn, "how far the region has turned, counterclockwise, as small turns go"),
+
+    SPEED("speed.mean", "m/s", mean, "speed of the free bodies inside beyond what carries them along, mean"),
+    SPEED("speed.max", "m/s", max, "the same, the largest"),
+    SPEED("speed.carried", "m/s", carried, "speed at which they are carried along, mean"),
+    SPEED("speed.ratio", "1", ratio, "speed.mean over speed.carried [R89 6.5.1]; 0: nothing is carried"),
+
+    CHAIN("chains", "1", count,
+          "force chains: three bodies or more, of major stress above the mean, that touch along their major axes"),
+    CHAIN("chains.length", "1", length, "bodies of a force chain, on average"),
+    CHAIN("chains.share", "1", share, "of the free bodies inside, those in force chains"),
+    CHAIN("chains.turn", "rad", turn, "angle between successive links of force chains, mean size: 0 is straight"),
+
+    PARTED("contacts.lost", NB_ALONE, lost.count,
+           "how many contacts its bodies have lost since the stage that `from` names, else the start"),
+    PARTED("contacts.new", NB_ALONE, made.count, "how many they have made since"),
+    PARTED("fabric.lost", NB_FABRICS, lost.phi, "Phi of contacts lost since"),
+    PARTED("fabric.new", NB_FABRICS, made.phi, "Phi of contacts made since"),
+    {.name = NULL},
+};
