@@ -284,7 +284,7 @@ SUITES = \
   tests/damping.c \
   tests/deep.c \
   tests/elastic.c \
-  tests/energy.c \
+  tests/energy.c tests/accounts.c \
   tests/cell.c \
   tests/near.c \
   tests/guard.c \

@@ -100,6 +100,31 @@ static void what_is_let_go_begins_at_rest(void) {
   nb_result_free(&result), written_free(&it);
 }
 
+/* A pull to a point so far away that it is a gravity. It goes from 0 to 4, and from there to what the next stage says: v = 4, and then
+ * the mean of the two strengths for 2 s. */
+static void a_ramp_begins_where_the_one_before_ended(void) {
+  static const struct {
+    const char *then;
+    double gain;
+  } ways[] = {{"", 8},
+              {"ramp gravity centripetal 6 about 1e15 0", 10},
+              {"ramp gravity centripetal 0 about 1e15 0", 4},
+              {"ramp gravity 0 0", 4}};
+  for (size_t n = 0; n < sizeof ways / sizeof *ways; n++) {
+    struct words words = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&words,
+              "units none\nmaterial m density 2 kn 1000\nstep 0.25\ndisc 0 0 radius 9 m\nwatch D disc 1\nrecord D.vx\n"
+              "stage a\nramp gravity centripetal 4 about 1e15 0\ncycles 8\nstage b\n%s\ncycles 8\n",
+              ways[n].then);
+    written_scene(&it, &words);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.vx"), 4 + ways[n].gain, 1e-12);
+    nb_result_free(&result), written_free(&it);
+  }
+}
+
 void suite_begins(void) {
   CU_pSuite suite = CU_add_suite("begins", NULL, NULL);
   CU_ADD_TEST(suite, global_damping_begins_at_the_stage);
@@ -107,5 +132,6 @@ void suite_begins(void) {
   CU_ADD_TEST(suite, another_law_begins_at_the_stage);
   CU_ADD_TEST(suite, what_is_taken_was_damped_as_before);
   CU_ADD_TEST(suite, what_is_let_go_begins_at_rest);
+  CU_ADD_TEST(suite, a_ramp_begins_where_the_one_before_ended);
   CU_ADD_TEST(suite, stress_on_a_boundary_begins_at_the_stage);
 }

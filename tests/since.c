@@ -204,6 +204,25 @@ static void comes_back(void) {
   written_free(&it);
 }
 
+/* Whichever of the two is taken out. */
+static void nobody_draws_a_line_to_what_is_gone(void) {
+  for (int gone = 1; gone <= 2; gone++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\n"
+              "disc 9 0 radius 1 m\ndisc 10.9 0 radius 1 m\nrecord time\nstage a\ncycles 1\n"
+              "stage b\nremove disc %d\ncycles 1\nsnapshot from a\n",
+              gone);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_EQUAL_FATAL(result.snapshots[0].lattice.row_count, 1);
+    line(&result.snapshots[0].lattice, 0, (double[]){3, 4, 0, 9, 0, 10.9, 0, 0});
+    nb_result_free(&result), written_free(&it);
+  }
+}
+
 /* Across the edge of a periodic cell the line goes to the copy that is met. */
 static void across_the_edge(void) {
   struct words page = {0};
@@ -229,6 +248,7 @@ void suite_since(void) {
   CU_add_test(suite, "a sphere slides down an incline", slides);
   CU_add_test(suite, "one that rolls slides nothing", rolls);
   CU_add_test(suite, "a contact that comes back begins at 0", comes_back);
+  CU_ADD_TEST(suite, nobody_draws_a_line_to_what_is_gone);
   CU_add_test(suite, "across the edge of a cell", across_the_edge);
   CU_add_test(suite, "since the start, or since the first stage", since_the_start_or_the_first_stage);
 }

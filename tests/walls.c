@@ -96,6 +96,30 @@ static void roll(struct rolled *seen, const char *floor, const char *skin, doubl
   written_free(&it);
 }
 
+/* A disc beside the joint: the second wall's end says nothing as long as the walls meet. In the cycle in which it leaves the other,
+ * and contacts are looked for, it is heard. */
+static void a_wall_that_leaves_is_heard_at_once(void) {
+  struct words page = {0};
+  struct written it;
+  words_add(&page, "units none\nmaterial m density 1e12 kn 400\nstep 0.01\nskin 1e-5\ndisc -0.2 0.95 radius 1 m\n"
+                   "wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m velocity 0 0\nwatch A disc 1 with wall a\n"
+                   "watch B disc 1 with wall b\nrecord A.normal B.normal\nstage rest\ncycles 5\nstage up\n"
+                   "wall b velocity 0 2\ncycles 5\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  struct nb_error error;
+  for (int n = 0; n < 10; n++) {
+    if (n % 5 == 0)
+      CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[n / 5], &error), NB_OK);
+    written_cycles(model, 1);
+    const double high = n < 5 ? 0 : 0.02 * (n - 4);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.normal"), 400 * 0.05, 1e-9);
+    CU_ASSERT_DOUBLE_EQUAL(written_now(model, "B.normal"), n < 5 ? 0 : 400 * (1 - hypot(0.2, 0.95 - high)), 1e-9);
+  }
+  nb_model_free(model);
+  written_free(&it);
+}
+
 static void no_jump_on_a_straight_joint(void) {
   static struct rolled one, two;
   static const char *const joined[] = {
@@ -265,6 +289,7 @@ void suite_walls(void) {
   CU_add_test(suite, "a wall turns exactly", a_wall_turns_exactly);
   CU_add_test(suite, "one radian", one_radian);
   CU_add_test(suite, "velocity of a point of a wall", velocity_of_a_point);
+  CU_ADD_TEST(suite, a_wall_that_leaves_is_heard_at_once);
   CU_add_test(suite, "no jump on a straight joint", no_jump_on_a_straight_joint);
   CU_add_test(suite, "one contact at a corner", one_contact_at_a_corner);
   CU_add_test(suite, "nothing goes through in silence", nothing_goes_through_in_silence);
