@@ -389,6 +389,7 @@ CORE = \
   src/core/contacts.c \
   src/core/contacts.h \
   src/core/cycle.c \
+  src/core/energy_terms.h \
   src/core/families.c \
   src/core/damping.c \
   src/core/deep.c \
@@ -449,10 +450,6 @@ MEASURE = \
   src/measure/areas.h \
   src/measure/balance.c \
   src/measure/balance.h \
-  src/measure/balance_bodies.c \
-  src/measure/balance_carry.c \
-  src/measure/balance_entry.c \
-  src/measure/balance_jumps.c \
   src/measure/balance_steps.c \
   src/measure/boundary.c \
   src/measure/boundary.h \

@@ -193,8 +193,7 @@ static void a_law_that_stores_nothing(void) {
   loose.stored = NULL;
   for (size_t p = 0; p < model->pairing_count; p++)
     model->pairings[p].shear = &loose;
-  nb_balance_free(model->balance);
-  model->balance = NULL;
+  nb_balance_free(model);
   CU_ASSERT_EQUAL(nb_balance_create(model, &error), NB_BAD_USE);
   CU_ASSERT(strstr(error.text, "shear linear") && strstr(error.text, "energy.shear"));
   nb_model_free(model);

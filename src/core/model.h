@@ -12,6 +12,7 @@
 #include "block.h"
 #include "cell.h"
 #include "contacts.h"
+#include "energy_terms.h"
 #include "joints.h"
 #include "tensor.h"
 #include "vec.h"
@@ -185,6 +186,7 @@ struct nb_model {
   struct nb_carry *carry;         /* carry.h; NULL: nothing is carried along */
   struct nb_drive *drive;         /* boundary.h; NULL: there is no boundary, and bodies turn */
   struct nb_stability *stability; /* measure/step.h */
+  struct nb_sum *terms;           /* core/energy_terms.h, NB_TERMS of them; NULL: no column and no condition asks */
   struct nb_balance *balance;     /* measure/energy.h; NULL: no column and no condition asks for one */
   struct nb_regions *regions;     /* measure/region.h; NULL: the scene has none */
   struct nb_since *since;         /* measure/since.h; NULL: no snapshot asks what has changed */

@@ -86,8 +86,7 @@ void nb_drive_let_go(struct nb_model *model, size_t i) {
 static void rotation_begin(struct nb_model *model, bool turns) {
   struct nb_bodies *bodies = &model->bodies;
   model->drive->turns = turns;
-  if (model->balance)
-    nb_balance_jump(model, NB_TERM_CHANGED, true);
+  nb_balance_jump(model, NB_TERM_CHANGED, true);
   for (size_t i = 0; i < bodies->count; i++) {
     if (!(bodies->inverse_mass[i] > 0))
       continue;
@@ -98,8 +97,7 @@ static void rotation_begin(struct nb_model *model, bool turns) {
     else
       set_spin(bodies, i, 0);
   }
-  if (model->balance)
-    nb_balance_jump(model, NB_TERM_CHANGED, false);
+  nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
 /* A stress begins or ends at t_0, and leaves the velocities of t_0 as they were. The half of the kick around t_0 that lies behind it
@@ -135,22 +133,30 @@ enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *sta
     rotation_begin(model, stage->rotation == NB_ROTATION_ON);
   if (!stage->circle.line && !stage->boundary.line)
     return NB_OK;
-  if (model->balance)
-    nb_balance_remove(model, true);
+  nb_balance_remove(model, true);
   ring_begins(model, stage);
   const enum nb_status status = nb_drive_search(model, error);
-  if (model->balance && !status)
+  if (!status)
     nb_balance_remove(model, false);
   return status;
 }
 
+/* Pairs of bodies that are both held are about to leave the list, with what their springs hold. */
+static void drop_held(struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const double *inverse = model->bodies.inverse_mass;
+  for (size_t c = 0; c < contacts->count; c++)
+    if (!model->pairings[contacts->pairing[c]].wall && inverse[contacts->a[c]] == 0 && inverse[contacts->b[c]] == 0)
+      nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_contact(model, c));
+}
+
 enum nb_status nb_drive_search(struct nb_model *model, struct nb_error *error) {
-  if (model->balance)
-    nb_balance_dropped(model);
+  if (model->terms)
+    drop_held(model);
   model->search.keeping = true;
   const enum nb_status status = nb_near(model, error);
   model->search.keeping = false;
-  return !status && model->balance ? nb_balance_entered(model, error) : status;
+  return status ? status : nb_balance_entered(model, error);
 }
 
 /* ---- a cycle ---- */

@@ -32,8 +32,8 @@ static void let_go(struct nb_model *model, size_t c) {
 
 static void take_out(struct nb_model *model, size_t i) {
   struct nb_bodies *bodies = &model->bodies;
-  if (model->balance)
-    nb_balance_removed(model, i);
+  if (model->terms)
+    nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_body(model, i));
   const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
   for (const int *c = its.first; c < its.end; c++)
     let_go(model, (size_t)*c);
@@ -49,15 +49,14 @@ static void take_out(struct nb_model *model, size_t i) {
 }
 
 enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
-  if (model->balance)
-    nb_balance_remove(model, true);
+  nb_balance_remove(model, true);
   for (size_t r = 0; r < stage->removal_count; r++)
     for (size_t k = stage->removals[r].from; k <= stage->removals[r].to; k++)
       take_out(model, (size_t)model->bodies.slot[k]);
   model->search.keeping = true;
   const enum nb_status status = nb_near(model, error);
   model->search.keeping = false;
-  if (model->balance && !status)
+  if (!status)
     nb_balance_remove(model, false);
   return status;
 }

@@ -61,8 +61,8 @@ static void add(struct nb_model *model, int slot) {
 }
 
 static void hold(struct nb_model *model, int slot) {
-  if (model->balance)
-    nb_balance_held(model, (size_t)slot, true);
+  if (model->terms) /* what is held has no kinetic energy in the account */
+    nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_motion(model, (size_t)slot));
   nb_drive_hold(model, (size_t)slot);
 }
 
@@ -96,8 +96,8 @@ void nb_ring_free(struct nb_model *model, bool dissolve) {
   struct nb_ring *ring = &model->drive->ring;
   for (size_t k = 0; k < ring->count && ring->held; k++) {
     nb_drive_let_go(model, (size_t)ring->member[k]);
-    if (model->balance)
-      nb_balance_held(model, (size_t)ring->member[k], false);
+    if (model->terms)
+      nb_sum_add(&model->terms[NB_TERM_REMOVED], -nb_energy_of_motion(model, (size_t)ring->member[k]));
   }
   ring->held = false;
   if (dissolve)
@@ -138,8 +138,7 @@ enum nb_status nb_ring_take_in(struct nb_model *model, struct nb_error *error) {
     crossed = beyond(model, model->bodies.position[ring->rim[k]], 0);
   if (!crossed)
     return NB_OK;
-  if (model->balance)
-    nb_balance_remove(model, true);
+  nb_balance_remove(model, true);
   for (size_t k = 0; k < ring->rim_count; k++) {
     if (!beyond(model, model->bodies.position[ring->rim[k]], 0))
       continue;
@@ -148,7 +147,7 @@ enum nb_status nb_ring_take_in(struct nb_model *model, struct nb_error *error) {
   }
   ring->after = 0; /* they are on the list no more */
   const enum nb_status status = nb_drive_search(model, error);
-  if (model->balance && !status)
+  if (!status)
     nb_balance_remove(model, false);
   return status;
 }

@@ -12,7 +12,7 @@
  *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of global damping, over kicks      [CS79 26-36]
  *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks
  *             gravity     m g.(v + c) tau  over kicks
- *             driven      what carries bodies along (balance_carry.c), and stress on a boundary times v tau, over kicks
+ *             driven      what carries bodies along, and stress on a boundary times v tau, over kicks
  *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or part with their spring bent, over steps
  *                         what a law says that knows micro-slip
  *             sliding     the part of that in which a contact slides as a whole
@@ -20,6 +20,16 @@
  *
  *           The residual is the error of the integration. A kick reaches half a step beyond t_N: a term that is
  *           asked for at t_N has only the half behind it in it (tail).
+ *
+ * What carries bodies along works with -sum over bodies of (F + m g).c + sum over contacts of f.(L H m):
+ *
+ *   F   sum of a body's contact forces, N        c     what carries it along, m/s (carry.h)
+ *   f   force on the first body of a contact, N  L H m what a copy of the second is faster by in a cell, m/s (cell.h)
+ *
+ * K is that of the bodies' own velocities v: what carries them bears what forces do along c. So it works on bodies that a
+ * boundary holds just as on free ones; and in a cell, without gravity, the sum is that of f.(L l) over contacts, -V sigma_ij L_ij
+ * with sigma compression positive and l from centre to centre. Over the kick around t_N a body is carried by c_(N-1/2) for half the
+ * step behind, and by c_(N+1/2) for half the step ahead.
  *
  * A shear law without stored energy has its shear work in the residual where the others have U_s and frictional.
  * Sums run over bodies in the order of numbers and over contacts in theirs, by one thread, and carry what rounding
@@ -30,6 +40,8 @@
 #include <string.h>
 
 #include "balance.h"
+#include "core/carry.h"
+#include "core/motion.h"
 
 /* ---- set up ---- */
 
@@ -43,7 +55,8 @@ static const struct nb_law *not_stored(const struct nb_model *model, bool normal
   return NULL;
 }
 
-enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
+/* An error where an energy is asked for that a law of the scene does not know. */
+static enum nb_status refuse(const struct nb_model *model, struct nb_error *error) {
   const unsigned asked = model->plan.asked;
   const struct nb_law *normal = not_stored(model, true), *shear = not_stored(model, false);
   normal = normal ? normal : nb_laws_unstored(model->scene, true);
@@ -56,58 +69,205 @@ enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error)
   if (asked & NB_ASKS_ENERGY && normal)
     return nb_error_set(error, NB_BAD_USE, "`normal %s` has no stored energy, so energies do not balance",
                         normal->name);
-  if (!(asked & (NB_ASKS_WORK | NB_ASKS_ENERGY)))
-    return NB_OK;
-  const size_t bodies = model->bodies.count, walls = model->walls.count, pairings = model->pairing_count;
-  struct nb_balance *b = model->balance = calloc(1, sizeof *b);
-  if (b) {
-    b->works = asked & NB_ASKS_WORK, b->energies = asked & NB_ASKS_ENERGY;
-    b->before = nb_array(bodies, sizeof *b->before), b->now = nb_array(bodies, sizeof *b->now);
-    b->position = nb_array(bodies, sizeof *b->position), b->pivot = nb_array(walls, sizeof *b->pivot);
-    b->wall_velocity = nb_array(walls, sizeof *b->wall_velocity), b->wall_spin = nb_array(walls, sizeof(double));
-    b->values = nb_array(pairings, sizeof *b->values);
-  }
-  if (!b || !nb_balance_carry_create(b, model) || !b->before || !b->now || !b->position || !b->pivot ||
-      !b->wall_velocity || !b->wall_spin || !b->values)
-    return nb_error_memory(error);
-  b->kinetic = nb_energy_kinetic_half(model);
-  if (b->energies)
-    b->level = nb_energy_kinetic(model) + nb_energy_stored(model);
-  memcpy(b->wall_velocity, model->walls.velocity, walls * sizeof *b->wall_velocity);
-  memcpy(b->wall_spin, model->walls.spin, walls * sizeof *b->wall_spin);
-  if (b->energies) /* a state's last step is none of this run's */
-    nb_balance_since(model);
   return NB_OK;
 }
 
-void nb_balance_free(struct nb_balance *b) {
+/* False: no memory. */
+static bool allocate(struct nb_model *model) {
+  const size_t bodies = model->bodies.count, walls = model->walls.count;
+  struct nb_balance *b = model->balance = calloc(1, sizeof *b);
+  if (!b)
+    return false;
+  b->before = nb_array(bodies, sizeof *b->before), b->now = nb_array(bodies, sizeof *b->now);
+  b->position = nb_array(bodies, sizeof *b->position), b->pivot = nb_array(walls, sizeof *b->pivot);
+  b->wall_velocity = nb_array(walls, sizeof *b->wall_velocity), b->wall_spin = nb_array(walls, sizeof(double));
+  b->values = nb_array(model->pairing_count, sizeof *b->values);
+  b->along = model->carry ? nb_array(bodies, sizeof *b->along) : NULL;
+  model->terms = model->plan.asked & NB_ASKS_ENERGY ? nb_array(NB_TERMS, sizeof *model->terms) : NULL;
+  return b->before && b->now && b->position && b->pivot && b->wall_velocity && b->wall_spin && b->values &&
+         (b->along || !model->carry) && (model->terms || !(model->plan.asked & NB_ASKS_ENERGY));
+}
+
+/* The walls' velocities over the step that ends at t_N. */
+static void remember_walls(const struct nb_model *model) {
+  struct nb_balance *b = model->balance;
+  memcpy(b->wall_velocity, model->walls.velocity, model->walls.count * sizeof *b->wall_velocity);
+  memcpy(b->wall_spin, model->walls.spin, model->walls.count * sizeof *b->wall_spin);
+}
+
+enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
+  if (refuse(model, error))
+    return error->status;
+  if (!(model->plan.asked & (NB_ASKS_WORK | NB_ASKS_ENERGY)))
+    return NB_OK;
+  if (!allocate(model))
+    return nb_error_memory(error);
+  struct nb_balance *b = model->balance;
+  b->kinetic = nb_energy_kinetic_half(model);
+  remember_walls(model);
+  if (!model->terms)
+    return NB_OK;
+  b->level = nb_energy_kinetic(model) + nb_energy_stored(model);
+  struct nb_sum behind[NB_TERMS] = {{0}}; /* a state's last step is none of this run's */
+  nb_balance_tail(behind, model);
+  for (int t = 0; t < NB_TERMS; t++)
+    nb_sum_add(&model->terms[t], -behind[t].sum);
+  return NB_OK;
+}
+
+void nb_balance_free(struct nb_model *model) {
+  struct nb_balance *b = model->balance;
   if (!b)
     return;
   free(b->before), free(b->now), free(b->position), free(b->pivot), free(b->wall_velocity), free(b->wall_spin);
   free(b->values), free(b->entered), free(b->along), free(b);
+  free(model->terms);
+  model->balance = NULL, model->terms = NULL;
 }
 
 /* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */
 
-/* Part of a kick: `behind` seconds before t_N and `ahead` seconds after it. Positions and velocities as they were. */
 struct kick {
-  const struct nb_vec *position, *pivot;
-  const struct nb_state *now;
-  double behind, ahead;
+  double behind, ahead; /* before t_N and after it, s: what is counted */
+  double time, share;   /* of the whole kick, s; how much of it that is */
+  double before;        /* the share of it that is damped as before the stage */
 };
 
-static struct nb_vec wall_way(const struct nb_model *model, const struct kick *kick, int w, struct nb_vec q) {
+static struct kick whole_kick(const struct nb_model *model) {
+  const double behind = model->previous_step / 2, ahead = model->step / 2;
+  return (struct kick){behind, ahead, behind + ahead, 1, nb_kick_before(model)};
+}
+
+/* The half that lies behind t_N, as it will be when nothing else happens. */
+static struct kick half_kick(const struct nb_model *model) {
+  return (struct kick){model->previous_step / 2, 0, model->previous_step, 0.5, 1};
+}
+
+/* How far bodies are carried along over a kick. */
+static void carry(const struct nb_model *model, struct kick kick) {
+  struct nb_balance *b = model->balance;
+  const struct nb_cell *cell = model->cell;
+  for (size_t i = 0; i < model->bodies.count && model->carry; i++)
+    b->along[i] = vec_add(vec_scale(kick.behind, model->bodies.carried[i]),
+                          vec_scale(kick.ahead, nb_carry_remembered(model->carry, i, model->bodies.position[i])));
+  if (cell)
+    b->parted = tensor_add(tensor_scale(kick.behind, cell->parting),
+                           tensor_scale(kick.ahead, tensor_product(model->carry->rate[NB_CARRIER_CELL], cell->h)));
+}
+
+static struct nb_vec carried(const struct nb_model *model, size_t i) {
+  return model->carry ? model->balance->along[i] : vec(0, 0);
+}
+
+/* The copy that a contact is with is carried so much more. */
+static struct nb_vec parted(const struct nb_model *model, size_t c) {
+  return model->cell ? tensor_times(model->balance->parted, model->contacts.image[c]) : vec(0, 0);
+}
+
+/* Where all is at t_N, and how fast. */
+static void stand(const struct nb_model *model, struct kick kick) {
+  struct nb_balance *b = model->balance;
+  for (size_t i = 0; i < model->bodies.count; i++) {
+    b->before[i] = nb_velocity_half(model, i), b->position[i] = model->bodies.position[i];
+    if (model->terms)
+      b->now[i] = nb_velocity_now(model, i);
+  }
+  memcpy(b->pivot, model->walls.pivot, model->walls.count * sizeof *b->pivot);
+  carry(model, kick);
+}
+
+/* What global damping gives a body in one kick, against its motion. */
+static struct nb_state damping_impulse(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state is,
+                                       struct nb_force force, struct kick kick) {
+  const double m = model->bodies.mass[i], inertia = model->bodies.inertia[i];
+  const struct nb_shares by = nb_shares(model, kick.time, kick.before);
+  const struct nb_vec linear = vec_scale(m, vec_add(vec_scale(by.old, was.velocity), vec_scale(by.new, is.velocity)));
+  return (struct nb_state){vec_scale(-1, vec_add(linear, vec_scale(by.pushed * kick.time, force.force))),
+                           -(inertia * (by.old * was.spin + by.new *is.spin) + by.pushed * kick.time * force.moment)};
+}
+
+/* What stays in a body's own velocity of what carries it along (carry.h), m/s. */
+static struct nb_vec left(const struct nb_model *model, size_t i) {
+  return model->carry ? nb_carry_left(model->carry, i, model->balance->position[i]) : vec(0, 0);
+}
+
+/* What global damping takes in such a kick, with its mean velocity. */
+static double damped(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state mean,
+                     struct nb_force force, struct kick kick) {
+  const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), was.velocity);
+  const struct nb_state is = {vec_sub(after, left(model, i)), 2 * mean.spin - was.spin};
+  const struct nb_state taken = damping_impulse(model, i, was, is, force, kick);
+  return -(vec_dot(taken.velocity, mean.velocity) + taken.spin * mean.spin);
+}
+
+/* What that, and stress on a boundary, give a body in such a kick. */
+static double driven(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
+  struct nb_vec impulse = vec_scale(model->bodies.mass[i], left(model, i));
+  if (model->bodies.pressed)
+    impulse = vec_add(impulse, vec_scale(time, model->bodies.pressed[i]));
+  return vec_dot(impulse, mean);
+}
+
+/* Weight and stress on a boundary, N. */
+static struct nb_vec outer_forces(const struct nb_model *model, size_t i) {
+  const struct nb_vec weight = nb_weight(model, i, model->balance->position[i]);
+  return model->bodies.pressed ? vec_add(weight, model->bodies.pressed[i]) : weight;
+}
+
+static void add_bodies(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
+  const struct nb_bodies *bodies = &model->bodies;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    const struct nb_state was = model->balance->before[i], now = model->balance->now[i];
+    struct nb_force force = nb_force_on(model, i);
+    if (!(bodies->inverse_mass[i] > 0)) {
+      const double held = vec_dot(force.force, now.velocity) + force.moment * now.spin;
+      nb_sum_add(&terms[NB_TERM_WALLS], -kick.share * kick.time * held);
+      continue;
+    }
+    const struct nb_vec weight = nb_weight(model, i, model->balance->position[i]);
+    force.force = vec_add(force.force, outer_forces(model, i));
+    nb_sum_add(&terms[NB_TERM_GRAVITY],
+               kick.share * kick.time * vec_dot(weight, now.velocity) + vec_dot(weight, carried(model, i)));
+    if (model->carry)
+      nb_sum_add(&terms[NB_TERM_DRIVEN], kick.share * driven(model, i, now.velocity, kick.time));
+    nb_sum_add(&terms[NB_TERM_DAMPED], kick.share * damped(model, i, was, now, force, kick));
+  }
+}
+
+/* All forces on free bodies, at the mean of the velocities before and after the kick. */
+static void add_work(struct nb_sum *work, const struct nb_model *model, struct kick kick) {
+  const struct nb_bodies *bodies = &model->bodies;
+  for (size_t k = 0; k < bodies->count; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    if (!(bodies->inverse_mass[i] > 0))
+      continue;
+    const struct nb_state was = model->balance->before[i], is = nb_velocity_half(model, i);
+    const struct nb_state mean = {vec_scale(0.5, vec_add(was.velocity, is.velocity)), (was.spin + is.spin) / 2};
+    struct nb_force force = nb_force_on(model, i);
+    force.force = vec_add(force.force, nb_weight(model, i, model->balance->position[i]));
+    if (model->carry)
+      nb_sum_add(work, driven(model, i, mean.velocity, kick.time));
+    nb_sum_add(work, kick.time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
+    if (model->bodies.pressed)
+      force.force = vec_add(force.force, model->bodies.pressed[i]);
+    nb_sum_add(work, -damped(model, i, was, mean, force, kick));
+  }
+}
+
+static struct nb_vec wall_way(const struct nb_model *model, struct kick kick, int w, struct nb_vec q) {
   const struct nb_balance *b = model->balance;
-  const struct nb_vec arm = vec_sub(q, kick->pivot[w]), turned = vec(-arm.y, arm.x);
+  const struct nb_vec arm = vec_sub(q, b->pivot[w]), turned = vec(-arm.y, arm.x);
   const struct nb_vec was = vec_add(b->wall_velocity[w], vec_scale(b->wall_spin[w], turned));
   const struct nb_vec is = vec_add(model->walls.velocity[w], vec_scale(model->walls.spin[w], turned));
-  return vec_add(vec_scale(kick->behind, was), vec_scale(kick->ahead, is));
+  return vec_add(vec_scale(kick.behind, was), vec_scale(kick.ahead, is));
 }
 
 /* Dashpots and walls. */
-static void contacts_do(struct nb_sum terms[], const struct nb_model *model, const struct kick *kick) {
+static void add_contacts(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
   const struct nb_contacts *contacts = &model->contacts;
-  const double time = kick->behind + kick->ahead;
+  const struct nb_balance *b = model->balance;
+  const double time = kick.behind + kick.ahead;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
     if ((!model->plan.dashpots && !pairing->wall) || !(contacts->kept[NB_OVERLAP][c] > 0))
@@ -115,17 +275,17 @@ static void contacts_do(struct nb_sum terms[], const struct nb_model *model, con
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
     const double radius = model->bodies.rim[i].x;
-    struct nb_vec way = vec_add(vec_scale(time, kick->now[i].velocity), nb_balance_carried(model, (size_t)i));
-    double rolled = time * kick->now[i].spin * radius;
+    struct nb_vec way = vec_add(vec_scale(time, b->now[i].velocity), carried(model, (size_t)i));
+    double rolled = time * b->now[i].spin * radius;
     if (pairing->wall) {
       const double reach = radius - contacts->kept[NB_OVERLAP][c];
-      const struct nb_vec wall = wall_way(model, kick, j, vec_add(kick->position[i], vec_scale(reach, e)));
+      const struct nb_vec wall = wall_way(model, kick, j, vec_add(b->position[i], vec_scale(reach, e)));
       nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(contacts->force[c], wall));
       way = vec_sub(way, wall);
     } else {
-      const struct nb_vec carried = vec_add(nb_balance_carried(model, (size_t)j), nb_balance_parted(model, c));
-      way = vec_sub(way, vec_add(vec_scale(time, kick->now[j].velocity), carried));
-      rolled += time * kick->now[j].spin * model->bodies.rim[j].x;
+      const struct nb_vec along = vec_add(carried(model, (size_t)j), parted(model, c));
+      way = vec_sub(way, vec_add(vec_scale(time, b->now[j].velocity), along));
+      rolled += time * b->now[j].spin * model->bodies.rim[j].x;
     }
     if (!model->plan.dashpots)
       continue;
@@ -136,51 +296,50 @@ static void contacts_do(struct nb_sum terms[], const struct nb_model *model, con
   }
 }
 
-void nb_balance_before(struct nb_model *model) {
-  struct nb_balance *b = model->balance;
-  for (size_t i = 0; i < model->bodies.count; i++) {
-    b->before[i] = nb_velocity_half(model, i), b->position[i] = model->bodies.position[i];
-    if (b->energies)
-      b->now[i] = nb_velocity_now(model, i);
+/* What carries bodies along. */
+static void add_carrying(struct nb_sum terms[], const struct nb_model *model) {
+  const struct nb_bodies *bodies = &model->bodies;
+  for (size_t k = 0; k < bodies->count && model->carry; k++) {
+    const size_t i = (size_t)bodies->slot[k];
+    struct nb_vec force = nb_force_on(model, i).force;
+    if (bodies->inverse_mass[i] > 0)
+      force = vec_add(force, nb_weight(model, i, model->balance->position[i]));
+    nb_sum_add(&terms[NB_TERM_DRIVEN], -vec_dot(force, model->balance->along[i]));
   }
-  memcpy(b->pivot, model->walls.pivot, model->walls.count * sizeof *b->pivot);
-  nb_balance_carry(model, model->previous_step / 2, model->step / 2);
+  for (size_t c = 0; c < model->contacts.count && model->cell; c++)
+    nb_sum_add(&terms[NB_TERM_DRIVEN], vec_dot(model->contacts.force[c], parted(model, c)));
 }
+
+static void add_terms(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
+  add_bodies(terms, model, kick);
+  add_carrying(terms, model);
+  add_contacts(terms, model, kick);
+}
+
+void nb_balance_before(struct nb_model *model) { stand(model, whole_kick(model)); }
 
 void nb_balance_kick(struct nb_model *model) {
-  struct nb_balance *b = model->balance;
-  const struct kick kick = {b->position, b->pivot, b->now, model->previous_step / 2, model->step / 2};
-  nb_balance_work(&b->work, model, kick.behind + kick.ahead);
-  if (!b->energies)
+  const struct kick kick = whole_kick(model);
+  add_work(&model->balance->work, model, kick);
+  if (!model->terms)
     return;
-  nb_balance_bodies(b->terms, model, kick.behind + kick.ahead, 1);
-  nb_balance_carrying(b->terms, model);
-  contacts_do(b->terms, model, &kick);
-  memcpy(b->wall_velocity, model->walls.velocity, model->walls.count * sizeof *b->wall_velocity);
-  memcpy(b->wall_spin, model->walls.spin, model->walls.count * sizeof *b->wall_spin);
+  add_terms(model->terms, model, kick);
+  remember_walls(model);
 }
 
-/* The half of the kick around t_N that lies behind it, as it will be when nothing else happens. */
 void nb_balance_tail(struct nb_sum terms[], const struct nb_model *model) {
-  struct nb_balance *b = model->balance;
-  const struct kick kick = {model->bodies.position, model->walls.pivot, b->now, model->previous_step / 2, 0};
+  const struct kick kick = half_kick(model);
   if (!(kick.behind > 0))
     return;
-  nb_balance_carry(model, kick.behind, 0);
-  for (size_t i = 0; i < model->bodies.count; i++)
-    b->before[i] = nb_velocity_half(model, i), b->now[i] = nb_velocity_now(model, i);
-  memcpy(b->position, model->bodies.position, model->bodies.count * sizeof *b->position);
-  nb_balance_bodies(terms, model, model->previous_step, 0.5);
-  nb_balance_carrying(terms, model);
-  contacts_do(terms, model, &kick);
+  stand(model, kick);
+  add_terms(terms, model, kick);
 }
 
 /* ---- what is read ---- */
 
 double nb_balance_term(const struct nb_model *model, enum nb_term term) {
-  const struct nb_balance *b = model->balance;
   struct nb_sum now[NB_TERMS];
-  memcpy(now, b->terms, sizeof now);
+  memcpy(now, model->terms, sizeof now);
   nb_balance_tail(now, model);
   return now[term].sum + now[term].rest;
 }
@@ -197,7 +356,7 @@ double nb_balance_energy_residual(const struct nb_model *model) {
       [NB_TERM_DAMPED] = 1,   [NB_TERM_WALLS] = -1,   [NB_TERM_GRAVITY] = -1, [NB_TERM_FRICTIONAL] = 1,
       [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1, [NB_TERM_REMOVED] = 1,  [NB_TERM_DRIVEN] = -1};
   struct nb_sum now[NB_TERMS], sum = {0};
-  memcpy(now, model->balance->terms, sizeof now);
+  memcpy(now, model->terms, sizeof now);
   nb_balance_tail(now, model);
   nb_sum_add(&sum, nb_energy_kinetic(model));
   nb_sum_add(&sum, nb_energy_stored(model));

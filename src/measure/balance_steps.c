@@ -1,4 +1,5 @@
-/* The terms of the energy balance that belong to steps: what slides, and springs that are changed under load.
+/* The terms of the energy balance that belong to steps and stages: what slides, springs that are changed under load or are there all at
+ * once, and velocities that jump.
  *
  *   shear       (F_s' + F_s)/2 ds                             from t_N to t_(N+1), primes at its end
  *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: slip less what the spring took of it;
@@ -13,7 +14,16 @@
  * is the mean of those at the two ends; the shear spring is new for the whole step. Another law is the same: U_n by the new one less
  * U_n by the old one. Another shear law begins with nothing: U_s is gone at t_N, and so is F_s ds/2, which the old force still does.
  *
+ * Two bodies of a boundary that lets go of them may overlap although they were on no list. At t_N they have overlapped by alpha without a
+ * force; at t_(N+1) they push with F_n(alpha'). The force of the step is the mean of none and that, so what is put in from outside is
+ * the mean of what the spring would have held at the two ends:
+ *
+ *   energy.changed += (U_n(alpha) + U_n(alpha'))/2
+ *
+ * Their shear springs begin with nothing, and what they hold is work from the first step on.
+ *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "balance.h"
@@ -23,19 +33,19 @@ static double field(const struct nb_model *model, enum nb_field which, size_t c)
 }
 
 /* Half of the step goes against the force of the old law, which nothing holds any more. */
-static void leave(struct nb_balance *b, double was, double slip) {
-  const bool stored = b->laws.shear->stored != NULL;
-  nb_sum_add(&b->terms[NB_TERM_SHEAR], was * slip / 2);
-  nb_sum_add(&b->terms[stored ? NB_TERM_CHANGED : NB_TERM_UNSTORED], (stored ? -was : was) * slip / 2);
+static void leave(struct nb_model *model, double was, double slip) {
+  const bool stored = model->balance->laws.shear->stored != NULL;
+  nb_sum_add(&model->terms[NB_TERM_SHEAR], was * slip / 2);
+  nb_sum_add(&model->terms[stored ? NB_TERM_CHANGED : NB_TERM_UNSTORED], (stored ? -was : was) * slip / 2);
 }
 
-static void slide(struct nb_balance *b, const struct nb_model *model, size_t c) {
+static void slide(struct nb_model *model, size_t c) {
   const struct nb_law *law = model->pairings[model->contacts.pairing[c]].shear;
   double was = field(model, NB_SHEAR_BEFORE, c), stiff_was = field(model, NB_SHEAR_STIFFNESS_BEFORE, c);
   const double is = law ? field(model, NB_SHEAR, c) : 0, stiff = law ? field(model, NB_SHEAR_STIFFNESS, c) : 0;
   model->contacts.kept[NB_SHEAR_BEFORE][c] = is, model->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c] = stiff;
-  if (b->another && law) {
-    leave(b, was, field(model, NB_SLIP, c));
+  if (model->balance->another && law) {
+    leave(model, was, field(model, NB_SLIP, c));
     was = stiff_was = 0;
   }
   if (!law || (was == 0 && is == 0 && !law->loses))
@@ -43,18 +53,18 @@ static void slide(struct nb_balance *b, const struct nb_model *model, size_t c) 
   const double slip = field(model, NB_SLIP, c), mean = (was + is) / 2;
   const bool sliding = field(model, NB_SLIDING, c) > 0;
   double lost = 0;
-  nb_sum_add(&b->terms[NB_TERM_SHEAR], mean * slip);
+  nb_sum_add(&model->terms[NB_TERM_SHEAR], mean * slip);
   if (!law->stored)
-    nb_sum_add(&b->terms[NB_TERM_UNSTORED], mean * slip);
+    nb_sum_add(&model->terms[NB_TERM_UNSTORED], mean * slip);
   else if (law->loses)
     lost = field(model, NB_LOST, c);
   else if (!(stiff > 0)) /* parted */
     lost = mean * (slip + was / stiff_was);
   else if (sliding)
     lost = mean * (slip - (is - was) / stiff);
-  nb_sum_add(&b->terms[NB_TERM_FRICTIONAL], lost);
+  nb_sum_add(&model->terms[NB_TERM_FRICTIONAL], lost);
   if (sliding)
-    nb_sum_add(&b->terms[NB_TERM_SLIDING], lost);
+    nb_sum_add(&model->terms[NB_TERM_SLIDING], lost);
 }
 
 /* U_n, or U_s, of contact c with a normal law that is given `values`. */
@@ -107,30 +117,107 @@ static double bent(const struct nb_model *model) {
 
 void nb_balance_change(struct nb_model *model, bool before) {
   struct nb_balance *b = model->balance;
-  if (!b->energies)
+  if (!model->terms)
     return;
-  nb_sum_add(&b->terms[NB_TERM_CHANGED], before ? -bent(model) : bent(model));
+  nb_sum_add(&model->terms[NB_TERM_CHANGED], before ? -bent(model) : bent(model));
   if (before)
     for (size_t p = 0; p < model->pairing_count; p++)
       b->values[p] = model->pairings[p].values;
   if (before)
     b->laws = model->laws;
   else
-    nb_sum_add(&b->terms[NB_TERM_CHANGED], gained(model) / 2);
+    nb_sum_add(&model->terms[NB_TERM_CHANGED], gained(model) / 2);
   b->changed = !before;
   b->another = !before && (b->laws.shear != model->laws.shear || b->laws.pieces != model->laws.pieces);
 }
 
+/* ---- springs that are there all at once ---- */
+
+/* U_n of contact c at an overlap, of a law that remembers nothing yet. */
+static double held_at(const struct nb_model *model, size_t c, double overlap) {
+  const struct nb_pairing *pairing = &model->pairings[model->contacts.pairing[c]];
+  const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
+  double memory[NB_MEMORY] = {0};
+  if (!(overlap > 0) || !pairing->normal->stored)
+    return 0;
+  struct nb_normal n = pairing->normal->normal(values, overlap, 0, memory);
+  n.overlap = overlap;
+  return pairing->normal->stored(values, n, memory);
+}
+
+static double overlap_of(const struct nb_model *model, size_t c) {
+  const struct nb_contacts *contacts = &model->contacts;
+  const struct nb_vec *rim = model->bodies.rim;
+  return rim[contacts->a[c]].x + rim[contacts->b[c]].x - vec_length(nb_contacts_branch(model, c));
+}
+
+enum nb_status nb_balance_entered(struct nb_model *model, struct nb_error *error) {
+  struct nb_balance *b = model->balance;
+  const struct nb_contacts *contacts = &model->contacts;
+  if (!b || !model->terms)
+    return NB_OK;
+  free(b->entered);
+  b->entered_count = 0;
+  b->entered = nb_array(contacts->count, sizeof *b->entered);
+  if (!b->entered)
+    return nb_error_memory(error);
+  for (size_t c = 0; c < contacts->count; c++) {
+    if (model->pairings[contacts->pairing[c]].wall || contacts->kept[NB_OVERLAP][c] > 0)
+      continue;
+    const double overlap = overlap_of(model, c);
+    if (!(overlap > 0))
+      continue;
+    nb_sum_add(&model->terms[NB_TERM_CHANGED], held_at(model, c, overlap) / 2);
+    b->entered[b->entered_count++] = (struct nb_entered){contacts->a[c], contacts->b[c]};
+  }
+  return NB_OK;
+}
+
+/* After the forces of the step. */
+static void entry_ends(struct nb_model *model) {
+  struct nb_balance *b = model->balance;
+  for (size_t k = 0; k < b->entered_count; k++) {
+    const long c = nb_contacts_find(model, b->entered[k].a, b->entered[k].b, false);
+    if (c >= 0)
+      nb_sum_add(&model->terms[NB_TERM_CHANGED], held_at(model, (size_t)c, model->contacts.kept[NB_OVERLAP][c]) / 2);
+  }
+  b->entered_count = 0;
+}
+
 void nb_balance_forces(struct nb_model *model) {
   struct nb_balance *b = model->balance;
-  if (!b->energies)
+  if (!model->terms)
     return;
   if (model->contacts.kept[NB_SHEAR_BEFORE])
     for (size_t c = 0; c < model->contacts.count; c++)
-      slide(b, model, c);
+      slide(model, c);
   if (b->changed)
-    nb_sum_add(&b->terms[NB_TERM_CHANGED], gained(model) / 2);
+    nb_sum_add(&model->terms[NB_TERM_CHANGED], gained(model) / 2);
   b->changed = b->another = false;
   if (b->entered_count > 0)
-    nb_balance_entry_ends(model);
+    entry_ends(model);
+}
+
+/* ---- what makes velocities jump ---- */
+
+/* Kinetic energy that is there or gone without a force does not count as work; what was read before is read after. */
+void nb_balance_remove(struct nb_model *model, bool before) {
+  struct nb_balance *b = model->balance;
+  const double sign = before ? -1 : 1;
+  if (!b)
+    return;
+  b->kinetic += sign * nb_energy_kinetic_half(model);
+  if (!model->terms)
+    return;
+  struct nb_sum behind[NB_TERMS] = {{0}};
+  nb_balance_tail(behind, model);
+  for (int t = 0; t < NB_TERMS; t++)
+    nb_sum_add(&model->terms[t], -sign * behind[t].sum);
+}
+
+/* It is put in from outside. */
+void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before) {
+  nb_balance_remove(model, before);
+  if (model->terms)
+    nb_sum_add(&model->terms[term], (before ? -1 : 1) * nb_energy_kinetic(model));
 }

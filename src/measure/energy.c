@@ -13,27 +13,20 @@ static double kinetic_of(const struct nb_bodies *bodies, size_t i, struct nb_sta
   return (bodies->mass[i] * vec_dot(v.velocity, v.velocity) + bodies->inertia[i] * (v.spin * v.spin)) / 2;
 }
 
-double nb_energy_kinetic(const struct nb_model *model) {
+static double kinetic(const struct nb_model *model,
+                      struct nb_state (*velocity)(const struct nb_model *model, size_t slot)) {
   const struct nb_bodies *bodies = &model->bodies;
   double sum = 0;
   for (size_t k = 0; k < bodies->count; k++) {
     const size_t i = (size_t)bodies->slot[k];
     if (bodies->inverse_mass[i] > 0)
-      sum += kinetic_of(bodies, i, nb_velocity_now(model, i));
+      sum += kinetic_of(bodies, i, velocity(model, i));
   }
   return sum;
 }
 
-double nb_energy_kinetic_half(const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
-  double half = 0;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (bodies->inverse_mass[i] > 0)
-      half += kinetic_of(bodies, i, nb_velocity_half(model, i));
-  }
-  return half;
-}
+double nb_energy_kinetic(const struct nb_model *model) { return kinetic(model, nb_velocity_now); }
+double nb_energy_kinetic_half(const struct nb_model *model) { return kinetic(model, nb_velocity_half); }
 
 double nb_energy_of_motion(const struct nb_model *model, size_t slot) {
   return model->bodies.inverse_mass[slot] > 0 ? kinetic_of(&model->bodies, slot, nb_velocity_now(model, slot)) : 0;

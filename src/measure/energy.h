@@ -24,29 +24,14 @@ nb_momentum_angular(const struct nb_model *model); /* of free bodies about the o
  * touches. */
 double nb_unbalance(const struct nb_model *model);
 
-/* ---- balance.c: since the start ---- */
-
-/* Each from its own definition, J. */
-enum nb_term {
-  NB_TERM_DAMPED,     /* dashpot force times relative velocity, and what global damping takes */
-  NB_TERM_WALLS,      /* force of walls and of fixed bodies that move, times their velocity */
-  NB_TERM_GRAVITY,    /* weight times velocity */
-  NB_TERM_FRICTIONAL, /* shear force times sliding displacement, or what the law says, of laws that store energy */
-  NB_TERM_SLIDING,    /* of that, what is lost in steps that end with the contact sliding as a whole */
-  NB_TERM_SHEAR,      /* work against the shear forces of all laws */
-  NB_TERM_UNSTORED,   /* the same of laws that have no stored energy only */
-  NB_TERM_CHANGED,    /* put in from outside: `still`, `reverse`, springs that a stage has made stiffer or softer */
-  NB_TERM_REMOVED, /* kinetic energy of bodies that were taken out, and what their springs held; of those that are held */
-  NB_TERM_DRIVEN, /* what carries bodies along, and stress on a boundary, times velocity */
-  NB_TERMS
-};
+/* ---- balance.c: since the start. Nothing is done where model->balance is NULL, unless it says otherwise ---- */
 
 struct nb_balance; /* balance.h */
 /* Sets up what the columns and conditions of the scene ask for; leaves model->balance NULL when that is nothing. */
 enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error);
-void nb_balance_free(struct nb_balance *balance);
+void nb_balance_free(struct nb_model *model);
 
-/* The joints of a cycle, called only where model->balance is not NULL. */
+/* In a cycle, called only where model->balance is not NULL. */
 void nb_balance_before(struct nb_model *model); /* before the motion */
 void nb_balance_kick(struct nb_model *model);   /* after it, while the forces and steps are still those of the kick */
 void nb_balance_change(struct nb_model *model,
@@ -54,12 +39,9 @@ void nb_balance_change(struct nb_model *model,
 void nb_balance_forces(struct nb_model *model); /* after the forces */
 /* Around what makes velocities jump when a stage begins: the kinetic energy counts as that term. */
 void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before);
-void nb_balance_remove(struct nb_model *model, bool before);  /* around what takes bodies out; */
-void nb_balance_removed(struct nb_model *model, size_t slot); /* each of them, while all is as it was */
-void nb_balance_dropped(struct nb_model *model); /* before the search that follows: pairs of bodies that are held */
-enum nb_status nb_balance_entered(struct nb_model *model,
-                                  struct nb_error *error);            /* after it: pairs that overlap at once */
-void nb_balance_held(struct nb_model *model, size_t slot, bool held); /* before a free body is held; after it is free */
+void nb_balance_remove(struct nb_model *model, bool before); /* around what takes bodies out, or holds them */
+/* After the search that follows: pairs of bodies that a boundary let go of and that overlap at once. */
+enum nb_status nb_balance_entered(struct nb_model *model, struct nb_error *error);
 
 double nb_balance_term(const struct nb_model *model, enum nb_term term); /* at t_N, J */
 double nb_balance_work_residual(const struct nb_model *model);           /* at the half step behind, J */

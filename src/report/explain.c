@@ -173,8 +173,9 @@ static void explain_plan(FILE *out, const struct nb_model *model) {
   explain_hooks(out, model);
   explain_memory(out, model);
   if (model->balance)
-    fprintf(out, "balances\n  %s%s%s, summed up every cycle by one thread\n", model->balance->works ? "work" : "",
-            model->balance->works && model->balance->energies ? " and " : "", model->balance->energies ? "energy" : "");
+    fprintf(out, "balances\n  %s%s%s, summed up every cycle by one thread\n",
+            (model->plan.asked & NB_ASKS_WORK) ? "work" : "",
+            (model->plan.asked & NB_ASKS_WORK) && model->terms ? " and " : "", model->terms ? "energy" : "");
 }
 
 /* ---- regions ---- */

@@ -289,7 +289,7 @@ void nb_model_free(struct nb_model *model) {
     free(owned[k]);
   nb_properties_free(&model->properties);
   nb_contacts_free(&model->contacts);
-  nb_balance_free(model->balance);
+  nb_balance_free(model);
   nb_regions_free(model->regions, model->scene->region_count);
   nb_carry_free(model->carry);
   nb_drive_free(model->drive);
