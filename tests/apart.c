@@ -75,7 +75,47 @@ static void pairs_that_may_meet(void) {
   CU_ASSERT_DOUBLE_EQUAL(step, 1 / sqrt(80. / 9), 1e-15);
 }
 
+/* The step that a message names is one with which the run goes on, said as the page says its own. */
+static void what_is_advised_holds(void) {
+  static const char springs[] =
+      "material m density 0.3 kg/m3 kn 8 N/m\ndisc 0 m 0 m radius 1 m m\ndisc 1.9 m 0 m radius 1 m m\n";
+  static const char bare[] = "units none\nmaterial m density 0.3 kn 8\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\n";
+  static const char elastic[] =
+      "units none\nmaterial m density 1 young 1000 poisson 0.25\nnormal hertz\nsphere 0 0 radius 1 m velocity 1e-3 0\n"
+      "sphere 1.99 0 radius 1 m\n";
+  static const struct {
+    const char *head, *step, *small;
+  } cases[] = {
+      {springs, "step 5 s", "step 1 ms"},
+      {bare, "step 5", "step 0.001"},
+      {bare, "step 9 of critical", "step 0.001"},
+      {bare, "step 9 of safe", "step 0.001"},
+      {elastic, "step 99 of rayleigh", "step 0.001"},
+      {elastic, "step 99 of rayleigh-mean", "step 0.001"},
+      {elastic, "step 99 of rayleigh-fit", "step 0.001"},
+      {elastic, "step 99 of rayleigh-fit-mean", "step 0.001"},
+      {elastic, "step 1 per contact", "step 0.001"},
+  };
+  unsigned long cycles;
+  struct nb_error error;
+  for (size_t k = 0; k < 2 * sizeof cases / sizeof *cases; k++) {
+    const bool later = k % 2;
+    const char *const head = cases[k / 2].head, *const small = cases[k / 2].small;
+    static const char *const format = "%s%s\nrecord time\nstage a\ncycles 2\nstage b\n%s\ncycles 2\n";
+    char text[512], advice[64] = "";
+    snprintf(text, sizeof text, format, head, later ? small : cases[k / 2].step, later ? cases[k / 2].step : "");
+    CU_ASSERT_EQUAL(ends(text, &cycles, &error), NB_BROKEN);
+    const char *const said = strstr(error.text, "write `step ");
+    CU_ASSERT_FATAL(said && sscanf(said, "write `%63[^`]", advice) == 1);
+    const char *const way = strpbrk(cases[k / 2].step + 5, " "), *const its = strpbrk(advice + 5, " ");
+    CU_ASSERT(way && its ? strcmp(way, its) == 0 : way == its);
+    snprintf(text, sizeof text, format, head, later ? small : advice, later ? advice : "");
+    CU_ASSERT_EQUAL(ends(text, &cycles, &error), NB_OK);
+  }
+}
+
 void suite_apart(void) {
   CU_pSuite suite = CU_add_suite("apart", NULL, NULL);
   CU_add_test(suite, "pairs that may meet", pairs_that_may_meet);
+  CU_ADD_TEST(suite, what_is_advised_holds);
 }

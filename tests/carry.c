@@ -115,10 +115,32 @@ static void still_is_as_at_time_0(void) {
   written_free(&it);
 }
 
+/* What the page holds stays, or goes as the page says, whatever strains the others; the free one beside it is carried. */
+static void what_is_fixed_is_not_carried(void) {
+  static const char *const strains[] = {"boundary strain 0.5 0.3", "continuum strain 0.5 0.3",
+                                        "boundary strain 0.5 0.3\ncontinuum strain 0.2 0.1"};
+  static const char *const names[] = {"F.x", "F.y", "M.x", "M.y"};
+  static const double at[] = {3, 2, -5 + 0.5 * 0.2, 4};
+  for (size_t k = 0; k < 3; k++)
+    for (size_t n = 0; n < 5; n++) {
+      struct words page = {0};
+      words_add(&page,
+                "units none\nmaterial m density 1 kn 1\nstep 0.01\nboundary circle 0 0 radius 20\n"
+                "disc 3 2 radius 0.5 m fixed\ndisc -5 4 radius 0.5 m fixed velocity 0.5 0\ndisc 21 1 radius 0.5 m\n"
+                "disc 5 -6 radius 0.5 m\nwatch F disc 1\nwatch M disc 2\nwatch %s\nrecord %s\nstage s\n%s\ncycles 20\n",
+                k == 1 ? "C disc 4" : "C disc 3", n < 4 ? names[n] : "C.x", strains[k]);
+      const double value = ends(&page, n < 4 ? names[n] : "C.x");
+      if (n < 4)
+        CU_ASSERT_DOUBLE_EQUAL(value, at[n], 1e-13);
+      CU_ASSERT(n < 4 || fabs(value - (k == 1 ? 5 : 21)) > 0.1);
+    }
+}
+
 void suite_carry(void) {
   CU_pSuite suite = CU_add_suite("carry", NULL, NULL);
   CU_add_test(suite, "a cell and a continuum are alike", a_cell_and_a_continuum_are_alike);
   CU_add_test(suite, "energies balance", energies_balance);
   CU_add_test(suite, "a reversed cell comes back", a_reversed_cell_comes_back);
+  CU_ADD_TEST(suite, what_is_fixed_is_not_carried);
   CU_add_test(suite, "still is as at time 0", still_is_as_at_time_0);
 }
