@@ -24,11 +24,13 @@
 
 /* ---- the circle ---- */
 
-/* Nearer to the circle than the rounding of its points counts as on it: a page may put bodies there. */
+/* Nearer to the circle than this share of its radius, 1, counts as on it: a page may put bodies there, and rounding leaves some 1e-16. */
+static const double on_circle = 1e-12;
+
 static bool beyond(const struct nb_model *model, struct nb_vec x, double inside) {
   const struct nb_ring *ring = &model->drive->ring;
   const struct nb_vec home = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->carry->centre));
-  return vec_length(home) >= ring->radius * (1 - 1e-12) - inside;
+  return vec_length(home) >= ring->radius * (1 - on_circle) - inside;
 }
 
 static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }

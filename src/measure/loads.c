@@ -77,8 +77,8 @@ void nb_measure_loads(const struct nb_model *model, struct nb_region_now *region
   loads->unbalance = loads->normal.mean > 0 ? loads->force_sum / loads->normal.mean : 0;
 }
 
-/* From which share of its limit on a shear force counts as near it. A contact at its limit leaves it in every unloading, however small;
- * one in a hundred is what the force scatters by in steps of usual size. */
+/* From which share of its limit on, 1, a shear force counts as near it: a convention, which the quantities' help states. At 1 there would
+ * be only contacts that have not been unloaded at all. */
 static const double near_limit = 0.99;
 
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact) {

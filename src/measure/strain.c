@@ -44,8 +44,8 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
   return NB_OK;
 }
 
-/* Bodies lie in a line where the determinant of their second moments is less than this share of the product of the two, 1: the square
- * of the sine of the angle that they are spread by, 1e-6. Rounding alone leaves some 1e-15. */
+/* Bodies lie in a line where 1 - r^2 is less than this, r the correlation of their x and y, 1: well above what rounding leaves of it, some
+ * 1e-15, and far below that of any packing. */
 static const double in_line = 1e-12;
 
 static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec from[]) {
