@@ -59,9 +59,8 @@ struct nb_token {
   const char *name;   /* the NAME that it stands for, NULL when written in the line itself */
 };
 
-/* `let NAME VALUE` and `sweep NAME VALUES` are nb_binding; a reader wants page, mistakes, unitless and the bindings set and the rest
- * zeroed. It owns nothing. About 60 kB. */
 struct nb_keyword;
+/* What reading needs: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing. About 60 kB. */
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
