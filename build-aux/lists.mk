@@ -389,11 +389,11 @@ CORE = \
   src/core/contacts.c \
   src/core/contacts.h \
   src/core/cycle.c \
-  src/core/energy_terms.h \
-  src/core/families.c \
   src/core/damping.c \
   src/core/deep.c \
+  src/core/energy_terms.h \
   src/core/error.c \
+  src/core/families.c \
   src/core/grid.c \
   src/core/grid.h \
   src/core/guard.c \
@@ -408,9 +408,9 @@ CORE = \
   src/core/motion.c \
   src/core/motion.h \
   src/core/names.h \
-  src/core/near.c \
-  src/core/near.h \
-  src/core/near_pairs.c \
+  src/core/neighbour_list.c \
+  src/core/neighbour_search.c \
+  src/core/neighbours.h \
   src/core/table.c \
   src/core/tensor.h \
   src/core/vec.h \
@@ -454,6 +454,7 @@ MEASURE = \
   src/measure/boundary.c \
   src/measure/boundary.h \
   src/measure/chains.c \
+  src/measure/collision.c \
   src/measure/coordination.c \
   src/measure/energy.c \
   src/measure/energy.h \
@@ -462,19 +463,18 @@ MEASURE = \
   src/measure/impact.c \
   src/measure/impact.h \
   src/measure/loads.c \
-  src/measure/meet.c \
-  src/measure/rayleigh.c \
+  src/measure/rayleigh_step.c \
   src/measure/region.c \
   src/measure/region.h \
-  src/measure/region_kinds.c \
+  src/measure/region_quantities.c \
   src/measure/since.c \
   src/measure/since.h \
   src/measure/snapshot.c \
   src/measure/snapshot.h \
-  src/measure/stable.c \
+  src/measure/stable_step.c \
   src/measure/step.c \
   src/measure/step.h \
-  src/measure/step_kinds.c \
+  src/measure/step_quantities.c \
   src/measure/strain.c \
   src/measure/stress.c \
   src/measure/summary.c \
@@ -488,7 +488,7 @@ LOADING = \
   src/loading/carry.h \
   src/loading/drive.c \
   src/loading/drive.h \
-  src/loading/loading_kinds.c \
+  src/loading/loading_quantities.c \
   src/loading/remove.c \
   src/loading/ring.c \
   src/loading/servo.c \
@@ -497,11 +497,11 @@ LOADING = \
 # Lattices and random filling.
 PACKING = \
   src/packing/fill.c \
-  src/packing/fill_kinds.c \
+  src/packing/fill_quantities.c \
   src/packing/lattice.c \
   src/packing/packing.h \
-  src/packing/random.c \
-  src/packing/random.h
+  src/packing/random_numbers.c \
+  src/packing/random_numbers.h
 
 # A page, line by line, to struct nb_scene.
 INPUT = \
@@ -535,14 +535,14 @@ RUN = \
   src/run/model.c \
   src/run/observe.c \
   src/run/observe.h \
+  src/run/output_file.c \
+  src/run/output_file.h \
   src/run/plan.c \
   src/run/plan.h \
+  src/run/restart.c \
+  src/run/restart.h \
   src/run/run.c \
-  src/run/save.c \
-  src/run/save.h \
   src/run/stage.c \
-  src/run/start.c \
-  src/run/start.h \
   src/run/state.c \
   src/run/state.h
 
@@ -565,13 +565,13 @@ VERDICT = \
 PROGRAM = \
   src/report/commands.c \
   src/report/commands.h \
-  src/report/confine.c \
-  src/report/confine.h \
   src/report/figure.c \
   src/report/gnuplot.c \
   src/report/main.c \
   src/report/manual.c \
   src/report/print.c \
   src/report/report.c \
+  src/report/sandbox.c \
+  src/report/sandbox.h \
   src/report/tables.c
 

@@ -245,9 +245,9 @@ bool nb_damping_none(const struct nb_damping *damping); /* neither contacts nor 
 enum nb_step_kind {
   NB_STEP_TIME,     /* value in s */
   NB_STEP_CRITICAL, /* value times 2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion] */
-  NB_STEP_SAFE,     /* value times what is sure to be stable as the stage begins, see src/measure/stable.c */
+  NB_STEP_SAFE,     /* value times what is sure to be stable as the stage begins, see src/measure/stable_step.c */
   NB_STEP_CONTACT,  /* value times the duration of the shortest contact there can be, see src/measure/step.c */
-  NB_STEP_RAYLEIGH, /* value times Rayleigh's wave's way half round the smallest sphere, see src/measure/rayleigh.c */
+  NB_STEP_RAYLEIGH, /* value times Rayleigh's wave's way half round the smallest sphere, see src/measure/rayleigh_step.c */
   NB_STEP_RAYLEIGH_MEAN,
   NB_STEP_RAYLEIGH_FIT, /* with R89's fit of that wave's speed; of the sphere that is the mean of all: R89's step */
   NB_STEP_RAYLEIGH_FIT_MEAN

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../src/packing/random.h"
+#include "../src/packing/random_numbers.h"
 #include "suites.h"
 #include "written.h"
 

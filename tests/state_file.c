@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "../src/run/save.h"
+#include "../src/run/output_file.h"
 #include "../src/run/state.h"
 #include "state_text.h"
 #include "suites.h"

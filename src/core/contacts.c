@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "hertz_impact.h"
-#include "near.h"
+#include "neighbours.h"
 
 int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
   const int *number = model->bodies.number;

@@ -62,7 +62,7 @@ struct nb_pairing {
   } passes[NB_PASSES];
   int pass_count;
   struct nb_pair coming;             /* values at the next forces, */
-  const struct nb_law *coming_shear; /* and the law that they ask for: for stable.c */
+  const struct nb_law *coming_shear; /* and the law that they ask for: for stable_step.c */
 };
 
 /* Materials and pairs as they are now; stages change them. */
@@ -116,10 +116,10 @@ struct nb_blocks {
     unsigned long above;  /* its contacts that are deeper than theirs */
     double apart[6];      /* those of two threads lie in lines of their own */
   } * sure;               /* per block; NULL: nothing that is watched gets stiffer */
-  struct nb_stiff *stiff; /* per contact: room for measure/stable.c */
+  struct nb_stiff *stiff; /* per contact: room for measure/stable_step.c */
 };
 
-/* The search for near pairs, and what it has found: near.c, guard.c. */
+/* The search for near pairs, and what it has found: neighbour_list.c, guard.c. */
 struct nb_search {
   double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, nothing is searched */
   double smallest;                      /* radius of all particles, m */
@@ -198,7 +198,7 @@ struct nb_model {
   } deep;                         /* deep.c */
   struct nb_warnings warnings;    /* of this model, not of its scene */
   double touch;                   /* when what `impact` makes first touches, s (measure/impact.c) */
-  const char *states;             /* folder of saved states; NULL: the usual one (run/start.c) */
+  const char *states;             /* folder of saved states; NULL: the usual one (run/restart.c) */
 };
 
 /* machine.c: instruction set and threads, as the options say */
@@ -235,7 +235,7 @@ enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *err
 /* Warns when positions are too coarse for the overlaps that there are now. */
 void nb_guard_digits(struct nb_model *model);
 
-/* near.c: makes the list of contacts anew, if no guard objects */
+/* neighbour_list.c: makes the list of contacts anew, if no guard objects */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
 
 /* motion.c */

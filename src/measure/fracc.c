@@ -9,7 +9,7 @@
  *
  * Range    dSF is a difference of sizes: a force that turns, or changes its sign, is not seen. The swing that grows first when a
  *          step is too long changes its sign every cycle. And a body that hardly moves while its neighbours do has a K without
- *          bound. So FRACC is no bound for anything; cases/5-numerics/fracc.md. What is sure to be stable: stable.c.
+ *          bound. So FRACC is no bound for anything; cases/5-numerics/fracc.md. What is sure to be stable: stable_step.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

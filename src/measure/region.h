@@ -1,7 +1,7 @@
 /* Measures of a region: a part of the plane, and averages over the bodies whose centres lie in it.
  *
  *   region.c        which bodies are inside, its area, volume and porosity; contacts end by end
- *   region_kinds.c  the quantities that can be asked for
+ *   region_quantities.c  the quantities that can be asked for
  *   areas.c         how much of an outline is inside
  *   stress.c        stress, by particles and by contacts, and its parts
  *   fabric.c        directions of contacts, of those that are lost and new too
@@ -17,7 +17,7 @@
 #define NB_REGION_H
 
 #include "core/names.h"
-#include "core/near.h"
+#include "core/neighbours.h"
 #include "core/tensor.h"
 
 enum nb_stress_part { NB_STRESS_NORMAL, NB_STRESS_SHEAR, NB_STRESS_FABRIC, NB_STRESS_VARIATION, NB_STRESS_PARTS_COUNT };

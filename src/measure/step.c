@@ -3,14 +3,14 @@
  *   critical   t_c = 2 sqrt(m/k)                                                  [CS79, Motion]
  *              with the smallest mass that is free to move and the largest normal stiffness between materials of the
  *              scene: the limit of one mass on one spring; a body between several contacts has less
- *   safe       what is sure to be stable with the contacts and the damping of the stage's begin, see stable.c
+ *   safe       what is sure to be stable with the contacts and the damping of the stage's begin, see stable_step.c
  *   contact    how long two bodies stay together that meet head-on without damping, the shortest there can be:
  *              linear springs   pi sqrt(M/k_n), half a swing of the reduced mass M = m_x m_y/(m_x + m_y) on the spring; of
  *                               any two materials the lightest bodies, and of those pairs the one that parts first
  *              elastic spheres  Hertz's 2.943 alpha_max/v, which goes with the speed: of all pairs that would meet if
- *                               everything went straight on as the stage begins whose step it is, see meet.c
+ *                               everything went straight on as the stage begins whose step it is, see collision.c
  *
- *   rayleigh   how long a surface wave takes half round a sphere, see rayleigh.c                   [R89 4.33]
+ *   rayleigh   how long a surface wave takes half round a sphere, see rayleigh_step.c                   [R89 4.33]
  *
  * Elastic spheres have no stiffness while they do not touch. So none is critical, and only what is pressed tells what is
  * safe. Their contact's duration is that of the stage that says it; later stages keep the step, whatever moves by then.

@@ -7,18 +7,18 @@
 #include "laws/laws_now.h"
 #include "pass/pass.h"
 
-/* What the stable step is found from, and the watch over it: step.c, stable.c, watch.c. */
+/* What the stable step is found from, and the watch over it: step.c, stable_step.c, watch.c. */
 struct nb_stability {
   int step_line;         /* of the statement that says how long a step is; -1: none has been worked out yet */
   double safe;           /* largest step sure to be stable as this stage began, s */
   bool allow_unstable;   /* the step is not watched now */
   unsigned long looks;   /* how often the watch has worked out the safe step */
-  struct nb_load *loads; /* per slot, room for stable.c */
+  struct nb_load *loads; /* per slot, room for stable_step.c */
 };
 bool nb_stability_create(struct nb_model *model); /* false: no memory */
 void nb_stability_free(struct nb_stability *stability);
 
-/* stable.c */
+/* stable_step.c */
 struct nb_load {
   double kn, ks, cn, cs; /* sums over a body's contacts: k_n, k_s R^2, and the same of dashpots */
   double left;           /* of L by the contact that leaves least: watch.c */
@@ -59,7 +59,7 @@ enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error);
 /* The same as a stage begins, for pairs that are apart too. */
 enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error);
 
-/* meet.c: of elastic spheres, what meets for the shortest time when all go straight on */
+/* collision.c: of elastic spheres, what meets for the shortest time when all go straight on */
 struct nb_meeting {
   double duration, speed; /* s; infinite when nothing meets; closing at touch, m/s */
   int a, b;               /* slots, b a wall where */
@@ -67,7 +67,7 @@ struct nb_meeting {
 };
 struct nb_meeting nb_meeting_shortest(const struct nb_model *model);
 
-/* rayleigh.c */
+/* rayleigh_step.c */
 double nb_rayleigh_root(double poisson); /* speed of Rayleigh's wave over that of shear waves [R89 4.32] */
 double nb_rayleigh_fit(double poisson);  /* the same by [R89 4.34] */
 /* Half round the smallest sphere, or one that is the mean of all, s; infinite where none is elastic [R89 4.33]. */

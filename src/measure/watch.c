@@ -1,5 +1,5 @@
 /* The watch over the step: at each stage's begin, after each search, every NB_WATCH_CYCLES, and as soon as elastic spheres have
- * got so stiff that it might be too long. What is sure to be stable, and L: stable.c.
+ * got so stiff that it might be too long. What is sure to be stable, and L: stable_step.c.
  *
  * A contact of elastic spheres stiffens as it is pressed. When the watch has looked, it knows how much that may be. With
  *

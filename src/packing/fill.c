@@ -18,7 +18,7 @@
 #include "core/array.h"
 #include "core/grid.h"
 #include "packing.h"
-#include "random.h"
+#include "random_numbers.h"
 
 static void add(struct nb_grid *grid, const struct nb_body *body, size_t index) {
   nb_grid_add(grid, (int)index, vec(body->x, body->y), 2 * body->radius);

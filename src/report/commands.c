@@ -12,7 +12,7 @@
 #include "core/guess.h"
 #include "input/scene.h"
 #include "laws/law.h"
-#include "run/start.h"
+#include "run/restart.h"
 
 static enum nb_status worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
 

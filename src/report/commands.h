@@ -5,7 +5,7 @@
 #define NB_COMMANDS_H
 
 #include "outcome.h"
-#include "run/save.h"
+#include "run/output_file.h"
 
 /* A call, read. */
 struct nb_use {
@@ -85,7 +85,7 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
 
 bool nb_figure_wanted(const struct nb_page *page); /* whether it has a block of kind `gnuplot` */
 /* NAME.gp in the folder, and by gnuplot NAME.svg and NAME.png. NB_OK without doing anything when the page has no figure (then *drawn
- * is false). Only `figure` and `report` do this: gnuplot runs the page's own code, confined (confine.h), or also unconfined where the
+ * is false). Only `figure` and `report` do this: gnuplot runs the page's own code, confined (sandbox.h), or also unconfined where the
  * page is trusted and nothing can confine it. */
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
                               struct nb_error *error);

@@ -14,7 +14,7 @@
 #include "measure/region.h"
 #include "measure/step.h"
 #include "run/bench.h"
-#include "run/start.h"
+#include "run/restart.h"
 
 static const char *unit(const struct nb_scene *scene, const char *name) { return scene->unitless ? "" : name; }
 

@@ -1,6 +1,6 @@
 /* gnuplot, confined: it reads one script and the recipes, and writes the figure to its standard output.
  *
- * The script is code of the page. So gnuplot has no rights but those of confine.c, no start-up files (-d), and what it says is
+ * The script is code of the page. So gnuplot has no rights but those of sandbox.c, no start-up files (-d), and what it says is
  * cleaned before it reaches the terminal. No name of a file is part of a command: the script is an argument of its own, and
  * begins with `./`, since gnuplot would run `<NAME` as a command.
  *
@@ -14,8 +14,8 @@
 #include <unistd.h>
 
 #include "commands.h"
-#include "confine.h"
 #include "core/clean.h"
+#include "sandbox.h"
 
 /* Writes what gnuplot said to stderr, if aloud; into `last` the line that names the mistake: the last one that is not blank. A
  * column that is not there is only a warning of gnuplot's, and the figure lacks a line: then `last` is that warning and the

@@ -10,7 +10,7 @@
 #include "measure/step.h"
 #include "observe.h"
 #include "plan.h"
-#include "start.h"
+#include "restart.h"
 #include "state.h"
 
 #include <stdlib.h>

@@ -10,7 +10,7 @@
 #include "measure/snapshot.h"
 #include "observe.h"
 #include "plan.h"
-#include "start.h"
+#include "restart.h"
 
 struct run {
   struct nb_result *result;

@@ -17,7 +17,7 @@
 #include "laws/laws_now.h"
 #include "loading/drive.h"
 #include "measure/step.h"
-#include "save.h"
+#include "output_file.h"
 
 /* ---- from a model ---- */
 

@@ -15,7 +15,7 @@
 #include "../../src/core/model.h"
 #include "../../src/input/columns.h"
 #include "../../src/run/plan.h"
-#include "../../src/run/start.h"
+#include "../../src/run/restart.h"
 #include "../../src/run/state.h"
 #include "fuzz.h"
 

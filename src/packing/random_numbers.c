@@ -6,7 +6,7 @@
  * Integers and one exact division by a power of two: no compiler and no machine can see it otherwise.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "random.h"
+#include "random_numbers.h"
 
 uint64_t nb_random_bits(struct nb_random *random) {
   uint64_t z = random->state += UINT64_C(0x9e3779b97f4a7c15); /* 2^64 over the golden ratio */

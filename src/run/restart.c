@@ -8,7 +8,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
 
-#include "start.h"
+#include "restart.h"
 
 #include "plan.h"
 
@@ -23,7 +23,7 @@
 #include <unistd.h>
 
 #include "core/clock.h"
-#include "save.h"
+#include "output_file.h"
 
 enum { PATH_SIZE = 4096, HASH_SIZE = 16, LIMIT = 3600 /* s that a lock is waited for */ };
 static const double PAUSE = 0.05; /* s between two looks at it */

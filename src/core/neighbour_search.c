@@ -11,7 +11,7 @@
 #include <stdlib.h>
 
 #include "grid.h"
-#include "near.h"
+#include "neighbours.h"
 
 enum { FEW = 16 }; /* bodies without boxes */
 

@@ -1,4 +1,4 @@
-/* Between the search (near.c) and the list it renews (contacts.c).
+/* Between the search (neighbour_list.c) and the list it renews (contacts.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_NEAR_H
@@ -14,7 +14,7 @@ struct nb_near_pairs {
   size_t count, capacity;
 };
 
-/* near_pairs.c: adds every pair that is near, once, in no order; false: out of memory. */
+/* neighbour_search.c: adds every pair that is near, once, in no order; false: out of memory. */
 bool nb_near_find(struct nb_near_pairs *found, struct nb_model *model);
 /* contacts.c: the order of the list; < 0, 0, > 0: by pairing, then number of a, then of b. */
 int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q);

@@ -3,13 +3,13 @@
  * All pairs closer than the skin are listed, touching or not. As long as no body and no wall is farther than half the skin
  * from where it was then, a pair that is not listed cannot touch. A scene in which nothing travels is searched once, when it
  * is made; one in which nothing is free to touch anything has an infinite skin and is never searched. A contact that was
- * listed before keeps its memory. Which pairs these are: near_pairs.c.
+ * listed before keeps its memory. Which pairs these are: neighbour_search.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 #include <string.h>
 
-#include "near.h"
+#include "neighbours.h"
 
 /* In order: counted out by the number of the first body, the few of each one by insertion, then stably by pairing. */
 static bool pairs_sort(struct nb_near_pairs *pairs, const struct nb_model *model) {

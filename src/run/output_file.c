@@ -3,7 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
 
-#include "save.h"
+#include "output_file.h"
 
 #include <dirent.h>
 #include <errno.h>

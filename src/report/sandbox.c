@@ -9,7 +9,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _GNU_SOURCE
 
-#include "confine.h"
+#include "sandbox.h"
 
 #include <errno.h>
 #include <fcntl.h>
