@@ -116,6 +116,22 @@ static void walls_follow_until_they_are_moved(void) {
   nb_result_free(&result);
 }
 
+/* The walls before the box and behind it on the page go on moving, and turning, while it is strained. */
+static void other_walls_go_their_own_ways(void) {
+  struct nb_result result;
+  run(&result,
+      "units none\nmaterial m density 2 kn 1000\nstep 0.0125\ndisc 0 0 radius 0.5 m\nwall first -9 7 to -8 7 m\n"
+      "box -2 -2 to 2 2 m\nwall last 8 7 to 9 7 m\nrecord box.width\nstage a\nbox strain 1e-3 per cycle 0 per "
+      "cycle\nwall first velocity 1 2 spin 1\nwall last velocity -3 4 spin -1\ncycles 1\nsnapshot\n");
+  const double *walls = result.snapshots[0].walls.values, far = 1e-3; /* of the turn by 0.0125 */
+  CU_ASSERT_DOUBLE_EQUAL(row(&result, 1)[0], 4 * 1.001, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL((walls[1] + walls[3]) / 2, -8.5 + 0.0125, far);
+  CU_ASSERT_DOUBLE_EQUAL((walls[25 + 1] + walls[25 + 3]) / 2, 8.5 - 3 * 0.0125, far);
+  CU_ASSERT_DOUBLE_EQUAL(walls[4] - walls[2], sin(0.0125), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(walls[25 + 4] - walls[25 + 2], -sin(0.0125), 1e-12);
+  nb_result_free(&result);
+}
+
 /* F = 10 at each of its walls; a body between two others presses on them alone. Discs are 1 thick, spheres their diameter. */
 static void its_stress_is_that_on_its_own_walls(void) {
   static const double wanted[] = {5, 0, 0, 5}, thick[] = {1, 2.02};
@@ -144,4 +160,5 @@ void suite_box(void) {
   CU_add_test(suite, "corners stay closed, wherever the box lies", corners_stay_closed);
   CU_add_test(suite, "its stress is that on its own walls", its_stress_is_that_on_its_own_walls);
   CU_add_test(suite, "walls follow until they are moved otherwise", walls_follow_until_they_are_moved);
+  CU_add_test(suite, "other walls go their own ways", other_walls_go_their_own_ways);
 }

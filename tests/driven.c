@@ -169,6 +169,45 @@ static void springs_that_are_let_go_count(void) {
   }
 }
 
+/* What the literal reading has put into v stays there: one that keeps c apart begins with it, x_(N+1) = x_N + (v + L x_N) dt. */
+static void apart_after_literal(void) {
+  const double dt = 0.125;
+  struct nb_result result;
+  double x = 13, y = -6, vx = 0, vy = 0;
+  run(&result,
+      "material m density 2 kn 100\nstep 0.125\ndisc 13 -6 radius 1 m\nwatch D disc 1\nrecord D.x D.y\nstage s\n"
+      "continuum strain 0.08 -0.16 literal\ncycles 20\nstage t\ncontinuum strain 0.08 -0.16\ncycles 20\n");
+  for (size_t n = 0; n < 40; n++) {
+    const double cx = 0.08 * x, cy = -0.16 * y;
+    if (n < 20)
+      vx += cx, vy += cy;
+    x += dt * (n < 20 ? vx : vx + cx), y += dt * (n < 20 ? vy : vy + cy);
+  }
+  const size_t last = result.table.row_count - 1;
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, last, 0), x, 1e-12 * fabs(x));
+  CU_ASSERT_DOUBLE_EQUAL(column(&result, last, 1), y, 1e-12 * fabs(y));
+  nb_result_free(&result);
+}
+
+/* A shear c12 dt N = 1 and then a shrinking a = 0.995^140 make S = diag(a, 1) (1 1; 0 1), not the two the other way round: what
+ * was at (7/a - 3, 3) is at (7, 3) then, and was beyond R = 10; (7/a - 3/a, 3) was not. The same mirrored at the y-axis. */
+static void one_strain_after_another(void) {
+  for (int side = -1; side < 2; side += 2) {
+    struct nb_result result;
+    char page[512];
+    snprintf(
+        page, sizeof page,
+        "material m density 2 kn 100\nstep 0.125\ndisc %d 0 radius 1 m\ndisc %d 3 radius 1 m\nrecord boundary.bodies\n"
+        "boundary circle 0 0 radius 10\nstage s\nboundary strain 0 0 c12 %g c21 0\ncycles 100\nstage t\n"
+        "boundary strain -0.04 0\ncycles 140\n",
+        -12 * side, 7 * side, 0.08 * side);
+    run(&result, page);
+    CU_ASSERT_EQUAL(column(&result, 100, 0), 1);
+    CU_ASSERT_EQUAL(column(&result, result.table.row_count - 1, 0), 2);
+    nb_result_free(&result);
+  }
+}
+
 void suite_driven(void) {
   CU_pSuite suite = CU_add_suite("driven", NULL, NULL);
   CU_add_test(suite, "a body swings through the point", a_body_swings_through_the_point);
@@ -178,4 +217,6 @@ void suite_driven(void) {
   CU_add_test(suite, "a boundary is held anew", a_boundary_is_held_anew);
   CU_add_test(suite, "another circle is another boundary", another_circle);
   CU_add_test(suite, "springs that are let go count", springs_that_are_let_go_count);
+  CU_add_test(suite, "apart after literal", apart_after_literal);
+  CU_add_test(suite, "one strain after another", one_strain_after_another);
 }

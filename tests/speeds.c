@@ -4,6 +4,7 @@
 #include <CUnit/CUnit.h>
 #include <math.h>
 
+#include "run/plan.h"
 #include "suites.h"
 #include "written.h"
 
@@ -45,6 +46,25 @@ static void speeds(void) {
   }
 }
 
+/* From the begin of the first stage on a body has what carries it, before it has moved. */
+static void carried_before_the_first_step(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\nstep 0.125\ndisc 3 4 radius 1 m velocity 0.3 -0.4\n"
+                   "watch D disc 1\nregion A all\nrecord D.vx D.vy A.speed.mean A.speed.carried\n"
+                   "stage s\ncontinuum strain 0.01 -0.02\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "D.vx"), 0.3 + 0.01 * 3, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "D.vy"), -0.4 - 0.02 * 4, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.speed.mean"), 0.5, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.speed.carried"), hypot(0.03, 0.08), 1e-15);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Weight towards a point counts as weight does: 0.5 from (0, -7) to each of two discs, one of which stands on a fixed one. */
 static void weighed_towards_a_point(void) {
   struct words page = {0};
@@ -64,5 +84,6 @@ static void weighed_towards_a_point(void) {
 void suite_speeds(void) {
   CU_pSuite suite = CU_add_suite("speeds", NULL, NULL);
   CU_add_test(suite, "speeds beyond what carries along", speeds);
+  CU_add_test(suite, "carried before the first step", carried_before_the_first_step);
   CU_add_test(suite, "weight towards a point", weighed_towards_a_point);
 }

@@ -106,9 +106,30 @@ static void turned_round(void) {
     }
 }
 
+/* Stopped, discs that turned as they touched rub no more when a later stage lets them rub. */
+static void still_rims(void) {
+  static const char *const still[] = {"", "still\n"};
+  for (int k = 0; k < 2; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100 ks 100 friction 1\nstep 0.001\ndisc 0 0 radius 1 m spin 3\n"
+              "disc 1.9 0 radius 1 m spin 2\nwatch C disc 1 with disc 2\nrecord C.shear\nstage a\ncycles 2\nstage b\n"
+              "%scycles 2\nstage c\nshear linear\ncycles 1\n",
+              still[k]);
+    written_scene(&it, &page);
+    written_run(&result, &it, NULL);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "C.shear"), k ? 0 : -100 * 0.001 * (3 + 2), 1e-12);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 void suite_spin(void) {
   CU_pSuite suite = CU_add_suite("spin", NULL, NULL);
   CU_add_test(suite, "moments turn bodies, damped or not", moments_turn);
   CU_add_test(suite, "rims go with their bodies", rims_go_with_their_bodies);
   CU_add_test(suite, "turned round", turned_round);
+  CU_add_test(suite, "still rims", still_rims);
 }

@@ -3,6 +3,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -140,6 +141,31 @@ static void rules_of_stages_fit(void) {
   written_free(&it);
 }
 
+/* The state of other bodies is refused: of another radius, shape, material or mobility, one by one. */
+static void other_bodies_do_not_fit(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 0 radius 1 m\n"
+                   "disc 5 0 radius 1 n fixed\nrecord time\nstep 0.01\nstage a\ncycles 1\nstage b\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  const struct nb_saved_body was = saved.bodies[1];
+  struct nb_saved_body others[4] = {was, was, was, was};
+  others[0].radius = nextafter(1, 2), others[1].shape = NB_SPHERE, others[2].material = 0, others[3].mobility = NB_FREE;
+  for (int k = 0; k < 4; k++) {
+    saved.bodies[1] = others[k];
+    CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
+  }
+  nb_saved_free(&saved);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Without dashpots what contacts feel is what the laws say: a page that goes on with dashpots reads it. */
 static void felt_without_dashpots(void) {
   struct written it;
@@ -228,6 +254,7 @@ void suite_state(void) {
   CU_add_test(suite, "and with every damping", all_dampings);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
   CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
+  CU_add_test(suite, "other bodies do not fit", other_bodies_do_not_fit);
   CU_add_test(suite, "what is felt without dashpots", felt_without_dashpots);
   CU_add_test(suite, "the step before goes on", the_step_before_goes_on);
   CU_add_test(suite, "what is remembered behind a 0", what_is_remembered_behind_a_0);

@@ -87,6 +87,15 @@ static void a_box(void) {
   same("box, ratio", box, "damping contact-ratio 0.1");
 }
 
+/* Gravity that points away from a point, and then in a direction as well. */
+static void away_from_a_point(void) {
+  same("away",
+       "units none\nmaterial m density 3 kn 4000\ndiscs lattice 3 by 3 m radius 1 spacing 1.99 from -2 -2\n"
+       "wall w -5 -3 to 5 -3 m\nrecord time\nstep 0.001\n"
+       "stage a\ngravity centripetal -2 about 1 0\ncycles 20\nstage b\nstep 0.0008\ncycles 20\n",
+       "");
+}
+
 /* What the page does not have, or has otherwise, is no state of it; `drop` says what differs. */
 static void otherwise(const char *statements, int drop) {
   struct words words = {0};
@@ -137,5 +146,6 @@ void suite_state_driven(void) {
   CU_add_test(suite, "an assembly with a boundary goes on to the same bits from every stage", a_ring);
   CU_add_test(suite, "and one in a periodic cell", a_cell);
   CU_add_test(suite, "and one between walls that follow", a_box);
+  CU_add_test(suite, "and one that gravity drives apart", away_from_a_point);
   CU_add_test(suite, "a state with a cell or a boundary otherwise than the page is refused", others_are_refused);
 }
