@@ -124,5 +124,9 @@ if command -v gnuplot >/dev/null; then
   run 3 figure stopped.md -o some && said 'look at some/stopped.svg, up to where the run was stopped' &&
     grep -q INCOMPLETE some/stopped.svg
   result $? 'figure: a run that was stopped is drawn up to then, and the figure says so'
+  # Of a sweep whose first run is stopped the others are not begun: they have no tables.
+  run 3 figure "$pages/../../cases/8-published/chung-ooi-3.md" --set 'step=1 s' --jobs 1 -o some &&
+    said 'look at some/chung-ooi-3.svg, up to where the run was stopped'
+  result $? 'figure: of a sweep whose first run is stopped'
 fi
 echo "1..$n"

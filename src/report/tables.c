@@ -40,6 +40,8 @@ static void swept(FILE *out, const struct nb_page_run *run, bool head) {
 
 static void head(FILE *out, const struct nb_page_run *run) {
   const struct nb_table *table = &run->result.table;
+  if (!table->names)
+    return; /* a run that was not begun, because another one was stopped */
   fputs("stage", out);
   for (size_t c = 0; c < table->column_count; c++)
     fprintf(out, "\t%s/%s", table->names[c], unit_word(table->units[c], run->scene.unitless));
