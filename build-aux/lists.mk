@@ -313,6 +313,7 @@ SUITES = \
   tests/memory.c \
   tests/fill.c \
   tests/run.c \
+  tests/hooks.c \
   tests/state.c \
   tests/state_driven.c \
   tests/state_file.c tests/state_records.c \

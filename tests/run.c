@@ -146,6 +146,27 @@ static void a_snapshot_holds_what_touches(void) {
   written_free(&it);
 }
 
+/* A stage that did not end in time is shown as it is then; one that broke is not, in its last cycle either. */
+static void a_broken_stage_has_no_snapshot(void) {
+  for (int broken = 0; broken < 2; broken++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_result result;
+    struct nb_error error = {0};
+    words_add(
+        &page,
+        "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\ndisc 9 0 radius 1 m velocity 0 %d\nstep 1\n"
+        "allow unstable\nwatch D disc 2\nrecord D.y\nstage a\nsnapshot\nuntil D.y below -1 at most 1 cycles\n",
+        broken ? 3 : 0);
+    written_scene(&it, &page);
+    CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), NB_BROKEN);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, broken ? "it moved by" : "did not end within 1 cycles"));
+    CU_ASSERT_EQUAL(result.snapshot_count, broken ? 0 : 1);
+    nb_result_free(&result);
+    written_free(&it);
+  }
+}
+
 /* Conditions hold from cycle 10 on; they are looked at every so many, and at the last that there may be. */
 static void looked_at_seldom(void) {
   static const struct {
@@ -211,6 +232,7 @@ void suite_run(void) {
   CU_add_test(suite, "a stage that never ends", a_stage_that_never_ends);
   CU_add_test(suite, "a position that is no number", a_position_that_is_no_number);
   CU_add_test(suite, "a snapshot holds what touches", a_snapshot_holds_what_touches);
+  CU_add_test(suite, "a broken stage has no snapshot", a_broken_stage_has_no_snapshot);
   CU_add_test(suite, "until ... every N cycles", looked_at_seldom);
   CU_add_test(suite, "stages once more", stages_once_more);
 }

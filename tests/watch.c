@@ -7,7 +7,6 @@
 
 #include "../src/measure/step.h"
 #include "chance.h"
-#include "measure/step.h"
 #include "run/plan.h"
 #include "suites.h"
 #include "written.h"

@@ -76,18 +76,20 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
   }
 }
 
-/* One cycle, and a row of the table after it. */
-static enum nb_status run_cycle(struct run *run, int index, bool *ended, struct nb_error *error) {
+enum { GOES_ON, ENDED, TOO_LATE };
+
+/* One cycle, and a row of the table after it. *how: whether the stage goes on after it; a cycle that breaks leaves that as it was. */
+static enum nb_status run_cycle(struct run *run, int index, int *how, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   struct nb_model *model = run->model;
   if (nb_cycle(model, error))
     return error->status;
   const bool over = model->stage_cycle >= stage->cycles;
-  *ended = stage->condition_count ? holds(stage, model) : over;
-  const bool due = stage->record && (model->stage_cycle % stage->record == 0 || *ended || over);
+  *how = (stage->condition_count ? holds(stage, model) : over) ? ENDED : over ? TOO_LATE : GOES_ON;
+  const bool due = stage->record && (model->stage_cycle % stage->record == 0 || *how != GOES_ON);
   if (due && !nb_observe(&run->result->table, model, index))
     return nb_error_memory(error);
-  return over && !*ended ? never_ended(stage, model, error) : NB_OK;
+  return *how == TOO_LATE ? never_ended(stage, model, error) : NB_OK;
 }
 
 static enum nb_status take_snapshot(struct run *run, int index, struct nb_error *error) {
@@ -103,11 +105,11 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
   const struct nb_stage *stage = &run->scene->stages[index];
   enum nb_status status = nb_stage_begin(run->model, stage, error);
   note_laws(run, stage);
-  for (bool ended = false; !status && !ended; tell(run, stage))
-    status = run_cycle(run, index, &ended, error);
-  const bool whole = !status || run->model->stage_cycle >= stage->cycles; /* or it did not end in time */
+  int how = GOES_ON;
+  for (; !status && how == GOES_ON; tell(run, stage))
+    status = run_cycle(run, index, &how, error);
   run->result->stage_cycles[index] = run->model->stage_cycle;
-  if (!whole || !stage->snapshot)
+  if (how == GOES_ON || !stage->snapshot)
     return status;
   struct nb_error second;
   const enum nb_status taken = take_snapshot(run, index, status ? &second : error);
