@@ -50,7 +50,7 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
         now->muted[c] = old->muted[o];
       if (model->search.keeping)
         carry_all(now, c, old, o);
-      else
+      else if (model->plan.asked & NB_ASKS_ENERGY)
         carry_fields(now, c, old, o);
       nb_memory_copy(&now->normal_memory, c, &old->normal_memory, o);
       nb_memory_copy(&now->shear_memory, c, &old->shear_memory, o);
