@@ -4,6 +4,8 @@
  * boundary is moved before the particles, and a stage changes properties before anything is searched for.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <assert.h>
+
 #include "laws/laws_now.h"
 #include "loading/box.h"
 #include "loading/drive.h"
@@ -26,11 +28,18 @@ HOOK(strain_box, nb_box_drive(model))
 HOOK(account_before, nb_balance_before(model))
 HOOK(account_kick, nb_balance_kick(model))
 HOOK(account_forces, nb_balance_forces(model))
-HOOK(carry_along, if (!nb_carry_step(model) && model->drive) nb_ring_carry(model))
 HOOK(press, nb_drive_after(model))
 HOOK(count_deep, nb_deep_look(model))
 HOOK(find_fracc, nb_fracc_forces(model))
 HOOK(count_slid, nb_since_forces(model))
+
+/* Where the step does not carry all particles, those of the boundary are. */
+static enum nb_status carry_along(struct nb_model *model, struct nb_error *error) {
+  (void)error;
+  if (!nb_carry_step(model) && model->drive)
+    nb_ring_carry(model);
+  return NB_OK;
+}
 
 static enum nb_status change(struct nb_model *model, struct nb_error *error) {
   if (model->balance)
@@ -58,7 +67,6 @@ static enum nb_status watch_stiffening(struct nb_model *model, struct nb_error *
 /* Which of them the scene needs now. */
 #define WANTED(name, condition)                                                                                        \
   static bool name(const struct nb_model *model) { return condition; }
-WANTED(always, model != NULL)
 WANTED(ramps_walls, nb_stage_ramps_walls(model))
 WANTED(has_boundary, model->drive != NULL)
 WANTED(has_servo, model->carry && model->stage && model->stage->servo.line)
@@ -74,7 +82,7 @@ WANTED(has_reference, model->since != NULL)
 static const struct {
   enum nb_when when;
   const char *name;
-  bool (*wanted)(const struct nb_model *model);
+  bool (*wanted)(const struct nb_model *model); /* NULL: by every scene */
   enum nb_status (*run)(struct nb_model *model, struct nb_error *error);
 } table[] = {
     {NB_BEFORE_MOTION, "walls ramp", ramps_walls, move_walls},
@@ -86,7 +94,7 @@ static const struct {
     {NB_AFTER_MOTION, "energy balance", balances, account_kick},
     {NB_AFTER_MOTION, "stress on the boundary", has_boundary, press},
     {NB_BEFORE_SEARCH, "changes of the stage", changes, change},
-    {NB_BEFORE_FORCES, "stability check", always, watch},
+    {NB_BEFORE_FORCES, "stability check", NULL, watch},
     {NB_AFTER_FORCES, "stability check of stiffening contacts", stiffens, watch_stiffening},
     {NB_AFTER_FORCES, "count of deep overlaps", elastic, count_deep},
     {NB_AFTER_FORCES, "FRACC", asks_fracc, find_fracc},
@@ -99,7 +107,9 @@ void nb_hooks_plan(struct nb_model *model) {
     model->hooks[when].count = 0;
   for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
     struct nb_hooks *all = &model->hooks[table[k].when];
-    if (table[k].wanted(model))
-      all->list[all->count++] = (struct nb_hook){table[k].name, table[k].run};
+    if (table[k].wanted && !table[k].wanted(model))
+      continue;
+    assert(all->count < NB_HOOKS);
+    all->list[all->count++] = (struct nb_hook){table[k].name, table[k].run};
   }
 }

@@ -50,8 +50,7 @@ static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share)
 /* Bodies stop, those that are fixed too. */
 static void stop_bodies(struct nb_model *model) {
   struct nb_bodies *bodies = &model->bodies;
-  if (model->balance)
-    nb_balance_jump(model, NB_TERM_CHANGED, true);
+  nb_balance_jump(model, NB_TERM_CHANGED, true);
   for (size_t i = 0; i < bodies->count; i++) {
     bodies->velocity[i] = vec(0, 0);
     bodies->rim[i].y = 0;
@@ -63,8 +62,7 @@ static void stop_bodies(struct nb_model *model) {
   model->previous_step = 0; /* as at time 0: nothing has slipped and nothing approaches */
   if (model->plan.dashpots)
     nb_forces(model);
-  if (model->balance)
-    nb_balance_jump(model, NB_TERM_CHANGED, false);
+  nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
 /* `reverse`: walls before this stage moves them otherwise, */
@@ -77,11 +75,9 @@ static void turn_walls(struct nb_model *model) {
 
 /* and bodies when its step is known. */
 static void turn_bodies(struct nb_model *model) {
-  if (model->balance)
-    nb_balance_jump(model, NB_TERM_CHANGED, true);
+  nb_balance_jump(model, NB_TERM_CHANGED, true);
   nb_motion_reverse(model);
-  if (model->balance)
-    nb_balance_jump(model, NB_TERM_CHANGED, false);
+  nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
 /* ---- walls ---- */
