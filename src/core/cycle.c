@@ -37,7 +37,7 @@ void nb_forces(struct nb_model *model) {
   model->updates += model->contacts.count;
 }
 
-/* Answers how many particles and walls have gone too far for the list of contacts. */
+/* Returns how many particles and walls have moved too far for the list of contacts. */
 static int motion(struct nb_model *model) {
   const int threads = model->machine.busy;
   int out = nb_motion_walls(model);

@@ -1,6 +1,6 @@
 /* What runs: a scene made into arrays and a plan. Inside the library only; users see `struct nb_model` as a name.
  *
- * A body's slot is where its numbers are stored, its number (1, 2, ...) is what it is called for ever. Results depend on
+ * A body's slot is where its numbers are stored, its number (1, 2, ...) never changes. Results depend on
  * numbers alone: sums over a body's contacts run in the order of the other body's number, walls last, so neither storage
  * order nor search nor threads change a bit of them.
  *
