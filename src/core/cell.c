@@ -64,6 +64,10 @@ int nb_cell_move(struct nb_model *model) {
 
 /* ---- which copy ---- */
 
+/* A side that becomes shorter by less than this share of its square, 1, is as short as rounding, 1e-16, can tell: so the search for
+ * the shortest sides ends. */
+static const double no_shorter = 1e-12;
+
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {
   struct nb_wrap wrap = {.centre = cell->centre};
   struct nb_vec a = vec(cell->h.xx, cell->h.yx), b = vec(cell->h.xy, cell->h.yy), na = vec(1, 0), nb = vec(0, 1);
@@ -73,7 +77,7 @@ struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {
     const double n = floor(vec_dot(*longer, *shorter) / vec_dot(*shorter, *shorter) + 0.5);
     const double before = vec_dot(*longer, *longer);
     const struct nb_vec to = vec_sub(*longer, vec_scale(n, *shorter));
-    on = vec_dot(to, to) < before * (1 - 1e-12);
+    on = vec_dot(to, to) < before * (1 - no_shorter);
     if (!on)
       break;
     *longer = to;

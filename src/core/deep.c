@@ -9,7 +9,10 @@
 
 #include "model.h"
 
-double nb_deep_share(const struct nb_model *model) { return model->damping.deep > 0 ? model->damping.deep : 0.07; }
+/* Of the smaller diameter, 1: where R89 takes plastic flow to begin [R89 6.4.3]. */
+static const double deepest = 0.07;
+
+double nb_deep_share(const struct nb_model *model) { return model->damping.deep > 0 ? model->damping.deep : deepest; }
 
 static unsigned long long counted(const struct nb_model *model) {
   unsigned long long sum = 0;

@@ -118,8 +118,11 @@ static double coordinate(const struct nb_model *model, int i) {
 
 static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
+/* The coarsest that a coordinate may be, as a share of the mean overlap, 1: a force is then off by 0.1 %. Overlaps below the second
+ * one's share of a radius, 1, are those of particles that just touch: rounding put them there. */
+static const double share = 1e-3, touch = 1e-9;
+
 void nb_guard_digits(struct nb_model *model) {
-  static const double share = 1e-3, touch = 1e-9;
   const struct nb_bodies *bodies = &model->bodies;
   int farthest = 0, pressed = -1;
   for (int i = 0; i < (int)bodies->count; i++)

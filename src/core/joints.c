@@ -10,8 +10,7 @@
  * wall to the other, the contact that falls silent hands what its laws remember to the one that speaks up, so that neither
  * the normal nor the shear force jumps on a straight joint or around an outer corner.
  *
- * Two ends are a common one while they are closer than 1e-9 of the disc's radius, which is the largest error that this
- * makes in an overlap, and what rounding adds far from the origin. Ends that are apart at time 0 are never taken as one.
+ * Two ends are a common one while they are closer than `common_end` and what rounding adds far from the origin. Ends that are apart at time 0 are never taken as one.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -21,8 +20,11 @@
 
 enum { NOW = 1, BEFORE = 2 }; /* bits of what is muted: in these forces, and in the ones before */
 
+/* Two ends nearer than this share of the disc's radius, 1, are one: the largest error that this makes in an overlap. */
+static const double common_end = 1e-9;
+
 static double close_by(struct nb_vec end, double radius) {
-  return 1e-9 * radius + 8 * DBL_EPSILON * (fabs(end.x) + fabs(end.y));
+  return common_end * radius + 8 * DBL_EPSILON * (fabs(end.x) + fabs(end.y));
 }
 
 static bool common(struct nb_vec one, struct nb_vec other, double radius) {

@@ -120,10 +120,14 @@ static bool near_around(struct nb_near_pairs *pairs, struct nb_model *model, con
   return true;
 }
 
+/* How much farther out, 1, copies are looked for than a contact reaches: none is missed by rounding, 1e-16, and one too many costs a
+ * look at its box. */
+static const double rounding = 1e-12;
+
 /* From each of the nine copies of i that lies in the cell, or no farther outside than a contact reaches. */
 static bool near_copies(struct nb_near_pairs *pairs, struct nb_model *model, const struct search *search, int i) {
   const struct nb_wrap *wrap = &search->wrap;
-  const double edge = (0.5 + search->grid.width[0] / nb_wrap_width(wrap)) * (1 + 1e-12);
+  const double edge = (0.5 + search->grid.width[0] / nb_wrap_width(wrap)) * (1 + rounding);
   for (int m = 0; m < 9; m++) {
     const struct nb_vec from = vec_add(search->place[i], tensor_times(wrap->h, vec(m % 3 - 1, m / 3 - 1)));
     const struct nb_vec at = tensor_times(wrap->inverse, vec_sub(from, wrap->centre));

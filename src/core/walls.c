@@ -77,6 +77,10 @@ static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
 }
 
 /* Whether the centre of body i has come from one side of wall w to the other between its ends, or upon it. */
+/* A crossing this share of a wall's length, 1, beyond its end counts as one: no particle slips through the joint of two walls.
+ * Far above the rounding of a coordinate, 1e-16, and far below any gap that a page could mean. */
+static const double beyond_end = 1e-12;
+
 static bool crossed(const struct nb_model *model, size_t i, size_t w, double *way) {
   const struct nb_walls *walls = &model->walls;
   const double dt = model->previous_step, h0 = walls->h0[w];
@@ -91,8 +95,8 @@ static bool crossed(const struct nb_model *model, size_t i, size_t w, double *wa
   if ((before.y > 0 && now.y > 0) || (before.y < 0 && now.y < 0) || (now.y != 0 && before.y == 0))
     return false;
   const double share = now.y == 0 ? 1 : before.y / (before.y - now.y);
-  const double at = before.x + share * (now.x - before.x), slack = 1e-12 * (walls->h2[w] - walls->h1[w]);
-  return at >= walls->h1[w] - slack && at <= walls->h2[w] + slack; /* nobody slips through a joint of two walls */
+  const double at = before.x + share * (now.x - before.x), slack = beyond_end * (walls->h2[w] - walls->h1[w]);
+  return at >= walls->h1[w] - slack && at <= walls->h2[w] + slack;
 }
 
 static enum nb_status lost(const struct nb_model *model, size_t i, size_t w, double way, struct nb_error *error) {

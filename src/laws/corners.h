@@ -55,13 +55,16 @@ static inline double passed(double y0, double x0, double y1, double x1) {
 enum { HEAD = 2 };
 static inline int corners_used(const double m[]) { return HEAD + 5 * ((int)m[0] + 1); }
 
+/* By how much |D|, 1, may exceed 1: a slope is the quotient of two differences of sums, each rounded. */
+static const double slope_rounding = 1e-9;
+
 /* Corners from inside to outside, and no ring that carries more than its friction, up to rounding. */
 static inline bool corners_valid(const double m[], int doubles, int most) {
   const struct corner *at = (const struct corner *)(m + HEAD);
   bool is = doubles > HEAD && m[0] >= 1 && m[0] <= most && m[0] == floor(m[0]) && m[1] > 0;
   is = is && doubles == corners_used(m) && at[0].x == 0;
   for (int k = 0; is && k < (int)m[0]; k++)
-    is = at[k + 1].x > at[k].x && fabs(at[k].d) <= 1 + 1e-9 && at[k].e >= 0;
+    is = at[k + 1].x > at[k].x && fabs(at[k].d) <= 1 + slope_rounding && at[k].e >= 0;
   return is;
 }
 

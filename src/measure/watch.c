@@ -97,13 +97,17 @@ static int free_of(const struct nb_model *model, size_t c, int slots[2]) {
   return n;
 }
 
+/* By which share, 1, a law's stiffness may exceed the one asked for, since roots are rounded (1e-16): the step, which goes with its
+ * root, then exceeds the limit by at most half of that. */
+static const double rounding = 1e-6;
+
 /* The overlap at which the normal law has this stiffness: by Hertz k_n = 2 E* (R* alpha)^(1/2), and no more than the law says. */
 static double overlap_of(const struct nb_model *model, size_t c, double stiffness) {
   const struct nb_pairing *pairing = &model->pairings[model->contacts.pairing[c]];
   const struct nb_pair values = nb_contacts_values(model, c, pairing->coming);
   double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), none[NB_MEMORY] = {0};
   while (overlap > 0 && isfinite(overlap) &&
-         nb_normal_stiffest(pairing->normal->normal(values, overlap, 0, none)) > 1.000001 * stiffness)
+         nb_normal_stiffest(pairing->normal->normal(values, overlap, 0, none)) > (1 + rounding) * stiffness)
     overlap /= 2;
   return overlap;
 }
@@ -145,7 +149,10 @@ static void be_sure(struct nb_model *model) {
     }
 }
 
-/* A step below what is sure to be stable by a fifth, as the page says its own. */
+/* Of the largest stable step, 1: what a message proposes, so that contacts may stiffen by half (1/0.8^2) before the next one. */
+static const double proposed = 0.8;
+
+/* A step below what is sure to be stable, as the page says its own. */
 static void smaller_step(char *text, size_t size, const struct nb_model *model, double sure) {
   static const char *const of[] = {[NB_STEP_TIME] = " s",
                                    [NB_STEP_CRITICAL] = " of critical",
@@ -156,7 +163,7 @@ static void smaller_step(char *text, size_t size, const struct nb_model *model, 
                                    [NB_STEP_RAYLEIGH_FIT] = " of rayleigh-fit",
                                    [NB_STEP_RAYLEIGH_FIT_MEAN] = " of rayleigh-fit-mean"};
   const struct nb_step *step = model->stage ? &model->stage->step : &model->scene->step;
-  const double value = 0.8 * step->value * sure / model->step;
+  const double value = proposed * step->value * sure / model->step;
   if (step->kind == NB_STEP_CONTACT)
     snprintf(text, size, "step %.0f%s", ceil(1 / value), of[step->kind]);
   else
