@@ -91,16 +91,16 @@ done
 sed '/^  snapshot/d' "$pages/of-txt.md" >"$pages/first.md"
 printf '# Goes on\n```scene\nstart first stage look\nrecord time\nstage on\ncycles 1\n```\n' >"$pages/second.md"
 "$nineball" run "$pages/second.md" --states "$states" -o "$work/second" >"$work/said" 2>&1 &&
-  "$nineball" explain "$pages/second.md" --states "$states" | grep -q 'state: there$'
+  "$nineball" explain "$pages/second.md" --states "$states" | grep -q 'state: present$'
 result $? 'a page may start from one that has a packing'
 sed '3s/ [^ ]*$/ 0.5/' "$pages/heap.txt" >"$work/t" && cp "$work/t" "$pages/heap.txt"
-"$nineball" explain "$pages/second.md" --states "$states" >"$work/said" 2>&1 && grep -q 'stale, will be made anew' "$work/said"
+"$nineball" explain "$pages/second.md" --states "$states" >"$work/said" 2>&1 && grep -q 'out of date, will be computed again' "$work/said"
 result $? 'and its state is stale when the file has changed'
 
 # A list is no page, and may be longer than one: 100,000 discs, 4.5 MB.
 awk 'BEGIN { print "x/m\ty/m\tradius/m"; for (k = 0; k < 100000; k++) printf "%.17g\t%.17g\t0.004999\n", k % 400 * 0.01, int(k / 400) * 0.01 + 1e-9 * k }' >"$pages/many.tsv"
 printf '# Many\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m\ndiscs packing many.tsv rock\nstep 1 us\nrecord time\nstage go\ncycles 1\n```\n' >"$pages/many.md"
-timeout 60 "$nineball" explain "$pages/many.md" >"$work/said" 2>&1 && grep -q 'many.tsv: 100000 bodies' "$work/said"
+timeout 60 "$nineball" explain "$pages/many.md" >"$work/said" 2>&1 && grep -q 'many.tsv: 100000 particles' "$work/said"
 result $? 'a list of 100,000 discs'
 
 # ---- what the command says ----

@@ -21,7 +21,7 @@ run() {
 made() { grep -c 'is made$' "$work/said"; }
 
 "$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" &&
-  grep -q 'nine-discs-load-[0-9a-f]*.state: not there, will be made' "$work/said"
+  grep -q 'nine-discs-load-[0-9a-f]*.state: missing, will be computed' "$work/said"
 result $? 'explain says that it will be made'
 
 run whole cases/3-nine-discs/nine-discs.md
@@ -32,7 +32,7 @@ rows "$work/now" rest | sed 1d | head -n 400 | diff - "$work/wanted" >"$work/sai
 result $? 'the numbers are those of the page without interruption'
 run found "$pages/saved-stage.md" && test "$(made)" -eq 0 && cmp "$work/now/table.tsv" "$work/found/table.tsv"
 result $? 'and the same when it is found'
-"$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'state: there$' "$work/said"
+"$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'state: present$' "$work/said"
 result $? 'explain says that it is there'
 run threads "$pages/saved-stage.md" --threads 3 --isa plain && cmp "$work/now/table.tsv" "$work/threads/table.tsv"
 result $? 'with other threads and instruction set too'
@@ -162,7 +162,7 @@ result $? 'walls that follow a servo'
 # ---- another text of the page ----
 
 sed 's/^walls     inward 0.12/walls     inward 0.11/' cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
-"$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'stale, will be made anew' "$work/said"
+"$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" && grep -q 'out of date, will be computed again' "$work/said"
 result $? 'a page that has changed makes its state stale'
 run changed "$pages/saved-stage.md"
 test "$(made)" -eq 1 && ! cmp -s "$work/now/table.tsv" "$work/changed/table.tsv" &&
