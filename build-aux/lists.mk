@@ -401,7 +401,6 @@ CORE = \
   src/core/guess.h \
   src/core/hertz_impact.h \
   src/core/joints.c \
-  src/core/joints.h \
   src/core/machine.c \
   src/core/materials.c \
   src/core/memory.c \
@@ -409,9 +408,7 @@ CORE = \
   src/core/motion.c \
   src/core/motion.h \
   src/core/names.h \
-  src/core/neighbour_list.c \
-  src/core/neighbour_search.c \
-  src/core/neighbours.h \
+  src/core/neighbours.c \
   src/core/table.c \
   src/core/tensor.h \
   src/core/vec.h \

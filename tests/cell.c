@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/core/neighbours.h"
+#include "../src/core/contacts.h"
 #include "placed.h"
 #include "run/plan.h"
 #include "suites.h"

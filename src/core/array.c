@@ -28,3 +28,14 @@ void *nb_room(void *array, size_t count, size_t more, size_t element) {
     need *= 2;
   return have >= need ? array : realloc(array, need * element);
 }
+
+void *nb_more(void *array, size_t *count, size_t element) {
+  void *things;
+  memcpy(&things, array, sizeof things);          /* a pointer to void need not look like the others */
+  if (*count < 8 || (*count & (*count - 1)) == 0) /* else there is room: see nb_room */
+    things = nb_room(things, *count, 1, element);
+  if (!things)
+    return NULL;
+  memcpy(array, &things, sizeof things);
+  return memset((char *)things + (*count)++ * element, 0, element);
+}

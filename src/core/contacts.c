@@ -5,17 +5,16 @@
 #include <stdlib.h>
 
 #include "hertz_impact.h"
-#include "neighbours.h"
+#include "model.h"
+
+int nb_partner(const struct nb_model *model, struct nb_near_pair pair) {
+  return model->pairings[pair.pairing].wall ? INT_MAX / 2 + pair.b : model->bodies.number[pair.b];
+}
 
 int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
   const int *number = model->bodies.number;
-  if (p.pairing != q.pairing)
-    return p.pairing < q.pairing ? -1 : 1;
-  if (p.a != q.a)
-    return number[p.a] < number[q.a] ? -1 : 1;
-  if (p.b == q.b)
-    return 0;
-  return (model->pairings[p.pairing].wall ? p.b < q.b : number[p.b] < number[q.b]) ? -1 : 1;
+  const int by[] = {p.pairing - q.pairing, number[p.a] - number[q.a], nb_partner(model, p) - nb_partner(model, q)};
+  return by[0] ? by[0] : by[1] ? by[1] : by[2];
 }
 
 /* What the energy balance compares with the step before. */
@@ -106,80 +105,77 @@ static bool make_arrays(struct nb_contacts *contacts, const struct nb_model *mod
   return nb_memory_create(&contacts->slid, model->plan.memory.slid, n) && made;
 }
 
-static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
-                            const struct nb_near_pairs *pairs) {
-  *contacts = (struct nb_contacts){.count = pairs->count};
-  if (!make_arrays(contacts, model))
+/* Which of the pairs becomes which contact: as they come, but pairing by pairing. */
+static bool number_contacts(int contact[], const struct nb_near_pairs *pairs, const struct nb_model *model) {
+  int *next = nb_array(model->pairing_count + 1, sizeof *next);
+  if (!next)
     return false;
-  for (size_t c = 0; c < pairs->count; c++) {
-    contacts->a[c] = pairs->list[c].a, contacts->b[c] = pairs->list[c].b;
-    contacts->pairing[c] = pairs->list[c].pairing;
-    find_constants(contacts, c, model);
-  }
-  if (model->cell)
-    find_images(contacts, model);
+  for (size_t p = 0; p < pairs->count; p++)
+    next[pairs->list[p].pairing + 1]++;
+  for (size_t k = 0; k < model->pairing_count; k++)
+    next[k + 1] += next[k];
+  for (size_t p = 0; p < pairs->count; p++)
+    contact[p] = next[pairs->list[p].pairing]++;
+  free(next);
   return true;
 }
 
 /* The contacts of each body in the order of its partners' numbers, walls last: the order in which forces are summed. Partners
- * with smaller numbers come first, so the contacts in which the body is the second one are the first of its entries. */
-static int partner(const struct nb_model *model, int contact, int slot) {
-  const struct nb_contacts *contacts = &model->contacts;
-  if (model->pairings[contacts->pairing[contact]].wall)
-    return INT_MAX / 2 + contacts->b[contact];
-  return model->bodies.number[contacts->a[contact] == slot ? contacts->b[contact] : contacts->a[contact]];
-}
-
-static bool incidence_renew(struct nb_model *model) {
-  struct nb_incidence *incidence = &model->contacts.of;
-  const struct nb_contacts *contacts = &model->contacts;
+ * with smaller numbers come first, so the contacts in which the body is the second one are the first of its entries. That is the
+ * order of the pairs. */
+static bool incidence_create(struct nb_incidence *of, const struct nb_near_pairs *pairs, const int contact[],
+                             const struct nb_model *model) {
   const size_t n = model->bodies.count;
-  incidence->first = nb_array(n + 1, sizeof(int)), incidence->middle = nb_array(n + 1, sizeof(int));
-  incidence->entry = nb_array(2 * contacts->count, sizeof(int));
-  if (!incidence->first || !incidence->middle || !incidence->entry)
+  of->first = nb_array(n + 1, sizeof(int)), of->middle = nb_array(n + 1, sizeof(int));
+  of->entry = nb_array(2 * pairs->count, sizeof(int));
+  if (!of->first || !of->middle || !of->entry)
     return false;
-  int *first = incidence->first, *end = incidence->middle; /* `middle` is filled last */
-  for (size_t c = 0; c < contacts->count; c++) {
-    first[contacts->a[c] + 1]++;
-    if (!model->pairings[contacts->pairing[c]].wall)
-      first[contacts->b[c] + 1]++;
+  for (size_t p = 0; p < pairs->count; p++) {
+    of->first[pairs->list[p].a + 1]++;
+    if (!model->pairings[pairs->list[p].pairing].wall)
+      of->first[pairs->list[p].b + 1]++;
   }
   for (size_t i = 0; i < n; i++)
-    first[i + 1] += first[i], end[i] = first[i];
-  for (int c = 0; c < (int)contacts->count; c++) {
-    incidence->entry[end[contacts->a[c]]++] = c;
-    if (!model->pairings[contacts->pairing[c]].wall)
-      incidence->entry[end[contacts->b[c]]++] = c;
-  }
-  for (int i = 0; i < (int)n; i++) {
-    int *entry = incidence->entry;
-    for (int p = first[i] + 1; p < first[i + 1]; p++) {
-      const int it = entry[p];
-      int q = p;
-      for (; q > first[i] && partner(model, it, i) < partner(model, entry[q - 1], i); q--)
-        entry[q] = entry[q - 1];
-      entry[q] = it;
-    }
-    incidence->middle[i] = first[i];
-    while (incidence->middle[i] < first[i + 1] && contacts->a[entry[incidence->middle[i]]] != i)
-      incidence->middle[i]++;
+    of->first[i + 1] += of->first[i], of->middle[i] = of->first[i];
+  for (size_t p = 0; p < pairs->count; p++)
+    if (!model->pairings[pairs->list[p].pairing].wall)
+      of->entry[of->middle[pairs->list[p].b]++] = contact[p];
+  for (size_t p = 0, at = 0; p < pairs->count; p++) {
+    const int a = pairs->list[p].a;
+    at = p > 0 && pairs->list[p - 1].a == a ? at + 1 : (size_t)of->middle[a];
+    of->entry[at] = contact[p];
   }
   return true;
 }
 
+static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
+                            const struct nb_near_pairs *pairs) {
+  *contacts = (struct nb_contacts){.count = pairs->count};
+  int *contact = nb_array(pairs->count, sizeof *contact);
+  const bool made = contact && make_arrays(contacts, model) && number_contacts(contact, pairs, model) &&
+                    incidence_create(&contacts->of, pairs, contact, model);
+  for (size_t p = 0; p < pairs->count && made; p++) {
+    const struct nb_near_pair *pair = &pairs->list[p];
+    const int c = contact[p];
+    contacts->a[c] = pair->a, contacts->b[c] = pair->b, contacts->pairing[c] = pair->pairing;
+    contacts->wall_from += !model->pairings[pair->pairing].wall;
+    find_constants(contacts, (size_t)c, model);
+  }
+  free(contact);
+  if (made && model->cell)
+    find_images(contacts, model);
+  return made;
+}
+
 bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs) {
   struct nb_contacts now;
-  if (!contacts_create(&now, model, pairs)) {
-    nb_contacts_free(&now);
-    return false;
-  }
-  carry_memory(model, &model->contacts, &now);
-  nb_contacts_free(&model->contacts);
-  model->contacts = now;
-  model->contacts.wall_from = 0;
-  while (model->contacts.wall_from < now.count && !model->pairings[now.pairing[model->contacts.wall_from]].wall)
-    model->contacts.wall_from++;
-  return incidence_renew(model);
+  const bool made = contacts_create(&now, model, pairs);
+  if (made)
+    carry_memory(model, &model->contacts, &now);
+  nb_contacts_free(made ? &model->contacts : &now);
+  if (made)
+    model->contacts = now;
+  return made;
 }
 
 struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {

@@ -37,6 +37,21 @@ static inline struct nb_contacts_of nb_contacts_of(const struct nb_incidence *al
                                  all->entry + all->first[slot + 1]};
 }
 
+/* Two bodies, or a body and a wall, that are near; before they are contacts. */
+struct nb_near_pair {
+  int a, b, pairing; /* as in struct nb_contacts */
+};
+struct nb_near_pairs {
+  struct nb_near_pair *list; /* owned by who searches */
+  size_t count;
+};
+/* The place of b among the partners of a: its number, walls last. */
+int nb_partner(const struct nb_model *model, struct nb_near_pair pair);
+/* The order of the list; < 0, 0, > 0: by pairing, then number of a, then of b. */
+int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q);
+/* Takes over a new list, sorted by the number of a, then by partners; contacts that were there before keep their memory. False: out of
+ * memory, nothing changed. */
+bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs);
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
 void nb_contacts_free(struct nb_contacts *contacts);
 /* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */

@@ -50,18 +50,6 @@ bool nb_joints_meet(const struct nb_scene *scene) {
 
 /* ---- which there are ---- */
 
-static bool add(struct nb_model *model, struct nb_joint joint) {
-  if (model->joints.count == model->joints.capacity) {
-    const size_t capacity = model->joints.capacity ? 2 * model->joints.capacity : 16;
-    struct nb_joint *joints = realloc(model->joints.list, capacity * sizeof *joints);
-    if (!joints)
-      return false;
-    model->joints.list = joints, model->joints.capacity = capacity;
-  }
-  model->joints.list[model->joints.count++] = joint;
-  return true;
-}
-
 /* Contacts c and d of one body: do their walls meet where it may touch before the next search? */
 static bool find_between(struct nb_model *model, int c, int d) {
   const struct nb_contacts *contacts = &model->contacts;
@@ -71,9 +59,12 @@ static bool find_between(struct nb_model *model, int c, int d) {
     const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[c], ends & 1);
     const struct nb_vec other = nb_wall_end(&model->walls, contacts->b[d], ends >> 1);
     const double away = vec_length(vec_sub(one, model->bodies.position[i]));
-    if (common(one, other, radius) && away < radius + model->search.skin &&
-        !add(model, (struct nb_joint){c, d, ends & 1, ends >> 1}))
+    if (!common(one, other, radius) || !(away < radius + model->search.skin))
+      continue;
+    struct nb_joint *joint = NB_MORE(model->joints.list, model->joints.count);
+    if (!joint)
       return false;
+    *joint = (struct nb_joint){c, d, ends & 1, ends >> 1};
   }
   return true;
 }

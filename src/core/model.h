@@ -13,7 +13,6 @@
 #include "cell.h"
 #include "contacts.h"
 #include "energy_terms.h"
-#include "joints.h"
 #include "tensor.h"
 #include "vec.h"
 #include "walls.h"
@@ -119,7 +118,7 @@ struct nb_blocks {
   struct nb_stiff *stiff; /* per contact: room for measure/stable_step.c */
 };
 
-/* The search for near pairs, and what it has found: neighbour_list.c, guard.c. */
+/* The search for near pairs, and what it has found: neighbours.c, guard.c. */
 struct nb_search {
   double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, nothing is searched */
   double smallest;                      /* radius of all particles, m */
@@ -129,6 +128,17 @@ struct nb_search {
   bool pressed;  /* some centre was within the skin of a wall: it may cross it before the next search */
   bool squeezed; /* some pair was within the skin of the overlap that guard.c allows */
   bool coarse;   /* positions are too coarse for the overlaps, and the warning has been given */
+};
+
+/* Where a disc may touch a common end of two walls. */
+struct nb_joint {
+  int c, d;       /* contacts of one body with two walls */
+  int at_c, at_d; /* which end of each wall is their common one, 0 or 1 */
+};
+struct nb_joints {
+  bool any;              /* two walls have a common end */
+  struct nb_joint *list; /* where a disc may touch one before the next search */
+  size_t count;
 };
 
 /* Something optional that a cycle does, in its place: what a scene does not use is not in the list. Made by run/hooks.c. */
@@ -235,7 +245,7 @@ enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *err
 /* Warns when positions are too coarse for the overlaps that there are now. */
 void nb_guard_digits(struct nb_model *model);
 
-/* neighbour_list.c: makes the list of contacts anew, if no guard objects */
+/* neighbours.c: makes the list of contacts anew, if no guard objects */
 enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
 
 /* motion.c */
@@ -266,6 +276,11 @@ bool nb_guard_turns(const struct nb_model *model, size_t wall, double angle); /*
 void nb_walls_searched(struct nb_walls *walls);                               /* remembers where their ends are now */
 /* NB_BROKEN when the centre of a body has crossed a wall in the step behind: of the pairs listed, or of all there are. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
+
+/* joints.c */
+bool nb_joints_meet(const struct nb_scene *scene); /* two walls have a common end */
+bool nb_joints_find(struct nb_model *model);       /* after a search; false: no memory */
+void nb_joints_settle(struct nb_model *model);     /* before the forces: which contacts are muted now */
 
 /* deep.c: overlaps that are too deep for elastic spheres */
 enum { NB_DEEP_APART = 8 };                                /* counts of two threads lie in lines of their own */

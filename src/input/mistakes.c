@@ -162,17 +162,13 @@ void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t
 
 void nb_excuse(struct nb_mistakes *mistakes, const char *name) {
   struct nb_mistakes_inside *book = inside(mistakes);
-  struct name one = {""};
-  if (!book || nb_excused(mistakes, name) || strlen(name) >= sizeof one.name)
+  if (!book || nb_excused(mistakes, name) || strlen(name) >= sizeof book->excused->name)
     return;
-  strcpy(one.name, name);
-  struct name *excused = nb_room(book->excused, book->excused_count, 1, sizeof *excused);
-  if (!excused) {
+  struct name *excused = NB_MORE(book->excused, book->excused_count);
+  if (excused)
+    strcpy(excused->name, name);
+  else
     nb_mistake_memory(mistakes);
-    return;
-  }
-  book->excused = excused;
-  excused[book->excused_count++] = one;
 }
 
 bool nb_excused(const struct nb_mistakes *mistakes, const char *name) {

@@ -44,17 +44,11 @@ static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, stru
     size_t length = end ? (size_t)(end - bytes) - at : size - at, next = at + length + 1;
     if (length > 0 && bytes[at + length - 1] == '\r')
       length--;
-    char **lines = nb_room(page->lines, page->line_count, 1, sizeof *lines);
-    if (lines)
-      page->lines = lines;
-    char *line = malloc(length + 1);
-    if (!lines || !line) {
-      free(line);
+    char **own = NB_MORE(page->lines, page->line_count), *line = own ? malloc(length + 1) : NULL;
+    if (!line)
       return false;
-    }
-    memcpy(line, bytes + at, length);
+    *own = memcpy(line, bytes + at, length);
     line[length] = '\0';
-    page->lines[page->line_count++] = line;
     check_text(page, page->line_count, line, length, mistakes);
     if (length > NB_LINE_MAX) {
       line[60] = '\0'; /* enough to recognise it by */
@@ -124,44 +118,63 @@ static size_t hidden_fence(const char *line, char *sign) {
   return strcspn(info, " \t") == strlen("expect") && strncmp(info, "expect", strlen("expect")) == 0 ? n : 0;
 }
 
+/* The block that a line lies in. */
+struct open_block {
+  size_t length, line; /* of its fence, 0: no block is open; and where that stands */
+  char sign;
+  int kind;
+};
+
+static bool closes(const struct open_block *block, const char *line) {
+  char sign;
+  const char *info;
+  const size_t prefix = block->kind == NB_BLOCK_HIDDEN ? strspn(line, " \t>") : 0;
+  return fence(line + prefix, &sign, &info) >= block->length && sign == block->sign && *info == '\0';
+}
+
+static bool opens(struct open_block *block, const struct nb_page *page, size_t line, struct nb_mistakes *mistakes) {
+  const char *info, *text = page->lines[line - 1];
+  block->line = line;
+  if ((block->length = fence(text, &block->sign, &info)))
+    block->kind = kind_of_info(page, line, info, mistakes);
+  else if ((block->length = hidden_fence(text, &block->sign)))
+    block->kind = NB_BLOCK_HIDDEN;
+  return block->length > 0;
+}
+
+/* The first heading; as much of it as there is room for, never half a character. */
+static void take_title(struct nb_page *page, const char *line) {
+  if (page->title[0] || strncmp(line, "# ", 2) != 0)
+    return;
+  size_t length = strlen(line + 2);
+  if (length >= sizeof page->title)
+    length = sizeof page->title - 1;
+  while (length > 0 && (line[2 + length] & 0xC0) == 0x80)
+    length--;
+  memcpy(page->title, line + 2, length);
+  page->title[length] = '\0';
+}
+
 static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
-  size_t open = 0, opened_on = 0;
-  char sign = 0;
-  int kind = -1;
+  struct open_block block = {.length = 0};
   for (size_t i = 0; i < page->line_count; i++) {
-    const char *line = page->lines[i], *info;
-    const size_t prefix = strspn(line, " \t>");
-    const bool hidden = open && kind == NB_BLOCK_HIDDEN;
-    char s;
-    if (hidden && prefix == 0 && *line)
-      open = 0; /* the quote or the list ends */
-    size_t n = fence(open && hidden ? line + prefix : line, &s, &info);
-    if (open && n >= open && s == sign && *info == '\0') {
-      open = 0;
-    } else if (open) {
-      page->kind_of[i] = (unsigned char)(kind + 1);
-    } else if (n) {
-      open = n;
-      sign = s;
-      opened_on = i + 1;
-      kind = kind_of_info(page, i + 1, info, mistakes);
-    } else if ((open = hidden_fence(line, &sign))) {
-      kind = NB_BLOCK_HIDDEN;
-    } else if (!page->title[0] && strncmp(line, "# ", 2) == 0) {
-      size_t length = strlen(line + 2);
-      if (length >= sizeof page->title)
-        length = sizeof page->title - 1;
-      while (length > 0 && (line[2 + length] & 0xC0) == 0x80)
-        length--; /* never half a character */
-      memcpy(page->title, line + 2, length);
-      page->title[length] = '\0';
-    }
+    const char *line = page->lines[i];
+    if (block.length && block.kind == NB_BLOCK_HIDDEN && *line && strspn(line, " \t>") == 0)
+      block.length = 0; /* the quote or the list ends */
+    if (block.length && closes(&block, line))
+      block.length = 0;
+    else if (block.length)
+      page->kind_of[i] = (unsigned char)(block.kind + 1);
+    else if (!opens(&block, page, i + 1, mistakes))
+      take_title(page, line);
   }
-  if (open && kind != NB_BLOCK_HIDDEN) {
-    int column = (int)strspn(page->lines[opened_on - 1], " ") + 1;
-    nb_mistake(mistakes, page, opened_on, column, (int)open, "close it with a line of as many signs, alone on the line",
+  if (block.length && block.kind != NB_BLOCK_HIDDEN) {
+    int column = (int)strspn(page->lines[block.line - 1], " ") + 1;
+    nb_mistake(mistakes, page, block.line, column, (int)block.length,
+               "close it with a line of as many signs, alone on the line",
                "expected the end of the block that begins here, found the end of the page");
-    memset(page->kind_of + opened_on, 0, page->line_count - opened_on); /* where it should have ended nobody knows */
+    /* where it should have ended nobody knows */
+    memset(page->kind_of + block.line, 0, page->line_count - block.line);
   }
 }
 

@@ -59,16 +59,18 @@ void nb_say_of_scene(struct nb_scene_reading *reading, const char *statement, co
 
 /* ---- the passes ---- */
 
+/* What says what names stand for: read in both passes, and once where lines are repeated. */
+static bool is_value(const char *verb) {
+  return strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
+}
+
 /* A statement, if there is one in that line. */
 static void read_line(struct nb_scene_reading *reading, size_t line) {
   struct nb_reader *reader = &reading->reader;
-  const struct nb_scene *scene = reading->scene;
-  if (reader->page->kind_of[line - 1] != 1 + (scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE))
+  const enum nb_block_kind kind = reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE;
+  if (reader->page->kind_of[line - 1] != 1 + kind || !nb_line_read(reader, line))
     return;
-  if (!nb_line_read(reader, line))
-    return;
-  const char *verb = reader->tokens[0].text;
-  const bool value = strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
+  const bool value = is_value(reader->tokens[0].text);
   if (value ? reading->repeat.now > 0 : reading->survey)
     return;
   if (!value)
@@ -76,7 +78,7 @@ static void read_line(struct nb_scene_reading *reading, size_t line) {
   if (!value && nb_repeat_closed(reading))
     return;
   nb_statement_read(reader, nb_keywords(), reading->here, reading);
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_stage_now(reading->scene);
   if (stage && !reading->survey && !reading->lost)
     stage->hash = reading->hash;
   if (stage && reader->bad) /* whether it ends may be what is wrong */

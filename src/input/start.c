@@ -56,17 +56,23 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   LINES(removals, removal_count);
   for (size_t k = 0; k < to->condition_count; k++)
     to->conditions[k].line = line, to->conditions[k].quantity.watch = -1; /* its watches are not taken over */
-  to->line = line, to->step.line = line, to->step.set = false;
-  to->gravity.line = moved(to->gravity.line, line);
-  to->damping.contact_line = moved(to->damping.contact_line, line);
-  to->damping.walls_line = moved(to->damping.walls_line, line);
-  to->damping.deep_line = moved(to->damping.deep_line, line);
-  to->damping.global_line = moved(to->damping.global_line, line);
-  to->circle.line = moved(to->circle.line, line), to->boundary.line = moved(to->boundary.line, line);
-  to->continuum.line = moved(to->continuum.line, line), to->rotation_line = moved(to->rotation_line, line);
-  to->cell_line = moved(to->cell_line, line), to->box_line = moved(to->box_line, line);
+  int *const lines[] = {&to->gravity.line,
+                        &to->damping.contact_line,
+                        &to->damping.walls_line,
+                        &to->damping.deep_line,
+                        &to->damping.global_line,
+                        &to->circle.line,
+                        &to->boundary.line,
+                        &to->continuum.line,
+                        &to->rotation_line,
+                        &to->cell_line,
+                        &to->box_line,
+                        &to->laws.normal_line,
+                        &to->laws.shear_line};
+  for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
+    *lines[k] = moved(*lines[k], line);
+  to->line = to->step.line = line, to->step.set = false;
   to->servo = (struct nb_servo){.box = from->servo.box}; /* of what the other page looks at */
-  to->laws.normal_line = moved(to->laws.normal_line, line), to->laws.shear_line = moved(to->laws.shear_line, line);
 }
 
 /* False: no memory. */
@@ -148,11 +154,9 @@ static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
     }
     const struct nb_token *unit = nb_token_peek(reader);
     const bool with_unit = unit && nb_unit_find(unit->text);
-    void *more = nb_room(start->settings, start->setting_count, 1, sizeof *start->settings);
-    if (!more)
+    char(*setting)[2 * NB_NAME_SIZE] = NB_MORE(start->settings, start->setting_count);
+    if (!setting)
       return nb_no_memory(reader);
-    start->settings = more;
-    char(*setting)[2 * NB_NAME_SIZE] = &start->settings[start->setting_count++];
     if ((size_t)snprintf(*setting, sizeof *setting, "%s%s%s", token->text, with_unit ? " " : "",
                          with_unit ? unit->text : "") >= sizeof *setting) {
       nb_token_mistake(reader, token, NULL, "expected NAME=VALUE shorter than %zu bytes", sizeof *setting);
@@ -163,42 +167,55 @@ static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
   return true;
 }
 
+/* The path of the other page; false when it cannot be one to start from. */
+static bool find_page(const struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *word,
+                      char path[NB_PATH_SIZE]) {
+  const size_t length = strlen(word->text);
+  const bool whole = length > 3 && strcmp(word->text + length - 3, ".md") == 0;
+  if (!nb_file_find(reader, word, whole ? "" : ".md", path))
+    return false;
+  const int above = pages_above(reading, path);
+  if (above >= CHAIN_MAX)
+    return nb_token_mistake(
+        reader, word, "keep a state of one of them by `nineball state` and take its particles by `packing`",
+        "expected at most %d pages that start one from another, with this there are more", CHAIN_MAX);
+  if (above < 0)
+    return nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` starts from itself in the end", path);
+  return true;
+}
+
 /* Its scene, with what it is given. */
-static bool read_other(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
-                       const struct nb_token *word) {
-  const char **texts = calloc(start->setting_count + 1, sizeof *texts);
+static void read_scene(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
+                       const char *const *settings, const struct nb_token *word) {
   struct nb_mistakes *mistakes = reader->mistakes;
   const size_t before = mistakes->made;
   size_t runs = 1;
-  if (!texts || !start->page || !start->scene) {
-    free(texts);
+  nb_scene_read_below(start->scene, start->page, settings, mistakes, reading, &runs);
+  if (mistakes->made == before && start->scene->path)
+    nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a path");
+  else if (mistakes->made == before && runs > 1)
+    nb_token_mistake(reader, word, "give what it sweeps one value: `with NAME=VALUE`",
+                     "expected a page of one run, found one of %zu", runs);
+}
+
+static bool read_other(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
+                       const struct nb_token *word) {
+  const size_t before = reader->mistakes->made;
+  const char **settings = calloc(start->setting_count + 1, sizeof *settings);
+  char path[NB_PATH_SIZE];
+  start->page = calloc(1, sizeof *start->page), start->scene = calloc(1, sizeof *start->scene);
+  if (!settings || !start->page || !start->scene) {
+    free(settings);
     return nb_no_memory(reader);
   }
   for (size_t k = 0; k < start->setting_count; k++)
-    texts[k] = start->settings[k];
-  const size_t length = strlen(word->text);
-  const bool whole = length > 3 && strcmp(word->text + length - 3, ".md") == 0;
-  char path[NB_PATH_SIZE];
-  if (!nb_file_find(reader, word, whole ? "" : ".md", path)) {
-    /* it has been said */
-  } else if (pages_above(reading, path) >= CHAIN_MAX) {
-    nb_token_mistake(reader, word,
-                     "keep a state of one of them by `nineball state` and take its particles by `packing`",
-                     "expected at most %d pages that start one from another, with this there are more", CHAIN_MAX);
-  } else if (pages_above(reading, path) < 0) {
-    nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` starts from itself in the end", path);
-  } else if (!nb_page_read(start->page, path, mistakes)) {
-    nb_scene_read_below(start->scene, start->page, texts, mistakes, reading, &runs);
-    if (mistakes->made == before && start->scene->path)
-      nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a path");
-    else if (mistakes->made == before && runs > 1)
-      nb_token_mistake(reader, word, "give what it sweeps one value: `with NAME=VALUE`",
-                       "expected a page of one run, found one of %zu", runs);
-  }
-  free(texts);
-  if (mistakes->made > before && !reader->bad)
+    settings[k] = start->settings[k];
+  if (find_page(reading, reader, word, path) && !nb_page_read(start->page, path, reader->mistakes))
+    read_scene(reading, reader, start, settings, word);
+  free(settings);
+  if (reader->mistakes->made > before && !reader->bad)
     nb_token_mistake(reader, word, NULL, "the page that this one starts from has the mistakes above or below");
-  return mistakes->made == before;
+  return reader->mistakes->made == before;
 }
 
 void nb_scene_cut(struct nb_scene *scene, size_t stage) {
@@ -233,7 +250,6 @@ NB_APPLY(apply_start) {
     return;
   }
   start->line = (int)reader->line;
-  start->page = calloc(1, sizeof *start->page), start->scene = calloc(1, sizeof *start->scene);
   if (nb_token_peek(reader) && (!nb_take_word(reader, "with") || !take_settings(reader, start)))
     return;
   if (reader->bad || !read_other(reading, reader, start, word) || !cut(reader, start->scene, name))

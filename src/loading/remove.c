@@ -10,7 +10,7 @@
  * It carries away its kinetic energy at t_0 and what the springs of its contacts hold then, by the laws' state functions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "core/neighbours.h"
+#include "core/contacts.h"
 #include "drive.h"
 #include "measure/energy.h"
 

@@ -16,8 +16,8 @@
 #ifndef NB_REGION_H
 #define NB_REGION_H
 
+#include "core/contacts.h"
 #include "core/names.h"
-#include "core/neighbours.h"
 #include "core/tensor.h"
 
 enum nb_stress_part { NB_STRESS_NORMAL, NB_STRESS_SHEAR, NB_STRESS_FABRIC, NB_STRESS_VARIATION, NB_STRESS_PARTS_COUNT };

@@ -4,7 +4,7 @@
 #ifndef NB_SINCE_H
 #define NB_SINCE_H
 
-#include "core/neighbours.h"
+#include "core/contacts.h"
 #include "snapshot.h"
 
 bool nb_since_create(struct nb_model *model); /* leaves model->since NULL where no snapshot asks; false: no memory */

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/array.h"
 #include "core/clock.h"
 #include "core/hertz_impact.h"
 #include "observe.h"
@@ -220,11 +221,8 @@ static bool observe(struct nb_table *table, const struct nb_bench *bench, int st
 }
 
 static bool keep_snapshot(struct nb_result *result, const struct nb_bench *bench, int stage) {
-  struct nb_snapshot *more = realloc(result->snapshots, (result->snapshot_count + 1) * sizeof *more);
-  if (!more)
-    return false;
-  result->snapshots = more;
-  return nb_bench_snapshot(&more[result->snapshot_count++], bench, stage);
+  struct nb_snapshot *snapshot = NB_MORE(result->snapshots, result->snapshot_count);
+  return snapshot && nb_bench_snapshot(snapshot, bench, stage);
 }
 
 static enum nb_status run_leg(struct nb_result *result, struct nb_bench *bench, int index, struct nb_error *error) {

@@ -93,12 +93,8 @@ static enum nb_status run_cycle(struct run *run, int index, int *how, struct nb_
 }
 
 static enum nb_status take_snapshot(struct run *run, int index, struct nb_error *error) {
-  struct nb_result *result = run->result;
-  struct nb_snapshot *more = nb_room(result->snapshots, result->snapshot_count, 1, sizeof *more);
-  if (!more)
-    return nb_error_memory(error);
-  result->snapshots = more;
-  return nb_snapshot_take(&more[result->snapshot_count++], run->model, index) ? NB_OK : nb_error_memory(error);
+  struct nb_snapshot *snapshot = NB_MORE(run->result->snapshots, run->result->snapshot_count);
+  return snapshot && nb_snapshot_take(snapshot, run->model, index) ? NB_OK : nb_error_memory(error);
 }
 
 static enum nb_status run_stage(struct run *run, int index, struct nb_error *error) {

@@ -1,4 +1,9 @@
-/* Which pairs of bodies, and of bodies and walls, are nearer than the skin.
+/* The list of pairs that may come to touch: bodies, and bodies and walls, that are nearer than the skin.  [CS79; R89 4.3.1, TOL]
+ *
+ * All pairs closer than the skin are listed, touching or not. As long as no body and no wall is farther than half the skin
+ * from where it was then, a pair that is not listed cannot touch. A scene in which nothing travels is searched once, when it
+ * is made; one in which nothing is free to touch anything has an infinite skin and is never searched. A contact that was
+ * listed before keeps its memory.
  *
  * Bodies lie in boxes on levels by size (grid.h), each on the finest level whose boxes are as wide as it is and the skin. A body
  * looks at the nine boxes around it on its own level, and on those of larger bodies, as far as there are any. Scenes of a few
@@ -9,9 +14,10 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "grid.h"
-#include "neighbours.h"
+#include "model.h"
 
 enum { FEW = 16 }; /* bodies without boxes */
 
@@ -48,15 +54,10 @@ static bool search_begin(struct search *search, const struct nb_model *model) {
 }
 
 static bool pairs_add(struct nb_near_pairs *pairs, int a, int b, int pairing) {
-  if (pairs->count == pairs->capacity) {
-    const size_t capacity = pairs->capacity ? 2 * pairs->capacity : 256;
-    struct nb_near_pair *list = realloc(pairs->list, capacity * sizeof *list);
-    if (!list)
-      return false;
-    pairs->list = list, pairs->capacity = capacity;
-  }
-  pairs->list[pairs->count++] = (struct nb_near_pair){a, b, pairing};
-  return true;
+  struct nb_near_pair *pair = NB_MORE(pairs->list, pairs->count);
+  if (pair)
+    *pair = (struct nb_near_pair){a, b, pairing};
+  return pair != NULL;
 }
 
 static int pairing_of(const struct nb_model *model, int material_a, int material_b, bool wall) {
@@ -151,7 +152,8 @@ static bool near_walls(struct nb_near_pairs *pairs, struct nb_model *model, int 
   return true;
 }
 
-bool nb_near_find(struct nb_near_pairs *found, struct nb_model *model) {
+/* Adds every pair that is near, once, in no order; false: no memory. */
+static bool find_pairs(struct nb_near_pairs *found, struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   const struct nb_vec *x = bodies->position;
   const int n = (int)bodies->count;
@@ -171,4 +173,56 @@ bool nb_near_find(struct nb_near_pairs *found, struct nb_model *model) {
   nb_grid_free(&search.grid);
   free(search.place);
   return room;
+}
+
+/* By the number of the first body: counted out. Those of one body, a few, by insertion in the order in which it sums forces. */
+static bool sort_pairs(struct nb_near_pairs *pairs, const struct nb_model *model) {
+  const size_t n = pairs->count, bodies = model->bodies.count;
+  const int *number = model->bodies.number;
+  struct nb_near_pair *found = pairs->list, *sorted = nb_array(n, sizeof *sorted);
+  size_t *first = nb_array(bodies + 2, sizeof *first);
+  if (!sorted || !first) {
+    free(sorted), free(first);
+    return false;
+  }
+  for (size_t p = 0; p < n; p++)
+    first[number[found[p].a] + 1]++;
+  for (size_t k = 1; k < bodies + 2; k++)
+    first[k] += first[k - 1];
+  for (size_t p = 0; p < n; p++)
+    sorted[first[number[found[p].a]]++] = found[p];
+  for (size_t p = 1; p < n; p++) {
+    const struct nb_near_pair it = sorted[p];
+    size_t q = p;
+    for (; q > 0 && sorted[q - 1].a == it.a && nb_partner(model, it) < nb_partner(model, sorted[q - 1]); q--)
+      sorted[q] = sorted[q - 1];
+    sorted[q] = it;
+  }
+  free(found), free(first);
+  pairs->list = sorted;
+  return true;
+}
+
+enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
+  if (nb_guard_positions(model, error) || nb_walls_crossed(model, true, error) || nb_guard_motion(model, error))
+    return error->status;
+  struct nb_near_pairs pairs = {0};
+  const bool searching = model->search.skin < INFINITY;
+  if (model->cell && searching && nb_cell_wide(model, error))
+    return error->status;
+  model->search.pressed = model->search.squeezed = false;
+  const bool found = !searching || (find_pairs(&pairs, model) && sort_pairs(&pairs, model));
+  const bool made = found && nb_contacts_renew(model, &pairs) && nb_joints_find(model);
+  free(pairs.list);
+  if (!made)
+    return nb_error_memory(error);
+  memcpy(model->bodies.searched, model->bodies.position, model->bodies.count * sizeof(struct nb_vec));
+  nb_walls_searched(&model->walls);
+  if (model->cell)
+    nb_cell_searched(model->cell, model->search.skin);
+  model->search.count += searching;
+  model->search.made = model->cycle;
+  if (model->search.squeezed && nb_guard_pairs(model, error))
+    return error->status;
+  return nb_blocks_cut(model, error);
 }
