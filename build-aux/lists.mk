@@ -326,7 +326,7 @@ SUITES = \
   tests/recount_contacts.c \
   tests/edges.c \
   tests/region_sums.c \
-  tests/summary.c \
+  tests/snapshot.c \
   tests/chains.c \
   tests/since.c \
   tests/speeds.c \
@@ -475,7 +475,6 @@ MEASURE = \
   src/measure/step_quantities.c \
   src/measure/strain.c \
   src/measure/stress.c \
-  src/measure/summary.c \
   src/measure/watch.c
 
 # What moves an assembly from outside: boundary, cell, box, servo; what is taken out.

@@ -590,9 +590,8 @@ void nb_table_free(struct nb_table *table);
 struct nb_snapshot {
   int stage; /* index of the stage at whose end it was taken */
   struct nb_table bodies, walls, contacts;
-  struct nb_table body_averages, contact_averages; /* rows: the largest, the smallest, the mean of each column */
-  struct nb_table types, rings;                    /* of regions: by size and material; porosity by radius */
-  struct nb_table lattice;                         /* `snapshot from`: which contacts are kept, new and lost */
+  struct nb_table rings;   /* of regions: porosity by radius */
+  struct nb_table lattice; /* `snapshot from`: which contacts are kept, new and lost */
   struct nb_table traction,
       pieces; /* of a path's contact: q(r), and D(x) from the edge of each piece to that of the next */
 };

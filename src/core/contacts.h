@@ -52,6 +52,17 @@ int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struc
 /* Takes over a new list, sorted by the number of a, then by partners; contacts that were there before keep their memory. False: out of
  * memory, nothing changed. */
 bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs);
+static inline bool nb_touches(const struct nb_contacts *contacts, size_t contact) {
+  return contacts->kept[NB_OVERLAP][contact] > 0;
+}
+static inline int nb_touching(const struct nb_contacts *contacts, size_t slot) { /* how many contacts a body has */
+  const struct nb_contacts_of its = nb_contacts_of(&contacts->of, slot);
+  int count = 0;
+  for (const int *c = its.first; c < its.end; c++)
+    count += nb_touches(contacts, (size_t)*c);
+  return count;
+}
+
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
 void nb_contacts_free(struct nb_contacts *contacts);
 /* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */

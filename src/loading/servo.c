@@ -37,7 +37,7 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
   double sum = 0;
   for (size_t c = 0; c < contacts->count; c++) {
     const bool wall = model->pairings[contacts->pairing[c]].wall;
-    if ((wall && !servo->box) || !(contacts->kept[NB_OVERLAP][c] > 0))
+    if ((wall && !servo->box) || !nb_touches(contacts, c))
       continue;
     const struct nb_vec l = wall ? nb_wall_apart(&model->walls, contacts->b[c], model->bodies.position[contacts->a[c]])
                                  : nb_contacts_branch(model, c);

@@ -270,7 +270,7 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
   const double time = kick.behind + kick.ahead;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    if ((!model->plan.dashpots && !pairing->wall) || !(contacts->kept[NB_OVERLAP][c] > 0))
+    if ((!model->plan.dashpots && !pairing->wall) || !nb_touches(contacts, c))
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);

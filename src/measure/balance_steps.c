@@ -73,7 +73,7 @@ static double stored(const struct nb_model *model, size_t c, const struct nb_law
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
   double mn[NB_MEMORY], room[NB_MEMORY];
-  if (!(contacts->kept[NB_OVERLAP][c] > 0))
+  if (!nb_touches(contacts, c))
     return 0;
   values = nb_contacts_values(model, c, values);
   memcpy(mn, nb_memory_read(&contacts->normal_memory, c, room), sizeof mn);
@@ -162,7 +162,7 @@ enum nb_status nb_balance_entered(struct nb_model *model, struct nb_error *error
   if (!b->entered)
     return nb_error_memory(error);
   for (size_t c = 0; c < contacts->count; c++) {
-    if (model->pairings[contacts->pairing[c]].wall || contacts->kept[NB_OVERLAP][c] > 0)
+    if (model->pairings[contacts->pairing[c]].wall || nb_touches(contacts, c))
       continue;
     const double overlap = overlap_of(model, c);
     if (!(overlap > 0))

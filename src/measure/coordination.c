@@ -10,10 +10,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
 
-static bool touches(const struct nb_model *model, size_t contact) {
-  return model->contacts.kept[NB_OVERLAP][contact] > 0;
-}
-
 /* The body at the other end; -1: a wall. */
 static int partner(const struct nb_model *model, size_t contact, size_t slot) {
   const struct nb_contacts *contacts = &model->contacts;
@@ -30,12 +26,8 @@ static bool may_rattle(const struct nb_model *model, size_t slot) {
 static void find_rattlers(const struct nb_model *model) {
   int *touching = model->regions->touching, *idle = model->regions->idle;
   size_t waiting = 0;
-  for (size_t i = 0; i < model->bodies.count; i++) {
-    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
-    touching[i] = 0;
-    for (const int *c = its.first; c < its.end; c++)
-      touching[i] += touches(model, (size_t)*c);
-  }
+  for (size_t i = 0; i < model->bodies.count; i++)
+    touching[i] = nb_touching(&model->contacts, i);
   for (size_t i = 0; i < model->bodies.count; i++)
     if (may_rattle(model, i))
       idle[waiting++] = (int)i;
@@ -46,7 +38,7 @@ static void find_rattlers(const struct nb_model *model) {
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
     for (const int *entry = its.first; entry < its.end; entry++) {
       const size_t c = (size_t)*entry;
-      const int other = touches(model, c) ? partner(model, c, i) : -1;
+      const int other = nb_touches(&model->contacts, c) ? partner(model, c, i) : -1;
       if (other < 0 || touching[other] < 0)
         continue;
       touching[other]--;
@@ -71,7 +63,7 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_now 
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
     for (const int *entry = its.first; entry < its.end; entry++) {
       const size_t c = (size_t)*entry;
-      if (!touches(model, c))
+      if (!nb_touches(&model->contacts, c))
         continue;
       const int other = partner(model, c, i);
       it->all++;

@@ -35,7 +35,7 @@ double nb_energy_of_motion(const struct nb_model *model, size_t slot) {
 /* Adds to a sum what the springs of contact c hold. */
 static void add_stored(double *sum, const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
-  if (!(contacts->kept[NB_OVERLAP][c] > 0))
+  if (!nb_touches(contacts, c))
     return;
   const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
   const struct nb_normal n = {.force = contacts->kept[NB_NORMAL][c],

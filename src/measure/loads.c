@@ -57,7 +57,7 @@ void nb_measure_loads(const struct nb_model *model, struct nb_region_now *region
   struct gathered normal = {0}, shear = {0}, pressure = {0}, traction = {0}, ratio = {0}, obliquity = {0};
   double sliding = 0, near_sliding = 0;
   for (size_t c = 0; c < contacts->count; c++) {
-    if (!(contacts->kept[NB_OVERLAP][c] > 0) || !belongs(model, region, c))
+    if (!nb_touches(contacts, c) || !belongs(model, region, c))
       continue;
     const struct nb_contact_load load = nb_contact_load(model, c);
     gather(&normal, load.normal), gather(&shear, load.shear);

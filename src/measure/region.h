@@ -163,7 +163,7 @@ static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
     if (ends->next == ends->end && !nb_ends_body(ends))
       return false;
     const size_t c = (size_t)*ends->next;
-    if (!(contacts->kept[NB_OVERLAP][c] > 0))
+    if (!nb_touches(contacts, c))
       continue;
     const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
     const bool first = (size_t)contacts->a[c] == ends->slot;

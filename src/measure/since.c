@@ -72,8 +72,6 @@ static double *slid(const struct nb_contacts *contacts, size_t r, size_t contact
   return memory->rows ? &memory->rows[contact * (size_t)memory->doubles + r] : &memory->field[r][contact];
 }
 
-static bool touches(const struct nb_contacts *contacts, size_t c) { return contacts->kept[NB_OVERLAP][c] > 0; }
-
 static struct nb_near_pair pair_of(const struct nb_contacts *contacts, size_t c) {
   return (struct nb_near_pair){contacts->a[c], contacts->b[c], contacts->pairing[c]};
 }
@@ -83,7 +81,7 @@ bool nb_since_touching(struct nb_near_pairs *touching, const struct nb_model *mo
   free(touching->list);
   *touching = (struct nb_near_pairs){.list = nb_array(contacts->count, sizeof *touching->list)};
   for (size_t c = 0; touching->list && c < contacts->count; c++)
-    if (touches(contacts, c))
+    if (nb_touches(contacts, c))
       touching->list[touching->count++] = pair_of(contacts, c);
   return touching->list;
 }
@@ -111,7 +109,7 @@ void nb_since_forces(struct nb_model *model) {
   for (size_t r = 0; r < model->since->count; r++)
     for (size_t c = 0; c < contacts->count && model->since->list[r].begun; c++) {
       double *sum = slid(contacts, r, c);
-      *sum = touches(contacts, c) ? *sum + sliding[c] * fabs(slip[c]) : 0;
+      *sum = nb_touches(contacts, c) ? *sum + sliding[c] * fabs(slip[c]) : 0;
     }
 }
 
@@ -147,24 +145,10 @@ struct nb_vec nb_since_line(const struct nb_model *model, struct nb_near_pair pa
   return vec_add(apart, tensor_times(model->cell->h, nb_wrap_image(&wrap, apart)));
 }
 
-static bool draw(struct nb_table *table, const struct nb_model *model, int stage, struct nb_near_pair pair, int kind) {
-  if (is_gone(model, pair))
-    return true;
-  const bool wall = model->pairings[pair.pairing].wall;
-  const int *number = model->bodies.number;
-  const struct nb_vec from = nb_cell_place(model, (size_t)pair.a), to = vec_add(from, nb_since_line(model, pair));
-  const double values[] = {
-      number[pair.a], wall ? 0 : number[pair.b], wall ? pair.b + 1 : 0, from.x, from.y, to.x, to.y, kind};
-  double *row = nb_table_row(table, stage, (double)model->cycle, model->time);
-  if (row)
-    memcpy(row, values, sizeof values);
-  return row;
-}
-
 /* Both lists are in the order of contacts: one walk along both. */
 bool nb_since_next(struct nb_since_walk *walk, struct nb_near_pair *pair, int *kind) {
   const struct nb_contacts *contacts = &walk->model->contacts;
-  while (walk->now < contacts->count && !touches(contacts, walk->now))
+  while (walk->now < contacts->count && !nb_touches(contacts, walk->now))
     walk->now++;
   const bool is = walk->now < contacts->count, was = walk->past < walk->then->count;
   if (!is && !was)
@@ -178,14 +162,28 @@ bool nb_since_next(struct nb_since_walk *walk, struct nb_near_pair *pair, int *k
   return true;
 }
 
+#define LINE(COLUMN)                                                                                                   \
+  COLUMN("a", "1", number[pair.a])                                                                                     \
+  COLUMN("b", "1", wall ? 0 : number[pair.b])                                                                          \
+  COLUMN("wall", "1", wall ? pair.b + 1 : 0)                                                                           \
+  COLUMN("x1", "m", x.x)                                                                                               \
+  COLUMN("y1", "m", x.y)                                                                                               \
+  COLUMN("x2", "m", to.x)                                                                                              \
+  COLUMN("y2", "m", to.y)                                                                                              \
+  COLUMN("kind", "1", kind)
+
 bool nb_since_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from) {
-  static const struct nb_head heads[] = {{"a", "1"},  {"b", "1"},  {"wall", "1"}, {"x1", "m"},
-                                         {"y1", "m"}, {"x2", "m"}, {"y2", "m"},   {"kind", "1"}};
+  static const struct nb_head columns[] = {LINE(NB_HEAD)};
+  const int *number = model->bodies.number;
   struct nb_since_walk walk = {.model = model, .then = &reference_of(model, from)->touching};
   struct nb_near_pair pair;
-  int kind;
-  bool whole = nb_snapshot_table(table, model->scene, heads, sizeof heads / sizeof *heads);
-  while (whole && nb_since_next(&walk, &pair, &kind))
-    whole = draw(table, model, stage, pair, kind);
+  bool whole = nb_snapshot_table(table, model->scene, columns, sizeof columns / sizeof *columns);
+  for (int kind; whole && nb_since_next(&walk, &pair, &kind);) {
+    if (is_gone(model, pair))
+      continue;
+    const bool wall = model->pairings[pair.pairing].wall;
+    const struct nb_vec x = nb_cell_place(model, (size_t)pair.a), to = vec_add(x, nb_since_line(model, pair));
+    whole = nb_snapshot_row(table, model, stage, (const double[]){LINE(NB_VALUE)});
+  }
   return whole;
 }

@@ -1,4 +1,4 @@
-/* Snapshots, and summaries of them: snapshot.c, summary.c.
+/* Snapshots: snapshot.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SNAPSHOT_H
@@ -10,15 +10,14 @@
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage);
 void nb_snapshot_free(struct nb_snapshot *snapshot);
 
+/* A column. Where a table's columns are a list with name, unit and value, these make its heads and its rows. */
 struct nb_head {
   const char *name, *unit;
 };
-bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_head *columns,
+#define NB_HEAD(name, unit, value) {name, unit},
+#define NB_VALUE(name, unit, value) value,
+bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_head columns[],
                        size_t count);
-
-/* summary.c */
-bool nb_summary_averages(struct nb_table *table, const struct nb_table *of, size_t skip);
-bool nb_summary_types(struct nb_table *table, const struct nb_model *model, int stage);
-bool nb_summary_rings(struct nb_table *table, const struct nb_model *model, int stage);
+bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int stage, const double values[]);
 
 #endif

@@ -63,7 +63,7 @@ static struct nb_tensor by_contacts(const struct nb_model *model, const struct n
   struct nb_tensor sum = {0, 0, 0, 0};
   const struct nb_contacts *contacts = &model->contacts;
   for (size_t c = 0; c < contacts->count; c++) {
-    if (!(contacts->kept[NB_OVERLAP][c] > 0))
+    if (!nb_touches(contacts, c))
       continue;
     const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
     const bool wall = model->pairings[contacts->pairing[c]].wall;

@@ -6,8 +6,7 @@
  *   runs        how many; run[i] is "v=0.12"
  *   NAME        each measure by name, C_normal_mean, and all that is known, known_C_normal_mean; of a sweep run by run, …_1, …_2
  *   $STAGE_bodies, $STAGE_walls, $STAGE_contacts   snapshots, with a sweep …_1, …_2; of a path $LEG_traction, $LEG_pieces;
- *   $STAGE_body_averages, $STAGE_contact_averages, of regions $STAGE_types, $STAGE_rings;
- *   of `snapshot from` $STAGE_lattice
+ *   of regions $STAGE_rings; of `snapshot from` $STAGE_lattice
  *   plots       folder of the recipes: load plots.'force-rectangles.gp'
  *   canvas(w, h)   a size of its own, of style.gp: eval canvas(1100, 760)
  *

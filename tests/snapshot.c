@@ -1,0 +1,110 @@
+/* Snapshots: their columns, and porosity ring by ring.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/measure/areas.h"
+#include "suites.h"
+#include "written.h"
+
+static const double pi = 3.14159265358979323846;
+
+static double cell(const struct nb_table *table, size_t row, const char *column) {
+  size_t c = 0;
+  while (c < table->column_count && strcmp(table->names[c], column) != 0)
+    c++;
+  CU_ASSERT_FATAL(c < table->column_count && row < table->row_count);
+  return table->values[row * table->column_count + c];
+}
+
+/* A large sphere between two small ones, one of which is of another material; a fourth that touches nothing. */
+static void run(struct nb_result *result, struct written *it) {
+  struct words page = {0};
+  words_add(&page, "units none\nmaterial a density 1 young 1000 poisson 0.25\nmaterial b density 1 young 1000 poisson "
+                   "0.25\npair a b friction 0.5\nnormal hertz\nshear mindlin\nstep 1e-9\n"
+                   "sphere 0 0 radius 2 a\nsphere 2.99 0 radius 1 a fixed spin 3\nsphere 0 2.98 radius 1 b fixed\n"
+                   "sphere -9 0 radius 1 a velocity 0 -2\nregion A circle 0 0 radius 3.5 rings 7\nregion B all\n"
+                   "record time\nstage s\ncycles 1\nsnapshot\n");
+  written_scene(it, &page);
+  written_run(result, it, NULL);
+}
+
+/* Hertz: N = 4/3 E* sqrt(R* alpha) alpha, a = sqrt(R* alpha), R* = 2/3, E* = E/2(1 - nu^2) */
+static void columns(void) {
+  struct nb_result result;
+  struct written it;
+  run(&result, &it);
+  const struct nb_table *bodies = &result.snapshots[0].bodies, *contacts = &result.snapshots[0].contacts;
+  CU_ASSERT_FATAL(bodies->row_count == 4 && contacts->row_count == 2);
+  static const double touching[] = {2, 1, 1, 0}, fixed[] = {0, 1, 1, 0}, vy[] = {0, 0, 0, -2}, spin[] = {0, 3, 0, 0};
+  for (size_t k = 0; k < 4; k++) {
+    CU_ASSERT(cell(bodies, k, "contacts") == touching[k] && cell(bodies, k, "fixed") == fixed[k]);
+    CU_ASSERT_DOUBLE_EQUAL(cell(bodies, k, "vy"), vy[k], 1e-8); /* the large one has begun to turn and to move */
+    CU_ASSERT_DOUBLE_EQUAL(cell(bodies, k, "spin"), spin[k], 1e-8);
+  }
+  const double E = 1000 / (2 * (1 - 0.0625));
+  for (size_t k = 0; k < 2; k++) {
+    const double overlap = k ? 0.02 : 0.01, a = sqrt(2. / 3 * overlap), n = 4. / 3 * E * a * overlap;
+    const struct {
+      const char *name;
+      double known;
+    } rows[] = {{"overlap", overlap},
+                {"normal", n},
+                {"radius", a},
+                {"normal_stress", n / (pi * a * a)},
+                {"ratio", a},
+                {"angle", k ? pi / 2 : 0},
+                {"limit", k ? 0.5 * n : 0}}; /* a does not rub on a */
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
+      CU_ASSERT_DOUBLE_EQUAL(cell(contacts, k, rows[r].name), rows[r].known, 1e-12 * (1 + rows[r].known));
+  }
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+/* Two that touch nothing: the free one is a rattler, what is fixed is not. */
+static void what_is_fixed_is_no_rattler(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_result result;
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 2 m fixed\ndisc 9 0 radius 1 m\nregion A all\n"
+            "step 0.1\nrecord A.rattlers\nstage s\ncycles 1\n");
+  written_scene(&it, &page);
+  written_run(&result, &it, NULL);
+  CU_ASSERT_EQUAL(written_last(&result, "A.rattlers"), 1);
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+static void rings(void) {
+  struct nb_result result;
+  struct written it;
+  run(&result, &it);
+  const struct nb_table *table = &result.snapshots[0].rings;
+  CU_ASSERT_EQUAL_FATAL(table->row_count, 7);
+  for (size_t k = 0; k < 7; k++) {
+    const double inner = 0.5 * (double)k, outer = inner + 0.5, all = pi * outer * outer;
+    double area[2];
+    for (int e = 0; e < 2; e++) {
+      const double r = e ? outer : inner;
+      area[e] = pi * fmin(4, r * r) + nb_area_of_lens(1, r, 2.99) + nb_area_of_lens(1, r, 2.98);
+    }
+    CU_ASSERT_DOUBLE_EQUAL(cell(table, k, "inner"), inner, 1e-15);
+    CU_ASSERT_DOUBLE_EQUAL(cell(table, k, "outer"), outer, 1e-15);
+    CU_ASSERT_DOUBLE_EQUAL(cell(table, k, "within"), 1 - area[1] / all, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(cell(table, k, "porosity"), 1 - (area[1] - area[0]) / (all - pi * inner * inner), 1e-14);
+  }
+  CU_ASSERT_DOUBLE_EQUAL(cell(table, 3, "porosity"), 0, 0.02); /* but for two slivers it is the large one's rim */
+  nb_result_free(&result);
+  written_free(&it);
+}
+
+void suite_snapshot(void) {
+  CU_pSuite suite = CU_add_suite("snapshot", NULL, NULL);
+  CU_add_test(suite, "the columns of particles and of contacts", columns);
+  CU_add_test(suite, "porosity ring by ring", rings);
+  CU_add_test(suite, "what is fixed is no rattler", what_is_fixed_is_no_rattler);
+}
