@@ -160,6 +160,59 @@ static void memory_that_is_not_the_laws_own_is_left_alone(struct contact it, str
     CU_ASSERT_EQUAL(it.shear_memory[m], untouched);
 }
 
+/* Whether the word is one of those of a list, "ks, friction". */
+static bool is_listed(const char *list, const char *word) {
+  const size_t length = strlen(word);
+  for (; *list; list += strcspn(list, " "), list += strspn(list, " "))
+    if (strncmp(list, word, length) == 0 && (list[length] == ',' || !list[length]))
+      return true;
+  return false;
+}
+
+/* Changes a parameter of the materials by its number, and answers its name; NULL: there are no more. */
+static const char *change(struct nb_pair *pair, int number) {
+  int k = 0;
+#define ROW(name, ...)                                                                                                 \
+  if (number == k++)                                                                                                   \
+    return pair->name *= 1.5, #name;
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+  if (number > k + 1)
+    return NULL;
+  pair->young *= number == k ? 1.5 : 1.1, pair->shear *= number == k ? 1.5 : 0.9;
+  return number == k ? "young" : "poisson";
+}
+
+/* A law's force along random histories depends on the parameters that its row states, and on no others. Only the law under test gets the
+ * changed pair. */
+static void the_force_depends_on_the_stated_parameters(void) {
+  for (const struct nb_law *const *law = nb_laws(); *law; law++) {
+    const struct nb_law *normal = (*law)->normal ? *law : nb_law_find("normal", (*law)->elastic ? "hertz" : "linear");
+    struct nb_pair none;
+    const char *name;
+    for (int number = 0; (name = change(&none, number)); number++) {
+      struct chance chance = chance_begin(2);
+      bool depends = false;
+      for (int k = 0; k < PAIRS * 20; k++) {
+        struct contact it = contact_of(normal, (*law)->shear ? *law : NULL, pair_by(&chance)), other = it;
+        change(&other.pair, number);
+        for (int step = 0; step < 4; step++) {
+          const double slip = chance_between(&chance, -1, 1) * chance_scale(&chance, 1e-12, 1e-3);
+          contact_go(&it, chance_scale(&chance, 1e-9, 1e-3), slip);
+          if ((*law)->normal)
+            contact_go(&other, it.overlap, slip);
+          else
+            other.s = (*law)->shear(other.pair, it.n, slip, other.shear_memory);
+          depends = depends || ((*law)->normal ? other.n.force != it.n.force : other.s.force != it.s.force);
+        }
+      }
+      CU_ASSERT_EQUAL(depends, is_listed((*law)->parameters, name));
+      if (depends != is_listed((*law)->parameters, name))
+        printf("# by law %s %s and %s\n", (*law)->kind, (*law)->name, name);
+    }
+  }
+}
+
 OF_NORMAL(pushes_and_never_pulls)
 OF_NORMAL(stiffness_is_the_slope)
 OF_NORMAL(never_stiffer_than_stated)
@@ -174,6 +227,7 @@ OF_SHEAR(memory_that_is_not_the_laws_own_is_left_alone)
 void suite_laws(void) {
   CU_pSuite suite = CU_add_suite("laws", NULL, NULL);
   CU_add_test(suite, "nothing at zero overlap", shear_nothing_at_zero_overlap);
+  CU_add_test(suite, "the force depends on the stated parameters", the_force_depends_on_the_stated_parameters);
   CU_add_test(suite, "normal: pushes and never pulls", normal_pushes_and_never_pulls);
   CU_add_test(suite, "normal: stiffness is the slope", normal_stiffness_is_the_slope);
   CU_add_test(suite, "normal: never stiffer than stated", normal_never_stiffer_than_stated);

@@ -24,6 +24,7 @@ static inline struct nb_shear shear_scribble(struct nb_pair p, struct nb_normal 
 #define SHEAR
 #define TITLE "scribbles into its memory"
 #define SOURCE "-"
+#define PARAMETERS ""
 #define MEMORY 4
 #define BRANCHING
 #include "../src/laws/law_batch.h"

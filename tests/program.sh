@@ -232,6 +232,8 @@ run 0 check --help
 out 'usage: nineball COMMAND'
 run 0 --help scene
 for word in 'discs lattice' 'stage' 'WATCH.NAME' 'rises with'; do out "$word"; done
+run 0 --help expect
+for word in MEASURE amplitude 'reference NAME' within; do out "$word"; done
 run 0 --help kn
 out 'kn K: a stiffness, 0 or more; without it: 0.'
 out 'kn K: a stiffness, 0 or more; without it: as it was.'
@@ -246,6 +248,7 @@ verdict '--version and --help'
 run 0 laws
 out 'normal  linear'
 out 'shear   linear'
+out 'parameters of the materials: ks, friction, cohesion'
 out '[CS79 17-19]'
 run 0 list
 out 'nine_discs'
@@ -479,6 +482,22 @@ if command -v gnuplot >/dev/null; then
   said 'no column with header "D.y/-"'
   absent lacks/lacks.svg
   verdict 'a figure that asks for a column that is not there'
+
+  # All that --help gnuplot names, asked for by a page.
+  sed '/^```gnuplot/,/^```$/d; s/^stage  *strike/stage STAGE\n  snapshot/; s/ in strike//' \
+    "$cases/2-hertz/hertz-impact-wall.md" >tree/cases/given.md
+  names=$("$nineball" --help gnuplot | sed -n 's/^        \([^ :]*\): .*/\1/p')
+  {
+    echo '```gnuplot'
+    for name in $names; do
+      case $name in '$'*) echo "if (|$name| < 2) exit error '$name is empty'" ;; *) echo "print $name" ;; esac
+    done
+    printf 'plot x\n```\n'
+  } >>tree/cases/given.md
+  test "$(echo "$names" | wc -l)" -ge 8 || echo 'nineball --help gnuplot names less than it should' >>why
+  run 0 figure tree/cases/given.md -o drawn --trust --set wall=steel --set h=0.04
+  grep -q "^[$]table << EOD" drawn/given.gp || echo 'there are several runs' >>why
+  verdict 'all that --help gnuplot names is given to a page'
 fi
 
 run 0 figure "$pages/swept.md" -o drawn

@@ -37,10 +37,11 @@ struct nb_shear {
 
 /* One row of the register; law_batch.h writes it. */
 struct nb_law {
-  const char *kind;   /* "normal" or "shear" */
-  const char *name;   /* "linear" */
-  const char *title;  /* one line for `nineball laws` */
-  const char *source; /* equation tags */
+  const char *kind;       /* "normal" or "shear" */
+  const char *name;       /* "linear" */
+  const char *title;      /* one line for `nineball laws` */
+  const char *source;     /* equation tags */
+  const char *parameters; /* of the materials, on which its force depends: "ks, friction, cohesion" */
   int memory, piece,
       pieces; /* doubles per contact: `memory`, and `piece` more for each of `pieces`, or of as many as a page says */
   unsigned needs;    /* set of fields, besides overlap, normal and its stiffness, that it reads */

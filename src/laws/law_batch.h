@@ -5,6 +5,7 @@
  *   #define SHEAR   or  #define NORMAL      which of the two shapes it has
  *   #define TITLE   "..."                   one line
  *   #define SOURCE  "[CS79 17-19]"          where the equations come from
+ *   #define PARAMETERS "ks, friction"       of the materials, on which its force depends; young and poisson give E* and G*
  *   #define MEMORY  1                       doubles it remembers per contact
  *   #define PIECE   4, #define PIECES  16   and so many more for each piece of its history, of which so many (optional)
  *   #define NEEDS   NB_BIT(NB_CLOSING)      fields it reads besides the ones every law is given (optional)
@@ -188,6 +189,7 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
 #endif
     .title = TITLE,
     .source = SOURCE,
+    .parameters = PARAMETERS,
     .memory = MEMORY,
     .piece = PIECE,
     .pieces = PIECES,

@@ -49,6 +49,7 @@ static double normal_hertz_increment_stored(struct nb_pair p, struct nb_normal n
 #define ELASTIC
 #define TITLE "elastic spheres by increments, N += 2 E* a closing, as R89 coded it: loses 2-3 % of the speed"
 #define SOURCE "[R89 4.11, 4.12, 4.14]"
+#define PARAMETERS "young, poisson"
 #define MEMORY 1
 #define NEEDS NB_BIT(NB_CLOSING)
 #define BRANCHING

@@ -27,6 +27,7 @@ static double normal_linear_stored(struct nb_pair p, struct nb_normal n, const d
 #define NORMAL
 #define TITLE "linear spring, F_n = k_n overlap"
 #define SOURCE "[CS79 16, 18]"
+#define PARAMETERS "kn"
 #define MEMORY 0
 #define STORED normal_linear_stored
 #include "law_batch.h"

@@ -287,6 +287,7 @@ static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
 #define COHESIONLESS
 #define TITLE "exact law of elastic spheres, Cattaneo and Mindlin's, under any history"
 #define SOURCE "[R89 3.2-3.5]"
+#define PARAMETERS "young, poisson, friction"
 #define MEMORY 12
 #define PIECE 5
 #define PIECES 64

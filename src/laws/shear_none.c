@@ -20,6 +20,7 @@ static double shear_none_stored(struct nb_pair p, struct nb_normal n, const doub
 #define SHEAR
 #define TITLE "no shear force"
 #define SOURCE "-"
+#define PARAMETERS ""
 #define MEMORY 0
 #define STORED shear_none_stored
 #include "law_batch.h"

@@ -111,5 +111,6 @@ static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n
 #define GAINS
 #define TITLE "elastic spheres with micro-slip in increments, two reversals remembered, best reading"
 #define SOURCE "[R89 3.94-3.98, 4.15-4.25]"
+#define PARAMETERS "young, poisson, friction"
 #define MEMORY 7
 #include "law_batch.h"

@@ -114,5 +114,6 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
 #define GAINS
 #define TITLE "elastic spheres, R89's FORD and THETA as the text stands, for comparison"
 #define SOURCE "[R89 4.15-4.25]"
+#define PARAMETERS "young, poisson, friction"
 #define MEMORY 5
 #include "law_batch.h"

@@ -296,10 +296,11 @@ enum nb_status nb_command_state(const struct nb_use *use) {
 enum nb_status nb_command_laws(const struct nb_use *use) {
   (void)use;
   for (const struct nb_law *const *law = nb_laws(); *law; law++)
-    printf("%-7s %-21s %s  %s\n%29s remembers %d%s, %s%s\n", (*law)->kind, (*law)->name, (*law)->title, (*law)->source,
-           "", (*law)->memory + (*law)->piece * (*law)->pieces, (*law)->piece > 0 ? " or as many as wanted" : "",
-           (*law)->stored ? "knows its stored energy" : "has no stored energy",
-           (*law)->gains ? ", may create energy" : "");
+    printf("%-7s %-21s %s  %s\n%29s parameters of the materials: %s\n%29s %d history variables%s; %s%s\n", (*law)->kind,
+           (*law)->name, (*law)->title, (*law)->source, "", (*law)->parameters[0] ? (*law)->parameters : "none", "",
+           (*law)->memory + (*law)->piece * (*law)->pieces, (*law)->piece > 0 ? " or as many as `memory` asks for" : "",
+           (*law)->stored ? "reports its stored energy" : "does not report stored energy",
+           (*law)->gains ? "; may create energy" : "");
   return NB_OK;
 }
 

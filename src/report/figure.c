@@ -1,14 +1,5 @@
-/* A page's figure: its gnuplot block, behind everything that was seen and known, as one script that can be read, changed and run
- * again by hand.
- *
- *   $table      the rows, for gnuplot's `using 'time/s':'C.normal/N'`; with a sweep $table_1, $table_2, … one a run
- *   $values     one row a run: swept values, measures seen and known
- *   runs        how many; run[i] is "v=0.12"
- *   NAME        each measure by name, C_normal_mean, and all that is known, known_C_normal_mean; of a sweep run by run, …_1, …_2
- *   $STAGE_bodies, $STAGE_walls, $STAGE_contacts   snapshots, with a sweep …_1, …_2; of a path $LEG_traction, $LEG_pieces;
- *   of regions $STAGE_rings; of `snapshot from` $STAGE_lattice
- *   plots       folder of the recipes: load plots.'force-rectangles.gp'
- *   canvas(w, h)   a size of its own, of style.gp: eval canvas(1100, 760)
+/* A page's figure: its gnuplot block, behind the style and all computed and reference values, as one script that can be read, changed
+ * and run again by hand. `nineball --help gnuplot` (manual.c) lists what the block is given.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700

@@ -61,7 +61,7 @@ static const struct option_row {
      "draw also where gnuplot cannot be confined, for pages that you trust"},
     {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts in the form that `make check` reads"},
     {"help", NULL, 'h', FLAG, AT(help), NULL,
-     "this; all words of pages: nineball --help scene; one of them: nineball --help disc"},
+     "this; all words of pages: nineball --help scene; one of them: nineball --help disc; also expect, gnuplot"},
     {"version", NULL, 0, FLAG, AT(version), NULL, "version and licence"},
 };
 enum { OPTIONS = sizeof options / sizeof *options, LONG_OPTION = 256 };

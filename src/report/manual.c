@@ -161,6 +161,51 @@ static void measures(const struct manual *to) {
   end(to);
 }
 
+static void expectations(const struct manual *to) {
+  const struct nb_keyword *keyword;
+  section(to, "Expectations");
+  measures(to);
+  for (size_t k = 0; (keyword = nb_keyword_row(nb_expect_keywords(), k)); k++)
+    if (keyword->word)
+      statement(to, keyword);
+  for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++)
+    expectation(to, row);
+}
+
+static void figures(const struct manual *to) {
+  static const char *const given[][2] = {
+      {"$table", "the recorded rows of the run; a column is `column('C.normal/N')`, by its head. `known C.normal/N` is "
+                 "the reference, at "
+                 "every row, of a quantity that is compared with a curve. With a sweep `$table_1`, `$table_2`, …, one "
+                 "for each run"},
+      {"$values",
+       "one row for each run: the swept values, then every measure of the expect blocks, computed and reference"},
+      {"runs", "the number of runs; `run[i]` are the swept values of run i: \"v=0.12, n=40\""},
+      {"C_normal_max",
+       "a variable for each measure of the expect blocks, here `C.normal max`: what is no letter or digit "
+       "becomes `_`. With a sweep `C_normal_max_1`, …"},
+      {"known_C_normal_max", "a variable for each value that the reference returns, likewise"},
+      {"$STAGE_bodies",
+       "a snapshot of a stage; also `$STAGE_walls`, `$STAGE_contacts`, of regions `$STAGE_rings`, of `snapshot from` "
+       "`$STAGE_lattice`, of a path `$LEG_traction` and `$LEG_pieces`. With a sweep `$STAGE_bodies_1`, …"},
+      {"plots", "the folder of the recipes: `load plots.'force-chains.gp'`"},
+      {"terminal", "SVG, then PNG, of 840 by 560 points; the program sets it, and the file. `eval canvas(1100, 760)` "
+                   "sets another size"},
+  };
+  section(to, "Figures");
+  paragraph(to, "The blocks `gnuplot` of a page are a gnuplot script, which `nineball figure` and `report` run. Before "
+                "it come the "
+                "style, plots/style.gp (colours as line types 1 to 6, tab-separated data with a head row), and these:");
+  for (size_t k = 0; k < sizeof given / sizeof *given; k++)
+    part(to, given[k][0], NULL, given[k][1]);
+  if (to->whole)
+    example(to, "gnuplot",
+            "set xlabel 'overlap, um'\nset ylabel 'normal force, N'\n"
+            "plot for [i=1:runs] sprintf('$table_%d', i) using (column('C.overlap/m')*1e6):'C.normal/N' with lines "
+            "title run[i]");
+  end(to);
+}
+
 static void quantities(const struct manual *to) {
   struct nb_quantity_row row;
   const char *before = "";
@@ -245,11 +290,8 @@ void nb_manual(FILE *out, bool markdown) {
             "A page with a block `path` instead of `scene` takes one contact through approach and slip, or through "
             "forces: no bodies, no time. Its legs are stages to what is expected: `shear max in load`.");
   statements(&to, nb_keywords(), NB_IN_PATH | NB_IN_LEG, NB_IN_SCENE | NB_IN_STAGE);
-  section(&to, "Expectations");
-  measures(&to);
-  statements(&to, nb_expect_keywords(), NB_IN_EXPECT, 0);
-  for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++)
-    expectation(&to, row);
+  expectations(&to);
+  figures(&to);
   quantities(&to);
   units(&to);
 }
@@ -287,9 +329,16 @@ static bool quantity(FILE *out, const char *word) {
 }
 
 bool nb_manual_word(FILE *out, const char *word, char *hint) {
+  static const struct {
+    const char *word;
+    void (*write)(const struct manual *to);
+  } sections[] = {{"expect", expectations}, {"gnuplot", figures}};
   const struct nb_family *const tables[] = {nb_keywords(), nb_expect_keywords()};
   const struct nb_keyword *keyword;
   const struct manual to = {out, false, true};
+  for (size_t k = 0; k < sizeof sections / sizeof *sections; k++)
+    if (strcmp(sections[k].word, word) == 0)
+      return sections[k].write(&to), true;
   struct nb_guess guess = nb_guess_begin(word);
   bool found = false;
   for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
