@@ -39,3 +39,19 @@ void *nb_more(void *array, size_t *count, size_t element) {
   memcpy(array, &things, sizeof things);
   return memset((char *)things + (*count)++ * element, 0, element);
 }
+
+void *nb_own(struct nb_owner *owner, size_t count, size_t size) {
+  void *array = nb_array(count, size), **place = array ? NB_MORE(owner->list, owner->count) : NULL;
+  if (place)
+    return *place = array;
+  free(array);
+  owner->failed = true;
+  return NULL;
+}
+
+void nb_owner_free(struct nb_owner *owner) {
+  for (size_t k = 0; k < owner->count; k++)
+    free(owner->list[k]);
+  free(owner->list);
+  *owner = (struct nb_owner){0};
+}

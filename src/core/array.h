@@ -4,6 +4,7 @@
 #ifndef NB_ARRAY_H
 #define NB_ARRAY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Zeroed and aligned for wide loads; NULL only when memory is out. Freed by free(). */
@@ -15,5 +16,15 @@ void *nb_room(void *array, size_t count, size_t more, size_t element);
  * has changed. */
 void *nb_more(void *array, size_t *count, size_t element);
 #define NB_MORE(array, count) nb_more(&(array), &(count), sizeof *(array))
+
+/* What is freed all at once, with its owner. */
+struct nb_owner {
+  void **list;
+  size_t count;
+  bool failed; /* memory was out once: asked when all is made */
+};
+/* As nb_array; freed with its owner. */
+void *nb_own(struct nb_owner *owner, size_t count, size_t size);
+void nb_owner_free(struct nb_owner *owner);
 
 #endif

@@ -19,8 +19,6 @@
  * carried by F. So straining alone costs a search only when ||F - 1|| (D + skin) comes to the skin.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdlib.h>
-
 #include "carry.h"
 
 static const struct nb_tensor one = {1, 0, 0, 1};
@@ -29,7 +27,7 @@ bool nb_cell_create(struct nb_model *model) {
   const struct nb_scene_cell *from = &model->scene->cell;
   if (!from->line)
     return true;
-  struct nb_cell *cell = model->cell = calloc(1, sizeof *cell);
+  struct nb_cell *cell = model->cell = nb_own(&model->owner, 1, sizeof *cell);
   if (!cell)
     return false;
   cell->centre = vec(from->x, from->y);

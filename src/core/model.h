@@ -162,6 +162,7 @@ struct nb_hooks {
 /* A run. Each part has one owner, which alone changes it. */
 struct nb_model {
   const struct nb_scene *scene;
+  struct nb_owner owner; /* of all that is made once and lives as long as the model */
   struct nb_machine machine;
   struct nb_bodies bodies;         /* motion.c */
   struct nb_walls walls;           /* walls.c */

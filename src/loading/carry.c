@@ -13,7 +13,6 @@
  * every cycle, and is an acceleration L (x - x_0)/dt, under which what is at rest moves away as exp(sqrt(L/dt) t).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "box.h"
@@ -32,10 +31,12 @@ enum nb_status nb_carry_create(struct nb_model *model, struct nb_error *error) {
   struct nb_bodies *bodies = &model->bodies;
   if (!wanted(scene))
     return NB_OK;
-  struct nb_carry *carry = model->carry = calloc(1, sizeof *carry);
-  bodies->carried = nb_array(bodies->count, sizeof *bodies->carried);
-  if (!carry || !bodies->carried || !(carry->by = nb_array(bodies->count, sizeof *carry->by)))
+  struct nb_carry *carry = model->carry = nb_own(&model->owner, 1, sizeof *carry);
+  unsigned char *by = nb_own(&model->owner, bodies->count, sizeof *by);
+  bodies->carried = nb_own(&model->owner, bodies->count, sizeof *bodies->carried);
+  if (model->owner.failed)
     return nb_error_memory(error);
+  carry->by = by;
   carry->free_before = true; /* nobody knows */
   carry->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_CARRIERS; c++)
@@ -46,12 +47,6 @@ enum nb_status nb_carry_create(struct nb_model *model, struct nb_error *error) {
                 : bodies->inverse_mass[i] > 0 ? NB_CARRIER_CONTINUUM
                                               : NB_CARRIER_NONE);
   return NB_OK;
-}
-
-void nb_carry_free(struct nb_carry *carry) {
-  if (carry)
-    free(carry->by);
-  free(carry);
 }
 
 /* In 1/s, with the step of this stage. */

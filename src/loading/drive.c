@@ -5,7 +5,6 @@
  * x_(N+1) - x_0 = (1 + L dt)(x_N - x_0).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "drive.h"
@@ -34,25 +33,18 @@ enum nb_status nb_drive_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_bodies *bodies = &model->bodies;
   if (!wanted(scene))
     return NB_OK;
-  struct nb_drive *drive = model->drive = calloc(1, sizeof *drive);
+  struct nb_drive *drive = model->drive = nb_own(&model->owner, 1, sizeof *drive);
   if (drive) {
     drive->turns = true;
-    drive->pressed = presses(scene) ? nb_array(bodies->count, sizeof *drive->pressed) : NULL;
-    drive->ring.member = nb_array(bodies->count, sizeof *drive->ring.member);
-    drive->ring.rim = nb_array(bodies->count, sizeof *drive->ring.rim);
+    drive->pressed = presses(scene) ? nb_own(&model->owner, bodies->count, sizeof *drive->pressed) : NULL;
+    drive->ring.member = nb_own(&model->owner, bodies->count, sizeof *drive->ring.member);
+    drive->ring.rim = nb_own(&model->owner, bodies->count, sizeof *drive->ring.rim);
   }
-  if (!drive || !drive->ring.member || !drive->ring.rim || (presses(scene) && !drive->pressed))
+  if (model->owner.failed)
     return nb_error_memory(error);
   if (scene->circle.line && scene->start.stages == 0) /* else it is as the state has it */
     nb_ring_begin(model, &scene->circle);
   return NB_OK;
-}
-
-void nb_drive_free(struct nb_drive *drive) {
-  if (!drive)
-    return;
-  free(drive->pressed), free(drive->ring.member), free(drive->ring.rim);
-  free(drive);
 }
 
 /* ---- one body ---- */

@@ -11,7 +11,6 @@
 
 /* ---- drive.c ---- */
 enum nb_status nb_drive_create(struct nb_model *model, struct nb_error *error); /* before the first search */
-void nb_drive_free(struct nb_drive *drive);
 enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
 /* Before the motion and after it. */
 enum nb_status nb_drive_before(struct nb_model *model, struct nb_error *error);

@@ -12,23 +12,17 @@
  *          bound. So FRACC is no bound for anything; cases/5-numerics/fracc.md. What is sure to be stable: stable_step.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdlib.h>
-
 #include "step.h"
 
 bool nb_fracc_begin(struct nb_model *model) {
-  model->fracc = calloc(1, sizeof *model->fracc);
-  if (!model->fracc || !(model->fracc->before = nb_array(model->bodies.count, sizeof *model->fracc->before)))
+  model->fracc = nb_own(&model->owner, 1, sizeof *model->fracc);
+  double *before = nb_own(&model->owner, model->bodies.count, sizeof *before);
+  if (model->owner.failed)
     return false;
+  model->fracc->before = before;
   for (size_t i = 0; i < model->bodies.count; i++)
     model->fracc->before[i] = vec_length(nb_force_on(model, i).force);
   return true;
-}
-
-void nb_fracc_free(struct nb_fracc *fracc) {
-  if (fracc)
-    free(fracc->before);
-  free(fracc);
 }
 
 void nb_fracc_forces(struct nb_model *model) {

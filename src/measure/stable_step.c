@@ -36,24 +36,18 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "laws/laws_now.h"
 #include "step.h"
 
 bool nb_stability_create(struct nb_model *model) {
-  struct nb_stability *it = model->stability = calloc(1, sizeof *it);
-  if (!it)
+  struct nb_stability *it = model->stability = nb_own(&model->owner, 1, sizeof *it);
+  struct nb_load *loads = nb_own(&model->owner, model->bodies.count, sizeof *loads);
+  if (model->owner.failed)
     return false;
-  it->step_line = -1;
-  return (it->loads = nb_array(model->bodies.count, sizeof *it->loads)) != NULL;
-}
-
-void nb_stability_free(struct nb_stability *stability) {
-  if (stability)
-    free(stability->loads);
-  free(stability);
+  *it = (struct nb_stability){.step_line = -1, .loads = loads};
+  return true;
 }
 
 /* A stage may have changed properties and laws since the last forces. */

@@ -16,7 +16,6 @@ struct nb_stability {
   struct nb_load *loads; /* per slot, room for stable_step.c */
 };
 bool nb_stability_create(struct nb_model *model); /* false: no memory */
-void nb_stability_free(struct nb_stability *stability);
 
 /* stable_step.c */
 struct nb_load {
@@ -79,7 +78,6 @@ struct nb_fracc {
   double *before; /* per slot |SF| then, N */
 };
 bool nb_fracc_begin(struct nb_model *model); /* false: no memory */
-void nb_fracc_free(struct nb_fracc *fracc);
 void nb_fracc_forces(struct nb_model *model); /* after the forces */
 
 /* step.c */

@@ -8,7 +8,6 @@
  * A law's force never falls as the contact closes, nor as it slips on, so the place is found by halving an interval that holds
  * it until nothing is left to halve: the force is right to rounding.
  *
- *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "bench.h"
 
@@ -244,12 +243,10 @@ static enum nb_status run_leg(struct nb_result *result, struct nb_bench *bench, 
 
 enum nb_status nb_bench_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_progress *progress,
                             struct nb_error *error) {
-  const double began = nb_clock();
-  double told = began;
+  struct nb_teller teller = nb_tell_begin(progress);
   struct nb_bench bench;
   *result = (struct nb_result){0};
-  result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
-  if (!result->stage_cycles || !nb_observe_begin(&result->table, scene))
+  if (!nb_observe_begin(result, scene))
     return nb_error_memory(error);
   enum nb_status status = nb_bench_create(&bench, scene, error);
   if (status)
@@ -258,13 +255,10 @@ enum nb_status nb_bench_run(struct nb_result *result, const struct nb_scene *sce
     status = nb_error_memory(error);
   for (size_t s = 0; s < scene->stage_count && !status; s++) {
     status = run_leg(result, &bench, (int)s, error);
-    if (progress && progress->call && nb_clock() - told > 0.1) {
-      told = nb_clock();
-      progress->call(progress->data, scene->stages[s].name, (double)(s + 1) / (double)scene->stage_count, told - began);
-    }
+    nb_tell(&teller, scene->stages[s].name, (double)(s + 1) / (double)scene->stage_count);
   }
   result->cycles = result->updates = bench.step;
-  result->seconds = nb_clock() - began;
+  result->seconds = nb_clock() - teller.began;
   nb_bench_free(&bench);
   return status;
 }

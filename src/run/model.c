@@ -16,8 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
 /* Every second body from the front, then the others from the back: an order that no search or sum could expect. */
 static size_t slot_of(size_t index, size_t count, bool shuffle) {
   if (!shuffle)
@@ -57,41 +55,8 @@ static void fill_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, 
   }
 }
 
-static bool make_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, bool shuffle) {
-  const size_t n = bodies->count = scene->body_count;
-  double **numbers[] = {&bodies->mass, &bodies->inertia, &bodies->inverse_mass, &bodies->inverse_inertia};
-  struct nb_vec **vectors[] = {&bodies->position, &bodies->velocity, &bodies->rim, &bodies->searched};
-  int **names[] = {&bodies->number, &bodies->slot, &bodies->material};
-  bool made = true;
-  for (size_t k = 0; k < COUNT(numbers); k++)
-    made = (*numbers[k] = nb_array(n, sizeof(double))) && made;
-  for (size_t k = 0; k < COUNT(vectors); k++)
-    made = (*vectors[k] = nb_array(n, sizeof(struct nb_vec))) && made;
-  for (size_t k = 0; k < COUNT(names); k++)
-    made = (*names[k] = nb_array(n, sizeof(int))) && made;
-  if (has_spin(scene)) {
-    made = (bodies->spin = nb_array(n, sizeof(double))) && made;
-    made = (bodies->angle = nb_array(n, sizeof(double))) && made;
-  }
-  if (takes_out(scene))
-    made = (bodies->gone = nb_array(n, sizeof(bool))) && made;
-  if (made)
-    fill_bodies(bodies, scene, shuffle);
-  return made;
-}
-
-static bool make_walls(struct nb_walls *walls, const struct nb_scene *scene) {
-  const size_t n = walls->count = scene->wall_count;
-  struct nb_vec **vectors[] = {&walls->pivot, &walls->point, &walls->along, &walls->velocity, &walls->turn};
-  double **numbers[] = {&walls->h0, &walls->h1, &walls->h2, &walls->spin, &walls->angle};
-  bool made = (walls->searched = nb_array(2 * n, sizeof(struct nb_vec))) != NULL;
-  for (size_t k = 0; k < COUNT(vectors); k++)
-    made = (*vectors[k] = nb_array(n, sizeof(struct nb_vec))) && made;
-  for (size_t k = 0; k < COUNT(numbers); k++)
-    made = (*numbers[k] = nb_array(n, sizeof(double))) && made;
-  if (!made)
-    return false;
-  for (size_t w = 0; w < n; w++) {
+static void fill_walls(struct nb_walls *walls, const struct nb_scene *scene) {
+  for (size_t w = 0; w < walls->count; w++) {
     const struct nb_wall *wall = &scene->walls[w];
     walls->pivot[w] = vec(wall->x, wall->y), walls->along[w] = vec(wall->ex, wall->ey);
     walls->point[w] = vec_add(walls->pivot[w], vec_scale(-wall->h0, vec_clockwise(walls->along[w])));
@@ -100,7 +65,31 @@ static bool make_walls(struct nb_walls *walls, const struct nb_scene *scene) {
     walls->spin[w] = wall->spin;
     walls->turn[w] = vec(0, wall->spin);
   }
-  return true;
+}
+
+static double *numbers(struct nb_owner *owner, size_t n) { return nb_own(owner, n, sizeof(double)); }
+static struct nb_vec *vectors(struct nb_owner *owner, size_t n) { return nb_own(owner, n, sizeof(struct nb_vec)); }
+static int *integers(struct nb_owner *owner, size_t n) { return nb_own(owner, n, sizeof(int)); }
+
+static void make_bodies(struct nb_bodies *b, const struct nb_scene *scene, struct nb_owner *owner) {
+  const size_t n = b->count = scene->body_count;
+  b->number = integers(owner, n), b->slot = integers(owner, n), b->material = integers(owner, n);
+  b->position = vectors(owner, n), b->velocity = vectors(owner, n);
+  b->rim = vectors(owner, n), b->searched = vectors(owner, n);
+  b->mass = numbers(owner, n), b->inertia = numbers(owner, n);
+  b->inverse_mass = numbers(owner, n), b->inverse_inertia = numbers(owner, n);
+  if (has_spin(scene))
+    b->spin = numbers(owner, n), b->angle = numbers(owner, n);
+  if (takes_out(scene))
+    b->gone = nb_own(owner, n, sizeof(bool));
+}
+
+static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct nb_owner *owner) {
+  const size_t n = w->count = scene->wall_count;
+  w->pivot = vectors(owner, n), w->point = vectors(owner, n), w->along = vectors(owner, n);
+  w->velocity = vectors(owner, n), w->turn = vectors(owner, n), w->searched = vectors(owner, 2 * n);
+  w->h0 = numbers(owner, n), w->h1 = numbers(owner, n), w->h2 = numbers(owner, n);
+  w->spin = numbers(owner, n), w->angle = numbers(owner, n);
 }
 
 /* One pairing for every two materials that bodies have, and for every one that bodies have with every one that walls have. */
@@ -108,7 +97,7 @@ static bool make_pairings(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const size_t n = scene->material_count;
   bool *on_body = calloc(n + 1, sizeof *on_body), *on_wall = calloc(n + 1, sizeof *on_wall);
-  model->pairings = nb_array(n * (n + 1) / 2 + n * n, sizeof *model->pairings);
+  model->pairings = nb_own(&model->owner, n * (n + 1) / 2 + n * n, sizeof *model->pairings);
   const bool made = on_body && on_wall && model->pairings;
   if (made) {
     for (size_t k = 0; k < scene->body_count; k++)
@@ -142,8 +131,13 @@ static double skin_of(const struct nb_model *model) {
 }
 
 static bool make_parts(struct nb_model *model, const struct nb_scene *scene, bool shuffle) {
-  if (!make_bodies(&model->bodies, scene, shuffle) || !make_walls(&model->walls, scene) ||
-      !nb_properties_create(&model->properties, scene) || !make_pairings(model) || !nb_stability_create(model) ||
+  make_bodies(&model->bodies, scene, &model->owner);
+  make_walls(&model->walls, scene, &model->owner);
+  if (model->owner.failed)
+    return false;
+  fill_bodies(&model->bodies, scene, shuffle);
+  fill_walls(&model->walls, scene);
+  if (!nb_properties_create(&model->properties, scene) || !make_pairings(model) || !nb_stability_create(model) ||
       !nb_changes_create(model))
     return false;
   model->search.skin = skin_of(model);
@@ -249,53 +243,14 @@ struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_o
 void nb_model_free(struct nb_model *model) {
   if (!model)
     return;
-  struct nb_bodies *b = &model->bodies;
-  struct nb_walls *w = &model->walls;
-  void *owned[] = {b->number,
-                   b->slot,
-                   b->position,
-                   b->velocity,
-                   b->rim,
-                   b->spin,
-                   b->angle,
-                   b->mass,
-                   b->inertia,
-                   b->inverse_mass,
-                   b->inverse_inertia,
-                   b->material,
-                   b->searched,
-                   b->carried,
-                   b->gone,
-                   w->pivot,
-                   w->point,
-                   w->along,
-                   w->h0,
-                   w->h1,
-                   w->h2,
-                   w->velocity,
-                   w->spin,
-                   w->turn,
-                   w->angle,
-                   w->searched,
-                   model->cell,
-                   model->joints.list,
-                   model->pairings,
-                   model->blocks.views,
-                   model->blocks.scratch,
-                   model->blocks.stiff,
-                   model->deep.counts,
-                   model->blocks.sure};
-  for (size_t k = 0; k < COUNT(owned); k++)
-    free(owned[k]);
+  free(model->joints.list);
+  free(model->blocks.views), free(model->blocks.scratch), free(model->blocks.stiff), free(model->blocks.sure);
+  free(model->deep.counts);
   nb_properties_free(&model->properties);
   nb_contacts_free(&model->contacts);
   nb_balance_free(model);
   nb_regions_free(model->regions, model->scene->region_count);
-  nb_carry_free(model->carry);
-  nb_drive_free(model->drive);
   nb_since_free(model->since);
-  nb_stability_free(model->stability);
-  nb_changes_free(model->changes);
-  nb_fracc_free(model->fracc);
+  nb_owner_free(&model->owner);
   free(model);
 }

@@ -2,9 +2,12 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "observe.h"
-#include "core/names.h"
 
+#include <stdlib.h>
 #include <string.h>
+
+#include "core/clock.h"
+#include "core/names.h"
 
 unsigned nb_fields_watched(const struct nb_scene *scene) {
   unsigned fields = 0;
@@ -23,8 +26,10 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
   return fields;
 }
 
-bool nb_observe_begin(struct nb_table *table, const struct nb_scene *scene) {
-  if (!nb_table_create(table, scene->column_count))
+bool nb_observe_begin(struct nb_result *result, const struct nb_scene *scene) {
+  struct nb_table *table = &result->table;
+  result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
+  if (!result->stage_cycles || !nb_table_create(table, scene->column_count))
     return false;
   for (size_t c = 0; c < scene->column_count; c++) {
     memcpy(table->names[c], scene->columns[c].name, sizeof table->names[c]);
@@ -40,4 +45,17 @@ bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage)
   for (size_t c = 0; c < table->column_count; c++)
     row[c] = nb_quantity_value(model->scene->columns[c].quantity, model);
   return true;
+}
+
+struct nb_teller nb_tell_begin(const struct nb_progress *progress) {
+  const double now = nb_clock();
+  return (struct nb_teller){progress, now, 0};
+}
+
+void nb_tell(struct nb_teller *teller, const char *stage, double share) {
+  const double now = nb_clock();
+  if (!teller->progress || !teller->progress->call || now - teller->told < 0.1)
+    return;
+  teller->told = now;
+  teller->progress->call(teller->progress->data, stage, share, now - teller->began);
 }

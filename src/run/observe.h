@@ -1,4 +1,4 @@
-/* Between a run (run.c) and what it sees (observe.c).
+/* Between a run (run.c, bench.c) and what comes of it (observe.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_OBSERVE_H
@@ -7,9 +7,18 @@
 #include "core/model.h"
 
 /* All answer false when memory is out. */
-bool nb_observe_begin(struct nb_table *table, const struct nb_scene *scene);
+bool nb_observe_begin(struct nb_result *result, const struct nb_scene *scene); /* nothing seen yet */
 bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage);
 /* Fields that some column or condition of the scene reads, and what else is to be kept for it: NB_ASKS_ of model.h. */
 unsigned nb_fields_watched(const struct nb_scene *scene);
+
+/* How far the run is, for who waits; who it is may be NULL. */
+struct nb_teller {
+  const struct nb_progress *progress;
+  double began, told; /* s */
+};
+struct nb_teller nb_tell_begin(const struct nb_progress *progress);
+void nb_tell(struct nb_teller *teller, const char *stage,
+             double share); /* at once, then not more than ten times a second */
 
 #endif

@@ -15,7 +15,6 @@ void nb_hooks_plan(struct nb_model *model);
 
 /* stage.c */
 bool nb_changes_create(struct nb_model *model); /* false: no memory */
-void nb_changes_free(struct nb_changes *changes);
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error);
 bool nb_stage_ramps_walls(const struct nb_model *model);
 bool nb_stage_changes(const struct nb_model *model); /* still properties, laws or gravity */

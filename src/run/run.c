@@ -16,24 +16,18 @@ struct run {
   struct nb_result *result;
   const struct nb_scene *scene;
   struct nb_model *model;
-  const struct nb_progress *progress;
+  struct nb_teller teller;
   unsigned long from; /* cycles done before this run */
-  double began, told; /* s */
   unsigned long
       until_clock;       /* cycles to go before the clock is read again: reading it costs as much as a small cycle */
   unsigned long planned; /* cycles of all stages, at most */
 };
 
 static void tell(struct run *run, const struct nb_stage *stage) {
-  if (!run->progress || !run->progress->call || run->until_clock-- > 0)
+  if (run->until_clock-- > 0)
     return;
   run->until_clock = 100000 / (run->model->contacts.count + 20);
-  const double t = nb_clock();
-  if (t - run->told < 0.1)
-    return;
-  run->told = t;
-  run->progress->call(run->progress->data, stage->name, (double)(run->model->cycle - run->from) / (double)run->planned,
-                      t - run->began);
+  nb_tell(&run->teller, stage->name, (double)(run->model->cycle - run->from) / (double)run->planned);
 }
 
 /* Looked at every so many cycles, and at the last one there may be. */
@@ -65,14 +59,15 @@ static enum nb_status never_ended(const struct nb_stage *stage, const struct nb_
 /* Contacts that forget are worth a word. */
 static void note_laws(const struct run *run, const struct nb_stage *stage) {
   const struct nb_model *model = run->model;
+  const struct nb_progress *progress = run->teller.progress;
   char text[4 * NB_NAME_SIZE];
-  for (int shear = 0; shear < 2 && run->progress && run->progress->note; shear++) {
+  for (int shear = 0; shear < 2 && progress && progress->note; shear++) {
     if (!(shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model)))
       continue;
     snprintf(text, sizeof text, "from stage `%s` on %s %s instead of %s: contacts remember nothing of it", stage->name,
              shear ? "shear" : "normal", (shear ? model->coming.shear : model->coming.normal)->name,
              (shear ? model->laws.shear : model->laws.normal)->name);
-    run->progress->note(run->progress->data, text);
+    progress->note(progress->data, text);
   }
 }
 
@@ -120,15 +115,14 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
   struct nb_result *result = run->result;
   struct nb_saved start = {0};
   const size_t first = scene->start.stages;
-  if (first > 0 && nb_start_take(&start, scene, options, run->progress, true, error)) {
+  if (first > 0 && nb_start_take(&start, scene, options, run->teller.progress, true, error)) {
     nb_saved_free(&start);
     return error->status;
   }
-  run->began = nb_clock();
+  run->teller = nb_tell_begin(run->teller.progress); /* without the time that the state took */
   for (size_t s = first; s < scene->stage_count; s++)
     run->planned += scene->stages[s].cycles;
-  result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
-  if (result->stage_cycles && nb_observe_begin(&result->table, scene))
+  if (nb_observe_begin(result, scene))
     run->model = nb_model_resume(scene, options, first > 0 ? &start : NULL, error);
   else
     nb_error_memory(error);
@@ -148,7 +142,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
   result->searches = run->model->search.count;
   result->deep = nb_deep_count(run->model);
   snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
-  result->seconds = nb_clock() - run->began;
+  result->seconds = nb_clock() - run->teller.began;
   result->warnings = run->model->warnings;
   nb_model_free(run->model);
   return status;
@@ -159,7 +153,7 @@ enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, co
   if (scene->path)
     return nb_bench_run(result, scene, progress, error);
   *result = (struct nb_result){0};
-  struct run run = {.result = result, .scene = scene, .progress = progress};
+  struct run run = {.result = result, .scene = scene, .teller.progress = progress};
   return run_scene(&run, options, NULL, error);
 }
 
@@ -167,7 +161,7 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
                          const struct nb_progress *progress, struct nb_error *error) {
   struct nb_options whole = options ? *options : (struct nb_options){.threads = 1};
   struct nb_result result = {0};
-  struct run run = {.result = &result, .scene = scene, .progress = progress};
+  struct run run = {.result = &result, .scene = scene, .teller.progress = progress};
   whole.whole = true;
   const enum nb_status status = run_scene(&run, &whole, saved, error);
   nb_result_free(&result);

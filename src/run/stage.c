@@ -11,9 +11,6 @@
  * for the time it lasts; global damping likewise (motion.h), and a stress on a boundary (drive.c). `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdlib.h>
-#include <string.h>
-
 #include "laws/laws_now.h"
 #include "loading/drive.h"
 #include "loading/servo.h"
@@ -32,12 +29,19 @@ struct nb_changes {
   struct nb_inward inward_from;
 };
 
-bool nb_changes_create(struct nb_model *model) { return (model->changes = calloc(1, sizeof *model->changes)) != NULL; }
-
-void nb_changes_free(struct nb_changes *changes) {
-  if (changes)
-    free(changes->properties_from), free(changes->walls_from);
-  free(changes);
+bool nb_changes_create(struct nb_model *model) {
+  struct nb_changes *changes = model->changes = nb_own(&model->owner, 1, sizeof *changes);
+  size_t most = 0, motions = 0;
+  for (size_t s = 0; s < model->scene->stage_count; s++) {
+    const struct nb_stage *stage = &model->scene->stages[s];
+    most = stage->change_count > most ? stage->change_count : most;
+    motions = stage->motion_count > motions ? stage->motion_count : motions;
+  }
+  if (changes) {
+    changes->properties_from = nb_own(&model->owner, most, sizeof *changes->properties_from);
+    changes->walls_from = nb_own(&model->owner, motions, sizeof *changes->walls_from);
+  }
+  return !model->owner.failed;
 }
 
 bool nb_stage_ramps_walls(const struct nb_model *model) { return model->changes->driven; }
@@ -98,12 +102,8 @@ static void walls_arrive(struct nb_model *model) {
   }
 }
 
-static bool walls_begin(struct nb_model *model, const struct nb_stage *stage) {
+static void walls_begin(struct nb_model *model, const struct nb_stage *stage) {
   model->changes->driven = false;
-  free(model->changes->walls_from);
-  model->changes->walls_from = nb_array(stage->motion_count, sizeof *model->changes->walls_from);
-  if (!model->changes->walls_from)
-    return false;
   for (size_t k = 0; k < stage->motion_count; k++) {
     const struct nb_wall_motion *to = &stage->motions[k];
     model->changes->walls_from[k] = (struct nb_state){model->walls.velocity[to->wall], model->walls.spin[to->wall]};
@@ -111,7 +111,6 @@ static bool walls_begin(struct nb_model *model, const struct nb_stage *stage) {
       wall_goes(&model->walls, to);
     model->changes->driven = model->changes->driven || to->ramp;
   }
-  return true;
 }
 
 void nb_stage_drive(struct nb_model *model) {
@@ -138,28 +137,21 @@ static void properties_go(struct nb_model *model, double share) {
 }
 
 /* The critical step and the safe one must hold from the stage's begin to its end. */
-static bool properties_begin(struct nb_model *model, struct nb_safe *apart) {
+static void properties_begin(struct nb_model *model, struct nb_safe *apart) {
   const struct nb_stage *stage = model->stage;
-  free(model->changes->properties_from);
-  model->changes->properties_from = nb_array(stage->change_count, sizeof *model->changes->properties_from);
-  if (!model->changes->properties_from)
-    return false;
   for (size_t k = 0; k < stage->change_count; k++)
     model->changes->properties_from[k] = nb_properties_before(&model->properties, &stage->changes[k]);
-  properties_go(model, 1);
-  const double last = nb_step_critical(model);
+  model->critical = model->stability->safe = apart->step = INFINITY;
+  for (int end = 0; end < 2; end++) {
+    properties_go(model, end);
+    model->critical = fmin(model->critical, nb_step_critical(model));
+    model->stability->safe = fmin(model->stability->safe, nb_safe_step(model).step);
+    const struct nb_safe now = nb_safe_apart(model);
+    if (end == 0 || now.step < apart->step)
+      *apart = now;
+  }
+  model->stability->safe = fmin(model->stability->safe, apart->step);
   properties_go(model, 0);
-  const double first = nb_step_critical(model);
-  model->critical = first < last ? first : last;
-  const double first_safe = nb_safe_step(model).step;
-  *apart = nb_safe_apart(model);
-  properties_go(model, 1);
-  const double last_safe = nb_safe_step(model).step;
-  const struct nb_safe last_apart = nb_safe_apart(model);
-  properties_go(model, 0);
-  *apart = last_apart.step < apart->step ? last_apart : *apart;
-  model->stability->safe = fmin(fmin(first_safe, last_safe), apart->step);
-  return true;
 }
 
 /* ---- gravity ---- */
@@ -231,8 +223,7 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   model->coming = nb_laws_of(stage, model->laws);
   model->properties.pieces = model->coming.pieces;
   struct nb_safe apart;
-  if (!walls_begin(model, stage) || !properties_begin(model, &apart))
-    return nb_error_memory(error);
+  walls_begin(model, stage), properties_begin(model, &apart);
   if (nb_step_set(model, &stage->step, error) || begin_loading(model, stage, error))
     return error->status;
   model->changes->changing = stage->change_count > 0 || stage->gravity.line > 0 || nb_laws_normal_changes(model) ||
