@@ -7,7 +7,7 @@
 #include "core/carry.h"
 
 enum nb_status nb_carry_create(struct nb_model *model,
-                               struct nb_error *error); /* model->carry stays NULL: nothing is */
+                               struct nb_error *error);                    /* model->carry stays NULL: nothing is */
 void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage); /* once the stage's step is known */
 /* Before the motion: whether it carries all bodies; else only a boundary's are carried. */
 bool nb_carry_step(struct nb_model *model);

@@ -77,7 +77,7 @@ struct nb_fracc {
   double largest; /* of the cycle behind */
   double *before; /* per slot |SF| then, N */
 };
-bool nb_fracc_begin(struct nb_model *model); /* false: no memory */
+bool nb_fracc_begin(struct nb_model *model);  /* false: no memory */
 void nb_fracc_forces(struct nb_model *model); /* after the forces */
 
 /* step.c */
