@@ -351,6 +351,7 @@ SHELL_TESTS = \
   tests/recipes.sh \
   tests/equations.sh \
   tests/language.sh \
+  tests/migrate.sh \
   tests/layers.sh \
   tests/hacking.sh
 
@@ -509,7 +510,10 @@ INPUT = \
   src/input/hash.h \
   src/input/line.c \
   src/input/mistakes.c \
+  src/input/migrate.c \
   src/input/names.c \
+  src/input/old_words.c \
+  src/input/old_words.h \
   src/input/page.c \
   src/input/reader.h \
   src/input/scene.c \

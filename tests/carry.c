@@ -72,7 +72,7 @@ static double residual(int which, double dt, double *driven) {
     struct words page = {0};
     words_add(&page,
               "units none\nmaterial m density 2 kn 4000\nstep %g\ngravity 2 -3\n"
-              "damping contact-beta 0.002\ndamping global 0.3\ndiscs lattice 10 by 10 m radius 0.501 spacing 1 from "
+              "damping contact-beta 0.002\ndamping global 0.3\nlattice discs 10 by 10 m radius 0.501 spacing 1 from "
               "-4.5 -4.5\n"
               "%srecord %s\nstage a\n%scycles %d\nstage b\n%scycles %d\n",
               dt, before[which], names[k], strain[which], (int)round(0.1 / dt), back[which], (int)round(0.05 / dt));

@@ -191,7 +191,7 @@ static void a_strain_is_uniform(void) {
   struct words page = {0};
   words_add(
       &page,
-      "units none\nmaterial a density 1 kn 1\ncell 0 0 to 20 10\ndiscs lattice 4 by 2 from 3 3 radius 1 spacing 4 a\n"
+      "units none\nmaterial a density 1 kn 1\ncell 0 0 to 20 10\nlattice discs 4 by 2 from 3 3 radius 1 spacing 4 a\n"
       "disc 38 -5 radius 1 a\nstep 0.01\nwatch A disc 9\nrecord A.x A.vx A.vx.half cell.xx cell.xy cell.yy "
       "cell.strain.xx cell.strain.xy energy.kinetic\nstage s\ncell strain 0.01 -0.02 c12 0.05\ncycles 100\n");
   written_scene(&it, &page);

@@ -34,9 +34,9 @@ static struct words begin(void) {
 /* Two rows between walls, five discs and two, and three discs that carry nothing: two are no chain. */
 static void rows(void) {
   struct words page = begin();
-  words_add(&page, "discs lattice 1 by 5 from 0 0 radius 1 spacing 1.99 m\nwall s -1 -0.99 to 5 -0.99 m\n"
+  words_add(&page, "lattice discs 1 by 5 from 0 0 radius 1 spacing 1.99 m\nwall s -1 -0.99 to 5 -0.99 m\n"
                    "wall n -1 8.95 to 5 8.95 m\nsphere 4 0 radius 1 m\nsphere 4 1.99 radius 1 m\n"
-                   "wall t 3 2.98 to 5 2.98 m\ndiscs lattice 1 by 3 from 20 0 radius 1 spacing 3 m\n");
+                   "wall t 3 2.98 to 5 2.98 m\nlattice discs 1 by 3 from 20 0 radius 1 spacing 3 m\n");
   is(&page, 1, 5, 0.5, 0);
 }
 
@@ -83,11 +83,11 @@ static void hexagonal(void) {
  * carries less than the mean. */
 static void along_and_above(void) {
   struct words page = begin(), leaning = begin();
-  words_add(&page, "discs lattice 3 by 1 from 0 0 radius 1 spacing 1.99 m\nwall w -0.99 -0.8 to -0.99 0.8 m\n"
+  words_add(&page, "lattice discs 3 by 1 from 0 0 radius 1 spacing 1.99 m\nwall w -0.99 -0.8 to -0.99 0.8 m\n"
                    "wall e 4.97 -0.8 to 4.97 0.8 m\ndisc 1.99 1.992 radius 1 m\nwall n 1 2.984 to 3 2.984 m\n"
                    "wall s 1 -0.992 to 3 -0.992 m\n"
-                   "discs lattice 3 by 1 from 20 0 radius 1 spacing 1.998 m\nwall ww 19.002 -1 to 19.002 1 m\n"
-                   "wall ee 24.994 -1 to 24.994 1 m\ndiscs lattice 4 by 1 from 40 0 radius 1 spacing 3 m\n");
+                   "lattice discs 3 by 1 from 20 0 radius 1 spacing 1.998 m\nwall ww 19.002 -1 to 19.002 1 m\n"
+                   "wall ee 24.994 -1 to 24.994 1 m\nlattice discs 4 by 1 from 40 0 radius 1 spacing 3 m\n");
   is(&page, 1, 3, 3. / 11, 0);
   for (int k = 0; k < 5; k++)
     words_add(&leaning, "disc %.17g %.17g radius 1 m%s\n", 1.99 * k * cos(pi / 6), 1.99 * k * sin(pi / 6),
@@ -104,7 +104,7 @@ static void shear_counts(void) {
   words_add(&page, "units none\nmaterial m density 1 kn 10 ks 10 friction 3\nnormal linear\nshear linear\nstep 0.001\n"
                    "disc 0 0 radius 1 m\ndisc 1.99 0 radius 1 m spin 1000\ndisc 3.98 0 radius 1 m\n"
                    "wall w -0.99 -1 to -0.99 1 m\nwall e 4.97 -1 to 4.97 1 m\n"
-                   "discs lattice 3 by 1 from 20 0 radius 1 spacing 1.99 m\nwall ww 19.01 -1 to 19.01 1 m\n"
+                   "lattice discs 3 by 1 from 20 0 radius 1 spacing 1.99 m\nwall ww 19.01 -1 to 19.01 1 m\n"
                    "wall ee 24.97 -1 to 24.97 1 m\ndisc 40 0 radius 1 m\nregion A all\nrecord A.chains "
                    "A.chains.share\nstage s\ncycles 1\nstage t\ncycles 1\n");
   written_scene(&it, &page);
@@ -125,7 +125,7 @@ static void volumes_count(void) {
     struct words page = begin();
     const double radius = 1.5, disc = 1e-5, sphere = disc * 4 / 3 * radius * (1 + 1e-3 * more);
     const double tall = 2 * radius - disc, taller = 2 * radius - sphere;
-    words_add(&page, "discs lattice 1 by 4 from 0 0 radius %.17g spacing %.17g m\n", radius, tall);
+    words_add(&page, "lattice discs 1 by 4 from 0 0 radius %.17g spacing %.17g m\n", radius, tall);
     words_add(&page, "wall s -2 %.17g to 2 %.17g m\n", disc - radius, disc - radius);
     words_add(&page, "wall n -2 %.17g to 2 %.17g m\n", 3 * tall + radius - disc, 3 * tall + radius - disc);
     for (int k = 0; k < 3; k++)
@@ -142,7 +142,7 @@ static void not_these(void) {
   struct written it;
   words_add(
       &page,
-      "discs lattice 1 by 4 from 0 0 radius 1 spacing 1.99 m\ndisc 0 7.96 radius 1 m fixed\n"
+      "lattice discs 1 by 4 from 0 0 radius 1 spacing 1.99 m\ndisc 0 7.96 radius 1 m fixed\n"
       "disc 0 -1.99 radius 1 m fixed\ndisc 40 0 radius 1 m\nregion B box -1 -1 to 50 5\nrecord B.chains.length\n");
   struct words copy = {0};
   words_add(&copy, "%s", page.text);

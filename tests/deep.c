@@ -182,7 +182,7 @@ static void counts_stay(void) {
   struct written it;
   struct nb_result result;
   words_add(&page, "units none\nmaterial m density 1 young 1 poisson 0.3 kn 1\nnormal hertz\n"
-                   "spheres lattice 20 by 20 radius 1 spacing 1.85 m\nstep 1e-9\nrecord contacts.deep\n"
+                   "lattice spheres 20 by 20 radius 1 spacing 1.85 m\nstep 1e-9\nrecord contacts.deep\n"
                    "stage s\ncycles 10\nstage t\nnormal linear\ncycles 5\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);

@@ -148,7 +148,7 @@ static void crowd(struct words *page, const char *more) {
       page,
       "units none\nmaterial m density 2 kn 4000 ks 3000 friction 0.4\nshear linear\nstep 0.001\n"
       "damping contact-beta 0.0005\ndamping con1 0.999 reading velocity\n"
-      "discs lattice 9 by 9 m radius 0.5 spacing 1.05 from -4.2 -4.2\nwatch D disc 41\nwatch E disc 30\n"
+      "lattice discs 9 by 9 m radius 0.5 spacing 1.05 from -4.2 -4.2\nwatch D disc 41\nwatch E disc 30\n"
       "boundary circle 0 0 radius 5.3\n"
       "record cycle D.x D.y D.angle E.x E.y boundary.bodies boundary.area boundary.stress.xx boundary.stress.xy "
       "boundary.stress.yx boundary.stress.yy work.residual energy.driven energy.walls energy.removed energy.residual "

@@ -25,7 +25,7 @@ static double busy(double *energy, const char *damping, double step, const char 
   struct nb_result result;
   words_add(&page,
             "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\n"
-            "box 0 0 to 6 4 m\ndiscs lattice 3 by 2 m radius 0.98 spacing 1.99 from 1 1\n"
+            "box 0 0 to 6 4 m\nlattice discs 3 by 2 m radius 0.98 spacing 1.99 from 1 1\n"
             "disc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin 0.5\ngravity 0.1 -0.4\n%sstep %g\n" RECORD,
             damping, step);
   words_add(&page, format, cycles, cycles);

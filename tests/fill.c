@@ -70,7 +70,7 @@ static void evenly_in_a_circle(void) {
     struct written it;
     char page[256];
     int counts[80] = {0}; /* ten rings of equal area by eight octants */
-    snprintf(page, sizeof page, TINY "discs fill circle 3 -2 radius 1 dust rock seed %d tries 1 else stop\n", seed);
+    snprintf(page, sizeof page, TINY "fill discs circle 3 -2 radius 1 dust rock seed %d attempts 1 else stop\n", seed);
     make(&it, page);
     CU_ASSERT_EQUAL_FATAL(it.scene.body_count, DUST);
     for (size_t k = 0; k < DUST; k++) {
@@ -86,7 +86,7 @@ static void evenly_in_a_circle(void) {
 static void evenly_in_a_box(void) {
   struct written it;
   int counts[100] = {0};
-  make(&it, TINY "discs fill box -1 4 to 9 5 dust rock seed 7 tries 1 else stop\n");
+  make(&it, TINY "fill discs box -1 4 to 9 5 dust rock seed 7 attempts 1 else stop\n");
   CU_ASSERT_EQUAL_FATAL(it.scene.body_count, DUST);
   for (size_t k = 0; k < DUST; k++)
     counts[10 * (int)(it.scene.bodies[k].x + 1) + (int)(10 * (it.scene.bodies[k].y - 4))]++;
@@ -134,11 +134,11 @@ static void counted(const struct nb_scene *scene) {
 
 static void nobody_overlaps(void) {
   static const char *const fills[] = {
-      GRADED "spheres fill circle 0 0 radius 19.5 g rock seed %d tries 10000 else skip\n",
-      GRADED "spheres fill circle 500 -300 radius 17 g rock seed %d tries 1000 else skip\n",
-      GRADED "discs fill box 20 30 to 70 48 g rock seed %d tries 300 else skip\n",
-      WIDE "discs fill circle -7 5 radius 27 w rock seed %d tries 2000 else skip\n",
-      WIDE "discs fill box 1 1 to 301 23 w rock seed %d tries 500 else skip\n",
+      GRADED "fill spheres circle 0 0 radius 19.5 g rock seed %d attempts 10000 else skip\n",
+      GRADED "fill spheres circle 500 -300 radius 17 g rock seed %d attempts 1000 else skip\n",
+      GRADED "fill discs box 20 30 to 70 48 g rock seed %d attempts 300 else skip\n",
+      WIDE "fill discs circle -7 5 radius 27 w rock seed %d attempts 2000 else skip\n",
+      WIDE "fill discs box 1 1 to 301 23 w rock seed %d attempts 500 else skip\n",
   };
   for (size_t f = 0; f < sizeof fills / sizeof *fills; f++)
     for (int seed = 1; seed <= 3; seed++) {
@@ -157,8 +157,8 @@ static void nobody_overlaps(void) {
 static void what_is_there_stays_free(void) {
   struct written it;
   make(&it, ROCK "disc 0 0 radius 8 rock fixed\ndisc 30 0 radius 20 rock fixed\n" GRADED WIDE
-                 "discs fill circle 0 0 radius 30 g rock seed 1 tries 100 else skip\n"
-                 "discs fill circle 0 0 radius 30 w rock seed 1 tries 100 else skip\n");
+                 "fill discs circle 0 0 radius 30 g rock seed 1 attempts 100 else skip\n"
+                 "fill discs circle 0 0 radius 30 w rock seed 1 attempts 100 else skip\n");
   CU_ASSERT(it.scene.fills[0].count > 400 && it.scene.fills[1].count > 400);
   CU_ASSERT_EQUAL(it.scene.fills[1].first, 2 + it.scene.fills[0].count);
   sound(&it.scene, it.scene.fills[1].first);
@@ -167,8 +167,8 @@ static void what_is_there_stays_free(void) {
   it.scene.fill_count = 2;
   written_free(&it);
   /* Dust that is a thousandth of what is to come lies in more boxes than there are grains. */
-  make(&it, ROCK "grading dust 0.01 300\n" WIDE "discs fill circle 0 0 radius 30 dust rock seed 1 tries 9 else stop\n"
-                 "discs fill circle 0 0 radius 30 w rock seed 2 tries 1000 else skip\n");
+  make(&it, ROCK "grading dust 0.01 300\n" WIDE "fill discs circle 0 0 radius 30 dust rock seed 1 attempts 9 else stop\n"
+                 "fill discs circle 0 0 radius 30 w rock seed 2 attempts 1000 else skip\n");
   CU_ASSERT(it.scene.fills[0].count == 300 && it.scene.fills[1].count > 1000);
   sound(&it.scene, it.scene.fills[1].first);
   written_free(&it);
@@ -192,7 +192,7 @@ static void as_many_tries_as_chance_takes(void) {
     struct written it;
     char page[256];
     snprintf(page, sizeof page,
-             ROCK "grading g 1 %d\ndiscs fill box 0 0 to %g %g g rock seed %d tries 1000 else stop\n", BODIES, side,
+             ROCK "grading g 1 %d\nfill discs box 0 0 to %g %g g rock seed %d attempts 1000 else stop\n", BODIES, side,
              side, seed);
     make(&it, page);
     CU_ASSERT_DOUBLE_EQUAL((double)it.scene.fills[0].made, tries, 4 * sqrt(variance) + 0.002 * tries);
@@ -204,7 +204,7 @@ static void as_many_tries_as_chance_takes(void) {
  * no try. */
 static void tries_and_skips(void) {
   struct written it;
-  make(&it, ROCK "grading g 1 3 2 1 0.1 4\ndiscs fill circle 5 5 radius 1 g rock seed 9 tries 77 else skip\n");
+  make(&it, ROCK "grading g 1 3 2 1 0.1 4\nfill discs circle 5 5 radius 1 g rock seed 9 attempts 77 else skip\n");
   const struct nb_size *sizes = it.scene.gradings[0].sizes;
   CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 1);
   CU_ASSERT(it.scene.bodies[0].x == 5 && it.scene.bodies[0].y == 5); /* the only place */
@@ -212,7 +212,7 @@ static void tries_and_skips(void) {
   CU_ASSERT(sizes[0].placed == 0 && sizes[1].placed == 1 && sizes[2].placed == 0);
   CU_ASSERT(sizes[0].wanted == 1 && sizes[1].wanted == 3 && sizes[2].wanted == 4);
   written_free(&it);
-  make(&it, ROCK "grading g 1 2 0.1 3\ndiscs fill circle 5 5 radius 1.3 g rock seed 9 tries 1000 else skip\n");
+  make(&it, ROCK "grading g 1 2 0.1 3\nfill discs circle 5 5 radius 1.3 g rock seed 9 attempts 1000 else skip\n");
   CU_ASSERT_EQUAL(it.scene.body_count, 4); /* the rest of a size is left, the next one is not */
   CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[0].placed, 1);
   written_free(&it);
@@ -234,7 +234,7 @@ static void across_the_edge_by_rounding(void) {
       CU_ASSERT(to - from >= 2 * r && (place - from < r) == cases[k].low && (to - place < r) != cases[k].low);
       snprintf(page, sizeof page,
                ROCK "disc 99 99 radius 1 rock\ngrading g %g 1\n"
-                    "discs fill box %g %g to %g %g g rock seed 1 tries 9 else skip\n",
+                    "fill discs box %g %g to %g %g g rock seed 1 attempts 9 else skip\n",
                r, upright ? 0 : from, upright ? from : 0, upright ? 9 : to, upright ? to : 9);
       make(&it, page);
       CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[0].placed, 0);
@@ -260,8 +260,8 @@ static uint64_t bits_of(const struct nb_scene *scene) {
 
 static void the_same_bits(void) {
   struct written it;
-  make(&it, ROCK GRADED "spheres fill circle 0 0 radius 19.5 g rock seed 1 tries 10000 else skip\n"
-                        "spheres fill box 30 0 to 70 41 g rock seed 2 tries 10000 else skip\n");
+  make(&it, ROCK GRADED "fill spheres circle 0 0 radius 19.5 g rock seed 1 attempts 10000 else skip\n"
+                        "fill spheres box 30 0 to 70 41 g rock seed 2 attempts 10000 else skip\n");
   CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 1200);
   CU_ASSERT(bits_of(&it.scene) == UINT64_C(2551416825784825474)); /* as gcc and clang make it, with -O0 and -O3 */
   written_free(&it);
@@ -269,7 +269,7 @@ static void the_same_bits(void) {
 
 static void hexagonal(void) {
   struct written it;
-  make(&it, ROCK "discs lattice hexagonal 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
+  make(&it, ROCK "lattice discs hexagonal 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
   const struct nb_body *at = it.scene.bodies;
   CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 12);
   CU_ASSERT(at[0].x == 10 && at[0].y == 20 && at[2].x == 15 && at[3].x == 11.25 && at[6].x == 10 && at[9].x == 11.25);

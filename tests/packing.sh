@@ -26,8 +26,8 @@ material  rock  density 2650 kg/m3  young 70 GPa  poisson 0.25
 material  sand  density 1000 kg/m3  young 7 GPa  poisson 0.1
 normal    hertz
 grading   g  0.92 mm 3  0.61 mm 10  0.46 mm 12
-spheres   fill circle 0 mm 0 mm radius 6 mm  g rock  seed 3  tries 1000  else skip
-spheres   fill box 0.1 m 0 mm to 0.11 m 9 mm  g sand  seed 4  tries 1000  else skip
+fill   spheres circle 0 mm 0 mm radius 6 mm  g rock  seed 3  attempts 1000  else skip
+fill   spheres box 0.1 m 0 mm to 0.11 m 9 mm  g sand  seed 4  attempts 1000  else skip
 sphere    0.2 m 0 m  radius 1 mm  sand  fixed
 box       -7 mm -7 mm to 0.21 m 10 mm  rock
 gravity   1 m/s2 -9.81 m/s2
@@ -81,7 +81,7 @@ places() { awk -F '\t' '/^#/ { next } !h { for (k = 1; k <= NF; k++) at[$k] = k;
 } >"$pages/heap.txt"
 cp "$work/made/fall-bodies.tsv" "$pages/heap.tsv"
 for file in state tsv txt; do
-  taken "of-$file" "spheres packing heap.$file rock" && "$nineball" run "$pages/of-$file.md" -o "$work/of-$file.d" >"$work/said" 2>&1 &&
+  taken "of-$file" "packing spheres heap.$file rock" && "$nineball" run "$pages/of-$file.md" -o "$work/of-$file.d" >"$work/said" 2>&1 &&
     places "$work/of-$file.d/look-bodies.tsv" >"$work/seen" &&
     diff "$work/wanted" "$work/seen" >"$work/said" && test "$(wc -l <"$work/seen")" -eq 50
   result $? "places and radii from heap.$file are the same to the last bit"
@@ -99,7 +99,7 @@ result $? 'and its state is stale when the file has changed'
 
 # A list is no page, and may be longer than one: 100,000 discs, 4.5 MB.
 awk 'BEGIN { print "x/m\ty/m\tradius/m"; for (k = 0; k < 100000; k++) printf "%.17g\t%.17g\t0.004999\n", k % 400 * 0.01, int(k / 400) * 0.01 + 1e-9 * k }' >"$pages/many.tsv"
-printf '# Many\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m\ndiscs packing many.tsv rock\nstep 1 us\nrecord time\nstage go\ncycles 1\n```\n' >"$pages/many.md"
+printf '# Many\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m\npacking discs many.tsv rock\nstep 1 us\nrecord time\nstage go\ncycles 1\n```\n' >"$pages/many.md"
 timeout 60 "$nineball" explain "$pages/many.md" >"$work/said" 2>&1 && grep -q 'many.tsv: 100000 particles' "$work/said"
 result $? 'a list of 100,000 discs'
 

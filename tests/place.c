@@ -23,7 +23,7 @@
   "units none\nmaterial m density 2 kn 1000 ks 700 friction 0.3\nshear linear\ndamping contact-ratio 0.1\nstep "       \
   "0.004\n"
 #define FEW "disc 1 2 radius 0.6 m velocity 1 -2\ndisc 2.1 2.3 radius 0.7 m spin 3\ndisc 1.7 3.4 radius 0.5 m\n"
-#define MANY "discs lattice hexagonal 7 by 7 from 0.3 0.2 radius 0.5 spacing 0.97 m\n"
+#define MANY "lattice discs hexagonal 7 by 7 from 0.3 0.2 radius 0.5 spacing 0.97 m\n"
 #define RING MANY "boundary circle 3.2 2.9 radius 2.1\n"
 #define GO "stage go\ncycles 30\nsnapshot\n"
 #define STAGE "stage go\n"
@@ -47,16 +47,16 @@ static const struct row rows[] = {
     {"gravity centripetal", NB_IN_RAMP, FEW STAGE, "ramp gravity centripetal 10 about 4 1\n", END},
     {"disc", NB_IN_SCENE, FEW, "disc 3 3 radius 0.9 m velocity -4 1 spin 2\n", GO},
     {"sphere", NB_IN_SCENE, FEW, "sphere 3 3 radius 0.9 m velocity -4 1 spin 2\n", GO},
-    {"discs lattice", NB_IN_SCENE, FEW, "discs lattice 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
-    {"spheres lattice", NB_IN_SCENE, FEW, "spheres lattice hexagonal 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
-    {"spheres fill circle", NB_IN_SCENE, FEW "grading g 0.4 3\n",
-     "spheres fill circle 4 5 radius 1.5 g m seed 1 tries 1000 else stop\n", GO},
-    {"spheres fill box", NB_IN_SCENE, FEW "grading g 0.4 3\n",
-     "spheres fill box 4 5 to 6 9 g m seed 1 tries 1000 else stop\n", GO},
-    {"discs fill circle", NB_IN_SCENE, FEW "grading g 0.4 3\n",
-     "discs fill circle 4 5 radius 1.5 g m seed 1 tries 1000 else stop\n", GO},
-    {"discs fill box", NB_IN_SCENE, FEW "grading g 0.4 3\n",
-     "discs fill box 4 5 to 6 9 g m seed 1 tries 1000 else stop\n", GO},
+    {"lattice discs", NB_IN_SCENE, FEW, "lattice discs 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
+    {"lattice spheres", NB_IN_SCENE, FEW, "lattice spheres hexagonal 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
+    {"fill spheres circle", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "fill spheres circle 4 5 radius 1.5 g m seed 1 attempts 1000 else stop\n", GO},
+    {"fill spheres box", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "fill spheres box 4 5 to 6 9 g m seed 1 attempts 1000 else stop\n", GO},
+    {"fill discs circle", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "fill discs circle 4 5 radius 1.5 g m seed 1 attempts 1000 else stop\n", GO},
+    {"fill discs box", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "fill discs box 4 5 to 6 9 g m seed 1 attempts 1000 else stop\n", GO},
     {"box", NB_IN_SCENE, FEW, "box 0.5 1.5 to 2.7 3.8 m\n", GO},
     {"wall", NB_IN_SCENE, FEW, "wall floor 0 1.5 to 5 1.2 m about 1 -3 velocity 0.3 1 spin 0.2\n", GO},
     {"wall", NB_IN_STAGE, FEW WALL STAGE, "wall floor velocity 0.3 1 spin 0.2\n", END},
@@ -109,7 +109,7 @@ static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
 /* Words that have no direction, in a scene, in a stage and behind `ramp`. A packing has places from a file, which then are those
  * of bodies; `until` waits for what would be recorded, which is not turned, as the manual says. */
 static const char *const scalars[] = {
-    ("|packing|discs packing|spheres "
+    ("|packing|packing discs|spheres "
      "packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|watch|"
      "step|allow|record|stage|"),
     ("|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|still|reverse|remove|"

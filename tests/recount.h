@@ -35,7 +35,7 @@ static inline void made(struct written *it, struct nb_result *result) {
   words_add(
       &page,
       "units none\nmaterial m density 3 young 50000 poisson 0.25 friction 0.2\nnormal hertz\nshear mindlin\n"
-      "box 0 0 to 9.85 9.9 m\nspheres lattice 5 by 5 m radius 0.98 spacing 1.97 from 0.99 1\n"
+      "box 0 0 to 9.85 9.9 m\nlattice spheres 5 by 5 m radius 0.98 spacing 1.97 from 0.99 1\n"
       "sphere 1.98 1.99 radius 0.45 m\nsphere 5.92 3.96 radius 0.45 m fixed\nsphere 3.95 5.93 radius 0.4 m\n"
       "sphere 3.95 3.96 radius 0.43 m\ngravity 3 -9\nstep 0.001\n"
       "region B circle 5 4.5 radius 3.2\nrecord " TENSOR("stress") TENSOR("stress.contacts") TENSOR("stress.normal")

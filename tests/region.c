@@ -78,7 +78,7 @@ static void rattlers(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\n"
-                   "discs lattice 2 by 2 from 0 0 radius 1 spacing 1.99 m\n" /* 1-4: a loop */
+                   "lattice discs 2 by 2 from 0 0 radius 1 spacing 1.99 m\n" /* 1-4: a loop */
                    "disc 3.98 0 radius 1 m\ndisc 5.97 0 radius 1 m\n"        /* 5, 6: its tail */
                    "disc 20 20 radius 1 m\n"                                 /* 7: alone */
                    "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n"   /* 8 fixed, 9 between it */

@@ -15,7 +15,7 @@
 /* Six discs that are pressed, sheared and pulled, two of them fixed; then two of them are taken out, which touch each other. */
 #define BUSY                                                                                                           \
   "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\nbox 0 0 to 6 4 m\n"       \
-  "discs lattice 3 by 2 m radius 0.98 spacing 1.95 from 1 1\ndisc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin "   \
+  "lattice discs 3 by 2 m radius 0.98 spacing 1.95 from 1 1\ndisc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin "   \
   "0.5\ngravity 0.1 -0.4\nstep 0.002\nwatch A disc 1\nwatch B disc 2\nwatch C disc 3\nwatch D disc 4\nwatch E disc "   \
   "5\nwatch P disc 5 with disc 4\nwatch S disc 1 with disc 2\nwatch V disc 7\n"                                        \
   "record A.vx A.vy A.spin C.vx C.vy C.spin D.vx D.vy D.spin B.x B.y B.angle E.x B.vx B.vy B.spin B.fx B.moment "      \
@@ -94,8 +94,8 @@ static void never_there(void) {
       const struct nb_options options = {.threads = 1, .shuffle = with && many};
       words_add(&page, "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3\nshear linear\nskin 0.1\n"
                        "box 0 0 to 12 12 m\ngravity 0.1 -0.4\n");
-      words_add(&page, many ? "discs lattice 6 by 6 m radius 0.98 spacing 1.97 from 1 1\n"
-                            : "discs lattice 3 by 2 m radius 0.98 spacing 1.95 from 1 1\n");
+      words_add(&page, many ? "lattice discs 6 by 6 m radius 0.98 spacing 1.97 from 1 1\n"
+                            : "lattice discs 3 by 2 m radius 0.98 spacing 1.95 from 1 1\n");
       if (with)
         words_add(&page, "disc 1.98 1.98 radius 0.6 m spin 3 velocity 0 -1\n");
       words_add(&page,

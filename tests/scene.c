@@ -48,8 +48,8 @@ static void done(struct read *read) {
 #define END "step 1 us\nstage go\n cycles 10\n"
 
 static void lattice(void) {
-  struct read read = read_scene(ROCK "disc 9 m 9 m radius 1 m rock\ndiscs lattice 3 by 2 radius 5 mm rock\n"
-                                     "spheres lattice 2 by 2 from 1 m 2 m spacing 3 m radius 1 m rock\n" END);
+  struct read read = read_scene(ROCK "disc 9 m 9 m radius 1 m rock\nlattice discs 3 by 2 radius 5 mm rock\n"
+                                     "lattice spheres 2 by 2 from 1 m 2 m spacing 3 m radius 1 m rock\n" END);
   const struct nb_body *bodies = read.scene.bodies;
   CU_ASSERT_EQUAL_FATAL(read.scene.body_count, 11);
   static const double x[] = {5, 15, 25, 5, 15, 25}, y[] = {5, 5, 5, 15, 15, 15}; /* mm */
@@ -128,7 +128,7 @@ static void defaults(void) {
 static void stages(void) {
   struct read read = read_scene(
       ROCK
-      "box 0 m 0 m to 9 m 9 m rock\nwall mid 1 m 1 m to 2 m 1 m rock\ndiscs lattice 2 by 1 radius 1 m rock\n"
+      "box 0 m 0 m to 9 m 9 m rock\nwall mid 1 m 1 m to 2 m 1 m rock\nlattice discs 2 by 1 radius 1 m rock\n"
       "record time C.normal\nwatch C disc 1 with disc 2\nstep 0.1 of critical\ndamping contact-ratio 5 %\n"
       "damping con1 0.99 reading all\nstage a\nwalls inward 2 m/s\nwall east velocity 3 m/s 4 m/s\ncycles 7\nstage b\n"
       "step 2 us\ndamping global 3 1/s\nwalls stop\nrecord every 5 cycles\nsnapshot\n"

@@ -53,14 +53,14 @@ static void lattices_are_the_closed_forms(void) {
     const char *name, *statements;
     double safe, limit; /* of critical */
   } cases[] = {
-      {"a free pair, without shear", "discs lattice 2 by 1 radius 1 smooth\n", 0.7071067811865476, 0.7071067811865476},
-      {"a free pair", "discs lattice 2 by 1 radius 1 rough\n", 0.40824829046386301, 0.40824829046386301},
+      {"a free pair, without shear", "lattice discs 2 by 1 radius 1 smooth\n", 0.7071067811865476, 0.7071067811865476},
+      {"a free pair", "lattice discs 2 by 1 radius 1 rough\n", 0.40824829046386301, 0.40824829046386301},
       {"a disc between two walls",
-       "discs lattice 1 by 1 radius 1 smooth\nwall w 0 -1 to 0 3 smooth\nwall e 2 -1 to 2 3 smooth\n",
+       "lattice discs 1 by 1 radius 1 smooth\nwall w 0 -1 to 0 3 smooth\nwall e 2 -1 to 2 3 smooth\n",
        0.7071067811865476, 0.7071067811865476},
-      {"nine discs", "box 0 0 to 6 6 rough\ndiscs lattice 3 by 3 radius 1 rough\n", 0.20412414523193151,
+      {"nine discs", "box 0 0 to 6 6 rough\nlattice discs 3 by 3 radius 1 rough\n", 0.20412414523193151,
        0.26709262251211030},
-      {"nine discs, without shear", "box 0 0 to 6 6 smooth\ndiscs lattice 3 by 3 radius 1 smooth\n",
+      {"nine discs, without shear", "box 0 0 to 6 6 smooth\nlattice discs 3 by 3 radius 1 smooth\n",
        0.35355339059327379, 0.54119610014619698}, /* three in
        a row, both ends held: omega^2 = (2 + sqrt 2) k/m */
   };
@@ -87,7 +87,7 @@ static void as_the_page_says(void) {
       struct words page = {0};
       words_add(&page,
                 "units none\nshear linear\nmaterial m density 1 kn 1 ks 1 friction 1\nbox 0 0 to %d %d m\n"
-                "discs lattice %d by %d radius 1 m\ndamping contact-ratio %d\n",
+                "lattice discs %d by %d radius 1 m\ndamping contact-ratio %d\n",
                 rows[k][2], rows[k][3], rows[k][0], rows[k][1], 2 * ratio);
       const struct told it = told(&page, false);
       double *most = ratio ? &damped : &free;
@@ -104,7 +104,7 @@ static void turning_costs_thirty_per_cent(void) {
   struct limit limit;
   struct nb_error error;
   words_add(&page, "units none\nshear linear\nmaterial rough density 3 kn 100 ks 100 friction 1\nbox 0 0 to 6 6 rough\n"
-                   "discs lattice 3 by 3 radius 1 rough\nstep 0.1 of safe\nstage s\ncycles 1\n");
+                   "lattice discs 3 by 3 radius 1 rough\nstep 0.1 of safe\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, 1e-9, &error), NB_OK);
   NEAR(limit_of_modes(&limit) / limit.critical, 0.267092622512110, 1e-13);
@@ -124,7 +124,7 @@ static void damping_has_its_formula(void) {
     struct words page = {0};
     const double mass = 3.14159265358979323846 * 3, omega = sqrt(2 * 100 / mass);
     words_add(&page,
-              "units none\nmaterial m density 3 kn 100\ndiscs lattice 2 by 1 radius 1 m\ndamping contact-beta %.17g\n",
+              "units none\nmaterial m density 3 kn 100\nlattice discs 2 by 1 radius 1 m\ndamping contact-beta %.17g\n",
               2 * xi / omega);
     const struct told it = told(&page, true);
     in_order(&it);

@@ -96,7 +96,7 @@ material  m density 3 friction 0.3 young 50000 poisson 0.2
 normal    hertz
 shear     mindlin
 grading   g  0.9 8  0.7 25  0.5 30
-spheres   fill circle 0.1 0.2 radius 7 g m seed 1 tries 100000 else skip
+fill   spheres circle 0.1 0.2 radius 7 g m seed 1 attempts 100000 else skip
 boundary  circle 0.1 0.2 radius 6.3
 region    A inside 0.9
 watch     G grading g
@@ -124,7 +124,7 @@ material  m density 3 friction 0.3 young 50000 poisson 0.2
 normal    hertz
 shear     mindlin
 cell      0 0 to 8 8
-spheres   lattice 4 by 4 m radius 1 spacing 2 from 1 1
+lattice   spheres 4 by 4 m radius 1 spacing 2 from 1 1
 region    A all
 record    time A.stress.xx A.stress.yy cell.xx cell.strain.volume
 step      0.001
@@ -145,7 +145,7 @@ material  m density 3 friction 0.3 young 50000 poisson 0.2
 normal    hertz
 shear     mindlin
 box       0 0 to 8 8 m
-spheres   lattice 4 by 4 m radius 1 spacing 2 from 1 1
+lattice   spheres 4 by 4 m radius 1 spacing 2 from 1 1
 region    A all
 record    time A.stress.xx A.stress.yy box.width box.stress.yy
 step      0.001
@@ -337,7 +337,7 @@ mkdir -p "$deep/10" && base 3 >"$deep/end.md" && base 3 >"$deep/10/over.md" && o
   test "$(cycle_of "$house/cases/1-one/page.md")" = 4 && on over >"$house/cases/1-one/page.md" && no "$house/cases/1-one/page.md" 'cannot be read'
 result $? 'eight folders deep, and no deeper'
 printf 'x/m\ty/m\tradius/m\n0\t0\t1\n' >"$house/cases/1-one/deeper/list.tsv"
-printf '# P\n```scene\nunits none\nmaterial m density 1 kn 100\ndiscs packing deeper/list.tsv m\nstep 0.1\nrecord cycle\nstage more\n cycles 3\n```\n' >"$house/cases/2-two/packed.md"
+printf '# P\n```scene\nunits none\nmaterial m density 1 kn 100\npacking discs deeper/list.tsv m\nstep 0.1\nrecord cycle\nstage more\n cycles 3\n```\n' >"$house/cases/2-two/packed.md"
 sed 's/deeper.list/list/' "$house/cases/2-two/packed.md" >"$house/cases/2-two/also.md"
 sed -i 's/x.m/x\/-/; s/y.m/y\/-/; s/us.m/us\/-/' "$house/cases/1-one/deeper/list.tsv"
 test "$(cycle_of "$house/cases/2-two/packed.md")" = 3 && test "$(cycle_of "$house/cases/2-two/also.md")" = 3

@@ -24,7 +24,7 @@ static void same(const char *what, const char *page, const char *damping) {
 
 /* Sixty-three spheres. Each stage leaves contacts that rub. */
 static const char ring[] = GRAINS
-    "spheres fill circle 0.1 0.2 radius 7 g m seed 1 tries 100000 else skip\nboundary circle 0.1 0.2 radius 6.3\n"
+    "fill spheres circle 0.1 0.2 radius 7 g m seed 1 attempts 100000 else skip\nboundary circle 0.1 0.2 radius 6.3\n"
     "region A inside 0.9\nrecord time A.stress.mean\n"
     "stage gather\nboundary strain -4e-5 per cycle -5e-5 per cycle\ncontinuum strain -4e-5 per cycle -5e-5 per "
     "cycle\ncycles 2500\n"
@@ -55,7 +55,7 @@ static void a_ring(void) {
   same("ring, ratio", ring, "damping contact-ratio 0.1");
 }
 
-static const char cell[] = GRAINS "cell 0 0 to 12 12\nspheres fill box 0.5 0.5 to 11.5 11.5 g m seed 2 tries 100000 "
+static const char cell[] = GRAINS "cell 0 0 to 12 12\nfill spheres box 0.5 0.5 to 11.5 11.5 g m seed 2 attempts 100000 "
                                   "else skip\ngravity 0.01 0\nrecord time "
                                   "cell.stress.mean\n"
                                   "stage gather\ncell strain -5e-5 per cycle -6e-5 per cycle\ncycles 2500\n"
@@ -72,7 +72,7 @@ static void a_cell(void) {
   same("cell, ratio", cell, "damping contact-ratio 0.1");
 }
 
-static const char box[] = GRAINS "box 0 0 to 12 12 m\nspheres fill box 0.1 0.1 to 11.9 11.9 g m seed 2 tries 100000 "
+static const char box[] = GRAINS "box 0 0 to 12 12 m\nfill spheres box 0.1 0.1 to 11.9 11.9 g m seed 2 attempts 100000 "
                                  "else skip\ngravity 0.01 0\nrecord time box.stress.mean box.width\n"
                                  "stage gather\nbox strain -5e-5 per cycle -6e-5 per cycle\ncycles 2500\n"
                                  "stage gather-on\nstep 0.0007\ncycles 200\n"
@@ -90,7 +90,7 @@ static void a_box(void) {
 /* Gravity that points away from a point, and then in a direction as well. */
 static void away_from_a_point(void) {
   same("away",
-       "units none\nmaterial m density 3 kn 4000\ndiscs lattice 3 by 3 m radius 1 spacing 1.99 from -2 -2\n"
+       "units none\nmaterial m density 3 kn 4000\nlattice discs 3 by 3 m radius 1 spacing 1.99 from -2 -2\n"
        "wall w -5 -3 to 5 -3 m\nrecord time\nstep 0.001\n"
        "stage a\ngravity centripetal -2 about 1 0\ncycles 20\nstage b\nstep 0.0008\ncycles 20\n",
        "");

@@ -28,20 +28,20 @@ static double step_of(const char *statements) {
 
 static void a_step_is_a_share(void) {
   /* omega^2 = 2 k/m = 16 */
-  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
+  NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
   /* near, though not touching, counts; two that are far apart count as if they met, and so does a wall alone */
-  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 spacing 2.09 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
-  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 spacing 5 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
+  NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 2.09 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
+  NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 5 m\nstep 0.5 of safe\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 0.5 of safe\n"), sqrt(0.125), 1e-15);
   /* pi sqrt(M/k): two equal masses, and two of which one is heavy; the lightest two of three; at a wall */
   const double pi = 3.14159265358979323846;
-  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 spacing 5 m\nstep 0.5 of contact\n"), pi / 8, 1e-15);
+  NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 5 m\nstep 0.5 of contact\n"), pi / 8, 1e-15);
   NEAR(step_of(PAIR "disc 0 0 radius 1 m\ndisc 9 0 radius 3 m\nstep 1 of contact\n"), pi * sqrt(0.9 / 8), 1e-15);
-  NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndiscs lattice 2 by 1 radius 1 m\nstep 1 of contact\n"), pi / 4, 1e-15);
-  NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndiscs lattice 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of contact\n"),
+  NEAR(step_of(PAIR "disc 9 0 radius 3 m\nlattice discs 2 by 1 radius 1 m\nstep 1 of contact\n"), pi / 4, 1e-15);
+  NEAR(step_of(PAIR "disc 9 0 radius 3 m\nlattice discs 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of contact\n"),
        pi / 4, 1e-15);
   NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndisc 0 0 radius 1 m\nstep 1 of contact\n"), pi * sqrt(0.9 / 8), 1e-15);
-  NEAR(step_of(PAIR "discs lattice 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of contact\n"), pi / 4, 1e-15);
+  NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of contact\n"), pi / 4, 1e-15);
   NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 1 of contact\n"), pi / sqrt(8), 1e-15);
   /* a lighter body of another material does not stand for those of the pair */
   NEAR(step_of(PAIR
@@ -56,7 +56,7 @@ static void a_step_is_a_share(void) {
   NEAR(step_of(
            "units none\nmaterial m density 0.31830988618379067 kn 1e-4\ndisc 0 0 radius 1 m\nstep 0.5 of critical\n"),
        100., 1e-15);
-  NEAR(step_of("units none\nmaterial m density 0.31830988618379067 kn 1e-4\ndiscs lattice 2 by 1 radius 1 m\nstep 1 of "
+  NEAR(step_of("units none\nmaterial m density 0.31830988618379067 kn 1e-4\nlattice discs 2 by 1 radius 1 m\nstep 1 of "
                "contact\n"),
        pi * sqrt(0.5e4), 1e-15);
 }
@@ -141,9 +141,9 @@ static void no_step_for_spheres(void) {
       {"gravity 0 -9\nsphere 0 3 radius 1 m\nwall w -9 0 to 9 0 r\nstep 9 per contact\n",
        "line 10: nothing approaches"},
       {"sphere 0 3 radius 1 m\nstep 0.1 of safe\n", "line 8: what is safe follows from the stiffness"},
-      {"spheres lattice 3 by 1 radius 1 m\nstep 0.1 of safe\n",
+      {"lattice spheres 3 by 1 radius 1 m\nstep 0.1 of safe\n",
        "elastic spheres that are not pressed have none: say `N per contact`"},
-      {"spheres lattice 2 by 1 radius 1 spacing 1.9 m\nstep 0.1 of critical\n",
+      {"lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.1 of critical\n",
        "line 8: elastic spheres have no critical step"},
   };
   for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
@@ -160,9 +160,9 @@ static void no_step_for_spheres(void) {
     written_free(&it);
   }
   /* pressed, they have one: 2/omega, omega^2 = k/M*, k = 2 E* (R* overlap)^(1/2) */
-  NEAR(step_of(SPHERES "spheres lattice 2 by 1 radius 1 spacing 1.9 m\nstep 0.5 of safe\n"), sqrt(0.5 / sqrt(0.05)),
+  NEAR(step_of(SPHERES "lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.5 of safe\n"), sqrt(0.5 / sqrt(0.05)),
        1e-14);
-  NEAR(step_of(SPHERES "spheres lattice 2 by 1 radius 1e-3 spacing 1.9999e-3 m\nstep 0.5 of safe\n"),
+  NEAR(step_of(SPHERES "lattice spheres 2 by 1 radius 1e-3 spacing 1.9999e-3 m\nstep 0.5 of safe\n"),
        sqrt(5e-10 / sqrt(5e-11)), 1e-10);
 }
 
@@ -211,7 +211,7 @@ static void says(const struct nb_error *error, const char *words) {
 
 /* A third disc comes from 1 away; two that touch stand 0.5, three in a row 2/sqrt(24), 0.408. */
 #define COMING(step, allow)                                                                                            \
-  PAIR "discs lattice 2 by 1 radius 1 m\ndisc 6 1 radius 1 m velocity -0.025 0\nstep " step "\n" allow                 \
+  PAIR "lattice discs 2 by 1 radius 1 m\ndisc 6 1 radius 1 m velocity -0.025 0\nstep " step "\n" allow                 \
        "record time\nstage s\ncycles 200\n"
 
 static void a_bound_that_is_crossed_stops_the_run(void) {
@@ -235,7 +235,7 @@ static void a_stage_is_looked_at_as_it_begins(void) {
   unsigned long cycles;
   struct nb_error error;
 #define STAGES(first, second)                                                                                          \
-  PAIR "discs lattice 2 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\n" first "cycles 3\nstage b\n" second          \
+  PAIR "lattice discs 2 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\n" first "cycles 3\nstage b\n" second          \
        "cycles 5\n"
   CU_ASSERT_EQUAL(ends(STAGES("", ""), &cycles, &error), NB_OK);
   CU_ASSERT_EQUAL(ends(STAGES("", "step 0.6\n"), &cycles, &error), NB_BROKEN);
@@ -256,7 +256,7 @@ static void a_stage_is_looked_at_as_it_begins(void) {
 static void it_looks_now_and_then(void) {
   unsigned long cycles;
   struct nb_error error;
-  CU_ASSERT_EQUAL(ends(PAIR "discs lattice 3 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\nrecord none\n"
+  CU_ASSERT_EQUAL(ends(PAIR "lattice discs 3 by 1 radius 1 m\nstep 0.4\nrecord time\nstage a\nrecord none\n"
                             "ramp material m kn 8.55\ncycles 4000\n",
                        &cycles, &error),
                   NB_BROKEN);
@@ -272,7 +272,7 @@ static void the_watch_changes_no_bit(void) {
     struct nb_result result;
     words_add(&page,
               "units none\nshear linear\nmaterial m density 1 kn 1000 ks 700 friction 0.3\nbox 0 0 to 8 8 m\n"
-              "discs lattice 3 by 3 radius 1 spacing 2.2 m\ndisc 7 7 radius 0.8 m velocity -1 -0.7\n%s"
+              "lattice discs 3 by 3 radius 1 spacing 2.2 m\ndisc 7 7 radius 0.8 m velocity -1 -0.7\n%s"
               "step 0.2 of safe\nwatch D disc 10\nrecord D.x\nstage s\nrecord none\ncycles 3000\nstage e\ncycles 1\n",
               k ? "allow unstable\n" : "");
     written_scene(&it, &page);

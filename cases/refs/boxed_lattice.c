@@ -148,7 +148,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct lattice it;
   if (!find_lattice(&it, scene))
     return nb_error_set(error, NB_BAD_USE,
-                        "boxed_lattice wants one `discs lattice` in a box of the same stiffness, touching");
+                        "boxed_lattice wants one `lattice discs` in a box of the same stiffness, touching");
   struct state s = {scene->walls[0].h2 - scene->walls[0].h1, scene->walls[1].h2 - scene->walls[1].h1, 0, 0};
   for (size_t k = 0; k < scene->stage_count; k++) {
     enum hold hold;

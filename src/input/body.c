@@ -1,4 +1,4 @@
-/* Particles, alone and in lattices: `disc`, `sphere`, `discs lattice`, `spheres lattice`.
+/* Particles, alone and in lattices: `disc`, `sphere`, `lattice`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -7,7 +7,7 @@
 #include "statement.h"
 
 enum { AT_X, AT_Y, AT_RADIUS, AT_MATERIAL, AT_VX, AT_VY, AT_SPIN, AT_FIXED };
-enum { AT_NX = AT_VX, AT_NY, AT_SPACING, AT_SQUARE, AT_HEXAGONAL };
+enum { AT_SHAPE = AT_VX, AT_NX, AT_NY, AT_SPACING, AT_SQUARE, AT_HEXAGONAL };
 
 /* clang-format off */
 static const struct nb_argument body_fields[] = {
@@ -21,6 +21,7 @@ static const struct nb_argument body_fields[] = {
   END
 };
 static const struct nb_argument lattice_fields[] = {
+  SHAPE(AT_SHAPE),
   FLAG("square", AT_SQUARE, "the same", "Rows above each other."),
   FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row half a spacing to the east, rows sqrt(3)/2 of it apart: six neighbours, equally far."),
   COUNT(NULL, "NX", AT_NX, NULL, "How many from west to east."),
@@ -41,7 +42,7 @@ bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, 
 }
 
 bool nb_bodies_unsure(const struct nb_scene_reading *reading) {
-  static const char *const words[] = {"disc", "sphere", "discs", "spheres", "packing", "start"};
+  static const char *const words[] = {"disc", "sphere", "lattice", "fill", "packing", "start"};
   bool unsure = false;
   for (size_t k = 0; k < sizeof words / sizeof *words; k++)
     unsure = unsure || nb_excused(reading->reader.mistakes, words[k]);
@@ -59,7 +60,7 @@ struct nb_body nb_body_of(struct nb_reader *reader, const struct nb_scene *scene
   return body;
 }
 
-/* variant: enum nb_shape, here and below */
+/* variant: enum nb_shape */
 NB_APPLY(apply_body) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
@@ -84,8 +85,8 @@ NB_APPLY(apply_lattice) {
       .spacing = spaced ? value[AT_SPACING].number : 2 * radius,
       .hexagonal = value[AT_HEXAGONAL].token != NULL,
   };
-  struct nb_body one = nb_body_of(reader, scene, (enum nb_shape)record->keyword->variant, value[AT_MATERIAL].token,
-                                  false, like.nx * like.ny);
+  struct nb_body one = nb_body_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number, value[AT_MATERIAL].token, false,
+                                  like.nx * like.ny);
   const double far_x = like.x + like.spacing * (double)like.nx, far_y = like.y + like.spacing * (double)like.ny;
   one.radius = radius;
   if (value[AT_HEXAGONAL].token && value[AT_SQUARE].token)
@@ -105,12 +106,10 @@ NB_STATEMENTS(body) = {
   {"sphere", NB_IN_SCENE, body_fields, NULL, NB_SPHERE, false, apply_body,
    "One sphere, which moves in the plane; it gets the next number.",
    "sphere    25 mm 60 mm  radius 5 mm  glass"},
-  {"discs lattice", NB_IN_SCENE, lattice_fields, NULL, NB_DISC, false, apply_lattice,
-   "Discs in a lattice, numbered row by row from the south-west: to the east, then the next row to the north.",
-   "discs     lattice 3 by 2  from 15 mm 15 mm  radius 5 mm  spacing 12 mm  glass"},
-  {"spheres lattice", NB_IN_SCENE, lattice_fields, NULL, NB_SPHERE, false, apply_lattice,
-   "Spheres in a lattice, numbered as `discs lattice`.",
-   "spheres   lattice hexagonal 2 by 1  from 15 mm 40 mm  radius 5 mm  steel"},
+  {"lattice", NB_IN_SCENE, lattice_fields, NULL, 0, false, apply_lattice,
+   "Discs or spheres in a lattice, numbered row by row from the south-west: in x, then the next row in y.",
+   "lattice   discs 3 by 2  from 15 mm 15 mm  radius 5 mm  spacing 12 mm  glass\n"
+   "lattice   spheres hexagonal 2 by 1  from 15 mm 40 mm  radius 5 mm  steel"},
   {0},
 };
 /* clang-format on */

@@ -1,4 +1,4 @@
-/* Gradings, and what is filled with them: `grading`, `spheres fill`, `discs fill`.
+/* Random packings: `grading`, `fill`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -9,27 +9,27 @@
 #include "packing/packing.h"
 #include "statement.h"
 
-enum { TRIES_MAX = 1000000 }; /* a second or so for each size that does not fit */
+enum { ATTEMPTS_MAX = 1000000 }; /* a second or so for each size that does not fit */
 
 enum { AT_NAME };
-enum { AT_X, AT_Y, AT_X1, AT_Y1, AT_RADIUS, AT_GRADING, AT_MATERIAL, AT_SEED, AT_TRIES, AT_ELSE };
+enum { AT_SHAPE, AT_CIRCLE, AT_RADIUS = AT_CIRCLE + 2, AT_BOX, AT_TO = AT_BOX + 2, AT_GRADING = AT_TO + 2 };
+enum { AT_MATERIAL = AT_GRADING + 1, AT_SEED, AT_ATTEMPTS, AT_ELSE };
 
 /* clang-format off */
 static const struct nb_argument grading_fields[] = {NAME(AT_NAME, "a name for the grading"), END};
-#define FILLING \
-  WORD("GRADING", AT_GRADING, "the name of a grading"), \
-  MATERIAL(AT_MATERIAL), \
-  COUNT("seed", "N", AT_SEED, NULL, "Which of all random packings it is."), \
-  COUNT("tries", "N", AT_TRIES, NULL, "How many places are tried for each body, at most 1000000."), \
-  CHOICE("else", "stop|skip", AT_ELSE, NULL, "`stop` or `skip`")
-static const struct nb_argument fill_circle_fields[] = {
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre of the circle, to the east."),
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre of the circle, to the north."),
-  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, NULL, "Radius of the circle."),
-  FILLING,
+static const struct nb_argument fill_fields[] = {
+  SHAPE(AT_SHAPE),
+  CLAUSE("circle", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_CIRCLE, 2, "a box", "A circle about that centre."),
+  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, "a box", "Radius of the circle."),
+  CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "a circle", "A box with that south-west corner, whose sides are no walls."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "a circle", "North-east corner of the box."),
+  WORD("GRADING", AT_GRADING, "the name of a grading"),
+  MATERIAL(AT_MATERIAL),
+  COUNT("seed", "N", AT_SEED, NULL, "Which of all random packings it is."),
+  COUNT("attempts", "N", AT_ATTEMPTS, NULL, "How many places are tried for each particle, at most 1000000."),
+  CHOICE("else", "stop|skip", AT_ELSE, NULL, "`stop` or `skip`"),
   END
 };
-static const struct nb_argument fill_box_fields[] = {CORNERS(AT_X, AT_X1), FILLING, END};
 /* clang-format on */
 
 /* ---- gradings ---- */
@@ -118,39 +118,50 @@ static void say_stopped(struct nb_reader *reader, const struct nb_scene *scene, 
       break;
   }
   nb_token_mistake(
-      reader, &reader->tokens[0], "fill more room, try oftener, or say `else skip`: smaller ones may still fit",
-      "expected room for all %zu bodies of `%s`, found no place for the next one with `tries %lu`; placed: %s",
+      reader, &reader->tokens[0],
+      "fill a larger place, make more attempts, or write `else skip`: smaller ones may still fit",
+      "expected room for all %zu bodies of `%s`, found no place for the next one with `attempts %lu`; placed: %s",
       it->count, it->name, fill->tries, list);
 }
 
-/* variant: enum nb_shape */
+/* Either a circle or a box, whole. */
+static void check_place(struct nb_reader *reader, const struct nb_value *value, const struct nb_fill *fill) {
+  const bool circle = value[AT_CIRCLE].token && value[AT_RADIUS].token && !value[AT_BOX].token && !value[AT_TO].token;
+  const bool box = value[AT_BOX].token && value[AT_TO].token && !value[AT_CIRCLE].token && !value[AT_RADIUS].token;
+  if (!circle && !box)
+    nb_token_mistake(reader, &reader->tokens[0], NULL,
+                     "expected one place to fill: `circle X Y radius R` or `box X Y to X Y`");
+  if (box && !(fill->x1 > fill->x && fill->y1 > fill->y))
+    nb_token_mistake(reader, value[AT_TO].token, NULL,
+                     "expected a north-east corner to the north and east of the first one");
+  if (!isfinite(area(fill)))
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a place to fill that a double can hold the area of");
+}
+
 NB_APPLY(apply_fill) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
+  const int at = value[AT_CIRCLE].token ? AT_CIRCLE : AT_BOX;
   struct nb_fill fill = {
-      .circle = value[AT_RADIUS].token != NULL,
-      .x = value[AT_X].number,
-      .y = value[AT_Y].number,
+      .circle = at == AT_CIRCLE,
+      .x = value[at].number,
+      .y = value[at + 1].number,
       .radius = value[AT_RADIUS].number,
-      .x1 = value[AT_X1].number,
-      .y1 = value[AT_Y1].number,
+      .x1 = value[AT_TO].number,
+      .y1 = value[AT_TO + 1].number,
       .grading = grading_of(scene, reader, value[AT_GRADING].token),
       .seed = (unsigned long)value[AT_SEED].number,
-      .tries = (unsigned long)value[AT_TRIES].number,
+      .tries = (unsigned long)value[AT_ATTEMPTS].number,
       .skip = value[AT_ELSE].number == 1,
       .first = scene->body_count,
       .line = (int)reader->line,
   };
-  if (fill.tries > TRIES_MAX)
-    nb_token_mistake(reader, value[AT_TRIES].token, NULL, "expected at most %d tries for each body", TRIES_MAX);
-  if (!fill.circle && !(fill.x1 > fill.x && fill.y1 > fill.y))
-    nb_token_mistake(reader, value[AT_X1].token, NULL,
-                     "expected a north-east corner to the north and east of the first one");
-  if (!isfinite(area(&fill)))
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a place to fill that a double can hold the area of");
-  const struct nb_body like =
-      nb_body_of(reader, scene, (enum nb_shape)record->keyword->variant, value[AT_MATERIAL].token, false,
-                 reader->bad ? 0 : scene->gradings[fill.grading].count);
+  if (fill.tries > ATTEMPTS_MAX)
+    nb_token_mistake(reader, value[AT_ATTEMPTS].token, NULL, "expected at most %d attempts for each particle",
+                     ATTEMPTS_MAX);
+  check_place(reader, value, &fill);
+  const struct nb_body like = nb_body_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number, value[AT_MATERIAL].token,
+                                         false, reader->bad ? 0 : scene->gradings[fill.grading].count);
   if (reader->bad)
     return;
   const enum nb_filled filled = nb_fill_random(scene, &fill, like);
@@ -165,22 +176,14 @@ NB_APPLY(apply_fill) {
 /* clang-format off */
 NB_STATEMENTS(fill) = {
   {"grading", NB_IN_SCENE, grading_fields, "RADIUS N {RADIUS N …}", 0, false, apply_grading,
-   "How many bodies of which radius: what `fill` fills with.",
+   "How many particles of which radius `fill` is to place.",
    "grading   mixed  8 mm 2  5 mm 6"},
-  {"spheres fill circle", NB_IN_SCENE, fill_circle_fields, NULL, NB_SPHERE, false, apply_fill,
-   "Spheres of a grading at random in a circle, largest first and numbered so, wholly inside and not touching each other nor a body "
-   "that is there already (R89, sections 4.4 and 6.4); walls are not looked at. What is meant by a seed is the same on every machine. For a body that finds no place in so many tries: "
-   "`else stop` says so and ends, as the old generator did, `else skip` goes on with the next smaller size; then what was dropped is a quantity.",
-   "spheres   fill circle 200 mm 40 mm radius 30 mm  mixed steel  seed 1  tries 1000  else skip"},
-  {"spheres fill box", NB_IN_SCENE, fill_box_fields, NULL, NB_SPHERE, false, apply_fill,
-   "The same in a box, whose sides are no walls.",
-   "spheres   fill box 250 mm 0 mm to 320 mm 80 mm  mixed steel  seed 2  tries 1000  else stop"},
-  {"discs fill circle", NB_IN_SCENE, fill_circle_fields, NULL, NB_DISC, false, apply_fill,
-   "The same with discs.",
-   "discs     fill circle 200 mm 140 mm radius 30 mm  mixed glass  seed 3  tries 1000  else skip"},
-  {"discs fill box", NB_IN_SCENE, fill_box_fields, NULL, NB_DISC, false, apply_fill,
-   "Discs in a box.",
-   "discs     fill box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  tries 1000  else stop"},
+  {"fill", NB_IN_SCENE, fill_fields, NULL, 0, false, apply_fill,
+   "Discs or spheres of a grading, randomly placed in a circle or a box, largest first and numbered so, wholly inside and not touching each other nor a particle "
+   "that is there already (R89, sections 4.4 and 6.4); walls are not looked at. A seed means the same packing on every machine. When no place is found for a particle in so many attempts, "
+   "`else stop` ends with an error, as the old generator did, and `else skip` goes on with the next smaller size; a quantity counts those dropped.",
+   "fill      spheres circle 200 mm 40 mm radius 30 mm  mixed steel  seed 1  attempts 1000  else skip\n"
+   "fill      discs box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  attempts 1000  else stop"},
   {0},
 };
 /* clang-format on */

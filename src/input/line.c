@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "old_words.h"
 #include "reader.h"
 
 static bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
@@ -191,7 +192,9 @@ bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, co
     const struct nb_token *last = &reader->tokens[reader->count - 1];
     column = last->column + last->length;
   }
-  nb_mistake(reader->mistakes, reader->page, reader->line, column, length, hint, "%s", text);
+  char old[NB_HINT_SIZE];
+  const char *now = nb_old_hint(old, reader->page, reader->line);
+  nb_mistake(reader->mistakes, reader->page, reader->line, column, length, now ? now : hint, "%s", text);
   return nb_silent(reader);
 }
 

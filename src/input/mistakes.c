@@ -1,7 +1,7 @@
 /* What is wrong with a page, every mistake of it at once and in line order:
  *
  *   PATH:12:29: error: expected a length and its unit (m, mm, um, nm, cm, km), found `50`
- *      12 | discs lattice 3 by 3 radius 50 rock
+ *      12 | lattice discs 3 by 3 radius 50 rock
  *         |                             ^~
  *     hint: write `50 m` or `50 mm`, or begin the scene with `units none`
  *

@@ -34,7 +34,7 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
   const struct nb_token *file = file_of(reader, false);
   const int m = NB_FIND(scene->materials, scene->material_count, name);
   if (m < 0)
-    nb_token_mistake(reader, file, "define it above, or give all the same one: `discs packing FILE MATERIAL`",
+    nb_token_mistake(reader, file, "define it above, or give all the same one: `packing discs FILE MATERIAL`",
                      "expected the page to have all materials of the file, `%s` is missing", name);
   else if (scene->materials[m].density == 0 && !fixed)
     nb_token_mistake(reader, file, NULL, "expected materials with mass for free bodies, `%s` has no `density`", name);
@@ -73,7 +73,7 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const ch
   double *lengths;
   size_t rows;
   if (!all) {
-    nb_token_mistake(reader, file_of(reader, all), "say it of all: `discs packing FILE MATERIAL`",
+    nb_token_mistake(reader, file_of(reader, all), "say it of all: `packing discs FILE MATERIAL`",
                      "expected a file of `nineball state`: a list does not tell what its bodies are");
     return;
   }
@@ -131,13 +131,13 @@ NB_STATEMENTS(packing) = {
    "materials of the same names. They are at rest, and the contacts between them remember nothing. Numbers come as they are in the file, to the last bit: docs/STATE.md. The file is "
    "found as a page is by `start`.",
    "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state"},
-  {"discs packing", NB_IN_SCENE | NB_APART, packing_of_fields, NULL, NB_DISC, false, apply_packing,
+  {"packing discs", NB_IN_SCENE | NB_APART, packing_of_fields, NULL, NB_DISC, false, apply_packing,
    "Discs of one material where bodies are in a file: one as for `packing`, or a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, "
    "parted by tabs or by blanks; other columns are passed over, and lines that begin with `#`. So STAGE-bodies.tsv of any run will do.",
-   "material  rock  density 2000 kg/m3  kn 1 MN/m\ndiscs     packing heap.tsv rock"},
-  {"spheres packing", NB_IN_SCENE | NB_APART, packing_of_fields, NULL, NB_SPHERE, false, apply_packing,
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   discs heap.tsv rock"},
+  {"packing spheres", NB_IN_SCENE | NB_APART, packing_of_fields, NULL, NB_SPHERE, false, apply_packing,
    "The same with spheres.",
-   "material  rock  density 2000 kg/m3  kn 1 MN/m\nspheres   packing heap.tsv rock"},
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   spheres heap.tsv rock"},
   {0},
 };
 /* clang-format on */

@@ -14,6 +14,7 @@
 
 #include "core/clean.h"
 #include "hash.h"
+#include "old_words.h"
 #include "reader.h"
 
 static const char *const kinds[NB_BLOCK_KINDS] = {
@@ -60,8 +61,7 @@ static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, stru
   return true;
 }
 
-/* The length of the fence that a line is, its sign and where its info string begins; 0: it is none. */
-static size_t fence(const char *line, char *sign, const char **info) {
+size_t nb_fence(const char *line, char *sign, const char **info) {
   *sign = '\0';
   *info = "";
   size_t blanks = strspn(line, " ");
@@ -73,6 +73,13 @@ static size_t fence(const char *line, char *sign, const char **info) {
   *sign = *c;
   *info = c + n + strspn(c + n, " \t");
   return n < 3 || (*sign == '`' && strchr(*info, '`')) ? 0 : n;
+}
+
+int nb_page_kind(const char *word, size_t length) {
+  int kind = NB_BLOCK_KINDS - 1;
+  while (kind >= 0 && !(strlen(kinds[kind]) == length && strncmp(word, kinds[kind], length) == 0))
+    kind--;
+  return kind;
 }
 
 /* The kind that a word was meant to name: it differs by one letter, or has the name and more; NULL: none. */
@@ -98,13 +105,14 @@ static int kind_of_info(const struct nb_page *page, size_t line, const char *inf
     return -1;
   memcpy(word, info + signs, length);
   word[length] = '\0';
-  for (int kind = 0; kind < NB_BLOCK_KINDS && !signs; kind++)
-    if (strcmp(word, kinds[kind]) == 0)
-      return kind;
-  const char *near = near_kind(word);
+  const int kind = nb_page_kind(word, length);
+  if (kind >= 0 && !signs)
+    return kind;
+  const char *near = near_kind(word), *old = nb_old_fence(hint, page->lines[line - 1]);
   const int whole = (int)strcspn(info, " \t");
-  if (near) {
+  if (near && !old)
     snprintf(hint, sizeof hint, "did you mean `%s`?", near);
+  if (near || old) {
     nb_mistake(mistakes, page, line, (int)(info + signs - page->lines[line - 1]) + 1, (int)length, hint,
                "expected a block of a known kind (scene, path, expect, gnuplot), found `%.*s`", whole, info);
   }
@@ -114,7 +122,7 @@ static int kind_of_info(const struct nb_page *page, size_t line, const char *inf
 /* A fence of an expect block that is no block for us: in a quote, in a list, or indented by more than three blanks. */
 static size_t hidden_fence(const char *line, char *sign) {
   const char *info;
-  const size_t n = fence(line + strspn(line, " \t>*+-"), sign, &info);
+  const size_t n = nb_fence(line + strspn(line, " \t>*+-"), sign, &info);
   return strcspn(info, " \t") == strlen("expect") && strncmp(info, "expect", strlen("expect")) == 0 ? n : 0;
 }
 
@@ -129,13 +137,13 @@ static bool closes(const struct open_block *block, const char *line) {
   char sign;
   const char *info;
   const size_t prefix = block->kind == NB_BLOCK_HIDDEN ? strspn(line, " \t>") : 0;
-  return fence(line + prefix, &sign, &info) >= block->length && sign == block->sign && *info == '\0';
+  return nb_fence(line + prefix, &sign, &info) >= block->length && sign == block->sign && *info == '\0';
 }
 
 static bool opens(struct open_block *block, const struct nb_page *page, size_t line, struct nb_mistakes *mistakes) {
   const char *info, *text = page->lines[line - 1];
   block->line = line;
-  if ((block->length = fence(text, &block->sign, &info)))
+  if ((block->length = nb_fence(text, &block->sign, &info)))
     block->kind = kind_of_info(page, line, info, mistakes);
   else if ((block->length = hidden_fence(text, &block->sign)))
     block->kind = NB_BLOCK_HIDDEN;

@@ -198,7 +198,7 @@ const struct nb_keyword *nb_keyword_row(const struct nb_family *table, size_t k)
 
 /* Reads the statement in reader->tokens by its row in a table. `here` is one of NB_IN_…. */
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject);
-/* Of "discs lattice" the first, into NB_NAME_SIZE bytes; whether there are more. */
+/* Of "lattice discs" the first, into NB_NAME_SIZE bytes; whether there are more. */
 bool nb_first_word(char *first, const char *words);
 /* "disc X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}" */
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword);
@@ -207,6 +207,10 @@ const struct nb_family *nb_keywords(void);
 
 /* ---- page.c ---- */
 
+/* The kind of block that a word names; -1: none. */
+int nb_page_kind(const char *word, size_t length);
+/* The length of the fence that a line is, its sign and where its info string begins; 0: it is none. */
+size_t nb_fence(const char *line, char *sign, const char **info);
 /* Line of the fence of the first such block, 0: none. */
 size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind);
 /* A page of at most so many bytes. */

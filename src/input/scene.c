@@ -174,7 +174,7 @@ static void check_whole(struct nb_scene_reading *reading) {
   nb_drives_check(reading);
   nb_boxes_check(reading);
   if (scene->body_count == 0 && !nb_bodies_unsure(reading))
-    nb_say_of_scene(reading, "body", "`disc`, `sphere`, `discs` and `spheres` make them",
+    nb_say_of_scene(reading, "body", "`disc`, `sphere`, `lattice`, `fill` and `packing` make them",
                     "expected a scene with bodies, found none");
   if (scene->stage_count == scene->start.stages)
     nb_say_of_scene(reading, "stage", "begin it with `stage NAME`, and say how long it is with `cycles N`",

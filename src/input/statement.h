@@ -22,6 +22,7 @@
 #define END {NULL, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, 0, 0, NULL, NULL}
 /* What several statements take. */
 #define MATERIAL(at) WORD("MATERIAL", at, "the name of a material")
+#define SHAPE(at) CHOICE(NULL, "discs|spheres", at, NULL, "`discs` or `spheres`") /* as enum nb_shape */
 #define RADIUS(at) CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, at, 1, NULL, "Radius.")
 #define VELOCITY(at, otherwise) \
   CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, at, 2, otherwise, "Velocity to the east and to the north.")

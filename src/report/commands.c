@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 
 #include "core/guess.h"
+#include "input/old_words.h"
 #include "input/scene.h"
 #include "laws/law.h"
 #include "run/restart.h"
@@ -289,6 +290,49 @@ enum nb_status nb_command_state(const struct nb_use *use) {
   }
   nb_outcome_free(&outcome);
   return stage < 0 && !status ? NB_BAD_USE : status;
+}
+
+/* ---- migrate ---- */
+
+/* A page in the words of today, into its own file or to standard output. */
+static enum nb_status migrate(const char *path, bool in_place, struct nb_error *error) {
+  struct nb_text text = {0};
+  struct nb_save save;
+  size_t size;
+  char *page = nb_file_read(path, NB_PAGE_MAX, &size, error);
+  if (!page)
+    return error->status;
+  if (strlen(page) < size) {
+    free(page);
+    return nb_error_set(error, NB_BAD_USE, "expected a page, found a file that is no text");
+  }
+  nb_migrate(&text, page);
+  enum nb_status status = text.failed ? nb_error_memory(error) : NB_OK;
+  if (!status && !in_place) {
+    fputs(text.at ? text.at : "", stdout);
+  } else if (!status && text.at) {
+    status = nb_save_begin(&save, path, error);
+    if (!status)
+      fputs(text.at, save.file), status = nb_save_end(&save, error);
+  }
+  free(text.at), free(page);
+  return status;
+}
+
+enum nb_status nb_command_migrate(const struct nb_use *use) {
+  enum nb_status worst = NB_OK;
+  if (use->page_count > 1 && !use->in_place) {
+    fputs("nineball: several pages are rewritten with --in-place\n", stderr);
+    return NB_BAD_USE;
+  }
+  for (size_t k = 0; k < use->page_count; k++) {
+    struct nb_error error;
+    const enum nb_status status = migrate(use->pages[k], use->in_place, &error);
+    if (status)
+      fprintf(stderr, "%s: error: %s\n", use->pages[k], error.text);
+    worst = worse(worst, status);
+  }
+  return worst;
 }
 
 /* ---- laws, list ---- */

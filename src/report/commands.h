@@ -17,6 +17,7 @@ struct nb_use {
   char follow[4096];     /* the setting of --follow; empty: none */
   struct nb_options options;
   bool tap;
+  bool in_place;
   bool trust;         /* draw without confinement where there is none */
   bool help, version; /* one of them is all that is wanted */
   unsigned given;     /* set of options, by their place in the table */
@@ -30,6 +31,7 @@ enum nb_status nb_command_figure(const struct nb_use *use);
 enum nb_status nb_command_report(const struct nb_use *use);
 enum nb_status nb_command_explain(const struct nb_use *use);
 enum nb_status nb_command_state(const struct nb_use *use);
+enum nb_status nb_command_migrate(const struct nb_use *use);
 enum nb_status nb_command_laws(const struct nb_use *use);
 enum nb_status nb_command_list(const struct nb_use *use);
 

@@ -26,6 +26,7 @@ static const struct {
     {"explain", nb_command_explain, "PAGE…", "the plan: what is switched on, what asked for it, step, cost"},
     {"state", nb_command_state, "PAGE [-o FILE]",
      "run a page to the end of a stage, keep its bodies and all else in a file"},
+    {"migrate", nb_command_migrate, "PAGE… [--in-place]", "rewrite pages of version 0.3 in the words of this one"},
     {"laws", nb_command_laws, "", "the contact laws, with their equations"},
     {"list", nb_command_list, "", "the references, and the quantities that a page can record"},
 };
@@ -59,6 +60,7 @@ static const struct option_row {
     {"isa", "NAME", 0, TEXT, AT(options.isa), ALL, "plain, avx2 or avx512 (default: the widest); nor on this"},
     {"trust", NULL, 0, FLAG, AT(trust), "figure, report",
      "draw also where gnuplot cannot be confined, for pages that you trust"},
+    {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
     {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts in the form that `make check` reads"},
     {"help", NULL, 'h', FLAG, AT(help), NULL,
      "this; all words of pages: nineball --help scene; one of them: nineball --help disc; also expect, gnuplot"},

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "expect.h"
+#include "input/old_words.h"
 #include "input/reader.h"
 
 /* Where it goes, and how. */
@@ -362,7 +363,7 @@ bool nb_manual_word(FILE *out, const char *word, char *hint) {
   }
   for (size_t t = 0; t < sizeof tables / sizeof *tables && !found; t++)
     found = clause(out, word, tables[t]);
-  found = found || quantity(out, word);
+  found = found || quantity(out, word) || nb_old_help(out, word);
   snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return found;
 }

@@ -7,7 +7,7 @@
 
 #define STATEMENTS                                                                                                     \
   "material rock density 2000 kg/m3 young 1 GPa poisson 0.2 friction 0.3\n"                                            \
-  "normal hertz\nshear mindlin_deresiewicz pieces 4\nspheres lattice 2 by 1 rock radius 10 mm spacing 19.99 mm from "  \
+  "normal hertz\nshear mindlin_deresiewicz pieces 4\nlattice spheres 2 by 1 rock radius 10 mm spacing 19.99 mm from "  \
   "10 mm 9.995 mm\nwall floor -1 m 0 mm to 1 m 0 mm rock\ngravity 1 m/s2 -9.81 m/s2\nwatch A sphere 1\nregion W all\n" \
   "step 0.1 of rayleigh\n"
 
@@ -23,7 +23,7 @@ static const struct {
      "4\n```\n\n```expect\ncycle "
      "max  stated 8 within 1 %  [by hand]\n```\n"},
     {"packed.md",
-     "# Packed\n\n```scene\nlet d 20 mm\nmaterial rock density 2000 kg/m3 kn 1 MN/m\nspheres packing list.tsv rock\n"
+     "# Packed\n\n```scene\nlet d 20 mm\nmaterial rock density 2000 kg/m3 kn 1 MN/m\npacking spheres list.tsv rock\n"
      "sphere 5 m 0 m radius $d rock\nboundary circle 0 m 0 m radius 1 m\nstep 1 us\nrecord time\nstage go\n  "
      "boundary strain -1 1/s -1 1/s\n  cycles 3\n  snapshot\n```\n"},
     {"list.tsv", "x/m\ty/m\tradius/m\n0\t0\t0.1\n0.3\t0\t0.1\n"},

@@ -1,0 +1,39 @@
+/* A page of 0.3 in the words of today: every line of its blocks by the table of old words; prose, line ends and all else as they are.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <string.h>
+
+#include "old_words.h"
+#include "reader.h"
+
+/* What the block holds that a fence begins; -1: prose. */
+static int block_of(const char *info) {
+  static const enum nb_old_block blocks[] = {[NB_BLOCK_SCENE] = NB_OLD_STATEMENTS,
+                                             [NB_BLOCK_PATH] = NB_OLD_STATEMENTS,
+                                             [NB_BLOCK_EXPECT] = NB_OLD_EXPECTATIONS,
+                                             [NB_BLOCK_GNUPLOT] = NB_OLD_GNUPLOT};
+  const int kind = nb_page_kind(info, strcspn(info, " \t\r"));
+  return kind < 0 ? -1 : (int)blocks[kind];
+}
+
+void nb_migrate(struct nb_text *text, char *page) {
+  size_t open = 0; /* length of the fence of the block that the line is in; 0: none */
+  char sign = 0, s, *end;
+  int block = -1;
+  for (char *line = page; *line; line = end + (*end != '\0')) {
+    const char *info;
+    end = line + strcspn(line, "\n");
+    const char ending[] = {*end, '\0'};
+    *end = '\0';
+    const size_t fence = nb_fence(line, &s, &info), start = text->length;
+    const bool closes = open && fence >= open && s == sign && info[strspn(info, "\r")] == '\0';
+    const bool words = open && !closes && block >= 0, opens = !open && fence;
+    nb_old_line(text, line, words ? (enum nb_old_block)block : opens ? NB_OLD_OPENING : NB_OLD_PROSE);
+    if (opens && !text->failed && nb_fence(text->at + start, &s, &info))
+      open = fence, sign = s, block = block_of(info);
+    else if (closes)
+      open = 0;
+    nb_text_add(text, "%s", ending);
+    *end = ending[0];
+  }
+}

@@ -1,0 +1,344 @@
+/* Words of the page language of 0.3, what they are today, and how a line is written anew: for `nineball migrate`, for hints, and for
+ * `--help OLDWORD`. Nobody lists old words elsewhere.
+ *
+ * To rename something, add a row. A row of statements or expectations is matched from the first word of the line:
+ *
+ *   small words     stand for themselves
+ *   CAPITALS        any one word but `=`; the same CAPITALS in the new form is that word
+ *   …               words, none or more; likewise
+ *
+ * so {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, {NB_OLD_STATEMENT, "fill … tries",
+ * "fill … attempts"} a clause wherever it stands, and what is behind the matched words stays. Rows are tried from above, each until it
+ * no longer matches, so a row sees what those above it have written. No new form may match an old one: what is in the words of today
+ * must stay as it is, and a test goes through all rows.
+ *
+ * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes `A.stress.std` of
+ * `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner. `"A.stress.deviation/Pa"` and
+ * A_stress_deviation in a figure follow.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "old_words.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reader.h"
+
+const struct nb_old_word *nb_old_words(void) {
+  /* clang-format off */
+  static const struct nb_old_word words[] = {
+    {NB_OLD_STATEMENT, "discs fill", "fill discs"},
+    {NB_OLD_STATEMENT, "spheres fill", "fill spheres"},
+    {NB_OLD_STATEMENT, "fill … tries", "fill … attempts"},
+    {NB_OLD_STATEMENT, "discs lattice", "lattice discs"},
+    {NB_OLD_STATEMENT, "spheres lattice", "lattice spheres"},
+    {NB_OLD_STATEMENT, "discs packing", "packing discs"},
+    {NB_OLD_STATEMENT, "spheres packing", "packing spheres"},
+    {NB_OLD_STATEMENT, NULL, NULL},
+  };
+  /* clang-format on */
+  return words;
+}
+
+/* ---- a line in words ---- */
+
+enum { WORDS_MAX = 2 * NB_TOKENS_MAX, ROUNDS_MAX = NB_TOKENS_MAX };
+
+struct word {
+  const char *at;
+  size_t length;
+  const char *blanks; /* before it on the line; NULL: it is a new one */
+  size_t gap, column; /* how many, and where it was on the line */
+};
+struct line {
+  struct word words[WORDS_MAX];
+  size_t count;
+  struct word rest; /* what is no word: a comment, or the source of an expectation */
+};
+
+/* False: too many words. */
+static bool cut(struct line *line, const char *text, enum nb_old_block block) {
+  *line = (struct line){.count = 0};
+  for (size_t at = 0;;) {
+    const size_t gap = strspn(text + at, " \t"), length = strcspn(text + at + gap, " \t\r#");
+    const struct word word = {text + at + gap, length, text + at, gap, at + gap};
+    if (length == 0 || (block == NB_OLD_EXPECTATIONS && *word.at == '[')) {
+      line->rest = word;
+      return true;
+    }
+    if (line->count == NB_TOKENS_MAX)
+      return false;
+    line->words[line->count++] = word;
+    at += gap + length;
+  }
+}
+
+static size_t pattern_word(const char **pattern) {
+  *pattern += strspn(*pattern, " ");
+  return strcspn(*pattern, " ");
+}
+
+static bool is_many(const char *word, size_t length) {
+  return length == strlen("…") && strncmp(word, "…", length) == 0;
+}
+static bool is_any(const char *word) { return isupper((unsigned char)*word); }
+
+/* Where each word of the pattern is, from the first-th word of the line on; false: it does not match. */
+static bool match(const char *pattern, const struct line *line, size_t first, size_t *at) {
+  const size_t length = pattern_word(&pattern);
+  *at = first;
+  if (length == 0)
+    return true;
+  const char *behind = pattern + length;
+  for (size_t next = first; is_many(pattern, length) && next < line->count; next++)
+    if (match(behind, line, next, at + 1))
+      return true;
+  if (is_many(pattern, length) || first == line->count)
+    return false;
+  const struct word *word = &line->words[first];
+  const bool same = is_any(pattern) ? word->length != 1 || *word->at != '='
+                                    : word->length == length && strncmp(word->at, pattern, length) == 0;
+  return same && match(behind, line, first + 1, at + 1);
+}
+
+/* Which word of the pattern is that one; or how many it has. */
+static size_t index_of(const char *pattern, const char *word, size_t length) {
+  size_t k = 0;
+  for (size_t n; (n = pattern_word(&pattern)); pattern += n, k++)
+    if (n == length && strncmp(pattern, word, n) == 0)
+      break;
+  return k;
+}
+
+/* The line by that row, where its words are. A new word has the place of the old one of the same number. */
+static bool rewrite(struct line *line, const struct nb_old_word *row, const size_t *at) {
+  struct line made = {.rest = line->rest};
+  const size_t matched = index_of(row->old, "", 1);
+  const char *pattern = row->now;
+  for (size_t n, k = 0; (n = pattern_word(&pattern)); pattern += n, k++) {
+    const size_t old = is_many(pattern, n) || is_any(pattern) ? index_of(row->old, pattern, n) : matched;
+    const size_t from = old < matched ? at[old] : 0, to = old < matched ? at[old + 1] : 1;
+    if (made.count + to - from + line->count > WORDS_MAX)
+      return false;
+    for (size_t w = from; w < to; w++) {
+      struct word *word = &made.words[made.count++];
+      const struct word *place = old < matched ? &line->words[w] : k < matched ? &line->words[at[k]] : NULL;
+      *word = place ? *place : (struct word){.gap = 1};
+      if (old == matched)
+        word->at = pattern, word->length = n;
+    }
+  }
+  for (size_t w = at[matched]; w < line->count; w++)
+    made.words[made.count++] = line->words[w];
+  *line = made;
+  return true;
+}
+
+/* ---- names of quantities ---- */
+
+/* Whether the row's name is at that place of a name, between its parts; in a variable of gnuplot `_` stands for the dot. */
+static bool is_part(const struct nb_old_word *row, const char *name, size_t at, size_t length, char dot) {
+  const char *old = row->old + (*row->old == '.');
+  const size_t n = strlen(old);
+  if (at + n > length || (at > 0 ? name[at - 1] != dot : *row->old == '.') || (at + n < length && name[at + n] != dot))
+    return false;
+  for (size_t k = 0; k < n; k++)
+    if (name[at + k] != (old[k] == '.' ? dot : old[k]))
+      return false;
+  return true;
+}
+
+/* Adds a name, with the words of today for those of quantities; answers a row that has changed it. */
+static const struct nb_old_word *add_name(struct nb_text *text, const char *name, size_t length, char dot) {
+  const struct nb_old_word *found = NULL;
+  for (size_t at = 0; at < length;) {
+    const struct nb_old_word *row = nb_old_words();
+    while (row->old && !(row->kind == NB_OLD_QUANTITY && is_part(row, name, at, length, dot)))
+      row++;
+    if (!row->old) {
+      nb_text_add(text, "%c", name[at++]);
+      continue;
+    }
+    for (const char *c = row->now + (*row->now == '.'); *c; c++)
+      nb_text_add(text, "%c", *c == '.' ? dot : *c);
+    at += strlen(row->old) - (*row->old == '.');
+    found = row;
+  }
+  return found;
+}
+
+static bool is_word(const struct word *word, const char *text) {
+  return word->length == strlen(text) && strncmp(word->at, text, word->length) == 0;
+}
+
+/* Whether the w-th word of a line may be the name of a quantity. */
+static bool may_be_quantity(const struct line *line, size_t w, enum nb_old_block block) {
+  if (block == NB_OLD_EXPECTATIONS)
+    return w == 0 || !is_word(&line->words[w - 1], "in");
+  return w > 0 && (is_word(&line->words[0], "record") || is_word(&line->words[0], "until"));
+}
+
+/* ---- figures ---- */
+
+/* A run of letters: between quotes `C.normal` before a unit, elsewhere known_C_normal, or anything else, which stays. */
+static void add_run(struct nb_text *text, const char *run, size_t length, bool quoted) {
+  const bool column = quoted && run[length] == '/', variable = !quoted && memchr(run, '_', length);
+  for (const struct nb_old_word *row = nb_old_words(); row->old; row++) {
+    const size_t n = strlen(row->old);
+    if (row->kind != NB_OLD_FIGURE || n > length || strncmp(run, row->old, n) != 0)
+      continue;
+    if (variable && run[n] == '_') {
+      nb_text_add(text, "%s", row->now);
+      run += n, length -= n;
+    } else if (quoted && length == n && run[n] == ' ' && run[n + 1 + strcspn(run + n + 1, " '\"/")] == '/') {
+      nb_text_add(text, "%s", row->now);
+      return;
+    }
+  }
+  if (column || variable)
+    add_name(text, run, length, column ? '.' : '_');
+  else
+    nb_text_add(text, "%.*s", (int)length, run);
+}
+
+static void add_figure(struct nb_text *text, const char *line) {
+  char quote = 0;
+  for (const char *c = line; *c;) {
+    size_t n = 0;
+    while (isalnum((unsigned char)c[n]) || c[n] == '_' || c[n] == '.')
+      n++;
+    if (n)
+      add_run(text, c, n, quote != 0);
+    else if (*c == '\'' || *c == '"')
+      quote = quote ? quote == *c ? 0 : quote : *c;
+    if (n == 0)
+      nb_text_add(text, "%c", *c);
+    c += n ? n : 1;
+  }
+}
+
+/* ---- the whole line ---- */
+
+/* The first row that has changed the line; NULL: none. */
+static const struct nb_old_word *change(struct line *line, enum nb_old_kind kind) {
+  const struct nb_old_word *first = NULL;
+  size_t at[WORDS_MAX], rounds = 0;
+  for (const struct nb_old_word *row = nb_old_words(); row->old; row++)
+    while (row->kind == kind && match(row->old, line, 0, at) && rounds++ < ROUNDS_MAX && rewrite(line, row, at))
+      first = first ? first : row;
+  return first;
+}
+
+/* The blanks before a word. Several keep its column, where there is room: two or more behind the first word, three elsewhere. */
+static void add_blanks(struct nb_text *text, size_t start, const struct word *word, size_t few) {
+  const size_t now = text->length - start;
+  size_t gap = word->gap;
+  if (word->blanks && memchr(word->blanks, '\t', gap)) {
+    nb_text_add(text, "%.*s", (int)gap, word->blanks);
+    return;
+  }
+  if (gap > few)
+    gap = word->column > now + few ? word->column - now : few;
+  nb_text_add(text, "%*s", (int)gap, "");
+}
+
+/* The line of words, in today's; answers the first row that has changed it. */
+static const struct nb_old_word *add_words(struct nb_text *text, const char *text_line, enum nb_old_block block) {
+  struct line line;
+  const bool whole = cut(&line, text_line, block);
+  const struct nb_old_word *row =
+      whole ? change(&line, block == NB_OLD_EXPECTATIONS ? NB_OLD_EXPECT : NB_OLD_STATEMENT) : NULL;
+  struct nb_text names = {0};
+  for (size_t w = 0; whole && w < line.count; w++) {
+    const struct nb_old_word *by =
+        may_be_quantity(&line, w, block) ? add_name(&names, line.words[w].at, line.words[w].length, '.') : NULL;
+    row = row ? row : by;
+  }
+  free(names.at);
+  if (!row) {
+    nb_text_add(text, "%s", text_line);
+    return NULL;
+  }
+  const size_t start = text->length;
+  for (size_t w = 0; w < line.count; w++) {
+    const struct word *word = &line.words[w];
+    add_blanks(text, start, word, w == 1 ? 1 : 2);
+    if (may_be_quantity(&line, w, block))
+      add_name(text, word->at, word->length, '.');
+    else
+      nb_text_add(text, "%.*s", (int)word->length, word->at);
+  }
+  add_blanks(text, start, &line.rest, 1);
+  nb_text_add(text, "%s", line.rest.at);
+  return row;
+}
+
+/* The row of an opening fence, with where its word is; NULL: it is in today's words. */
+static const struct nb_old_word *fence_row(const char *line, size_t *at) {
+  *at = strspn(line, " `~");
+  const struct nb_old_word *row = nb_old_words();
+  while (row->old && !(row->kind == NB_OLD_FENCE && strncmp(line + *at, row->old, strlen(row->old)) == 0 &&
+                       strcspn(line + *at, " \t\r") == strlen(row->old)))
+    row++;
+  return row->old ? row : NULL;
+}
+
+void nb_old_line(struct nb_text *text, const char *line, enum nb_old_block block) {
+  size_t at;
+  const struct nb_old_word *fence = block == NB_OLD_OPENING ? fence_row(line, &at) : NULL;
+  if (fence)
+    nb_text_add(text, "%.*s%s%s", (int)at, line, fence->now, line + at + strlen(fence->old));
+  else if (block == NB_OLD_OPENING || block == NB_OLD_PROSE)
+    nb_text_add(text, "%s", line);
+  else if (block == NB_OLD_GNUPLOT)
+    add_figure(text, line);
+  else
+    add_words(text, line, block);
+}
+
+/* ---- hints and help ---- */
+
+#define NOW "`%s` of version 0.3 is `%s` now"
+
+static const char *hint_of(char *hint, const struct nb_old_word *row) {
+  if (!row)
+    return NULL;
+  snprintf(hint, NB_HINT_SIZE, NOW "; `nineball migrate` rewrites a page", row->old, row->now);
+  return hint;
+}
+
+const char *nb_old_hint(char *hint, const struct nb_page *page, size_t number) {
+  if (number == 0 || number > page->line_count)
+    return NULL;
+  char line[NB_LINE_MAX + 1];
+  snprintf(line, sizeof line, "%s", page->lines[number - 1]);
+  char *equals = page->kind_of ? NULL : strchr(line, '='); /* of a --set text, NAME=VALUE */
+  if (equals)
+    *equals = ' ';
+  const bool expect = page->kind_of && page->kind_of[number - 1] == 1 + NB_BLOCK_EXPECT;
+  struct nb_text text = {0};
+  const struct nb_old_word *row = add_words(&text, line, expect ? NB_OLD_EXPECTATIONS : NB_OLD_STATEMENTS);
+  free(text.at);
+  return hint_of(hint, row);
+}
+
+const char *nb_old_fence(char *hint, const char *line) {
+  size_t at;
+  return hint_of(hint, fence_row(line, &at));
+}
+
+bool nb_old_help(FILE *out, const char *word) {
+  bool found = false;
+  for (const struct nb_old_word *row = nb_old_words(); row->old; row++) {
+    const char *dot = strchr(word, '.');
+    const size_t all = index_of(row->old, "", 1);
+    if (index_of(row->old, word, strlen(word)) == all && !(dot && strcmp(row->old, dot + 1) == 0))
+      continue;
+    if (index_of(row->now, word, strlen(word)) < index_of(row->now, "", 1) && row->kind <= NB_OLD_EXPECT)
+      continue; /* it is a word of today as well */
+    fprintf(out, "  " NOW "\n", row->old, row->now);
+    found = true;
+  }
+  return found;
+}

@@ -1,0 +1,85 @@
+#!/bin/sh
+# `nineball migrate`: the pages tests/pages/old-*.md, of version 0.3, use every word of the table of old words. In the words of today
+# they are read without a mistake, none of the old words is left, and to migrate them once more changes nothing.
+# TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+#
+# Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
+
+. "${srcdir:-.}/tests/tap"
+tab=$(printf '\t')
+
+# KIND, old form, new form, in columns.
+sed -n "s/^ *{NB_OLD_\([A-Z]*\), \"\([^\"]*\)\", \"\([^\"]*\)\"}.*/\1$tab\2$tab\3/p" src/input/old_words.c >"$work/rows"
+test "$(wc -l <"$work/rows")" -gt 5
+result $? 'the table is read'
+
+mkdir "$work/a" "$work/a/b" "$work/a/bad" && cp tests/bad/*.tsv "$work/a/bad"
+for page in tests/pages/old-*.md; do
+  new=$work/a/b/${page##*/}
+  "$nineball" migrate "$page" >"$new" 2>"$work/said" && "$nineball" explain "$new" >/dev/null 2>>"$work/said"
+  result $? "$page is read in the words of today"
+  "$nineball" migrate "$new" 2>&1 | diff "$new" - >"$work/said"
+  result $? 'and they stay'
+  ! "$nineball" explain "$page" >/dev/null 2>"$work/said" && grep -q 'of version 0.3 is' "$work/said"
+  result $? 'the old ones are mistakes, and the hint says what they are now'
+done
+
+# blocks PAGE...: what is in a block that is read, without comments.
+blocks() { sed -n '/^```[a-z]/,/^```$/p' "$@" | sed 's/#.*//'; }
+blocks tests/pages/old-*.md >"$work/old"
+blocks "$work"/a/b/old-*.md >"$work/new"
+while IFS=$tab read -r kind old now; do
+  for word in $old; do
+    case $word in [A-Z]* | …) continue ;; esac
+    grep -qF -e "$word" "$work/old" || echo "no page tests/pages/old-*.md has \`$word\` of \`$old\`"
+  done
+  for word in $now; do
+    case $word in [A-Z]* | …) continue ;; esac
+    grep -qF -e "$word" "$work/new" || echo "no migrated page has \`$word\` of \`$now\`"
+  done
+done <"$work/rows" >"$work/said"
+test ! -s "$work/said"
+result $? 'the pages have every old word, and then every new one'
+
+while IFS=$tab read -r kind old now; do
+  for word in $old; do
+    case $word in [A-Z]* | …) continue ;; esac
+    case " $now " in *" $word "*) continue ;; esac
+    "$nineball" --help "${word#.}" 2>&1 | grep -qF "\`$old\` of version 0.3 is \`$now\` now" || {
+      "$nineball" --help "${word#.}" >/dev/null 2>&1 || echo "nineball --help $word says nothing of it"
+    }
+  done
+done <"$work/rows" >"$work/said"
+test ! -s "$work/said"
+result $? 'nineball --help OLDWORD says what it is now'
+
+cat >"$work/wanted" <<EOF
+lattice   discs 3 by 3  from 300 mm 0 mm  radius 5 mm  rock       # columns${tab}stay
+lattice   spheres 3 by 3  from 100 mm 0 mm  radius 5 mm  rock
+fill      spheres circle 100 mm 100 mm radius 20 mm  fine rock  seed 1  attempts 100  else skip
+fill discs box 200 mm 100 mm  to 300 mm 200 mm  fine rock  seed 1  else skip  attempts 100 # no columns
+EOF
+sed -n '/^lattice.*columns/,/no columns/p' "$work/a/b/old-scene.md" | diff "$work/wanted" - >"$work/said"
+result $? 'columns and comments are kept'
+diff tests/pages/old-scene.md "$work/a/b/old-scene.md" | grep '^<' | grep -vE '^< (discs|spheres|step|record|until|[A-Z]\.)' >"$work/said"
+grep -q '^discs     lattice' "$work/a/b/old-scene.md" && test ! -s "$work/said"
+result $? 'prose and what is an example stay'
+
+printf '```scene\r\ndiscs lattice 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/one.md"
+printf '```scene\r\nlattice discs 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/wanted"
+cp "$work/one.md" "$work/two.md"
+"$nineball" migrate "$work/one.md" "$work/two.md" --in-place >"$work/said" 2>&1 &&
+  cmp "$work/one.md" "$work/wanted" >>"$work/said" 2>&1 && cmp "$work/two.md" "$work/wanted" >>"$work/said" 2>&1
+result $? 'in place, ends of lines as they are'
+"$nineball" migrate "$work/one.md" "$work/two.md" >/dev/null 2>"$work/said"
+test $? -eq 2 && grep -q 'with --in-place' "$work/said"
+result $? 'several pages only in place'
+printf 'a\0b' >"$work/one.md"
+cp "$work/one.md" "$work/wanted"
+"$nineball" migrate --in-place "$work/one.md" 2>"$work/said"
+test $? -eq 2 && grep -q 'no text' "$work/said" && cmp "$work/one.md" "$work/wanted"
+result $? 'what is no text stays as it is'
+"$nineball" migrate "$work/none.md" 2>"$work/said"
+test $? -eq 2 && grep -q 'cannot be read' "$work/said"
+result $? 'a page that is not there'
+echo "1..$n"
