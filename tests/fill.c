@@ -167,8 +167,9 @@ static void what_is_there_stays_free(void) {
   it.scene.fill_count = 2;
   written_free(&it);
   /* Dust that is a thousandth of what is to come lies in more boxes than there are grains. */
-  make(&it, ROCK "grading dust 0.01 300\n" WIDE "fill discs circle 0 0 radius 30 dust rock seed 1 attempts 9 else stop\n"
-                 "fill discs circle 0 0 radius 30 w rock seed 2 attempts 1000 else skip\n");
+  make(&it,
+       ROCK "grading dust 0.01 300\n" WIDE "fill discs circle 0 0 radius 30 dust rock seed 1 attempts 9 else stop\n"
+            "fill discs circle 0 0 radius 30 w rock seed 2 attempts 1000 else skip\n");
   CU_ASSERT(it.scene.fills[0].count == 300 && it.scene.fills[1].count > 1000);
   sound(&it.scene, it.scene.fills[1].first);
   written_free(&it);

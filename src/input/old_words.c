@@ -12,7 +12,7 @@
  * no longer matches, so a row sees what those above it have written. No new form may match an old one: what is in the words of today
  * must stay as it is, and a test goes through all rows.
  *
- * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes `A.stress.std` of
+ * A row of quantities is one part or several of a name between dots:     {NB_OLD_STATEMENT, NULL, NULL},
  * `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner. `"A.stress.deviation/Pa"` and
  * A_stress_deviation in a figure follow.
  *
@@ -181,23 +181,28 @@ static bool may_be_quantity(const struct line *line, size_t w, enum nb_old_block
 
 /* ---- figures ---- */
 
-/* A run of letters: between quotes `C.normal` before a unit, elsewhere known_C_normal, or anything else, which stays. */
-static void add_run(struct nb_text *text, const char *run, size_t length, bool quoted) {
-  const bool column = quoted && run[length] == '/', variable = !quoted && memchr(run, '_', length);
-  for (const struct nb_old_word *row = nb_old_words(); row->old; row++) {
+/* The row of the word before a column of a figure, `known C.normal/N`, or before a variable, known_C_normal; NULL: it is none. */
+static const struct nb_old_word *figure_row(const char *run, size_t length, bool quoted) {
+  const struct nb_old_word *row = nb_old_words();
+  for (; row->old; row++) {
     const size_t n = strlen(row->old);
     if (row->kind != NB_OLD_FIGURE || n > length || strncmp(run, row->old, n) != 0)
       continue;
-    if (variable && run[n] == '_') {
-      nb_text_add(text, "%s", row->now);
-      run += n, length -= n;
-    } else if (quoted && length == n && run[n] == ' ' && run[n + 1 + strcspn(run + n + 1, " '\"/")] == '/') {
-      nb_text_add(text, "%s", row->now);
-      return;
-    }
+    if (quoted ? n == length && run[n] == ' ' && run[n + 1 + strcspn(run + n + 1, " '\"/")] == '/' : run[n] == '_')
+      return row;
   }
-  if (column || variable)
-    add_name(text, run, length, column ? '.' : '_');
+  return NULL;
+}
+
+/* A run of letters: between quotes `C.normal` before a unit, elsewhere known_C_normal, or anything else, which stays. */
+static void add_run(struct nb_text *text, const char *run, size_t length, bool quoted) {
+  const struct nb_old_word *row = figure_row(run, length, quoted);
+  if (row) {
+    nb_text_add(text, "%s", row->now);
+    run += strlen(row->old), length -= strlen(row->old);
+  }
+  if (quoted ? run[length] == '/' : memchr(run, '_', length) != NULL)
+    add_name(text, run, length, quoted ? '.' : '_');
   else
     nb_text_add(text, "%.*s", (int)length, run);
 }
