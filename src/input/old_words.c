@@ -12,7 +12,7 @@
  * no longer matches, so a row sees what those above it have written. No new form may match an old one: what is in the words of today
  * must stay as it is, and a test goes through all rows.
  *
- * A row of quantities is one part or several of a name between dots:     {NB_OLD_STATEMENT, NULL, NULL},
+ * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes `A.stress.std` of
  * `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner. `"A.stress.deviation/Pa"` and
  * A_stress_deviation in a figure follow.
  *
