@@ -162,7 +162,7 @@ static void counts_go_on(void) {
     struct written it;
     struct nb_result result;
     words_add(&page,
-              "units none\n%sspheres lattice 20 by 20 radius 1 spacing 1.85 m\nsphere 60 5 radius 1 m velocity -40 0\n"
+              "units none\n%slattice spheres 20 by 20 radius 1 spacing 1.85 m\nsphere 60 5 radius 1 m velocity -40 0\n"
               "step 1e-3\n%srecord contacts.deep contacts\nstage s\nrecord none\ncycles 100\nstage e\ncycles 1\n",
               k == 2 ? "material m density 1 kn 1\n" : SPHERE, k == 1 ? "skin 0.3\n" : "");
     written_scene(&it, &page);

@@ -47,16 +47,12 @@ static const struct row rows[] = {
     {"gravity centripetal", NB_IN_RAMP, FEW STAGE, "ramp gravity centripetal 10 about 4 1\n", END},
     {"disc", NB_IN_SCENE, FEW, "disc 3 3 radius 0.9 m velocity -4 1 spin 2\n", GO},
     {"sphere", NB_IN_SCENE, FEW, "sphere 3 3 radius 0.9 m velocity -4 1 spin 2\n", GO},
-    {"lattice discs", NB_IN_SCENE, FEW, "lattice discs 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
-    {"lattice spheres", NB_IN_SCENE, FEW, "lattice spheres hexagonal 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
-    {"fill spheres circle", NB_IN_SCENE, FEW "grading g 0.4 3\n",
-     "fill spheres circle 4 5 radius 1.5 g m seed 1 attempts 1000 else stop\n", GO},
-    {"fill spheres box", NB_IN_SCENE, FEW "grading g 0.4 3\n",
-     "fill spheres box 4 5 to 6 9 g m seed 1 attempts 1000 else stop\n", GO},
-    {"fill discs circle", NB_IN_SCENE, FEW "grading g 0.4 3\n",
-     "fill discs circle 4 5 radius 1.5 g m seed 1 attempts 1000 else stop\n", GO},
-    {"fill discs box", NB_IN_SCENE, FEW "grading g 0.4 3\n",
-     "fill discs box 4 5 to 6 9 g m seed 1 attempts 1000 else stop\n", GO},
+    {"lattice", NB_IN_SCENE, FEW, "lattice discs 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
+    {"lattice", NB_IN_SCENE, FEW, "lattice spheres hexagonal 2 by 3 from 3 3 radius 0.5 spacing 0.9 m\n", GO},
+    {"fill", NB_IN_SCENE, FEW "grading g 0.4 3\n",
+     "fill spheres circle 4 5 radius 1.5 g m seed 1 attempts 1000 else stop\n"
+     "fill discs box 4 7 to 6 9 g m seed 1 attempts 1000 else stop\n",
+     GO},
     {"box", NB_IN_SCENE, FEW, "box 0.5 1.5 to 2.7 3.8 m\n", GO},
     {"wall", NB_IN_SCENE, FEW, "wall floor 0 1.5 to 5 1.2 m about 1 -3 velocity 0.3 1 spin 0.2\n", GO},
     {"wall", NB_IN_STAGE, FEW WALL STAGE, "wall floor velocity 0.3 1 spin 0.2\n", END},
@@ -109,8 +105,8 @@ static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
 /* Words that have no direction, in a scene, in a stage and behind `ramp`. A packing has places from a file, which then are those
  * of bodies; `until` waits for what would be recorded, which is not turned, as the manual says. */
 static const char *const scalars[] = {
-    ("|packing|packing discs|spheres "
-     "packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|watch|"
+    ("|packing|packing discs|packing "
+     "spheres|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|watch|"
      "step|allow|record|stage|"),
     ("|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|still|reverse|remove|"
      "boundary hold|boundary none|continuum none|rotation on|rotation off|repeat|"),

@@ -17,7 +17,7 @@ static const char scene[] =
     "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 young 5000 poisson 0.2\nmaterial p density 3 kn "
     "6000 "
     "ks 2000 friction 0.2 young 8000 poisson 0.3\npair m p friction 0.25\nnormal %s\nshear %s\nbox 0 0 to 8.1 6.1 p\n"
-    "wall lid 1 7 to 6 8.5 p about 0 9 spin 0.05\n%s lattice 4 by 3 m radius 1 spacing 2.01 from 1.01 1.01\n%s 9.05 3 "
+    "wall lid 1 7 to 6 8.5 p about 0 9 spin 0.05\nlattice %s 4 by 3 m radius 1 spacing 2.01 from 1.01 1.01\n%s 9.05 3 "
     "radius "
     "0.98 p fixed velocity -0.1 0 spin 0.5\n%s 3 7.4 radius 0.7 p velocity 0.3 -1 spin 2\ngravity 0.1 -0.4\n%s\nstep "
     "0.002\n"
