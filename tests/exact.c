@@ -223,6 +223,32 @@ static void friction_changes(void) {
 }
 
 /* What the bench reads: from inside to outside, up to alpha, with the force that they make. */
+/* Of a friction of 1e-320 the inverse is infinite. It is none: the contact slides without a force, and reads nothing outside its
+ * memory. Down to 1e-300 the contact slides at mu N, also when friction drops to that from 1e100 under load. */
+static void hardly_any_friction(void) {
+  static const double friction[] = {1e-320, 1e-300};
+  for (int k = 0; k < 2; k++)
+    for (int from = 0; from < 2; from++) {
+      struct exact it = exact_of(steel);
+      if (from) {
+        it.pair.friction = 1e100;
+        exact_go(&it, 1e-6, 0);
+        exact_go(&it, 1e-6, 1e-9);
+        exact_go(&it, 1e-6, 0);
+      }
+      it.pair.friction = friction[k];
+      exact_go(&it, 1e-6, 0);
+      exact_go(&it, 1e-6, 0);
+      exact_go(&it, 2e-6, 1e-9);
+      CU_ASSERT_EQUAL(it.s.sliding, 1);
+      CU_ASSERT(isfinite(it.lost));
+      if (k == 0)
+        CU_ASSERT_EQUAL(it.s.force, 0);
+      if (k == 1)
+        CU_ASSERT_DOUBLE_EQUAL(share(&it), 1, 1e-12);
+    }
+}
+
 static void pieces_are_told(void) {
   struct exact it = exact_of(steel);
   double x[16], d[16], force = 0, begin = 0;
@@ -250,5 +276,6 @@ void suite_exact(void) {
   CU_add_test(suite, "steps of any length lose as much", steps_of_any_length_lose_as_much);
   CU_add_test(suite, "polygons, by hand, at any step", polygons);
   CU_add_test(suite, "friction changes under load", friction_changes);
+  CU_add_test(suite, "hardly any friction", hardly_any_friction);
   CU_add_test(suite, "pieces are told", pieces_are_told);
 }

@@ -38,16 +38,23 @@
  *            m[2 + 5k ...]  the corner at which piece k begins, from inside to outside (corners.h); piece 0 begins at 0
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <float.h>
+
 #include "corners.h"
 
 static const double little = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
+static const double most_share =
+    1e150; /* old friction over new one: with more all slides the same, and its square is finite */
 
 static inline double unit_of(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
 static inline double u_of(struct nb_pair p, double slip) { return slip * p.radius * (1 / unit_of(p)); }
 
+/* A friction whose inverse a double cannot hold counts as none. */
+static inline bool has_friction(struct nb_pair p) { return unit_of(p) >= DBL_MIN; }
+
 /* Nothing rubs without friction, nor where a normal law lets go before the outlines part. */
 static inline bool rubs(struct nb_pair p, struct nb_normal n) {
-  return unit_of(p) > 0 && n.radius * n.radius * n.radius > 0;
+  return has_friction(p) && n.radius * n.radius * n.radius > 0;
 }
 
 /* From where a leg of the path, to an overlap x and a slip u, goes on: the outermost corner that stays. */
@@ -184,7 +191,7 @@ static inline NB_FORM struct found shear_mindlin_deresiewicz_look(struct nb_pair
   if (m[0] == 0) {
     at[0] = (struct corner){0};
   } else if (m[1] != unit_of(p)) {
-    const double lost = go_anew(at, &m[0], m[1] / unit_of(p), (int)p.pieces);
+    const double lost = go_anew(at, &m[0], fmin(m[1] / unit_of(p), most_share), (int)p.pieces);
     at[(int)m[0]].e = lost; /* until it is told */
   }
   m[1] = unit_of(p);
@@ -225,7 +232,7 @@ static NB_SELDOM void go_seldom(struct nb_pair p, struct nb_normal n, double sli
                                 double *lost) {
   struct corner *at = (struct corner *)(m + HEAD);
   if (!rubs(p, n)) {
-    out->force = 0, out->sliding = unit_of(p) > 0 ? 0 : 1;
+    out->force = 0, out->sliding = has_friction(p) ? 0 : 1;
     return;
   }
   const double x = n.radius * n.radius, u = at[(int)m[0]].u + u_of(p, slip);
