@@ -74,25 +74,21 @@ static enum nb_status refuse(const struct nb_model *model, struct nb_error *erro
 
 /* False: no memory. */
 static bool allocate(struct nb_model *model) {
-  const size_t bodies = model->bodies.count, walls = model->walls.count;
   struct nb_balance *b = model->balance = calloc(1, sizeof *b);
   if (!b)
     return false;
-  b->before = nb_array(bodies, sizeof *b->before), b->now = nb_array(bodies, sizeof *b->now);
-  b->position = nb_array(bodies, sizeof *b->position), b->pivot = nb_array(walls, sizeof *b->pivot);
-  b->wall_velocity = nb_array(walls, sizeof *b->wall_velocity), b->wall_spin = nb_array(walls, sizeof(double));
+  b->bodies = nb_array(model->bodies.count, sizeof *b->bodies);
+  b->walls = nb_array(model->walls.count, sizeof *b->walls);
   b->values = nb_array(model->pairing_count, sizeof *b->values);
-  b->along = model->carry ? nb_array(bodies, sizeof *b->along) : NULL;
-  model->terms = model->plan.asked & NB_ASKS_ENERGY ? nb_array(NB_TERMS, sizeof *model->terms) : NULL;
-  return b->before && b->now && b->position && b->pivot && b->wall_velocity && b->wall_spin && b->values &&
-         (b->along || !model->carry) && (model->terms || !(model->plan.asked & NB_ASKS_ENERGY));
+  const bool energy = model->plan.asked & NB_ASKS_ENERGY;
+  model->terms = energy ? nb_array(NB_TERMS, sizeof *model->terms) : NULL;
+  return b->bodies && b->walls && b->values && (model->terms || !energy);
 }
 
 /* The walls' velocities over the step that ends at t_N. */
 static void remember_walls(const struct nb_model *model) {
-  struct nb_balance *b = model->balance;
-  memcpy(b->wall_velocity, model->walls.velocity, model->walls.count * sizeof *b->wall_velocity);
-  memcpy(b->wall_spin, model->walls.spin, model->walls.count * sizeof *b->wall_spin);
+  for (size_t w = 0; w < model->walls.count; w++)
+    model->balance->walls[w].speed = (struct nb_state){model->walls.velocity[w], model->walls.spin[w]};
 }
 
 enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
@@ -119,8 +115,7 @@ void nb_balance_free(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   if (!b)
     return;
-  free(b->before), free(b->now), free(b->position), free(b->pivot), free(b->wall_velocity), free(b->wall_spin);
-  free(b->values), free(b->entered), free(b->along), free(b);
+  free(b->bodies), free(b->walls), free(b->values), free(b->entered), free(b);
   free(model->terms);
   model->balance = NULL, model->terms = NULL;
 }
@@ -148,15 +143,12 @@ static void carry(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   const struct nb_cell *cell = model->cell;
   for (size_t i = 0; i < model->bodies.count && model->carry; i++)
-    b->along[i] = vec_add(vec_scale(kick.behind, model->bodies.carried[i]),
-                          vec_scale(kick.ahead, nb_carry_remembered(model->carry, i, model->bodies.position[i])));
+    b->bodies[i].along =
+        vec_add(vec_scale(kick.behind, model->bodies.carried[i]),
+                vec_scale(kick.ahead, nb_carry_remembered(model->carry, i, model->bodies.position[i])));
   if (cell)
     b->parted = tensor_add(tensor_scale(kick.behind, cell->parting),
                            tensor_scale(kick.ahead, tensor_product(model->carry->rate[NB_CARRIER_CELL], cell->h)));
-}
-
-static struct nb_vec carried(const struct nb_model *model, size_t i) {
-  return model->carry ? model->balance->along[i] : vec(0, 0);
 }
 
 /* The copy that a contact is with is carried so much more. */
@@ -168,36 +160,32 @@ static struct nb_vec parted(const struct nb_model *model, size_t c) {
 static void stand(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   for (size_t i = 0; i < model->bodies.count; i++) {
-    b->before[i] = nb_velocity_half(model, i), b->position[i] = model->bodies.position[i];
+    b->bodies[i].before = nb_velocity_half(model, i), b->bodies[i].position = model->bodies.position[i];
     if (model->terms)
-      b->now[i] = nb_velocity_now(model, i);
+      b->bodies[i].now = nb_velocity_now(model, i);
   }
-  memcpy(b->pivot, model->walls.pivot, model->walls.count * sizeof *b->pivot);
+  for (size_t w = 0; w < model->walls.count; w++)
+    b->walls[w].pivot = model->walls.pivot[w];
   carry(model, kick);
-}
-
-/* What global damping gives a body in one kick, against its motion. */
-static struct nb_state damping_impulse(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state is,
-                                       struct nb_force force, struct kick kick) {
-  const double m = model->bodies.mass[i], inertia = model->bodies.inertia[i];
-  const struct nb_shares by = nb_shares(model, kick.time, kick.before);
-  const struct nb_vec linear = vec_scale(m, vec_add(vec_scale(by.old, was.velocity), vec_scale(by.new, is.velocity)));
-  return (struct nb_state){vec_scale(-1, vec_add(linear, vec_scale(by.pushed * kick.time, force.force))),
-                           -(inertia * (by.old * was.spin + by.new *is.spin) + by.pushed * kick.time * force.moment)};
 }
 
 /* What stays in a body's own velocity of what carries it along (carry.h), m/s. */
 static struct nb_vec left(const struct nb_model *model, size_t i) {
-  return model->carry ? nb_carry_left(model->carry, i, model->balance->position[i]) : vec(0, 0);
+  return model->carry ? nb_carry_left(model->carry, i, model->balance->bodies[i].position) : vec(0, 0);
 }
 
-/* What global damping takes in such a kick, with its mean velocity. */
+/* What global damping takes from a body in a kick with that mean velocity: its impulse, against the motion, times that. */
 static double damped(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state mean,
                      struct nb_force force, struct kick kick) {
   const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), was.velocity);
   const struct nb_state is = {vec_sub(after, left(model, i)), 2 * mean.spin - was.spin};
-  const struct nb_state taken = damping_impulse(model, i, was, is, force, kick);
-  return -(vec_dot(taken.velocity, mean.velocity) + taken.spin * mean.spin);
+  const struct nb_shares by = nb_shares(model, kick.time, kick.before);
+  const struct nb_vec kept = vec_add(vec_scale(by.old, was.velocity), vec_scale(by.new, is.velocity));
+  const struct nb_vec linear =
+      vec_add(vec_scale(model->bodies.mass[i], kept), vec_scale(by.pushed * kick.time, force.force));
+  const double angular =
+      model->bodies.inertia[i] * (by.old * was.spin + by.new *is.spin) + by.pushed * kick.time * force.moment;
+  return vec_dot(linear, mean.velocity) + angular * mean.spin;
 }
 
 /* What that, and stress on a boundary, give a body in such a kick. */
@@ -208,27 +196,21 @@ static double driven(const struct nb_model *model, size_t i, struct nb_vec mean,
   return vec_dot(impulse, mean);
 }
 
-/* Weight and stress on a boundary, N. */
-static struct nb_vec outer_forces(const struct nb_model *model, size_t i) {
-  const struct nb_vec weight = nb_weight(model, i, model->balance->position[i]);
-  return model->bodies.pressed ? vec_add(weight, model->bodies.pressed[i]) : weight;
-}
-
 static void add_bodies(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
   const struct nb_bodies *bodies = &model->bodies;
   for (size_t k = 0; k < bodies->count; k++) {
     const size_t i = (size_t)bodies->slot[k];
-    const struct nb_state was = model->balance->before[i], now = model->balance->now[i];
+    const struct nb_state was = model->balance->bodies[i].before, now = model->balance->bodies[i].now;
     struct nb_force force = nb_force_on(model, i);
     if (!(bodies->inverse_mass[i] > 0)) {
       const double held = vec_dot(force.force, now.velocity) + force.moment * now.spin;
       nb_sum_add(&terms[NB_TERM_WALLS], -kick.share * kick.time * held);
       continue;
     }
-    const struct nb_vec weight = nb_weight(model, i, model->balance->position[i]);
-    force.force = vec_add(force.force, outer_forces(model, i));
-    nb_sum_add(&terms[NB_TERM_GRAVITY],
-               kick.share * kick.time * vec_dot(weight, now.velocity) + vec_dot(weight, carried(model, i)));
+    const struct nb_vec weight = nb_weight(model, i, model->balance->bodies[i].position);
+    force.force = vec_add(force.force, bodies->pressed ? vec_add(weight, bodies->pressed[i]) : weight);
+    nb_sum_add(&terms[NB_TERM_GRAVITY], kick.share * kick.time * vec_dot(weight, now.velocity) +
+                                            vec_dot(weight, model->balance->bodies[i].along));
     if (model->carry)
       nb_sum_add(&terms[NB_TERM_DRIVEN], kick.share * driven(model, i, now.velocity, kick.time));
     nb_sum_add(&terms[NB_TERM_DAMPED], kick.share * damped(model, i, was, now, force, kick));
@@ -242,10 +224,10 @@ static void add_work(struct nb_sum *work, const struct nb_model *model, struct k
     const size_t i = (size_t)bodies->slot[k];
     if (!(bodies->inverse_mass[i] > 0))
       continue;
-    const struct nb_state was = model->balance->before[i], is = nb_velocity_half(model, i);
+    const struct nb_state was = model->balance->bodies[i].before, is = nb_velocity_half(model, i);
     const struct nb_state mean = {vec_scale(0.5, vec_add(was.velocity, is.velocity)), (was.spin + is.spin) / 2};
     struct nb_force force = nb_force_on(model, i);
-    force.force = vec_add(force.force, nb_weight(model, i, model->balance->position[i]));
+    force.force = vec_add(force.force, nb_weight(model, i, model->balance->bodies[i].position));
     if (model->carry)
       nb_sum_add(work, driven(model, i, mean.velocity, kick.time));
     nb_sum_add(work, kick.time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
@@ -256,9 +238,9 @@ static void add_work(struct nb_sum *work, const struct nb_model *model, struct k
 }
 
 static struct nb_vec wall_way(const struct nb_model *model, struct kick kick, int w, struct nb_vec q) {
-  const struct nb_balance *b = model->balance;
-  const struct nb_vec arm = vec_sub(q, b->pivot[w]), turned = vec(-arm.y, arm.x);
-  const struct nb_vec was = vec_add(b->wall_velocity[w], vec_scale(b->wall_spin[w], turned));
+  const struct nb_state before = model->balance->walls[w].speed;
+  const struct nb_vec arm = vec_sub(q, model->balance->walls[w].pivot), turned = vec(-arm.y, arm.x);
+  const struct nb_vec was = vec_add(before.velocity, vec_scale(before.spin, turned));
   const struct nb_vec is = vec_add(model->walls.velocity[w], vec_scale(model->walls.spin[w], turned));
   return vec_add(vec_scale(kick.behind, was), vec_scale(kick.ahead, is));
 }
@@ -275,17 +257,17 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
     const double radius = model->bodies.rim[i].x;
-    struct nb_vec way = vec_add(vec_scale(time, b->now[i].velocity), carried(model, (size_t)i));
-    double rolled = time * b->now[i].spin * radius;
+    struct nb_vec way = vec_add(vec_scale(time, b->bodies[i].now.velocity), b->bodies[i].along);
+    double rolled = time * b->bodies[i].now.spin * radius;
     if (pairing->wall) {
       const double reach = radius - contacts->kept[NB_OVERLAP][c];
-      const struct nb_vec wall = wall_way(model, kick, j, vec_add(b->position[i], vec_scale(reach, e)));
+      const struct nb_vec wall = wall_way(model, kick, j, vec_add(b->bodies[i].position, vec_scale(reach, e)));
       nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(contacts->force[c], wall));
       way = vec_sub(way, wall);
     } else {
-      const struct nb_vec along = vec_add(carried(model, (size_t)j), parted(model, c));
-      way = vec_sub(way, vec_add(vec_scale(time, b->now[j].velocity), along));
-      rolled += time * b->now[j].spin * model->bodies.rim[j].x;
+      const struct nb_vec along = vec_add(b->bodies[j].along, parted(model, c));
+      way = vec_sub(way, vec_add(vec_scale(time, b->bodies[j].now.velocity), along));
+      rolled += time * b->bodies[j].now.spin * model->bodies.rim[j].x;
     }
     if (!model->plan.dashpots)
       continue;
@@ -303,8 +285,8 @@ static void add_carrying(struct nb_sum terms[], const struct nb_model *model) {
     const size_t i = (size_t)bodies->slot[k];
     struct nb_vec force = nb_force_on(model, i).force;
     if (bodies->inverse_mass[i] > 0)
-      force = vec_add(force, nb_weight(model, i, model->balance->position[i]));
-    nb_sum_add(&terms[NB_TERM_DRIVEN], -vec_dot(force, model->balance->along[i]));
+      force = vec_add(force, nb_weight(model, i, model->balance->bodies[i].position));
+    nb_sum_add(&terms[NB_TERM_DRIVEN], -vec_dot(force, model->balance->bodies[i].along));
   }
   for (size_t c = 0; c < model->contacts.count && model->cell; c++)
     nb_sum_add(&terms[NB_TERM_DRIVEN], vec_dot(model->contacts.force[c], parted(model, c)));

@@ -7,14 +7,17 @@
 #include "energy.h"
 
 struct nb_balance {
-  struct nb_state *before, *now;        /* per slot: velocities before the kick; those of t_N */
-  struct nb_vec *position;              /* per slot: at t_N, m */
-  struct nb_vec *pivot, *wall_velocity; /* per wall: P at t_N, m; velocity over the step that ended there, m/s */
-  double *wall_spin;                    /* likewise, rad/s */
-  struct nb_vec *along;                 /* per slot: how far it is carried along over the kick, m; NULL: nothing is */
-  struct nb_tensor parted;              /* and the copy a side on besides, m */
-  struct nb_pair *values;               /* per pairing: what its laws were given at t_N; */
-  struct nb_in_force laws;              /* which they were then; */
+  struct {
+    struct nb_state before, now;   /* velocities before the kick; those of t_N */
+    struct nb_vec position, along; /* at t_N, m; how far it is carried along over the kick, m */
+  } * bodies;                      /* per slot */
+  struct nb_tensor parted;         /* how far the copy a side on is carried besides, m */
+  struct {
+    struct nb_vec pivot;   /* P at t_N, m */
+    struct nb_state speed; /* over the step that ended there */
+  } * walls;
+  struct nb_pair *values;  /* per pairing: what its laws were given at t_N; */
+  struct nb_in_force laws; /* which they were then; */
   struct nb_entered {
     int a, b;
   } * entered;           /* slots of pairs that have come to the list overlapping; NULL: none ever have */

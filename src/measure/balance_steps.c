@@ -67,23 +67,19 @@ static void slide(struct nb_model *model, size_t c) {
     nb_sum_add(&model->terms[NB_TERM_SLIDING], lost);
 }
 
-/* U_n, or U_s, of contact c with a normal law that is given `values`. */
-static double stored(const struct nb_model *model, size_t c, const struct nb_law *law, struct nb_pair values,
-                     bool normal) {
-  const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-  double mn[NB_MEMORY], room[NB_MEMORY];
-  if (!nb_touches(contacts, c))
+/* U_n of a contact by a law that is given `values` and remembers `memory`, which a law may write into. */
+static double held(const struct nb_law *law, struct nb_pair values, double overlap, double memory[]) {
+  if (!(overlap > 0) || !law->stored)
     return 0;
-  values = nb_contacts_values(model, c, values);
-  memcpy(mn, nb_memory_read(&contacts->normal_memory, c, room), sizeof mn);
-  struct nb_normal n = law->normal(values, contacts->kept[NB_OVERLAP][c], 0, mn);
-  n.overlap = contacts->kept[NB_OVERLAP][c];
-  if (normal)
-    return law->stored ? law->stored(values, n, mn) : 0;
-  return pairing->shear && pairing->shear->stored
-             ? pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room))
-             : 0;
+  struct nb_normal n = law->normal(values, overlap, 0, memory);
+  n.overlap = overlap;
+  return law->stored(values, n, memory);
+}
+
+/* What contact c remembers for its normal law, copied. */
+static void memory_of(double memory[], const struct nb_model *model, size_t c) {
+  double room[NB_MEMORY];
+  memcpy(memory, nb_memory_read(&model->contacts.normal_memory, c, room), NB_MEMORY * sizeof *memory);
 }
 
 static bool same(struct nb_pair a, struct nb_pair b) {
@@ -101,17 +97,32 @@ static double gained(const struct nb_model *model) {
     const int p = model->contacts.pairing[c];
     const struct nb_pair old = model->balance->values[p], new = model->pairings[p].values;
     const struct nb_law *before = model->balance->laws.normal, *after = model->laws.normal;
-    if (before != after || !same(old, new))
-      nb_sum_add(&sum, stored(model, c, after, new, true) - stored(model, c, before, old, true));
+    if (before == after && same(old, new))
+      continue;
+    const double overlap = model->contacts.kept[NB_OVERLAP][c];
+    double is[NB_MEMORY], was[NB_MEMORY];
+    memory_of(is, model, c), memory_of(was, model, c);
+    nb_sum_add(&sum, held(after, nb_contacts_values(model, c, new), overlap, is) -
+                         held(before, nb_contacts_values(model, c, old), overlap, was));
   }
   return sum.sum + sum.rest;
 }
 
 /* What the shear springs hold: less when their stiffness rises, and nothing when a stage takes friction away or another law comes. */
 static double bent(const struct nb_model *model) {
+  const struct nb_contacts *contacts = &model->contacts;
   struct nb_sum sum = {0};
-  for (size_t c = 0; c < model->contacts.count; c++)
-    nb_sum_add(&sum, stored(model, c, model->laws.normal, model->pairings[model->contacts.pairing[c]].values, false));
+  for (size_t c = 0; c < contacts->count; c++) {
+    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+    if (!nb_touches(contacts, c) || !pairing->shear || !pairing->shear->stored)
+      continue;
+    const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
+    double memory[NB_MEMORY], room[NB_MEMORY];
+    memory_of(memory, model, c);
+    struct nb_normal n = model->laws.normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, memory);
+    n.overlap = contacts->kept[NB_OVERLAP][c];
+    nb_sum_add(&sum, pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room)));
+  }
   return sum.sum + sum.rest;
 }
 
@@ -136,13 +147,8 @@ void nb_balance_change(struct nb_model *model, bool before) {
 /* U_n of contact c at an overlap, of a law that remembers nothing yet. */
 static double held_at(const struct nb_model *model, size_t c, double overlap) {
   const struct nb_pairing *pairing = &model->pairings[model->contacts.pairing[c]];
-  const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
   double memory[NB_MEMORY] = {0};
-  if (!(overlap > 0) || !pairing->normal->stored)
-    return 0;
-  struct nb_normal n = pairing->normal->normal(values, overlap, 0, memory);
-  n.overlap = overlap;
-  return pairing->normal->stored(values, n, memory);
+  return held(pairing->normal, nb_contacts_values(model, c, pairing->values), overlap, memory);
 }
 
 static double overlap_of(const struct nb_model *model, size_t c) {
