@@ -481,16 +481,12 @@ MEASURE = \
 # What moves an assembly from outside: boundary, cell, box, servo; what is taken out.
 LOADING = \
   src/loading/box.c \
-  src/loading/box.h \
+  src/loading/boundary.c \
   src/loading/carry.c \
-  src/loading/carry.h \
-  src/loading/drive.c \
-  src/loading/drive.h \
+  src/loading/loading.h \
   src/loading/loading_quantities.c \
   src/loading/remove.c \
-  src/loading/ring.c \
-  src/loading/servo.c \
-  src/loading/servo.h
+  src/loading/servo.c
 
 # Lattices and random filling.
 PACKING = \

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/loading/drive.h"
+#include "../src/loading/loading.h"
 #include "chance.h"
 #include "measure/boundary.h"
 #include "run/plan.h"

@@ -1,4 +1,4 @@
-/* The boundary of an assembly: which particles belong to it, and whether particles turn. loading/drive.c sets it; measure/boundary.c
+/* The boundary of an assembly: which particles belong to it, and whether particles turn. loading/boundary.c sets it; measure/boundary.c
  * says what it encloses and the stress on it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

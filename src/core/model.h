@@ -31,7 +31,7 @@ struct nb_bodies {
   struct nb_vec *searched; /* where they were at the last search */
   struct nb_vec *carried;  /* c, the part of the velocity that carries it along, m/s; NULL: nothing does (carry.h) */
   const struct nb_vec
-      *pressed; /* per slot: force of a stress on the boundary, N; NULL: there is none (loading/drive.c) */
+      *pressed; /* per slot: force of a stress on the boundary, N; NULL: there is none (loading/boundary.c) */
   bool *gone;   /* taken out of the scene (remove.c); NULL where no stage takes any out */
 };
 

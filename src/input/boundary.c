@@ -1,7 +1,7 @@
 /* What moves an assembly from outside: its boundary, what carries it along, a box that is strained.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "loading/box.h"
+#include "loading/loading.h"
 
 #include <string.h>
 

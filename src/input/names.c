@@ -9,7 +9,7 @@
 
 #include "core/guess.h"
 #include "core/names.h"
-#include "loading/box.h"
+#include "loading/loading.h"
 #include "measure/energy.h"
 
 /* ---- rows elsewhere ---- */

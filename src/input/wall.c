@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "loading/box.h"
+#include "loading/loading.h"
 #include "statement.h"
 
 enum { AT_NAME, AT_X, AT_Y, AT_X1, AT_Y1, AT_MATERIAL, AT_ABOUT_X, AT_ABOUT_Y, AT_VX, AT_VY, AT_SPIN };

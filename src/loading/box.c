@@ -16,7 +16,7 @@
  * At rest and without gravity it is the mean stress of all that is in it.                             [R89 4.45]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "box.h"
+#include "loading.h"
 
 #include "core/carry.h"
 #include "measure/region.h"

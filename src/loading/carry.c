@@ -6,7 +6,7 @@
  *   L    strain rate, 1/s                 x_0  the centre of the cell, of the boundary, or the origin of the page, m
  *
  * All bodies of a periodic cell have the cell's L (cell.c). Where there is none, the boundary's bodies have the boundary's, and no
- * v while it holds them (ring.c); all others that are free have the continuum's. What is carried with v at rest stays so, as in
+ * v while it holds them (boundary.c); all others that are free have the continuum's. What is carried with v at rest stays so, as in
  * a continuum; v is damped as everything is. When L jumps at the begin of a stage, v stays what it was.
  *
  * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43] and keeps the sum as the new velocity (`literal`): then c is added again in
@@ -15,8 +15,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
-#include "box.h"
-#include "carry.h"
+#include "loading.h"
 
 static bool wanted(const struct nb_scene *scene) {
   bool carries = scene->cell.line || scene->circle.line;

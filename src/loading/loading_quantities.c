@@ -1,8 +1,8 @@
 /* What can be asked of a boundary, a periodic cell and a box of walls. A boundary's quantities are 0 where there is none.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "box.h"
 #include "core/names.h"
+#include "loading.h"
 #include "measure/boundary.h"
 
 #define OF_RING(function, expression) NB_QUANTITY(function, nb_ring_begun(model) ? expression : 0)

@@ -11,7 +11,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/contacts.h"
-#include "drive.h"
+#include "loading.h"
 #include "measure/energy.h"
 
 /* Contact c ends: what it did until now is done, and it reads as if it did not touch. */

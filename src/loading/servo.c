@@ -25,9 +25,8 @@
  * begins anew.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "servo.h"
-#include "box.h"
 #include "core/names.h"
+#include "loading.h"
 #include "measure/boundary.h"
 #include "measure/region.h"
 

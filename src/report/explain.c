@@ -9,7 +9,7 @@
 #include "core/names.h"
 #include "input/reader.h"
 #include "laws/law.h"
-#include "loading/servo.h"
+#include "loading/loading.h"
 #include "measure/balance.h"
 #include "measure/region.h"
 #include "measure/step.h"

@@ -7,9 +7,7 @@
 #include <assert.h>
 
 #include "laws/laws_now.h"
-#include "loading/box.h"
-#include "loading/drive.h"
-#include "loading/servo.h"
+#include "loading/loading.h"
 #include "measure/energy.h"
 #include "measure/since.h"
 #include "measure/step.h"

@@ -2,7 +2,7 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/laws_now.h"
-#include "loading/drive.h"
+#include "loading/loading.h"
 #include "measure/energy.h"
 #include "measure/impact.h"
 #include "measure/region.h"

@@ -8,12 +8,11 @@
  *
  * What does not ramp jumps at t_0. The forces at t_0 have been worked out with the old properties and laws by then; the new ones
  * hold for those at t_1. Half of the kick around t_0 lies before it, so gravity is there the mean of the old and the new one, each
- * for the time it lasts; global damping likewise (motion.h), and a stress on a boundary (drive.c). `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
+ * for the time it lasts; global damping likewise (motion.h), and a stress on a boundary (boundary.c). `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/laws_now.h"
-#include "loading/drive.h"
-#include "loading/servo.h"
+#include "loading/loading.h"
 #include "measure/energy.h"
 #include "measure/region.h"
 #include "measure/since.h"

@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "laws/laws_now.h"
-#include "loading/drive.h"
+#include "loading/loading.h"
 #include "measure/step.h"
 #include "output_file.h"
 
