@@ -173,7 +173,7 @@ awk '
     kinds("What is said with them", "servo", "boundary cell box continuum")
     kinds("What is said with them", "snapshot", "from")
     kinds("What is said with them", "units", "none")
-    row("Expectations", "among"); row("Expectations", "of peak")
+    row("Expectations", "over"); row("Expectations", "of peak")
     for (k = 1; k < ARGC; k++) look(ARGV[k])
     split("The scene|In a stage|On the bench|Laws|What is said with them|Expectations|" held, order, "|")
     for (p = 1; p <= 7; p++) {

@@ -14,7 +14,7 @@ page() {
   cat <<'TEXT'
 ## Description
 
-`nineball` runs pages. A page is a Markdown file that says what there is and what happens (blocks `scene`), what should be seen (blocks `expect`) and how to draw it (block `gnuplot`). What is seen is held against what a reference knows, and every page marks itself.
+`nineball` runs pages. A page is a Markdown file with a simulation (blocks `scene`), the expected results (blocks `expect`) and a figure (block `gnuplot`). The computed results are compared with a reference solution.
 
 ## Commands
 
@@ -45,7 +45,7 @@ A page's `gnuplot` block is a program. `figure` and `report` run it confined, by
 ## Files
 
 - `NAME.out/table.tsv`: what the page records, a row a cycle; numbers as %.17g, which read back to the same bits
-- `NAME.out/values.tsv`: every measure that is expected, seen and known, a row a run
+- `NAME.out/values.tsv`: every measure of the expect blocks, computed and reference, a row a run
 - `NAME.out/verdict.tsv`: every expectation, and whether it passed
 - `NAME.out/STAGE-bodies.tsv, -walls.tsv, -contacts.tsv`: what `snapshot` keeps
 - `NAME.out/NAME.gp, NAME.svg, NAME.png`: the figure, and the script that drew it

@@ -76,7 +76,7 @@ static void progress(void) {
     struct heard heard = {0};
     const struct nb_progress both = {call, note, &heard}, neither = {NULL, NULL, &heard};
     struct nb_outcome outcome;
-    make(&outcome, rows[k].sweep, "A.x stated 10 mm within 1e-12 m [t]", &both);
+    make(&outcome, rows[k].sweep, "A.x expected 10 mm within 1e-12 m [t]", &both);
     CU_ASSERT_EQUAL(outcome.status, NB_OK);
     CU_ASSERT_EQUAL(outcome.check_count, (size_t)rows[k].runs);
     CU_ASSERT(heard.calls >= rows[k].calls);
@@ -86,7 +86,7 @@ static void progress(void) {
     CU_ASSERT_STRING_EQUAL(heard.note, rows[k].note);
     nb_outcome_free(&outcome);
     heard = (struct heard){0};
-    make(&outcome, rows[k].sweep, "A.x stated 10 mm within 1e-12 m [t]", &neither);
+    make(&outcome, rows[k].sweep, "A.x expected 10 mm within 1e-12 m [t]", &neither);
     CU_ASSERT(outcome.status == NB_OK && heard.calls == 0 && heard.notes == 0);
     nb_outcome_free(&outcome);
   }
@@ -96,14 +96,15 @@ static void progress(void) {
 static void units(void) {
   struct nb_outcome outcome;
   make(&outcome, "",
-       "A.x at 5 ms stated 5.5 mm within 1 mm [t]\ncycle stated 10 within 0 [t]\n"
-       "cycle stated 2 of cycle at 5 cycles within 0 [t]",
+       "A.x at 5 ms expected 5.5 mm within 1 mm [t]\ncycle expected 10 within 0 [t]\n"
+       "cycle expected 2 of cycle at 5 cycles within 0 [t]",
        NULL);
   CU_ASSERT_EQUAL(outcome.status, NB_OK);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 3);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words, "seen 0.005 m, stated 0.0055, off by 0.0005");
-  CU_ASSERT_STRING_EQUAL(outcome.checks[1].words, "seen 10, stated 10, off by 0");
-  CU_ASSERT_STRING_EQUAL(outcome.checks[2].words, "seen 2, stated 2, off by 0");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words,
+                         "computed 0.005 m, expected 0.0055 m, error 0.0005 m, tolerance 0.001 m");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].words, "computed 10, expected 10, error 0, tolerance 0");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[2].words, "computed 2, expected 2, error 0, tolerance 0");
   nb_outcome_free(&outcome);
 }
 
@@ -115,7 +116,7 @@ static void deep_overlaps_of_all_runs(void) {
       &outcome,
       "units none\nsweep d 1.9 1.8 1.7\nmaterial m density 0.24 young 1 poisson 0\nnormal hertz\nsphere 0 0 radius 1 "
       "m fixed\nsphere $d 0 radius 1 m\nstep 1e-9\nrecord cycle\nstage s\ncycles 9",
-      "cycle stated 9 within 0 [t]", NULL);
+      "cycle expected 9 within 0 [t]", NULL);
   CU_ASSERT_EQUAL(outcome.status, NB_OK);
   CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
   CU_ASSERT_STRING_EQUAL(

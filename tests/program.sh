@@ -57,8 +57,8 @@ absent passes.out
 verdict 'a page that passes: 0, and nothing is written'
 
 run 1 check "$pages/fails.md"
-out 'FAIL  D.x stated 1.6'
-out 'pass  time stated 1'
+out 'FAIL  D.x expected 1.6'
+out 'pass  time expected 1'
 out '1 of 2 checks passed'
 verdict 'a check that fails: 1'
 
@@ -66,7 +66,7 @@ run 1 run "$pages/fails.md" -o fails
 there fails/table.tsv
 run 1 check "$pages/passes.md" "$pages/fails.md" "$pages/swept.md"
 out '1 of 2 checks passed'
-out 'D.x rises with v'
+out 'D.x increases with v'
 verdict 'the worst status of several pages, and all of them are done'
 
 run 2 run "$pages/mistaken.md" -o mistaken
@@ -159,12 +159,21 @@ run 2 check "$pages/asks-nothing.md"
 said 'nothing is expected'
 run 0 run "$pages/asks-nothing.md"
 there asks-nothing.out/table.tsv
-verdict 'no page passes by asking nothing, though it can be run'
+sed 's/^step .*/&\nwatch D disc 1\nrecord D.x/' "$pages/asks-nothing.md" >reports.md
+printf '\n```expect\nreport D.x max\nreport D.x\n```\n' >>reports.md
+run 2 check reports.md
+said 'no expectation of this page could fail, so nothing was checked'
+out 'note  report D.x max'
+out '        computed 1'
+out '  2 noted'
+run 0 run reports.md -o reports
+test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'what is reported is not in values.tsv' >>why
+verdict 'no page passes by asking nothing, though it can be run, and `report` is no claim'
 
 run 1 check --tap "$pages/fails.md"
 out '1..2'
-out 'not ok 1 - D.x stated 1.6'
-out 'ok 2 - time stated 1'
+out 'not ok 1 - D.x expected 1.6'
+out 'ok 2 - time expected 1'
 run 2 check --tap "$pages/mistaken.md"
 out 'not ok 1'
 verdict 'TAP'
@@ -231,7 +240,7 @@ for word in run check figure report explain state laws list --set --stage --thre
 run 0 check --help
 out 'usage: nineball COMMAND'
 run 0 --help scene
-for word in 'lattice' 'stage' 'WATCH.NAME' 'rises with'; do out "$word"; done
+for word in 'lattice' 'stage' 'WATCH.NAME' 'increases with'; do out "$word"; done
 run 0 --help expect
 for word in MEASURE amplitude 'reference NAME' within; do out "$word"; done
 run 0 --help kn
@@ -318,7 +327,7 @@ test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 |
 column stage path/table.tsv | grep -qv follow && echo 'a leg of the page is left' >>why
 {
   sed '/^leg/,$d' "$pages/bench.md"
-  printf 'leg user follow path.tsv\nleg on slip by 1 um in 1 step\n```\n```expect\nslip in user stated -0.1 um within 0 um [path.tsv]\n```\n'
+  printf 'leg user follow path.tsv\nleg on slip by 1 um in 1 step\n```\n```expect\nslip in user expected -0.1 um within 0 um [path.tsv]\n```\n'
 } >own.md
 run 0 check own.md
 out '1 of 1 checks passed'
@@ -328,8 +337,8 @@ run 0 run "$pages/bench.md" --follow none.tsv --follow path.tsv -o path
 run 0 explain "$pages/bench.md" --follow path.tsv
 out 'the path is read from a file'
 run 2 check "$pages/bench.md" --follow path.tsv
-out 'another path is followed than that of the page'
-said 'none of its expectations was checked'
+out '--follow replaces the path of the page'
+said 'no expectation of this page could fail'
 printf 'approach/m\tslip/m\n1e-6\tnought\n' >path.tsv
 run 2 run "$pages/bench.md" --follow path.tsv -o bad
 said 'path.tsv:2:6: error: expected a number for the slip, found `nought`'
@@ -350,49 +359,49 @@ grep -v '^#' passes.out/table.tsv | cmp -s - again.tsv || echo 'the same value g
 verdict 'sweeps'
 
 run 0 check "$pages/sample.md"
-out 'stated 3, within 4 of seed: 2 to 5, mean 3.5, deviation 1.3; at the 38 % point'
-out 'note  D.x stated 70 among seed [a number outside] (T=1, n=8)'
-out 'note  D.x stated 3 among seed [a number within] (T=1, n=8)'
-out 'pass  D.x rises with T among seed'
-out 'from 1 to 2 +2.5 (0.4457 to 4.554) on 4.75'
+out 'expected 3, within the range of 4 runs over seed: 2 to 5, mean 3.5, standard deviation 1.3; percentile 38'
+out 'note  D.x expected 70 over seed [a number outside] (T=1, n=8)'
+out 'note  D.x expected 3 over seed [a number within] (T=1, n=8)'
+out 'pass  D.x increases with T over seed'
+out 'from 1 to 2: mean difference +2.5, 95 % confidence 0.4457 to 4.554, mean 4.75'
 out '2 of 2 checks passed, 6 noted'
 run 0 check "$pages/sample.md" --tap
-out 'ok 3 - D.x stated 0.5 of D.x max among seed [a share, 1 in all] (T=1, n=8) # SKIP noted, not judged'
+out 'ok 3 - D.x expected 0.5 of D.x max over seed [a share, 1 in all] (T=1, n=8) # SKIP noted, not judged'
 run 1 check "$pages/sample.md" --set push=-2 # all distances less by 3: the interval holds 0, and its end is beyond 4.6 no more
-out 'FAIL  D.x rises with T among seed'
-out 'from 1 to 2 -0.5 (-2.554 to 1.554)'
+out 'FAIL  D.x increases with T over seed'
+out 'from 1 to 2: mean difference -0.5, 95 % confidence -2.554 to 1.554'
 run 1 check "$pages/sample.md" --set push=0.1
-out 'FAIL  D.x same over T among seed within 4.6'
+out 'FAIL  D.x constant with T over seed within 4.6'
 run 2 check "$pages/sample.md" --set seed=1 # nothing is left to judge by
-verdict 'samples: where a stated number lies, and differences with their confidence'
+verdict 'samples: where an expected number lies, and differences with their confidence'
 
 # ---- nothing that is expected vanishes ----
 run 0 check "$pages/hidden.md"
 out '2 of 2 checks passed'
 out '6 expectations were not checked:'
-out 'line 22: D.x stated 99 within 0 [in a quote]'
-out 'line 27: D.x stated 98 within 0 [indented]'
+out 'line 22: D.x expected 99 within 0 [in a quote]'
+out 'line 27: D.x expected 98 within 0 [indented]'
 out 'line 29: D.x above time'
-out 'line 35: D.x stated 97 within 0 [in a list]'
-out 'line 45: D.x same over v within 0'
+out 'line 35: D.x expected 97 within 0 [in a list]'
+out 'line 45: D.x constant with v within 0'
 out '`w` has one value only, so there is nothing to compare'
 run 0 check "$pages/hidden.md" --tap
 out '1..8'
-out 'ok 2 - D.x same over v within 0 # SKIP `v` has one value only, so there is nothing to compare'
+out 'ok 2 - D.x constant with v within 0 # SKIP `v` has one value only, so there is nothing to compare'
 run 0 run "$pages/hidden.md" -o hidden
 grep -q '^skip	45	' hidden/verdict.tsv || echo 'the verdict as a table does not have it' >>why
 run 0 report "$pages/hidden.md" -o hidden
-grep -q '<td class="skip">skip</td><td>D.x same over v' hidden/index.html || echo 'nor has the report' >>why
+grep -q '<td class="skip">skip</td><td>D.x constant with v' hidden/index.html || echo 'nor has the report' >>why
 run 2 check "$pages/swept.md" --set v=1
 out '1 expectation was not checked:'
-said 'none of its expectations was checked'
+said 'no expectation of this page could fail'
 run 2 check --tap "$pages/swept.md" --set v=1
 out 'not ok 2'
-sed -n '/^D.x *stated.* among/!p' "$pages/sample.md" | grep -v '^D.x  *[rs]' >unasked.md
-printf '```expect\nD.x stated 3 among seed [alone]\n```\n' >>unasked.md
+sed -n '/^D.x *expected.* over/!p' "$pages/sample.md" | grep -v '^D.x  *[ic]' >unasked.md
+printf '```expect\nD.x expected 3 over seed [alone]\n```\n' >>unasked.md
 run 2 check unasked.md
 out ' noted'
-said 'none of its expectations was checked'
+said 'no expectation of this page could fail'
 verdict 'what is expected and not checked is said, and a page of nothing else does not pass'
 
 for jobs in 1 2 3; do

@@ -91,12 +91,12 @@ static void nothing_to_reduce(void) {
       {"A.x mean within 9", "it is too large for a number", 3, {1e308, 1e308, 1e308}},
       {"A.x amplitude within 9", "it is too large for a number", 3, {-1e308, 0, 1e308}},
       {"A.x within 9 % of A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
-      {"A.x stated 1 of A.y in two within 1 [t]", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
-      {"A.x in two stated 1 of A.y within 1 [t]", "`A.x in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x expected 1 of A.y in two within 1 [t]", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x in two expected 1 of A.y within 1 [t]", "`A.x in two` cannot be formed", 3, {1, 2, 3}},
       {"A.x below A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
       {"A.x in two above A.y", "`A.x in two` cannot be formed", 3, {1, 2, 3}},
-      {"A.x along time in two within 9", "no rows were recorded", 3, {1, 2, 3}},
-      {"A.x along time within 9 % of A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
+      {"A.x versus time in two within 9", "no rows were recorded", 3, {1, 2, 3}},
+      {"A.x versus time within 9 % of A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
   };
   for (size_t k = 0; k < COUNT(rows); k++) {
     struct nb_outcome outcome;
@@ -108,8 +108,9 @@ static void nothing_to_reduce(void) {
     planted_says(&outcome, rows[k].words);
     nb_outcome_free(&outcome);
   }
-  planted_one("A.x within 9", "A.y", 1, 1, &rows[0].x[0], NB_FAIL, "the reference does not know `A.x`");
-  planted_one("A.x along time within 9", NULL, 0, 1, &rows[0].x[0], NB_FAIL, "the reference knows no curve of `A.x`");
+  planted_one("A.x within 9", "A.y", 1, 1, &rows[0].x[0], NB_FAIL, "the reference does not return `A.x`");
+  planted_one("A.x versus time within 9", NULL, 0, 1, &rows[0].x[0], NB_FAIL,
+              "the reference returns no curve of `A.x`");
 }
 
 static void not_finite(void) {
@@ -130,10 +131,10 @@ static void not_finite(void) {
     planted_one("A.x within 1e300 %", "A.x", bad[b], 1, one, NB_FAIL, ": not a finite number");
     planted_one("A.x below A.y", NULL, 0, 1, &bad[b], NB_FAIL, "it is ");
     planted_one("A.y within 5 % of A.x", "A.y", 1, 1, &bad[b], NB_FAIL, "`A.x` cannot be formed");
-    planted_one("A.y stated 1 of A.x within 5 [t]", NULL, 0, 1, &bad[b], NB_FAIL, "`A.x` cannot be formed");
+    planted_one("A.y expected 1 of A.x within 5 [t]", NULL, 0, 1, &bad[b], NB_FAIL, "`A.x` cannot be formed");
   }
-  planted_one("A.x within 1e20 %", "A.x", 1e300, 1, huge, NB_FAIL, "a share of 1e+300 is no finite tolerance");
-  planted_one("A.y stated 1 of A.x within 5 [t]", NULL, 0, 1, (double[]){0}, NB_FAIL,
+  planted_one("A.x within 1e20 %", "A.x", 1e300, 1, huge, NB_FAIL, "a fraction of 1e+300 is not a finite tolerance");
+  planted_one("A.y expected 1 of A.x within 5 [t]", NULL, 0, 1, (double[]){0}, NB_FAIL,
               "their ratio is not a finite number");
   planted_one("A.x max within 1e300", "A.x max", 0, 3, (double[]){-INFINITY, 0, 0}, NB_FAIL, "it is -inf at cycle 0");
 }

@@ -72,15 +72,15 @@ static void within(void) {
 
 static void stated(void) {
   static const struct edge list[] = {
-      {"A.x stated 8 within 0.5 [t]", {0}, 1, {8.5}, 0, 1},
-      {"A.x stated 8 within 0.5 [t]", {0}, 1, {7.5}, 0, -1},
-      {"A.x stated -8 within 25 % [t]", {0}, 1, {-10}, 0, -1},
-      {"A.x stated -8 within 25 % [t]", {0}, 1, {-6}, 0, 1},
-      {"A.x stated 8 within 25 % of A.y max [t]", {0}, 3, {0, 0, 9}, 2, 1},
-      {"A.x stated 2 of A.y max within 0.5 [t]", {0}, 3, {0, 0, 10}, 2, 1}, /* 2.5 times 4 */
-      {"A.x stated 2 of A.y max within 0.5 [t]", {0}, 3, {0, 0, 6}, 2, -1},
-      {"A.x stated 200 % of A.y max within 25 % [t]", {0}, 3, {0, 0, 10}, 2, 1},
-      {"A.x stated 0 within 0.5 [t]", {0}, 1, {-0.5}, 0, -1},
+      {"A.x expected 8 within 0.5 [t]", {0}, 1, {8.5}, 0, 1},
+      {"A.x expected 8 within 0.5 [t]", {0}, 1, {7.5}, 0, -1},
+      {"A.x expected -8 within 25 % [t]", {0}, 1, {-10}, 0, -1},
+      {"A.x expected -8 within 25 % [t]", {0}, 1, {-6}, 0, 1},
+      {"A.x expected 8 within 25 % of A.y max [t]", {0}, 3, {0, 0, 9}, 2, 1},
+      {"A.x expected 2 of A.y max within 0.5 [t]", {0}, 3, {0, 0, 10}, 2, 1}, /* 2.5 times 4 */
+      {"A.x expected 2 of A.y max within 0.5 [t]", {0}, 3, {0, 0, 6}, 2, -1},
+      {"A.x expected 200 % of A.y max within 25 % [t]", {0}, 3, {0, 0, 10}, 2, 1},
+      {"A.x expected 0 within 0.5 [t]", {0}, 1, {-0.5}, 0, -1},
   };
   edges(list, COUNT(list));
 }
@@ -88,34 +88,34 @@ static void stated(void) {
 static void below_and_above(void) {
   static const double two = 2;
   planted_one("A.x below A.y", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_PASS, "and 2");
-  planted_one("A.x below A.y", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "seen 2 and 2");
+  planted_one("A.x below A.y", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "computed 2 and 2");
   planted_one("A.x below A.y", NULL, 0, 2, (double[]){0, 2 + 1e-12}, NB_FAIL, "and 2");
   planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, 2 + 1e-12}, NB_PASS, "and 2");
-  planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "seen 2 and 2");
+  planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, two}, NB_FAIL, "computed 2 and 2");
   planted_one("A.x above A.y", NULL, 0, 2, (double[]){0, 2 - 1e-12}, NB_FAIL, "and 2");
 }
 
 static void along(void) {
   static const struct edge list[] = {
-      {"A.x along time within 0.5", {1, 5, 2}, 3, {1.5, 5, 2}, 0, 1},
-      {"A.x along time within 0.5", {1, 5, 2}, 3, {1, 4.5, 2}, 1, -1},
-      {"A.x along time within 0.5", {1, 5, 2}, 3, {1, 5, 2.5}, 2, 1},
-      {"A.x along time within 25 %", {0, 8, -4}, 3, {0, 10, -4}, 1, 1},
-      {"A.x along time within 25 %", {0, 8, -4}, 3, {0, 8, -5}, 2, -1},
-      {"A.x along time within 25 %", {0, 8, -4}, 3, {0, 8, -4}, 0, 1}, /* of a known 0 nothing is allowed */
-      {"A.x along time within 25 % of peak", {0, 8, 2}, 3, {2, 8, 2}, 0, 1},
-      {"A.x along time within 25 % of peak",
+      {"A.x versus time within 0.5", {1, 5, 2}, 3, {1.5, 5, 2}, 0, 1},
+      {"A.x versus time within 0.5", {1, 5, 2}, 3, {1, 4.5, 2}, 1, -1},
+      {"A.x versus time within 0.5", {1, 5, 2}, 3, {1, 5, 2.5}, 2, 1},
+      {"A.x versus time within 25 %", {0, 8, -4}, 3, {0, 10, -4}, 1, 1},
+      {"A.x versus time within 25 %", {0, 8, -4}, 3, {0, 8, -5}, 2, -1},
+      {"A.x versus time within 25 %", {0, 8, -4}, 3, {0, 8, -4}, 0, 1}, /* of a known 0 nothing is allowed */
+      {"A.x versus time within 25 % of peak", {0, 8, 2}, 3, {2, 8, 2}, 0, 1},
+      {"A.x versus time within 25 % of peak",
        {0, 8, 2},
        3,
        {0, 10, 2},
        1,
        1}, /* of the known peak, not of the seen one */
-      {"A.x along time within 25 % of peak", {0, -8, 2}, 3, {0, -8, 4}, 2, 1},
-      {"A.x along time within 25 % of peak", {8, 1, 2}, 3, {8, 3, 2}, 1, 1},
-      {"A.x along time within 25 % of A.y max", {0, 8, 2}, 3, {0, 9, 2}, 1, 1},
-      {"A.x along time in one within 0.5", {0, 8, 2, 9, 9, 9}, 6, {0, 8, 2.5, 0, 0, 0}, 2, 1},
-      {"A.x along time within 0.5", {9, 9, 9, 1, 2, 3}, 6, {0, 0, 0, 1.5, 2, 3}, 3, 1},
-      {"A.x along time in all within 0.5", {9, 9, 9, 1, 2, 3}, 6, {9, 9, 9, 1, 2, 3.5}, 5, 1},
+      {"A.x versus time within 25 % of peak", {0, -8, 2}, 3, {0, -8, 4}, 2, 1},
+      {"A.x versus time within 25 % of peak", {8, 1, 2}, 3, {8, 3, 2}, 1, 1},
+      {"A.x versus time within 25 % of A.y max", {0, 8, 2}, 3, {0, 9, 2}, 1, 1},
+      {"A.x versus time in one within 0.5", {0, 8, 2, 9, 9, 9}, 6, {0, 8, 2.5, 0, 0, 0}, 2, 1},
+      {"A.x versus time within 0.5", {9, 9, 9, 1, 2, 3}, 6, {0, 0, 0, 1.5, 2, 3}, 3, 1},
+      {"A.x versus time in all within 0.5", {9, 9, 9, 1, 2, 3}, 6, {9, 9, 9, 1, 2, 3.5}, 5, 1},
   };
   edges(list, COUNT(list));
 }
@@ -126,31 +126,46 @@ static void worst_row(void) {
     const char *expectation, *words;
     double known[3], x[3];
   } rows[] = {
-      {"A.x along time within 1e-4 %",
-       "seen 20, known 10, off by 100 %, worst of 3 rows at time 2",
+      {"A.x versus time within 1e-4 %",
+       "computed 20, reference 10, error 100 %, tolerance 0.0001 %; the worst of 3 rows, at time = 2",
        {0, 4, 10},
        {0, 4, 20}},
-      {"A.x along time within 25 %",
-       "seen 12, known 8, off by 50 %, worst of 3 rows at time 1",
+      {"A.x versus time within 25 %",
+       "computed 12, reference 8, error 50 %, tolerance 25 %; the worst of 3 rows, at time = 1",
        {4, 8, 20},
        {5.5, 12, 25}},
-      {"A.x along time within 1", "seen 13, known 20, off by 7, worst of 3 rows at time 2", {4, 8, 20}, {9, 12, 13}},
-      {"A.x along time within 1", "seen 9, known 4, off by 5, worst of 3 rows at time 0", {4, 8, 20}, {9, 12, 20}},
-      {"A.x along time within 1 % of peak", "off by 50 % of peak, worst of 3 rows at time 1", {4, -8, 2}, {4, -4, 2}},
-      {"A.x along time within 25 %", "off by 1; a tolerance in % of 0 allows no error", {4, 0, 2}, {4, 1, 2}},
-      {"A.x along time within 25 % of peak", "off by 1; a tolerance in % of 0 allows no error", {0}, {0, 1, 0}},
-      {"A.x along time within 1 % of A.y max", "off by 25 % of A.y max, worst", {4, 8, 2}, {4, 8, 3}},
-      {"A.x along time within 9",
-       "seen nan, known 8: not a finite number, worst of 3 rows at time 1",
+      {"A.x versus time within 1",
+       "computed 13, reference 20, error 7, tolerance 1; the worst of 3 rows, at time = 2",
+       {4, 8, 20},
+       {9, 12, 13}},
+      {"A.x versus time within 1",
+       "computed 9, reference 4, error 5, tolerance 1; the worst of 3 rows, at time = 0",
+       {4, 8, 20},
+       {9, 12, 20}},
+      {"A.x versus time within 1 % of peak",
+       "error 50 %, tolerance 1 % of peak; the worst of 3 rows, at time = 1",
+       {4, -8, 2},
+       {4, -4, 2}},
+      {"A.x versus time within 25 %", "error 1; a tolerance in % of 0 allows no error", {4, 0, 2}, {4, 1, 2}},
+      {"A.x versus time within 25 % of peak", "error 1; a tolerance in % of 0 allows no error", {0}, {0, 1, 0}},
+      {"A.x versus time within 1 % of A.y max",
+       "error 25 %, tolerance 1 % of A.y max; the worst",
+       {4, 8, 2},
+       {4, 8, 3}},
+      {"A.x versus time within 9",
+       "computed nan, reference 8: not a finite number; the worst of 3 rows, at time = 1",
        {4, 8, 2},
        {4, NAN, 2}},
-      {"A.x along time within 9",
-       "seen inf, known 2: not a finite number, worst of 3 rows at time 2",
+      {"A.x versus time within 9",
+       "computed inf, reference 2: not a finite number; the worst of 3 rows, at time = 2",
        {4, 8, 2},
        {4, 8, INFINITY}},
-      {"A.x along time within 9 %", "seen 4, known -inf: not a finite number", {-INFINITY, 8, 2}, {4, 8, 2}},
-      {"A.x along time within 9", "seen 2, known nan: not a finite number", {4, 8, NAN}, {4, 8, 2}},
-      {"A.x along time within 9 % of peak", "a share of inf is no finite tolerance", {4, 8, INFINITY}, {4, 8, 2}},
+      {"A.x versus time within 9 %", "computed 4, reference -inf: not a finite number", {-INFINITY, 8, 2}, {4, 8, 2}},
+      {"A.x versus time within 9", "computed 2, reference nan: not a finite number", {4, 8, NAN}, {4, 8, 2}},
+      {"A.x versus time within 9 % of peak",
+       "a fraction of inf is not a finite tolerance",
+       {4, 8, INFINITY},
+       {4, 8, 2}},
   };
   for (size_t k = 0; k < COUNT(rows); k++) {
     struct nb_outcome outcome;
@@ -164,23 +179,29 @@ static void worst_row(void) {
 }
 
 static void percentage_of_zero(void) {
-  planted_one("A.x within 5 %", "A.x", 0, 1, (double[]){0}, NB_PASS, "seen 0, known 0, off by 0");
+  planted_one("A.x within 5 %", "A.x", 0, 1, (double[]){0}, NB_PASS,
+              "computed 0, reference 0, error 0 %, tolerance 5 %");
   planted_one("A.x within 5 %", "A.x", 0, 1, (double[]){1e-300}, NB_FAIL,
-              "off by 1e-300; a tolerance in % of 0 allows no error");
+              "error 1e-300; a tolerance in % of 0 allows no error");
 }
 
 static void words(void) {
-  planted_one("A.x within 25 %", "A.x", 8, 1, (double[]){9}, NB_PASS, "seen 9, known 8, off by 12.5 %");
-  planted_one("A.x within 2", "A.x", 8, 1, (double[]){9}, NB_PASS, "seen 9, known 8, off by 1");
-  planted_one("A.x stated 8 within 2 [t]", NULL, 0, 1, (double[]){9}, NB_PASS, "seen 9, stated 8, off by 1");
-  planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "off by 25 % of A.vx");
+  planted_one("A.x within 25 %", "A.x", 8, 1, (double[]){9}, NB_PASS,
+              "computed 9, reference 8, error 12.5 %, tolerance 25 %");
+  planted_one("A.x within 2", "A.x", 8, 1, (double[]){9}, NB_PASS, "computed 9, reference 8, error 1, tolerance 2");
+  planted_one("A.x expected 8 within 2 [t]", NULL, 0, 1, (double[]){9}, NB_PASS,
+              "computed 9, expected 8, error 1, tolerance 2");
+  planted_one("report A.x", NULL, 0, 1, (double[]){9}, NB_NOTE, "computed 9");
+  planted_one("report A.x", NULL, 0, 1, (double[]){NAN}, NB_FAIL, "cannot be formed");
+  planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 100 % of A.vx");
   struct nb_outcome outcome;
   planted_page(&outcome, "",
-               "A.x along time within 9"); /* of the worst row only, though each is worse than the one before */
+               "A.x versus time within 9"); /* of the worst row only, though each is worse than the one before */
   planted_rows(&outcome, 0, 3, (double[]){1, 2, 3});
   planted_curve(&outcome, 3, (double[]){0, 0, 0});
   planted_is(&outcome, NB_PASS);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words, "seen 3, known 0, off by 3, worst of 3 rows at time 2");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words,
+                         "computed 3, reference 0, error 3, tolerance 9; the worst of 3 rows, at time = 2");
   nb_outcome_free(&outcome);
   planted_page(&outcome, "", "A.x   within\t 2  # of something");
   planted_rows(&outcome, 0, 1, (double[]){1});
@@ -189,7 +210,7 @@ static void words(void) {
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].label, "A.x within 2");
   CU_ASSERT_EQUAL(outcome.page.lines[outcome.checks[0].line - 1][0], 'A');
   nb_outcome_free(&outcome);
-  char text[400] = "A.x stated 1 within 0 ["; /* a line is cut at 255 letters, and what it expects is not */
+  char text[400] = "A.x expected 1 within 0 ["; /* a line is cut at 255 letters, and what it expects is not */
   memset(text + strlen(text), 'x', 300);
   strcat(text, "]");
   planted_page(&outcome, "", text);
@@ -202,20 +223,21 @@ static void words(void) {
 /* A reference may know a measure of one stage, or of any. */
 static void known_of_a_stage(void) {
   static const double x[] = {1, 2, 3, 4, 5, 6};
-  planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "known 3");
-  planted_one("A.x in one within 0", "A.x", 3, 6, x, NB_PASS, "known 3");
-  planted_one("A.x at 500 within 0", "A.x", 6, 6, x, NB_FAIL, "does not know `A.x at 500`"); /* no stage to leave out */
-  planted_one("A.x max in all within 0", "A.x max", 6, 6, x, NB_PASS, "known 6");
-  planted_one("A.x within 0", "A.x in one", 3, 6, x, NB_FAIL, "does not know `A.x`");
-  planted_one("energy.residual in one within 0", "energy.residual", 3, 6, x, NB_PASS, "known 3");
+  planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "reference 3");
+  planted_one("A.x in one within 0", "A.x", 3, 6, x, NB_PASS, "reference 3");
+  planted_one("A.x at 500 within 0", "A.x", 6, 6, x, NB_FAIL,
+              "does not return `A.x at 500`"); /* no stage to leave out */
+  planted_one("A.x max in all within 0", "A.x max", 6, 6, x, NB_PASS, "reference 6");
+  planted_one("A.x within 0", "A.x in one", 3, 6, x, NB_FAIL, "does not return `A.x`");
+  planted_one("energy.residual in one within 0", "energy.residual", 3, 6, x, NB_PASS, "reference 3");
 }
 
 /* All checks of a page are counted, by their marks. */
 static void counted(void) {
   struct nb_outcome outcome;
   planted_page(&outcome, "",
-               "A.x stated 1 within 0 [t]\nA.x stated 2 within 0 [t]\nA.x stated 1 within 0 [t]\n"
-               "A.x stated 1 within 0 [t]\nA.y stated 1 within 0 [t]");
+               "A.x expected 1 within 0 [t]\nA.x expected 2 within 0 [t]\nA.x expected 1 within 0 [t]\n"
+               "A.x expected 1 within 0 [t]\nA.y expected 1 within 0 [t]");
   planted_rows(&outcome, 0, 1, (double[]){1});
   planted_is(&outcome, NB_PASS);
   CU_ASSERT(outcome.check_count == 5 && outcome.marked[NB_PASS] == 4 && outcome.marked[NB_FAIL] == 1);

@@ -14,7 +14,8 @@ static const double HALF = 3.182446305284263 * 1.1547005383792515 / 2;
 
 /* T is 1 and 2, seed 1 to 4; without a trend the runs scatter much more than their differences. */
 static void pairs(const char *expectation, double m, double level, enum nb_mark mark) {
-  struct planted_sweep it = {"sweep T 1 2\nsweep seed 1 2 3 4", expectation, {0}, mark, "from 1 to 2 "};
+  struct planted_sweep it = {
+      "sweep T 1 2\nsweep seed 1 2 3 4", expectation, {0}, mark, "from 1 to 2: mean difference "};
   for (int seed = 0; seed < 4; seed++) {
     it.x[seed] = level + 10 * seed - 15 - m / 2;
     it.x[4 + seed] = it.x[seed] + m + (seed % 2 ? 1 : -1);
@@ -24,51 +25,56 @@ static void pairs(const char *expectation, double m, double level, enum nb_mark 
 
 static void samples(void) {
   const double near = 1e-9;
-  pairs("A.x rises with T among seed", HALF + near, 0, NB_PASS);
-  pairs("A.x rises with T among seed", HALF - near, 0, NB_FAIL);
-  pairs("A.x rises with T among seed", -HALF - near, 0, NB_FAIL);
-  pairs("A.x falls with T among seed", -HALF - near, 0, NB_PASS);
-  pairs("A.x falls with T among seed", -HALF + near, 0, NB_FAIL);
-  pairs("A.x falls with T among seed", HALF + near, 0, NB_FAIL);
-  pairs("A.x same over T among seed within 3", 3 - HALF - near, 0, NB_PASS);
-  pairs("A.x same over T among seed within 3", 3 - HALF + near, 0, NB_FAIL);
-  pairs("A.x same over T among seed within 3", HALF - 3 + near, 0, NB_PASS);
-  pairs("A.x same over T among seed within 3", HALF - 3 - near, 0, NB_FAIL);
-  pairs("A.x same over T among seed within 25 %", 3 - HALF - near, 12, NB_PASS); /* of the level */
-  pairs("A.x same over T among seed within 25 %", 3 - HALF + near, 12, NB_FAIL);
-  pairs("A.x same over T among seed within 25 %", HALF - 3 + near, -12, NB_PASS);
-  pairs("A.x same over T among seed within 25 %", HALF - 3 - near, -12, NB_FAIL);
+  pairs("A.x increases with T over seed", HALF + near, 0, NB_PASS);
+  pairs("A.x increases with T over seed", HALF - near, 0, NB_FAIL);
+  pairs("A.x increases with T over seed", -HALF - near, 0, NB_FAIL);
+  pairs("A.x decreases with T over seed", -HALF - near, 0, NB_PASS);
+  pairs("A.x decreases with T over seed", -HALF + near, 0, NB_FAIL);
+  pairs("A.x decreases with T over seed", HALF + near, 0, NB_FAIL);
+  pairs("A.x constant with T over seed within 3", 3 - HALF - near, 0, NB_PASS);
+  pairs("A.x constant with T over seed within 3", 3 - HALF + near, 0, NB_FAIL);
+  pairs("A.x constant with T over seed within 3", HALF - 3 + near, 0, NB_PASS);
+  pairs("A.x constant with T over seed within 3", HALF - 3 - near, 0, NB_FAIL);
+  pairs("A.x constant with T over seed within 25 %", 3 - HALF - near, 12, NB_PASS); /* of the level */
+  pairs("A.x constant with T over seed within 25 %", 3 - HALF + near, 12, NB_FAIL);
+  pairs("A.x constant with T over seed within 25 %", HALF - 3 + near, -12, NB_PASS);
+  pairs("A.x constant with T over seed within 25 %", HALF - 3 - near, -12, NB_FAIL);
   static const struct planted_sweep list[] = {
       {"sweep T 1 2 3\nsweep s 1 2",
-       "A.x rises with T among s",
+       "A.x increases with T over s",
        {0, 10, 1, 11, 2, 12},
        NB_PASS,
-       "from 1 to 2 +1 (1 to 1) on 5.5; from 2 to 3 +1 (1 to 1) on 6.5"},
-      {"sweep T 1 2 3\nsweep s 1 2", "A.x rises with T among s", {0, 10, -1, 9, 2, 12}, NB_FAIL, ""},
-      {"sweep T 1 2 3\nsweep s 1 2", "A.x rises with T among s", {0, 10, 1, 11, 0, 10}, NB_FAIL, ""},
+       "from 1 to 2: mean difference +1, 95 % confidence 1 to 1, mean 5.5; from 2 to 3: mean difference +1, 95 % "
+       "confidence 1 to 1, mean 6.5"},
+      {"sweep T 1 2 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, -1, 9, 2, 12}, NB_FAIL, ""},
+      {"sweep T 1 2 3\nsweep s 1 2", "A.x increases with T over s", {0, 10, 1, 11, 0, 10}, NB_FAIL, ""},
       /* every two values, not only neighbours */
       {"sweep T 1 2 3\nsweep s 1 2",
-       "A.x same over T among s within 1",
+       "A.x constant with T over s within 1",
        {0, 10, 1, 11, 2, 12},
        NB_FAIL,
-       "; from 1 to 3 +2 "},
+       "; from 1 to 3: mean difference +2,"},
       {"sweep T 1 2 3\nsweep s 1 2",
-       "A.x same over T among s within 2",
+       "A.x constant with T over s within 2",
        {0, 10, 1, 11, 2, 12},
        NB_PASS,
-       "; from 2 to 3 +1 "},
+       "; from 2 to 3: mean difference +1,"},
       {"sweep T 1 2 3\nsweep s 1 2",
-       "A.x same over T among s within 1e300",
+       "A.x constant with T over s within 1e300",
        {0, 10, 1, NAN, 2, 12},
        NB_FAIL,
        "it is nan"},
-      {"sweep T 1 2\nsweep s 1 2", "A.x rises with T among s", {0, INFINITY, 1, 11}, NB_FAIL, "it is inf"},
-      {"sweep T 1 2\nsweep s 1 2\nlet b $T", "A.x rises with T among s", {0, 10, 1, 11}, NB_PASS, "from 1 to 2 +1 "},
+      {"sweep T 1 2\nsweep s 1 2", "A.x increases with T over s", {0, INFINITY, 1, 11}, NB_FAIL, "it is inf"},
+      {"sweep T 1 2\nsweep s 1 2\nlet b $T",
+       "A.x increases with T over s",
+       {0, 10, 1, 11},
+       NB_PASS,
+       "from 1 to 2: mean difference +1,"},
       {"sweep s 1 2\nsweep T 1 2",
-       "A.x rises with T among s",
+       "A.x increases with T over s",
        {0, 1, 10, 11},
        NB_PASS,
-       "from 1 to 2 +1 (1 to 1) on 5.5"},
+       "from 1 to 2: mean difference +1, 95 % confidence 1 to 1, mean 5.5"},
   };
   planted_sweeps(list, COUNT(list));
 }
@@ -77,33 +83,49 @@ static void samples(void) {
 static void among(void) {
   static const struct planted_sweep list[] = {
       {"sweep s 1 2 3 4",
-       "A.x stated 3 among s [t]",
+       "A.x expected 3 over s [t]",
        {2, 5, 4, 3},
        NB_NOTE,
-       "stated 3, within 4 of s: 2 to 5, mean 3.5, deviation 1.3; at the 38 % point"},
-      {"sweep s 1 2 3 4", "A.x stated 2 among s [t]", {3, 5, 4, 2}, NB_NOTE, "within 4 of s: 2 to 5, mean 3.5"},
-      {"sweep s 1 2 3 4", "A.x stated 5 among s [t]", {3, 5, 4, 2}, NB_NOTE, "within 4 of s: 2 to 5, mean 3.5"},
-      {"sweep s 1 2 3 4", "A.x stated 1.999999 among s [t]", {3, 5, 4, 2}, NB_NOTE, "outside of 4 of s"},
-      {"sweep s 1 2 3 4", "A.x stated 5.000001 among s [t]", {3, 5, 4, 2}, NB_NOTE, "at the 100 % point"},
-      {"sweep s 1 2 3 4", "A.x stated 5.000001 among s [t]", {3, 5, 4, 2}, NB_NOTE, "outside of 4 of s"},
-      {"sweep s 1 2 3 4", "A.x stated 1 among s [t]", {3, 5, 4, 2}, NB_NOTE, "at the 0 % point"},
+       "expected 3, within the range of 4 runs over s: 2 to 5, mean 3.5, standard deviation 1.3; percentile 38"},
       {"sweep s 1 2 3 4",
-       "A.x stated -3 of A.vx among s [t]",
+       "A.x expected 2 over s [t]",
+       {3, 5, 4, 2},
+       NB_NOTE,
+       "within the range of 4 runs over s: 2 to 5, mean 3.5"},
+      {"sweep s 1 2 3 4",
+       "A.x expected 5 over s [t]",
+       {3, 5, 4, 2},
+       NB_NOTE,
+       "within the range of 4 runs over s: 2 to 5, mean 3.5"},
+      {"sweep s 1 2 3 4",
+       "A.x expected 1.999999 over s [t]",
+       {3, 5, 4, 2},
+       NB_NOTE,
+       "outside the range of 4 runs over s"},
+      {"sweep s 1 2 3 4", "A.x expected 5.000001 over s [t]", {3, 5, 4, 2}, NB_NOTE, "percentile 100"},
+      {"sweep s 1 2 3 4",
+       "A.x expected 5.000001 over s [t]",
+       {3, 5, 4, 2},
+       NB_NOTE,
+       "outside the range of 4 runs over s"},
+      {"sweep s 1 2 3 4", "A.x expected 1 over s [t]", {3, 5, 4, 2}, NB_NOTE, "percentile 0"},
+      {"sweep s 1 2 3 4",
+       "A.x expected -3 of A.vx over s [t]",
        {12, 20, 8, 4},
        NB_NOTE,
-       "stated -3, within 4 of s: -5 to -1, mean -2.75"},
-      {"sweep s 1 2 3", "A.x stated 2 among s [t]", {1, 2, 3}, NB_NOTE, "mean 2, deviation 1; at the 50 % point"},
-      {"sweep s 1 2 3", "A.x stated 2 among s [t]", {1, NAN, 3}, NB_FAIL, "it is nan"},
-      {"sweep s 1 2 3", "A.y stated 2 of A.x among s [t]", {1, 0, 3}, NB_FAIL, "their ratio is not a finite number"},
+       "expected -3, within the range of 4 runs over s: -5 to -1, mean -2.75"},
+      {"sweep s 1 2 3", "A.x expected 2 over s [t]", {1, 2, 3}, NB_NOTE, "mean 2, standard deviation 1; percentile 50"},
+      {"sweep s 1 2 3", "A.x expected 2 over s [t]", {1, NAN, 3}, NB_FAIL, "it is nan"},
+      {"sweep s 1 2 3", "A.y expected 2 of A.x over s [t]", {1, 0, 3}, NB_FAIL, "their ratio is not a finite number"},
   };
   planted_sweeps(list, COUNT(list));
   struct nb_outcome outcome;
-  planted_page(&outcome, "sweep T 1 2\nsweep s 1 2", "A.x stated 2 among s [t]"); /* a sample for each T */
+  planted_page(&outcome, "sweep T 1 2\nsweep s 1 2", "A.x expected 2 over s [t]"); /* a sample for each T */
   planted_runs(&outcome, (double[]){1, 3, 5, 7});
   planted_is(&outcome, NB_NOTE);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x stated 2 among s [t] (T=2)");
-  CU_ASSERT(strstr(outcome.checks[1].words, "outside of 2 of s: 5 to 7") != NULL);
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x expected 2 over s [t] (T=2)");
+  CU_ASSERT(strstr(outcome.checks[1].words, "outside the range of 2 runs over s: 5 to 7") != NULL);
   CU_ASSERT_EQUAL(outcome.marked[NB_NOTE], 2);
   nb_outcome_free(&outcome);
 }
@@ -111,5 +133,5 @@ static void among(void) {
 void suite_verdict_sample(void) {
   CU_pSuite suite = CU_add_suite("verdict_sample", NULL, NULL);
   CU_add_test(suite, "samples: the interval of 95 % confidence at its edges", samples);
-  CU_add_test(suite, "a stated number among a sample is noted", among);
+  CU_add_test(suite, "a expected number over a sample is noted", among);
 }

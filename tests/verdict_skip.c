@@ -11,24 +11,24 @@
 /* Nothing to compare: said once for a line, and neither passed nor failed. */
 static void skipped(void) {
   static const struct planted_sweep list[] = {
-      {"sweep v 1", "A.x rises with v", {1}, NB_SKIP, "`v` has one value only"},
-      {"sweep v with w  1 5  1 6  1 7", "A.x same over v within 0", {1, 1, 1}, NB_SKIP, "`v` has one value only"},
-      {"sweep v with w  1 5  1.0 6", "A.x falls with v", {2, 1}, NB_SKIP, "`v` has one value only"},
-      {"sweep v with w  one 5  one 6", "A.x falls with v", {2, 1}, NB_SKIP, "`v` has one value only"},
-      {"sweep v with w  1 5  1 6  2 7", "A.x same over v within 1", {1, 1, 2}, NB_PASS, ""},
-      {"sweep v with w  1 mm 5  1000 um 6", "A.x order 1 over v within 9", {1, 2}, NB_SKIP, "`v` has one value only"},
-      {"sweep v 1", "A.x stated 1 among v [t]", {1}, NB_SKIP, "`v` has one value only"},
-      {"sweep T 1 2\nsweep s 1", "A.x rises with T among s", {1, 2}, NB_SKIP, "`s` has one value only"},
-      {"sweep T 1\nsweep s 1 2", "A.x rises with T among s", {1, 2}, NB_SKIP, "`T` has one value only"},
-      {"sweep w 1 2 3\nsweep v 1", "A.x rises with v", {1, 2, 3}, NB_SKIP, "`v` has one value only"},
+      {"sweep v 1", "A.x increases with v", {1}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  1 5  1 6  1 7", "A.x constant with v within 0", {1, 1, 1}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  1 5  1.0 6", "A.x decreases with v", {2, 1}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  one 5  one 6", "A.x decreases with v", {2, 1}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  1 5  1 6  2 7", "A.x constant with v within 1", {1, 1, 2}, NB_PASS, ""},
+      {"sweep v with w  1 mm 5  1000 um 6", "A.x order 1 in v within 9", {1, 2}, NB_SKIP, "`v` has one value only"},
+      {"sweep v 1", "A.x expected 1 over v [t]", {1}, NB_SKIP, "`v` has one value only"},
+      {"sweep T 1 2\nsweep s 1", "A.x increases with T over s", {1, 2}, NB_SKIP, "`s` has one value only"},
+      {"sweep T 1\nsweep s 1 2", "A.x increases with T over s", {1, 2}, NB_SKIP, "`T` has one value only"},
+      {"sweep w 1 2 3\nsweep v 1", "A.x increases with v", {1, 2, 3}, NB_SKIP, "`v` has one value only"},
   };
   planted_sweeps(list, COUNT(list));
   struct nb_outcome outcome;
-  planted_page(&outcome, "sweep v 1", "A.x rises with v\nA.x falls with v\nA.x stated 1 within 0 [t]");
+  planted_page(&outcome, "sweep v 1", "A.x increases with v\nA.x decreases with v\nA.x expected 1 within 0 [t]");
   planted_runs(&outcome, (double[]){1});
   planted_is(&outcome, NB_SKIP);
   CU_ASSERT(outcome.check_count == 3 && outcome.marked[NB_SKIP] == 2 && outcome.marked[NB_PASS] == 1);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x falls with v");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x decreases with v");
   nb_outcome_free(&outcome);
 }
 
@@ -38,25 +38,25 @@ static void hidden(void) {
     const char *text;
     int skipped; /* line of what is reported, counted from the line behind the block; 0: nothing */
   } rows[] = {
-      {"> ```expect\n> A.x stated 9 within 0 [t]\n> ```", 2},
-      {">```expect\n>A.x stated 9 within 0 [t]\n>```", 2},
-      {"> ```expect\n> # nothing\n> reference free_fall\n>\n> A.x stated 9 within 0 [t]", 5},
-      {"    ```expect\n    A.x stated 9 within 0 [t]\n    ```", 2},
-      {"\t~~~expect\n\tA.x stated 9 within 0 [t]", 2},
-      {"- ```expect\n  A.x stated 9 within 0 [t]\n  ```", 2},
-      {"> ```expect\n> ```\nA.x stated 9 within 0 [t]", 0},
-      {"> ```expect\nA.x stated 9 within 0 [t]", 0},
-      {"> ```expects\n> A.x stated 9 within 0 [t]", 0},
-      {"> ```c\n> A.x stated 9 within 0 [t]", 0},
-      {"> ``expect\n> A.x stated 9 within 0 [t]", 0},
-      {"````\n> ```expect\n> A.x stated 9 within 0 [t]\n````", 0},
-      {"> ````expect\n> A.x stated 9 within 0 [t]\n> ````", 2},
-      {"> ```expect\n\n> A.x stated 9 within 0 [t]", 3},
+      {"> ```expect\n> A.x expected 9 within 0 [t]\n> ```", 2},
+      {">```expect\n>A.x expected 9 within 0 [t]\n>```", 2},
+      {"> ```expect\n> # nothing\n> reference free_fall\n>\n> A.x expected 9 within 0 [t]", 5},
+      {"    ```expect\n    A.x expected 9 within 0 [t]\n    ```", 2},
+      {"\t~~~expect\n\tA.x expected 9 within 0 [t]", 2},
+      {"- ```expect\n  A.x expected 9 within 0 [t]\n  ```", 2},
+      {"> ```expect\n> ```\nA.x expected 9 within 0 [t]", 0},
+      {"> ```expect\nA.x expected 9 within 0 [t]", 0},
+      {"> ```expects\n> A.x expected 9 within 0 [t]", 0},
+      {"> ```c\n> A.x expected 9 within 0 [t]", 0},
+      {"> ``expect\n> A.x expected 9 within 0 [t]", 0},
+      {"````\n> ```expect\n> A.x expected 9 within 0 [t]\n````", 0},
+      {"> ````expect\n> A.x expected 9 within 0 [t]\n> ````", 2},
+      {"> ```expect\n\n> A.x expected 9 within 0 [t]", 3},
   };
   for (size_t k = 0; k < COUNT(rows); k++) {
     struct nb_outcome outcome;
     char text[256];
-    snprintf(text, sizeof text, "A.x stated 1 within 0 [t]\n```\n\n%s\n\n```gnuplot", rows[k].text);
+    snprintf(text, sizeof text, "A.x expected 1 within 0 [t]\n```\n\n%s\n\n```gnuplot", rows[k].text);
     planted_page(&outcome, "", text);
     planted_rows(&outcome, 0, 1, (double[]){1});
     planted_is(&outcome, NB_PASS);
@@ -64,7 +64,7 @@ static void hidden(void) {
     CU_ASSERT_EQUAL(outcome.marked[NB_SKIP], rows[k].skipped ? 1 : 0);
     if (rows[k].skipped) {
       CU_ASSERT_EQUAL(outcome.checks[1].line, first + rows[k].skipped - 1);
-      CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x stated 9 within 0 [t]");
+      CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x expected 9 within 0 [t]");
     }
     nb_outcome_free(&outcome);
   }

@@ -12,50 +12,54 @@
 
 static void trends(void) {
   static const struct planted_sweep list[] = {
-      {"sweep v 1 2 3", "A.x rises with v", {1, 2, 3}, NB_PASS, "seen 1 at 1, 2 at 2, 3 at 3"},
-      {"sweep v 1 2 3", "A.x rises with v", {1, 1 + NEXT, 3}, NB_PASS, ""},
-      {"sweep v 1 2 3", "A.x rises with v", {1, 1, 3}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x rises with v", {1, 3, 3}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x rises with v", {2, 1, 3}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x rises with v", {1, 3, 2}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x rises with v", {-3, -2, -1}, NB_PASS, ""},
-      {"sweep v 1 2 3", "A.x falls with v", {3, 2, 1}, NB_PASS, ""},
-      {"sweep v 1 2 3", "A.x falls with v", {3, 3 - NEXT, 1}, NB_PASS, ""},
-      {"sweep v 1 2 3", "A.x falls with v", {3, 3, 1}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x falls with v", {3, 1, 2}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x falls with v", {2, 3, 1}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x falls with v", {1, 2, 3}, NB_FAIL, ""},
-      {"sweep v with w  1 5   2 4   3 3", "A.x rises with w", {1, 2, 3}, NB_PASS, "seen 1 at 5, 2 at 4, 3 at 3"},
-      {"let a 1\nsweep v 1 2\nlet b $v", "A.x rises with v", {1, 2}, NB_PASS, "seen 1 at 1, 2 at 2"},
-      {"sweep v one two", "A.x rises with v", {1, 2}, NB_PASS, "seen 1 at one, 2 at two"},
-      {"sweep v 1 2 3", "A.x rises with v", {1, NAN, 3}, NB_FAIL, "it is nan"},
-      {"sweep v 1 2 3", "A.x falls with v", {3, 2, -INFINITY}, NB_FAIL, "it is -inf"},
+      {"sweep v 1 2 3", "A.x increases with v", {1, 2, 3}, NB_PASS, "computed 1 at v = 1, 2 at 2, 3 at 3"},
+      {"sweep v 1 2 3", "A.x increases with v", {1, 1 + NEXT, 3}, NB_PASS, ""},
+      {"sweep v 1 2 3", "A.x increases with v", {1, 1, 3}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x increases with v", {1, 3, 3}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x increases with v", {2, 1, 3}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x increases with v", {1, 3, 2}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x increases with v", {-3, -2, -1}, NB_PASS, ""},
+      {"sweep v 1 2 3", "A.x decreases with v", {3, 2, 1}, NB_PASS, ""},
+      {"sweep v 1 2 3", "A.x decreases with v", {3, 3 - NEXT, 1}, NB_PASS, ""},
+      {"sweep v 1 2 3", "A.x decreases with v", {3, 3, 1}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x decreases with v", {3, 1, 2}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x decreases with v", {2, 3, 1}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x decreases with v", {1, 2, 3}, NB_FAIL, ""},
+      {"sweep v with w  1 5   2 4   3 3",
+       "A.x increases with w",
+       {1, 2, 3},
+       NB_PASS,
+       "computed 1 at w = 5, 2 at 4, 3 at 3"},
+      {"let a 1\nsweep v 1 2\nlet b $v", "A.x increases with v", {1, 2}, NB_PASS, "computed 1 at v = 1, 2 at 2"},
+      {"sweep v one two", "A.x increases with v", {1, 2}, NB_PASS, "computed 1 at v = one, 2 at two"},
+      {"sweep v 1 2 3", "A.x increases with v", {1, NAN, 3}, NB_FAIL, "it is nan"},
+      {"sweep v 1 2 3", "A.x decreases with v", {3, 2, -INFINITY}, NB_FAIL, "it is -inf"},
   };
   planted_sweeps(list, COUNT(list));
 }
 
 static void same(void) {
   static const struct planted_sweep list[] = {
-      {"sweep v 1 2 3", "A.x same over v within 1", {1, 2, 1.5}, NB_PASS, "seen 1 at 1, 2 at 2, 1.5 at 3"},
-      {"sweep v 1 2 3", "A.x same over v within 1", {1, 2 + NEXT, 1.5}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x same over v within 1", {2, 1.5, 1}, NB_PASS, ""},
-      {"sweep v 1 2 3", "A.x same over v within 1", {2, 1.5, 1 - NEXT}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x same over v within 1", {-1, -1.5, -2}, NB_PASS, ""},
-      {"sweep v 1 2 3", "A.x same over v within 1", {-1, -1.5, -2 - NEXT}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x same over v within 0", {7, 7, 7}, NB_PASS, ""},
-      {"sweep v 1 2 3", "A.x same over v within 0", {7, 7 + NEXT, 7}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x same over v within 50 %", {3, 5, 4}, NB_PASS, ""}, /* 2 of a mean of 4 */
-      {"sweep v 1 2 3", "A.x same over v within 50 %", {3, 5 + NEXT, 4}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x same over v within 50 %", {-3, -5, -4}, NB_PASS, ""},
-      {"sweep v 1 2 3", "A.x same over v within 50 %", {-3, -5 - NEXT, -4}, NB_FAIL, ""},
-      {"sweep v 1 2 3", "A.x same over v within 1e300", {1, NAN, 1}, NB_FAIL, "it is nan"},
-      {"sweep v 1 2 3", "A.x same over v within 1e300", {1, 1, INFINITY}, NB_FAIL, "it is inf"},
+      {"sweep v 1 2 3", "A.x constant with v within 1", {1, 2, 1.5}, NB_PASS, "computed 1 at v = 1, 2 at 2, 1.5 at 3"},
+      {"sweep v 1 2 3", "A.x constant with v within 1", {1, 2 + NEXT, 1.5}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 1", {2, 1.5, 1}, NB_PASS, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 1", {2, 1.5, 1 - NEXT}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 1", {-1, -1.5, -2}, NB_PASS, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 1", {-1, -1.5, -2 - NEXT}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 0", {7, 7, 7}, NB_PASS, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 0", {7, 7 + NEXT, 7}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 50 %", {3, 5, 4}, NB_PASS, ""}, /* 2 of a mean of 4 */
+      {"sweep v 1 2 3", "A.x constant with v within 50 %", {3, 5 + NEXT, 4}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 50 %", {-3, -5, -4}, NB_PASS, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 50 %", {-3, -5 - NEXT, -4}, NB_FAIL, ""},
+      {"sweep v 1 2 3", "A.x constant with v within 1e300", {1, NAN, 1}, NB_FAIL, "it is nan"},
+      {"sweep v 1 2 3", "A.x constant with v within 1e300", {1, 1, INFINITY}, NB_FAIL, "it is inf"},
       {"sweep v 1 2 3",
-       "A.x same over v within 1e20 %",
+       "A.x constant with v within 1e20 %",
        {1e308, 1e308, 1e308},
        NB_FAIL,
        ""}, /* their sum is not finite */
-      {"sweep v 1 2", "A.x max in two same over v within 1", {1, 1}, NB_FAIL, "cannot be formed"},
+      {"sweep v 1 2", "A.x max in two constant with v within 1", {1, 1}, NB_FAIL, "cannot be formed"},
   };
   planted_sweeps(list, COUNT(list));
 }
@@ -66,50 +70,52 @@ static void same(void) {
 
 static void orders(void) {
   const struct planted_sweep list[] = {
-      {"sweep h 1 2 4", "A.x order 2 over h within 0.5", ERRORS(2), NB_PASS,
-       "seen order 2: errors 1 at 1, 4 at 2, 16 at 4"},
-      {"sweep h 1 2 4", "A.x order 2 over h within 0.5", ERRORS(2.5 - 1e-9), NB_PASS, "seen order 2.5"},
-      {"sweep h 1 2 4", "A.x order 2 over h within 0.5", ERRORS(2.5 + 1e-9), NB_FAIL, ""},
-      {"sweep h 1 2 4", "A.x order 2 over h within 0.5", ERRORS(1.5 + 1e-9), NB_PASS, ""},
-      {"sweep h 1 2 4", "A.x order 2 over h within 0.5", ERRORS(1.5 - 1e-9), NB_FAIL, "seen order 1.5"},
-      {"sweep h 1 2 4", "A.x order -2 over h within 25 %", ERRORS(-2.5 + 1e-9), NB_PASS, ""},
-      {"sweep h 1 2 4", "A.x order -2 over h within 25 %", ERRORS(-2.5 - 1e-9), NB_FAIL, ""},
-      {"sweep h 1 2 4", "A.x order 2 over h within 1e-9", {-1, 4, -16}, NB_PASS, ""}, /* an error has no sign */
-      {"sweep h 3 1 2", "A.x order 1 over h within 1e-9", {6, 2, 4}, NB_PASS, ""},
+      {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(2), NB_PASS,
+       "computed order 2, expected 2, error 0, tolerance 0.5: errors 1 at h = 1, 4 at 2, 16 at 4"},
+      {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(2.5 - 1e-9), NB_PASS, "computed order 2.5"},
+      {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(2.5 + 1e-9), NB_FAIL, ""},
+      {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(1.5 + 1e-9), NB_PASS, ""},
+      {"sweep h 1 2 4", "A.x order 2 in h within 0.5", ERRORS(1.5 - 1e-9), NB_FAIL, "computed order 1.5"},
+      {"sweep h 1 2 4", "A.x order -2 in h within 25 %", ERRORS(-2.5 + 1e-9), NB_PASS, ""},
+      {"sweep h 1 2 4", "A.x order -2 in h within 25 %", ERRORS(-2.5 - 1e-9), NB_FAIL, ""},
+      {"sweep h 1 2 4", "A.x order 2 in h within 1e-9", {-1, 4, -16}, NB_PASS, ""}, /* an error has no sign */
+      {"sweep h 3 1 2", "A.x order 1 in h within 1e-9", {6, 2, 4}, NB_PASS, ""},
       /* log2 of the errors 0, 1, 4 over 0, 1, 2: the best line has the slope 2 and misses all three */
-      {"sweep h 1 2 4", "A.x order 2 over h within 1e-9", {1, 2, 16}, NB_PASS, ""},
-      {"sweep h 1 2 4", "energy.residual order 2 over h within 1e-9", {1, 4, 16}, NB_PASS, ""},
+      {"sweep h 1 2 4", "A.x order 2 in h within 1e-9", {1, 2, 16}, NB_PASS, ""},
+      {"sweep h 1 2 4", "energy.residual order 2 in h within 1e-9", {1, 4, 16}, NB_PASS, ""},
       {"sweep h 1 2 4",
-       "A.x order 2 over h within 9",
+       "A.x order 2 in h within 9",
        {1, 0, 16},
        NB_FAIL,
-       "the error at 2 is 0, which has no logarithm"},
-      {"sweep h 1 2 4", "A.x order 2 over h within 9", {1, INFINITY, 16}, NB_FAIL, "it is inf"},
-      {"sweep h 1 2 4", "A.y order 2 over h within 9", {1, 4, 16}, NB_FAIL, "the reference does not know `A.y`"},
-      {"sweep h 1 0 4", "A.x order 2 over h within 9", {1, 4, 16}, NB_FAIL, "`0` is not a number above 0"},
-      {"sweep h 1 -2 4", "A.x order 2 over h within 9", {1, 4, 16}, NB_FAIL, "`-2` is not a number above 0"},
-      {"sweep h one two four", "A.x order 2 over h within 9", {1, 4, 16}, NB_FAIL, "`one` is not a number above 0"},
-      {"sweep h 1 um 2 um 4 um", "A.x order 2 over h within 1e-9", {1, 4, 16}, NB_PASS, "4 at 2 um"},
-      {"sweep h 1 um 1 mm", "A.x order 1 over h within 1e-9", {1, 1000}, NB_PASS, "1e+03 at 1 mm"},
+       "the error at 2 is 0, so it has no logarithm"},
+      {"sweep h 1 2 4", "A.x order 2 in h within 9", {1, INFINITY, 16}, NB_FAIL, "it is inf"},
+      {"sweep h 1 2 4", "A.y order 2 in h within 9", {1, 4, 16}, NB_FAIL, "the reference does not return `A.y`"},
+      {"sweep h 1 0 4", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`0` is not a number above 0"},
+      {"sweep h 1 -2 4", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`-2` is not a number above 0"},
+      {"sweep h one two four", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`one` is not a number above 0"},
+      {"sweep h 1 um 2 um 4 um", "A.x order 2 in h within 1e-9", {1, 4, 16}, NB_PASS, "4 at 2 um"},
+      {"sweep h 1 um 1 mm", "A.x order 1 in h within 1e-9", {1, 1000}, NB_PASS, "1e+03 at 1 mm"},
   };
   planted_sweeps(list, COUNT(list));
   struct nb_outcome outcome; /* the error is from what is known of each run */
-  planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 over h within 1e-9");
+  planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 in h within 1e-9");
   planted_runs(&outcome, (double[]){11, 22, 34});
   for (size_t r = 0; r < 3; r++)
     known_value(&outcome.runs[r].known, 10 * (double)(r + 1), "A.x");
   planted_is(&outcome, NB_PASS);
   nb_outcome_free(&outcome);
-  planted_page(&outcome, "sweep w 5 6\nsweep h 1 2", "A.x order 1 over h within 1e-9"); /* for each w apart */
+  planted_page(&outcome, "sweep w 5 6\nsweep h 1 2", "A.x order 1 in h within 1e-9"); /* for each w apart */
   planted_runs(&outcome, (double[]){1, 2, 1, 4});
   planted_known(&outcome, "A.x", 0);
   planted_is(&outcome, NB_PASS);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words, "seen order 1: errors 1 at 1, 2 at 2");
-  CU_ASSERT_STRING_EQUAL(outcome.checks[1].words, "seen order 2: errors 1 at 1, 4 at 2");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words,
+                         "computed order 1, expected 1, error 0, tolerance 1e-09: errors 1 at h = 1, 2 at 2");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].words,
+                         "computed order 2, expected 1, error 1, tolerance 1e-09: errors 1 at h = 1, 4 at 2");
   CU_ASSERT_EQUAL(outcome.checks[1].mark, NB_FAIL);
   nb_outcome_free(&outcome);
-  planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 over h within 1e300");
+  planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 in h within 1e300");
   planted_runs(&outcome, (double[]){11, 22, 34});
   planted_known(&outcome, "A.x", NAN);
   planted_is(&outcome, NB_FAIL);
@@ -120,18 +126,18 @@ static void orders(void) {
 /* Runs that differ in another sweep are judged apart. */
 static void groups(void) {
   struct nb_outcome outcome;
-  planted_page(&outcome, "sweep w 5 6\nsweep v 1 2 3", "A.x rises with v\nA.x falls with w");
+  planted_page(&outcome, "sweep w 5 6\nsweep v 1 2 3", "A.x increases with v\nA.x decreases with w");
   planted_runs(&outcome, (double[]){1, 2, 3, 0, 9, 1});
   planted_is(&outcome, NB_PASS);
   static const struct {
     const char *label, *words;
     enum nb_mark mark;
   } wanted[] = {
-      {"A.x rises with v (w=5)", "seen 1 at 1, 2 at 2, 3 at 3", NB_PASS},
-      {"A.x falls with w (v=1)", "seen 1 at 5, 0 at 6", NB_PASS},
-      {"A.x falls with w (v=2)", "seen 2 at 5, 9 at 6", NB_FAIL},
-      {"A.x falls with w (v=3)", "seen 3 at 5, 1 at 6", NB_PASS},
-      {"A.x rises with v (w=6)", "seen 0 at 1, 9 at 2, 1 at 3", NB_FAIL},
+      {"A.x increases with v (w=5)", "computed 1 at v = 1, 2 at 2, 3 at 3", NB_PASS},
+      {"A.x decreases with w (v=1)", "computed 1 at w = 5, 0 at 6", NB_PASS},
+      {"A.x decreases with w (v=2)", "computed 2 at w = 5, 9 at 6", NB_FAIL},
+      {"A.x decreases with w (v=3)", "computed 3 at w = 5, 1 at 6", NB_PASS},
+      {"A.x increases with v (w=6)", "computed 0 at v = 1, 9 at 2, 1 at 3", NB_FAIL},
   };
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, COUNT(wanted));
   for (size_t k = 0; k < COUNT(wanted); k++) {
@@ -141,11 +147,12 @@ static void groups(void) {
   }
   CU_ASSERT(outcome.marked[NB_PASS] == 3 && outcome.marked[NB_FAIL] == 2);
   nb_outcome_free(&outcome);
-  planted_page(&outcome, "sweep w 5 6\nsweep v 1 2", "A.x stated 1 within 0 [t]"); /* and each run has its own checks */
+  planted_page(&outcome, "sweep w 5 6\nsweep v 1 2",
+               "A.x expected 1 within 0 [t]"); /* and each run has its own checks */
   planted_runs(&outcome, (double[]){1, 1, 1, 2});
   planted_is(&outcome, NB_PASS);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 4);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[3].label, "A.x stated 1 within 0 [t] (w=6, v=2)");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[3].label, "A.x expected 1 within 0 [t] (w=6, v=2)");
   CU_ASSERT(outcome.checks[2].mark == NB_PASS && outcome.checks[3].mark == NB_FAIL);
   nb_outcome_free(&outcome);
 }

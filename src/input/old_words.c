@@ -35,6 +35,14 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_STATEMENT, "spheres lattice", "lattice spheres"},
     {NB_OLD_STATEMENT, "discs packing", "packing discs"},
     {NB_OLD_STATEMENT, "spheres packing", "packing spheres"},
+    {NB_OLD_EXPECT, "… stated", "… expected"},
+    {NB_OLD_EXPECT, "… rises with", "… increases with"},
+    {NB_OLD_EXPECT, "… falls with", "… decreases with"},
+    {NB_OLD_EXPECT, "… same over", "… constant with"},
+    {NB_OLD_EXPECT, "… order P over", "… order P in"},
+    {NB_OLD_EXPECT, "… among", "… over"},
+    {NB_OLD_EXPECT, "… along", "… versus"},
+    {NB_OLD_FIGURE, "known", "reference"},
     {NB_OLD_STATEMENT, NULL, NULL},
   };
   /* clang-format on */

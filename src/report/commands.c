@@ -95,10 +95,10 @@ static enum nb_status one_page(const struct nb_use *use, const char *path, unsig
   if (wanted & VERDICT && !use->tap && outcome.status <= NB_FAILED)
     nb_print_verdict(&outcome);
   if (wanted & CHECKED && is_unchecked(&outcome))
-    outcome.status = nb_error_set(&outcome.error, NB_BAD_USE,
-                                  "%s: no page passes unless something is checked; %s or use `nineball run`",
-                                  outcome.check_count ? "none of its expectations was checked" : "nothing is expected",
-                                  outcome.check_count ? "see the reasons," : "add a block of kind `expect`,");
+    outcome.status =
+        nb_error_set(&outcome.error, NB_BAD_USE, "%s, so nothing was checked; %s, or use `nineball run`",
+                     outcome.check_count ? "no expectation of this page could fail" : "nothing is expected",
+                     outcome.check_count ? "see the notes and reasons above" : "add a block `expect`");
   nb_print_trouble(&outcome, path);
   if (wanted & VERDICT && use->tap)
     nb_print_tap(&outcome, path);

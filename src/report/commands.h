@@ -74,9 +74,9 @@ enum nb_status nb_save_in(struct nb_save *file, struct nb_error *error, const ch
 /* Into the folder: table.tsv, values.tsv, verdict.tsv, and STAGE-bodies.tsv, -walls.tsv, -contacts.tsv for each snapshot,
  * of a path LEG-traction.tsv, -pieces.tsv. */
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
-/* The rows of one run under one head row, known curves beside what was seen of them. */
+/* The rows of one run under one head row, reference curves beside the computed quantities. */
 void nb_table_write_run(FILE *out, const struct nb_page_run *run);
-/* One row a run: swept values, then every measure that is expected, seen and known. */
+/* One row a run: swept values, then every measure of the expect blocks, computed and reference. */
 void nb_values_write(FILE *out, const struct nb_outcome *outcome);
 void nb_table_write(FILE *out, const struct nb_table *table);
 /* What every file begins with, behind `# `: program, page, the settings it was given and the hash of both, and whether it is

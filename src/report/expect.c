@@ -1,6 +1,7 @@
 /* What a page expects: its `expect` blocks, read.
  *
  *   reference NAME
+ *   report MEASURE
  *   MEASURE EXPECTATION       one row of a table each, from which `nineball --help scene` and the manual come too
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -16,12 +17,12 @@
 /* ---- what is measured: QUANTITY {REDUCER} {in STAGE} ---- */
 
 static const struct nb_reducer_row reducers[] = {
-    {"last", NB_LAST, "what was seen last; so it is without any of these words"},
+    {"last", NB_LAST, "the last row; also without any of these words"},
     {"max", NB_MAX, "the largest"},
     {"min", NB_MIN, "the smallest"},
     {"mean", NB_MEAN, "the mean of all rows"},
     {"amplitude", NB_AMPLITUDE, "half of the largest less the smallest"},
-    {"frequency", NB_FREQUENCY, "how often it rises through its mean, 1/s"},
+    {"frequency", NB_FREQUENCY, "upward crossings of its mean for each second, 1/s"},
     {NULL, NB_LAST, NULL},
 };
 
@@ -45,7 +46,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
   else if (nearest[0])
     snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
   else
-    snprintf(hint, sizeof hint, "`record` names the quantities that can be expected");
+    snprintf(hint, sizeof hint, "an expectation is about a quantity that the scene records");
   return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
 }
 
@@ -77,7 +78,7 @@ static bool take_moment(struct nb_reader *reader, const struct nb_scene *scene, 
   const bool counted = number && reader->next + 1 < reader->count &&
                        (strcmp(number[1].text, words[0]) == 0 || strcmp(number[1].text, words[1]) == 0);
   if (scene->path && !counted)
-    return nb_expected(reader, "on the bench there is no time: `at 10 steps`", "a number and `steps`");
+    return nb_expected(reader, "a contact test has no time: `at 10 steps`", "a number and `steps`");
   if (counted) {
     unsigned long count;
     if (!nb_take_count(reader, 0, NB_COUNT_MAX, &count))
@@ -92,30 +93,6 @@ static bool take_moment(struct nb_reader *reader, const struct nb_scene *scene, 
   measure->reducer = NB_AT_TIME;
   nb_append(measure->label, sizeof measure->label, reader->unitless ? " at %g" : " at %g s", measure->at);
   return true;
-}
-
-/* A word that is no reducer, and nothing that may follow one. */
-static bool unknown_reducer(struct nb_reader *reader, bool reduced) {
-  char hint[NB_HINT_SIZE], words[256] = "";
-  const struct nb_token *token = nb_token_peek(reader);
-  if (!token || strcmp(token->text, "in") == 0 || strcmp(token->text, "among") == 0 || token->text[0] == '[')
-    return false; /* of a stated number the source may follow */
-  struct nb_guess guess = nb_guess_begin(token->text);
-  for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
-    if (strcmp(row->word, token->text) == 0)
-      return false;
-    nb_guess_offer(&guess, row->word);
-    nb_append(words, sizeof words, "%s`%s`", words[0] ? ", " : "", row->word);
-  }
-  nb_guess_offer(&guess, "in");
-  if (reduced)
-    return !nb_expected(reader, nb_guess_hint(&guess, hint), "`in`, or what is expected (%s)", words);
-  nb_guess_offer(&guess, "at");
-  for (const struct nb_reducer_row *row = reducers; row->word; row++)
-    nb_guess_offer(&guess, row->word);
-  return !nb_expected(reader, nb_guess_hint(&guess, hint),
-                      "`max`, `min`, `mean`, `last`, `amplitude`, `frequency`, `at`, `in`, or what is expected (%s)",
-                      words);
 }
 
 static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
@@ -135,7 +112,7 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   measure->vanishes = nb_quantity_vanishes(quantity);
   if (!row->word && nb_token_skip(reader, "at"))
     return take_moment(reader, scene, measure) && take_stage(reader, scene, measure);
-  return !unknown_reducer(reader, row->word) && take_stage(reader, scene, measure);
+  return take_stage(reader, scene, measure);
 }
 
 /* ---- how near it must be ---- */
@@ -181,8 +158,8 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
     return false;
   return !zero || tolerance->kind != NB_RELATIVE ||
          nb_token_mistake(reader, &reader->tokens[at],
-                          "give it a unit, or name what it is a share of: `within 1 % of energy.kinetic max`",
-                          "expected a tolerance that is no share of 0, found `%s`", tolerance->text);
+                          "give it a unit, or say of what it is a fraction: `within 1 % of energy.kinetic max`",
+                          "expected a tolerance other than a fraction of 0, found `%s`", tolerance->text);
 }
 
 /* ---- what is expected of it ---- */
@@ -205,16 +182,16 @@ static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, c
   return nb_not_known(reader, token, nb_guess_hint(&guess, hint), "the name of a `sweep`");
 }
 
-/* `among NAME`, or nothing: the sweep whose runs are a sample. */
-static bool take_among(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return !nb_token_skip(reader, "among") || take_swept(reader, scene, expectation->among);
+/* `over NAME`, or nothing: the sweep whose runs are a sample. */
+static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  return !nb_token_skip(reader, "over") || take_swept(reader, scene, expectation->sample);
 }
 
 /* `[CS79 figure 6]`, several tokens. */
 static bool take_source(struct nb_reader *reader, struct nb_expectation *expectation) {
   const struct nb_token *token = nb_token_peek(reader);
   if (!token || token->text[0] != '[')
-    return nb_expected(reader, "a number from a paper names its place: `[CS79 figure 6]`", "the source in brackets");
+    return nb_expected(reader, "say where the number comes from: `[CS79 figure 6]`", "the source in brackets");
   while ((token = nb_token_peek(reader))) {
     nb_append(expectation->source, sizeof expectation->source, "%s%s", expectation->source[0] ? " " : "", token->text);
     reader->next++;
@@ -229,96 +206,89 @@ static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, 
   return take_tolerance_of(reader, scene, measure->unit, measure->vanishes, &expectation->tolerance);
 }
 
-static bool take_along(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  reader->next++;
+static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_token *token = nb_take(reader, "a quantity that the scene records");
   struct nb_quantity quantity;
-  if (!token || !find_column(reader, scene, token, &expectation->along_column, &quantity))
+  if (!token || !find_column(reader, scene, token, &expectation->column, &quantity))
     return false;
-  snprintf(expectation->along, sizeof expectation->along, "%s", token->text);
+  snprintf(expectation->against, sizeof expectation->against, "%s", token->text);
   return take_stage(reader, scene, &expectation->measure) &&
          take_tolerance(reader, scene, expectation->measure.unit, &expectation->tolerance);
 }
 
-static bool take_stated(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  reader->next++;
+static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const char *unit = expectation->measure.unit;
   expectation->has_scale = is_before(reader, "of") || is_before(reader, "%");
   if (expectation->has_scale) {
-    if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->stated))
+    unit = "1";
+    if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number))
       return false;
     if (!nb_token_skip(reader, "of"))
-      return nb_expected(reader, "a share is of something: `15 % of C.normal mean`", "`of` and a quantity");
+      return nb_expected(reader, "a fraction of another quantity: `15 % of C.normal mean`", "`of` and a quantity");
     if (!take_measure(reader, scene, &expectation->other))
       return false;
-  } else if (!nb_take_in(reader, unit, &expectation->stated)) {
+  } else if (!nb_take_in(reader, unit, &expectation->number)) {
     return false;
   }
-  return take_among(reader, scene, expectation) &&
-         (expectation->among[0] || take_tolerance_of(reader, scene, expectation->has_scale ? "1" : unit,
-                                                     expectation->stated == 0, &expectation->tolerance)) &&
+  return take_sample(reader, scene, expectation) &&
+         (expectation->sample[0] ||
+          take_tolerance_of(reader, scene, unit, expectation->number == 0, &expectation->tolerance)) &&
          take_source(reader, expectation);
 }
 
 static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  reader->next++;
   return take_measure(reader, scene, &expectation->other);
 }
 
 static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  reader->next++;
-  return nb_take_word(reader, "with") && take_swept(reader, scene, expectation->along) &&
-         take_among(reader, scene, expectation);
+  return nb_take_word(reader, "with") && take_swept(reader, scene, expectation->against) &&
+         take_sample(reader, scene, expectation);
 }
 
-static bool take_same(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  reader->next++;
-  return nb_take_word(reader, "over") && take_swept(reader, scene, expectation->along) &&
-         take_among(reader, scene, expectation) &&
+static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  return take_trend(reader, scene, expectation) &&
          take_tolerance(reader, NULL, expectation->measure.unit, &expectation->tolerance);
 }
 
 static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  reader->next++;
-  return nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->stated) && nb_take_word(reader, "over") &&
-         take_swept(reader, scene, expectation->along) && take_tolerance(reader, NULL, "1", &expectation->tolerance);
+  return nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number) && nb_take_word(reader, "in") &&
+         take_swept(reader, scene, expectation->against) && take_tolerance(reader, NULL, "1", &expectation->tolerance);
 }
 
 /* clang-format off */
 static const struct nb_expectation_row rows[] = {
   {"within", NB_WITHIN, "MEASURE within TOLERANCE", take_within,
-   "What was seen is what the reference knows; a residual should be 0. TOLERANCE: `0.1 %` or `10 ppm` of it, `2 nm` with "
-   "a unit, a bare `1e-12` of what has none, `1e-12 of energy.kinetic max` of another measure.",
+   "The computed value agrees with the reference; a residual should be 0. TOLERANCE: `0.1 %` or `10 ppm` of the reference, `2 nm` with "
+   "a unit, a bare `1e-12` of a quantity without unit, `1e-12 of energy.kinetic max` of another measure.",
    "C.normal max in strike  within 0.1 %"},
-  {"along", NB_ALONG, "QUANTITY along COLUMN {in STAGE} within TOLERANCE", take_along,
-   "The same of a curve, at every row; COLUMN is what the reference knows it along. `0.5 % of peak`: of the largest "
-   "known value.",
-   "C.normal along time in strike  within 0.5 % of peak"},
-  {"stated", NB_STATED, "MEASURE stated NUMBER {of MEASURE} within TOLERANCE [SOURCE]", take_stated,
-   "What was seen is a number that somebody states, and SOURCE says who. With `of` it is a share of another measure. "
-   "`stated NUMBER among NAME [SOURCE]`: where it lies among the runs of a sweep, one draw among many; that is said, and fails "
-   "nothing.",
-   "time at 0 cycles  stated 0 s within 0 s  [the clock starts]\n"
-   "C.normal in part  stated 0 of C.normal max in strike within 0.01  [the discs part]"},
-  {"below", NB_LESS, "MEASURE below MEASURE", take_other, "Two measures of the same run.",
+  {"versus", NB_VERSUS, "QUANTITY versus COLUMN {in STAGE} within TOLERANCE", take_versus,
+   "The same for a curve, at every row. COLUMN is the independent variable of the reference. `0.5 % of peak`: of the largest "
+   "reference value.",
+   "C.normal versus time in strike  within 0.5 % of peak"},
+  {"expected", NB_EXPECTED, "MEASURE expected NUMBER {of MEASURE} within TOLERANCE [SOURCE]", take_expected,
+   "The computed value agrees with NUMBER; SOURCE says where that comes from. With `of` it is a fraction of another measure. "
+   "`expected NUMBER over SAMPLE [SOURCE]` reports where NUMBER lies among the runs of the sweep SAMPLE, which are realizations of one "
+   "case; it is noted, and cannot fail.",
+   "time at 0 cycles  expected 0 s within 0 s  [the clock starts]\n"
+   "C.normal in part  expected 0 of C.normal max in strike within 0.01  [the discs separate]"},
+  {"below", NB_LESS, "MEASURE below MEASURE", take_other, "Compares two measures of the same run.",
    "C.overlap in part  below  C.overlap max in strike"},
   {"above", NB_MORE, "MEASURE above MEASURE", take_other, "Likewise.",
    "C.normal max in strike  above  C.normal mean in strike"},
-  {"rises", NB_RISES, "MEASURE rises with NAME {among SAMPLE}", take_trend,
-   "NAME is a sweep: from each of its values to the next, while other sweeps stay where they are. With `among` the runs of the "
-   "sweep SAMPLE are a sample of the same: the mean of their differences is above 0 with 95 % confidence (Student).",
-   "C.normal max in strike  rises with speed"},
-  {"falls", NB_FALLS, "MEASURE falls with NAME {among SAMPLE}", take_trend, "Likewise.",
-   "A.vx in strike  falls with speed"},
-  {"same", NB_SAME, "MEASURE same over NAME {among SAMPLE} within TOLERANCE", take_same,
-   "For all values of a sweep: the largest less the smallest; a share is of their mean. With `among`: the interval of 95 % "
-   "confidence of every mean difference lies within.",
-   "time at 100 cycles in strike  same over speed within 1 ns"},
-  {"order", NB_ORDER, "MEASURE order NUMBER over NAME within TOLERANCE", take_order,
-   "The error goes with this power of the swept NAME: the slope of the best straight line through log(error) against "
-   "log(NAME). The "
-   "error is seen less known; a residual is an error by itself.",
-   "C.normal max in strike  order 2 over speed  within 0.1"},
+  {"increases", NB_INCREASES, "MEASURE increases with NAME {over SAMPLE}", take_trend,
+   "NAME is a sweep: the measure increases from each of its values to the next, while other sweeps keep theirs. With `over` the runs of "
+   "the sweep SAMPLE are realizations of one case: the mean of their differences is above 0 with 95 % confidence (Student).",
+   "C.normal max in strike  increases with speed"},
+  {"decreases", NB_DECREASES, "MEASURE decreases with NAME {over SAMPLE}", take_trend, "Likewise.",
+   "A.vx in strike  decreases with speed"},
+  {"constant", NB_CONSTANT, "MEASURE constant with NAME {over SAMPLE} within TOLERANCE", take_constant,
+   "For all values of a sweep: the largest less the smallest is within TOLERANCE; a percentage is of their mean. With `over` the interval of "
+   "95 % confidence of every mean difference lies within.",
+   "time at 100 cycles in strike  constant with speed within 1 ns"},
+  {"order", NB_ORDER, "MEASURE order NUMBER in NAME within TOLERANCE", take_order,
+   "The error is proportional to this power of the swept NAME: the slope of the best straight line through log(error) against log(NAME). The "
+   "error is computed less reference; a residual is an error by itself.",
+   "C.normal max in strike  order 2 in speed  within 0.1"},
   {NULL, NB_WITHIN, NULL, NULL, NULL, NULL},
 };
 /* clang-format on */
@@ -332,16 +302,34 @@ struct reading {
   const struct nb_scene *scene;
 };
 
+/* One of the words of the table; or else what could have been meant, also of what may stand before it. */
 static bool take_kind(struct nb_reader *reader, const struct reading *reading, struct nb_expectation *expectation) {
-  char words[256] = "";
+  char hint[NB_HINT_SIZE], words[256] = "";
+  const struct nb_token *token = nb_token_peek(reader);
+  struct nb_guess guess = nb_guess_begin(token ? token->text : "");
   for (const struct nb_expectation_row *row = rows; row->word; row++) {
     if (nb_token_is(reader, row->word)) {
+      reader->next += row->kind != NB_WITHIN; /* which begins the tolerance */
       expectation->kind = row->kind;
       return row->take(reader, reading->scene, expectation);
     }
     nb_append(words, sizeof words, "%s`%s`", !words[0] ? "" : row[1].word ? ", " : " or ", row->word);
+    nb_guess_offer(&guess, row->word);
   }
-  return nb_expected(reader, NULL, "%s", words);
+  for (const struct nb_reducer_row *row = reducers; row->word && expectation->measure.reducer == NB_LAST; row++)
+    nb_guess_offer(&guess, row->word);
+  nb_guess_offer(&guess, "in");
+  return nb_expected(reader, token ? nb_guess_hint(&guess, hint) : "`report MEASURE` notes it without a claim", "%s",
+                     words);
+}
+
+/* `report MEASURE`: into the tables, without a claim about it. */
+static void apply_report(struct nb_reader *reader, const struct nb_record *record, void *subject) {
+  const struct reading *reading = subject;
+  struct nb_expectation expectation = {.kind = NB_REPORTED, .line = (int)reader->line};
+  (void)record;
+  if (take_measure(reader, reading->scene, &expectation.measure))
+    NB_APPEND(reader, reading->expectations->list, reading->expectations->count, expectation);
 }
 
 static void apply_expectation(struct nb_reader *reader, const struct nb_record *record, void *subject) {
@@ -376,8 +364,12 @@ static const struct nb_argument nothing[] = {{NULL, NULL, NB_ARGUMENT_FLAG, NB_U
 
 static const struct nb_keyword table[] = {
     {"reference", NB_IN_EXPECT, reference, NULL, 0, false, apply_reference,
-     "The judge: a file of cases/refs; `nineball list` names them.", "reference  two_wall_compression"},
-    {NULL, NB_IN_EXPECT, nothing, "MEASURE EXPECTATION", 0, false, apply_expectation, "What should be seen.", NULL},
+     "The reference solution: a file of cases/refs; `nineball list` names them.", "reference  two_wall_compression"},
+    {"report", NB_IN_EXPECT, nothing, "MEASURE", 0, false, apply_report,
+     "Puts the measure into values.tsv and the verdict without a claim about it; it is noted, not checked.",
+     "report  C.overlap max in strike"},
+    {NULL, NB_IN_EXPECT, nothing, "MEASURE EXPECTATION", 0, false, apply_expectation, "What is expected of a measure.",
+     NULL},
     {0},
 };
 
@@ -390,7 +382,7 @@ const struct nb_family *nb_expect_keywords(void) {
 static int line_judged(const struct nb_expectations *expectations) {
   for (size_t k = 0; k < expectations->count; k++) {
     const struct nb_expectation *e = &expectations->list[k];
-    if ((e->kind == NB_WITHIN || e->kind == NB_ALONG || e->kind == NB_ORDER) && !e->measure.vanishes)
+    if ((e->kind == NB_WITHIN || e->kind == NB_VERSUS || e->kind == NB_ORDER) && !e->measure.vanishes)
       return e->line;
   }
   return 0;
@@ -416,8 +408,8 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
     }
   const int line = expectations->reference || !sought ? 0 : line_judged(expectations);
   if (line)
-    nb_line_mistake(reader, (size_t)line, "put `reference NAME` before it; `nineball list` names them",
-                    "expected a `reference` in this page, found none to compare with");
+    nb_line_mistake(reader, (size_t)line, "write `reference NAME` above it; `nineball list` names the references",
+                    "expected a `reference` in this page to compare with, found none");
   free(reader);
   const enum nb_status status = nb_mistakes_status(mistakes, before);
   if (status)

@@ -33,30 +33,32 @@ struct nb_tolerance {
 };
 
 enum nb_expectation_kind {
-  NB_WITHIN, /* of what the reference knows */
-  NB_ALONG,  /* the same for a curve, at every row */
-  NB_STATED, /* of a number that a paper prints */
-  NB_LESS,   /* than another measure of the same run */
+  NB_WITHIN,   /* a tolerance of the reference */
+  NB_VERSUS,   /* the same for a curve, at every row */
+  NB_EXPECTED, /* a tolerance of a number that the page gives */
+  NB_LESS,     /* than another measure of the same run */
   NB_MORE,
-  NB_RISES, /* from each value of a sweep to the next */
-  NB_FALLS,
-  NB_SAME, /* for all values of a sweep */
-  NB_ORDER /* the error goes with this power of the swept value */
+  NB_INCREASES, /* from each value of a sweep to the next */
+  NB_DECREASES,
+  NB_CONSTANT, /* for all values of a sweep */
+  NB_ORDER,    /* the error is proportional to this power of the swept value */
+  NB_REPORTED  /* nothing is expected of it */
 };
 
 struct nb_expectation {
   enum nb_expectation_kind kind;
   struct nb_measure measure;
   struct nb_measure
-      other; /* NB_LESS, NB_MORE: the other one; NB_STATED with `has_scale`: what the number is a share of */
+      other; /* NB_LESS, NB_MORE: the other one; NB_EXPECTED with `has_scale`: the number is a fraction of it */
   bool has_scale;
   struct nb_tolerance tolerance;
-  double stated;                /* SI; NB_ORDER: the power */
-  char source[NB_NAME_SIZE];    /* "[CS79 figure 6]" */
-  char along[2 * NB_NAME_SIZE]; /* NB_ALONG: `time`, `cycle`; NB_RISES, NB_FALLS, NB_SAME: the swept name */
-  char among[2 *
-             NB_NAME_SIZE]; /* NB_STATED, NB_RISES, NB_FALLS, NB_SAME: the sweep whose runs are a sample; empty: none */
-  size_t along_column;
+  double number;             /* NB_EXPECTED: SI; NB_ORDER: the power */
+  char source[NB_NAME_SIZE]; /* "[CS79 figure 6]" */
+  char
+      against[2 *
+              NB_NAME_SIZE]; /* NB_VERSUS: the independent variable, `time`; NB_INCREASES to NB_ORDER: the swept name */
+  char sample[2 * NB_NAME_SIZE]; /* the sweep whose runs are realizations of one case; empty: none */
+  size_t column;                 /* of the independent variable */
   int line;
 };
 

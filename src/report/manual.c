@@ -175,17 +175,18 @@ static void expectations(const struct manual *to) {
 
 static void figures(const struct manual *to) {
   static const char *const given[][2] = {
-      {"$table", "the recorded rows of the run; a column is `column('C.normal/N')`, by its head. `known C.normal/N` is "
-                 "the reference, at "
-                 "every row, of a quantity that is compared with a curve. With a sweep `$table_1`, `$table_2`, …, one "
-                 "for each run"},
+      {"$table",
+       "the recorded rows of the run; a column is `column('C.normal/N')`, by its head. `reference C.normal/N` is "
+       "the reference, at "
+       "every row, of a quantity that is compared with a curve. With a sweep `$table_1`, `$table_2`, …, one "
+       "for each run"},
       {"$values",
        "one row for each run: the swept values, then every measure of the expect blocks, computed and reference"},
       {"runs", "the number of runs; `run[i]` are the swept values of run i: \"v=0.12, n=40\""},
       {"C_normal_max",
        "a variable for each measure of the expect blocks, here `C.normal max`: what is no letter or digit "
        "becomes `_`. With a sweep `C_normal_max_1`, …"},
-      {"known_C_normal_max", "a variable for each value that the reference returns, likewise"},
+      {"reference_C_normal_max", "a variable for each value that the reference returns, likewise"},
       {"$STAGE_bodies",
        "a snapshot of a stage; also `$STAGE_walls`, `$STAGE_contacts`, of regions `$STAGE_rings`, of `snapshot from` "
        "`$STAGE_lattice`, of a path `$LEG_traction` and `$LEG_pieces`. With a sweep `$STAGE_bodies_1`, …"},

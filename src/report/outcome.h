@@ -22,15 +22,15 @@ struct nb_page_run {
 enum nb_mark {
   NB_FAIL,
   NB_PASS,
-  NB_NOTE, /* where a stated number lies in a sample: reported, and never a failure */
+  NB_NOTE, /* a value, or where a number lies in a sample: never a failure */
   NB_SKIP, /* not checked, and the words say why */
   NB_MARKS
 };
 
-/* One expectation held against what was seen. */
+/* One expectation compared with what was computed. */
 struct nb_check {
   char label[640]; /* "C.normal mean within 0.1 %" and the run */
-  char words[512]; /* "seen 1.002, known 1.003, off by 0.05 %" */
+  char words[512]; /* "computed 1.002 N, reference 1.003 N, error 0.05 %, tolerance 0.1 %" */
   enum nb_mark mark;
   int line;
 };

@@ -72,7 +72,7 @@ static void write_checks(FILE *out, const struct nb_outcome *outcome) {
   const size_t *marked = outcome->marked;
   fprintf(out,
           "<details%s><summary>%zu checks, %zu "
-          "failed, %zu noted, %zu skipped</summary>\n<table><tr><th></th><th>expected</th><th>seen</th></tr>\n",
+          "failed, %zu noted, %zu skipped</summary>\n<table><tr><th></th><th>expected</th><th>computed</th></tr>\n",
           outcome->check_count < MANY || marked[NB_FAIL] ? " open" : "", marked[NB_PASS] + marked[NB_FAIL],
           marked[NB_FAIL], marked[NB_NOTE], marked[NB_SKIP]);
   for (size_t k = 0; k < outcome->check_count; k++) {

@@ -47,8 +47,8 @@ static void head(FILE *out, const struct nb_page_run *run) {
     fprintf(out, "\t%s/%s", table->names[c], unit_word(table->units[c], run->scene.unitless));
   for (size_t k = 0; k < run->expectations.count; k++) {
     const struct nb_expectation *e = &run->expectations.list[k];
-    if (e->kind == NB_ALONG)
-      fprintf(out, "\tknown %s/%s", table->names[e->measure.column],
+    if (e->kind == NB_VERSUS)
+      fprintf(out, "\treference %s/%s", table->names[e->measure.column],
               unit_word(table->units[e->measure.column], run->scene.unitless));
   }
   fputc('\n', out);
@@ -62,10 +62,10 @@ static void row(FILE *out, const struct nb_page_run *run, size_t r) {
     fprintf(out, "\t%.17g", values[c]);
   for (size_t k = 0; k < run->expectations.count; k++) {
     const struct nb_expectation *e = &run->expectations.list[k];
-    if (e->kind != NB_ALONG)
+    if (e->kind != NB_VERSUS)
       continue;
-    const struct nb_known_curve *curve = known_find_curve(&run->known, table->names[e->measure.column], e->along);
-    fprintf(out, "\t%.17g", curve ? curve->at(curve->data, values[e->along_column]) : NAN);
+    const struct nb_known_curve *curve = known_find_curve(&run->known, table->names[e->measure.column], e->against);
+    fprintf(out, "\t%.17g", curve ? curve->at(curve->data, values[e->column]) : NAN);
   }
   fputc('\n', out);
 }
@@ -106,7 +106,7 @@ static bool first_of_its_name(const struct nb_expectations *expectations, size_t
   for (size_t k = 0; k < index; k++)
     if (strcmp(expectations->list[k].measure.label, expectations->list[index].measure.label) == 0)
       return false;
-  return expectations->list[index].kind != NB_ALONG;
+  return expectations->list[index].kind != NB_VERSUS;
 }
 
 void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
@@ -119,7 +119,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
       for (size_t k = 0; k < all->count; k++)
         if (first_of_its_name(all, k)) {
           const char *unit = unit_word(all->list[k].measure.unit, run->scene.unitless);
-          fprintf(out, "\t%s/%s\tknown %s/%s", all->list[k].measure.label, unit, all->list[k].measure.label, unit);
+          fprintf(out, "\t%s/%s\treference %s/%s", all->list[k].measure.label, unit, all->list[k].measure.label, unit);
         }
       fputc('\n', out);
     }
@@ -139,7 +139,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
 }
 
 static void write_verdict(FILE *out, const struct nb_outcome *outcome) {
-  fputs("verdict\tline\texpected\tseen\n", out);
+  fputs("verdict\tline\texpected\tcomputed\n", out);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
     fprintf(out, "%s\t%d\t%s\t%s\n", nb_mark_word(check->mark), check->line, check->label, check->words);

@@ -1,4 +1,4 @@
-/* The verdict: every expectation of a page against what was seen.
+/* The verdict: every expectation of a page against the computed values.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -42,30 +42,46 @@ double nb_excess(const struct nb_tolerance *tolerance, double computed, double r
   return error > 0 ? error / allowed : 0;
 }
 
-/* One number beside another: both, how far they are apart, and why that cannot be told where it cannot. */
-static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double seen, double known,
-                    double scale, const char *unit, const char *from) {
-  const double off = fabs(seen - known);
-  const bool relative = tolerance->kind != NB_ABSOLUTE;
-  nb_check_say(check, nb_excess(tolerance, seen, known, scale) <= 1, "seen %.12g%s%s, %s %.12g", seen,
-               unit[0] ? " " : "", unit, from, known);
-  if (!isfinite(seen) || !isfinite(known))
-    nb_append(check->words, sizeof check->words, ": not a finite number");
-  else if (relative && !isfinite(tolerance->value * scale))
-    nb_append(check->words, sizeof check->words, ": a share of %g is no finite tolerance", scale);
-  else if (!relative)
-    nb_append(check->words, sizeof check->words, ", off by %.3g", off);
-  else if (scale != 0)
-    nb_append(check->words, sizeof check->words, ", off by %.3g %%%s%s", 100 * off / fabs(scale),
-              tolerance->kind == NB_OF_PEAK      ? " of peak"
-              : tolerance->kind == NB_OF_MEASURE ? " of "
-                                                 : "",
-              tolerance->kind == NB_OF_MEASURE ? tolerance->of.label : "");
-  else
-    nb_append(check->words, sizeof check->words, ", off by %.3g; a tolerance in %% of 0 allows no error", off);
+/* So many digits that two numbers which differ look different, and two of the difference. */
+static int digits(double a, double b) {
+  const double error = fabs(a - b) / fmax(fabs(a), fabs(b));
+  const int wanted = error > 0 ? 2 - (int)floor(log10(error)) : 0;
+  return wanted < 6 ? 6 : wanted > 17 ? 17 : wanted;
 }
 
-/* What a share is of: the other measure that the tolerance names, or else `own`; false with words when there is none. */
+void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
+                    const struct nb_tolerance *tolerance, const char *unit) {
+  const bool relative = tolerance->kind != NB_ABSOLUTE,
+             percent = relative && !(tolerance->value > 0 && tolerance->value < 1e-7);
+  const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
+  const char *in = percent ? " %" : relative ? "" : unit;
+  nb_append(check->words, sizeof check->words, ", %s %.3g%s, tolerance %.3g%s", what,
+            error > 0 ? factor * error / of : 0, in, factor * tolerance->value, in);
+  if (tolerance->kind == NB_OF_PEAK || tolerance->kind == NB_OF_MEASURE)
+    nb_append(check->words, sizeof check->words, " of %s",
+              tolerance->kind == NB_OF_PEAK ? "peak" : tolerance->of.label);
+}
+
+/* One number beside another: both, the error and the tolerance, or why there is no error. The unit begins with a space. */
+static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double computed, double reference,
+                    double scale, const char *unit, const char *from) {
+  const bool relative = tolerance->kind != NB_ABSOLUTE;
+  const double error = fabs(computed - reference);
+  const int precision = digits(computed, reference);
+  nb_check_say(check, nb_excess(tolerance, computed, reference, scale) <= 1, "computed %.*g%s, %s %.*g%s", precision,
+               computed, unit, from, precision, reference, unit);
+  if (!isfinite(computed) || !isfinite(reference)) {
+    nb_append(check->words, sizeof check->words, ": not a finite number");
+  } else if (relative && !isfinite(tolerance->value * scale)) {
+    nb_append(check->words, sizeof check->words, ": a fraction of %g is not a finite tolerance", scale);
+  } else if (relative && scale == 0 && error > 0) {
+    nb_append(check->words, sizeof check->words, ", error %.3g%s; a tolerance in %% of 0 allows no error", error, unit);
+  } else {
+    nb_check_error(check, "error", error, scale, tolerance, unit);
+  }
+}
+
+/* What a tolerance is a fraction of: the other measure that it names, or else `own`; false with words when there is none. */
 static bool find_scale(double *scale, double own, struct nb_check *check, const struct nb_page_run *run,
                        const struct nb_tolerance *tolerance) {
   struct nb_error error;
@@ -88,7 +104,7 @@ bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_
   const double whole = *value;
   *value /= scale;
   if (!isfinite(*value))
-    nb_check_say(check, false, "seen %.12g of %.12g: their ratio is not a finite number", whole, scale);
+    nb_check_say(check, false, "computed %.6g and %.6g: their ratio is not a finite number", whole, scale);
   return isfinite(*value);
 }
 
@@ -99,60 +115,75 @@ const double *nb_check_known(const struct nb_page_run *run, const struct nb_meas
   return known || !measure->vanishes ? known : &nothing;
 }
 
-static const char *unit_of(const struct nb_page_run *run, const char *unit) {
-  return run->scene.unitless || strcmp(unit, "1") == 0 ? "" : unit;
+const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *e) {
+  const bool bare = e->has_scale || run->scene.unitless || strcmp(e->measure.unit, "1") == 0;
+  snprintf(text, NB_NAME_SIZE, "%s%s", bare ? "" : " ", bare ? "" : e->measure.unit);
+  return text;
 }
 
-/* One number beside that of the reference, or beside the one that is stated. */
+/* One number beside that of the reference, or beside the one that the page gives. */
 static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
-  const bool stated = e->kind == NB_STATED;
-  const double *known = stated ? &e->stated : nb_check_known(run, &e->measure);
-  double seen, scale;
-  if (!known)
-    nb_check_say(check, false, "the reference does not know `%s`", e->measure.label);
-  else if (nb_check_value(&seen, check, run, e) && find_scale(&scale, *known, check, run, &e->tolerance))
-    compare(check, &e->tolerance, seen, *known, scale, e->has_scale ? "" : unit_of(run, e->measure.unit),
-            stated ? "stated" : "known");
+  const bool given = e->kind == NB_EXPECTED;
+  const double *reference = given ? &e->number : nb_check_known(run, &e->measure);
+  double computed, scale;
+  char unit[NB_NAME_SIZE];
+  if (!reference)
+    nb_check_say(check, false, "the reference does not return `%s`", e->measure.label);
+  else if (nb_check_value(&computed, check, run, e) && find_scale(&scale, *reference, check, run, &e->tolerance))
+    compare(check, &e->tolerance, computed, *reference, scale, nb_check_unit(unit, run, e),
+            given ? "expected" : "reference");
 }
 
 /* The same at every row: all of them must hold, and the worst one is reported. */
-static void check_along(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
+static void check_curve(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const struct nb_table *table = &run->result.table;
   const char *quantity = table->names[e->measure.column];
-  const struct nb_known_curve *curve = known_find_curve(&run->known, quantity, e->along);
+  const struct nb_known_curve *curve = known_find_curve(&run->known, quantity, e->against);
+  char unit[NB_NAME_SIZE];
   size_t from, to;
   nb_measure_rows(&e->measure, table, &from, &to);
   if (!curve || from == to) {
-    nb_check_say(check, false, curve ? "no rows were recorded" : "the reference knows no curve of `%s` along `%s`",
-                 quantity, e->along);
+    nb_check_say(check, false, curve ? "no rows were recorded" : "the reference returns no curve of `%s` versus `%s`",
+                 quantity, e->against);
     return;
   }
   double peak = 0, scale, most = -1;
   for (size_t r = from; r < to; r++)
-    peak = fmax(peak, fabs(curve->at(curve->data, table->values[r * table->column_count + e->along_column])));
+    peak = fmax(peak, fabs(curve->at(curve->data, table->values[r * table->column_count + e->column])));
   if (!find_scale(&scale, peak, check, run, &e->tolerance))
     return;
   for (size_t r = from; r < to; r++) {
-    const double *row = table->values + r * table->column_count, x = row[e->along_column];
-    const double seen = row[e->measure.column], known = curve->at(curve->data, x);
-    const double share_of = e->tolerance.kind == NB_RELATIVE ? known : scale;
-    const double excess = nb_excess(&e->tolerance, seen, known, share_of);
+    const double *row = table->values + r * table->column_count, x = row[e->column];
+    const double computed = row[e->measure.column], reference = curve->at(curve->data, x);
+    const double whole = e->tolerance.kind == NB_RELATIVE ? reference : scale;
+    const double excess = nb_excess(&e->tolerance, computed, reference, whole);
     if (!(excess > most))
       continue;
     most = excess;
-    compare(check, &e->tolerance, seen, known, share_of, unit_of(run, e->measure.unit), "known");
-    nb_append(check->words, sizeof check->words, ", worst of %zu rows at %s %.6g", to - from, e->along, x);
+    compare(check, &e->tolerance, computed, reference, whole, nb_check_unit(unit, run, e), "reference");
+    nb_append(check->words, sizeof check->words, "; the worst of %zu rows, at %s = %.6g%s%s", to - from, e->against, x,
+              run->scene.unitless || strcmp(table->units[e->column], "1") == 0 ? "" : " ",
+              run->scene.unitless || strcmp(table->units[e->column], "1") == 0 ? "" : table->units[e->column]);
   }
 }
 
-static void check_order(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
+/* Two measures of one run, or one that is reported. */
+static void check_measures(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   struct nb_error error;
-  double seen, other;
-  if (!nb_measure_seen(&seen, &e->measure, &run->result.table, &error) ||
-      !nb_measure_seen(&other, &e->other, &run->result.table, &error))
+  double one, other = 0;
+  char unit[NB_NAME_SIZE];
+  const bool reported = e->kind == NB_REPORTED;
+  if (!nb_measure_seen(&one, &e->measure, &run->result.table, &error) ||
+      (!reported && !nb_measure_seen(&other, &e->other, &run->result.table, &error))) {
     nb_check_say(check, false, "%s", error.text);
+    return;
+  }
+  nb_check_say(check, e->kind == NB_LESS ? one < other : one > other, "computed %.*g%s", digits(one, other), one,
+               nb_check_unit(unit, run, e));
+  if (!reported)
+    nb_append(check->words, sizeof check->words, " and %.*g%s", digits(one, other), other, unit);
   else
-    nb_check_say(check, e->kind == NB_LESS ? seen < other : seen > other, "seen %.12g and %.12g", seen, other);
+    check->mark = NB_NOTE;
 }
 
 /* The statement on a line of the page, without its comment. */
@@ -177,10 +208,10 @@ static void judge(struct nb_check *check, const struct nb_outcome *outcome, size
     nb_append(check->label, sizeof check->label, " (%s)", group);
   if (nb_over_sweep(e))
     nb_check_sweep(check, outcome, r, index);
-  else if (e->kind == NB_ALONG)
-    check_along(check, run, e);
-  else if (e->kind == NB_LESS || e->kind == NB_MORE)
-    check_order(check, run, e);
+  else if (e->kind == NB_VERSUS)
+    check_curve(check, run, e);
+  else if (e->kind == NB_LESS || e->kind == NB_MORE || e->kind == NB_REPORTED)
+    check_measures(check, run, e);
   else
     check_value(check, run, e);
 }
@@ -218,7 +249,7 @@ static bool skip_unread(struct nb_outcome *outcome) {
       continue;
     all = skip(outcome, (int)i + 1,
                hidden ? "the block is in a quote, in a list or indented by four spaces, so it is not read"
-                      : "another path is followed than that of the page",
+                      : "--follow replaces the path of the page",
                NULL);
   }
   return all;

@@ -8,9 +8,14 @@
 
 void nb_check_say(struct nb_check *check, bool passed, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* The rule of every tolerance: |computed - reference| as a multiple of the error that is allowed, so at most 1 when the
- * expectation holds. `scale`: what a tolerance in per cent is a share of. Infinite when one of the numbers is not finite. */
+ * expectation holds. `scale`: what a tolerance in per cent is a fraction of. Infinite when one of the numbers is not finite. */
 double nb_excess(const struct nb_tolerance *tolerance, double computed, double reference, double scale);
-/* What is measured in this run, as a share of another measure where one is named; false with words when it is not a finite number. */
+/* The unit of what is measured behind a space, or nothing; in a text of NB_NAME_SIZE. */
+const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *expectation);
+/* Behind a comma the error, called `what`, and its tolerance: with the unit, or as fractions of the scale, in per cent unless very small. */
+void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
+                    const struct nb_tolerance *tolerance, const char *unit);
+/* What is measured in this run, as a fraction of another measure where one is named; false with words when it is not a finite number. */
 bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_run *run,
                     const struct nb_expectation *expectation);
 /* Of the reference, or 0 for a residual; NULL: not known. */

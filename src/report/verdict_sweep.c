@@ -1,15 +1,15 @@
-/* Expectations over the runs of a sweep.
+/* Expectations about several runs of a sweep.
  *
- *   rises, falls with N           from each value of N to the next
- *   same over N within            the largest less the smallest; a share is of the mean
- *   order P over N within         P is the slope of the straight line nearest to log(error) over log(N)
+ *   increases, decreases with N      from each value of N to the next
+ *   constant with N within           the largest less the smallest; a percentage is of the mean
+ *   order P in N within              P is the slope of the straight line nearest to log(error) over log(N)
  *
- * Among S, a sweep whose runs are draws of the same, as assemblies that differ in their seed are:
+ * Over S, a sweep whose runs are realizations of one case, as assemblies that differ in their seed are:
  *
- *   stated X among S              where X lies in the sample: the share of the runs below it, and half of those at it
- *   rises, falls with N among S   d, the difference from one value of N to the next, run by run of S: the interval
- *                                 mean d -+ t s/sqrt(n) of 95 % confidence lies above 0, or below
- *   same over N among S within    that interval, between every two values of N, lies within -+ the tolerance
+ *   expected X over S                where X lies in the sample: the fraction of the runs below it, and half of those at it
+ *   increases, decreases with N over S   d, the difference from one value of N to the next, run by run of S: the interval
+ *                                    mean d -+ t s/sqrt(n) of 95 % confidence lies above 0, or below
+ *   constant with N over S within    that interval, between every two values of N, lies within -+ the tolerance
  *
  * s is the standard deviation of the n differences, t the quantile 0.975 of Student's distribution of n - 1 degrees of freedom.
  * Runs are paired, since two that share a seed share most of what makes a sample scatter.
@@ -26,12 +26,12 @@
 /* ---- runs and what is swept ---- */
 
 static bool along_sweep(enum nb_expectation_kind kind) {
-  return kind == NB_RISES || kind == NB_FALLS || kind == NB_SAME || kind == NB_ORDER;
+  return kind == NB_INCREASES || kind == NB_DECREASES || kind == NB_CONSTANT || kind == NB_ORDER;
 }
 
-bool nb_over_sweep(const struct nb_expectation *e) { return along_sweep(e->kind) || e->among[0]; }
+bool nb_over_sweep(const struct nb_expectation *e) { return along_sweep(e->kind) || e->sample[0]; }
 
-static const char *along_of(const struct nb_expectation *e) { return along_sweep(e->kind) ? e->along : ""; }
+static const char *along_of(const struct nb_expectation *e) { return along_sweep(e->kind) ? e->against : ""; }
 
 /* There is one: expectations name only what is swept. */
 static const struct nb_binding *binding_of(const struct nb_page_run *run, const char *name) {
@@ -56,7 +56,7 @@ static bool same_but(const struct nb_page_run *a, const struct nb_page_run *b, c
 
 bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *e) {
   for (size_t r = 0; r < run; r++)
-    if (same_but(&outcome->runs[r], &outcome->runs[run], along_of(e), e->among))
+    if (same_but(&outcome->runs[r], &outcome->runs[run], along_of(e), e->sample))
       return false;
   return true;
 }
@@ -66,7 +66,7 @@ static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
 }
 
 const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *e) {
-  const char *const names[] = {along_of(e), e->among};
+  const char *const names[] = {along_of(e), e->sample};
   const struct nb_page_run *one = &outcome->runs[first];
   for (int k = 0; k < 2; k++) {
     bool varies = !names[k][0];
@@ -80,8 +80,8 @@ const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, co
 }
 
 void nb_sweep_words(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *e) {
-  const int along = e && along_of(e)[0] ? binding_of(run, e->along)->sweep : -1;
-  const int among = e && e->among[0] ? binding_of(run, e->among)->sweep : -1;
+  const int along = e && along_of(e)[0] ? binding_of(run, e->against)->sweep : -1;
+  const int among = e && e->sample[0] ? binding_of(run, e->sample)->sweep : -1;
   text[0] = 0;
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];
@@ -106,7 +106,7 @@ static bool is_in(const struct group *group, size_t r, size_t as, const char *na
 
 /* What is swept along, in run r, as it was written. */
 static const char *swept(const struct group *group, size_t r) {
-  return binding_of(&group->outcome->runs[r], group->e->along)->text;
+  return binding_of(&group->outcome->runs[r], group->e->against)->text;
 }
 
 /* Of run r; false with words when it cannot be formed. */
@@ -137,36 +137,42 @@ static void check_trend(const struct group *group) {
   struct sample all = {.count = 0};
   double before = 0;
   bool ordered = true;
+  char unit[NB_NAME_SIZE];
+  nb_check_unit(unit, &group->outcome->runs[group->first], e);
   for (size_t r = group->first; r < group->outcome->run_count; r++) {
     double seen;
-    if (!is_in(group, r, group->first, e->along, ""))
+    if (!is_in(group, r, group->first, e->against, ""))
       continue;
     if (!value_of(&seen, group, r))
       return;
     if (all.count > 0)
-      ordered = ordered && (e->kind == NB_RISES ? seen > before : seen < before);
-    nb_append(group->check->words, sizeof group->check->words, "%s%.6g at %s", all.count > 0 ? ", " : "seen ", seen,
-              swept(group, r));
+      ordered = ordered && (e->kind == NB_INCREASES ? seen > before : seen < before);
+    nb_append(group->check->words, sizeof group->check->words, "%s%.6g%s at %s%s%s", all.count > 0 ? ", " : "computed ",
+              seen, unit, all.count > 0 ? "" : e->against, all.count > 0 ? "" : " = ", swept(group, r));
     add(&all, seen);
     before = seen;
   }
-  const bool same = nb_excess(&e->tolerance, all.largest, all.smallest, all.mean) <= 1;
-  group->check->mark = (e->kind == NB_SAME ? same : ordered) ? NB_PASS : NB_FAIL;
+  if (e->kind == NB_CONSTANT) {
+    ordered = nb_excess(&e->tolerance, all.largest, all.smallest, all.mean) <= 1;
+    nb_check_error(group->check, "largest difference", all.largest - all.smallest, all.mean, &e->tolerance, unit);
+  }
+  group->check->mark = ordered ? NB_PASS : NB_FAIL;
 }
 
 static void check_slope(const struct group *group) {
   const struct nb_expectation *e = group->e;
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  char errors[256] = "";
+  char errors[256] = "", unit[NB_NAME_SIZE];
+  nb_check_unit(unit, &group->outcome->runs[group->first], e);
   for (size_t r = group->first; r < group->outcome->run_count; r++) {
     const struct nb_page_run *run = &group->outcome->runs[r];
     const struct nb_measure *measure = &run->expectations.list[group->index].measure;
     double seen;
-    if (!is_in(group, r, group->first, e->along, ""))
+    if (!is_in(group, r, group->first, e->against, ""))
       continue;
     const double *known = nb_check_known(run, measure), value = nb_value_number(swept(group, r));
     if (!known || !(value > 0)) {
-      nb_check_say(group->check, false, known ? "`%s` is not a number above 0" : "the reference does not know `%s`",
+      nb_check_say(group->check, false, known ? "`%s` is not a number above 0" : "the reference does not return `%s`",
                    known ? swept(group, r) : measure->label);
       return;
     }
@@ -174,44 +180,50 @@ static void check_slope(const struct group *group) {
       return;
     const double off = fabs(seen - *known), lx = log(value), ly = log(off);
     if (!isfinite(ly)) {
-      nb_check_say(group->check, false, "the error at %s is %g, which has no logarithm", swept(group, r), off);
+      nb_check_say(group->check, false, "the error at %s is %g, so it has no logarithm", swept(group, r), off);
       return;
     }
     n++, x += lx, y += ly, xx += lx * lx, xy += lx * ly;
-    nb_append(errors, sizeof errors, "%s%.3g at %s", n > 1 ? ", " : "", off, swept(group, r));
+    nb_append(errors, sizeof errors, "%s%.3g%s at %s%s%s", n > 1 ? ", " : "", off, unit, n > 1 ? "" : e->against,
+              n > 1 ? "" : " = ", swept(group, r));
   }
   const double slope = (n * xy - x * y) / (n * xx - x * x);
-  nb_check_say(group->check, nb_excess(&e->tolerance, slope, e->stated, e->stated) <= 1, "seen order %.4g: errors %s",
-               slope, errors);
+  nb_check_say(group->check, nb_excess(&e->tolerance, slope, e->number, e->number) <= 1,
+               "computed order %.4g, expected %.4g", slope, e->number);
+  nb_check_error(group->check, "error", fabs(slope - e->number), e->number, &e->tolerance, "");
+  nb_append(group->check->words, sizeof group->check->words, ": errors %s", errors);
 }
 
-/* ---- among a sample ---- */
+/* ---- over a sample ---- */
 
-static void check_stated(const struct group *group) {
+static void check_position(const struct group *group) {
   const struct nb_expectation *e = group->e;
   struct sample sample = {.count = 0};
   double below = 0;
+  char unit[NB_NAME_SIZE];
+  nb_check_unit(unit, &group->outcome->runs[group->first], e);
   for (size_t r = group->first; r < group->outcome->run_count; r++) {
     double seen;
-    if (!is_in(group, r, group->first, "", e->among))
+    if (!is_in(group, r, group->first, "", e->sample))
       continue;
     if (!value_of(&seen, group, r))
       return;
     add(&sample, seen);
-    below += seen < e->stated ? 1 : seen == e->stated ? 0.5 : 0;
+    below += seen < e->number ? 1 : seen == e->number ? 0.5 : 0;
   }
-  const bool inside = sample.smallest <= e->stated && e->stated <= sample.largest;
+  const bool inside = sample.smallest <= e->number && e->number <= sample.largest;
   nb_check_say(group->check, inside,
-               "stated %.6g, %s %.0f of %s: %.4g to %.4g, mean %.4g, deviation %.2g; at the %.0f %% point", e->stated,
-               inside ? "within" : "outside of", sample.count, e->among, sample.smallest, sample.largest, sample.mean,
-               deviation(&sample), 100 * below / sample.count);
+               "expected %.6g%s, %s the range of %.0f runs over %s: %.4g to %.4g, mean %.4g, standard deviation %.2g; "
+               "percentile %.0f",
+               e->number, unit, inside ? "within" : "outside", sample.count, e->sample, sample.smallest, sample.largest,
+               sample.mean, deviation(&sample), 100 * below / sample.count);
   group->check->mark = NB_NOTE;
 }
 
 /* The run that goes with run r when the swept name has the value it has in `as`: the same but for that name. */
 static size_t partner(const struct group *group, size_t r, size_t as) {
   size_t other = 0; /* there is one: sweeps are combined with each other */
-  while (!is_in(group, r, other, group->e->along, "") || !is_in(group, as, other, "", group->e->among))
+  while (!is_in(group, r, other, group->e->against, "") || !is_in(group, as, other, "", group->e->sample))
     other++;
   return other;
 }
@@ -223,7 +235,7 @@ static bool holds(const struct group *group, size_t from, size_t to, bool *forme
   struct sample d = {.count = 0}, level = {.count = 0};
   for (size_t r = 0; r < group->outcome->run_count; r++) {
     double before, after;
-    if (!is_in(group, r, from, "", e->among))
+    if (!is_in(group, r, from, "", e->sample))
       continue;
     *formed = value_of(&before, group, r) && value_of(&after, group, partner(group, r, to));
     if (!*formed)
@@ -233,26 +245,30 @@ static bool holds(const struct group *group, size_t from, size_t to, bool *forme
   }
   const double half = student_reach(d.count, 0.95) * deviation(&d) / sqrt(d.count);
   const double low = d.mean - half, high = d.mean + half;
-  nb_append(group->check->words, sizeof group->check->words, "%sfrom %s to %s %+.4g (%.4g to %.4g) on %.4g",
-            group->check->words[0] ? "; " : "", swept(group, from), swept(group, to), d.mean, low, high, level.mean);
-  if (e->kind == NB_SAME)
+  char unit[NB_NAME_SIZE];
+  nb_check_unit(unit, &group->outcome->runs[from], e);
+  nb_append(group->check->words, sizeof group->check->words,
+            "%sfrom %s to %s: mean difference %+.4g%s, 95 %% confidence %.4g to %.4g, mean %.4g",
+            group->check->words[0] ? "; " : "", swept(group, from), swept(group, to), d.mean, unit, low, high,
+            level.mean);
+  if (e->kind == NB_CONSTANT)
     return nb_excess(&e->tolerance, low, 0, level.mean) <= 1 && nb_excess(&e->tolerance, high, 0, level.mean) <= 1;
-  return e->kind == NB_RISES ? low > 0 : high < 0;
+  return e->kind == NB_INCREASES ? low > 0 : high < 0;
 }
 
 static void check_differences(const struct group *group) {
   const size_t runs = group->outcome->run_count;
   bool all = true, formed = true;
   for (size_t from = group->first; from < runs; from++) {
-    if (!is_in(group, from, group->first, group->e->along, ""))
+    if (!is_in(group, from, group->first, group->e->against, ""))
       continue;
     for (size_t to = from + 1; to < runs; to++) {
-      if (!is_in(group, to, group->first, group->e->along, ""))
+      if (!is_in(group, to, group->first, group->e->against, ""))
         continue;
       all = holds(group, from, to, &formed) && all;
       if (!formed)
         return;
-      if (group->e->kind != NB_SAME)
+      if (group->e->kind != NB_CONSTANT)
         break; /* from each value to the next */
     }
   }
@@ -262,8 +278,8 @@ static void check_differences(const struct group *group) {
 void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
   const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
   const struct group group = {check, outcome, first, index, e};
-  if (e->among[0])
-    (e->kind == NB_STATED ? check_stated : check_differences)(&group);
+  if (e->sample[0])
+    (e->kind == NB_EXPECTED ? check_position : check_differences)(&group);
   else
     (e->kind == NB_ORDER ? check_slope : check_trend)(&group);
 }

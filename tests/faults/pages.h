@@ -21,7 +21,7 @@ static const struct {
      "# Second\n\n```scene\nstart first stage load\nwatch A sphere 1\nrecord cycle A.y work.residual\nstage on\n  "
      "wall floor velocity 0 m/s 1 mm/s\n  remove sphere 2\n  material rock friction 0.2\n  cycles "
      "4\n```\n\n```expect\ncycle "
-     "max  stated 8 within 1 %  [by hand]\n```\n"},
+     "max  expected 8 within 1 %  [by hand]\n```\n"},
     {"packed.md",
      "# Packed\n\n```scene\nlet d 20 mm\nmaterial rock density 2000 kg/m3 kn 1 MN/m\npacking spheres list.tsv rock\n"
      "sphere 5 m 0 m radius $d rock\nboundary circle 0 m 0 m radius 1 m\nstep 1 us\nrecord time\nstage go\n  "
@@ -34,7 +34,7 @@ static const struct {
      "# Fall\n\n```scene\nsweep g 1 2\nmaterial m density 1 kg/m3 kn 1 N/m\nsphere 0 m 2 m radius 1 m m\nwall floor -1 "
      "m "
      "0 m to 1 m 0 m m\ngravity 0 m/s2 -$g m/s2\nwatch D sphere 1\nstep 1 ms\nrecord time D.y\nstage fall\n  cycles "
-     "10\n```\n\n```expect\nreference free_fall\nD.y along time within 1 %\nD.y min falls with "
+     "10\n```\n\n```expect\nreference free_fall\nD.y versus time within 1 %\nD.y min decreases with "
      "g\n```\n\n```gnuplot\nplot $table_1\n```\n"},
     {"wrong.md",
      "# Wrong\n\n```scene\nmaterial rock density 2000\ndsc 0 m 0 m radius 1 m rock\nstep 1 us\nstage go\n```\n"},
