@@ -45,11 +45,10 @@ enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct
   if (strlen(text) >= sizeof *saved->settings)
     return nb_error_set(error, NB_BAD_USE, "a state keeps settings shorter than %zu bytes, found `%.40s…`",
                         sizeof *saved->settings, text);
-  void *more = nb_room(saved->settings, saved->setting_count, 1, sizeof *saved->settings);
+  char(*more)[2 * NB_NAME_SIZE] = NB_MORE(saved->settings, saved->setting_count);
   if (!more)
     return nb_error_memory(error);
-  saved->settings = more;
-  snprintf(saved->settings[saved->setting_count++], sizeof *saved->settings, "%s", text);
+  strcpy(*more, text);
   return NB_OK;
 }
 
@@ -176,29 +175,26 @@ static void name(struct stream *stream, char own[NB_NAME_SIZE], const char *what
   snprintf(own, NB_NAME_SIZE, "%.*s", NB_NAME_SIZE - 1, field);
 }
 
-/* Which of the names that such elements begin with. */
-static int known_name(struct stream *stream, int now, const void *known, size_t count, size_t element,
-                      const char *what) {
+/* Which of the names that such things begin with. */
+static int known_name(struct stream *stream, int now, const void *things, size_t count, size_t size, const char *what) {
   char field[NB_NAME_SIZE] = "";
   if (stream->out)
-    memcpy(field, (const char *)known + (size_t)now * element, sizeof field);
+    memcpy(field, (const char *)things + (size_t)now * size, sizeof field);
   name(stream, field, what);
-  for (size_t k = 0; k < count; k++)
-    if (strcmp((const char *)known + k * element, field) == 0)
-      return (int)k;
-  expected(stream, "%s that stands above", what);
-  return 0;
+  const int found = stream->out ? now : nb_find(things, count, size, field);
+  if (found < 0)
+    expected(stream, "%s that stands above", what);
+  return found < 0 ? 0 : found;
 }
 
-/* The name of the last one of `count` elements, which no other has. */
-static void new_name(struct stream *stream, char *own, const void *known, size_t count, size_t element,
+/* The name of the last one of `count` things, which no other has. */
+static void new_name(struct stream *stream, char *own, const void *things, size_t count, size_t size,
                      const char *what) {
   name(stream, own, what);
-  if (!nb_is_name(own))
+  if (!stream->out && !nb_is_name(own))
     expected(stream, "%s", what);
-  for (size_t k = 0; k + 1 < count; k++)
-    if (strcmp((const char *)known + k * element, own) == 0)
-      expected(stream, "%s, each once", what);
+  if (!stream->out && nb_find(things, count - 1, size, own) >= 0)
+    expected(stream, "%s, each once", what);
 }
 
 /* The rest of the line, blanks and all. */
@@ -215,26 +211,24 @@ static void rest(struct stream *stream, char *text, size_t size) {
   stream->at = stream->end;
 }
 
-/* One more at the end of an array of the state; NULL, and said, when there are too many or no memory. */
-static void *more(struct stream *stream, void **array, size_t *count, size_t element, size_t most) {
+/* One more at the end of an array; NULL, and said, when there are too many or no memory. */
+static void *more(struct stream *stream, void *array, size_t *count, size_t size, size_t most) {
   if (*count >= most) {
     expected(stream, "at most %zu such records", most);
     return NULL;
   }
-  void *room = nb_room(*array, *count, 1, element);
-  if (!room) {
+  void *element = nb_more(array, count, size);
+  if (!element && !stream->bad) {
     stream->bad = true;
     nb_error_memory(stream->error);
-    return NULL;
   }
-  *array = room;
-  return memset((char *)room + element * (*count)++, 0, element);
+  return element;
 }
 /* The element that is written, or one more to be read. */
 #define ELEMENT(stream, things, count, most)                                                                           \
-  ((stream)->out ? &(stream)->saved->things[(stream)->k]                                                               \
-                 : more(stream, (void **)&(stream)->saved->things, &(stream)->saved->count,                            \
-                        sizeof *(stream)->saved->things, most))
+  ((stream)->out                                                                                                       \
+       ? &(stream)->saved->things[(stream)->k]                                                                         \
+       : more(stream, &(stream)->saved->things, &(stream)->saved->count, sizeof *(stream)->saved->things, most))
 
 /* ---- records ---- */
 
