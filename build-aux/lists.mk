@@ -395,6 +395,7 @@ CORE = \
   src/core/deep.c \
   src/core/energy_terms.h \
   src/core/error.c \
+  src/core/error.h \
   src/core/families.c \
   src/core/grid.c \
   src/core/grid.h \

@@ -31,13 +31,6 @@ struct nb_error {
   char text[512];
 };
 
-/* Fills `error` as printf would; returns its status, so that a function can end with it. */
-enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-enum nb_status nb_error_memory(struct nb_error *error); /* every allocation that fails ends here: NB_NO_MEMORY */
-/* "WHAT: reason", the reason by errno. */
-enum nb_status nb_error_system(struct nb_error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /* ---- warning.c: what is doubtful; it changes no exit status -------------------------------------------------------- */
 
 enum { NB_WARNINGS = 16 };
@@ -49,10 +42,6 @@ struct nb_warnings {
   struct nb_warning list[NB_WARNINGS];
   size_t count;
 };
-/* Adds one, unless it is there already. */
-void nb_warn(struct nb_warnings *warnings, int line, const char *format, ...) __attribute__((format(printf, 3, 4)));
-void nb_warnings_add(struct nb_warnings *warnings, const struct nb_warning *warning);
-
 /* ---- mistakes.c: what is wrong with a page, every mistake of it at once ------------------------------------------ */
 
 struct nb_mistakes {
@@ -66,27 +55,16 @@ void nb_mistakes_free(struct nb_mistakes *mistakes);
 
 /* ---- page.c: a Markdown file and its fenced blocks ---------------------------------------------------------------- */
 
-enum nb_block_kind {
-  NB_BLOCK_SCENE,
-  NB_BLOCK_EXPECT,
-  NB_BLOCK_GNUPLOT,
-  NB_BLOCK_PATH,
-  NB_BLOCK_KINDS,
-  NB_BLOCK_HIDDEN =
-      NB_BLOCK_KINDS /* an expect block that is not read: in a quote, in a list or indented by four spaces */
-};
-
 struct nb_page {
   char *path;              /* as given, for messages; owned */
   char name[NB_NAME_SIZE]; /* file name without directory and .md: `nine-discs` */
   char title[128];         /* first heading, without its `#` */
   char **lines;            /* the text, line by line, without line ends; owned */
   size_t line_count;       /* lines[0] is line 1 of the file */
-  unsigned char *kind_of; /* per line: 1 + enum nb_block_kind inside of such a block, 0 in prose and on fences; owned */
+  unsigned char *kind_of;  /* per line, of which block it is (input/reader.h); owned */
   unsigned long long hash; /* FNV-1a of the whole file: what a table says it was made from */
 };
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes);
-size_t nb_page_name(const char *path, const char **name); /* where in the path its name is, and how many bytes of it */
 void nb_page_free(struct nb_page *page);
 
 /* ---- names.c: dotted names ---------------------------------------------------------------------------------------- */
@@ -105,14 +83,6 @@ struct nb_quantity {
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint);
 const char *nb_quantity_unit(struct nb_quantity quantity);                           /* "N", "m", "1" */
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model); /* SI */
-bool nb_quantity_vanishes(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
-/* One by one all there are, for the manual; false past the last one. */
-struct nb_quantity_row {
-  char name[NB_NAME_SIZE], help[512];
-  const char *unit, *of; /* what such a quantity belongs to */
-};
-bool nb_quantity_row(struct nb_quantity_row *row, size_t k);
-
 /* ---- scene.c: what a page says ------------------------------------------------------------------------------------ */
 
 enum nb_shape {
@@ -459,14 +429,6 @@ struct nb_column {
   struct nb_quantity quantity;
 };
 
-/* `let NAME VALUE` and `sweep NAME VALUES`: what $NAME stands for in this run. */
-struct nb_binding {
-  char name[NB_NAME_SIZE];
-  char text[NB_NAME_SIZE]; /* the value as written, unit and all */
-  bool swept;              /* it has several values: a column of the tables */
-  int sweep; /* which `sweep` of the page it comes from, though --set may have left it one value; -1: a `let` */
-};
-
 /* `start PAGE stage NAME`: the scene goes on where a stage of another page ends. The scene has all that the other one has, its
  * stages too; those are not run again, but their end is looked up among the saved states, or made first. */
 struct nb_start {
@@ -520,7 +482,7 @@ struct nb_scene {
   size_t column_count;
   struct nb_stage *stages;
   size_t stage_count;
-  struct nb_binding *bindings;
+  struct nb_binding *bindings; /* what $NAME stands for in this run: input/reader.h */
   size_t binding_count;
   struct nb_warnings warnings; /* found while it was read */
 };
@@ -535,19 +497,6 @@ size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                              struct nb_mistakes *mistakes);
 void nb_scene_free(struct nb_scene *scene);
-
-/* What two materials make of a contact at time 0: the harmonic mean 2ab/(a+b) of the stiffnesses (which is k between like
- * ones), the smaller friction and cohesion [CS79 19], and what the page's `pair` says over both. */
-struct nb_pair {
-  NB_PAIR_ROWS(NB_PAIR_MEMBER)
-  double young;  /* E* = 1/((1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y), Pa; 0 where a material has none [R89 4.7] */
-  double shear;  /* G* = 1/((2 - nu_x)/G_x + (2 - nu_y)/G_y), Pa [R89 4.8-4.10] */
-  double radius; /* R* = 1/(1/R_x + 1/R_y), R_y infinite for a wall, m: of one contact, 0 here */
-  double pieces; /* most pieces of a contact's history that the shear law keeps; 0: it keeps none */
-};
-struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int material_b);
-double nb_body_mass(const struct nb_scene *scene, const struct nb_body *body);    /* kg */
-double nb_body_inertia(const struct nb_scene *scene, const struct nb_body *body); /* kg m2 */
 
 /* ---- model.c, cycle.c: what runs ----------------------------------------------------------------------------------- */
 
@@ -595,9 +544,6 @@ struct nb_snapshot {
   struct nb_table traction,
       pieces; /* of a path's contact: q(r), and D(x) from the edge of each piece to that of the next */
 };
-/* Its tables one by one, those that it has; false past the last. */
-bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table);
-
 struct nb_result {
   struct nb_table table;
   struct nb_snapshot *snapshots; /* owned */
@@ -623,12 +569,6 @@ struct nb_progress {
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error);
 void nb_result_free(struct nb_result *result);
-
-/* ---- laws: the register that LAWS in Makefile.am makes ------------------------------------------------------------- */
-
-struct nb_law;                                                        /* src/laws/law.h */
-const struct nb_law *nb_law_find(const char *kind, const char *name); /* "normal", "linear"; NULL: no such law */
-const struct nb_law *const *nb_laws(void);                            /* NULL-terminated */
 
 /* What `nineball explain` prints: the plan, what asked for it, bytes, the step and what sets it; of a path the contact, its laws, its
  * legs. Warnings of the plan are added to those that are there. */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../src/measure/snapshot.h"
 #include "../src/run/bench.h"
 #include "suites.h"
 #include "written.h"

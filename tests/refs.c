@@ -11,6 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "../src/core/model.h"
+#include "../src/laws/law.h"
 #include "refs_scenes.h"
 #include "suites.h"
 

@@ -7,6 +7,7 @@
 #include <gsl/gsl_odeiv2.h>
 #include <string.h>
 
+#include "../src/core/model.h"
 #include "lattice.h"
 #include "refs_scenes.h"
 #include "suites.h"

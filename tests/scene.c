@@ -10,7 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../src/nineball.h"
+#include "../src/core/model.h"
+#include "../src/laws/law.h"
 #include "suites.h"
 
 struct read {

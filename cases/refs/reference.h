@@ -9,9 +9,9 @@
 #ifndef NB_REFERENCE_H
 #define NB_REFERENCE_H
 
+#include "core/error.h"
 #include "coverage.h"
 #include "matter.h"
-#include "nineball.h"
 
 /* A curve: the known value at x; `data` is what the reference computed once. */
 struct nb_known_curve {

@@ -8,10 +8,20 @@
 #ifndef NB_BLOCK_H
 #define NB_BLOCK_H
 
-#include "nineball.h"
+#include "error.h"
 #include "vec.h"
 
 enum { NB_BLOCK = 64 };
+
+/* What two materials make of a contact at time 0: the harmonic mean 2ab/(a+b) of the stiffnesses (which is k between like
+ * ones), the smaller friction and cohesion [CS79 19], and what the page's `pair` says over both. */
+struct nb_pair {
+  NB_PAIR_ROWS(NB_PAIR_MEMBER)
+  double young;  /* E* = 1/((1 - nu_x^2)/E_x + (1 - nu_y^2)/E_y), Pa; 0 where a material has none [R89 4.7] */
+  double shear;  /* G* = 1/((2 - nu_x)/G_x + (2 - nu_y)/G_y), Pa [R89 4.8-4.10] */
+  double radius; /* R* = 1/(1/R_x + 1/R_y), R_y infinite for a wall, m: of one contact, 0 here */
+  double pieces; /* most pieces of a contact's history that the shear law keeps; 0: it keeps none */
+};
 
 enum nb_field {
   NB_OVERLAP, /* alpha >= 0, m */

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "clean.h"
-#include "nineball.h"
+#include "error.h"
 
 enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const char *format, ...) {
   if (error) {

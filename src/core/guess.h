@@ -4,7 +4,7 @@
 #ifndef NB_GUESS_H
 #define NB_GUESS_H
 
-#include "nineball.h"
+#include "error.h"
 
 /* Begin with the word, offer all that would do, then ask. */
 struct nb_guess {

@@ -231,6 +231,8 @@ static inline bool nb_gone(const struct nb_model *model, size_t slot) {
 }
 
 /* materials.c */
+double nb_body_mass(const struct nb_scene *scene, const struct nb_body *body);    /* kg */
+double nb_body_inertia(const struct nb_scene *scene, const struct nb_body *body); /* kg m2 */
 double nb_thickness(const struct nb_model *model); /* of discs 1 m, of spheres the mean diameter, m */
 
 /* guard.c: particles do not pass through each other, or through walls */

@@ -50,6 +50,15 @@ enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNE
 /* Of the contact on the bench, which works out their values (run/bench_quantities.c); the last one has no name. */
 extern const struct nb_quantity_kind nb_bench_kinds[];
 
+/* input/names.c */
+bool nb_quantity_vanishes(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
+/* One by one all there are, for the manual; false past the last one. */
+struct nb_quantity_row {
+  char name[NB_NAME_SIZE], help[512];
+  const char *unit, *of; /* what such a quantity belongs to */
+};
+bool nb_quantity_row(struct nb_quantity_row *row, size_t k);
+
 /* families.c */
 struct nb_suffix {
   unsigned families; /* set of those that have it */

@@ -6,7 +6,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "nineball.h"
+#include "error.h"
 
 void nb_warnings_add(struct nb_warnings *warnings, const struct nb_warning *warning) {
   for (size_t k = 0; k < warnings->count; k++)

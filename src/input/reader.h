@@ -10,8 +10,8 @@
 #define NB_READER_H
 
 #include "core/array.h"
+#include "core/error.h"
 #include "core/guess.h"
-#include "nineball.h"
 #include "units.h"
 
 enum {
@@ -57,6 +57,14 @@ struct nb_token {
   const char *text;
   int column, length; /* in characters of the line; of the $NAME when it came from one */
   const char *name;   /* the NAME that it stands for, NULL when written in the line itself */
+};
+
+/* `let NAME VALUE` and `sweep NAME VALUES`: what $NAME stands for in this run. */
+struct nb_binding {
+  char name[NB_NAME_SIZE];
+  char text[NB_NAME_SIZE]; /* the value as written, unit and all */
+  bool swept;              /* it has several values: a column of the tables */
+  int sweep; /* which `sweep` of the page it comes from, though --set may have left it one value; -1: a `let` */
 };
 
 struct nb_keyword;
@@ -206,6 +214,17 @@ void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword
 const struct nb_family *nb_keywords(void);
 
 /* ---- page.c ---- */
+
+enum nb_block_kind {
+  NB_BLOCK_SCENE,
+  NB_BLOCK_EXPECT,
+  NB_BLOCK_GNUPLOT,
+  NB_BLOCK_PATH,
+  NB_BLOCK_KINDS,
+  NB_BLOCK_HIDDEN =
+      NB_BLOCK_KINDS /* an expect block that is not read: in a quote, in a list or indented by four spaces */
+};
+size_t nb_page_name(const char *path, const char **name); /* where in the path its name is, and how many bytes of it */
 
 /* The kind of block that a word names; -1: none. */
 int nb_page_kind(const char *word, size_t length);

@@ -78,4 +78,12 @@ static inline int nb_law_memory(const struct nb_law *law, struct nb_pair p) {
   return law ? law->memory + law->piece * (int)p.pieces : 0;
 }
 
+/* ---- register.c: the register that LAWS in build-aux/lists.mk makes ---- */
+
+const struct nb_law *nb_law_find(const char *kind, const char *name); /* "normal", "linear"; NULL: no such law */
+const struct nb_law *const *nb_laws(void);                            /* NULL-terminated */
+
+/* properties.c */
+struct nb_pair nb_scene_pair(const struct nb_scene *scene, int material_a, int material_b);
+
 #endif

@@ -9,6 +9,8 @@
 /* All answer false when memory is out. */
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage);
 void nb_snapshot_free(struct nb_snapshot *snapshot);
+/* Its tables one by one, those that it has; false past the last. */
+bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table);
 
 /* A column. Where a table's columns are a list with name, unit and value, these make its heads and its rows. */
 struct nb_head {

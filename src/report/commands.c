@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 
 #include "core/guess.h"
+#include "core/names.h"
 #include "input/old_words.h"
 #include "input/scene.h"
 #include "laws/law.h"

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "core/clean.h"
+#include "core/names.h"
 #include "input/reader.h"
 #include "reference.h"
 

@@ -4,7 +4,7 @@
 #ifndef NB_EXPECT_H
 #define NB_EXPECT_H
 
-#include "nineball.h"
+#include "core/error.h"
 
 struct nb_reference;
 

@@ -12,6 +12,7 @@
 
 #include "commands.h"
 #include "input/reader.h"
+#include "measure/snapshot.h"
 
 enum { STYLE_MAX = 1 << 20 }; /* bytes */
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "commands.h"
+#include "core/names.h"
 #include "expect.h"
 #include "input/old_words.h"
 #include "input/reader.h"

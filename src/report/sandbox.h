@@ -4,7 +4,7 @@
 #ifndef NB_CONFINE_H
 #define NB_CONFINE_H
 
-#include "nineball.h"
+#include "core/error.h"
 
 enum { NB_CONFINE_PATH = 4096, NB_CONFINE_WORDS = 96 };
 

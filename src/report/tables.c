@@ -8,6 +8,8 @@
 
 #include "commands.h"
 #include "input/hash.h"
+#include "input/reader.h"
+#include "measure/snapshot.h"
 
 static const char *unit_word(const char *unit, bool unitless) {
   return unitless || strcmp(unit, "1") == 0 ? "-" : unit;

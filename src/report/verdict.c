@@ -8,6 +8,7 @@
 
 #include "core/array.h"
 #include "core/clean.h"
+#include "input/reader.h"
 #include "verdict.h"
 
 static struct nb_check *new_check(struct nb_outcome *outcome) {

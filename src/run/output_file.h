@@ -4,7 +4,7 @@
 #ifndef NB_SAVE_H
 #define NB_SAVE_H
 
-#include "nineball.h"
+#include "core/error.h"
 
 struct nb_save {
   FILE *file; /* write here; it can be read too */
