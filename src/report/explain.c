@@ -48,20 +48,17 @@ static void explain_statement(FILE *out, const struct nb_scene *scene, int line,
   fputs(end, out);
 }
 
-/* Those of a stage or a leg, up to the next one. Those behind `start` belong to the first stage. */
+/* Those of a stage or a segment, up to the next one. Those behind `start` belong to the first stage. */
 static void explain_statements(FILE *out, const struct nb_scene *scene, size_t stage) {
   const size_t line = (size_t)scene->stages[stage].line;
   const bool opens = scene->start.line && stage == scene->start.stages;
+  size_t end = line ? scene->page->line_count + 1 : 0; /* a segment of --follow has no line */
+  for (size_t s = scene->start.stages; s < scene->stage_count; s++)
+    if ((size_t)scene->stages[s].line > line && (size_t)scene->stages[s].line < end)
+      end = (size_t)scene->stages[s].line;
   struct nb_reader reader;
-  if (line == 0)
-    return; /* a leg of --follow */
-  for (size_t k = opens ? (size_t)scene->start.line + 1 : line; k <= scene->page->line_count; k++) {
-    if (!read_statement(&reader, scene, k))
-      continue;
-    const bool begins = nb_token_is(&reader, "stage");
-    if (k > line && (begins || nb_token_is(&reader, "leg") || nb_token_is(&reader, "repeat")))
-      return;
-    if (begins)
+  for (size_t k = opens ? (size_t)scene->start.line + 1 : line; k < end; k++) {
+    if ((k == line && !scene->path) || !read_statement(&reader, scene, k))
       continue;
     fputs("    ", out);
     print_statement(out, &reader);
