@@ -147,7 +147,7 @@ awk '
       sub(/#.*/, "", line); gsub(/^[ \t]+|[ \t\r]+$/, "", line)
       if (line == "") continue
       if (block == "path") path = 1
-      if (block == "path" && line ~ /^(contact|leg|repeat) /) place = "On the bench"
+      if (block == "path" && line ~ /^(contact|leg|repeat) /) place = "Contact test"
       if (block == "scene" || block == "path") scene_line(line, line ~ /^stage / ? "The scene" : place)
       if (block == "scene" && line ~ /^stage /) place = "In a stage"
       if (block == "expect") expect_line(line, path)
@@ -175,7 +175,7 @@ awk '
     kinds("What is said with them", "units", "none")
     row("Expectations", "over"); row("Expectations", "of peak")
     for (k = 1; k < ARGC; k++) look(ARGV[k])
-    split("The scene|In a stage|On the bench|Laws|What is said with them|Expectations|" held, order, "|")
+    split("The scene|In a stage|Contact test|Laws|What is said with them|Expectations|" held, order, "|")
     for (p = 1; p <= 7; p++) {
       printf "\n### %s\n\n| | pages |\n| --- | --- |\n", order[p]
       for (i = 1; i <= n; i++) {

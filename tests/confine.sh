@@ -206,7 +206,7 @@ for how in landlock bwrap; do
       ulimit -f 2000
       NINEBALL_CONFINE=$how "$nineball" figure "cases/$name.md" -o out >said 2>&1 </dev/null
       test $? -eq 2
-    ) && grep -q 'gnuplot was ended' said && test ! -e "out/$name.svg" && ! ls out/*.new >/dev/null 2>&1
+    ) && grep -q 'gnuplot was stopped' said && test ! -e "out/$name.svg" && ! ls out/*.new >/dev/null 2>&1
     result $? "$how: a page that takes all it can get: $name"
   done
 done

@@ -121,7 +121,7 @@ static void deep_overlaps_of_all_runs(void) {
   CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
   CU_ASSERT_STRING_EQUAL(
       outcome.warnings.list[0].text,
-      "overlaps above what elastic spheres are good for, in 20 contact updates; first body 1 at body 2, "
+      "overlaps beyond the range of the theory of elastic spheres, in 20 contact updates; first body 1 at body 2, "
       "cycle 0, 0 s, run d=1.8 [R89 6.4.3]");
   nb_outcome_free(&outcome);
 }

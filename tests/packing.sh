@@ -112,9 +112,9 @@ refused() {
 }
 text='has no stage `laod` of its own; did you mean `load`?' refused cases/3-nine-discs/nine-discs.md --stage laod
 text='has no stage `load` of its own' refused cases/5-numerics/saved-stage.md --stage load
-text='has a path: expected a scene' refused cases/4-oblique/mindlin-loops.md
-text='makes several runs' refused cases/7-assemblies/fill-tries.md
-text='a state is one of one page' refused cases/3-nine-discs/nine-discs.md cases/3-nine-discs/nine-discs.md
+text='is a contact test: expected a page with a scene' refused cases/4-oblique/mindlin-loops.md
+text='has several runs' refused cases/7-assemblies/fill-tries.md
+text='`nineball state` takes one page' refused cases/3-nine-discs/nine-discs.md cases/3-nine-discs/nine-discs.md
 "$nineball" state cases/3-nine-discs/nine-discs.md -o "$work/no/folder/x.state" >"$work/out" 2>"$work/said"
 test $? -eq 2 && grep -q 'No such file' "$work/said"
 result $? 'a folder that is not there'

@@ -186,9 +186,9 @@ run 2 chek "$pages/passes.md"
 said 'there is no command `chek`'
 said 'did you mean `check`?'
 run 2 frobnicate
-said 'there is no command `frobnicate`; nineball --help tells'
+said 'there is no command `frobnicate`; see nineball --help'
 run 2 check
-said '`nineball check` wants the name of a page'
+said '`nineball check` needs a page'
 verdict 'no command, an unknown one, one without a page'
 
 run 2 check "$work/none.md"
@@ -199,25 +199,25 @@ said "$work"
 verdict 'a page that is not there, a folder for a page'
 
 run 2 check --frobnicate "$pages/passes.md"
-said 'nineball --help tells'
+said 'see nineball --help'
 run 2 check --threads many "$pages/passes.md"
 said 'found `many`'
 run 2 check --threads 0 "$pages/passes.md"
-said '--threads wants'
+said 'behind --threads'
 run 2 check --isa mmx "$pages/passes.md"
 said 'instruction set `mmx`'
 run 2 check --set v "$pages/passes.md"
-said '--set wants NAME=VALUE, found `v`'
+said 'expected NAME=VALUE behind --set, found `v`'
 run 2 run -o both "$pages/passes.md" "$pages/swept.md"
 said 'one page at a time'
 absent both
 verdict 'options that are wrong'
 
 # Each command with an option that it does not use; the message names those that do.
-for use in 'check -o out:--output, which belongs to: run, figure, report, state' 'check --stage a:--stage, which belongs to: state' \
-  'figure --tap:--tap, which belongs to: check' 'explain -o out:--output, which' 'explain --jobs 2:--jobs, which belongs to: run, check, figure, report' \
-  'state --follow a:--follow, which belongs to: run, check, figure, report, explain' 'state --jobs 2:--jobs, which' \
-  'run --trust:--trust, which belongs to: figure, report' 'laws --threads 2:--threads, which' 'list --isa plain:--isa, which' \
+for use in 'check -o out:--output, which is an option of: run, figure, report, state' 'check --stage a:--stage, which is an option of: state' \
+  'figure --tap:--tap, which is an option of: check' 'explain -o out:--output, which' 'explain --jobs 2:--jobs, which is an option of: run, check, figure, report' \
+  'state --follow a:--follow, which is an option of: run, check, figure, report, explain' 'state --jobs 2:--jobs, which' \
+  'run --trust:--trust, which is an option of: figure, report' 'laws --threads 2:--threads, which' 'list --isa plain:--isa, which' \
   'laws --set a=1:--set, which' 'list --states a:--states, which'; do
   command=${use%%:*}
   run 2 $command "$pages/passes.md"
@@ -251,7 +251,7 @@ out 'normal of a pair, in N: elastic normal force'
 run 0 --help energy.residual
 out 'energy.residual of the scene, in J: '
 run 2 --help norma
-said 'no page knows the word `norma`; did you mean `normal`?'
+said '`norma` is not a word of pages; did you mean `normal`?'
 verdict '--version and --help'
 
 run 0 laws
@@ -413,7 +413,7 @@ sed 's/^sweep.*/sweep v 0 0.01 0.02/; s/^cycles .*/until D.x above 1.02 at most 
 run 3 check ends.md --jobs 2 # the first never, the others late
 said 'D.x is 1 and should be above 1.02 (run v=0)'
 run 2 check "$pages/swept.md" --jobs 0
-said '--jobs wants a number from 1 to 256, found `0`'
+said 'expected a number from 1 to 256 behind --jobs, found `0`'
 verdict '--jobs: runs side by side, the same rows, and the first that breaks is said'
 
 # ---- what goes wrong while writing ----
@@ -510,7 +510,7 @@ if command -v gnuplot >/dev/null; then
 fi
 
 run 0 figure "$pages/swept.md" -o drawn
-out 'has no block of kind `gnuplot`'
+out 'has no `gnuplot` block'
 run 0 run "$pages/passes.md" -o drawn
 out 'to draw the figure: nineball figure '
 run 0 run "$pages/swept.md" -o drawn

@@ -79,17 +79,17 @@ static void nothing_to_reduce(void) {
     int count;
     double x[6];
   } rows[] = {
-      {"A.x within 9", "`A.x` cannot be formed: nothing was recorded then", 0, {0}},
-      {"A.x in two within 9", "`A.x in two` cannot be formed: nothing was recorded then", 3, {1, 2, 3}},
+      {"A.x within 9", "`A.x` cannot be formed: no row was recorded there", 0, {0}},
+      {"A.x in two within 9", "`A.x in two` cannot be formed: no row was recorded there", 3, {1, 2, 3}},
       {"A.x at 15 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
       {"A.x at 30 cycles within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
       {"A.x at 2.5 within 9", "no row was recorded at that moment", 3, {1, 2, 3}},
       {"A.x at 2.5 in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
       {"A.x at 10 cycles in two within 9", "no row was recorded at that moment", 6, {1, 2, 3, 4, 5, 6}},
-      {"A.x frequency within 9", "it crosses its mean less than twice", 3, {-1, 1, 1}},
-      {"A.x frequency within 9", "it crosses its mean less than twice", 3, {1, 1, 1}},
-      {"A.x mean within 9", "it is too large for a number", 3, {1e308, 1e308, 1e308}},
-      {"A.x amplitude within 9", "it is too large for a number", 3, {-1e308, 0, 1e308}},
+      {"A.x frequency within 9", "it rises through its mean less than twice", 3, {-1, 1, 1}},
+      {"A.x frequency within 9", "it rises through its mean less than twice", 3, {1, 1, 1}},
+      {"A.x mean within 9", "the result is not a finite number", 3, {1e308, 1e308, 1e308}},
+      {"A.x amplitude within 9", "the result is not a finite number", 3, {-1e308, 0, 1e308}},
       {"A.x within 9 % of A.y in two", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
       {"A.x expected 1 of A.y in two within 1 [t]", "`A.y in two` cannot be formed", 3, {1, 2, 3}},
       {"A.x in two expected 1 of A.y within 1 [t]", "`A.x in two` cannot be formed", 3, {1, 2, 3}},

@@ -50,7 +50,7 @@ mkdir one other
 cp "$pages/passes.md" one/page.md
 cp "$pages/passes.md" other/page.md
 for command in run figure report; do
-  run 2 $command one/page.md other/page.md && said 'one/page.md and other/page.md have one name' &&
+  run 2 $command one/page.md other/page.md && said 'one/page.md and other/page.md have the same name' &&
     test ! -e page.out && test ! -e report
   result $? "$command: two pages of one name do not share a folder"
 done
@@ -58,7 +58,7 @@ done
 # ---- files that are there ----
 
 cp one/page.md keep.md
-run 2 state one/page.md -o keep.md && said 'keep.md is no state' && cmp -s one/page.md keep.md
+run 2 state one/page.md -o keep.md && said 'keep.md is not a state' && cmp -s one/page.md keep.md
 result $? 'state -o writes over no page'
 run 0 state one/page.md -o made.state && run 0 state one/page.md -o made.state
 result $? 'but over a state'

@@ -42,7 +42,8 @@ static enum nb_status check_folders(const struct nb_use *use) {
       const char *one, *other;
       const size_t length = nb_page_name(use->pages[k], &one);
       if (length == nb_page_name(use->pages[j], &other) && memcmp(one, other, length) == 0) {
-        fprintf(stderr, "nineball: %s and %s have one name, so one folder: give them one after the other, with -o\n",
+        fprintf(stderr,
+                "nineball: %s and %s have the same name, so the same output folder: run them one at a time, with -o\n",
                 use->pages[j], use->pages[k]);
         return NB_BAD_USE;
       }
@@ -85,7 +86,7 @@ static enum nb_status keep(const struct nb_outcome *outcome, const struct nb_use
     if (drawn)
       printf("look at %s/%s.svg%s\n", folder, outcome->page.name, incomplete);
     else
-      printf("%s has no block of kind `gnuplot`\n", path);
+      printf("%s has no `gnuplot` block, so there is no figure\n", path);
   }
   return NB_OK;
 }
@@ -218,8 +219,8 @@ static int stage_of(const struct nb_use *use, const struct nb_outcome *outcome) 
   char hint[NB_HINT_SIZE];
   if (scene->path || outcome->run_count > 1) {
     fprintf(stderr, "nineball: %s %s\n", use->pages[0],
-            scene->path ? "has a path: expected a scene"
-                        : "makes several runs: give what it sweeps one value by --set NAME=VALUE");
+            scene->path ? "is a contact test: expected a page with a scene"
+                        : "has several runs: choose one, with --set NAME=VALUE for each sweep");
     return -1;
   }
   if (!use->stage)
@@ -263,7 +264,9 @@ static bool may_be_replaced(const char *path) {
   if (file)
     fclose(file);
   if (!is)
-    fprintf(stderr, "nineball: %s is no state, and stays: expected the name of a state or of a new file\n", path);
+    fprintf(stderr,
+            "nineball: %s is not a state, so it is not overwritten: expected the name of a state or of a new file\n",
+            path);
   return is;
 }
 
@@ -271,7 +274,7 @@ enum nb_status nb_command_state(const struct nb_use *use) {
   struct nb_outcome outcome;
   char text[3 * NB_NAME_SIZE];
   if (use->page_count > 1) {
-    fputs("nineball: a state is one of one page\n", stderr);
+    fputs("nineball: `nineball state` takes one page\n", stderr);
     return NB_BAD_USE;
   }
   enum nb_status status = nb_outcome_read(&outcome, use->pages[0], use->settings);
@@ -286,7 +289,7 @@ enum nb_status nb_command_state(const struct nb_use *use) {
     if (error.status)
       fprintf(stderr, "nineball: %s: %s\n", use->pages[0], error.text);
     else if (!status)
-      printf("the state at the end of stage `%s` is in %s\na page beside it takes the bodies: packing %s\n",
+      printf("the state at the end of stage `%s` is in %s\na page beside it takes the particles with: packing %s\n",
              scene->stages[stage].name, path, strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
   }
   nb_outcome_free(&outcome);

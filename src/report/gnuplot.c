@@ -74,8 +74,8 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
       const int code = WIFEXITED(end) ? WEXITSTATUS(end) : 0;
       const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : code > 128 ? code - 128 : 0; /* bwrap hands it on so */
       if (fatal)
-        status = nb_error_set(error, NB_BAD_USE, "gnuplot was ended over %.150s/%s: %s", drawing->folder, file + 2,
-                              strsignal(fatal));
+        status = nb_error_set(error, NB_BAD_USE, "gnuplot was stopped while it drew %.150s/%s: %s", drawing->folder,
+                              file + 2, strsignal(fatal));
       else if (end != 0 || lacks)
         status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s", drawing->folder, file + 2, last);
     }

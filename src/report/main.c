@@ -20,14 +20,14 @@ static const struct {
   const char *help;
 } commands[] = {
     {"run", nb_command_run, "PAGE… [-o FOLDER]", "run pages, print the verdicts, write tables"},
-    {"check", nb_command_check, "PAGE… [--tap]", "run pages, print the verdicts, write nothing"},
+    {"check", nb_command_check, "PAGE… [--tap]", "run pages, print the verdicts"},
     {"figure", nb_command_figure, "PAGE… [-o FOLDER]", "run pages, draw their figures with gnuplot"},
-    {"report", nb_command_report, "PAGE… [-o FOLDER]", "all of these, and one page about all of them"},
-    {"explain", nb_command_explain, "PAGE…", "the plan: what is switched on, what asked for it, step, cost"},
-    {"state", nb_command_state, "PAGE [-o FILE]",
-     "run a page to the end of a stage, keep its bodies and all else in a file"},
+    {"report", nb_command_report, "PAGE… [-o FOLDER]", "run pages, draw figures, write one HTML page about all"},
+    {"explain", nb_command_explain, "PAGE…",
+     "the plan: passes and hooks, the lines that ask for them, the step, the cost"},
+    {"state", nb_command_state, "PAGE [-o FILE]", "run a page to the end of a stage, save its state in a file"},
     {"migrate", nb_command_migrate, "PAGE… [--in-place]", "rewrite pages of version 0.3 in the words of this one"},
-    {"laws", nb_command_laws, "", "the contact laws, with their equations"},
+    {"laws", nb_command_laws, "", "the contact laws: equations, material parameters"},
     {"list", nb_command_list, "", "the references, and the quantities that a page can record"},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
@@ -49,19 +49,20 @@ static const struct option_row {
      "where files go (default: NAME.out; report: report); of `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL, "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
     {"follow", "FILE", 0, FOLLOW, 0, CHECKING ", explain",
-     "take a page's contact along a path of your own: columns approach/m and slip/m"},
-    {"stage", "NAME", 0, TEXT, AT(stage), "state", "at the end of which stage (default: the last one)"},
+     "lead a contact test along the path in FILE: columns approach/m and slip/m"},
+    {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
-     "where the states lie that pages start from (default: $NINEBALL_STATES, or states)"},
+     "where saved states are, from which pages start (default: $NINEBALL_STATES, or states)"},
     {"jobs", "N", 0, NUMBER, AT(options.jobs), CHECKING,
-     "runs of a sweep side by side (default: as many as there are processors)"},
+     "runs of a sweep at a time (default: the number of processors)"},
     {"threads", "N", 0, NUMBER, AT(options.threads), ALL,
-     "at most so many (default 1); the results do not depend on it"},
-    {"isa", "NAME", 0, TEXT, AT(options.isa), ALL, "plain, avx2 or avx512 (default: the widest); nor on this"},
+     "threads of one run (default 1); the results do not depend on it"},
+    {"isa", "NAME", 0, TEXT, AT(options.isa), ALL,
+     "instruction set: plain, avx2 or avx512 (default: the widest); the same"},
     {"trust", NULL, 0, FLAG, AT(trust), "figure, report",
-     "draw also where gnuplot cannot be confined, for pages that you trust"},
+     "draw even where gnuplot cannot be confined: for pages that you trust"},
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
-    {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts in the form that `make check` reads"},
+    {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts as TAP, which `make check` reads"},
     {"help", NULL, 'h', FLAG, AT(help), NULL,
      "this; all words of pages: nineball --help scene; one of them: nineball --help disc; also expect, gnuplot"},
     {"version", NULL, 0, FLAG, AT(version), NULL, "version and licence"},
@@ -75,7 +76,7 @@ static enum nb_status usage(const char *format, ...) {
   va_start(words, format);
   vfprintf(stderr, format, words);
   va_end(words);
-  fputs("; nineball --help tells\n", stderr);
+  fputs("; see nineball --help\n", stderr);
   return NB_BAD_USE;
 }
 
@@ -90,7 +91,7 @@ static enum nb_status no_memory(void) {
 
 static void print_help(FILE *out) {
   char term[64];
-  fputs("nineball: discs and spheres in the plane, by the distinct element method; every page marks itself\n\n"
+  fputs("nineball simulates discs and spheres in the plane by the distinct element method, and checks the results\n\n"
         "usage: nineball COMMAND …\n\n",
         out);
   for (int k = 0; k < COMMANDS; k++) {
@@ -122,7 +123,7 @@ static enum nb_status print_help_of(const char *word) {
   } else if (!nb_manual_word(stdout, word, near)) {
     fprintf(
         stderr,
-        "nineball: no page knows the word `%s`%s%s%s; nineball --help scene lists all words, nineball laws the laws\n",
+        "nineball: `%s` is not a word of pages%s%s%s; nineball --help scene lists all words, nineball laws the laws\n",
         word, near[0] ? "; did you mean `" : "", near, near[0] ? "`?" : "");
     return NB_BAD_USE;
   }
@@ -152,18 +153,18 @@ static enum nb_status take_option(struct nb_use *use, const struct option_row *r
     break;
   case NUMBER:
     if (!number_of(at, value))
-      return usage("--%s wants a number from 1 to 256, found `%s`", row->name, value);
+      return usage("expected a number from 1 to 256 behind --%s, found `%s`", row->name, value);
     break;
   case SETTING:
     if (!strchr(value, '='))
-      return usage("--set wants NAME=VALUE, found `%s`", value);
+      return usage("expected NAME=VALUE behind --set, found `%s`", value);
     use->settings[settings] = value;
     break;
   case FOLLOW: /* the last one holds */
     if (!use->follow[0])
       use->settings[settings] = use->follow;
     if ((size_t)snprintf(use->follow, sizeof use->follow, "follow=%s", value) >= sizeof use->follow)
-      return usage("--follow wants a name of less than %zu bytes", sizeof use->follow - sizeof "follow=");
+      return usage("expected a name of less than %zu bytes behind --follow", sizeof use->follow - sizeof "follow=");
     break;
   }
   return NB_OK;
@@ -180,7 +181,7 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words) 
     while (k < OPTIONS && found != list[k].val)
       k++;
     if (k == OPTIONS) { /* getopt has said what it did not like */
-      fputs("nineball --help tells\n", stderr);
+      fputs("nineball: see nineball --help\n", stderr);
       return NB_BAD_USE;
     }
     use->given |= 1U << k;
@@ -209,12 +210,12 @@ static enum nb_status run_command(struct nb_use *use, const char *word) {
   const int command = command_of(word);
   for (int k = 0; k < OPTIONS && command >= 0; k++)
     if (use->given & 1U << k && options[k].commands && !lists(options[k].commands, word)) {
-      fprintf(stderr, "nineball: `nineball %s` does not use --%s, which belongs to: %s\n", word, options[k].name,
+      fprintf(stderr, "nineball: `nineball %s` does not use --%s, which is an option of: %s\n", word, options[k].name,
               options[k].commands);
       return NB_BAD_USE;
     }
   if (command >= 0 && commands[command].arguments[0] && use->page_count == 0)
-    return usage("`nineball %s` wants the name of a page", word);
+    return usage("`nineball %s` needs a page, such as cases/3-nine-discs/nine-discs.md", word);
   if (command >= 0)
     return commands[command].run(use);
   char hint[NB_HINT_SIZE];

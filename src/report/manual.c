@@ -129,7 +129,7 @@ static void statement(const struct manual *to, const struct nb_keyword *keyword)
   const bool both = keyword->where & NB_IN_SCENE && keyword->where & NB_IN_STAGE;
   const bool shared = keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_PATH | NB_IN_LEG);
   snprintf(help, sizeof help, "%s%s%s%s", keyword->help, both ? " In the scene and in stages." : "",
-           keyword->where & NB_IN_RAMP ? " Also behind `ramp`." : "", shared ? " Also on the bench." : "");
+           keyword->where & NB_IN_RAMP ? " Also behind `ramp`." : "", shared ? " Also in a contact test." : "");
   item(to, keyword->word, syntax, help);
   if (!to->whole)
     return;
@@ -151,14 +151,13 @@ static void expectation(const struct manual *to, const struct nb_expectation_row
 /* ---- lists ---- */
 
 static void measures(const struct manual *to) {
-  paragraph(to,
-            "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the scene records, and how the rows of a "
-            "stage, the last one with rows if none is named, become one number. REDUCER:");
+  paragraph(to, "A MEASURE is `QUANTITY {REDUCER} {in STAGE}`: a quantity that the scene records, and how the rows of "
+                "a stage become one number. Without `in STAGE` it is the last stage that has rows. REDUCER:");
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     part(to, row->word, NULL, row->help);
   part(to, "at N cycles", NULL,
-       "in the row of that cycle, counted from the start of the run; on the bench `at N steps`");
-  part(to, "at TIME", NULL, "at that time, between two rows along a straight line");
+       "the row of that cycle, counted from the start of the run; of a contact test `at N steps`");
+  part(to, "at TIME", NULL, "the value at that time, interpolated linearly between two rows");
   part(to, "in all", NULL, "the rows of all stages");
   end(to);
 }
@@ -213,8 +212,8 @@ static void quantities(const struct manual *to) {
   struct nb_quantity_row row;
   const char *before = "";
   section(to, "Quantities");
-  paragraph(to, "What can be recorded, waited for and expected: the name alone for the whole scene, `WATCH.NAME` for "
-                "what a `watch` has named.");
+  paragraph(to, "Quantities for `record`, `until` and expectations: the name alone for the whole scene, `WATCH.NAME` "
+                "for what `watch` has named.");
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     if (strcmp(row.of, before) != 0) {
       char text[64];
@@ -246,20 +245,18 @@ static void units(const struct manual *to) {
 static void grammar(const struct manual *to) {
   char text[1024];
   section(to, "Words");
-  paragraph(to, "A page is Markdown. Its fenced blocks `scene` or `path`, `expect` and `gnuplot` are read; the rest is "
-                "prose, which "
-                "may say anything. Several blocks of a kind are read as one, in their order. A statement is a line: a "
-                "first word, then what it takes, with blanks between; `#` begins a comment.");
+  paragraph(to, "A page is a Markdown file. The program reads its fenced blocks `scene` or `path`, `expect` and "
+                "`gnuplot`; all else is prose. Several blocks of a kind are read as one, in their order. A statement "
+                "is one line of words with spaces between; `#` begins a comment.");
   paragraph(to,
-            "Below, CAPITALS stand for what you write there, `{...}` may be left out, and `a|b` is one of the two. "
-            "Clauses (a word and its values) come in any order. `$NAME` stands for a value that `let` or `sweep` has "
-            "named above.");
+            "Below, CAPITALS stand for a value, `{...}` is optional, and `a|b` is one of the two. Clauses (a word and "
+            "its values) may stand in any order. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
   snprintf(
       text, sizeof text,
       "A name is a letter, then letters, digits, `_` and `-`, less than %d in all. A number is decimal: `-1.5e3`. A "
       "page may have %d MB, lines of %d bytes and %d words, %d runs, %d bodies, %d materials, and %d of each other "
-      "thing that has a name. A mistake is told with its line, what was expected and, where a known word is near, "
-      "what was probably meant; all mistakes of a page at once.",
+      "thing that has a name. All mistakes of a page are reported at once, each with its line, what was expected and, "
+      "if a known word is similar, what was probably meant.",
       NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_BODIES_MAX, NB_MATERIALS_MAX,
       NB_NAMED_MAX);
   paragraph(to, text);
@@ -276,22 +273,20 @@ static void statements(const struct manual *to, const struct nb_family *table, u
 void nb_manual(FILE *out, bool markdown) {
   const struct manual to = {out, markdown, markdown};
   if (markdown)
-    fputs(
-        "# The language of pages\n\n"
-        "Every word that a page may use. This document is made by the program, from the tables that it reads pages by: "
-        "`make language` writes it anew. It is a page itself: its examples, one after the other, are a scene, and "
-        "`nineball explain docs/LANGUAGE.md` says what would run. On the terminal: `nineball --help scene`, and "
-        "`nineball --help disc` for one word.\n\n",
-        out);
+    fputs("# The language of pages\n\n"
+          "All words of pages. The program makes this document from the tables that it reads pages by; `make language` "
+          "renews it. The document is a page itself: its examples, one after the other, are a scene, and `nineball "
+          "explain docs/LANGUAGE.md` shows what it would run. On the terminal: `nineball --help scene`, and `nineball "
+          "--help disc` for one word.\n\n",
+          out);
   grammar(&to);
   section(&to, "The scene");
   statements(&to, nb_keywords(), NB_IN_SCENE, 0);
   section(&to, "In a stage");
   statements(&to, nb_keywords(), NB_IN_STAGE, NB_IN_SCENE);
-  section(&to, "On the bench");
-  paragraph(&to,
-            "A page with a block `path` instead of `scene` takes one contact through approach and slip, or through "
-            "forces: no bodies, no time. Its legs are stages to what is expected: `shear max in load`.");
+  section(&to, "Contact test");
+  paragraph(&to, "A page with a block `path` instead of `scene` tests one contact: it prescribes approach and slip, or "
+                 "forces. There is no motion and no time. To an expectation its legs are stages: `shear max in load`.");
   statements(&to, nb_keywords(), NB_IN_PATH | NB_IN_LEG, NB_IN_SCENE | NB_IN_STAGE);
   expectations(&to);
   figures(&to);

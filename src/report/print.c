@@ -48,8 +48,12 @@ void nb_print_verdict(const struct nb_outcome *outcome) {
   printf("%s: %s\n", outcome->page.name, outcome->page.title);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
-    if (check->mark != NB_SKIP)
-      printf("  %s  %s\n        %s\n", nb_mark_word(check->mark), check->label, check->words);
+    if (check->mark == NB_SKIP)
+      continue;
+    printf("  %s  %s\n        ", nb_mark_word(check->mark), check->label);
+    if (check->mark == NB_FAIL)
+      printf("%s:%d: ", outcome->page.path, check->line);
+    puts(check->words);
   }
   if (marked[NB_PASS] + marked[NB_FAIL])
     printf("  %zu of %zu checks passed", marked[NB_PASS], marked[NB_PASS] + marked[NB_FAIL]);
@@ -105,7 +109,7 @@ void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
   if (outcome->mistakes.text)
     fputs(outcome->mistakes.text, stderr);
   if (outcome->error.text[0] && outcome->status > NB_FAILED)
-    fprintf(stderr, "%s: %s: %s\n", path, outcome->status == NB_BROKEN ? "stopped" : "error", outcome->error.text);
+    fprintf(stderr, "%s: %s: %s\n", path, outcome->status == NB_BROKEN ? "run aborted" : "error", outcome->error.text);
   nb_print_warnings(stderr, "", path, &outcome->warnings);
 }
 

@@ -124,7 +124,7 @@ bool nb_measure_seen(double *seen, const struct nb_measure *measure, const struc
   nb_measure_rows(measure, table, &column.from, &column.to);
   *seen = NAN;
   if (column.from == column.to)
-    return not_formed(error, measure, "nothing was recorded then");
+    return not_formed(error, measure, "no row was recorded there");
   narrow(&column, measure);
   if (column.from == column.to)
     return not_formed(error, measure, "no row was recorded at that moment");
@@ -137,7 +137,7 @@ bool nb_measure_seen(double *seen, const struct nb_measure *measure, const struc
   if (isfinite(*seen))
     return true;
   return not_formed(error, measure,
-                    isnan(*seen) ? "it crosses its mean less than twice" : "it is too large for a number");
+                    isnan(*seen) ? "it rises through its mean less than twice" : "the result is not a finite number");
 }
 
 const double *nb_measure_known(const struct nb_measure *measure, const struct nb_scene *scene,
