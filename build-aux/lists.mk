@@ -335,7 +335,8 @@ SUITES = \
   tests/verdict_sweep.c \
   tests/verdict_sample.c \
   tests/verdict_skip.c \
-  tests/outcome.c
+  tests/outcome.c \
+  tests/scaled.c
 
 # Tests that are scripts and say TAP.
 SHELL_TESTS = \

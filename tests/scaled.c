@@ -1,0 +1,243 @@
+/* Every page with its lengths, masses and times 2^l, 2^m and 2^t times as large: powers of two change no digit of a product, a sum, a
+ * quotient or a root, so every number that comes out must be what its unit says, to the bit. Exponents that are multiples of 6 hold for
+ * square and cube roots as well.
+ *
+ * A disc is 1 m thick whatever the scale: its density is a mass per area and its stress a force per length. Of a scene with discs that
+ * also gives a Young's modulus, or has spheres as well, only masses and times are scaled; so they are where the duration of an impact is
+ * asked for, which takes a fifth root.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <string.h>
+
+#include "../src/input/units.h"
+#include "every_page.h"
+#include "suites.h"
+
+/* Powers of length, mass and time, and of 1 m where a disc's thickness stands for a length. */
+struct power {
+  int l, m, t, thick;
+};
+static const struct power of_kind[NB_UNIT_KINDS] = {
+    [NB_UNIT_NUMBER] = {0, 0, 0, 0},    [NB_UNIT_LENGTH] = {1, 0, 0, 0},     [NB_UNIT_TIME] = {0, 0, 1, 0},
+    [NB_UNIT_VELOCITY] = {1, 0, -1, 0}, [NB_UNIT_STIFFNESS] = {0, 1, -2, 0}, [NB_UNIT_DENSITY] = {-3, 1, 0, 1},
+    [NB_UNIT_FORCE] = {1, 1, -2, 0},    [NB_UNIT_RATE] = {0, 0, -1, 0},      [NB_UNIT_STRAIN_RATE] = {0, 0, -1, 0},
+    [NB_UNIT_SPIN] = {0, 0, -1, 0},     [NB_UNIT_ANGLE] = {0, 0, 0, 0},      [NB_UNIT_ENERGY] = {2, 1, -2, 0},
+    [NB_UNIT_MOMENT] = {2, 1, -2, 0},   [NB_UNIT_PRESSURE] = {-1, 1, -2, 1}, [NB_UNIT_ACCELERATION] = {1, 0, -2, 0},
+};
+/* Units that tables have and pages have not. */
+static const struct {
+  const char *unit;
+  struct power power;
+} of_tables[] = {{"m2", {2, 0, 0, 0}}, {"kg.m/s", {1, 1, -1, 0}}, {"kg.m2/s", {2, 1, -1, 0}}, {"1/m2", {-2, 0, 0, 1}}};
+
+static struct {
+  int l, m, t;
+  bool discs;
+} by; /* of the scene at hand */
+
+static double times(double value, struct power p) {
+  return ldexp(value, by.l * (p.l + (by.discs ? p.thick : 0)) + by.m * p.m + by.t * p.t);
+}
+
+static double as(double value, enum nb_unit_kind kind) { return times(value, of_kind[kind]); }
+
+static double in_unit(double value, const char *unit) {
+  enum nb_unit_kind kind;
+  for (size_t k = 0; k < sizeof of_tables / sizeof *of_tables; k++)
+    if (strcmp(unit, of_tables[k].unit) == 0)
+      return times(value, of_tables[k].power);
+  if (!nb_unit_kind_of(&kind, unit)) {
+    printf("# a unit without a power: %s\n", unit);
+    CU_FAIL("a unit of a table is not known");
+    return value;
+  }
+  return as(value, kind);
+}
+
+#define SCALE(kind, value) ((value) = as(value, NB_UNIT_##kind))
+#define SCALE_ROW(name, shown, kind, ...) SCALE(kind, of->name);
+
+static void scale_matter(struct nb_scene *scene) {
+  for (size_t k = 0; k < scene->material_count; k++) {
+    struct nb_material *of = &scene->materials[k];
+    NB_PAIR_ROWS(SCALE_ROW)
+    SCALE(DENSITY, of->density), SCALE(PRESSURE, of->young);
+  }
+  for (size_t k = 0; k < scene->pair_rule_count; k++) {
+    struct nb_pair_rule *of = &scene->pair_rules[k];
+    NB_PAIR_ROWS(SCALE_ROW)
+  }
+}
+
+static void scale_gravity(struct nb_gravity *gravity) {
+  SCALE(ACCELERATION, gravity->x), SCALE(ACCELERATION, gravity->y), SCALE(ACCELERATION, gravity->inward);
+  SCALE(LENGTH, gravity->about_x), SCALE(LENGTH, gravity->about_y);
+}
+
+static void scale_damping(struct nb_damping *damping) {
+  if (damping->contact_kind == NB_CONTACT_BETA)
+    SCALE(TIME, damping->contact);
+  if (damping->walls_kind == NB_CONTACT_BETA)
+    SCALE(TIME, damping->walls);
+  if (damping->global_kind == NB_GLOBAL_ALPHA)
+    SCALE(RATE, damping->global);
+}
+
+static void scale_circle(struct nb_circle *circle) {
+  SCALE(LENGTH, circle->x), SCALE(LENGTH, circle->y), SCALE(LENGTH, circle->radius);
+}
+
+static void scale_step(struct nb_step *step) {
+  if (step->kind == NB_STEP_TIME)
+    SCALE(TIME, step->value);
+}
+
+static void scale_places(struct nb_scene *scene) {
+  for (size_t k = 0; k < scene->body_count; k++) {
+    struct nb_body *of = &scene->bodies[k];
+    SCALE(LENGTH, of->x), SCALE(LENGTH, of->y), SCALE(LENGTH, of->radius);
+    SCALE(VELOCITY, of->vx), SCALE(VELOCITY, of->vy), SCALE(SPIN, of->spin);
+  }
+  for (size_t k = 0; k < scene->wall_count; k++) {
+    struct nb_wall *of = &scene->walls[k];
+    SCALE(LENGTH, of->x), SCALE(LENGTH, of->y), SCALE(LENGTH, of->h1), SCALE(LENGTH, of->h2), SCALE(LENGTH, of->h0);
+    SCALE(VELOCITY, of->vx), SCALE(VELOCITY, of->vy), SCALE(SPIN, of->spin);
+  }
+  for (size_t k = 0; k < scene->region_count; k++) {
+    struct nb_region *of = &scene->regions[k];
+    SCALE(LENGTH, of->x), SCALE(LENGTH, of->y), SCALE(LENGTH, of->half_x), SCALE(LENGTH, of->half_y);
+    if (of->kind != NB_REGION_INSIDE)
+      SCALE(LENGTH, of->radius);
+  }
+  for (size_t k = 0; k < scene->grading_count; k++)
+    for (size_t s = 0; s < scene->gradings[k].size_count; s++)
+      SCALE(LENGTH, scene->gradings[k].sizes[s].radius);
+  for (int k = 0; k < 4; k++)
+    SCALE(LENGTH, scene->cell.h[k]);
+  SCALE(LENGTH, scene->cell.x), SCALE(LENGTH, scene->cell.y);
+  SCALE(LENGTH, scene->origin_x), SCALE(LENGTH, scene->origin_y), SCALE(LENGTH, scene->skin);
+  SCALE(VELOCITY, scene->impact.speed);
+}
+
+static void scale_strain(struct nb_strain_rate *strain) {
+  if (!strain->per_cycle)
+    SCALE(RATE, strain->xx), SCALE(RATE, strain->xy), SCALE(RATE, strain->yx), SCALE(RATE, strain->yy);
+}
+
+static void scale_leg(struct nb_leg *leg) {
+  struct nb_aim *const aims[] = {&leg->normal, &leg->shear};
+  for (int k = 0; k < 2; k++)
+    aims[k]->value = as(aims[k]->value, aims[k]->force ? NB_UNIT_FORCE : NB_UNIT_LENGTH);
+  for (size_t k = 0; k < leg->point_count; k++)
+    SCALE(LENGTH, leg->points[k].approach), SCALE(LENGTH, leg->points[k].slip);
+}
+
+static void scale_servo(struct nb_servo *servo) {
+  for (int k = 0; k < 3; k++)
+    SCALE(PRESSURE, servo->stress[k]);
+  if (!servo->per_cycle)
+    SCALE(RATE, servo->most);
+}
+
+static void scale_stage(struct nb_stage *stage) {
+  for (size_t k = 0; k < stage->motion_count; k++) {
+    struct nb_wall_motion *of = &stage->motions[k];
+    SCALE(VELOCITY, of->vx), SCALE(VELOCITY, of->vy), SCALE(SPIN, of->spin);
+  }
+  for (size_t k = 0; k < stage->change_count; k++) {
+    struct nb_change *of = &stage->changes[k];
+    NB_PAIR_ROWS(SCALE_ROW)
+  }
+  for (size_t k = 0; k < stage->condition_count; k++)
+    stage->conditions[k].value = in_unit(stage->conditions[k].value, nb_quantity_unit(stage->conditions[k].quantity));
+  SCALE(PRESSURE, stage->boundary.sxx), SCALE(PRESSURE, stage->boundary.syy), SCALE(PRESSURE, stage->boundary.sxy);
+  scale_strain(&stage->boundary.strain), scale_strain(&stage->continuum.strain);
+  scale_strain(&stage->cell), scale_strain(&stage->box);
+  scale_servo(&stage->servo), scale_circle(&stage->circle), scale_gravity(&stage->gravity);
+  scale_step(&stage->step), scale_damping(&stage->damping), scale_leg(&stage->leg);
+}
+
+/* The overlap of an impact is a power 0.4 of L^(5/2). */
+static bool asks_duration(const struct nb_scene *scene) {
+  bool asks = scene->impact.line || scene->step.kind == NB_STEP_CONTACT;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    asks = asks || scene->stages[s].step.kind == NB_STEP_CONTACT;
+  return asks;
+}
+
+static void choose(const struct nb_scene *scene) {
+  bool young = false, spheres = false;
+  by.discs = false;
+  for (size_t k = 0; k < scene->body_count; k++) {
+    spheres = spheres || scene->bodies[k].shape == NB_SPHERE;
+    by.discs = by.discs || scene->bodies[k].shape == NB_DISC;
+  }
+  for (size_t k = 0; k < scene->material_count; k++)
+    young = young || scene->materials[k].young > 0;
+  by.l = (by.discs && (young || spheres)) || asks_duration(scene) ? 0 : 6, by.m = -12, by.t = 18;
+}
+
+static void scale(struct nb_scene *scene) {
+  choose(scene);
+  scale_matter(scene), scale_places(scene);
+  scale_gravity(&scene->gravity), scale_damping(&scene->damping), scale_circle(&scene->circle),
+      scale_step(&scene->step);
+  for (size_t s = 0; s < scene->stage_count; s++)
+    scale_stage(&scene->stages[s]);
+}
+
+/* The first number that is not what its unit says. */
+static bool scales(const struct nb_table *small, const struct nb_table *large, const char *name, const char *what) {
+  if (small->row_count != large->row_count || small->column_count != large->column_count) {
+    printf("# %s, %s: another number of rows\n", name, what);
+    return false;
+  }
+  for (size_t n = 0; n < small->row_count * small->column_count; n++) {
+    const size_t c = n % small->column_count;
+    const double wanted = in_unit(small->values[n], small->units[c]), found = large->values[n];
+    if (wanted == found || (isnan(wanted) && isnan(found)))
+      continue;
+    printf("# %s, %s: %s in row %zu, %.17g %s, becomes %.17g instead of %.17g\n", name, what, small->names[c],
+           n / small->column_count, small->values[n], small->units[c], found, wanted);
+    return false;
+  }
+  return true;
+}
+
+static bool snapshots_scale(const struct nb_snapshot *small, const struct nb_snapshot *large, const char *name) {
+  const struct nb_table *a, *b;
+  const char *what;
+  bool held = true;
+  for (int part = 0; nb_snapshot_part(small, part, &what, &a); part++)
+    held = nb_snapshot_part(large, part, &what, &b) && scales(a, b, name, what) && held;
+  return held;
+}
+
+static void same_in_other_units(struct nb_scene *scene, const char *name) {
+  struct nb_result small, large;
+  struct nb_error error = {NB_OK, ""};
+  if (scene->start.stages > 0) /* from a state of its own scale */
+    return;
+  const struct nb_options options = {.threads = 1};
+  scene->unitless = false; /* for the units of the table */
+  const enum nb_status first = nb_run(&small, scene, &options, NULL, &error);
+  scale(scene);
+  const enum nb_status second = nb_run(&large, scene, &options, NULL, &error);
+  if (first || second)
+    printf("# %s: %d and %d: %s\n", name, first, second, error.text);
+  CU_ASSERT_EQUAL(first, second);
+  CU_ASSERT(scales(&small.table, &large.table, name, "table"));
+  CU_ASSERT_EQUAL(small.snapshot_count, large.snapshot_count);
+  for (size_t k = 0; k < small.snapshot_count && k < large.snapshot_count; k++)
+    CU_ASSERT(snapshots_scale(&small.snapshots[k], &large.snapshots[k], name));
+  nb_result_free(&small), nb_result_free(&large);
+}
+
+static void every_page_in_other_units(void) { every_page(same_in_other_units, 4e5); }
+
+void suite_scaled(void) {
+  CU_pSuite suite = CU_add_suite("scaled", NULL, NULL);
+  CU_add_test(suite, "every page in other units", every_page_in_other_units);
+}
