@@ -7,7 +7,8 @@
 #include "../src/nineball.h"
 
 /* Calls `look` with the scenes of the pages, `name` for messages: the first and the last run of each sweep, and at most as many cycles
- * of each stage as can be made in `budget` updates of particles, but at least 20. Scenes are the test's to change. */
+ * of each stage as can be made in `budget` updates of particles, but at least 20. Every quantity that the scene can have is a column,
+ * with some twenty rows a stage. Scenes are the test's to change. */
 void every_page(void (*look)(struct nb_scene *scene, const char *name), double budget);
 
 #endif
