@@ -336,7 +336,8 @@ SUITES = \
   tests/verdict_sample.c \
   tests/verdict_skip.c \
   tests/outcome.c \
-  tests/scaled.c
+  tests/scaled.c \
+  tests/halved.c
 
 # Tests that are scripts and say TAP.
 SHELL_TESTS = \

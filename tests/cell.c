@@ -233,6 +233,26 @@ static void sheared_cells_are_set_upright(void) {
   }
 }
 
+/* Between two copies as between two bodies; and between two that are not listed, which have come nearer since the search. */
+static void the_gap_is_that_of_the_nearest_two(void) {
+  struct words across = {0}, flies = {0};
+  struct written it;
+  words_add(&across, "units none\nmaterial m density 1 kn 1\ndisc -4.5 0.25 radius 0.25 m\ndisc 4.5 0.25 radius 0.5 m\n"
+                     "cell -5 -5 to 5 5\nskin 1\nrecord gap\nstep 0.01\nstage s\ncycles 1\n");
+  written_scene(&it, &across);
+  struct nb_model *model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(written_now(model, "gap"), 0.25);
+  nb_model_free(model), written_free(&it);
+  words_add(&flies, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\ndisc 4 0 radius 1 m\n"
+                    "disc 4 3.75 radius 1 m\nskin 2\nrecord gap\nstep 0.125\nstage s\ncycles 4\n");
+  written_scene(&it, &flies);
+  model = written_model(&it, NULL);
+  CU_ASSERT_EQUAL(written_now(model, "gap"), 1.75);
+  written_cycles(model, 4);
+  CU_ASSERT_EQUAL(written_now(model, "gap"), 1.5);
+  nb_model_free(model), written_free(&it);
+}
+
 void suite_cell(void) {
   CU_pSuite suite = CU_add_suite("cell", NULL, NULL);
   CU_ADD_TEST(suite, all_copies_are_found);
@@ -241,4 +261,5 @@ void suite_cell(void) {
   CU_ADD_TEST(suite, storage_threads_and_instructions_change_no_bit);
   CU_ADD_TEST(suite, a_strain_is_uniform);
   CU_ADD_TEST(suite, sheared_cells_are_set_upright);
+  CU_ADD_TEST(suite, the_gap_is_that_of_the_nearest_two);
 }

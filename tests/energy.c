@@ -213,6 +213,26 @@ static void a_law_that_stores_nothing(void) {
   written_free(&it);
 }
 
+/* Contacts that get friction from a stage have a shear law from there on, and its energy is asked for. */
+static void a_law_that_stores_nothing_yet(void) {
+  static const char *const friction[] = {"friction 0", "friction 0.3", "cohesion 1"};
+  for (int k = 0; k < 3; k++) {
+    struct words page = {0};
+    struct written it;
+    struct nb_error error = {NB_OK, ""};
+    words_add(&page,
+              "units none\nmaterial m density 3 young 5000 poisson 0.2\nnormal hertz\nshear mindlin\n"
+              "sphere 0 0 radius 1 m\nsphere 2 0 radius 1 m\nrecord energy.stored\nstep 0.001\n"
+              "stage s\ncycles 9\nstage t\nmaterial m %s\ncycles 9\n",
+              friction[k]);
+    written_scene(&it, &page);
+    struct nb_model *model = nb_model_create(&it.scene, NULL, &error);
+    CU_ASSERT_EQUAL(error.status, k ? NB_BAD_USE : NB_OK);
+    CU_ASSERT(!k || strstr(error.text, "`shear mindlin` has no stored energy"));
+    nb_model_free(model), written_free(&it);
+  }
+}
+
 /* What nobody asks for is not there. */
 static void nothing_for_nothing(void) {
   struct written it;
@@ -253,6 +273,7 @@ void suite_energy(void) {
   CU_add_test(suite, "supplied by walls, and stored", by_walls_and_stored);
   CU_add_test(suite, "lost by friction", by_friction);
   CU_add_test(suite, "a law that stores nothing", a_law_that_stores_nothing);
+  CU_add_test(suite, "nor later", a_law_that_stores_nothing_yet);
   CU_add_test(suite, "what nobody asks for is not there", nothing_for_nothing);
   CU_add_test(suite, "momentum", momentum);
 }

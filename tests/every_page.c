@@ -67,12 +67,11 @@ static bool can_run(const struct nb_scene *scene) {
 }
 
 void every_page(void (*look)(struct nb_scene *scene, const char *name), double budget) {
-  const char *srcdir = getenv("srcdir");
   for (size_t p = 0; p < sizeof pages / sizeof *pages; p++) {
     char path[4096], name[4200];
     struct nb_mistakes mistakes = {0};
     struct nb_page page = {0};
-    snprintf(path, sizeof path, "%s/%s", srcdir ? srcdir : ".", pages[p]);
+    snprintf(path, sizeof path, "%s/%s", NB_SRCDIR, pages[p]);
     CU_ASSERT_EQUAL_FATAL(nb_page_read(&page, path, &mistakes), NB_OK);
     const size_t runs = nb_scene_runs(&page, NULL, &mistakes);
     for (size_t run = 0; run < runs && !mistakes.count; run += runs > 1 ? runs - 1 : 1) {

@@ -287,6 +287,11 @@ static void inward(struct stream *stream) {
   number(stream, &stream->saved->inward.strength, FINITE), vector(stream, &stream->saved->inward.to);
 }
 
+static void impact(struct stream *stream) {
+  stream->saved->impact.is = true;
+  number(stream, &stream->saved->impact.touch, FROM_0);
+}
+
 static void rotation(struct stream *stream) {
   stream->saved->turns = either(stream, stream->saved->turns, "off", "on");
 }
@@ -506,6 +511,7 @@ static void shear(struct stream *stream) { read_memory(stream, true); }
   X("gravity", gravity, ONCE, 1)                                                                                       \
   X("law", law, ONCE_OR_MORE, 2)                                                                                       \
   X("inward", inward, AT_MOST_ONCE, saved->inward.strength != 0)                                                       \
+  X("impact", impact, AT_MOST_ONCE, saved->impact.is)                                                                  \
   X("rotation", rotation, AT_MOST_ONCE, !saved->turns)                                                                 \
   X("cell", cell, AT_MOST_ONCE, saved->cell.is)                                                                        \
   X("centre", centre, AT_MOST_ONCE, saved->carried_count > 0)                                                          \

@@ -95,6 +95,10 @@ struct nb_saved {
   bool unitless;
   struct nb_vec gravity; /* m/s2 */
   struct nb_inward inward;
+  struct {
+    bool is;
+    double touch; /* when what flies first touches, s */
+  } impact;
   bool turns;           /* `rotation on` */
   struct nb_vec centre; /* what strain rates are about, m */
   struct nb_saved_carrier carriers[NB_CARRIERS];

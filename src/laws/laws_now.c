@@ -40,11 +40,25 @@ bool nb_laws_shear(const struct nb_scene *scene) {
   return shear;
 }
 
+/* Contacts that had no friction and no cohesion may get them from a stage. */
+static bool rubs_later(const struct nb_scene *scene) {
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].change_count; k++)
+      if (scene->stages[s].changes[k].friction > 0 || scene->stages[s].changes[k].cohesion > 0)
+        return true;
+  return false;
+}
+
+static bool is_unstored(const struct nb_law *law) { return law && !law->stored && strcmp(law->name, "none") != 0; }
+
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal) {
+  const struct nb_law *first = nb_laws_at_start(scene).shear;
+  if (!normal && rubs_later(scene) && is_unstored(first))
+    return first;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_laws *said = &scene->stages[s].laws;
     const struct nb_law *law = nb_law_find(normal ? "normal" : "shear", normal ? said->normal : said->shear);
-    if (law && !law->stored && strcmp(law->name, "none") != 0)
+    if (is_unstored(law))
       return law;
   }
   return NULL;

@@ -1,7 +1,10 @@
 /* Quantities of gradings, and the smallest gap.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
+
 #include "core/names.h"
+#include "core/cell.h"
 
 /* Of the sizes that the watch names, all or one: how many were wanted and placed. */
 struct sum {
@@ -31,19 +34,30 @@ static double tries(const struct nb_model *model, const struct nb_watch *watch) 
       made += (double)model->scene->fills[f].made;
   return made;
 }
-/* Two bodies that are not listed are farther apart than the skin. */
+/* Between the outlines of two bodies that may touch, in a cell those of the nearest copies. */
+static double between(const struct nb_model *model, const struct nb_wrap *wrap, int i, int j) {
+  const struct nb_bodies *bodies = &model->bodies;
+  if (nb_gone(model, (size_t)i) || nb_gone(model, (size_t)j) ||
+      !(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
+    return INFINITY;
+  const struct nb_vec apart = vec_sub(bodies->position[j], bodies->position[i]);
+  const struct nb_vec nearest = model->cell ? nb_wrapped(wrap, apart) : apart;
+  return vec_length(nearest) - (bodies->rim[i].x + bodies->rim[j].x);
+}
+
+/* Those that are not listed do not touch, but may be nearer than some that are. */
 static double gap(const struct nb_model *model, const struct nb_watch *watch) {
   (void)watch;
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_contacts *contacts = &model->contacts;
+  struct nb_wrap wrap = model->cell ? nb_cell_wrap(model->cell) : (struct nb_wrap){.h = {0, 0, 0, 0}};
+  const int n = (int)model->bodies.count;
   double least = model->search.skin;
-  for (size_t c = 0; c < model->contacts.count; c++) {
-    const int i = model->contacts.a[c], j = model->contacts.b[c];
-    if (model->pairings[model->contacts.pairing[c]].wall)
-      continue;
-    const double apart = vec_length(vec_sub(bodies->position[j], bodies->position[i]));
-    const double g = apart - (bodies->rim[i].x + bodies->rim[j].x);
-    least = g < least ? g : least;
-  }
+  wrap.centre = vec(0, 0); /* of differences */
+  for (size_t c = 0; c < contacts->wall_from; c++)
+    least = fmin(least, between(model, &wrap, contacts->a[c], contacts->b[c]));
+  for (int i = 0; i < n && least > 0; i++)
+    for (int j = i + 1; j < n; j++)
+      least = fmin(least, between(model, &wrap, i, j));
   return least;
 }
 

@@ -180,10 +180,10 @@ static void begin_impact(struct nb_model *model) {
 
 /* The forces at time 0: worked out, or as the state has them. */
 static enum nb_status find_forces(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
-  if (model->scene->impact.line)
-    begin_impact(model);
   if (saved)
     return nb_saved_put_contacts(model, saved, error);
+  if (model->scene->impact.line)
+    begin_impact(model);
   nb_forces(model), nb_deep_look(model);
   return NB_OK;
 }

@@ -159,6 +159,7 @@ enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *mode
       .step = model->previous_step,
       .unitless = scene->unitless,
       .gravity = model->gravity,
+      .impact = {scene->impact.line > 0, model->touch},
       .pieces = (int)model->laws.pieces,
       .material_count = scene->material_count,
       .rule_count = model->properties.rule_count,
@@ -213,7 +214,8 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
   while (k < saved->body_count && k < scene->body_count &&
          same_body(&saved->bodies[k], &scene->bodies[k], removals > 0))
     k++;
-  if (named && saved->rule_count <= rules && k == scene->body_count && k == saved->body_count)
+  const bool impact = saved->impact.is == (scene->impact.line > 0);
+  if (named && impact && saved->rule_count <= rules && k == scene->body_count && k == saved->body_count)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE,
                       "%.200s: expected the state of %zu bodies, %zu walls and %zu materials%s, "
@@ -269,7 +271,8 @@ void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
     model->pairings[p].values = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b);
   model->gravity = saved->gravity;
   model->cycle = saved->cycle, model->stage_cycle = saved->stage_cycle;
-  model->time = saved->time;
+  model->time = saved->time, model->touch = saved->impact.touch;
+  model->critical = nb_step_critical(model);
   model->step = model->previous_step = saved->step;
 }
 

@@ -1,0 +1,279 @@
+/* Every page with each of its stages in two halves, of which the second says nothing, or all that its stage says once more: the same
+ * numbers, whatever the stage has set. And from a state saved at the end of each half, the next half comes to the same bits.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <CUnit/CUnit.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../src/run/plan.h"
+#include "../src/run/state.h"
+#include "every_page.h"
+#include "suites.h"
+
+/* What is there at the end of a stage. */
+struct seen {
+  char *state;
+  double *values; /* of the columns */
+  double step;
+};
+
+static const struct nb_options options = {.threads = 1, .whole = true};
+
+static void look(struct seen *seen, const struct nb_model *model) {
+  const struct nb_scene *scene = model->scene;
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  size_t size;
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  seen->state = nb_saved_text(&saved, &size);
+  nb_saved_free(&saved);
+  seen->values = calloc(scene->column_count, sizeof *seen->values);
+  for (size_t c = 0; c < scene->column_count; c++)
+    seen->values[c] = nb_quantity_value(scene->columns[c].quantity, model);
+  seen->step = model->step;
+}
+
+static void forget(struct seen *seen, size_t count) {
+  for (size_t s = 0; s < count; s++)
+    free(seen[s].state), free(seen[s].values);
+  free(seen);
+}
+
+/* The stage, to its last cycle; false: what runs there is not physical. */
+static bool run_stage(struct nb_model *model, size_t s) {
+  struct nb_error error = {NB_OK, ""};
+  const struct nb_stage *stage = &model->scene->stages[s];
+  enum nb_status status = nb_stage_begin(model, stage, &error);
+  for (unsigned long k = 0; k < stage->cycles && !status; k++)
+    status = nb_cycle(model, &error);
+  if (status)
+    printf("# stage %zu: %s\n", s + 1, error.text);
+  return status == NB_OK;
+}
+
+/* What is seen at the end of each stage of the scene; *count: of how many. */
+static struct seen *run_all(const struct nb_scene *scene, size_t *count) {
+  struct nb_error error = {NB_OK, ""};
+  struct nb_model *model = nb_model_create(scene, &options, &error);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(model);
+  struct seen *seen = calloc(scene->stage_count, sizeof *seen);
+  for (*count = 0; *count < scene->stage_count && run_stage(model, *count); ++*count)
+    look(&seen[*count], model);
+  nb_model_free(model);
+  return seen;
+}
+
+/* ---- halves ---- */
+
+/* The second half says nothing: all is as before. A servo and a ramp end with their stage. */
+static struct nb_stage silent(const struct nb_stage *stage) {
+  struct nb_stage half = *stage;
+  half.motion_count = half.change_count = 0;
+  half.servo.line = half.gravity.line = half.circle.line = half.boundary.line = half.continuum.line = 0;
+  half.cell_line = half.box_line = half.rotation_line = 0, half.rotation = NB_ROTATION_AS_BEFORE;
+  half.laws.normal[0] = half.laws.shear[0] = '\0', half.laws.normal_line = half.laws.shear_line = 0;
+  return half;
+}
+
+/* The stages of a scene, halved: s becomes 2 s and 2 s + 1. */
+static struct nb_stage *halves(const struct nb_scene *scene, bool again) {
+  struct nb_stage *stages = calloc(2 * scene->stage_count, sizeof *stages);
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    const struct nb_stage *stage = &scene->stages[s];
+    struct nb_stage *first = &stages[2 * s], *second = first + 1;
+    *first = *stage, *second = again ? *stage : silent(stage);
+    first->cycles = stage->cycles / 2, second->cycles = stage->cycles - first->cycles;
+    first->snapshot = false, first->snapshot_from = -1;
+    second->snapshot_from = stage->snapshot_from < 0 ? -1 : 2 * stage->snapshot_from;
+    second->rotation = NB_ROTATION_AS_BEFORE,
+    second->rotation_line = 0; /* said again, the half step behind is divided anew, and rounded */
+    second->removal_count = 0, second->still = second->reverse = false, second->circle.line = 0;
+  }
+  return stages;
+}
+
+/* At least, and none that ends otherwise. */
+static void two_cycles_each(struct nb_scene *scene) {
+  for (size_t s = 0; s < scene->stage_count; s++) {
+    struct nb_stage *stage = &scene->stages[s];
+    stage->cycles = stage->cycles < 2 ? 2 : stage->cycles;
+    stage->condition_count = 0;
+  }
+}
+
+static bool ramps(const struct nb_stage *stage) {
+  bool any = stage->gravity.ramp || stage->servo.line;
+  for (size_t k = 0; k < stage->motion_count; k++)
+    any = any || stage->motions[k].ramp;
+  for (size_t k = 0; k < stage->change_count; k++)
+    any = any || stage->changes[k].ramp;
+  return any;
+}
+
+/* ---- what must be the same ---- */
+
+static bool begins(const char *text, const char *with) { return strncmp(text, with, strlen(with)) == 0; }
+
+/* What is counted from the start of a run, what a step must have shown, and what asks which pairs are listed: those that are near when
+ * the search looks, which it does as soon as a run begins. */
+static bool counted(const char *name) {
+  const bool strain = strstr(name, ".strain.") && !begins(name, "cell.") && !begins(name, "boundary.");
+  return strstr(name, ".new") || strstr(name, ".lost") || begins(name, "energy.") || begins(name, "work.") ||
+         strcmp(name, "contacts.deep") == 0 || strain || strcmp(name, "step.fracc") == 0 ||
+         strcmp(name, "step.safe") == 0;
+}
+
+/* The time is that at the begin of the stage and its cycles. */
+static bool timed(const char *name) {
+  return strcmp(name, "time") == 0 || strcmp(name, "impact.time") == 0 || strcmp(name, "impact.duration") == 0;
+}
+
+static bool same(double a, double b, double share) {
+  return a == b || (isnan(a) && isnan(b)) || fabs(a - b) <= share * fmax(fabs(a), fabs(b));
+}
+
+static bool same_values(const struct nb_scene *scene, const struct seen *a, const struct seen *b, const char *name,
+                        const char *what, bool counts, bool rounds) {
+  bool held = true;
+  for (size_t c = 0; c < scene->column_count && held; c++) {
+    const char *column = scene->columns[c].name;
+    if ((!counts && counted(column)) || (rounds && nb_quantity_vanishes(scene->columns[c].quantity)))
+      continue;
+    held = same(a->values[c], b->values[c], timed(column) ? 1e-12 : 0);
+    if (!held)
+      printf("# %s, %s: %s is %.17g, and %.17g in one\n", name, what, column, b->values[c], a->values[c]);
+  }
+  return held;
+}
+
+/* Records from that of units on: before it are names, and times. */
+static bool same_states(const struct seen *a, const struct seen *b, const char *name, const char *what) {
+  const char *one = strstr(a->state, "\nunits"), *other = strstr(b->state, "\nunits");
+  const char *end = strstr(one, "\nend "), *other_end = strstr(other, "\nend ");
+  if (end - one == other_end - other && memcmp(one, other, (size_t)(end - one)) == 0)
+    return true;
+  for (; *one && *one == *other; one++, other++)
+    ;
+  printf("# %s, %s: the states differ: `%.60s` and `%.60s`\n", name, what, one, other);
+  return false;
+}
+
+static void check_halves(struct nb_scene *scene, const char *name, bool again) {
+  const size_t count = scene->stage_count;
+  struct nb_stage *stages = scene->stages;
+  bool one_way = true;
+  size_t whole, parts;
+  struct seen *uncut = run_all(scene, &whole);
+  struct nb_stage *cut = halves(scene, again);
+  for (size_t s = 0; s < whole; s++)
+    for (size_t h = 0; h < 2; h++)
+      cut[2 * s + h].step.kind = NB_STEP_TIME, cut[2 * s + h].step.value = uncut[s].step;
+  scene->stages = cut, scene->stage_count = 2 * whole;
+  for (size_t r = 0; r < scene->region_count; r++)
+    scene->regions[r].stage *= scene->regions[r].stage > 0 ? 2 : 1;
+  struct seen *seen = run_all(scene, &parts);
+  for (size_t s = 0; s < whole && one_way && 2 * s + 1 < parts; s++) {
+    char what[64];
+    snprintf(what, sizeof what, "stage %zu in two%s", s + 1, again ? ", said twice" : "");
+    one_way = !ramps(&stages[s]);
+    if (one_way) {
+      CU_ASSERT(same_values(scene, &uncut[s], &seen[2 * s + 1], name, what, true, again));
+      CU_ASSERT(same_states(&uncut[s], &seen[2 * s + 1], name, what));
+    }
+  }
+  for (size_t r = 0; r < scene->region_count; r++)
+    scene->regions[r].stage /= scene->regions[r].stage > 0 ? 2 : 1;
+  scene->stages = stages, scene->stage_count = count;
+  forget(uncut, count), forget(seen, 2 * whole);
+  free(cut);
+}
+
+static void halves_are_the_whole(struct nb_scene *scene, const char *name) {
+  if (scene->path || scene->start.stages > 0)
+    return;
+  two_cycles_each(scene);
+  for (int again = 0; again < 2; again++)
+    check_halves(scene, name, again);
+}
+
+static void every_stage_in_two(void) { every_page(halves_are_the_whole, 3e4); }
+
+/* ---- from a state ---- */
+
+/* From the end of stage s to that of the next one. */
+static void go_on(struct nb_scene *scene, const struct seen *from, const struct seen *to, size_t s, const char *name) {
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  struct seen here, there;
+  char what[64];
+  snprintf(what, sizeof what, "from half %zu", s + 1);
+  scene->start.stages = s + 1;
+  if (nb_saved_read_text(&saved, "a.state", from->state, strlen(from->state), &error) ||
+      nb_saved_fits(&saved, scene, "a.state", &error))
+    printf("# %s, %s: %s\n", name, what, error.text);
+  CU_ASSERT_EQUAL_FATAL(error.status, NB_OK);
+  struct nb_model *model = nb_model_resume(scene, &options, &saved, &error);
+  nb_saved_free(&saved);
+  if (!model)
+    printf("# %s, %s: %s\n", name, what, error.text);
+  CU_ASSERT_PTR_NOT_NULL_FATAL(model);
+  look(&here, model);
+  CU_ASSERT_STRING_EQUAL(here.state, from->state);
+  CU_ASSERT(same_values(scene, from, &here, name, what, false, false));
+  free(here.state), free(here.values);
+  CU_ASSERT_FATAL(run_stage(model, s + 1));
+  look(&there, model);
+  CU_ASSERT(strcmp(there.state, to->state) == 0);
+  same_states(to, &there, name, what);
+  CU_ASSERT(same_values(scene, to, &there, name, what, false, false));
+  free(there.state), free(there.values);
+  nb_model_free(model);
+  scene->start.stages = 0;
+}
+
+/* Records that stand in a state only where the scene has such a thing: each is in that of some page. */
+static const char *const records[] = {"impact",   "rotation", "cell", "centre", "carrier", "pair",  "carried",
+                                      "boundary", "members",  "wall", "fields", "contact", "shear", "inward"};
+enum { RECORDS = sizeof records / sizeof *records };
+static bool written[RECORDS];
+
+static void note_records(const char *state) {
+  char word[32];
+  for (int r = 0; r < RECORDS; r++) {
+    snprintf(word, sizeof word, "\n%s ", records[r]);
+    written[r] = written[r] || strstr(state, word);
+  }
+}
+
+static void states_go_on(struct nb_scene *scene, const char *name) {
+  if (scene->path || scene->start.stages > 0)
+    return;
+  struct nb_stage *stages = scene->stages, *cut;
+  const size_t count = scene->stage_count;
+  size_t parts;
+  two_cycles_each(scene);
+  scene->stages = cut = halves(scene, false), scene->stage_count = 2 * count;
+  struct seen *seen = run_all(scene, &parts);
+  for (size_t s = 0; s + 1 < parts; s++)
+    note_records(seen[s].state), go_on(scene, &seen[s], &seen[s + 1], s, name);
+  scene->stages = stages, scene->stage_count = count;
+  forget(seen, 2 * count);
+  free(cut);
+}
+
+static void every_half_from_a_state(void) {
+  every_page(states_go_on, 3e4);
+  for (int r = 0; r < RECORDS; r++) {
+    if (!written[r])
+      printf("# in no state of a page: %s\n", records[r]);
+    CU_ASSERT(written[r]);
+  }
+}
+
+void suite_halved(void) {
+  CU_pSuite suite = CU_add_suite("halved", NULL, NULL);
+  CU_add_test(suite, "every stage of every page in two", every_stage_in_two);
+  CU_add_test(suite, "every half from the state that the one before has left", every_half_from_a_state);
+}
