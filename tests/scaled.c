@@ -251,7 +251,7 @@ static void same_in_other_units(struct nb_scene *scene, const char *name) {
 
 static void every_page_in_other_units(void) {
   struct nb_quantity_row row;
-  every_page(same_in_other_units, 1.5e5);
+  every_page(same_in_other_units, 1e5);
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     CU_ASSERT_FATAL(k < sizeof met);
     if (!met[k])

@@ -3,7 +3,6 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
 
-#include "core/cell.h"
 #include "core/names.h"
 
 /* Of the sizes that the watch names, all or one: how many were wanted and placed. */
