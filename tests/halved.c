@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../src/core/names.h"
 #include "../src/run/plan.h"
 #include "../src/run/state.h"
 #include "every_page.h"

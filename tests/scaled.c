@@ -11,7 +11,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "../src/core/names.h"
 #include "../src/input/units.h"
+#include "../src/measure/snapshot.h"
 #include "every_page.h"
 #include "suites.h"
 
