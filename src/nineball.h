@@ -527,7 +527,6 @@ struct nb_table {
   double *values;                  /* row by row, column_count each; owned */
   int *stage;                      /* per row: index of the stage; owned */
   double *cycle, *time;            /* per row, whether the page records them or not; owned */
-  size_t row_capacity;             /* of the arrays above */
 };
 
 bool nb_table_create(struct nb_table *table, size_t column_count);

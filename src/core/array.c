@@ -20,6 +20,8 @@ void *nb_array(size_t count, size_t size) {
 
 void *nb_room(void *array, size_t count, size_t more, size_t element) {
   /* The array always has room for the power of two that holds it, so its capacity need not be kept. */
+  if (more == 1 && count > 8 && (count & (count - 1)) != 0)
+    return array;
   size_t have = 0, need = 8;
   if (count > 0)
     for (have = 8; have < count;)
@@ -31,9 +33,8 @@ void *nb_room(void *array, size_t count, size_t more, size_t element) {
 
 void *nb_more(void *array, size_t *count, size_t element) {
   void *things;
-  memcpy(&things, array, sizeof things);          /* a pointer to void need not look like the others */
-  if (*count < 8 || (*count & (*count - 1)) == 0) /* else there is room: see nb_room */
-    things = nb_room(things, *count, 1, element);
+  memcpy(&things, array, sizeof things); /* a pointer to void need not look like the others */
+  things = nb_room(things, *count, 1, element);
   if (!things)
     return NULL;
   memcpy(array, &things, sizeof things);

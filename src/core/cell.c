@@ -91,17 +91,18 @@ double nb_wrap_width(const struct nb_wrap *wrap) {
   return fabs(tensor_determinant(wrap->h)) / (a > b ? a : b);
 }
 
-struct nb_vec nb_wrap_sides(const struct nb_wrap *wrap, struct nb_vec apart) {
+/* H m of the nearest copy: m of `wrap`. */
+static struct nb_vec sides(const struct nb_wrap *wrap, struct nb_vec apart) {
   const struct nb_vec s = tensor_times(wrap->inverse, apart);
   return vec(-floor(s.x + 0.5), -floor(s.y + 0.5));
 }
 
 struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x) {
-  return vec_add(x, tensor_times(wrap->h, nb_wrap_sides(wrap, vec_sub(x, wrap->centre))));
+  return vec_add(x, tensor_times(wrap->h, sides(wrap, vec_sub(x, wrap->centre))));
 }
 
 struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart) {
-  return tensor_times(wrap->whole, nb_wrap_sides(wrap, apart));
+  return tensor_times(wrap->whole, sides(wrap, apart));
 }
 
 struct nb_vec nb_cell_place(const struct nb_model *model, size_t slot) {

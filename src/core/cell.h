@@ -34,9 +34,8 @@ struct nb_wrap {
   struct nb_tensor whole;      /* they are H times these whole numbers */
 };
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell);
-double nb_wrap_width(const struct nb_wrap *wrap);                             /* the smaller height of it, m */
-struct nb_vec nb_wrap_sides(const struct nb_wrap *wrap, struct nb_vec apart); /* H m of the nearest copy: m of `wrap` */
-struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x);        /* the copy of x in it */
+double nb_wrap_width(const struct nb_wrap *wrap);                       /* the smaller height of it, m */
+struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x);  /* the copy of x in it */
 struct nb_vec nb_cell_place(const struct nb_model *model, size_t slot); /* of a body; without a cell where it is */
 /* m, in sides of H: that copy of what lies `apart` from a body is the nearest one to it. */
 struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart);

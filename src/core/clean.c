@@ -15,7 +15,8 @@ static size_t length_of(unsigned char first) {
 
 static bool is_control(unsigned long code) { return (code < 0x20 && code != '\t') || (code >= 0x7F && code < 0xA0); }
 
-size_t nb_clean_character(const unsigned char *c, size_t left) {
+/* How many bytes of UTF-8 make the character at c (RFC 3629, without control characters but tab); 0: none. */
+static size_t character(const unsigned char *c, size_t left) {
   static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
   const size_t n = length_of(c[0]);
   if (n == 0 || n > left)
@@ -33,7 +34,7 @@ size_t nb_clean_character(const unsigned char *c, size_t left) {
 int nb_clean(char *text, size_t length, unsigned *byte) {
   int column = 0, first = 0;
   for (size_t i = 0; i < length;) {
-    const size_t n = nb_clean_character((const unsigned char *)text + i, length - i);
+    const size_t n = character((const unsigned char *)text + i, length - i);
     column++;
     if (n == 0 && !first) {
       first = column;

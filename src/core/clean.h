@@ -7,9 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 
-/* How many bytes of UTF-8 make the character at c (RFC 3629, without control characters but tab); 0: none. */
-size_t nb_clean_character(const unsigned char *c, size_t left);
-/* Replaces every byte that belongs to no such character by `?`. The column of the first one, from 1, and the byte; 0: none. */
+/* Replaces every byte that belongs to no character of UTF-8 that may be shown by `?`. The column of the first one, from 1, and the byte; 0: none. */
 int nb_clean(char *text, size_t length, unsigned *byte);
 
 /* Behind what is in the text already, as far as its size goes. */

@@ -1,10 +1,11 @@
 /* Tables: rows of named columns.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "nineball.h"
-
 #include <stdlib.h>
 #include <string.h>
+
+#include "array.h"
+#include "nineball.h"
 
 bool nb_table_create(struct nb_table *table, size_t column_count) {
   *table = (struct nb_table){.column_count = column_count};
@@ -16,36 +17,23 @@ bool nb_table_create(struct nb_table *table, size_t column_count) {
   return false;
 }
 
-static bool make_room(struct nb_table *table) {
-  if (table->row_count < table->row_capacity)
-    return true;
-  const size_t capacity = table->row_capacity ? 2 * table->row_capacity : 64;
-  double *values = realloc(table->values, capacity * (table->column_count + 1) * sizeof *values);
-  if (values)
-    table->values = values;
-  double *cycle = realloc(table->cycle, capacity * sizeof *cycle);
-  if (cycle)
-    table->cycle = cycle;
-  double *time = realloc(table->time, capacity * sizeof *time);
-  if (time)
-    table->time = time;
-  int *stage = realloc(table->stage, capacity * sizeof *stage);
-  if (stage)
-    table->stage = stage;
-  if (!values || !cycle || !time || !stage)
-    return false;
-  table->row_capacity = capacity;
-  return true;
+static bool room(void *array, size_t rows, size_t size) {
+  void *things;
+  memcpy(&things, array, sizeof things);
+  things = nb_room(things, rows, 1, size);
+  if (things)
+    memcpy(array, &things, sizeof things);
+  return things != NULL;
 }
 
 double *nb_table_row(struct nb_table *table, int stage, double cycle, double time) {
-  if (!make_room(table))
+  const size_t row = table->row_count, columns = table->column_count;
+  if (!room(&table->values, row, (columns + 1) * sizeof(double)) || !room(&table->cycle, row, sizeof(double)) ||
+      !room(&table->time, row, sizeof(double)) || !room(&table->stage, row, sizeof(int)))
     return NULL;
-  const size_t row = table->row_count++;
+  table->row_count++;
   table->stage[row] = stage, table->cycle[row] = cycle, table->time[row] = time;
-  double *values = table->values + row * table->column_count;
-  memset(values, 0, table->column_count * sizeof *values);
-  return values;
+  return memset(table->values + row * columns, 0, columns * sizeof(double));
 }
 
 void nb_table_free(struct nb_table *table) {
