@@ -269,6 +269,7 @@ SUITES = \
   tests/laws.c \
   tests/laws_energy.c \
   tests/exact.c \
+  tests/expression.c \
   tests/corners.c \
   tests/laws_batch.c \
   tests/randall.c \
@@ -505,6 +506,8 @@ INPUT = \
   src/input/bench_quantities.h \
   src/input/columns.c \
   src/input/columns.h \
+  src/input/expression.c \
+  src/input/expression.h \
   src/input/file.c \
   src/input/hash.h \
   src/input/line.c \
@@ -524,7 +527,8 @@ INPUT = \
   src/input/text.c \
   src/input/text.h \
   src/input/units.c \
-  src/input/units.h
+  src/input/units.h \
+  src/input/value.c
 
 # Plan, stages, states, tables, and one contact alone.
 RUN = \

@@ -47,7 +47,7 @@ page "# $(many 4094 x)" >"$work/right.md"
 page "# $(many 4095 x)" >"$work/wrong.md"
 limit 'bytes in a line' 'expected at most 4096 bytes in a line, found 4097'
 
-page "let a 1 # $(many 300 'x ')" >"$work/right.md"
+page "let a = 1 # $(many 300 'x ')" >"$work/right.md"
 page "sweep a $(many 254 '1 ')" >"$work/wrong.md"
 limit 'words in a line' 'expected at most 255 words in a line, found more'
 
@@ -55,8 +55,8 @@ page "sweep a$(awk 'BEGIN { for (k = 1; k < 16; k++) printf " with a%d", k }') $
 page "sweep a$(awk 'BEGIN { for (k = 1; k < 17; k++) printf " with a%d", k }') $(many 17 '1 ')" >"$work/wrong.md"
 limit 'names in a sweep' 'expected at most 16 names in a sweep'
 
-page "let $(many 63 a) 1" >"$work/right.md"
-page "let $(many 64 a) 1" >"$work/wrong.md"
+page "let $(many 63 a) = 1" >"$work/right.md"
+page "let $(many 64 a) = 1" >"$work/wrong.md"
 limit 'letters in a name' 'less than 64 in all'
 
 page "let a $(many 63 a)" >"$work/right.md"
@@ -75,7 +75,7 @@ counted() {
   page "$(numbered $(($1 + 1)) "$3")" >"$work/wrong.md"
   limit "$2" "expected at most ${4:-$1} $2, with this there are more"
 }
-counted 2000 'names for values' 'let a@ 1'
+counted 2000 'names for values' 'let a@ = 1'
 counted 199 'materials' 'material m@' 200 # and the one that is there
 counted 2000 'walls' 'wall w@ @ m 9 m to @ m 10 m rock'
 counted 2000 'gradings' 'grading g@ 1 m 1'

@@ -141,7 +141,7 @@ static void tuples(void) {
 
 static void settings(void) {
   static const char text[] =
-      "sweep v with n  1 m/s 40  2 m/s 120\nlet R 1 mm\nshear none\n" ROCK
+      "sweep v with n  1 m/s 40  2 m/s 120\nlet R = 1 mm\nshear none\n" ROCK
       "disc 0 m 0 m radius $R rock velocity $v $v\nstep 1 us\nstage go\ncycles $n\nstage on\nstep 2 us\ncycles 1\n";
   const char *const some[] = {"R=1 mm", "v=7 m/s", "R=3 mm", "shear=linear", "step=0.1 of critical", NULL};
   struct read read = read_scene(text, 1, some);
@@ -166,7 +166,7 @@ static void settings(void) {
 }
 
 static void columns(void) {
-  struct nb_binding value = {.name = "R", .text = "50 mm"};
+  struct nb_binding value = {.name = "R", .text = "50 mm", .value = 0.05, .dimension = {60, 0, 0}};
   char line[] = "disc\t-$R \xC3\xBC $R# $R", *lines[] = {line}, path[] = "p";
   unsigned char kinds[] = {1};
   struct nb_mistakes mistakes = {0};

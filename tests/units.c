@@ -1,4 +1,4 @@
-/* Units: each is the power of ten that its name says, and exact.
+/* Units: each is the power of ten and the dimension that its name says, and exact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,54 +11,100 @@
 
 #define COUNT(list) (sizeof list / sizeof *list)
 
-/* The power of ten that the parts of a unit's name say, of kg, m and s: `N/mm` is 3. */
-static int power_said(const char *name) {
-  static const struct {
-    char letter;
-    int power;
-  } prefixes[] = {{'n', -9}, {'u', -6}, {'m', -3}, {'c', -2}, {'k', 3}, {'M', 6}, {'G', 9}};
-  static const char *const bases[] = {"m", "s", "g", "N", "Pa", "J"};
-  int power = 0;
-  for (int sign = 1; *name; name += *name != 0, sign = -1) {
-    const size_t length = strcspn(name, "/23");
-    for (size_t k = 0; k < COUNT(bases); k++)
-      for (size_t p = 0; p <= COUNT(prefixes); p++) {
-        char part[8];
-        snprintf(part, sizeof part, "%.*s%s", p < COUNT(prefixes), &prefixes[p % COUNT(prefixes)].letter, bases[k]);
-        if (strlen(part) != length || strncmp(part, name, length) != 0)
-          continue;
-        const int times = name[length] == '2' ? 2 : name[length] == '3' ? 3 : 1;
-        power += sign * times * ((p < COUNT(prefixes) ? prefixes[p].power : 0) - (bases[k][0] == 'g' ? 3 : 0));
-      }
-    name += strcspn(name, "/");
-  }
-  return power;
-}
-
 static void units(void) {
   static const struct {
     const char *number, *unit;
     double si;
-  } all[] = {{"0.3", "mm", 0.0003}, {"3.3", "N/mm", 3300}, {"2.7", "g/cm3", 2700},
-             {"0.1", "%", 0.001},   {"10", "ppm", 1e-5},   {"180", "deg", 3.14159265358979323846}};
+    int m, kg, s, angle;
+  } all[] = {{"0.3", "mm", 0.0003, 1, 0, 0, 0},
+             {"3.3", "N/mm", 3300, 0, 1, -2, 0},
+             {"2.7", "g/cm3", 2700, -3, 1, 0, 0},
+             {"0.1", "%", 0.001, 0, 0, 0, 0},
+             {"10", "ppm", 1e-5, 0, 0, 0, 0},
+             {"180", "deg", 3.14159265358979323846, 0, 0, 0, 1},
+             {"7", "rad/s", 7, 0, 0, -1, 1},
+             {"7", "1/s", 7, 0, 0, -1, 0},
+             {"7", "1/ms2", 7e6, 0, 0, -2, 0},
+             {"30", "um", 30e-6, 1, 0, 0, 0},
+             {"30", "\u00B5m", 30e-6, 1, 0, 0, 0}, /* the sign micro */
+             {"30", "\u03BCm", 30e-6, 1, 0, 0, 0}, /* the letter mu */
+             {"4", "N.m", 4, 2, 1, -2, 0},
+             {"4", "kg.m/s", 4, 1, 1, -1, 0},
+             {"4", "kg/m/s2", 4, -1, 1, -2, 0},
+             {"4", "kg/m.s2", 4, -1, 1, 2, 0}, /* from left to right */
+             {"4", "MPa", 4e6, -1, 1, -2, 0},
+             {"4", "nJ", 4e-9, 2, 1, -2, 0},
+             {"4", "mrad", 0.004, 0, 0, 0, 1},
+             {"4", "Mg/m3", 4000, -3, 1, 0, 0},
+             {"4", "m9", 4, 9, 0, 0, 0}};
+  static const char *const none[] = {"",      "1",  "m/",  "/s",  "m//s", "kg.",  "mdeg",  "k%",   "M",
+                                     "mmm",   "m0", "m10", "2/s", "N m",  "m^2",  "1.s",   "mn/m", "N-m",
+                                     "meter", "pm", "1/",  "µ",   ".m",   "rad/", "m\xC2", "gm/s"};
+  struct nb_unit unit;
   for (size_t i = 0; i < COUNT(all); i++) {
-    const struct nb_unit *unit = nb_unit_find(all[i].unit);
     double value = NAN;
-    CU_ASSERT_PTR_NOT_NULL_FATAL(unit);
-    CU_ASSERT_EQUAL(nb_number_read(&value, all[i].number, unit->shift), NB_READ);
-    CU_ASSERT_EQUAL(value * unit->factor, all[i].si); /* to the last bit */
+    CU_ASSERT_FATAL(nb_unit_read(&unit, all[i].unit));
+    CU_ASSERT_EQUAL(nb_number_read(&value, all[i].number, unit.shift), NB_READ);
+    CU_ASSERT_EQUAL(value * unit.factor, all[i].si); /* to the last bit */
+    CU_ASSERT(nb_dimension_same(unit.dimension, (struct nb_dimension){60 * all[i].m, 60 * all[i].kg, 60 * all[i].s}));
+    CU_ASSERT_EQUAL(unit.angle, all[i].angle);
   }
-  for (const struct nb_unit *unit = nb_units(); unit->name; unit++)
-    if (!strpbrk(unit->name, "%p"))
-      CU_ASSERT(unit->shift == power_said(unit->name) && (unit->factor == 1 || strcmp(unit->name, "deg") == 0));
+  for (size_t i = 0; i < COUNT(none); i++)
+    CU_ASSERT_FALSE(nb_unit_read(&unit, none[i]));
+}
+
+static void kinds(void) { /* every unit that a message names is one, of the dimension of the first */
   enum nb_unit_kind kind = NB_UNIT_LENGTH;
+  for (int k = 1; k < NB_UNIT_KINDS; k++) {
+    struct nb_unit first = {0}, unit;
+    char list[256], words[128];
+    snprintf(list, sizeof list, "%s", nb_unit_list((enum nb_unit_kind)k));
+    CU_ASSERT_EQUAL(strlen(list), strlen(nb_unit_list((enum nb_unit_kind)k)));
+    for (char *name = strtok(list, ","); name; name = strtok(NULL, ",")) {
+      name += strspn(name, " ");
+      if (strcmp(name, NB_PER_CYCLE) == 0)
+        continue;
+      CU_ASSERT(nb_unit_read(&unit, name));
+      if (name == list)
+        first = unit;
+      CU_ASSERT(nb_dimension_same(first.dimension, unit.dimension) && first.angle == unit.angle);
+    }
+    CU_ASSERT(first.shift == 0 && first.factor == 1);
+    nb_dimension_unit(words, sizeof words, first.dimension); /* and is written so that it reads back */
+    CU_ASSERT(k == NB_UNIT_ANGLE ? !*words
+                                 : nb_unit_read(&unit, words) && nb_dimension_same(unit.dimension, first.dimension));
+  }
   CU_ASSERT(nb_unit_kind_of(&kind, "1") && kind == NB_UNIT_NUMBER);
   CU_ASSERT(nb_unit_kind_of(&kind, "N") && kind == NB_UNIT_FORCE);
   CU_ASSERT_FALSE(nb_unit_kind_of(&kind, "kN")); /* is no SI unit */
-  CU_ASSERT_PTR_NULL(nb_unit_find("1"));         /* is a number */
+}
+
+static void written(void) {
+  static const struct {
+    int m, kg, s;
+    const char *unit, *words;
+  } all[] = {{60, 0, 0, "m", "a length (m)"},
+             {0, 0, 0, "", "a number"},
+             {0, 0, -60, "1/s", "a rate (1/s)"},
+             {120, 60, -120, "J", "an energy (J)"},
+             {60, 60, -60, "kg.m/s", "kg.m/s"},
+             {-60, 60, -60, "kg/m/s", "kg/m/s"},
+             {-120, 0, 0, "1/m2", "1/m2"},
+             {30, 0, 0, "m^0.5", "m^0.5"},
+             {-30, 60, -120, "kg/m^0.5/s2", "kg/m^0.5/s2"}};
+  for (size_t i = 0; i < COUNT(all); i++) {
+    char text[128];
+    const struct nb_dimension dimension = {all[i].m, all[i].kg, all[i].s};
+    nb_dimension_unit(text, sizeof text, dimension);
+    CU_ASSERT_STRING_EQUAL(text, all[i].unit);
+    nb_dimension_words(text, sizeof text, dimension);
+    CU_ASSERT_STRING_EQUAL(text, all[i].words);
+  }
 }
 
 void suite_units(void) {
   CU_pSuite suite = CU_add_suite("units", NULL, NULL);
   CU_add_test(suite, "exact powers of ten", units);
+  CU_add_test(suite, "kinds of numbers", kinds);
+  CU_add_test(suite, "dimensions in words", written);
 }

@@ -65,7 +65,7 @@ static void samples(void) {
        NB_FAIL,
        "it is nan"},
       {"sweep T 1 2\nsweep s 1 2", "A.x increases with T over s", {0, INFINITY, 1, 11}, NB_FAIL, "it is inf"},
-      {"sweep T 1 2\nsweep s 1 2\nlet b $T",
+      {"sweep T 1 2\nsweep s 1 2\nlet b = T",
        "A.x increases with T over s",
        {0, 10, 1, 11},
        NB_PASS,

@@ -16,7 +16,7 @@ static void skipped(void) {
       {"sweep v with w  1 5  1.0 6", "A.x decreases with v", {2, 1}, NB_SKIP, "`v` has one value only"},
       {"sweep v with w  one 5  one 6", "A.x decreases with v", {2, 1}, NB_SKIP, "`v` has one value only"},
       {"sweep v with w  1 5  1 6  2 7", "A.x constant with v within 1", {1, 1, 2}, NB_PASS, ""},
-      {"sweep v with w  1 mm 5  1000 um 6", "A.x order 1 in v within 9", {1, 2}, NB_SKIP, "`v` has one value only"},
+      {"sweep v with w  1 % 5  10000 ppm 6", "A.x order 1 in v within 9", {1, 2}, NB_SKIP, "`v` has one value only"},
       {"sweep v 1", "A.x expected 1 over v [t]", {1}, NB_SKIP, "`v` has one value only"},
       {"sweep T 1 2\nsweep s 1", "A.x increases with T over s", {1, 2}, NB_SKIP, "`s` has one value only"},
       {"sweep T 1\nsweep s 1 2", "A.x increases with T over s", {1, 2}, NB_SKIP, "`T` has one value only"},

@@ -30,7 +30,7 @@ static void trends(void) {
        {1, 2, 3},
        NB_PASS,
        "computed 1 at w = 5, 2 at 4, 3 at 3"},
-      {"let a 1\nsweep v 1 2\nlet b $v", "A.x increases with v", {1, 2}, NB_PASS, "computed 1 at v = 1, 2 at 2"},
+      {"let a = 1\nsweep v 1 2\nlet b = v", "A.x increases with v", {1, 2}, NB_PASS, "computed 1 at v = 1, 2 at 2"},
       {"sweep v one two", "A.x increases with v", {1, 2}, NB_PASS, "computed 1 at v = one, 2 at two"},
       {"sweep v 1 2 3", "A.x increases with v", {1, NAN, 3}, NB_FAIL, "it is nan"},
       {"sweep v 1 2 3", "A.x decreases with v", {3, 2, -INFINITY}, NB_FAIL, "it is -inf"},
@@ -93,8 +93,8 @@ static void orders(void) {
       {"sweep h 1 0 4", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`0` is not a number above 0"},
       {"sweep h 1 -2 4", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`-2` is not a number above 0"},
       {"sweep h one two four", "A.x order 2 in h within 9", {1, 4, 16}, NB_FAIL, "`one` is not a number above 0"},
-      {"sweep h 1 um 2 um 4 um", "A.x order 2 in h within 1e-9", {1, 4, 16}, NB_PASS, "4 at 2 um"},
-      {"sweep h 1 um 1 mm", "A.x order 1 in h within 1e-9", {1, 1000}, NB_PASS, "1e+03 at 1 mm"},
+      {"sweep h 1 ppm 2 ppm 4 ppm", "A.x order 2 in h within 1e-9", {1, 4, 16}, NB_PASS, "4 at 2 ppm"},
+      {"sweep h 1 ppm 0.1 %", "A.x order 1 in h within 1e-9", {1, 1000}, NB_PASS, "1e+03 at 0.001"},
   };
   planted_sweeps(list, COUNT(list));
   struct nb_outcome outcome; /* the error is from what is known of each run */

@@ -66,10 +66,12 @@ static bool is_column(const struct field *field, const char *name, bool unitless
     return false;
   memcpy(text, field->at + length + 1, field->length - length - 1);
   text[field->length - length - 1] = '\0';
-  const struct nb_unit *unit = nb_unit_find(text);
-  const bool here = unitless ? strcmp(text, "-") == 0 : unit && unit->kind == NB_UNIT_LENGTH;
-  if (here)
-    *shift = unitless ? 0 : unit->shift;
+  struct nb_unit unit;
+  nb_unit_read(&unit, "m");
+  const struct nb_dimension of_length = unit.dimension;
+  const bool here =
+      unitless ? strcmp(text, "-") == 0 : nb_unit_read(&unit, text) && nb_dimension_same(unit.dimension, of_length);
+  *shift = here ? unit.shift : *shift;
   return here;
 }
 

@@ -5,8 +5,10 @@
  * twice.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <math.h>
 #include <string.h>
 
+#include "expression.h"
 #include "statement.h"
 
 enum { SWEPT_MAX = 16 }; /* names in one sweep */
@@ -23,37 +25,48 @@ NB_APPLY(apply_units) {
   reading->reader.unitless = reading->setting.unitless = record->value[AT_NAME].number == 0;
 }
 
-/* One word, or a number and its unit, as one text; where it began in *token. False: it is none, and that has been
- * said. */
-static bool take_value(struct nb_reader *reader, char text[NB_NAME_SIZE], const struct nb_token **token) {
-  double number;
-  text[0] = '\0';
+/* One word, or a number and its unit; where it began in *token. False: it is none, and that has been said. */
+static bool take_value(struct nb_reader *reader, struct nb_binding *value, const struct nb_token **token) {
+  struct nb_unit read;
+  *value = (struct nb_binding){.value = NAN};
   *token = nb_take(reader, "a value: a word, or a number and its unit");
   if (!*token)
     return false;
-  const bool counts = nb_number_read(&number, (*token)->text, 0) == NB_READ;
-  const struct nb_token *unit = nb_token_peek(reader);
-  const bool with_unit = counts && unit && nb_unit_find(unit->text);
-  const int n =
-      snprintf(text, NB_NAME_SIZE, "%s%s%s", (*token)->text, with_unit ? " " : "", with_unit ? unit->text : "");
-  reader->next += with_unit;
-  return n < NB_NAME_SIZE ||
+  const struct nb_token *next = nb_token_peek(reader);
+  const char *unit =
+      next && nb_unit_read(&read, next->text) && (!reader->unitless || nb_unit_bare(next->text)) ? next->text : NULL;
+  const enum nb_reading reading = nb_literal(value, (*token)->text, unit);
+  if (reading == NB_TOO_LARGE || reading == NB_TOO_SMALL)
+    return nb_expected_at(reader, *token, NULL, nb_reach(reading));
+  reader->next += reading == NB_READ && unit;
+  if (reading == NB_READ && (*token)->computed) { /* with the bits that it has, and the unit as a factor */
+    nb_number_read(&value->value, (*token)->text, 0);
+    value->value = unit ? nb_unit_times(value->value, &read) : value->value;
+    nb_value_write(value);
+  }
+  if (reading == NB_READ)
+    return true;
+  value->value = NAN;
+  return (size_t)snprintf(value->text, sizeof value->text, "%s", (*token)->text) < sizeof value->text ||
          nb_token_mistake(reader, *token, NULL, "expected a value shorter than %d bytes, found `%.80s`", NB_NAME_SIZE,
                           (*token)->text);
 }
 
 static void bind(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *name,
-                 const char *text, bool swept, int sweep) {
+                 struct nb_binding value) {
   struct nb_scene *scene = reading->scene;
-  struct nb_binding binding = {.swept = swept, .sweep = sweep};
+  if (nb_name_reserved(name->text) || strchr(name->text, '-'))
+    nb_token_mistake(reader, name,
+                     strchr(name->text, '-') ? "in an expression `-` is a difference" : "it is a word of expressions",
+                     "expected another name, `%s` cannot stand for a value", name->text);
   if (NB_FIND(scene->bindings, scene->binding_count, name->text) >= 0)
     nb_token_mistake(reader, name, NULL, "the name `%s` already has a value", name->text);
   if (nb_too_many(reader, scene->binding_count, NB_NAMED_MAX, "names for values"))
     return;
-  snprintf(binding.name, sizeof binding.name, "%s", name->text);
-  snprintf(binding.text, sizeof binding.text, "%s", text);
-  NB_APPEND(reader, scene->bindings, scene->binding_count, binding);
-  reading->reader.bindings = scene->bindings, reading->reader.binding_count = scene->binding_count;
+  snprintf(value.name, sizeof value.name, "%s", name->text);
+  NB_APPEND(reader, scene->bindings, scene->binding_count, value);
+  reading->reader.bindings = reading->setting.bindings = scene->bindings;
+  reading->reader.binding_count = reading->setting.binding_count = scene->binding_count;
 }
 
 size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name) {
@@ -66,32 +79,50 @@ size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name)
   return 0;
 }
 
-/* Whether a --set gives the value of that name; then it is in text. One that is wrong is said, and the statement is bad. */
-static bool set_value(struct nb_scene_reading *reading, struct nb_reader *reader, const char *name,
-                      char text[NB_NAME_SIZE]) {
+/* Whether a --set gives the value of that name; then it is in *value. One that is wrong is said, and the statement is bad. */
+static bool set_value(struct nb_scene_reading *reading, struct nb_reader *reader, const char *name, bool number,
+                      struct nb_binding *value) {
   struct nb_reader *setting = &reading->setting;
-  size_t line = nb_setting_find(reading, name);
+  const size_t line = nb_setting_find(reading, name);
   const struct nb_token *token;
   if (!line)
     return false;
-  nb_line_read(setting, line);
-  setting->next = 1;
-  if (take_value(setting, text, &token) && nb_token_peek(setting))
+  const char *const text = reading->settings.lines[line - 1];
+  nb_line_begin(setting, line);
+  if (number)
+    nb_expression(setting, text, strchr(text, '=') + 1, text + strcspn(text, "#"), value);
+  else if (nb_line_read(setting, line), setting->next = 1, take_value(setting, value, &token) && nb_token_peek(setting))
     nb_expected(setting, NULL, "the end of the value");
   if (setting->bad)
     nb_silent(reader);
   return true;
 }
 
+/* `= EXPRESSION`, or a word. */
 NB_APPLY(apply_let) {
   struct nb_scene_reading *reading = subject;
   const struct nb_token *name = record->value[AT_NAME].token, *token;
-  char text[NB_NAME_SIZE], set[NB_NAME_SIZE];
-  if (take_value(reader, text, &token) && nb_token_peek(reader))
+  const char *const line = reader->page->lines[reader->line - 1];
+  struct nb_binding value = {.value = NAN}, set;
+  const bool expression = nb_token_skip(reader, "=");
+  double number;
+  if (expression) {
+    nb_expression(reader, line, strchr(line, '=') + 1, line + strcspn(line, "#"), &value);
+    reader->next = reader->count;
+  } else if ((token = nb_token_peek(reader)) && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER) {
+    char hint[NB_HINT_SIZE];
+    const struct nb_token *unit = reader->next + 1 < reader->count ? token + 1 : NULL;
+    snprintf(hint, sizeof hint, "write `let %s = %.80s%s%.80s`", name->text, token->text, unit ? " " : "",
+             unit ? unit->text : "");
+    nb_expected(reader, hint, "`=` before a number, or a word");
+  } else if (take_value(reader, &value, &token) && nb_token_peek(reader)) {
     nb_expected(reader, "several values want a `sweep`", "the end of the line");
-  const bool is_set = set_value(reading, reader, name->text, set);
+  }
+  const bool is_set = set_value(reading, reader, name->text, expression, &set);
+  value = is_set ? set : value;
+  value.sweep = -1;
   if (!reader->bad)
-    bind(reading, reader, name, is_set ? set : text, false, -1);
+    bind(reading, reader, name, value);
 }
 
 /* a b, but never more than one too many. */
@@ -121,33 +152,39 @@ size_t nb_runs(const struct nb_scene_reading *reading) {
   return runs;
 }
 
-/* A column holds numbers or words, not both: a word among numbers is a mistyped unit. */
-static bool same_sort(struct nb_reader *reader, const struct nb_token *first, const struct nb_token *token) {
+/* A column holds numbers or words, not both: a word among numbers is a mistyped unit. All numbers are of one dimension. */
+static bool same_sort(struct nb_reader *reader, const struct nb_binding *first, const struct nb_binding *value,
+                      const struct nb_token *token) {
+  char hint[NB_HINT_SIZE], words[2 * NB_NAME_SIZE];
+  const struct nb_token *next = nb_token_peek(reader);
+  const bool like = nb_dimension_same(first->dimension, value->dimension);
   double number;
-  char hint[NB_HINT_SIZE];
-  const bool counts = nb_number_read(&number, token->text, 0) == NB_READ;
-  if (counts == (nb_number_read(&number, first->text, 0) == NB_READ))
+  if (isnan(first->value))
+    return isnan(value->value) || nb_expected_at(reader, token, NULL, "a word as the value before it");
+  if (!isnan(value->value) && like)
     return true;
+  nb_dimension_words(words, sizeof words, first->dimension);
+  if (!isnan(value->value) && (!next || nb_number_read(&number, next->text, 0) == NB_READ))
+    return nb_token_mistake(reader, token, NULL, "expected %s as the value before it, found `%s`", words, value->text);
+  token = isnan(value->value) ? token : next;
   struct nb_guess guess = nb_guess_begin(token->text);
-  for (const struct nb_unit *unit = nb_units(); unit->name; unit++)
-    nb_guess_offer(&guess, unit->name);
-  if (counts)
-    return nb_expected_at(reader, token, NULL, "a word as the value before it");
+  for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
+    nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
   return nb_expected_at(reader, token, nb_guess_hint(&guess, hint),
                         "a number or a unit, as the value before it is a number");
 }
 
+static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
+  return a->value == b->value || strcmp(a->text, b->text) == 0;
+}
+
 /* Two equal rows are one run made twice, which would count twice among the runs of a sample. */
-static bool all_differ(struct nb_reader *reader, char (*texts)[NB_NAME_SIZE], const struct nb_token *const tokens[],
+static bool all_differ(struct nb_reader *reader, const struct nb_binding *values, const struct nb_token *const tokens[],
                        size_t count, size_t columns) {
-  double numbers[NB_TOKENS_MAX];
-  for (size_t i = 0; i < count; i++)
-    numbers[i] = nb_value_number(texts[i]);
   for (size_t row = columns; row < count; row += columns)
     for (size_t above = 0; above < row; above += columns) {
       size_t equal = 0;
-      while (equal < columns &&
-             (numbers[row + equal] == numbers[above + equal] || strcmp(texts[row + equal], texts[above + equal]) == 0))
+      while (equal < columns && same_value(&values[row + equal], &values[above + equal]))
         equal++;
       if (equal < columns)
         continue;
@@ -157,17 +194,32 @@ static bool all_differ(struct nb_reader *reader, char (*texts)[NB_NAME_SIZE], co
   return true;
 }
 
-/* The values, row by row. Answers how many rows; 0: they are wrong. texts must hold NB_TOKENS_MAX values. */
-static size_t take_rows(struct nb_reader *reader, char (*texts)[NB_NAME_SIZE], size_t columns) {
+static const char *unit_of(const struct nb_binding *value) { return value->text + strcspn(value->text, " "); }
+
+/* A column whose values have several units is one in SI: the head of a table has one unit. */
+static void unify(struct nb_binding *values, size_t count, size_t columns) {
+  for (size_t c = 0; c < columns; c++) {
+    bool one = true;
+    for (size_t i = c; i < count; i += columns)
+      one = one && strcmp(unit_of(&values[i]), unit_of(&values[c])) == 0;
+    for (size_t i = c; i < count && !one && !isnan(values[c].value); i += columns)
+      nb_value_write(&values[i]);
+  }
+}
+
+/* The values, row by row. Answers how many rows; 0: they are wrong. There is room for NB_TOKENS_MAX values. */
+static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, size_t columns) {
   const struct nb_token *tokens[NB_TOKENS_MAX];
   size_t count = 0;
   do {
-    if (!take_value(reader, texts[count], &tokens[count]) || !same_sort(reader, tokens[count % columns], tokens[count]))
+    if (!take_value(reader, &values[count], &tokens[count]) ||
+        !same_sort(reader, &values[count % columns], &values[count], tokens[count]))
       return 0;
     count++;
   } while (nb_token_peek(reader));
+  unify(values, count, columns);
   if (count % columns == 0)
-    return all_differ(reader, texts, tokens, count, columns) ? count / columns : 0;
+    return all_differ(reader, values, tokens, count, columns) ? count / columns : 0;
   nb_expected(reader, NULL, "a value for each of the %zu names in every turn (%zu values are not a multiple)", columns,
               count);
   return 0;
@@ -175,18 +227,18 @@ static size_t take_rows(struct nb_reader *reader, char (*texts)[NB_NAME_SIZE], s
 
 /* Of several names that take their values together, one that is given its value from outside chooses the turns that have it; a value
  * that none has takes the place of its own in all of them. Answers how many are left; they move to the front. */
-static size_t choose(char (*texts)[NB_NAME_SIZE], size_t rows, size_t columns, const bool is_set[],
-                     char (*set)[NB_NAME_SIZE]) {
+static size_t choose(struct nb_binding *values, size_t rows, size_t columns, const bool is_set[],
+                     const struct nb_binding *set) {
   for (size_t i = 0; i < columns; i++) {
     size_t left = 0;
     for (size_t row = 0; row < rows && is_set[i]; row++)
-      left += strcmp(texts[row * columns + i], set[i]) == 0;
+      left += same_value(&values[row * columns + i], &set[i]);
     if (left == 0)
       continue;
     left = 0;
     for (size_t row = 0; row < rows; row++)
-      if (strcmp(texts[row * columns + i], set[i]) == 0)
-        memmove(texts[left++ * columns], texts[row * columns], columns * sizeof *texts);
+      if (same_value(&values[row * columns + i], &set[i]))
+        memmove(&values[left++ * columns], &values[row * columns], columns * sizeof *values);
     rows = left;
   }
   return rows;
@@ -195,7 +247,7 @@ static size_t choose(char (*texts)[NB_NAME_SIZE], size_t rows, size_t columns, c
 NB_APPLY(apply_sweep) {
   struct nb_scene_reading *reading = subject;
   const struct nb_token *names[SWEPT_MAX] = {record->value[AT_NAME].token};
-  char texts[NB_TOKENS_MAX][NB_NAME_SIZE], set[SWEPT_MAX][NB_NAME_SIZE];
+  struct nb_binding values[NB_TOKENS_MAX], set[SWEPT_MAX];
   bool is_set[SWEPT_MAX], all_set = true;
   size_t columns = 1;
   while (nb_token_skip(reader, "with")) {
@@ -205,18 +257,21 @@ NB_APPLY(apply_sweep) {
       names[columns] = nb_take_name(reader, "a name for the value");
     columns += !reader->bad;
   }
-  size_t rows = reader->bad ? 0 : take_rows(reader, texts, columns);
+  size_t rows = reader->bad ? 0 : take_rows(reader, values, columns);
   for (size_t i = 0; i < columns && !reader->bad; i++) {
-    is_set[i] = set_value(reading, reader, names[i]->text, set[i]);
+    is_set[i] = set_value(reading, reader, names[i]->text, !isnan(values[i].value), &set[i]);
     all_set = all_set && is_set[i];
   }
   if (reader->bad)
     return;
-  rows = choose(texts, rows, columns, is_set, set);
+  rows = choose(values, rows, columns, is_set, set);
   const size_t turns = all_set ? 1 : rows, row = row_of(reading, reader, turns);
-  for (size_t i = 0; i < columns; i++)
-    bind(reading, reader, names[i], is_set[i] ? set[i] : texts[row * columns + i], turns > 1 && !is_set[i],
-         (int)reading->sweep - 1);
+  for (size_t i = 0; i < columns; i++) {
+    struct nb_binding value = is_set[i] ? set[i] : values[row * columns + i];
+    value.swept = turns > 1 && !is_set[i];
+    value.sweep = (int)reading->sweep - 1;
+    bind(reading, reader, names[i], value);
+  }
 }
 
 /* What stands in a --set for a statement of the page. */
@@ -264,10 +319,10 @@ NB_STATEMENTS(let) = {
    "Whether numbers carry units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
    "whole page.",
    "units     si"},
-  {"let", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, value_fields, "VALUE", 0, false, apply_let,
-   "Gives a name to a value, a word or a number and its unit. $NAME stands for it below; --set NAME=VALUE "
+  {"let", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, value_fields, "= EXPRESSION|WORD", 0, false, apply_let,
+   "Gives a name to a number or a word. $NAME stands for it below, and NAME in expressions; --set NAME=EXPRESSION "
    "overrides it.",
-   "let       grip 0.3"},
+   "let       angle = 17 deg\nlet       grip = tan(angle)"},
   {"sweep", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, value_fields, "{with NAME …} VALUE …", 0, false, apply_sweep,
    "Gives a name several values in turn, one run each; several names take their values together, and giving one of them a value by --set chooses what goes with it. Several sweeps make "
    "the product, the last one fastest.",

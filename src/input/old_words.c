@@ -4,7 +4,7 @@
  * To rename something, add a row. A row of statements or expectations is matched from the first word of the line:
  *
  *   small words     stand for themselves
- *   CAPITALS        any one word but `=`; the same CAPITALS in the new form is that word
+ *   CAPITALS        any one word but `=`, NUMBER a number; the same CAPITALS in the new form is that word
  *   …               words, none or more; likewise
  *
  * so {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, {NB_OLD_STATEMENT, "fill … tries",
@@ -35,6 +35,7 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_STATEMENT, "spheres lattice", "lattice spheres"},
     {NB_OLD_STATEMENT, "discs packing", "packing discs"},
     {NB_OLD_STATEMENT, "spheres packing", "packing spheres"},
+    {NB_OLD_STATEMENT, "let NAME NUMBER", "let NAME = NUMBER"},
     {NB_OLD_EXPECT, "… stated", "… expected"},
     {NB_OLD_EXPECT, "… rises with", "… increases with"},
     {NB_OLD_EXPECT, "… falls with", "… decreases with"},
@@ -91,6 +92,10 @@ static bool is_many(const char *word, size_t length) {
   return length == strlen("…") && strncmp(word, "…", length) == 0;
 }
 static bool is_any(const char *word) { return isupper((unsigned char)*word); }
+static bool may_be_any(const struct word *word, const char *pattern) {
+  const bool number = strncmp(pattern, "NUMBER", strlen("NUMBER")) == 0;
+  return number ? nb_number_length(word->at + strspn(word->at, "+-")) > 0 : word->length != 1 || *word->at != '=';
+}
 
 /* Where each word of the pattern is, from the first-th word of the line on; false: it does not match. */
 static bool match(const char *pattern, const struct line *line, size_t first, size_t *at) {
@@ -105,8 +110,8 @@ static bool match(const char *pattern, const struct line *line, size_t first, si
   if (is_many(pattern, length) || first == line->count)
     return false;
   const struct word *word = &line->words[first];
-  const bool same = is_any(pattern) ? word->length != 1 || *word->at != '='
-                                    : word->length == length && strncmp(word->at, pattern, length) == 0;
+  const bool same =
+      is_any(pattern) ? may_be_any(word, pattern) : word->length == length && strncmp(word->at, pattern, length) == 0;
   return same && match(behind, line, first + 1, at + 1);
 }
 

@@ -2,8 +2,9 @@
  * tokens must be; what they are not is a mistake with a caret. A statement stops at its first mistake, and the page goes on with the
  * next one. What the statement would have given a name to is not asked about any more, and a name that is not known is said once.
  *
- *   mistakes.c  messages, the nearest known word, names that nothing is said of      line.c       tokens, and values taken from them
- *   units.c     numbers and units                                                    statement.c  tokens + a row of a table -> values
+ *   mistakes.c    messages, the nearest known word, names that nothing is said of    value.c      values taken from tokens
+ *   line.c        tokens; expression.c computes those in parentheses                 statement.c  tokens + a row of a table -> values
+ *   units.c       numbers and units
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_READER_H
@@ -57,14 +58,18 @@ struct nb_token {
   const char *text;
   int column, length; /* in characters of the line; of the $NAME when it came from one */
   const char *name;   /* the NAME that it stands for, NULL when written in the line itself */
+  bool computed;      /* by an expression: text is the shortest decimal number that reads back to the value */
 };
 
-/* `let NAME VALUE` and `sweep NAME VALUES`: what $NAME stands for in this run. */
+/* `let NAME = EXPRESSION`, `let NAME WORD` and `sweep NAME VALUES`: what $NAME stands for in this run. */
 struct nb_binding {
   char name[NB_NAME_SIZE];
-  char text[NB_NAME_SIZE]; /* the value as written, unit and all */
-  bool swept;              /* it has several values: a column of the tables */
-  int sweep; /* which `sweep` of the page it comes from, though --set may have left it one value; -1: a `let` */
+  char text[NB_NAME_SIZE]; /* a word; a number and its unit as written, or of a computed value the SI ones */
+  double value;            /* SI; NaN: a word */
+  struct nb_dimension dimension;
+  bool computed; /* by an expression: in its dimension it is an angle or an angular velocity as well */
+  bool swept;    /* it has several values: a column of the tables */
+  int sweep;     /* which `sweep` of the page it comes from, though --set may have left it one value; -1: a `let` */
 };
 
 struct nb_keyword;
@@ -82,10 +87,15 @@ struct nb_reader {
   bool bad;           /* a mistake was made in this statement: no other one is said, and there is nothing to be read */
   const struct nb_keyword *keyword; /* its row while the fields of the row are read, else NULL */
   unsigned given;                   /* set of the fields that have been read */
+  size_t used;                      /* of the store, up to the zero of the last token */
   char store[NB_LINE_MAX + NB_TOKENS_MAX * (2 * NB_NAME_SIZE + 2)]; /* the texts of the tokens */
 };
 
-/* Cuts a line of the page into tokens. False when it has none, as line 0 has. */
+/* The place of so many bytes of a line, for a message. */
+struct nb_token nb_token_at(const char *line, const char *at, size_t length);
+/* Begins to read a line: there are no tokens, and nothing is wrong. */
+void nb_line_begin(struct nb_reader *reader, size_t line);
+/* Cuts a line of the page into tokens; behind `let NAME =` the rest of it is one. False when it has none, as line 0 has. */
 bool nb_line_read(struct nb_reader *reader, size_t line);
 const struct nb_token *nb_token_peek(const struct nb_reader *reader); /* NULL at the end of the line */
 bool nb_token_is(const struct nb_reader *reader, const char *word);   /* whether the next one is that word */
@@ -104,7 +114,9 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 /* The most usual one: "expected WHAT, found `token`", at the next one. */
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* The same at a token that was read before. */
+/* What to type instead of what another language or a word processor would have there, or NULL; hint has room for NB_HINT_SIZE. */
+const char *nb_typed_hint(const struct nb_reader *reader, char *hint, const char *text);
+/* The same as nb_expected at a token that was read before. */
 bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
 /* The same of a name that is not known: once for each name, and not where a mistake is why. */
 bool nb_not_known(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
@@ -113,7 +125,7 @@ bool nb_silent(struct nb_reader *reader);
 /* nb_mistake_memory, and the statement is bad. */
 bool nb_no_memory(struct nb_reader *reader);
 
-/* ---- line.c: values one by one. Each takes what it names from the line, or says what it expected and answers false. ---- */
+/* ---- value.c: values one by one. Each takes what it names from the line, or says what it expected and answers false. ---- */
 
 enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_SHARE, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
 
@@ -134,8 +146,6 @@ int nb_named(struct nb_reader *reader, const struct nb_token *token, const void 
              const char *what, const char *otherwise);
 #define NB_NAMED(reader, token, things, count, what, otherwise)                                                        \
   nb_named(reader, token, things, count, sizeof *(things), what, otherwise)
-/* A value that a `let` or a `sweep` gives to a name, as a number: `50 us` is 5e-5; NaN for a word. */
-double nb_value_number(const char *text);
 
 /* ---- statement.c: whole statements ---- */
 

@@ -153,12 +153,15 @@ static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
       return nb_expected(reader, NULL, "NAME=VALUE");
     }
     const struct nb_token *unit = nb_token_peek(reader);
-    const bool with_unit = unit && nb_unit_find(unit->text);
+    struct nb_unit read;
+    const bool with_unit = unit && nb_unit_read(&read, unit->text);
+    const int name = (int)strcspn(token->text, "=");
     char(*setting)[2 * NB_NAME_SIZE] = NB_MORE(start->settings, start->setting_count);
     if (!setting)
       return nb_no_memory(reader);
-    if ((size_t)snprintf(*setting, sizeof *setting, "%s%s%s", token->text, with_unit ? " " : "",
-                         with_unit ? unit->text : "") >= sizeof *setting) {
+    const char *const form = token->computed ? "%.*s=(%s)%s%s" : "%.*s=%s%s%s";
+    if ((size_t)snprintf(*setting, sizeof *setting, form, name, token->text, token->text + name + 1,
+                         with_unit ? " " : "", with_unit ? unit->text : "") >= sizeof *setting) {
       nb_token_mistake(reader, token, NULL, "expected NAME=VALUE shorter than %zu bytes", sizeof *setting);
       return false;
     }

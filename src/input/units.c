@@ -1,6 +1,9 @@
-/* The closed table of units, and numbers.
+/* Units: any product of powers of base units, with prefixes; and decimal numbers.
  *
- * All units but the degree are powers of ten of the SI unit, so the power is put into the number's own exponent before
+ *   unit     `1` or factor, then `.` factor (times) or `/` factor (over), from left to right: `kg/m3`, `N.m`, `1/s`, `kg.m/s`
+ *   factor   a base unit, with a prefix before it or not, and a power from 1 to 9 behind it or not
+ *
+ * All but the degree are powers of ten of the SI unit, so the power is put into the number's own exponent before
  * it is turned into a double: `0.3 mm` is the double nearest to 0.0003, as if the page had said so, and not 0.3 *
  * 0.001.
  *
@@ -18,136 +21,192 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The first of each kind is the SI unit itself. */
-/* clang-format off */
-static const struct nb_unit table[] = {
-  {NB_UNIT_NUMBER, "1", 0, 1},       {NB_UNIT_NUMBER, "%", -2, 1},      {NB_UNIT_NUMBER, "ppm", -6, 1},
-  {NB_UNIT_LENGTH, "m", 0, 1},       {NB_UNIT_LENGTH, "mm", -3, 1},     {NB_UNIT_LENGTH, "um", -6, 1},
-  {NB_UNIT_LENGTH, "nm", -9, 1},     {NB_UNIT_LENGTH, "cm", -2, 1},     {NB_UNIT_LENGTH, "km", 3, 1},
-  {NB_UNIT_TIME, "s", 0, 1},         {NB_UNIT_TIME, "ms", -3, 1},       {NB_UNIT_TIME, "us", -6, 1},
-  {NB_UNIT_TIME, "ns", -9, 1},
-  {NB_UNIT_VELOCITY, "m/s", 0, 1},   {NB_UNIT_VELOCITY, "mm/s", -3, 1}, {NB_UNIT_VELOCITY, "cm/s", -2, 1},
-  {NB_UNIT_VELOCITY, "um/s", -6, 1},
-  {NB_UNIT_ACCELERATION, "m/s2", 0, 1}, {NB_UNIT_ACCELERATION, "mm/s2", -3, 1},
-  {NB_UNIT_STIFFNESS, "N/m", 0, 1},  {NB_UNIT_STIFFNESS, "kN/m", 3, 1}, {NB_UNIT_STIFFNESS, "MN/m", 6, 1},
-  {NB_UNIT_STIFFNESS, "GN/m", 9, 1}, {NB_UNIT_STIFFNESS, "N/mm", 3, 1},
-  {NB_UNIT_DENSITY, "kg/m3", 0, 1},  {NB_UNIT_DENSITY, "g/cm3", 3, 1},  {NB_UNIT_DENSITY, "Mg/m3", 3, 1},
-  {NB_UNIT_FORCE, "N", 0, 1},        {NB_UNIT_FORCE, "kN", 3, 1},       {NB_UNIT_FORCE, "MN", 6, 1},
-  {NB_UNIT_FORCE, "mN", -3, 1},      {NB_UNIT_FORCE, "uN", -6, 1},
-  {NB_UNIT_RATE, "1/s", 0, 1},       {NB_UNIT_RATE, "1/ms", 3, 1},
-  {NB_UNIT_STRAIN_RATE, "1/s", 0, 1}, {NB_UNIT_STRAIN_RATE, "1/ms", 3, 1}, {NB_UNIT_STRAIN_RATE, NB_PER_CYCLE, 0, 1},
-  {NB_UNIT_SPIN, "rad/s", 0, 1},
-  {NB_UNIT_ANGLE, "rad", 0, 1},      {NB_UNIT_ANGLE, "deg", 0, NB_PI / 180},
-  {NB_UNIT_ENERGY, "J", 0, 1},       {NB_UNIT_ENERGY, "mJ", -3, 1},     {NB_UNIT_ENERGY, "uJ", -6, 1},
-  {NB_UNIT_ENERGY, "nJ", -9, 1},
-  {NB_UNIT_MOMENT, "N.m", 0, 1},
-  {NB_UNIT_PRESSURE, "Pa", 0, 1},    {NB_UNIT_PRESSURE, "kPa", 3, 1},   {NB_UNIT_PRESSURE, "MPa", 6, 1},
-  {NB_UNIT_PRESSURE, "GPa", 9, 1},
-  {NB_UNIT_NUMBER, NULL, 0, 0},
-};
-/* clang-format on */
+/* ---- names ---- */
 
-const struct nb_unit *nb_units(void) { return table; }
+enum { ONE = 60 }; /* sixtieths */
 
-/* "1" is how a table heads a dimensionless column; on a page it would be a number. */
-const struct nb_unit *nb_unit_find(const char *name) {
-  for (const struct nb_unit *unit = table + 1; unit->name; unit++)
-    if (strcmp(unit->name, name) == 0)
-      return unit;
-  return NULL;
-}
+static const struct {
+  const char *name;
+  int m, kg, s, angle, shift;
+  double factor;
+  bool prefixed; /* may have a prefix */
+} bases[] = {{"m", 1, 0, 0, 0, 0, 1, true},    {"s", 0, 0, 1, 0, 0, 1, true},
+             {"g", 0, 1, 0, 0, -3, 1, true},   {"N", 1, 1, -2, 0, 0, 1, true},
+             {"Pa", -1, 1, -2, 0, 0, 1, true}, {"J", 2, 1, -2, 0, 0, 1, true},
+             {"rad", 0, 0, 0, 1, 0, 1, true},  {"deg", 0, 0, 0, 1, 0, NB_PI / 180, false},
+             {"%", 0, 0, 0, 0, -2, 1, false},  {"ppm", 0, 0, 0, 0, -6, 1, false}};
+static const struct {
+  const char *name;
+  int shift;
+} prefixes[] = {{"", 0},   {"n", -9}, {"u", -6}, {"\xC2\xB5", -6}, {"\xCE\xBC", -6},
+                {"m", -3}, {"c", -2}, {"k", 3},  {"M", 6},         {"G", 9}};
 
-const struct nb_unit *nb_unit_of(const char *name, enum nb_unit_kind kind) {
-  for (const struct nb_unit *unit = table + 1; unit->name; unit++)
-    if (unit->kind == kind && strcmp(unit->name, name) == 0)
-      return unit;
-  return nb_unit_find(name);
-}
-
-const char *nb_unit_kind_name(enum nb_unit_kind kind) {
-  static const char *const names[NB_UNIT_KINDS] = {
-      [NB_UNIT_NUMBER] = "a number",
-      [NB_UNIT_LENGTH] = "a length",
-      [NB_UNIT_TIME] = "a time",
-      [NB_UNIT_VELOCITY] = "a velocity",
-      [NB_UNIT_STIFFNESS] = "a stiffness",
-      [NB_UNIT_DENSITY] = "a density",
-      [NB_UNIT_FORCE] = "a force",
-      [NB_UNIT_RATE] = "a rate",
-      [NB_UNIT_STRAIN_RATE] = "a strain rate",
-      [NB_UNIT_SPIN] = "a spin",
-      [NB_UNIT_ANGLE] = "an angle",
-      [NB_UNIT_ENERGY] = "an energy",
-      [NB_UNIT_MOMENT] = "a moment",
-      [NB_UNIT_PRESSURE] = "a pressure",
-      [NB_UNIT_ACCELERATION] = "an acceleration",
-  };
-  return names[kind];
-}
-
-void nb_unit_list(char *list, size_t size, enum nb_unit_kind kind) {
-  size_t used = 0;
-  list[0] = '\0';
-  for (const struct nb_unit *unit = table + 1; unit->name; unit++) {
-    if (unit->kind != kind || used >= size)
-      continue;
-    int n = snprintf(list + used, size - used, "%s%s", used ? ", " : "", unit->name);
-    if (n > 0)
-      used += (size_t)n;
-  }
-}
-
-bool nb_unit_kind_of(enum nb_unit_kind *kind, const char *si) {
-  for (const struct nb_unit *unit = table; unit->name; unit++) {
-    bool first = unit == table || unit->kind != (unit - 1)->kind;
-    if (!first || strcmp(unit->name, si) != 0)
-      continue;
-    *kind = unit->kind;
-    return true;
-  }
+/* Multiplies by a factor to the power `sign`, 1 or -1. False: it is none. */
+static bool multiply(struct nb_unit *unit, const char *text, size_t length, int sign) {
+  const int power = length > 1 && isdigit((unsigned char)text[length - 1]) ? text[--length] - '0' : 1,
+            times = sign * power;
+  for (size_t p = 0; p < sizeof prefixes / sizeof *prefixes && power; p++)
+    for (size_t b = 0; b < sizeof bases / sizeof *bases; b++) {
+      const size_t before = strlen(prefixes[p].name);
+      if (before + strlen(bases[b].name) != length || strncmp(text, prefixes[p].name, before) != 0 ||
+          strncmp(text + before, bases[b].name, length - before) != 0 || (before && !bases[b].prefixed))
+        continue;
+      unit->dimension.m += ONE * times * bases[b].m;
+      unit->dimension.kg += ONE * times * bases[b].kg;
+      unit->dimension.s += ONE * times * bases[b].s;
+      unit->angle += times * bases[b].angle;
+      unit->shift += times * (prefixes[p].shift + bases[b].shift);
+      for (int k = 0; k < power; k++)
+        unit->factor = sign > 0 ? unit->factor * bases[b].factor : unit->factor / bases[b].factor;
+      return true;
+    }
   return false;
 }
 
-/* [+-] digits [. digits] [e [+-] digits], at least one digit before the exponent. Says where the exponent begins, and
- * whether any digit before it is other than 0. */
-static bool is_decimal(const char *text, size_t *mantissa, bool *nonzero) {
-  const char *c = text;
-  size_t digits = 0;
-  *nonzero = false;
-  if (*c == '+' || *c == '-')
-    c++;
-  for (; isdigit((unsigned char)*c) || *c == '.'; c++) {
-    if (*c == '.' && strchr(c + 1, '.'))
+bool nb_unit_read(struct nb_unit *unit, const char *name) {
+  *unit = (struct nb_unit){.factor = 1};
+  if (strlen(name) >= NB_NAME_SIZE)
+    return false;
+  const char *at = strncmp(name, "1/", 2) == 0 ? name + 1 : name;
+  for (int sign = 1; at == name || *at;) {
+    if (at > name && (*at == '.' || *at == '/'))
+      sign = *at++ == '/' ? -1 : 1;
+    const size_t length = strcspn(at, "./");
+    if (!multiply(unit, at, length, sign))
       return false;
-    if (*c != '.')
-      digits++;
-    if (*c != '.' && *c != '0')
-      *nonzero = true;
+    at += length;
   }
-  *mantissa = (size_t)(c - text);
-  if (digits == 0)
-    return false;
-  if (*c == '\0')
-    return true;
-  if (*c != 'e' && *c != 'E')
-    return false;
-  c++;
-  if (*c == '+' || *c == '-')
-    c++;
-  if (!isdigit((unsigned char)*c))
-    return false;
-  while (isdigit((unsigned char)*c))
-    c++;
-  return *c == '\0';
+  return true;
+}
+
+bool nb_unit_bare(const char *name) { return strcmp(name, "%") == 0 || strcmp(name, "ppm") == 0; }
+
+double nb_unit_times(double value, const struct nb_unit *unit) {
+  double ten = 1; /* exact up to 10^22 */
+  for (int k = abs(unit->shift); k > 0; k--)
+    ten *= 10;
+  return (unit->shift < 0 ? value / ten : value * ten) * unit->factor;
+}
+
+/* ---- dimensions and kinds ---- */
+
+/* Of several kinds of the same dimension the first one names it. */
+static const struct {
+  const char *name, *units;
+} kinds[NB_UNIT_KINDS] = {
+    [NB_UNIT_NUMBER] = {"a number", "1, %, ppm"},
+    [NB_UNIT_LENGTH] = {"a length", "m, mm, um, nm, cm, km"},
+    [NB_UNIT_TIME] = {"a time", "s, ms, us, ns"},
+    [NB_UNIT_VELOCITY] = {"a velocity", "m/s, mm/s, cm/s, um/s"},
+    [NB_UNIT_STIFFNESS] = {"a stiffness", "N/m, kN/m, MN/m, GN/m, N/mm"},
+    [NB_UNIT_DENSITY] = {"a density", "kg/m3, g/cm3, Mg/m3"},
+    [NB_UNIT_FORCE] = {"a force", "N, kN, MN, mN, uN"},
+    [NB_UNIT_RATE] = {"a rate", "1/s, 1/ms"},
+    [NB_UNIT_STRAIN_RATE] = {"a strain rate", "1/s, 1/ms, " NB_PER_CYCLE},
+    [NB_UNIT_SPIN] = {"a spin", "rad/s"},
+    [NB_UNIT_ANGLE] = {"an angle", "rad, deg"},
+    [NB_UNIT_ENERGY] = {"an energy", "J, mJ, uJ, nJ"},
+    [NB_UNIT_MOMENT] = {"a moment", "N.m"},
+    [NB_UNIT_PRESSURE] = {"a pressure", "Pa, kPa, MPa, GPa"},
+    [NB_UNIT_ACCELERATION] = {"an acceleration", "m/s2, mm/s2"},
+};
+
+bool nb_dimension_same(struct nb_dimension a, struct nb_dimension b) {
+  return a.m == b.m && a.kg == b.kg && a.s == b.s;
+}
+
+/* The kind that names a dimension; -1: none does. */
+static int kind_of(struct nb_dimension dimension) {
+  for (int kind = 0; kind < NB_UNIT_KINDS; kind++) {
+    char si[NB_NAME_SIZE];
+    struct nb_unit unit = {.factor = 1};
+    snprintf(si, sizeof si, "%.*s", (int)strcspn(kinds[kind].units, ","), kinds[kind].units);
+    if ((kind == NB_UNIT_NUMBER || nb_unit_read(&unit, si)) && nb_dimension_same(unit.dimension, dimension))
+      return kind;
+  }
+  return -1;
+}
+
+void nb_dimension_unit(char *text, size_t size, struct nb_dimension dimension) {
+  const int kind = kind_of(dimension), powers[] = {dimension.kg, dimension.m, dimension.s};
+  static const char *const names[] = {"kg", "m", "s"};
+  text[0] = '\0';
+  if (kind > 0)
+    snprintf(text, size, "%.*s", (int)strcspn(kinds[kind].units, ","), kinds[kind].units);
+  for (int pass = 0; pass < 2 && kind < 0; pass++) /* what it is multiplied by, then what it is divided by */
+    for (int k = 0; k < 3; k++) {
+      const double power = (pass ? -1.0 : 1.0) * powers[k] / ONE;
+      const size_t used = strlen(text);
+      if (power <= 0)
+        continue;
+      snprintf(text + used, size - used, "%s%s", pass ? (used ? "/" : "1/") : used ? "." : "", names[k]);
+      if (power != 1)
+        snprintf(text + strlen(text), size - strlen(text), power == floor(power) ? "%g" : "^%g", power);
+    }
+}
+
+void nb_dimension_words(char *text, size_t size, struct nb_dimension dimension) {
+  char unit[NB_NAME_SIZE];
+  const int kind = kind_of(dimension);
+  nb_dimension_unit(unit, sizeof unit, dimension);
+  if (kind == NB_UNIT_NUMBER)
+    snprintf(text, size, "a number");
+  else if (kind > 0)
+    snprintf(text, size, "%s (%s)", kinds[kind].name, unit);
+  else
+    snprintf(text, size, "%s", unit);
+}
+
+const char *nb_unit_kind_name(enum nb_unit_kind kind) { return kinds[kind].name; }
+
+const char *nb_unit_list(enum nb_unit_kind kind) { return kinds[kind].units; }
+
+bool nb_unit_kind_of(enum nb_unit_kind *kind, const char *si) {
+  for (*kind = 0; *kind < NB_UNIT_KINDS; ++*kind)
+    if (strcspn(kinds[*kind].units, ",") == strlen(si) && strncmp(kinds[*kind].units, si, strlen(si)) == 0)
+      return true;
+  return false;
+}
+
+void nb_unit_offer(struct nb_guess *guess, const char *list) {
+  char name[NB_NAME_SIZE];
+  for (size_t length; *list; list += length + strspn(list + length, ", ")) {
+    length = strcspn(list, ",");
+    snprintf(name, sizeof name, "%.*s", (int)length, list);
+    if (strcmp(name, "1") != 0) /* how a table heads a column of numbers */
+      nb_guess_offer(guess, name);
+  }
+}
+
+/* ---- numbers ---- */
+
+const char *nb_reach(enum nb_reading reading) {
+  return reading == NB_TOO_LARGE   ? "a number that a double can hold, up to 1.7e308"
+         : reading == NB_TOO_SMALL ? "a number that a double can hold, from 4.9e-324"
+                                   : "a number";
+}
+
+size_t nb_number_length(const char *text) {
+  static const char digits[] = "0123456789";
+  size_t whole = strspn(text, digits), part = text[whole] == '.' ? 1 + strspn(text + whole + 1, digits) : 0;
+  const size_t mantissa = whole + part;
+  if (whole == 0 && part < 2)
+    return 0;
+  if (text[mantissa] != 'e' && text[mantissa] != 'E')
+    return mantissa;
+  const size_t sign = text[mantissa + 1] == '+' || text[mantissa + 1] == '-';
+  const size_t exponent = strspn(text + mantissa + 1 + sign, digits);
+  return exponent ? mantissa + 1 + sign + exponent : mantissa;
 }
 
 enum nb_reading nb_number_read(double *value, const char *text, int shift) {
   enum { LONGEST = 1024 };
   char shifted[LONGEST + 32];
-  size_t mantissa;
-  bool nonzero;
-  if (!is_decimal(text, &mantissa, &nonzero) || mantissa > LONGEST)
+  const size_t sign = *text == '+' || *text == '-', length = nb_number_length(text + sign);
+  const size_t mantissa = sign + strspn(text + sign, "0123456789.");
+  if (length == 0 || text[sign + length] || mantissa > LONGEST)
     return NB_NO_NUMBER;
+  const bool nonzero = strcspn(text, "123456789") < mantissa;
   long exponent = text[mantissa] ? strtol(text + mantissa + 1, NULL, 10) : 0;
   if (exponent > 100000)
     exponent = 100000; /* far out of reach of a double, far from overflow of a long */

@@ -8,8 +8,8 @@
 #include "commands.h"
 #include "core/names.h"
 #include "expect.h"
+#include "input/expression.h"
 #include "input/old_words.h"
-#include "input/reader.h"
 
 /* Where it goes, and how. */
 struct manual {
@@ -228,17 +228,42 @@ static void quantities(const struct manual *to) {
   end(to);
 }
 
-static void units(const struct manual *to) {
-  section(to, "Units");
-  paragraph(to,
-            "A number and its unit are two words: `0.3 mm`. All but `deg` are powers of ten of the SI unit, so that "
-            "`0.3 mm` is the same double as `0.0003 m`. With `units none` all numbers are bare.");
-  for (int kind = 0; kind < NB_UNIT_KINDS; kind++) {
-    char list[256];
-    nb_unit_list(list, sizeof list, (enum nb_unit_kind)kind);
+static void values(const struct manual *to) {
+  char text[1024];
+  section(to, "Numbers, units and expressions");
+  paragraph(to, "A value in a statement is a number with its sign, `$NAME` or `-$NAME`, or an expression in "
+                "parentheses; one unit may stand "
+                "behind each. What computes stands within parentheses: `radius (R/2)`, `cycles (2*n)`, `velocity "
+                "(v*cos(angle)) m/s 0 m/s`.");
+  paragraph(
+      to, "A unit is one word behind a blank. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or "
+          "µ, m, c, k, M, G (deg has "
+          "none) and powers from 1 to 9, joined by `.` (times) and `/` (over): `0.3 mm`, `2.7 g/cm3`, `4 N.m`, `5 "
+          "1/s`. `%` and `ppm` are "
+          "factors, rad is 1 and deg is pi/180. `0.3 mm` is the double nearest to 0.0003: all units but deg are "
+          "powers of ten of the SI unit. "
+          "With `units none` all numbers are bare; `%` and `ppm` may still stand behind them, and angles are radians.");
+  snprintf(text, sizeof text,
+           "An expression stands in parentheses, behind `let NAME =` and in `--set NAME=`. Names are bare in it, and "
+           "stand for what "
+           "`let` and `sweep` give them. There is `pi`, and there are the functions %s. What binds first stands first: "
+           "a unit; `^`, from right "
+           "to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A number and a name side by side are no "
+           "product: `2 N` is two "
+           "newtons, and `2*N` is twice what the name N stands for.",
+           nb_function_names);
+  paragraph(to, text);
+  paragraph(to, "Dimensions are checked: both sides of `+` and `-` have the same one, and so have the values of hypot, "
+                "atan2, min and max; "
+                "exponents and the values of other functions are numbers, except those of sqrt and abs. Where an angle "
+                "or an angular velocity is wanted, a literal "
+                "has its unit, `30 deg` or `2 rad/s`; an expression may as well be a number, or one in 1/s. "
+                "Expressions are computed in double, operation by operation "
+                "as they are written, functions and powers by the C library. A value that is not finite is a mistake.");
+  paragraph(to, "Units that are usual for each kind of number:");
+  for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     part(to, nb_unit_kind_name((enum nb_unit_kind)kind), NULL,
-         kind == NB_UNIT_NUMBER ? "bare, or with % or ppm" : list);
-  }
+         kind == NB_UNIT_NUMBER ? "bare, or with % or ppm" : nb_unit_list((enum nb_unit_kind)kind));
   end(to);
 }
 
@@ -291,7 +316,7 @@ void nb_manual(FILE *out, bool markdown) {
   expectations(&to);
   figures(&to);
   quantities(&to);
-  units(&to);
+  values(&to);
 }
 
 /* ---- one word ---- */

@@ -62,7 +62,7 @@ bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct n
 }
 
 static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
-  return nb_value_number(a->text) == nb_value_number(b->text) || strcmp(a->text, b->text) == 0;
+  return a->value == b->value || strcmp(a->text, b->text) == 0;
 }
 
 const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *e) {
@@ -170,7 +170,7 @@ static void check_slope(const struct group *group) {
     double seen;
     if (!is_in(group, r, group->first, e->against, ""))
       continue;
-    const double *known = nb_check_known(run, measure), value = nb_value_number(swept(group, r));
+    const double *known = nb_check_known(run, measure), value = binding_of(run, group->e->against)->value;
     if (!known || !(value > 0)) {
       nb_check_say(group->check, false, known ? "`%s` is not a number above 0" : "the reference does not return `%s`",
                    known ? swept(group, r) : measure->label);

@@ -35,13 +35,65 @@ static size_t replace(unsigned char *bytes, size_t size, size_t most, size_t at,
 
 /* Words that stand in the tables of the reader, and some that no table has. */
 static const char *word(unsigned long long *chance) {
-  static const char *const odd[] = {
-      "0",      "-1",       "1e308",  "1e-320",  "9999999999", "0x10", "nan",      "$a",   "$",
-      "#",      "1",        "2",      "3",       "`",          "```",  "```scene", "~~~",  "```expect",
-      "\n",     "rock",     "%",      "of",      "at",         "most", "1e400",    "\xC3", "\t",
-      "none",   "critical", "with",   "to",      "by",         "{",    "[x]",      "and",  "every",
-      "cycles", "in",       "peak",   "reading", "all",        "load", "C.normal", "C",    "contact-beta",
-      "global", "con1",     "mirror", "turn",    "-$a",        "$a$b", "="};
+  static const char *const odd[] = {"0",
+                                    "-1",
+                                    "1e308",
+                                    "1e-320",
+                                    "9999999999",
+                                    "0x10",
+                                    "nan",
+                                    "$a",
+                                    "$",
+                                    "#",
+                                    "1",
+                                    "2",
+                                    "3",
+                                    "`",
+                                    "```",
+                                    "```scene",
+                                    "~~~",
+                                    "```expect",
+                                    "\n",
+                                    "rock",
+                                    "%",
+                                    "of",
+                                    "at",
+                                    "most",
+                                    "1e400",
+                                    "\xC3",
+                                    "\t",
+                                    "none",
+                                    "critical",
+                                    "with",
+                                    "to",
+                                    "by",
+                                    "{",
+                                    "[x]",
+                                    "and",
+                                    "every",
+                                    "cycles",
+                                    "in",
+                                    "peak",
+                                    "reading",
+                                    "all",
+                                    "load",
+                                    "C.normal",
+                                    "C",
+                                    "contact-beta",
+                                    "global",
+                                    "con1",
+                                    "mirror",
+                                    "turn",
+                                    "-$a",
+                                    "$a$b",
+                                    "=",
+                                    "(2*a)",
+                                    "(",
+                                    ")",
+                                    "-(a)",
+                                    "(sqrt(a) m)",
+                                    "v=(1/3)",
+                                    "let a = (1 + 2) mm ^ a / pi"};
   const size_t kind = below(chance, 5);
   if (kind == 0) {
     size_t count = 0;
@@ -55,11 +107,9 @@ static const char *word(unsigned long long *chance) {
     return clause && below(chance, 2) ? clause : row->word;
   }
   if (kind == 1) {
-    const struct nb_unit *units = nb_units();
-    size_t count = 0;
-    while (units[count].name)
-      count++;
-    return units[below(chance, count)].name;
+    static const char *const units[] = {"m",     "mm",  "\u00B5m", "s", "us",  "kg/m3", "kN/m", "N.m", "1/s",
+                                        "rad/s", "rad", "deg",     "J", "kPa", "%",     "ppm",  "m/",  "kg.m/s"};
+    return units[below(chance, sizeof units / sizeof *units)];
   }
   if (kind == 2) {
     const struct nb_expectation_row *rows = nb_expectation_rows();

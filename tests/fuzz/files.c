@@ -34,7 +34,7 @@ static size_t change(unsigned char *text, size_t size, size_t most, unsigned lon
 static const struct {
   const char *first, *second;
 } pages[] = {
-    {"units none\nlet a 2\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nmaterial n density $a kn 1e4\n"
+    {"units none\nlet a = 2\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nmaterial n density $a kn 1e4\n"
      "pair m m friction 0.2\nnormal hertz_increment\nshear mindlin_deresiewicz pieces 3\nwall w -5 0 to 5 0 m\n"
      "lattice spheres 2 by 2 m radius 1 spacing 1.99 from 0 0.995\nsphere 9 1 radius 1 m fixed\ngravity 1 -1\n"
      "step 0.001\nstage a\ncycles 20\n",

@@ -1,0 +1,285 @@
+/* What a statement takes from its line, one by one: numbers with their units, whole numbers, words and names.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "reader.h"
+
+/* ---- numbers and their units ---- */
+
+const char *nb_range_words(enum nb_range range) {
+  static const char *const words[] = {[NB_ANY] = "",
+                                      [NB_POSITIVE] = " above 0",
+                                      [NB_NOT_NEGATIVE] = ", 0 or more",
+                                      [NB_SHARE] = " from 0 to 1",
+                                      [NB_HALF] = " from 0 to 0.5"};
+  return words[range];
+}
+
+static bool within(double value, enum nb_range range) {
+  return range == NB_ANY || (range == NB_POSITIVE && value > 0) || (range == NB_NOT_NEGATIVE && value >= 0) ||
+         (range == NB_SHARE && value >= 0 && value <= 1) || (range == NB_HALF && value >= 0 && value <= 0.5);
+}
+
+/* What a number must be: its dimension, the power of an angle in it, what it is called, and units for the messages. */
+struct wanted {
+  struct nb_unit unit;
+  const char *name, *units;
+  bool per_cycle;
+};
+
+static struct wanted wanted_of(enum nb_unit_kind kind) {
+  struct wanted it = {
+      .name = nb_unit_kind_name(kind), .units = nb_unit_list(kind), .per_cycle = kind == NB_UNIT_STRAIN_RATE};
+  char si[NB_NAME_SIZE];
+  snprintf(si, sizeof si, "%.*s", (int)strcspn(it.units, ","), it.units);
+  nb_unit_read(&it.unit, si);
+  return it;
+}
+
+static bool is_bare(const struct wanted *it) {
+  return !it->unit.angle && nb_dimension_same(it->unit.dimension, (struct nb_dimension){0});
+}
+
+/* "a length and its unit (m, mm, um, nm, cm, km)" */
+static void expectation(char *text, size_t size, const struct nb_reader *reader, const struct wanted *it) {
+  if (is_bare(it))
+    snprintf(text, size, "a number (bare, or with %% or ppm)");
+  else if (reader->unitless)
+    snprintf(text, size, "%s as a bare number (the scene says `units none`)", it->name);
+  else
+    snprintf(text, size, "%s and its unit (%s)", it->name, it->units);
+}
+
+/* A number and what was taken for its unit, which may be NULL: "expected WHAT, found `50 kg`". */
+static bool refuse(struct nb_reader *reader, const struct nb_token *number, const struct nb_token *unit,
+                   const char *hint, const char *what) {
+  struct nb_token both = *number;
+  if (nb_excused(reader->mistakes, "units")) /* whether there are any is not known */
+    return nb_silent(reader);
+  if (unit && unit->column > number->column)
+    both.length = unit->column + unit->length - number->column;
+  char name[NB_NAME_SIZE + 8] = "";
+  if (number->name)
+    snprintf(name, sizeof name, " (`$%s`)", number->name);
+  return nb_token_mistake(reader, &both, hint, "expected %s, found `%.80s%s%.80s`%s", what, number->text,
+                          unit ? " " : "", unit ? unit->text : "", name);
+}
+
+static bool is_number(const struct nb_token *token) {
+  double value;
+  return token && nb_number_read(&value, token->text, 0) == NB_READ;
+}
+
+static const struct nb_token *token_behind(const struct nb_reader *reader, size_t n) {
+  return reader->next + n < reader->count ? &reader->tokens[reader->next + n] : NULL;
+}
+
+static bool is_clause(const struct nb_reader *reader, const struct nb_token *token) {
+  for (const struct nb_argument *field = reader->keyword ? reader->keyword->arguments : NULL; field && field->count;
+       field++)
+    if (field->word && strcmp(field->word, token->text) == 0)
+      return true;
+  return false;
+}
+
+/* Whether the words behind a number are those that stand by themselves in the row, such as the material of a disc: then none of them
+ * is a unit. */
+static bool are_words_of_row(const struct nb_reader *reader) {
+  const struct nb_argument *const fields = reader->keyword ? reader->keyword->arguments : NULL;
+  size_t wanted = 0, words = 0;
+  for (const struct nb_argument *field = fields; field && field->count; field++)
+    wanted += !field->word && field->kind == NB_ARGUMENT_WORD && !(reader->given >> (field - fields) & 1);
+  for (const struct nb_token *token; (token = token_behind(reader, 1 + words)); words++)
+    if (is_clause(reader, token) || is_number(token))
+      break;
+  return words <= wanted;
+}
+
+/* Whether a token is a unit, or nearly one of those that messages name. */
+static bool resembles_unit(const char *text) {
+  struct nb_unit unit;
+  struct nb_guess guess = nb_guess_begin(text);
+  for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
+    nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
+  return nb_unit_read(&unit, text) || (nb_guess_found(&guess) && (guess.distance == 0 || strchr(text, ',')));
+}
+
+/* Whether the token behind a number was meant as its unit. */
+static bool meant_as_unit(const struct nb_reader *reader) {
+  const struct nb_token *token = token_behind(reader, 1);
+  if (!token || is_number(token) || is_clause(reader, token))
+    return false;
+  const bool own = are_words_of_row(reader);
+  if (reader->unitless)
+    return !own && resembles_unit(token->text);
+  return resembles_unit(token->text) || (reader->keyword && !own);
+}
+
+static bool names_angle(const struct wanted *it, const char *text) {
+  struct nb_unit unit;
+  return is_bare(it) && nb_unit_read(&unit, text) && unit.angle;
+}
+
+/* What to type instead of a number without a unit, or with the wrong one. */
+static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
+                             const struct nb_token *unit, const struct wanted *it) {
+  struct nb_guess guess = nb_guess_begin(unit ? unit->text : "");
+  const char *const n = number->computed ? "(...)" : number->text;
+  const char *const where = unit ? "" : ", or begin the scene with `units none`";
+  const char *const second = strchr(it->units, ',');
+  const int length = (int)strcspn(it->units, ",");
+  nb_unit_offer(&guess, it->units);
+  if (unit && number->computed)
+    return NULL;
+  if (unit && (reader->unitless || is_bare(it)))
+    snprintf(hint, NB_HINT_SIZE,
+             names_angle(it, unit->text) ? "the tangent of that angle is `(tan(%.40s %.40s))`" : "write `%.40s`", n,
+             unit->text);
+  else if (unit && nb_guess_found(&guess))
+    return nb_guess_hint(&guess, hint);
+  else if (second)
+    snprintf(hint, NB_HINT_SIZE, "write `%.40s %.*s` or `%.40s %.*s`%s", n, length, it->units, n,
+             (int)strcspn(second + 2, ","), second + 2, where);
+  else
+    snprintf(hint, NB_HINT_SIZE, "write `%.40s %s`%s", n, it->units, where);
+  return hint;
+}
+
+/* Whether the token behind the number is a unit that fits it. A computed value knows no angles. */
+static bool fits(struct nb_unit *unit, const struct nb_reader *reader, const struct wanted *it) {
+  const struct nb_token *token = token_behind(reader, 1);
+  *unit = (struct nb_unit){.factor = 1};
+  if (!token || (it->per_cycle && strcmp(token->text, NB_PER_CYCLE) == 0))
+    return token;
+  struct nb_unit read;
+  if (!nb_unit_read(&read, token->text) || (reader->unitless && !(is_bare(it) && nb_unit_bare(token->text))) ||
+      !nb_dimension_same(read.dimension, it->unit.dimension) ||
+      (read.angle != it->unit.angle && !nb_token_peek(reader)->computed))
+    return false;
+  *unit = read;
+  return true;
+}
+
+static bool may_be_bare(const struct nb_reader *reader, const struct wanted *it) {
+  const bool computed =
+      nb_token_peek(reader)->computed && nb_dimension_same(it->unit.dimension, (struct nb_dimension){0});
+  return computed || reader->unitless || is_bare(it);
+}
+
+static enum nb_reading read_in(double *value, const struct nb_token *number, const struct nb_unit *unit) {
+  const enum nb_reading reading = nb_number_read(value, number->text, number->computed ? 0 : unit->shift);
+  *value = number->computed ? nb_unit_times(*value, unit) : *value * unit->factor;
+  return reading;
+}
+
+static bool take(struct nb_reader *reader, const struct wanted *it, enum nb_range range, double *value) {
+  char what[256], hint[NB_HINT_SIZE];
+  struct nb_unit unit;
+  const struct nb_token *number = nb_token_peek(reader);
+  *value = 1;
+  expectation(what, sizeof what, reader, it);
+  if (!number || nb_number_read(value, number->text, 0) == NB_NO_NUMBER)
+    return nb_expected(reader, NULL, "%s", what);
+  const bool matches = fits(&unit, reader, it);
+  const struct nb_token *behind = matches || meant_as_unit(reader) ? token_behind(reader, 1) : NULL;
+  const enum nb_reading reading = read_in(value, number, &unit);
+  if (reading != NB_READ)
+    return refuse(reader, number, matches ? behind : NULL, NULL, nb_reach(reading));
+  if (!matches && (behind || !may_be_bare(reader, it)))
+    return refuse(reader, number, behind, unit_hint(hint, reader, number, behind, it), what);
+  snprintf(what, sizeof what, "%s%s", it->name, nb_range_words(range));
+  if (!within(*value, range))
+    return refuse(reader, number, behind, NULL, what);
+  reader->next += matches ? 2 : 1;
+  const struct nb_token *next = nb_token_peek(reader);
+  const bool sign = next && strchr("+-*/^", next->text[0]) && !is_number(next);
+  return !sign || nb_expected(reader, NULL, "no operator outside parentheses");
+}
+
+bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value) {
+  const struct wanted it = wanted_of(kind);
+  return take(reader, &it, range, value);
+}
+
+bool nb_take_in(struct nb_reader *reader, const char *si_unit, double *value) {
+  enum nb_unit_kind kind;
+  struct wanted it = {.name = "a number", .units = si_unit};
+  if (nb_unit_kind_of(&kind, si_unit))
+    it = wanted_of(kind);
+  else
+    nb_unit_read(&it.unit, si_unit);
+  return take(reader, &it, NB_ANY, value);
+}
+
+/* ---- whole numbers, words and names ---- */
+
+bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value) {
+  const struct nb_token *token = nb_token_peek(reader);
+  *value = low;
+  size_t digits = token ? strspn(token->text, "0123456789") : 0;
+  if (token && digits > 0 && digits < 19 && token->text[digits] == '\0') {
+    *value = strtoul(token->text, NULL, 10);
+    if (*value >= low && *value <= high)
+      return reader->next++, true;
+  }
+  char what[96];
+  snprintf(what, sizeof what, "a whole number from %lu to %lu", low, high);
+  return is_number(token) ? refuse(reader, token, NULL, NULL, what) : nb_expected(reader, NULL, "%s", what);
+}
+
+bool nb_take_counted(struct nb_reader *reader, const char *one, unsigned long *value) {
+  char several[NB_NAME_SIZE];
+  snprintf(several, sizeof several, "%ss", one);
+  return nb_take_count(reader, 1, NB_COUNT_MAX, value) && (nb_token_skip(reader, one) || nb_take_word(reader, several));
+}
+
+int nb_take_choice(struct nb_reader *reader, const char *words) {
+  const struct nb_token *token = nb_token_peek(reader);
+  char list[256] = "", word[NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  struct nb_guess guess = nb_guess_begin(token ? token->text : "");
+  int index = 0;
+  for (const char *at = words; *at; index++) {
+    const size_t length = strcspn(at, "|"), used = strlen(list);
+    snprintf(word, sizeof word, "%.*s", (int)length, at);
+    if (nb_token_skip(reader, word))
+      return index;
+    nb_guess_offer(&guess, word);
+    at += length + (at[length] != '\0');
+    snprintf(list + used, sizeof list - used, "%s`%s`", !used ? "" : *at ? ", " : " or ", word);
+  }
+  nb_expected(reader, token ? nb_guess_hint(&guess, hint) : NULL, "%s", list);
+  return -1;
+}
+
+bool nb_take_word(struct nb_reader *reader, const char *word) { return nb_take_choice(reader, word) == 0; }
+
+const struct nb_token *nb_take(struct nb_reader *reader, const char *what) {
+  const struct nb_token *token = nb_token_peek(reader);
+  if (!token)
+    nb_expected(reader, NULL, "%s", what);
+  else
+    reader->next++;
+  return token;
+}
+
+const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what) {
+  const struct nb_token *token = nb_token_peek(reader);
+  if (token && nb_is_name(token->text))
+    return nb_take(reader, what);
+  nb_expected(reader, token ? "a name is a letter, then letters, digits, `_` and `-`, less than 64 in all" : NULL, "%s",
+              what);
+  return NULL;
+}
+
+int nb_named(struct nb_reader *reader, const struct nb_token *token, const void *things, size_t count, size_t size,
+             const char *what, const char *otherwise) {
+  char hint[NB_HINT_SIZE];
+  const int index = token ? nb_find(things, count, size, token->text) : -1;
+  if (token && index < 0) {
+    const char *near = nb_nearest(hint, token->text, things, count, size);
+    nb_not_known(reader, token, near ? near : otherwise, what);
+  }
+  return index;
+}
