@@ -22,8 +22,9 @@ static void holds(const struct nb_memory *memory, size_t contact, double first, 
 }
 
 static void kept(int doubles) {
-  struct nb_memory memory;
-  CU_ASSERT_FATAL(nb_memory_create(&memory, doubles, CONTACTS));
+  struct nb_owner owner = {NULL};
+  struct nb_memory memory = nb_memory_create(&owner, doubles, CONTACTS);
+  CU_ASSERT_FATAL(!owner.failed);
   CU_ASSERT_EQUAL(memory.doubles, doubles);
   CU_ASSERT_EQUAL(memory.rows != NULL, doubles > NB_MEMORY);
   for (size_t c = 0; c < CONTACTS; c++)
@@ -44,10 +45,8 @@ static void kept(int doubles) {
       CU_ASSERT_EQUAL(nb_memory_read(&memory, 5, room)[m], 0);
   holds(&memory, 4, 400, doubles);
   holds(&memory, 6, 600, doubles);
-  nb_memory_free(&memory);
-  CU_ASSERT_EQUAL(memory.doubles, 0);
-  CU_ASSERT_PTR_NULL(memory.rows);
-  CU_ASSERT_PTR_NULL(memory.field[0]);
+  nb_owner_free(&owner);
+  CU_ASSERT_EQUAL(owner.count, 0);
 }
 
 static void few(void) {
@@ -57,20 +56,22 @@ static void few(void) {
 static void many(void) {
   kept(FEW + 1);
   kept(MANY);
-  struct nb_memory memory;
-  CU_ASSERT_FATAL(nb_memory_create(&memory, NB_MEMORY_MAX, 1));
+  struct nb_owner owner = {NULL};
+  struct nb_memory memory = nb_memory_create(&owner, NB_MEMORY_MAX, 1);
+  CU_ASSERT_FATAL(!owner.failed);
   CU_ASSERT_EQUAL(memory.doubles, NB_MEMORY_MAX);
-  nb_memory_free(&memory);
+  nb_owner_free(&owner);
 }
 
 /* What there is no field for reads as 0; between memories of unlike length as much is copied as both have. */
 static void unlike(void) {
   static const int sizes[][2] = {{1, FEW}, {FEW, 1}, {FEW + 1, MANY}, {MANY, FEW + 1}};
   for (int k = 0; k < 4; k++) {
-    struct nb_memory from, to;
     double room[NB_MEMORY];
     const int both = sizes[k][0] < sizes[k][1] ? sizes[k][0] : sizes[k][1];
-    CU_ASSERT_FATAL(nb_memory_create(&from, sizes[k][0], 5) && nb_memory_create(&to, sizes[k][1], 5));
+    struct nb_owner owner = {NULL};
+    struct nb_memory from = nb_memory_create(&owner, sizes[k][0], 5), to = nb_memory_create(&owner, sizes[k][1], 5);
+    CU_ASSERT_FATAL(!owner.failed);
     put(&from, 2, 10), put(&from, 3, 50), put(&to, 2, 200), put(&to, 1, 100), put(&to, 3, 300);
     nb_memory_copy(&to, 2, &from, 3);
     holds(&to, 2, 50, both);
@@ -81,19 +82,21 @@ static void unlike(void) {
       CU_ASSERT_EQUAL(seen[m], 200 + m);
     for (int m = sizes[k][0]; m < NB_MEMORY && k < 2; m++)
       CU_ASSERT_EQUAL(nb_memory_read(&from, 3, room)[m], 0);
-    nb_memory_free(&from), nb_memory_free(&to);
+    nb_owner_free(&owner);
   }
 }
 
 /* Fields and rows have nothing in common. */
 static void unlike_in_kind(void) {
   for (int rows = 0; rows < 2; rows++) {
-    struct nb_memory from, to;
-    CU_ASSERT_FATAL(nb_memory_create(&from, rows ? MANY : FEW, 5) && nb_memory_create(&to, rows ? FEW : MANY, 5));
+    struct nb_owner owner = {NULL};
+    struct nb_memory from = nb_memory_create(&owner, rows ? MANY : FEW, 5);
+    struct nb_memory to = nb_memory_create(&owner, rows ? FEW : MANY, 5);
+    CU_ASSERT_FATAL(!owner.failed);
     put(&from, 3, 50), put(&to, 2, 200);
     nb_memory_copy(&to, 2, &from, 3);
     holds(&to, 2, 200, to.doubles);
-    nb_memory_free(&from), nb_memory_free(&to);
+    nb_owner_free(&owner);
   }
 }
 

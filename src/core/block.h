@@ -8,6 +8,7 @@
 #ifndef NB_BLOCK_H
 #define NB_BLOCK_H
 
+#include "array.h"
 #include "error.h"
 #include "vec.h"
 
@@ -107,9 +108,8 @@ static inline double nb_touched(double overlap, double closing) {
 }
 
 /* ---- memory.c ---- */
-bool nb_memory_create(struct nb_memory *memory, int doubles,
-                      size_t contacts); /* nothing remembered; false: no memory */
-void nb_memory_free(struct nb_memory *memory);
+/* Nothing remembered of so many contacts; the owner knows whether memory was out. */
+struct nb_memory nb_memory_create(struct nb_owner *owner, int doubles, size_t contacts);
 struct nb_memory nb_memory_from(const struct nb_memory *memory,
                                 size_t first); /* that of the contacts from `first` on */
 void nb_memory_copy(struct nb_memory *to, size_t there, const struct nb_memory *from, size_t here); /* of one contact */

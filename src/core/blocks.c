@@ -1,13 +1,10 @@
 /* The blocks that the force calculation goes through: contacts of one pairing, shared out to the threads.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdlib.h>
-
 #include "model.h"
 
 static bool sure_begin(struct nb_model *model, size_t blocks) {
-  free(model->blocks.sure);
-  model->blocks.sure = nb_array(blocks, sizeof *model->blocks.sure);
+  model->blocks.sure = nb_own(&model->contacts.owner, blocks, sizeof *model->blocks.sure);
   for (size_t v = 0; model->blocks.sure && v < blocks; v++)
     model->blocks.sure[v].overlap = INFINITY; /* no step has been judged yet */
   return model->blocks.sure != NULL;
@@ -44,8 +41,7 @@ static bool make_counts(struct nb_model *model, size_t blocks) {
   const bool watched = model->plan.kept & NB_BIT(NB_SURE);
   if (!model->plan.elastic)
     nb_deep_end(model);
-  if (!watched)
-    free(model->blocks.sure), model->blocks.sure = NULL;
+  model->blocks.sure = NULL;
   return (!model->plan.elastic || nb_deep_begin(model, blocks)) && (!watched || sure_begin(model, blocks));
 }
 
@@ -55,15 +51,13 @@ enum nb_status nb_blocks_cut(struct nb_model *model, struct nb_error *error) {
   const size_t share = contacts->count / NB_THREAD_SHARE; /* a thread with less to do waits longer than it works */
   model->machine.busy = share < 1 ? 1 : share < (size_t)model->machine.threads ? (int)share : model->machine.threads;
   size_t most = contacts->count / NB_BLOCK + model->pairing_count + 1;
-  free(model->blocks.views), free(model->blocks.stiff);
-  model->blocks.views = nb_array(most, sizeof *model->blocks.views);
-  model->blocks.stiff = nb_array(contacts->count, sizeof *model->blocks.stiff);
-  size_t *start = nb_array(most + 1, sizeof *start);
+  struct nb_owner *owner = &model->contacts.owner;
+  model->blocks.views = nb_own(owner, most, sizeof *model->blocks.views);
+  model->blocks.stiff = nb_own(owner, contacts->count, sizeof *model->blocks.stiff);
+  size_t *start = nb_own(owner, most + 1, sizeof *start);
   const size_t n = start ? cut(start, contacts) : 0;
-  if (!model->blocks.views || !model->blocks.stiff || !start || !make_counts(model, n)) {
-    free(start);
+  if (owner->failed || !make_counts(model, n))
     return nb_error_memory(error);
-  }
   for (size_t v = 0; v < n; v++) {
     size_t thread = 0;
     while (n * (thread + 1) / (size_t)model->machine.busy <= v)
@@ -74,6 +68,5 @@ enum nb_status nb_blocks_cut(struct nb_model *model, struct nb_error *error) {
     model->blocks.views[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_APART : NULL;
   }
   model->blocks.count = n;
-  free(start);
   return NB_OK;
 }

@@ -58,15 +58,6 @@ static void carry_memory(const struct nb_model *model, const struct nb_contacts 
   }
 }
 
-void nb_contacts_free(struct nb_contacts *contacts) {
-  free(contacts->a), free(contacts->b), free(contacts->pairing), free(contacts->muted), free(contacts->force);
-  free(contacts->image);
-  free(contacts->of.first), free(contacts->of.middle), free(contacts->of.entry);
-  for (int f = 0; f < NB_FIELDS; f++)
-    free(contacts->kept[f]);
-  nb_memory_free(&contacts->normal_memory), nb_memory_free(&contacts->shear_memory), nb_memory_free(&contacts->slid);
-}
-
 /* Fixed bodies and walls count as of infinite mass, walls as of infinite radius too. One of a pair is free. */
 static void find_constants(struct nb_contacts *contacts, size_t c, const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
@@ -88,21 +79,24 @@ static void find_images(struct nb_contacts *contacts, const struct nb_model *mod
     contacts->image[c] = nb_wrap_image(&wrap, vec_sub(x[contacts->b[c]], x[contacts->a[c]]));
 }
 
-static bool make_arrays(struct nb_contacts *contacts, const struct nb_model *model) {
+static void make_arrays(struct nb_contacts *contacts, const struct nb_model *model) {
   const size_t n = contacts->count;
-  contacts->a = nb_array(n, sizeof(int)), contacts->b = nb_array(n, sizeof(int));
-  contacts->pairing = nb_array(n, sizeof(int)), contacts->force = nb_array(n, sizeof *contacts->force);
-  bool made = contacts->a && contacts->b && contacts->pairing && contacts->force;
+  struct nb_owner *owner = &contacts->owner;
+  contacts->a = nb_own(owner, n, sizeof(int)), contacts->b = nb_own(owner, n, sizeof(int));
+  contacts->pairing = nb_own(owner, n, sizeof(int)), contacts->force = nb_own(owner, n, sizeof *contacts->force);
   if (model->cell)
-    made = (contacts->image = nb_array(n, sizeof *contacts->image)) && made;
+    contacts->image = nb_own(owner, n, sizeof *contacts->image);
   if (model->joints.any)
-    made = (contacts->muted = nb_array(n, sizeof(int))) && made;
+    contacts->muted = nb_own(owner, n, sizeof(int));
   for (int f = 0; f < NB_FIELDS; f++)
     if (model->plan.kept & NB_BIT(f))
-      made = (contacts->kept[f] = nb_array(n, sizeof(double))) && made;
-  made = nb_memory_create(&contacts->normal_memory, model->plan.memory.normal, n) && made;
-  made = nb_memory_create(&contacts->shear_memory, model->plan.memory.shear, n) && made;
-  return nb_memory_create(&contacts->slid, model->plan.memory.slid, n) && made;
+      contacts->kept[f] = nb_own(owner, n, sizeof(double));
+  contacts->normal_memory = nb_memory_create(owner, model->plan.memory.normal, n);
+  contacts->shear_memory = nb_memory_create(owner, model->plan.memory.shear, n);
+  contacts->slid = nb_memory_create(owner, model->plan.memory.slid, n);
+  contacts->of.first = nb_own(owner, model->bodies.count + 1, sizeof(int));
+  contacts->of.middle = nb_own(owner, model->bodies.count + 1, sizeof(int));
+  contacts->of.entry = nb_own(owner, 2 * n, sizeof(int));
 }
 
 /* Which of the pairs becomes which contact: as they come, but pairing by pairing. */
@@ -123,19 +117,14 @@ static bool number_contacts(int contact[], const struct nb_near_pairs *pairs, co
 /* The contacts of each body in the order of its partners' numbers, walls last: the order in which forces are summed. Partners
  * with smaller numbers come first, so the contacts in which the body is the second one are the first of its entries. That is the
  * order of the pairs. */
-static bool incidence_create(struct nb_incidence *of, const struct nb_near_pairs *pairs, const int contact[],
-                             const struct nb_model *model) {
-  const size_t n = model->bodies.count;
-  of->first = nb_array(n + 1, sizeof(int)), of->middle = nb_array(n + 1, sizeof(int));
-  of->entry = nb_array(2 * pairs->count, sizeof(int));
-  if (!of->first || !of->middle || !of->entry)
-    return false;
+static void fill_incidence(struct nb_incidence *of, const struct nb_near_pairs *pairs, const int contact[],
+                           const struct nb_model *model) {
   for (size_t p = 0; p < pairs->count; p++) {
     of->first[pairs->list[p].a + 1]++;
     if (!model->pairings[pairs->list[p].pairing].wall)
       of->first[pairs->list[p].b + 1]++;
   }
-  for (size_t i = 0; i < n; i++)
+  for (size_t i = 0; i < model->bodies.count; i++)
     of->first[i + 1] += of->first[i], of->middle[i] = of->first[i];
   for (size_t p = 0; p < pairs->count; p++)
     if (!model->pairings[pairs->list[p].pairing].wall)
@@ -145,15 +134,16 @@ static bool incidence_create(struct nb_incidence *of, const struct nb_near_pairs
     at = p > 0 && pairs->list[p - 1].a == a ? at + 1 : (size_t)of->middle[a];
     of->entry[at] = contact[p];
   }
-  return true;
 }
 
 static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
                             const struct nb_near_pairs *pairs) {
   *contacts = (struct nb_contacts){.count = pairs->count};
   int *contact = nb_array(pairs->count, sizeof *contact);
-  const bool made = contact && make_arrays(contacts, model) && number_contacts(contact, pairs, model) &&
-                    incidence_create(&contacts->of, pairs, contact, model);
+  make_arrays(contacts, model);
+  const bool made = contact && !contacts->owner.failed && number_contacts(contact, pairs, model);
+  if (made)
+    fill_incidence(&contacts->of, pairs, contact, model);
   for (size_t p = 0; p < pairs->count && made; p++) {
     const struct nb_near_pair *pair = &pairs->list[p];
     const int c = contact[p];
@@ -172,7 +162,7 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs
   const bool made = contacts_create(&now, model, pairs);
   if (made)
     carry_memory(model, &model->contacts, &now);
-  nb_contacts_free(made ? &model->contacts : &now);
+  nb_owner_free(made ? &model->contacts.owner : &now.owner);
   if (made)
     model->contacts = now;
   return made;

@@ -16,6 +16,7 @@ struct nb_incidence {
 
 /* Every pair that is near: touching, or closer than the skin. Sorted by pairing, then number of a, then of b. */
 struct nb_contacts {
+  struct nb_owner owner; /* of the arrays, and of the blocks that they are cut into */
   size_t count;
   int *a, *b;              /* slots; a has the smaller number; b a wall's index where the pairing is with walls */
   int *pairing;            /* index */
@@ -64,7 +65,6 @@ static inline int nb_touching(const struct nb_contacts *contacts, size_t slot) {
 }
 
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
-void nb_contacts_free(struct nb_contacts *contacts);
 /* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */
 struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
 struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs of bodies: -sum f_i l_j, N m */

@@ -1,26 +1,17 @@
 /* What the laws remember of their contacts: see struct nb_memory in block.h.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "model.h"
 
-bool nb_memory_create(struct nb_memory *memory, int doubles, size_t contacts) {
-  *memory = (struct nb_memory){.doubles = doubles};
+struct nb_memory nb_memory_create(struct nb_owner *owner, int doubles, size_t contacts) {
+  struct nb_memory memory = {.doubles = doubles};
   if (doubles > NB_MEMORY)
-    return (memory->rows = nb_array(contacts * (size_t)doubles, sizeof(double))) != NULL;
-  bool made = true;
-  for (int m = 0; m < doubles; m++)
-    made = (memory->field[m] = nb_array(contacts, sizeof(double))) && made;
-  return made;
-}
-
-void nb_memory_free(struct nb_memory *memory) {
-  for (int m = 0; m < NB_MEMORY; m++)
-    free(memory->field[m]);
-  free(memory->rows);
-  *memory = (struct nb_memory){0};
+    memory.rows = nb_own(owner, contacts * (size_t)doubles, sizeof(double));
+  for (int m = 0; m < doubles && doubles <= NB_MEMORY; m++)
+    memory.field[m] = nb_own(owner, contacts, sizeof(double));
+  return memory;
 }
 
 struct nb_memory nb_memory_from(const struct nb_memory *memory, size_t first) {

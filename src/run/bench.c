@@ -19,12 +19,6 @@
 #include "core/hertz_impact.h"
 #include "observe.h"
 
-static bool make_memory(struct nb_bench_state *state, const struct nb_bench *bench) {
-  state->normal_memory = calloc((size_t)bench->normal_doubles + NB_MEMORY, sizeof(double));
-  state->shear_memory = calloc((size_t)bench->shear_doubles + NB_MEMORY, sizeof(double));
-  return state->normal_memory && state->shear_memory;
-}
-
 enum nb_status nb_bench_create(struct nb_bench *bench, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_body *bodies = scene->bodies;
   const bool wall = scene->body_count == 1;
@@ -36,15 +30,19 @@ enum nb_status nb_bench_create(struct nb_bench *bench, const struct nb_scene *sc
   bench->pair.pieces = nb_law_pieces(bench->shear, scene->pieces);
   bench->normal_doubles = nb_law_memory(bench->normal, bench->pair);
   bench->shear_doubles = nb_law_memory(bench->shear, bench->pair);
-  if (make_memory(&bench->now, bench) && make_memory(&bench->trial, bench))
+  for (int k = 0; k < 2; k++) {
+    struct nb_bench_state *state = k ? &bench->trial : &bench->now;
+    state->normal_memory = nb_own(&bench->owner, (size_t)bench->normal_doubles + NB_MEMORY, sizeof(double));
+    state->shear_memory = nb_own(&bench->owner, (size_t)bench->shear_doubles + NB_MEMORY, sizeof(double));
+  }
+  if (!bench->owner.failed)
     return NB_OK;
   nb_bench_free(bench);
   return nb_error_memory(error);
 }
 
 void nb_bench_free(struct nb_bench *bench) {
-  free(bench->now.normal_memory), free(bench->now.shear_memory);
-  free(bench->trial.normal_memory), free(bench->trial.shear_memory);
+  nb_owner_free(&bench->owner);
   bench->now = bench->trial = (struct nb_bench_state){0};
 }
 

@@ -19,6 +19,7 @@ struct nb_bench_state {
 };
 
 struct nb_bench {
+  struct nb_owner owner; /* of what laws remember */
   const struct nb_scene *scene;
   struct nb_pair pair;
   const struct nb_law *normal, *shear;

@@ -244,10 +244,9 @@ void nb_model_free(struct nb_model *model) {
   if (!model)
     return;
   free(model->joints.list);
-  free(model->blocks.views), free(model->blocks.scratch), free(model->blocks.stiff), free(model->blocks.sure);
-  free(model->deep.counts);
+  free(model->blocks.scratch), free(model->deep.counts);
   nb_properties_free(&model->properties);
-  nb_contacts_free(&model->contacts);
+  nb_owner_free(&model->contacts.owner);
   nb_balance_free(model);
   nb_regions_free(model->regions, model->scene->region_count);
   nb_since_free(model->since);
