@@ -3,7 +3,8 @@
 # runs the unit tests, then the invalid pages, then the cases, until one is red. It lists who caught which mistake; one that nobody caught makes it fail.
 #
 #   make mutants                          all; about a second each
-#   make mutants MUTANTS=shear_linear     those whose file or description has the word; the only way to those of `also` files
+#   make mutants MUTANTS=shear_linear     those whose file or description has the word
+#   make mutants MUTANTS=loading          those of a room; the only way to them
 #
 # What is changed stands in tests/mutants/rules.txt. The copy is kept in mutants/ of the build folder, to build less the next time;
 # `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK are what they say.
@@ -102,27 +103,28 @@ $awk -v OFS="$tab" '
   function put() { if (kind) print kind, words, file, old, new; kind = old = new = file = "" }
   /^#/ || /^$/ { next }
   /^[a-z]+ / { key = $1; value = $0; sub(/^[a-z]+ +/, "", value) }
-  key == "each" || key == "also" { put(); print key, "-", value, "-", "-"; key = ""; next }
+  key == "each" { put(); print key, "-", value, "-", "-"; key = ""; next }
+  key == "room" { put(); room = value; sub(/ .*/, "", room); sub(/^[^ ]+ /, "", value); print key, room, value, "-", "-"; key = ""; next }
   key == "mutant" || key == "equal" { put(); kind = key; words = value; key = ""; next }
   key == "in" { file = value; key = ""; next }
   /^- / { old = substr($0, 3); sub(/^ +/, "", old); next }
   /^\+ / { new = substr($0, 3); sub(/^ +/, "", new); next }
   { print "mistake", NR, "-", "-", "-" }
   END { put() }' tests/mutants/rules.txt >../table
-grep "^mistake" ../table && stop "lines of tests/mutants/rules.txt that are none of: each, also, mutant, equal, in, -, +"
+grep "^mistake" ../table && stop "lines of tests/mutants/rules.txt that are none of: each, room, mutant, equal, in, -, +"
 
 # Where each stands: LINE, COLUMN, LENGTH, new text. A text that is not there, or twice, is a rule that has rotted.
 : >../list
 : >../rotten
 while IFS=$tab read -r kind words file old new; do
   case $kind in
-  each | also)
-    test "$kind" = also && test -z "$only" && continue
+  each | room)
+    test "$kind" = room && test -z "$only" && continue
     set -- $file
     test -f "$1" || echo "each $file: no such file" >>../rotten
     for path in "$@"; do
       $awk -f tests/mutants/small.awk "$path" | while IFS=$tab read -r line at size text; do
-        printf 'each\t%s\t%s\t%s\t%s\t%s\t%s\n' "-" "$path" "$line" "$at" "$size" "$text"
+        printf 'each\t%s\t%s\t%s\t%s\t%s\t%s\n' "$words" "$path" "$line" "$at" "$size" "$text"
       done >>../list
     done
     ;;
@@ -161,7 +163,11 @@ equal() {
 
 # ---- one after the other ---------------------------------------------------------------------------------------------
 
-test -z "$only" || { grep -i -e "$only" ../list >../some; mv ../some ../list; }
+# A file may be in two rooms.
+$awk -F "$tab" -v only="$only" '
+  only != "" && !index(tolower($2), tolower(only)) && !index(tolower($3), tolower(only)) { next }
+  !seen[$3, $4, $5, $6, $7]++' ../list >../some
+mv ../some ../list
 count=$(wc -l <../list)
 began=$(date +%s)
 n=0 caught=0 none=0 same=0
