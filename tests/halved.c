@@ -208,7 +208,7 @@ static void halves_are_the_whole(struct nb_scene *scene, const char *name) {
     check_halves(scene, name, again);
 }
 
-static void every_stage_in_two(void) { every_page(halves_are_the_whole, 2e4); }
+static void every_stage_in_two(void) { every_page(halves_are_the_whole, 1.2e4); }
 
 /* ---- from a state ---- */
 
@@ -273,7 +273,7 @@ static void states_go_on(struct nb_scene *scene, const char *name) {
 }
 
 static void every_half_from_a_state(void) {
-  every_page(states_go_on, 2e4);
+  every_page(states_go_on, 1.2e4);
   for (int r = 0; r < RECORDS; r++) {
     if (!written[r])
       printf("# in no state of a page: %s\n", records[r]);

@@ -2,6 +2,8 @@
  * quotient or a root, so every number that comes out must be what its unit says, to the bit. Exponents that are multiples of 6 hold for
  * square and cube roots as well.
  *
+ * The second run also stores particles in another order and has no wide instructions, which changes no bit either.
+ *
  * A disc is 1 m thick whatever the scale: its density is a mass per area and its stress a force per length. Of a scene with discs that
  * also gives a Young's modulus, or has spheres as well, only masses and times are scaled; so they are where the duration of an impact is
  * asked for, which takes a fifth root.
@@ -235,12 +237,12 @@ static void same_in_other_units(struct nb_scene *scene, const char *name) {
   struct nb_error error = {NB_OK, ""};
   if (scene->start.stages > 0) /* from a state of its own scale */
     return;
-  const struct nb_options options = {.threads = 1};
+  const struct nb_options as_ever = {.threads = 1}, otherwise = {.threads = 1, .shuffle = true, .isa = "plain"};
   note_quantities(scene);
   scene->unitless = false; /* for the units of the table */
-  const enum nb_status first = nb_run(&small, scene, &options, NULL, &error);
+  const enum nb_status first = nb_run(&small, scene, &as_ever, NULL, &error);
   scale(scene);
-  const enum nb_status second = nb_run(&large, scene, &options, NULL, &error);
+  const enum nb_status second = nb_run(&large, scene, &otherwise, NULL, &error);
   if (first || second)
     printf("# %s: %d and %d: %s\n", name, first, second, error.text);
   CU_ASSERT_EQUAL(first, second);
@@ -253,7 +255,7 @@ static void same_in_other_units(struct nb_scene *scene, const char *name) {
 
 static void every_page_in_other_units(void) {
   struct nb_quantity_row row;
-  every_page(same_in_other_units, 1e5);
+  every_page(same_in_other_units, 6e4);
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     CU_ASSERT_FATAL(k < sizeof met);
     if (!met[k])
