@@ -477,7 +477,6 @@ MEASURE = \
   src/measure/stable_step.c \
   src/measure/step.c \
   src/measure/step.h \
-  src/measure/step_quantities.c \
   src/measure/strain.c \
   src/measure/stress.c \
   src/measure/watch.c

@@ -15,7 +15,7 @@
 /* ---- rows elsewhere ---- */
 
 /* The last row of each has no name. */
-extern const struct nb_quantity_kind nb_step_kinds[];    /* step_quantities.c */
+extern const struct nb_quantity_kind nb_step_kinds[];    /* step.c */
 extern const struct nb_quantity_kind nb_loading_kinds[]; /* loading_quantities.c */
 extern const struct nb_quantity_kind nb_impact_kinds[];  /* impact.c */
 extern const struct nb_quantity_kind nb_fill_kinds[];    /* fill_quantities.c */

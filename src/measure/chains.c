@@ -31,10 +31,6 @@ bool nb_chains_create(struct nb_model *model) {
   return model->regions->chained != NULL;
 }
 
-static bool counts(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
-  return model->bodies.inverse_mass[slot] > 0 && nb_region_holds(model, region, slot);
-}
-
 /* Answers how many bodies there are. */
 static double find_strong(const struct nb_model *model, const struct nb_region_now *region) {
   struct nb_chain_body *chained = model->regions->chained;
@@ -43,16 +39,16 @@ static double find_strong(const struct nb_model *model, const struct nb_region_n
   for (size_t i = 0; i < bodies->count; i++)
     chained[i] = (struct nb_chain_body){.root = (int)i, .bodies = 1};
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
-    const struct nb_vec felt = vec_add(vec_scale(end.push, end.e), vec_scale(end.drag, vec_clockwise(end.e)));
-    const struct nb_tensor part = tensor_outer(felt, vec_scale(end.arm / nb_region_volume(model, end.slot), end.e));
+    const struct nb_tensor part =
+        tensor_outer(nb_end_force(&end), vec_scale(end.arm / nb_region_volume(model, end.slot), end.e));
     chained[end.slot].stress = tensor_add(chained[end.slot].stress, part);
   }
   double sum = 0, count = 0;
-  for (size_t k = 0; k < bodies->count; k++)
-    if (counts(model, region, (size_t)bodies->slot[k]))
-      sum += tensor_major(chained[bodies->slot[k]].stress), count++;
-  for (size_t i = 0; i < bodies->count; i++)
-    chained[i].strong = counts(model, region, i) && tensor_major(chained[i].stress) * count > sum;
+  for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
+    if (bodies->inverse_mass[i] > 0)
+      sum += tensor_major(chained[i].stress), count++;
+  for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
+    chained[i].strong = bodies->inverse_mass[i] > 0 && tensor_major(chained[i].stress) * count > sum;
   return count;
 }
 

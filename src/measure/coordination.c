@@ -54,9 +54,7 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_now 
   find_rattlers(model);
   const int *touching = model->regions->touching;
   double loaded = 0; /* bodies */
-  for (size_t i = 0; i < model->bodies.count; i++) {
-    if (!nb_region_holds(model, region, i))
-      continue;
+  for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
     it->bodies++;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
     it->loaded += touching[i] >= 0 ? touching[i] : 0;

@@ -13,15 +13,22 @@ static double kinetic_of(const struct nb_bodies *bodies, size_t i, struct nb_sta
   return (bodies->mass[i] * vec_dot(v.velocity, v.velocity) + bodies->inertia[i] * (v.spin * v.spin)) / 2;
 }
 
+/* for (size_t k = 0, i; next_free(bodies, &k, &i);): slot i of each body that is free, in the order of numbers. */
+static bool next_free(const struct nb_bodies *bodies, size_t *k, size_t *slot) {
+  while (*k < bodies->count) {
+    *slot = (size_t)bodies->slot[(*k)++];
+    if (bodies->inverse_mass[*slot] > 0)
+      return true;
+  }
+  return false;
+}
+
 static double kinetic(const struct nb_model *model,
                       struct nb_state (*velocity)(const struct nb_model *model, size_t slot)) {
   const struct nb_bodies *bodies = &model->bodies;
   double sum = 0;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (bodies->inverse_mass[i] > 0)
-      sum += kinetic_of(bodies, i, velocity(model, i));
-  }
+  for (size_t k = 0, i; next_free(bodies, &k, &i);)
+    sum += kinetic_of(bodies, i, velocity(model, i));
   return sum;
 }
 
@@ -74,21 +81,15 @@ double nb_energy_of_body(const struct nb_model *model, size_t slot) {
 struct nb_vec nb_momentum(const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   struct nb_vec sum = vec(0, 0);
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (bodies->inverse_mass[i] > 0)
-      sum = vec_add(sum, vec_scale(bodies->mass[i], nb_velocity_now(model, i).velocity));
-  }
+  for (size_t k = 0, i; next_free(bodies, &k, &i);)
+    sum = vec_add(sum, vec_scale(bodies->mass[i], nb_velocity_now(model, i).velocity));
   return sum;
 }
 
 double nb_momentum_angular(const struct nb_model *model) {
   const struct nb_bodies *bodies = &model->bodies;
   double sum = 0;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (!(bodies->inverse_mass[i] > 0))
-      continue;
+  for (size_t k = 0, i; next_free(bodies, &k, &i);) {
     const struct nb_state v = nb_velocity_now(model, i);
     const struct nb_vec x = bodies->position[i];
     sum += bodies->mass[i] * (x.x * v.velocity.y - x.y * v.velocity.x) + bodies->inertia[i] * v.spin;

@@ -42,11 +42,8 @@ static void divide(struct nb_anisotropy *phi, double sum) {
 
 static double mean_radius(const struct nb_model *model, const struct nb_region_now *region) {
   double sum = 0, count = 0;
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const size_t i = (size_t)model->bodies.slot[k];
-    if (nb_region_holds(model, region, i))
-      sum += model->bodies.rim[i].x, count++;
-  }
+  for (size_t k = 0, i; nb_region_next(model, region, &k, &i); count++)
+    sum += model->bodies.rim[i].x;
   return count > 0 ? sum / count : 0;
 }
 

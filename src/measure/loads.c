@@ -42,12 +42,9 @@ static bool belongs(const struct nb_model *model, const struct nb_region_now *re
 
 static double mean_force_sum(const struct nb_model *model, const struct nb_region_now *region) {
   double sum = 0, count = 0;
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const size_t i = (size_t)model->bodies.slot[k];
-    if (!nb_region_holds(model, region, i) || !(model->bodies.inverse_mass[i] > 0))
-      continue;
-    sum += vec_length(nb_force_left(model, i)), count++;
-  }
+  for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
+    if (model->bodies.inverse_mass[i] > 0)
+      sum += vec_length(nb_force_left(model, i)), count++;
   return count > 0 ? sum / count : 0;
 }
 

@@ -147,7 +147,17 @@ bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *r
   return fabs(vec_dot(x, along)) <= region->it->half_x && fabs(along.x * x.y - along.y * x.x) <= region->it->half_y;
 }
 
-double nb_region_part(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
+bool nb_region_next(const struct nb_model *model, const struct nb_region_now *region, size_t *k, size_t *slot) {
+  while (*k < model->bodies.count) {
+    *slot = (size_t)model->bodies.slot[(*k)++];
+    if (nb_region_holds(model, region, *slot))
+      return true;
+  }
+  return false;
+}
+
+/* Of the body's outline what is inside, m2. */
+static double part_of(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
   const double radius = model->bodies.rim[slot].x;
   const struct nb_vec x = place_of(model, region, slot);
   if (nb_gone(model, slot))
@@ -167,12 +177,9 @@ struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_n
 
 bool nb_ends_body(struct nb_ends *ends) {
   const struct nb_model *model = ends->model;
-  while (ends->body < model->bodies.count) {
-    const size_t slot = (size_t)model->bodies.slot[ends->body++];
-    if (!nb_region_holds(model, ends->region, slot))
-      continue;
-    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, slot);
-    ends->slot = slot, ends->next = its.first, ends->end = its.end;
+  while (nb_region_next(model, ends->region, &ends->body, &ends->slot)) {
+    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, ends->slot);
+    ends->next = its.first, ends->end = its.end;
     if (ends->next < ends->end)
       return true;
   }
@@ -186,11 +193,11 @@ double nb_region_volume(const struct nb_model *model, size_t slot) {
   return model->scene->bodies[model->bodies.number[slot] - 1].shape == NB_SPHERE ? 4 * area * r / 3 : area;
 }
 
-static void measure_porosity(const struct nb_model *model, struct nb_region_now *region) {
+void nb_measure_porosity(const struct nb_model *model, struct nb_region_now *region) {
   double area = 0, volume = 0;
   for (size_t k = 0; k < model->bodies.count; k++) {
     const size_t i = (size_t)model->bodies.slot[k];
-    const double part = nb_region_part(model, region, i);
+    const double part = part_of(model, region, i);
     area += part;
     volume += part > 0 ? nb_region_volume(model, i) * (part / nb_area_of_disc(model->bodies.rim[i].x)) : 0;
   }
@@ -202,13 +209,9 @@ static void measure_porosity(const struct nb_model *model, struct nb_region_now 
 /* ---- measures ---- */
 
 const struct nb_region_now *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which) {
-  static void (*const measures[NB_MEASURES])(const struct nb_model *, struct nb_region_now *) = {
-      [NB_STRESS] = nb_measure_stress, [NB_STRESS_PARTS] = nb_measure_stress_parts,
-      [NB_FABRIC] = nb_measure_fabric, [NB_POROSITY] = measure_porosity,
-      [NB_LOADS] = nb_measure_loads,   [NB_COORDINATION] = nb_measure_coordination,
-      [NB_STRAIN] = nb_measure_strain, [NB_SPEEDS] = nb_measure_speeds,
-      [NB_PARTED] = nb_measure_parted, [NB_CHAINS] = nb_measure_chains,
-  };
+#define ROW(number, name) nb_measure_##name,
+  static void (*const measures[])(const struct nb_model *, struct nb_region_now *) = {NB_MEASURE_ROWS(ROW)};
+#undef ROW
   struct nb_region_now *now = nb_region_now(model, region);
   if (now->measured[which] != model->cycle + 1) {
     now->measured[which] = model->cycle + 1;

@@ -71,19 +71,20 @@ struct nb_chains {
   double count, length, share; /* chains; bodies of one; of the free bodies, those in chains */
   double turn;                 /* mean angle between successive links, rad */
 };
-enum nb_measure {
-  NB_STRESS,
-  NB_STRESS_PARTS,
-  NB_FABRIC,
-  NB_POROSITY,
-  NB_COORDINATION,
-  NB_LOADS,
-  NB_STRAIN,
-  NB_SPEEDS,
-  NB_PARTED,
-  NB_CHAINS,
-  NB_MEASURES
-};
+/* The measures: each has a function nb_measure_NAME, called by nb_region_measured alone. */
+#define NB_MEASURE_ROWS(ROW)                                                                                           \
+  ROW(NB_STRESS, stress)                                                                                               \
+  ROW(NB_STRESS_PARTS, stress_parts)                                                                                   \
+  ROW(NB_FABRIC, fabric)                                                                                               \
+  ROW(NB_POROSITY, porosity)                                                                                           \
+  ROW(NB_COORDINATION, coordination)                                                                                   \
+  ROW(NB_LOADS, loads)                                                                                                 \
+  ROW(NB_STRAIN, strain)                                                                                               \
+  ROW(NB_SPEEDS, speeds)                                                                                               \
+  ROW(NB_PARTED, parted)                                                                                               \
+  ROW(NB_CHAINS, chains)
+#define NB_MEASURE_NUMBER(number, name) number,
+enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
 
 /* A region as it is in a cycle. */
 struct nb_region_now {
@@ -125,13 +126,10 @@ void nb_regions_free(struct nb_regions *regions, size_t count);
 struct nb_region_now *nb_region_now(const struct nb_model *model, int region);
 /* With that measure, worked out in this cycle. */
 const struct nb_region_now *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);
-static inline int nb_region_index(const struct nb_model *model, const struct nb_region_now *region) {
-  return (int)(region - model->regions->list);
-}
 bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot); /* its centre */
+/* for (size_t k = 0, i; nb_region_next(model, region, &k, &i);): slot i of each body inside, in the order of numbers. */
+bool nb_region_next(const struct nb_model *model, const struct nb_region_now *region, size_t *k, size_t *slot);
 double nb_region_volume(const struct nb_model *model, size_t slot); /* of a body, m3; a disc is 1 m thick */
-double nb_region_part(const struct nb_model *model, const struct nb_region_now *region,
-                      size_t slot); /* of its outline, m2 */
 
 /* Contacts end by end: on each body inside, in the order of their numbers, its contacts in that of its partners'. */
 struct nb_end {
@@ -141,6 +139,9 @@ struct nb_end {
   double arm;        /* from its centre to where they touch, m */
   double push, drag; /* N: the body feels -(push e + drag t), t = (e2, -e1), dashpots included */
 };
+static inline struct nb_vec nb_end_force(const struct nb_end *end) { /* from the body on what it touches, N */
+  return vec_add(vec_scale(end->push, end->e), vec_scale(end->drag, vec_clockwise(end->e)));
+}
 struct nb_ends {
   const struct nb_model *model;
   const struct nb_region_now *region; /* NULL: everywhere */
@@ -202,15 +203,8 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
 #define NB_ASKS_PARTED (1u << 25)              /* contacts lost and new, fabric.c */
 bool nb_chains_create(struct nb_model *model); /* room; false: no memory */
 
-/* Each works out its measure of a region: called by nb_region_measured alone. */
-void nb_measure_stress(const struct nb_model *model, struct nb_region_now *region);
-void nb_measure_stress_parts(const struct nb_model *model, struct nb_region_now *region);
-void nb_measure_fabric(const struct nb_model *model, struct nb_region_now *region);
-void nb_measure_coordination(const struct nb_model *model, struct nb_region_now *region);
-void nb_measure_loads(const struct nb_model *model, struct nb_region_now *region);
-void nb_measure_strain(const struct nb_model *model, struct nb_region_now *region);
-void nb_measure_speeds(const struct nb_model *model, struct nb_region_now *region);
-void nb_measure_parted(const struct nb_model *model, struct nb_region_now *region);
-void nb_measure_chains(const struct nb_model *model, struct nb_region_now *region);
+#define NB_MEASURE_FUNCTION(number, name)                                                                              \
+  void nb_measure_##name(const struct nb_model *model, struct nb_region_now *region);
+NB_MEASURE_ROWS(NB_MEASURE_FUNCTION)
 
 #endif

@@ -102,9 +102,8 @@ void nb_measure_speeds(const struct nb_model *model, struct nb_region_now *regio
   struct nb_speeds *it = &region->speeds;
   *it = (struct nb_speeds){0};
   double count = 0;
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const size_t i = (size_t)model->bodies.slot[k];
-    if (!(model->bodies.inverse_mass[i] > 0) || !nb_region_holds(model, region, i))
+  for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
+    if (!(model->bodies.inverse_mass[i] > 0))
       continue;
     bool stored;
     const struct nb_vec c = carried(model, i, &stored), v = nb_velocity_now(model, i).velocity;

@@ -36,10 +36,8 @@ static double mean_push(const struct nb_model *model, const struct nb_region_now
 static struct nb_tensor by_particles(const struct nb_model *model, const struct nb_region_now *region) {
   struct nb_tensor sum = {0, 0, 0, 0};
   struct nb_end end;
-  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
-    const struct nb_vec felt = vec_add(vec_scale(end.push, end.e), vec_scale(end.drag, vec_clockwise(end.e)));
-    sum = tensor_add(sum, tensor_outer(felt, vec_scale(end.arm, end.e)));
-  }
+  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);)
+    sum = tensor_add(sum, tensor_outer(nb_end_force(&end), vec_scale(end.arm, end.e)));
   return sum;
 }
 
@@ -120,7 +118,7 @@ void nb_measure_stress(const struct nb_model *model, struct nb_region_now *regio
 void nb_measure_stress_parts(const struct nb_model *model, struct nb_region_now *region) {
   struct nb_stress *stress = &region->stress;
   const double per = per_volume(region);
-  nb_region_measured(model, nb_region_index(model, region), NB_STRESS);
+  nb_region_measured(model, (int)(region - model->regions->list), NB_STRESS);
   find_parts(stress, model, region);
   for (int k = 0; k < NB_STRESS_PARTS_COUNT; k++) {
     stress->part[k].stress = tensor_scale(per, stress->part[k].stress);
