@@ -75,7 +75,7 @@ awk '
         word = substr(line, 4, index(substr(line, 4), "`") - 1)
         sub(/\..*/, "", word)
         row(held, of ": " word)
-        if (of !~ /body|wall|pair|region|grading|bench/ || of == "a box of walls") alone[word] = of
+        if (of !~ /particle|wall|pair|region|grading|contact test/ || of == "a box of walls") alone[word] = of
       }
     }
   }
@@ -106,7 +106,7 @@ awk '
     if (text ~ /^region /) return "a region"
     if (text ~ / grading /) return "a grading"
     if (text ~ / with /) return "a pair"
-    return text ~ /^watch +[^ ]+ +wall / ? "a wall" : "a body"
+    return text ~ /^watch +[^ ]+ +wall / ? "a wall" : "a particle"
   }
   function scene_line(text, place,  verb, i, m, all) {
     if (text ~ /^ramp /) { found("In a stage", "ramp"); sub(/^ramp +/, "", text) }
@@ -135,7 +135,7 @@ awk '
     of = index(word, ".") ? kind[substr(word, 1, index(word, ".") - 1)] : ""
     if (of != "") sub(/^[^.]*\./, "", word)
     sub(/\..*/, "", word)
-    if (path) of = "the contact on the bench"
+    if (path) of = "a contact test"
     if (of == "") of = alone[word]
     found(held, of ": " word)
   }

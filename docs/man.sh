@@ -47,7 +47,7 @@ A page's `gnuplot` block is a program. `figure` and `report` run it confined, by
 - `NAME.out/table.tsv`: what the page records, a row a cycle; numbers as %.17g, which read back to the same bits
 - `NAME.out/values.tsv`: every measure of the expect blocks, computed and reference, a row a run
 - `NAME.out/verdict.tsv`: every expectation, and whether it passed
-- `NAME.out/STAGE-bodies.tsv, -walls.tsv, -contacts.tsv`: what `snapshot` keeps
+- `NAME.out/STAGE-particles.tsv, -walls.tsv, -contacts.tsv`: what `snapshot` keeps
 - `NAME.out/NAME.gp, NAME.svg, NAME.png`: the figure, and the script that drew it
 
 TEXT

@@ -1,6 +1,6 @@
 # Discs as they lie, coloured by their size, several assemblies beside each other from west to east. The page says before
 #
-#   assemblies = '$look_bodies_1 $look_bodies_2'    # snapshots of bodies, by the name of their stage and their run
+#   assemblies = '$look_particles_1 $look_particles_2'    # snapshots of particles, by the name of their stage and their run
 #   aside = 0.05                                    # from the origin of one to that of the next, in units of length
 set size ratio -1
 unset border

@@ -1,7 +1,7 @@
 # Contact forces of an assembly: a line through each contact from centre to centre, in four widths, by its force over the mean one: to a half, to
 # one, to two, beyond. The page says before
 #
-#   bodies = '$rest_bodies'; contacts = '$rest_contacts'    # snapshots, by the name of their stage
+#   particles = '$rest_particles'; contacts = '$rest_contacts'    # snapshots, by the name of their stage
 set size ratio -1
 unset border
 unset tics
@@ -14,5 +14,5 @@ array from[4] = [0, 0.5, 1, 2]
 array to[4] = [0.5, 1, 2, 1e9]
 array width[4] = [0.3, 0.8, 1.8, 3.5]
 # between the two outlines is x, y: half an overlap, which no one sees, beside the end of the radius
-plot @bodies using 2:3:4 with circles lc rgb '#bbbbbb' lw 0.3 fs empty, \
+plot @particles using 2:3:4 with circles lc rgb '#bbbbbb' lw 0.3 fs empty, \
      for [k = 1:4] @contacts using (strong(from[k], to[k]) ? $4 - $6 * $8 : NaN):($5 - $6 * $9):(($6 + $7) * $8):(($6 + $7) * $9) with vectors nohead lw width[k] lc rgb '#0072b2'

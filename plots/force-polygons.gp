@@ -1,7 +1,7 @@
-# Force polygons: the forces of its contacts on a body head to tail, in the order in which the contacts follow each other round it, drawn at its
+# Force polygons: the forces of its contacts on a particle head to tail, in the order in which the contacts follow each other round it, drawn at its
 # centre [R89 4.1]. What is in balance closes; what is left over is orange. The page says before
 #
-#   bodies = '$rest_bodies'; contacts = '$rest_contacts'; longest = 0.0004    # of the largest force, in units of length
+#   particles = '$rest_particles'; contacts = '$rest_contacts'; longest = 0.0004    # of the largest force, in units of length
 #   chosen(x, y) = 1                                                          # where polygons are drawn
 set size ratio -1
 unset border
@@ -9,17 +9,17 @@ unset tics
 unset grid
 unset key
 set offsets graph 0.08, graph 0.08, graph 0.08, graph 0.08
-# columns of a table of contacts: bodies 1 and 2, force on the first 14 and 15, direction to the second 16
+# columns of a table of contacts: particles 1 and 2, force on the first 14 and 15, direction to the second 16
 stats @contacts using (sqrt($14**2 + $15**2)) name 'force' nooutput
-stats @bodies using 1 name 'body' nooutput
-array sides[int(body_max)]
+stats @particles using 1 name 'particle' nooutput
+array sides[int(particle_max)]
 do for [i = 1:|sides|] { sides[i] = '' }
 side(i, angle, fx, fy) = i > 0 ? (sides[i] = sides[i] . sprintf(' %.6f %.9g %.9g', angle - 2 * pi * floor(angle / 2 / pi), fx, fy)) : ''
 stats @contacts using (side(int($1), $16, $14, $15), side(int($2), $16 + pi, -$14, -$15), 0) nooutput
 number(i, k) = real(word(sides[i], k))
 array at_x[|sides|]
 array at_y[|sides|]
-stats @bodies using (at_x[int($1)] = $2, at_y[int($1)] = $3, 0) nooutput
+stats @particles using (at_x[int($1)] = $2, at_y[int($1)] = $3, 0) nooutput
 set print $polygons
 do for [i = 1:|sides|] {
   if (words(sides[i]) >= 6 && chosen(at_x[i], at_y[i])) {
@@ -40,7 +40,7 @@ do for [i = 1:|sides|] {
 }
 unset print
 set datafile nocolumnheaders
-plot @bodies every ::1 using 2:3:4 with circles lc rgb '#cccccc' fs empty, \
+plot @particles every ::1 using 2:3:4 with circles lc rgb '#cccccc' fs empty, \
      $polygons using 1:2 with lines lw 1.2 lc rgb '#0072b2', \
      $polygons using 1:2:3:4 with vectors nohead lw 2.5 lc rgb '#d55e00'
 set datafile columnheaders

@@ -1,7 +1,7 @@
 # Contact forces as Cundall and Strack draw them [CS79 figure 5b, section Units]: a rectangle through each contact along its force, as
 # long as the sum of the two radii, its width in proportion to the force. The page says before
 #
-#   bodies = '$rest_bodies'; walls = '$rest_walls'; contacts = '$rest_contacts'    # snapshots, by the name of their stage
+#   particles = '$rest_particles'; walls = '$rest_walls'; contacts = '$rest_contacts'    # snapshots, by the name of their stage
 #   widest = 20                                                                    # width of the largest force, in units of length
 set size ratio -1
 unset border
@@ -26,5 +26,5 @@ do for [i = 1:force_records] {
 unset print
 set datafile nocolumnheaders
 plot $rectangles using 1:2 with filledcurves closed fc rgb '#0072b2' fs solid, \
-     @bodies every ::1 using 2:3:4 with circles lc rgb '#888888' fs empty, \
+     @particles every ::1 using 2:3:4 with circles lc rgb '#888888' fs empty, \
      @walls every ::1 using 2:3:($4-$2):($5-$3) with vectors nohead lw 2 lc rgb 'black'

@@ -1,6 +1,6 @@
 # How far contacts have slid since the reference: a bar along each contact's tangent, the longest so long as the page says [R89 4.2]
 #
-#   bodies = '$rest_bodies'; contacts = '$rest_contacts'; longest = 0.001    # of `snapshot from STAGE`; in units of length
+#   particles = '$rest_particles'; contacts = '$rest_contacts'; longest = 0.001    # of `snapshot from STAGE`; in units of length
 set size ratio -1
 unset border
 unset tics
@@ -10,5 +10,5 @@ set offsets graph 0.08, graph 0.08, graph 0.08, graph 0.08
 # columns of a table of contacts: x 4, y 5, direction 8 and 9, slid 23
 stats @contacts using 23 name 'slid' nooutput
 along(c) = slid_max > 0 ? column(c) / slid_max * longest : 0
-plot @bodies using 2:3:4 with circles lc rgb '#cccccc' fs empty, \
+plot @particles using 2:3:4 with circles lc rgb '#cccccc' fs empty, \
      @contacts using ($4 + $9 * along(23) / 2):($5 - $8 * along(23) / 2):(-$9 * along(23)):($8 * along(23)) with vectors nohead lw 2.5 lc rgb '#d55e00'

@@ -1,4 +1,4 @@
-# The space lattice that is equivalent to an assembly: lines between the centres of bodies that touch; those that are new since
+# The space lattice that is equivalent to an assembly: lines between the centres of particles that touch; those that are new since
 # the reference thick and orange, those that are lost dashed and blue [R89 figure 6.35]. The page says before
 #
 #   lattice = '$rest_lattice'    # of `snapshot from STAGE`

@@ -1,12 +1,12 @@
-# Velocities of bodies, arrows from their centres, the largest so long as the page says [R89 figure 6.31]:
+# Velocities of particles, arrows from their centres, the largest so long as the page says [R89 figure 6.31]:
 #
-#   bodies = '$rest_bodies'; longest = 2    # in units of length
+#   particles = '$rest_particles'; longest = 2    # in units of length
 set size ratio -1
 unset border
 unset tics
 unset grid
 unset key
 set offsets graph 0.08, graph 0.08, graph 0.08, graph 0.08
-stats @bodies using (sqrt($6**2 + $7**2)) name 'speed' nooutput
-plot @bodies using 2:3:4 with circles lc rgb '#cccccc' fs empty, \
-     @bodies using 2:3:(longest * $6 / speed_max):(longest * $7 / speed_max) with vectors head filled size graph 0.02,20 lc rgb '#0072b2'
+stats @particles using (sqrt($6**2 + $7**2)) name 'speed' nooutput
+plot @particles using 2:3:4 with circles lc rgb '#cccccc' fs empty, \
+     @particles using 2:3:(longest * $6 / speed_max):(longest * $7 / speed_max) with vectors head filled size graph 0.02,20 lc rgb '#0072b2'

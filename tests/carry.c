@@ -68,7 +68,7 @@ static double residual(int which, double dt, double *driven) {
   static const char *const back[] = {"boundary strain 0.03 -0.02\ncontinuum none\n", "cell strain 0.03 0.01\n"};
   double value[2];
   for (int k = 0; k < 2; k++) {
-    static const char *const names[] = {"energy.residual", "energy.driven"};
+    static const char *const names[] = {"energy.residual", "energy.imposed"};
     struct words page = {0};
     words_add(&page,
               "units none\nmaterial m density 2 kn 4000\nstep %g\ngravity 2 -3\n"

@@ -14,13 +14,13 @@ static const double pi = 3.14159265358979323846;
 /* Chains of the region A. */
 static void is(struct words *page, double chains, double length, double share, double turn) {
   struct written it;
-  words_add(page, "region A all\nrecord A.chains A.chains.length A.chains.share A.chains.turn\nstage s\ncycles 1\n");
+  words_add(page, "region A all\nrecord A.chains A.chains.length A.chains.fraction A.chains.bend\nstage s\ncycles 1\n");
   written_scene(&it, page);
   struct nb_model *model = written_model(&it, &(struct nb_options){.shuffle = true});
   CU_ASSERT_EQUAL(written_now(model, "A.chains"), chains);
   CU_ASSERT_EQUAL(written_now(model, "A.chains.length"), length);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.share"), share, 1e-15);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.turn"), turn, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.fraction"), share, 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.bend"), turn, 1e-12);
   nb_model_free(model);
   written_free(&it);
 }
@@ -106,14 +106,14 @@ static void shear_counts(void) {
                    "wall w -0.99 -1 to -0.99 1 m\nwall e 4.97 -1 to 4.97 1 m\n"
                    "lattice discs 3 by 1 from 20 0 radius 1 spacing 1.99 m\nwall ww 19.01 -1 to 19.01 1 m\n"
                    "wall ee 24.97 -1 to 24.97 1 m\ndisc 40 0 radius 1 m\nregion A all\nrecord A.chains "
-                   "A.chains.share\nstage s\ncycles 1\nstage t\ncycles 1\n");
+                   "A.chains.fraction\nstage s\ncycles 1\nstage t\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL(written_now(model, "A.chains"), 2);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 1);
   CU_ASSERT_EQUAL(written_now(model, "A.chains"), 1);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.share"), 3 / 7., 1e-15);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.fraction"), 3 / 7., 1e-15);
   nb_model_free(model);
   written_free(&it);
 }

@@ -28,7 +28,7 @@ static double after(const char *statements, const char *name) {
 }
 
 #define ONE                                                                                                            \
-  "disc 13 -6 radius 1 m velocity 7 5 spin 3\nwatch D disc 1\nrecord D.x D.y D.vx D.vy D.angle boundary.bodies\n"
+  "disc 13 -6 radius 1 m velocity 7 5 spin 3\nwatch D disc 1\nrecord D.x D.y D.vx D.vy D.angle boundary.particles\n"
 
 /* x_N - x_0 = (1 + L dt)^N (x - x_0) to rounding, L any gradient; a velocity it had is gone, and it does not turn. */
 static void the_boundary_follows_exactly(void) {
@@ -41,7 +41,7 @@ static void the_boundary_follows_exactly(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), 3 + x.x, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), 4 + x.y, 1e-12);
   CU_ASSERT_EQUAL(after(page, "D.angle"), 0);
-  CU_ASSERT_EQUAL(after(page, "boundary.bodies"), 1);
+  CU_ASSERT_EQUAL(after(page, "boundary.particles"), 1);
   /* The velocity of t_N is the mean of what carries it before and after. */
   const struct nb_vec before = tensor_times(tensor_inverse(tensor_add(tensor(1, 0, 0, 1), tensor_scale(dt, rate))), x);
   const struct nb_vec v = tensor_times(rate, vec_scale(0.5, vec_add(before, x)));
@@ -95,7 +95,7 @@ static void contacts_see_the_strain(void) {
     words_add(&page,
               "units none\nmaterial m density 1e30 kn 100 ks 60 friction 1e9\nshear linear\nstep 1e-8\n"
               "damping contact-beta 0.5\ndisc 2 3 radius 1 m\ndisc 3.5 4 radius 1 m\nwatch P disc 1 with disc 2\n"
-              "record P.dashpot.normal P.dashpot.shear boundary.bodies\n%scycles 1\n",
+              "record P.dashpot.normal P.dashpot.shear boundary.particles\n%scycles 1\n",
               pairs[k]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
@@ -103,7 +103,7 @@ static void contacts_see_the_strain(void) {
     const double vx = -0.3 * 1.5 + 0.2 * 1, vy = 0.2 * 1.5 + 0.1 * 1; /* of the second body, seen by the first */
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "P.dashpot.normal"), -0.5 * 100 * (vx * ex + vy * ey), 1e-5);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "P.dashpot.shear"), -0.5 * 60 * (vx * ey - vy * ex), 1e-5);
-    CU_ASSERT_EQUAL(written_last(&result, "boundary.bodies"), (double)k);
+    CU_ASSERT_EQUAL(written_last(&result, "boundary.particles"), (double)k);
     nb_result_free(&result);
     written_free(&it);
   }
@@ -120,7 +120,7 @@ static void who_crosses_belongs(void) {
     words_add(
         &page,
         "units none\nmaterial m density 2 kn 100\nstep 0.125\n%sdisc 30 0 radius 1 m\ndisc 1 2 radius 1 m velocity 0.3 "
-        "0.4\nwatch D disc 2\nrecord cycle D.x D.y D.vx.half boundary.bodies boundary.radius\n"
+        "0.4\nwatch D disc 2\nrecord cycle D.x D.y D.vx.half boundary.particles boundary.radius\n"
         "boundary circle 0 0 radius 20\nstage s\nboundary strain 0.001 -0.01\ncycles 1000\n",
         skins[s]);
     written_scene(&it, &page);
@@ -150,8 +150,8 @@ static void crowd(struct words *page, const char *more) {
       "damping contact-beta 0.0005\ndamping con1 0.999 reading velocity\n"
       "lattice discs 9 by 9 m radius 0.5 spacing 1.05 from -4.2 -4.2\nwatch D disc 41\nwatch E disc 30\n"
       "boundary circle 0 0 radius 5.3\n"
-      "record cycle D.x D.y D.angle E.x E.y boundary.bodies boundary.area boundary.stress.xx boundary.stress.xy "
-      "boundary.stress.yx boundary.stress.yy work.residual energy.driven energy.walls energy.removed energy.residual "
+      "record cycle D.x D.y D.angle E.x E.y boundary.particles boundary.area boundary.stress.xx boundary.stress.xy "
+      "boundary.stress.yx boundary.stress.yy work.residual energy.imposed energy.walls energy.removed energy.residual "
       "energy.kinetic energy.stored contacts\n%s",
       more);
 }
@@ -182,7 +182,7 @@ static void the_same_bits(void) {
     nb_result_free(&other);
   }
   CU_ASSERT_EQUAL(first.table.values[6], 4);
-  CU_ASSERT(written_last(&first, "boundary.bodies") > 20);
+  CU_ASSERT(written_last(&first, "boundary.particles") > 20);
   nb_result_free(&first);
 }
 
@@ -200,8 +200,8 @@ static double largest(const struct nb_result *result, const char *name) {
 static void the_work_balances(void) {
   struct nb_result result;
   squeeze(&result, NULL, SQUEEZE);
-  const double whole = largest(&result, "energy.kinetic") + largest(&result, "energy.driven");
-  CU_ASSERT(largest(&result, "energy.driven") > 1 && largest(&result, "energy.removed") > 1);
+  const double whole = largest(&result, "energy.kinetic") + largest(&result, "energy.imposed");
+  CU_ASSERT(largest(&result, "energy.imposed") > 1 && largest(&result, "energy.removed") > 1);
   CU_ASSERT(largest(&result, "work.residual") < 1e-12 * whole);
   /* Energies do but for the error of the step; without what those who join take with them they would be off by all of that. */
   CU_ASSERT(largest(&result, "energy.residual") < 1e-2 * largest(&result, "energy.removed"));

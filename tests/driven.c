@@ -73,11 +73,12 @@ static void rest_counts_all_that_is_felt(void) {
   struct written it;
   struct nb_result result;
   const double depth = pi * 2 / 100; /* m G/k_n, G = 1 */
-  words_add(&page,
-            "units none\nmaterial m density 2 kn 100\nstep 0.001\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n"
-            "region A all\nrecord unbalance A.unbalance\nstage s\ngravity centripetal 1 about 0 0\ncycles 5\n"
-            "stage t\ngravity centripetal 1.5 about 0 0\ncycles 1\n",
-            1 - depth / 2, depth / 2 - 1);
+  words_add(
+      &page,
+      "units none\nmaterial m density 2 kn 100\nstep 0.001\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n"
+      "region A all\nrecord unbalanced.max A.unbalanced.mean\nstage s\ngravity centripetal 1 about 0 0\ncycles 5\n"
+      "stage t\ngravity centripetal 1.5 about 0 0\ncycles 1\n",
+      1 - depth / 2, depth / 2 - 1);
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   CU_ASSERT(column(&result, 5, 0) < 1e-12);
@@ -113,11 +114,11 @@ static void a_boundary_is_held_anew(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 100\nstep 0.125\ndisc 20 0 radius 1 m\ndisc 0 20 radius 1 m\n"
                "disc -20 0 radius 1 m\ndisc 0 -20 radius 1 m\ndisc 11.7 11.7 radius 1 m\n"
-               "record boundary.bodies boundary.radius\nboundary circle 0 0 radius 20\n"
+               "record boundary.particles boundary.radius\nboundary circle 0 0 radius 20\n"
                "stage a\nboundary strain -0.01 -0.01\ncycles 100\nstage b\nboundary stress 1e-9 1e-9\ncycles 1\n"
                "stage c\nboundary hold\ncycles 2\n");
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.radius"), 17.6, 0.05);
-  CU_ASSERT_EQUAL(written_last(&result, "boundary.bodies"), 4);
+  CU_ASSERT_EQUAL(written_last(&result, "boundary.particles"), 4);
   nb_result_free(&result);
 }
 
@@ -126,7 +127,7 @@ static void another_circle(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 100\nstep 0.125\ndisc 20 0 radius 1 m\ndisc 0 20 radius 1 m\n"
                "disc -20 0 radius 1 m\ndisc 0 -20 radius 1 m\ndisc 12 9 radius 1 m\n"
-               "record boundary.bodies boundary.radius boundary.area\nboundary circle 0 0 radius 20\n"
+               "record boundary.particles boundary.radius boundary.area\nboundary circle 0 0 radius 20\n"
                "stage a\ncycles 1\nstage b\nboundary circle 0 0 radius 15\ncycles 1\n"
                "stage c\nboundary circle 45 0 radius 49\ncycles 1\n");
   static const double seen[][3] = {{4, 20, 800}, {5, (4 * 20 + 15) / 5., 810}, {3, 0, 400}};
@@ -195,12 +196,12 @@ static void one_strain_after_another(void) {
   for (int side = -1; side < 2; side += 2) {
     struct nb_result result;
     char page[512];
-    snprintf(
-        page, sizeof page,
-        "material m density 2 kn 100\nstep 0.125\ndisc %d 0 radius 1 m\ndisc %d 3 radius 1 m\nrecord boundary.bodies\n"
-        "boundary circle 0 0 radius 10\nstage s\nboundary strain 0 0 c12 %g c21 0\ncycles 100\nstage t\n"
-        "boundary strain -0.04 0\ncycles 140\n",
-        -12 * side, 7 * side, 0.08 * side);
+    snprintf(page, sizeof page,
+             "material m density 2 kn 100\nstep 0.125\ndisc %d 0 radius 1 m\ndisc %d 3 radius 1 m\nrecord "
+             "boundary.particles\n"
+             "boundary circle 0 0 radius 10\nstage s\nboundary strain 0 0 c12 %g c21 0\ncycles 100\nstage t\n"
+             "boundary strain -0.04 0\ncycles 140\n",
+             -12 * side, 7 * side, 0.08 * side);
     run(&result, page);
     CU_ASSERT_EQUAL(column(&result, 100, 0), 1);
     CU_ASSERT_EQUAL(column(&result, result.table.row_count - 1, 0), 2);

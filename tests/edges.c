@@ -24,8 +24,8 @@ static void a_region_at_the_corner_of_a_cell(void) {
   struct nb_result result;
   run(&result, &it,
       "units none\nmaterial m density 1 kn 100\nlattice discs 4 by 4 from 1 1 radius 1 spacing 2 m\ncell 0 0 to 8 8\n"
-      "region R circle 0 0 radius 1.5\nrecord R.bodies\nstep 0.001\nstage s\ncycles 1\n");
-  CU_ASSERT_EQUAL(written_last(&result, "R.bodies"), 4);
+      "region R circle 0 0 radius 1.5\nrecord R.particles\nstep 0.001\nstage s\ncycles 1\n");
+  CU_ASSERT_EQUAL(written_last(&result, "R.particles"), 4);
   nb_result_free(&result), written_free(&it);
 }
 

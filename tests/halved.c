@@ -123,7 +123,7 @@ static bool counted(const char *name) {
   const bool strain = strstr(name, ".strain.") && !begins(name, "cell.") && !begins(name, "boundary.");
   return strstr(name, ".new") || strstr(name, ".lost") || begins(name, "energy.") || begins(name, "work.") ||
          strcmp(name, "contacts.deep") == 0 || strain || strcmp(name, "step.fracc") == 0 ||
-         strcmp(name, "step.safe") == 0;
+         strcmp(name, "step.stable") == 0;
 }
 
 /* The time is that at the begin of the stage and its cycles. */

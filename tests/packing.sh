@@ -72,17 +72,17 @@ result $? 'kind, material, fixed and radius are those of the file, and who is go
 
 # As our tables have it, with 17 digits.
 places() { awk -F '\t' '/^#/ { next } !h { for (k = 1; k <= NF; k++) at[$k] = k; h = 1; next } { print $(at["x/m"]), $(at["y/m"]), $(at["radius/m"]) }' "$1"; }
-"$nineball" run "$pages/made.md" -o "$work/made" >"$work/said" 2>&1 && places "$work/made/fall-bodies.tsv" >"$work/wanted"
+"$nineball" run "$pages/made.md" -o "$work/made" >"$work/said" 2>&1 && places "$work/made/fall-particles.tsv" >"$work/wanted"
 {
   echo '# from elsewhere: other columns, blanks, in mm and um'
   echo ' name  radius/um  y/mm  x/m'
   awk '{ n = split($3, r, "e-"); print "  body" NR, r[1] "e" (n > 1 ? 6 - r[2] : 6), $2, $1 }' "$work/wanted" |
     awk '{ n = split($3, y, "e-"); print $1, $2, y[1] "e" (n > 1 ? 3 - y[2] : 3), $4 }'
 } >"$pages/heap.txt"
-cp "$work/made/fall-bodies.tsv" "$pages/heap.tsv"
+cp "$work/made/fall-particles.tsv" "$pages/heap.tsv"
 for file in state tsv txt; do
   taken "of-$file" "packing spheres heap.$file rock" && "$nineball" run "$pages/of-$file.md" -o "$work/of-$file.d" >"$work/said" 2>&1 &&
-    places "$work/of-$file.d/look-bodies.tsv" >"$work/seen" &&
+    places "$work/of-$file.d/look-particles.tsv" >"$work/seen" &&
     diff "$work/wanted" "$work/seen" >"$work/said" && test "$(wc -l <"$work/seen")" -eq 50
   result $? "places and radii from heap.$file are the same to the last bit"
 done

@@ -149,7 +149,7 @@ verdict 'a reference that finds no end says so'
 run 3 check "$pages/never-ends.md"
 said 'stage `wait` (line 10) did not end within 20 cycles: D.x is 5 and should be above 6'
 run 3 run "$pages/never-ends.md" -o never
-for file in table verdict wait-bodies; do
+for file in table verdict wait-particles; do
   grep -q '^# incomplete: stage `wait`' "never/$file.tsv" || echo "$file does not say that it is incomplete" >>why
 done
 test "$(column cycle/- never/table.tsv | tail -n 1)" = 20 || echo 'the last row is missing' >>why

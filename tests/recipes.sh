@@ -38,7 +38,7 @@ stage    look
 ```
 
 ```gnuplot
-bodies = '$look_bodies'; contacts = '$look_contacts'
+particles = '$look_particles'; contacts = '$look_contacts'
 weight = 'all'
 load plots.'polar-normals.gp'
 print sprintf('normals %g %g, the largest %g, of walls %g', bins[1], bins[19], most, bins[10] + bins[28])
@@ -65,7 +65,7 @@ stats @contacts using (strong(1, 2) ? 1 : NaN) name 'chain' nooutput
 print sprintf('chains: mean %.6f, %d of them strong', force_mean, chain_records)
 turns = 'direction'
 load plots.'rotations.gp'
-stats @bodies using (column('body/-') == 7 ? shade(0) : 0) name 'shade' nooutput
+stats @particles using (column('particle/-') == 7 ? shade(0) : 0) name 'shade' nooutput
 print sprintf('turned %.0g from %g to %g', turned_max, shade_min, shade_max)
 ```
 EOF

@@ -70,7 +70,7 @@ static void spread_near(const struct nb_result *result, const char *stem, const 
   for (int k = 0; k < count; k++)
     low = fmin(low, values[k]), high = fmax(high, values[k]), square += (values[k] - mean) * (values[k] - mean);
   const double wanted[] = {mean, high, low, sqrt(square / count)};
-  static const char *const parts[] = {"mean", "max", "min", "deviation"};
+  static const char *const parts[] = {"mean", "max", "min", "std"};
   for (int k = 0; k < 4; k++) {
     char name[64];
     snprintf(name, sizeof name, "%s.%s", stem, parts[k]);
@@ -131,7 +131,7 @@ static void stress_and_fabric(void) {
     char name[64];
     const double along = (parts[k][0] - parts[k][3]) * apart + (parts[k][1] + parts[k][2]) * mixed;
     tensor_near(&result, names[k], parts[k], size);
-    snprintf(name, sizeof name, "%s.share", names[k]);
+    snprintf(name, sizeof name, "%s.fraction", names[k]);
     near_(&result, name, along / (apart * apart + mixed * mixed), 1);
   }
   near_(&result, "stress.mean", size / 2, size);
@@ -141,7 +141,7 @@ static void stress_and_fabric(void) {
   fourth_near(&result, "fabric", &plain), fourth_near(&result, "fabric.sliding", &sliding);
   near_(&result, "fabric.kk", count * all.radius / volume, 1);
   near_(&result, "area", pi * reach * reach, 1);
-  near_(&result, "bodies", all.count, 0);
+  near_(&result, "particles", all.count, 0);
   near_(&result, "coordination", count / all.count, 0);
   nb_result_free(&result), written_free(&it);
 }
@@ -171,7 +171,7 @@ static void loads(void) {
   for (int k = 0; k < 6; k++)
     spread_near(&result, names[k], values[k], count);
   for (size_t k = 0; k < bodies->row_count; k++) {
-    const struct body *b = &all.of[(int)of(bodies, k, "body")];
+    const struct body *b = &all.of[(int)of(bodies, k, "particle")];
     const double mass = 4. / 3 * pi * b->r * b->r * b->r * 3, v = hypot(of(bodies, k, "vx"), of(bodies, k, "vy"));
     if (b->inside && !b->fixed)
       force += hypot(b->fx + 3 * mass, b->fy - 9 * mass), speed += v, fastest = fmax(fastest, v);
@@ -179,8 +179,8 @@ static void loads(void) {
   CU_ASSERT(sliding > 1 && sliding < count && near_limit > sliding - 1);
   near_(&result, "sliding", sliding / count, 0), near_(&result, "sliding.near", near_limit / count, 0);
   near_(&result, "contacts", count, 0);
-  near_(&result, "unbalance.force", force / all.free, 0);
-  near_(&result, "unbalance", force / all.free / mean_of(values[0], count), 0);
+  near_(&result, "unbalanced.force", force / all.free, 0);
+  near_(&result, "unbalanced.mean", force / all.free / mean_of(values[0], count), 0);
   near_(&result, "speed.mean", speed / all.free, 0), near_(&result, "speed.max", fastest, 0);
   nb_result_free(&result), written_free(&it);
 }

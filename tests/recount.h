@@ -25,7 +25,7 @@ static inline double of(const struct nb_table *table, size_t row, const char *na
 }
 
 #define TENSOR(stem) "B." stem ".xx B." stem ".xy B." stem ".yx B." stem ".yy "
-#define SPREAD(stem) "B." stem ".mean B." stem ".max B." stem ".min B." stem ".deviation "
+#define SPREAD(stem) "B." stem ".mean B." stem ".max B." stem ".min B." stem ".std "
 #define FOURTH(stem)                                                                                                   \
   "B." stem ".fourth.xxxx B." stem ".fourth.xxxy B." stem ".fourth.xxyy B." stem ".fourth.xyyy B." stem ".fourth."     \
   "yyyy "
@@ -42,15 +42,16 @@ static inline void made(struct written *it, struct nb_result *result) {
           TENSOR("stress.shear") TENSOR("stress.fabric") TENSOR("stress.variation") TENSOR("fabric") TENSOR(
               "fabric.normal") TENSOR("fabric.shear") TENSOR("fabric.sliding") FOURTH("fabric") FOURTH("fabric.sliding")
               SPREAD("normal") SPREAD("shear") SPREAD("contact_stress") SPREAD("contact_shear") SPREAD("contact_ratio")
-                  SPREAD("obliquity") "B.stress.mean B.stress.sinphi "
-                                      "B.stress.normal.share B.stress.shear.share "
-                                      "B.stress.fabric.share "
-                                      "B.stress.variation.share B.fabric.kk B.sliding B.sliding.near B.unbalance "
-                                      "B.unbalance.force B.bodies "
-                                      "B.contacts B.coordination B.area B.speed.mean "
-                                      "B.speed.max\n"
-                                      "stage a\nwall west velocity 0.3 0.2\nrecord every 400 cycles\ncycles 400\n"
-                                      "stage b\nremove sphere 7\ncycles 150\nrecord every 150 cycles\nsnapshot\n");
+                  SPREAD(
+                      "obliquity") "B.stress.mean B.stress.sinphi "
+                                   "B.stress.normal.fraction B.stress.shear.fraction "
+                                   "B.stress.fabric.fraction "
+                                   "B.stress.variation.fraction B.fabric.kk B.sliding B.sliding.near B.unbalanced.mean "
+                                   "B.unbalanced.force B.particles "
+                                   "B.contacts B.coordination B.area B.speed.mean "
+                                   "B.speed.max\n"
+                                   "stage a\nwall west velocity 0.3 0.2\nrecord every 400 cycles\ncycles 400\n"
+                                   "stage b\nremove sphere 7\ncycles 150\nrecord every 150 cycles\nsnapshot\n");
   written_scene(it, &page);
   written_run(result, it, NULL);
 }
@@ -68,7 +69,7 @@ static inline void read_bodies(struct bodies *all, const struct nb_table *table)
   double there = 0;
   *all = (struct bodies){.count = 0};
   for (size_t k = 0; k < table->row_count; k++, there++) {
-    struct body *b = &all->of[(int)of(table, k, "body")];
+    struct body *b = &all->of[(int)of(table, k, "particle")];
     *b = (struct body){true,
                        false,
                        of(table, k, "fixed") > 0,

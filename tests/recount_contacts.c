@@ -83,7 +83,7 @@ static void run_assembly(struct written *it, struct nb_result *result, int seed)
       "disc 6 6 radius 0.5 m fixed\nbox 0 0 to 12 12 m\ngrading g 0.9 8 0.7 12\ngrading h 0.8 10 0.6 15\n"
       "fill discs box 0.1 0.1 to 11.9 11.9 g m seed %d attempts 20000 else skip\n"
       "fill spheres box 0.1 0.1 to 11.9 11.9 h m seed %d attempts 20000 else skip\n"
-      "region B circle 6 6 radius 4.2\nrecord B.chains B.chains.length B.chains.share B.chains.turn B.bodies\n"
+      "region B circle 6 6 radius 4.2\nrecord B.chains B.chains.length B.chains.fraction B.chains.bend B.particles\n"
       "stage press\nbox strain -5e-5 per cycle -5e-5 per cycle\ncycles 6200\nrecord none\n"
       "stage shear\nbox strain 4e-5 per cycle -6e-5 per cycle\ncycles 1500\nrecord every 1500 cycles\nsnapshot\n",
       seed, seed + 100);
@@ -104,7 +104,7 @@ static void force_chains(void) {
     const struct nb_table *table = &result.snapshots[0].contacts, *places = &result.snapshots[0].bodies;
     CU_ASSERT_FATAL(places->row_count < MOST);
     for (size_t k = 0; k < places->row_count; k++) {
-      const int n = (int)of(places, k, "body");
+      const int n = (int)of(places, k, "particle");
       struct chained *body = &all[n];
       const double r = of(places, k, "radius");
       body->r = r, body->free = of(places, k, "fixed") == 0, body->chain = n;
@@ -152,8 +152,8 @@ static void force_chains(void) {
     found += chains, turned += pairs;
     CU_ASSERT_EQUAL(written_last(&result, "B.chains"), chains);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.length"), chains > 0 ? members / chains : 0, 1e-12);
-    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.share"), members / bodies, 1e-12);
-    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.turn"), pairs > 0 ? turns / pairs : 0,
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.fraction"), members / bodies, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.bend"), pairs > 0 ? turns / pairs : 0,
                            1e-6); /* acos near 1: a root */
     nb_result_free(&result), written_free(&it);
   }

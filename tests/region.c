@@ -41,10 +41,10 @@ static void evenly_round(void) {
     words_add(&page,
               "region A circle 2 3 radius 0.5\nrecord A.fabric.xx A.fabric.xy A.fabric.yy A.fabric.normal.xx "
               "A.fabric.shear.xx A.fabric.fourth.xxxx A.fabric.fourth.xxxy A.fabric.fourth.xxyy A.fabric.fourth.xyyy "
-              "A.fabric.fourth.yyyy A.fabric.anisotropy A.fabric.kk A.bodies A.contacts "
+              "A.fabric.fourth.yyyy A.fabric.anisotropy A.fabric.kk A.particles A.contacts "
               "A.coordination A.stress.xx A.stress.yy A.area A.fabric.major A.fabric.angle\nstage s\ncycles 1\n");
     struct nb_model *model = model_of(&it, &page);
-    CLOSE(model, "A.bodies", 1);
+    CLOSE(model, "A.particles", 1);
     CLOSE(model, "A.contacts", n);
     CLOSE(model, "A.coordination", n);
     CLOSE(model, "A.fabric.xx", second[0]);
@@ -84,18 +84,18 @@ static void rattlers(void) {
                    "disc 30 0 radius 1 m fixed\ndisc 31.99 0 radius 1 m\n"   /* 8 fixed, 9 between it */
                    "wall w 32.98 -1 to 32.98 1 m\n"                          /* and a wall: held */
                    "region A all\nregion B box -2 -2 to 3 3\n"
-                   "record A.bodies A.contacts A.coordination A.coordination.loaded A.rattlers "
-                   "B.bodies B.contacts B.coordination B.coordination.loaded B.rattlers\nstage s\ncycles 1\n");
+                   "record A.particles A.contacts A.coordination A.coordination.mechanical A.rattlers "
+                   "B.particles B.contacts B.coordination B.coordination.mechanical B.rattlers\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
-  CLOSE(model, "A.bodies", 9);
+  CLOSE(model, "A.particles", 9);
   CLOSE(model, "A.contacts", 4 + 2 + 2);
   CLOSE(model, "A.coordination", (3 + 2 + 2 + 2 + 2 + 1 + 0 + 1 + 2) / 9.);
   CLOSE(model, "A.rattlers", 3);
-  CLOSE(model, "A.coordination.loaded", (2 + 2 + 2 + 2 + 1 + 2) / 6.);
-  CLOSE(model, "B.bodies", 4);
+  CLOSE(model, "A.coordination.mechanical", (2 + 2 + 2 + 2 + 1 + 2) / 6.);
+  CLOSE(model, "B.particles", 4);
   CLOSE(model, "B.contacts", 5);
   CLOSE(model, "B.coordination", 9 / 4.);
-  CLOSE(model, "B.coordination.loaded", 2);
+  CLOSE(model, "B.coordination.mechanical", 2);
   CLOSE(model, "B.rattlers", 0);
   done(&it, model);
 }
@@ -106,12 +106,12 @@ static void volumes(void) {
   words_add(&page, "units none\nmaterial m density 1 kn 10\nstep 0.001\n"
                    "sphere 0 0 radius 1 m\nsphere 10 0 radius 3 m\n"
                    "region A circle 0 0 radius 2\nregion B box -1 0 to 1 3\nregion C all\n"
-                   "record A.porosity A.porosity.volume A.voids A.area B.porosity C.area C.porosity "
+                   "record A.porosity A.porosity.volume A.void_ratio A.area B.porosity C.area C.porosity "
                    "C.porosity.volume\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
   CLOSE(model, "A.area", 4 * pi);
   CLOSE(model, "A.porosity", 0.75);
-  CLOSE(model, "A.voids", 3);
+  CLOSE(model, "A.void_ratio", 3);
   CLOSE(model, "A.porosity.volume",
         1 - 4 * pi / 3 / (4 * pi * 4)); /* 4: the thickness of all bodies, not of those inside */
   CLOSE(model, "B.porosity", 1 - pi / 2 / 6);
@@ -129,7 +129,7 @@ static void a_box_that_is_turned(void) {
     struct written it;
     words_add(&page,
               "units none\n%smaterial m density 1 kn 10\nstep 0.001\ndisc 0 0 radius 1 m\ndisc 3 2 radius 1 m\n"
-              "region B box 0 -1 to 3 3\nrecord B.porosity B.area B.bodies\nstage s\ncycles 1\n",
+              "region B box 0 -1 to 3 3\nrecord B.porosity B.area B.particles\nstage s\ncycles 1\n",
               places[k]);
     struct nb_model *model = model_of(&it, &page);
     CLOSE(model, "B.area", 12);
@@ -151,7 +151,7 @@ static void strain(void) {
               1 + rate.yx * x + rate.yy * y);
   }
   words_add(&page, "region A all\nregion B circle 6 6 radius 6 from b\nrecord A.strain.xx A.strain.xy A.strain.yx "
-                   "A.strain.yy A.strain.volume A.strain.turn A.strain.deviator B.strain.xx B.strain.yy\n"
+                   "A.strain.yy A.strain.volumetric A.strain.rotation A.strain.deviator B.strain.xx B.strain.yy\n"
                    "stage a\ncycles 20\nstage b\ncycles 10\n");
   struct nb_model *model = model_of(&it, &page);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
@@ -160,8 +160,8 @@ static void strain(void) {
   CLOSE(model, "A.strain.xy", 0.2 * (rate.xy + rate.yx) / 2);
   CLOSE(model, "A.strain.yx", 0.2 * (rate.xy + rate.yx) / 2);
   CLOSE(model, "A.strain.yy", 0.2 * rate.yy);
-  CLOSE(model, "A.strain.volume", 0.2 * (rate.xx + rate.yy));
-  CLOSE(model, "A.strain.turn", 0.2 * (rate.yx - rate.xy) / 2);
+  CLOSE(model, "A.strain.volumetric", 0.2 * (rate.xx + rate.yy));
+  CLOSE(model, "A.strain.rotation", 0.2 * (rate.yx - rate.xy) / 2);
   CLOSE(model, "A.strain.deviator", 0.2 * sqrt(0.7 * 0.7 + 0.4 * 0.4));
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[1], &error), NB_OK);
   CU_ASSERT(written_now(model, "B.strain.xx") == 0);
@@ -184,15 +184,16 @@ static void loads(void) {
       "units none\nmaterial m density 1 kn 100\nstep 1e-6\ngravity 0 -0.5\n"
       "disc 0 0 radius 1 m fixed\ndisc 0 1.98 radius 1 m\ndisc 9 0 radius 1 m fixed\n"
       "disc 9 1.46 radius 0.5 m\ndisc 20 0 radius 1 m\nregion A all\nregion B circle 0 2 radius 1\n"
-      "record A.normal.mean A.normal.max A.normal.min A.normal.deviation A.unbalance B.unbalance A.contact_stress.mean "
-      "A.obliquity.max A.sliding A.sliding.near A.contacts B.contacts B.bodies B.normal.mean\nstage s\ncycles 1\n");
+      "record A.normal.mean A.normal.max A.normal.min A.normal.std A.unbalanced.mean B.unbalanced.mean "
+      "A.contact_stress.mean "
+      "A.obliquity.max A.sliding A.sliding.near A.contacts B.contacts B.particles B.normal.mean\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
   CLOSE(model, "A.normal.mean", 3);
   CLOSE(model, "A.normal.max", 4);
   CLOSE(model, "A.normal.min", 2);
-  CLOSE(model, "A.normal.deviation", 1);
-  CLOSE(model, "A.unbalance", ((2 - pi / 2) + (4 - pi / 8) + pi / 2) / 3 / 3);
-  CLOSE(model, "B.unbalance", (2 - pi / 2) / 2);
+  CLOSE(model, "A.normal.std", 1);
+  CLOSE(model, "A.unbalanced.mean", ((2 - pi / 2) + (4 - pi / 8) + pi / 2) / 3 / 3);
+  CLOSE(model, "B.unbalanced.mean", (2 - pi / 2) / 2);
   CLOSE(model, "B.normal.mean", 2);
   CLOSE(model, "A.sliding.near", 0); /* nothing rubs: what has no limit is not at it */
   CLOSE(model, "A.sliding", 0);
@@ -202,7 +203,7 @@ static void loads(void) {
   words_add(&page, "units none\nmaterial m density 1 young 1000 poisson 0.25\nnormal hertz\nstep 1e-6\n"
                    "sphere 0 0 radius 2 m fixed\nsphere 2.99 0 radius 1 m\nsphere 9 0 radius 2 m\n"
                    "wall w 7.02 -1 to 7.02 1 m\nregion A all\nrecord A.contact_stress.mean A.contact_stress.max "
-                   "A.contact_stress.min A.contact_stress.deviation A.contact_ratio.max A.contact_ratio.min "
+                   "A.contact_stress.min A.contact_stress.std A.contact_ratio.max A.contact_ratio.min "
                    "A.contact_shear.max\nstage s\ncycles 1\n");
   model = model_of(&it, &page);
   /* N/(pi a^2) = 4 E* sqrt(alpha/R*)/(3 pi), a = sqrt(R* alpha), E* = E/2(1 - nu^2) */
@@ -211,7 +212,7 @@ static void loads(void) {
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.mean"), (one + two) / 2, 1e-12 * one);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.max"), fmax(one, two), 1e-12 * one);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.min"), fmin(one, two), 1e-12 * one);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.deviation"), fabs(one - two) / 2, 1e-12 * one);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_stress.std"), fabs(one - two) / 2, 1e-12 * one);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_ratio.max"), sqrt(2 * 0.02) / 2, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.contact_ratio.min"), sqrt(2. / 3 * 0.01), 1e-12);
   CLOSE(model, "A.contact_shear.max", 0);
@@ -253,12 +254,14 @@ static void inside_a_boundary(void) {
   for (int k = 0; k < 8; k++)
     words_add(&page, "disc %.17g %.17g radius 1 m\n", 1 + 10 * cos(pi * k / 4), 2 + 10 * sin(pi * k / 4));
   words_add(&page, "boundary circle 1 2 radius 10\nregion A inside 0.7 rings 2\nregion B circle 1 2 radius 7\n"
-                   "record A.area B.area A.bodies B.bodies A.porosity B.porosity A.stress.xx B.stress.xx\n"
+                   "record A.area B.area A.particles B.particles A.porosity B.porosity A.stress.xx B.stress.xx\n"
                    "stage s\ncycles 1\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  static const char *const names[][2] = {
-      {"A.area", "B.area"}, {"A.bodies", "B.bodies"}, {"A.porosity", "B.porosity"}, {"A.stress.xx", "B.stress.xx"}};
+  static const char *const names[][2] = {{"A.area", "B.area"},
+                                         {"A.particles", "B.particles"},
+                                         {"A.porosity", "B.porosity"},
+                                         {"A.stress.xx", "B.stress.xx"}};
   for (size_t k = 0; k < 4; k++) {
     const double wanted = written_last(&result, names[k][1]);
     CU_ASSERT(wanted > 0);

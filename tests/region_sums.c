@@ -15,9 +15,11 @@
 
 #define NAMES                                                                                                          \
   "A.stress.xx A.stress.xy A.stress.yx A.stress.yy A.stress.residual A.stress.mean A.stress.sinphi "                   \
-  "A.stress.normal.share A.stress.shear.share A.stress.fabric.share A.stress.variation.share A.stress.contacts.xx "    \
+  "A.stress.normal.fraction A.stress.shear.fraction A.stress.fabric.fraction A.stress.variation.fraction "             \
+  "A.stress.contacts.xx "                                                                                              \
   "A.fabric.xx A.fabric.yy A.fabric.normal.xx A.fabric.normal.yy A.fabric.shear.xx A.fabric.shear.yy A.sliding "       \
-  "A.sliding.near A.obliquity.max A.unbalance A.porosity A.coordination.loaded A.strain.volume B.stress.xx "           \
+  "A.sliding.near A.obliquity.max A.unbalanced.mean A.porosity A.coordination.mechanical A.strain.volumetric "         \
+  "B.stress.xx "                                                                                                       \
   "B.stress.residual B.stress.mean B.porosity C.stress.residual C.stress.mean C.stress.xx"
 
 /* Pressed, sheared, sliding and damped: with walls, with bodies outside. */
@@ -47,16 +49,16 @@ static void sums_agree(void) {
       CU_ASSERT_DOUBLE_EQUAL(written_now(model, residual), 0, 1e-13 * written_now(model, mean));
     }
     CLOSE(model, "A.stress.contacts.xx", written_now(model, "A.stress.xx"));
-    CLOSE(model, "A.stress.normal.share", 1 - written_now(model, "A.stress.shear.share"));
-    CLOSE(model, "A.stress.fabric.share",
-          written_now(model, "A.stress.normal.share") - written_now(model, "A.stress.variation.share"));
+    CLOSE(model, "A.stress.normal.fraction", 1 - written_now(model, "A.stress.shear.fraction"));
+    CLOSE(model, "A.stress.fabric.fraction",
+          written_now(model, "A.stress.normal.fraction") - written_now(model, "A.stress.variation.fraction"));
     CLOSE(model, "A.fabric.xx", 1 - written_now(model, "A.fabric.yy"));
     CLOSE(model, "A.fabric.normal.xx", 1 - written_now(model, "A.fabric.normal.yy"));
     CLOSE(model, "A.fabric.shear.xx", 1 - written_now(model, "A.fabric.shear.yy"));
     CU_ASSERT(written_now(model, "A.sliding.near") >= written_now(model, "A.sliding"));
     CU_ASSERT(written_now(model, "A.sliding") > 0);
     CLOSE(model, "A.obliquity.max", 1);
-    CU_ASSERT(written_now(model, "A.stress.shear.share") != 0);
+    CU_ASSERT(written_now(model, "A.stress.shear.fraction") != 0);
   }
   nb_model_free(model);
   written_free(&it);

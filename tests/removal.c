@@ -190,13 +190,13 @@ static void with_what_is_left(void) {
   struct written it;
   struct nb_result result;
   words_add(&page, "units none\nmaterial m density 1 kn 9\nmaterial light density 0.25 kn 9\ndisc 0 0 radius 1 m\n"
-                   "disc 9 0 radius 1 m\ndisc 18 0 radius 0.5 light\nrecord step step.critical energy.removed\n"
+                   "disc 9 0 radius 1 m\ndisc 18 0 radius 0.5 light\nrecord step step.single-contact energy.removed\n"
                    "step 0.5 of contact\nstage a\ncycles 1\nstage b\nremove disc 3\nstep 0.5 of contact\ncycles 1\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   const double pi = 3.14159265358979323846;
   CLOSE(written_last(&result, "step"), 0.5 * pi * sqrt(pi / 2 / 9), 1);
-  CLOSE(written_last(&result, "step.critical"), 2 * sqrt(pi / 9), 1);
+  CLOSE(written_last(&result, "step.single-contact"), 2 * sqrt(pi / 9), 1);
   CU_ASSERT_EQUAL(written_last(&result, "energy.removed"), 0);
   nb_result_free(&result);
   written_free(&it);

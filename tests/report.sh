@@ -87,7 +87,7 @@ result $? 'what somebody still writes stays'
 # ---- status ----
 
 run 3 report "$pages/never-ends.md" "$pages/passes.md" -o some && said 'did not run to its end' &&
-  grep -q 'href="never-ends/table.tsv"' some/index.html && test -s some/never-ends/wait-bodies.tsv &&
+  grep -q 'href="never-ends/table.tsv"' some/index.html && test -s some/never-ends/wait-particles.tsv &&
   grep -q 'did not end within 20 cycles' some/index.html
 result $? 'report: a run that was stopped is status 3, and its tables are there'
 run 2 report none.md "$pages/passes.md" -o some && grep -q '>none</a>' some/index.html

@@ -24,10 +24,11 @@ static struct told told(struct words *page, bool cycle) {
   struct written it;
   struct limit limit;
   struct nb_error error;
-  words_add(page, "step 1\nallow unstable\nrecord step.safe step.critical\nstage s\ncycles 1\n");
+  words_add(page, "step 1\nallow unstable\nrecord step.stable step.single-contact\nstage s\ncycles 1\n");
   written_scene(&it, page);
   struct nb_model *model = written_model(&it, NULL);
-  struct told answer = {.safe = written_now(model, "step.safe"), .critical = written_now(model, "step.critical")};
+  struct told answer = {.safe = written_now(model, "step.stable"),
+                        .critical = written_now(model, "step.single-contact")};
   CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, model->search.skin, &error), NB_OK);
   CU_ASSERT_EQUAL(limit.lattice.contact_count, model->contacts.count);
   answer.parts = limit_of_parts(&limit, &it.scene), answer.modes = limit_of_modes(&limit);

@@ -101,7 +101,7 @@ boundary  circle 0.1 0.2 radius 6.3
 region    A inside 0.9
 watch     G grading g
 watch     H grading g radius 0.5
-record    time A.stress.xx A.stress.yy boundary.radius boundary.stress.mean G.tries H.placed
+record    time A.stress.xx A.stress.yy boundary.radius boundary.stress.mean G.attempts H.placed
 step      0.001
 stage     shear
   boundary  strain -4e-5 per cycle -5e-5 per cycle
@@ -126,7 +126,7 @@ shear     mindlin
 cell      0 0 to 8 8
 lattice   spheres 4 by 4 m radius 1 spacing 2 from 1 1
 region    A all
-record    time A.stress.xx A.stress.yy cell.xx cell.strain.volume
+record    time A.stress.xx A.stress.yy cell.xx cell.strain.volumetric
 step      0.001
 stage     shear
   cell      strain -4e-5 per cycle -5e-5 per cycle c12 1e-5 per cycle c21 0 per cycle

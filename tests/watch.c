@@ -84,7 +84,7 @@ static void a_pair_may_use_it_up(void) {
       struct nb_error error = {0};
       words_add(&page,
                 SPHERE
-                "%ssphere 0 0 radius 1 m\nsphere %.17g 0 radius 1 m\nstep 2.4\nrecord step.safe\nstage s\ncycles 1\n",
+                "%ssphere 0 0 radius 1 m\nsphere %.17g 0 radius 1 m\nstep 2.4\nrecord step.stable\nstage s\ncycles 1\n",
                 cases[k].statements, 2 - overlap);
       written_scene(&it, &page);
       struct nb_model *model = written_model(&it, NULL);
@@ -116,7 +116,7 @@ static void a_stiffer_way_back_is_sure_earlier(void) {
     struct written it;
     struct nb_error error = {0};
     words_add(&page,
-              SPHERE "shear none\nsphere 0 0 radius 1 m\nsphere 1.9999 0 radius 1 m\nstep 2.4\nrecord step.safe\n"
+              SPHERE "shear none\nsphere 0 0 radius 1 m\nsphere 1.9999 0 radius 1 m\nstep 2.4\nrecord step.stable\n"
                      "stage s\ncycles 1\n");
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
@@ -143,7 +143,7 @@ static void it_may_get_deep(void) {
     struct nb_error error = {0};
     words_add(&page,
               SPHERE "shear none\ndamping contact-ratio %g\ndamping critical above 0.5\nsphere 0 0 radius 1 m\n"
-                     "sphere 1.999999 0 radius 1 m\nstep 0.5\nrecord step.safe\nstage s\ncycles 1\n",
+                     "sphere 1.999999 0 radius 1 m\nstep 0.5\nrecord step.stable\nstage s\ncycles 1\n",
               ratios[n]);
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
@@ -163,7 +163,7 @@ static void a_body_that_is_held(void) {
   struct written it;
   struct nb_error error = {0};
   words_add(&page,
-            SPHERE "shear none\nsphere 0 0 radius 1 m fixed\nsphere 1.99 0 radius 1 m\nstep 2.4\nrecord step.safe\n"
+            SPHERE "shear none\nsphere 0 0 radius 1 m fixed\nsphere 1.99 0 radius 1 m\nstep 2.4\nrecord step.stable\n"
                    "stage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
@@ -182,7 +182,7 @@ static void three_share_it(void) {
   struct written it;
   struct nb_error error = {0};
   words_add(&page, SPHERE "shear none\nwall w 0 -9 to 0 9 m\nsphere 0.99 0 radius 1 m\nsphere 3.97 0 radius 2 m\n"
-                          "step 1.5\nrecord step.safe\nstage s\ncycles 1\n");
+                          "step 1.5\nrecord step.stable\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);

@@ -14,7 +14,7 @@
  *                                    NAME.normal mean, frequency    when one mode alone moves
  * of a watched body NAME:            NAME.x, NAME.vx.half along cycle, time
  * time in STAGE, of a stage that waits for such a curve to rise above a value.
- * step.safe, of equal springs and masses in a row: 2/omega with omega^2 = 4 k/m, for N > 1.
+ * step.stable, of equal springs and masses in a row: 2/omega with omega^2 = 4 k/m, for N > 1.
  * Exact as long as no contact opens, which is not looked at: the straight row of linear springs is linear.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -146,7 +146,7 @@ static void tell_ends(struct nb_known *known, const struct nb_scene *scene, cons
 static enum nb_status tell_watches(struct nb_known *known, const struct nb_scene *scene, const struct chain *chain,
                                    struct nb_error *error) {
   if (chain->n > 1)
-    known_value(known, sqrt(chain->m / chain->k), "step.safe");
+    known_value(known, sqrt(chain->m / chain->k), "step.stable");
   for (size_t w = 0; w < scene->watch_count; w++) {
     const struct nb_watch *watch = &scene->watches[w];
     const size_t a = (size_t)watch->a + 1, b = (size_t)watch->b + 1;

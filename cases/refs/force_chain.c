@@ -10,7 +10,7 @@
  * with walls, and two ends each.
  *
  * Known, of each region NAME that is a box, at 0 cycles: NAME.stress.xx, xy, yy, mean, sinphi, angle; likewise
- * NAME.stress.contacts and NAME.stress.fabric; NAME.stress.fabric.share, variation.share, shear.share;
+ * NAME.stress.contacts and NAME.stress.fabric; NAME.stress.fabric.fraction, variation.fraction, shear.fraction;
  * NAME.fabric.xx, xy, yy, anisotropy; NAME.coordination, contacts; NAME.normal.mean.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -58,9 +58,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       tell(known, watch->name, stresses[t], "angle", atan(uy / ux));
     }
     tell(known, watch->name, "stress.", "sinphi", 1);
-    tell(known, watch->name, "stress.", "fabric.share", 1);
-    tell(known, watch->name, "stress.", "variation.share", 0);
-    tell(known, watch->name, "stress.", "shear.share", 0);
+    tell(known, watch->name, "stress.", "fabric.fraction", 1);
+    tell(known, watch->name, "stress.", "variation.fraction", 0);
+    tell(known, watch->name, "stress.", "shear.fraction", 0);
     tell(known, watch->name, "fabric.", "xx", u[0]);
     tell(known, watch->name, "fabric.", "xy", u[1]);
     tell(known, watch->name, "fabric.", "yy", u[2]);

@@ -8,7 +8,7 @@
  *
  * dt is F of R89's step [R89 4.33, 4.34]: pi R sqrt(rho/G)/(0.1631 nu + 0.876605), R the mean radius.
  *
- * Known: NAME.unbalance.force in S, for each region that is a circle and the last stage S.
+ * Known: NAME.unbalanced.force in S, for each region that is a circle and the last stage S.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -36,7 +36,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     if (watch->kind != NB_WATCH_REGION || scene->regions[watch->a].kind != NB_REGION_CIRCLE)
       continue;
     char name[3 * NB_NAME_SIZE];
-    snprintf(name, sizeof name, "%s.unbalance.force in %s", watch->name, last->name);
+    snprintf(name, sizeof name, "%s.unbalanced.force in %s", watch->name, last->name);
     known_value(known, mass * 2 / 3 * scene->regions[watch->a].radius * fabs(strain->xx) / (step * step), name);
   }
   return known_full(known, error);

@@ -10,7 +10,7 @@
  *
  * Known, of a region NAME that is a circle or a box, at 0 cycles:
  *   NAME.stress.xx and its sisters, likewise NAME.stress.contacts, NAME.fabric, NAME.fabric.normal; NAME.fabric.kk
- *   NAME.bodies, contacts, coordination, coordination.loaded, rattlers, normal.mean, max, min
+ *   NAME.particles, contacts, coordination, coordination.mechanical, rattlers, normal.mean, max, min
  *   NAME.porosity, porosity.volume, thickness
  * Exact but for rounding; porosity to what the quadrature is asked for, 1e-11.
  *
@@ -194,10 +194,10 @@ static void know_region(struct nb_known *known, const struct nb_scene *scene, co
   tell_tensor(known, name, "fabric", sums.fabric, "anisotropy");
   tell_tensor(known, name, "fabric.normal", sums.weighted, "anisotropy");
   tell(known, name, "fabric.kk", sums.ends * sums.radius / sums.bodies / volume);
-  tell(known, name, "bodies", sums.bodies);
+  tell(known, name, "particles", sums.bodies);
   tell(known, name, "contacts", sums.contacts);
   tell(known, name, "coordination", sums.ends / sums.bodies);
-  tell(known, name, "coordination.loaded", loaded / (sums.bodies - rattlers));
+  tell(known, name, "coordination.mechanical", loaded / (sums.bodies - rattlers));
   tell(known, name, "rattlers", rattlers);
   tell(known, name, "normal.mean", sums.mean / sums.contacts);
   tell(known, name, "normal.max", sums.most);

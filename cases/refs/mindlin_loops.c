@@ -20,7 +20,7 @@
  *
  * Past A the whole contact slides, and loses mu N of each metre.
  *
- * Known at each step along `step`, and at the end of each leg: slip, shear, radius.stick, lost, and work.shear,
+ * Known at each step along `step`, and at the end of each leg: slip, shear, radius.stick, dissipated, and work.shear,
  * the integral of T d(delta) in closed form. Rounding alone.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -146,7 +146,7 @@ static double stick(const struct loops *loops) {
 }
 
 enum { SLIP, SHEAR, STICK, LOST, WORK, COLUMNS };
-static const char *const names[COLUMNS] = {"slip", "shear", "radius.stick", "lost", "work.shear"};
+static const char *const names[COLUMNS] = {"slip", "shear", "radius.stick", "dissipated", "work.shear"};
 
 /* False: the normal force changes where there is shear. */
 static bool walk_path(struct loops *loops, const struct path_contact *contact, const struct nb_scene *scene,

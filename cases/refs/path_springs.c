@@ -12,7 +12,7 @@
  * loses is its friction times the way that it slips, the friction going along a straight line too.
  *
  * Known at each step, as curves along `step`, and as values at the end of each leg:
- *   overlap, slip, normal, shear, which is traction.force too, stored.shear, lost, work.shear
+ *   overlap, slip, normal, shear, which is traction.force too, stored.shear, dissipated, work.shear
  * The place where a force is reached is found by halving. work.shear is stored.shear and lost together: the work of the path
  * itself, not of its rows. Error: with n springs T is off by the order of mu N/n^2, 1e-7 of mu N; so are the energies.
  *
@@ -107,8 +107,8 @@ static double deepest(const struct path_contact *contact, const struct nb_scene 
 }
 
 enum { OVERLAP, SLIP, NORMAL, SHEAR, TRACTION, STORED, LOST, WORK, COLUMNS };
-static const char *const names[COLUMNS] = {"overlap",        "slip",         "normal", "shear",
-                                           "traction.force", "stored.shear", "lost",   "work.shear"};
+static const char *const names[COLUMNS] = {"overlap",        "slip",         "normal",     "shear",
+                                           "traction.force", "stored.shear", "dissipated", "work.shear"};
 
 static void walk_path(struct row *row, double room[], const struct nb_scene *scene, struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);

@@ -12,12 +12,12 @@
  * so the force left on an outer disc is alpha m v/2 along an axis, on a corner disc sqrt(2) of it; the largest contact force is
  * the wall's, k (v t - x). Their ratio, dF/F of [CS79 table 1], is
  *
- *   unbalance = (alpha m v/sqrt(2)) / (k v t/2 + alpha m v/4) = sqrt(2) alpha m v/(k d + alpha m v/2),     d = v t
+ *   unbalanced.max = (alpha m v/sqrt(2)) / (k v t/2 + alpha m v/4) = sqrt(2) alpha m v/(k d + alpha m v/2),     d = v t
  *
  * at the same d proportional to the speed, as long as that is small: [CS79, Speed of loading]. Linear: overlap over radius is
  * neglected, which does not matter here, where all contacts lie along the axes.
  *
- * Known: `unbalance in STAGE`, the first stage; it wants e^(-alpha t/2) to be small.
+ * Known: `unbalanced.max in STAGE`, the first stage; it wants e^(-alpha t/2) to be small.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -46,7 +46,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (!(alpha * t > 20))
     return nb_error_set(error, NB_BAD_USE, "speed_of_loading is for alpha t above 20; here it is %g", alpha * t);
   char name[3 * NB_NAME_SIZE];
-  snprintf(name, sizeof name, "unbalance in %s", scene->stages[0].name);
+  snprintf(name, sizeof name, "unbalanced.max in %s", scene->stages[0].name);
   known_value(known, sqrt(2) * alpha * m * v / (pair.kn * v * t + alpha * m * v / 2), name);
   return known_full(known, error);
 }

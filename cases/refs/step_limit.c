@@ -1,8 +1,8 @@
 /* Reference: the largest steps of a scene whose bodies touch.
  *
  * Known, of all pairs that touch, damped as in the first stage:
- *   step.critical   2 sqrt(m/k) of the lightest free body and the stiffest pair of materials            [CS79, Motion]
- *   step.safe       every contact by itself with its share of the masses, its six freedoms and their largest
+ *   step.single-contact   2 sqrt(m/k) of the lightest free body and the stiffest pair of materials            [CS79, Motion]
+ *   step.stable       every contact by itself with its share of the masses, its six freedoms and their largest
  *                   eigenvalue
  *   step max        the largest step that the calculation cycle stands: what a page's own largest step is compared
  *                   with. The cycle as a matrix, its largest eigenvalue, halving until it leaves the circle: 1e-6
@@ -21,9 +21,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct limit limit;
   if (limit_build(&limit, scene, &scene->damping, touch * scene->bodies[0].radius, error))
     return error->status;
-  known_value(known, limit.critical, "step.critical");
+  known_value(known, limit.critical, "step.single-contact");
   const double safe = limit_of_parts(&limit, scene), longest = limit_of_cycle(&limit);
-  known_value(known, safe, "step.safe");
+  known_value(known, safe, "step.stable");
   known_value(known, longest, "step max");
   limit_free(&limit);
   if (isnan(safe) || isnan(longest))

@@ -9,9 +9,9 @@
  * h is the mean diameter: a body bears p on half of its two sides of the polygon, whose chord is 3^(1/2) times its neighbours' distance. All equal:
  * N = 3^(1/2)/4 p d h. d_1 and d_2 are found by Newton's method with differences (GSL, hybrids).
  *
- *   radius = (d_1 + d_2)/2,  unevenness = |d_1 - d_2|/(d_1 + d_2),  stress on the boundary p, its area 3/2 3^(1/2) d_1 d_2
+ *   radius = (d_1 + d_2)/2,  roughness = |d_1 - d_2|/(d_1 + d_2),  stress on the boundary p, its area 3/2 3^(1/2) d_1 d_2
  *
- * Known, at the end of the last stage:  NAME.normal of watched contacts, boundary.radius .unevenness .area .stress.mean
+ * Known, at the end of the last stage:  NAME.normal of watched contacts, boundary.radius .roughness .area .stress.mean
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_multiroots.h>
@@ -107,7 +107,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     tell(known, scene, name, normal(&ring, a, b, distance));
   }
   tell(known, scene, "boundary.radius", (d1 + d2) / 2);
-  tell(known, scene, "boundary.unevenness", fabs(d1 - d2) / (d1 + d2));
+  tell(known, scene, "boundary.roughness", fabs(d1 - d2) / (d1 + d2));
   tell(known, scene, "boundary.area", 1.5 * sqrt(3) * d1 * d2);
   tell(known, scene, "boundary.stress.mean", load->sxx);
   return known_full(known, error);

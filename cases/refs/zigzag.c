@@ -9,7 +9,7 @@
  * from one to the next the way turns by 2 phi. Beyond 30 degrees the discs carry more from wall to wall, no contact of two discs
  * lies within 45 degrees of that, and there is no chain. What presses the ends is fixed, and counts for nothing else.
  *
- * Known, of a region NAME that holds all: NAME.chains, NAME.chains.length, NAME.chains.share, NAME.chains.turn. Exact where
+ * Known, of a region NAME that holds all: NAME.chains, NAME.chains.length, NAME.chains.fraction, NAME.chains.bend. Exact where
  * |phi - 30 degrees| is above the order of overlap over radius.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -62,8 +62,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       continue;
     tell(known, watch->name, "chains", chain);
     tell(known, watch->name, "chains.length", chain ? linked : 0);
-    tell(known, watch->name, "chains.share", chain ? linked / free_bodies : 0);
-    tell(known, watch->name, "chains.turn", chain ? 2 * phi : 0);
+    tell(known, watch->name, "chains.fraction", chain ? linked / free_bodies : 0);
+    tell(known, watch->name, "chains.bend", chain ? 2 * phi : 0);
   }
   return known_full(known, error);
 }

@@ -36,7 +36,7 @@ static const struct nb_suffix suffixes[] = {
     {SPREAD, "mean", "mean", 0, NULL, NULL},
     {SPREAD, "max", "the largest", 1, NULL, NULL},
     {SPREAD, "min", "the smallest", 2, NULL, NULL},
-    {SPREAD, "deviation", "standard deviation", 3, NULL, NULL},
+    {SPREAD, "std", "standard deviation", 3, NULL, NULL},
 };
 
 const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k) {

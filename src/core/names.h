@@ -14,7 +14,7 @@ enum nb_quantity_family {
   NB_STRESSES,   /* and the mean as well; */
   NB_FABRICS,    /* where the deviator is called anisotropy */
   NB_FOURTH,     /* the five components of a symmetric tensor of fourth order */
-  NB_SPREAD,     /* mean max min deviation */
+  NB_SPREAD,     /* mean max min std */
 };
 enum { NB_PARTS = 5 }; /* numbers that a family is made of, at most */
 

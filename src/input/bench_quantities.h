@@ -27,7 +27,7 @@ enum { NB_ASKS_STORE = 1, NB_ASKS_LOSS = 2, NB_ASKS_PIECES = 4 };
   X(stored, "stored", "J", NB_ASKS_STORE, "elastic energy, a state function of the laws that know theirs")             \
   X(stored_normal, "stored.normal", "J", NB_ASKS_STORE, "that of the normal law")                                      \
   X(stored_shear, "stored.shear", "J", NB_ASKS_STORE, "that of the shear law")                                         \
-  X(lost, "lost", "J", NB_ASKS_LOSS, "to micro-slip and sliding since the start, by a shear law that says it")         \
+  X(lost, "dissipated", "J", NB_ASKS_LOSS, "in micro-slip and sliding since the start, by shear laws that report it")  \
   X(pieces, "pieces", "1", NB_ASKS_PIECES, "how many pieces of its history the shear law keeps")                       \
   X(traction, "traction.force", "N", NB_ASKS_PIECES,                                                                   \
     "the traction summed over the contact, by quadrature: the shear force, or it is wrong")

@@ -138,63 +138,60 @@ enum {
 static const struct nb_quantity_kind kinds[] = {
     {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
     {"time", 0, "s", 0, time_, "time since the start"},
-    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching, "how many contacts touch"},
+    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching, "number of contacts that touch"},
     {"contacts.deep", 0, "1", 0, deep,
      "how often a contact of elastic spheres has overlapped by more than 7 % of the smaller diameter, cycle by cycle "
      "[R89 6.4.3]"},
-    {"unbalance", 0, "1", 0, unbalance,
-     "largest force sum on a body over largest contact force, dF/F of [CS79 table 1]; 0 where there is none"},
-    {"energy.kinetic", 0, "J", 0, kinetic, "of all bodies that are free, spin included"},
+    {"unbalanced.max", 0, "1", 0, unbalance,
+     "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; 0 without contacts"},
+    {"energy.kinetic", 0, "J", 0, kinetic, "of all free particles, rotation included"},
     {"energy.stored", 0, "J", NB_OF_STORED | NB_ASKS_STORED, stored, "in all springs, from the laws' state functions"},
     {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, frictional,
-     "lost since the start where contacts slide: shear force times sliding displacement; micro-slip included"},
+     "dissipated by friction since the start: shear force times sliding displacement; micro-slip included"},
     {"energy.sliding", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, slid,
-     "the part of it that is lost while a contact slides as a whole; the rest is micro-slip's"},
+     "the part of it dissipated while a contact slides as a whole; the rest is micro-slip"},
     {"energy.shear", 0, "J", NB_OF_BALANCE, sheared,
      "work done against shear forces since the start; for laws without stored energy"},
-    {"energy.damped", 0, "J", NB_OF_BALANCE, damped, "lost in dashpots and by global damping since the start"},
+    {"energy.damped", 0, "J", NB_OF_BALANCE, damped, "dissipated by dashpots and global damping since the start"},
     {"energy.walls", 0, "J", NB_OF_BALANCE, by_walls,
-     "supplied since the start by walls and by fixed bodies that move, their force times their velocity"},
+     "supplied since the start by walls and by fixed particles that move, their force times their velocity"},
     {"energy.gravity", 0, "J", NB_OF_BALANCE, by_gravity, "supplied by gravity since the start"},
     {"energy.changed", 0, "J", NB_OF_BALANCE, changed,
-     "put in by stages: bodies stopped or turned round, loaded springs made stiffer or softer"},
-    {"energy.driven", 0, "J", NB_OF_BALANCE, driven,
-     "supplied by what carries bodies along, straining of a cell or by a boundary and a continuum, and by stress on a "
-     "boundary"},
+     "put in by stages: velocities zeroed or reversed, loaded springs made stiffer or softer"},
+    {"energy.imposed", 0, "J", NB_OF_BALANCE, driven,
+     "work of the imposed motion (cell, boundary, affine strain) and of a stress on a boundary"},
     {"energy.removed", 0, "J", NB_OF_BALANCE, removed,
-     "carried away by bodies that stages have taken out or a boundary holds: their kinetic energy and what the springs "
-     "of "
-     "contacts held that are no more"},
+     "kinetic energy of particles that stages have removed or a boundary holds, and elastic energy of their contacts"},
     {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
      "kinetic, stored, frictional, damped and removed energy less what there was at first and was supplied: "
      "the error of the step"},
     {"work.residual", 0, "J", NB_ASKS_WORK, work_residual,
      "kinetic energy at the half step less what there was at first and the work of all forces: rounding"},
-    {"momentum.x", 0, "kg.m/s", 0, momentum_x, "of all bodies that are free"},
-    {"momentum.y", 0, "kg.m/s", 0, momentum_y, "of all bodies that are free"},
+    {"momentum.x", 0, "kg.m/s", 0, momentum_x, "of all free particles"},
+    {"momentum.y", 0, "kg.m/s", 0, momentum_y, "of all free particles"},
     {"momentum.angular", 0, "kg.m2/s", 0, momentum_angular,
-     "of all bodies that are free, about the origin, counterclockwise"},
+     "of all free particles, about the origin, counterclockwise"},
     {"x", BODY, "m", 0, body_x, "position of the centre"},
     {"y", BODY, "m", 0, body_y, "position of the centre"},
-    {"angle", BODY, "rad", 0, body_angle, "how far it has turned, counterclockwise"},
+    {"angle", BODY, "rad", 0, body_angle, "rotation since the start, counterclockwise"},
     {"vx", BODY, "m/s", 0, body_vx, "velocity now, mean of the two half steps [CS79 31]"},
     {"vy", BODY, "m/s", 0, body_vy, "velocity now"},
     {"spin", BODY, "rad/s", 0, body_spin, "angular velocity now, counterclockwise"},
-    {"vx.half", BODY, "m/s", 0, body_vx_half, "velocity over the step behind [CS79 22]"},
-    {"vy.half", BODY, "m/s", 0, body_vy_half, "velocity over the step behind"},
-    {"spin.half", BODY, "rad/s", 0, body_spin_half, "angular velocity over the step behind [CS79 23]"},
+    {"vx.half", BODY, "m/s", 0, body_vx_half, "velocity over the last step [CS79 22]"},
+    {"vy.half", BODY, "m/s", 0, body_vy_half, "velocity over the last step"},
+    {"spin.half", BODY, "rad/s", 0, body_spin_half, "angular velocity over the last step [CS79 23]"},
     {"fx", BODY, "N", 0, body_fx, "sum of the contact forces, dashpots included"},
     {"fy", BODY, "N", 0, body_fy, "sum of the contact forces"},
     {"moment", BODY, "N.m", 0, body_moment, "sum of the moments of the contact forces, counterclockwise"},
     {"x", WALL, "m", 0, wall_x, "position of the wall's point P"},
     {"y", WALL, "m", 0, wall_y, "position of the wall's point P"},
-    {"angle", WALL, "rad", 0, wall_angle, "how far it has turned, counterclockwise"},
-    {"spin", WALL, "rad/s", 0, wall_spin, "angular velocity over the step behind"},
-    {"fx", WALL, "N", 0, wall_fx, "force of the bodies on the wall"},
-    {"fy", WALL, "N", 0, wall_fy, "force of the bodies on the wall"},
-    {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "how far the outlines overlap"},
+    {"angle", WALL, "rad", 0, wall_angle, "rotation since the start, counterclockwise"},
+    {"spin", WALL, "rad/s", 0, wall_spin, "angular velocity over the last step"},
+    {"fx", WALL, "N", 0, wall_fx, "force of the particles on the wall"},
+    {"fy", WALL, "N", 0, wall_fy, "force of the particles on the wall"},
+    {"overlap", PAIR, "m", NB_BIT(NB_OVERLAP), pair_overlap, "overlap of the particles"},
     {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal, "elastic normal force F_n, dashpot not included"},
-    {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear, "elastic shear force F_s, on the first body along -t"},
+    {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear, "elastic shear force F_s, on the first particle along -t"},
     {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0"},
     {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_PUSH), pair_dashpot_normal, "D_n [CS79 26]"},
     {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_DRAG), pair_dashpot_shear, "D_s [CS79 27]"},
@@ -304,7 +301,7 @@ bool nb_quantity_vanishes(struct nb_quantity quantity) {
 }
 
 static const char *owner_of(unsigned watches) {
-  return watches == BODY           ? "a body"
+  return watches == BODY           ? "a particle"
          : watches == WALL         ? "a wall"
          : watches == PAIR         ? "a pair"
          : watches == NB_OF_REGION ? "a region"
@@ -312,7 +309,7 @@ static const char *owner_of(unsigned watches) {
          : watches == NB_OF_IMPACT ? "an impact"
          : watches == NB_OF_CELL   ? "a periodic cell"
          : watches == NB_OF_BOX    ? "a box of walls"
-         : watches == NB_OF_BENCH  ? "the contact on the bench"
+         : watches == NB_OF_BENCH  ? "a contact test"
                                    : "the scene";
 }
 

@@ -14,7 +14,7 @@
  *
  * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes `A.stress.std` of
  * `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner. `"A.stress.deviation/Pa"` and
- * A_stress_deviation in a figure follow.
+ * A_stress_deviation in a figure follow, and the data block $load_bodies. A plain row is of a quantity without an owner.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "old_words.h"
@@ -44,6 +44,26 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_EXPECT, "… among", "… over"},
     {NB_OLD_EXPECT, "… along", "… versus"},
     {NB_OLD_FIGURE, "known", "reference"},
+    {NB_OLD_PLAIN, "unbalance", "unbalanced.max"},
+    {NB_OLD_QUANTITY, ".unbalance.force", ".unbalanced.force"},
+    {NB_OLD_QUANTITY, ".unbalance", ".unbalanced.mean"},
+    {NB_OLD_QUANTITY, ".voids", ".void_ratio"},
+    {NB_OLD_QUANTITY, ".deviation", ".std"},
+    {NB_OLD_QUANTITY, ".strain.turn", ".strain.rotation"},
+    {NB_OLD_QUANTITY, "strain.volume", "strain.volumetric"},
+    {NB_OLD_QUANTITY, ".share", ".fraction"},
+    {NB_OLD_QUANTITY, ".chains.turn", ".chains.bend"},
+    {NB_OLD_QUANTITY, ".coordination.loaded", ".coordination.mechanical"},
+    {NB_OLD_QUANTITY, ".speed.carried", ".speed.imposed"},
+    {NB_OLD_QUANTITY, ".bodies", ".particles"},
+    {NB_OLD_QUANTITY, ".tries", ".attempts"},
+    {NB_OLD_PLAIN, "boundary.unevenness", "boundary.roughness"},
+    {NB_OLD_PLAIN, "energy.driven", "energy.imposed"},
+    {NB_OLD_PLAIN, "step.safe", "step.stable"},
+    {NB_OLD_PLAIN, "step.critical", "step.single-contact"},
+    {NB_OLD_PLAIN, "lost", "dissipated"},
+    {NB_OLD_COLUMN, "body", "particle"},
+    {NB_OLD_COLUMN, "bodies", "particles"},
     {NB_OLD_STATEMENT, NULL, NULL},
   };
   /* clang-format on */
@@ -152,6 +172,8 @@ static bool rewrite(struct line *line, const struct nb_old_word *row, const size
 
 /* Whether the row's name is at that place of a name, between its parts; in a variable of gnuplot `_` stands for the dot. */
 static bool is_part(const struct nb_old_word *row, const char *name, size_t at, size_t length, char dot) {
+  if (row->kind != NB_OLD_QUANTITY && !(row->kind == NB_OLD_PLAIN && at == 0))
+    return false;
   const char *old = row->old + (*row->old == '.');
   const size_t n = strlen(old);
   if (at + n > length || (at > 0 ? name[at - 1] != dot : *row->old == '.') || (at + n < length && name[at + n] != dot))
@@ -167,14 +189,14 @@ static const struct nb_old_word *add_name(struct nb_text *text, const char *name
   const struct nb_old_word *found = NULL;
   for (size_t at = 0; at < length;) {
     const struct nb_old_word *row = nb_old_words();
-    while (row->old && !(row->kind == NB_OLD_QUANTITY && is_part(row, name, at, length, dot)))
+    while (row->old && !is_part(row, name, at, length, dot))
       row++;
     if (!row->old) {
       nb_text_add(text, "%c", name[at++]);
       continue;
     }
     for (const char *c = row->now + (*row->now == '.'); *c; c++)
-      nb_text_add(text, "%c", *c == '.' ? dot : *c);
+      nb_text_add(text, "%c", *c == '.' || (*c == '-' && dot == '_') ? dot : *c);
     at += strlen(row->old) - (*row->old == '.');
     found = row;
   }
@@ -207,14 +229,33 @@ static const struct nb_old_word *figure_row(const char *run, size_t length, bool
   return NULL;
 }
 
+/* The row of a snapshot's column, or of a recipe's variable; NULL: it is none. */
+static const struct nb_old_word *column_row(const char *run, size_t length) {
+  const struct nb_old_word *row = nb_old_words();
+  while (row->old && !(row->kind == NB_OLD_COLUMN && strlen(row->old) == length && strncmp(run, row->old, length) == 0))
+    row++;
+  return row->old ? row : NULL;
+}
+
+/* Whether a name between quotes is that of a column: `C.normal/N`, `C.normal max in load/N`. */
+static bool has_unit(const char *behind) {
+  const size_t n = strcspn(behind, "'\"/");
+  return behind[n] == '/' && (n == 0 || (*behind == ' ' && behind[n - 1] != ' '));
+}
+
 /* A run of letters: between quotes `C.normal` before a unit, elsewhere known_C_normal, or anything else, which stays. */
 static void add_run(struct nb_text *text, const char *run, size_t length, bool quoted) {
+  const struct nb_old_word *column = quoted && run[length] != '/' ? NULL : column_row(run, length);
+  if (column) {
+    nb_text_add(text, "%s", column->now);
+    return;
+  }
   const struct nb_old_word *row = figure_row(run, length, quoted);
   if (row) {
     nb_text_add(text, "%s", row->now);
     run += strlen(row->old), length -= strlen(row->old);
   }
-  if (quoted ? run[length] == '/' : memchr(run, '_', length) != NULL)
+  if (quoted ? has_unit(run + length) : memchr(run, '_', length) != NULL)
     add_name(text, run, length, quoted ? '.' : '_');
   else
     nb_text_add(text, "%.*s", (int)length, run);
@@ -227,7 +268,7 @@ static void add_figure(struct nb_text *text, const char *line) {
     while (isalnum((unsigned char)c[n]) || c[n] == '_' || c[n] == '.')
       n++;
     if (n)
-      add_run(text, c, n, quote != 0);
+      add_run(text, c, n, quote && !(c > line && (c[-1] == '$' || c[-1] == '@')));
     else if (*c == '\'' || *c == '"')
       quote = quote ? quote == *c ? 0 : quote : *c;
     if (n == 0)
@@ -346,12 +387,19 @@ const char *nb_old_fence(char *hint, const char *line) {
   return hint_of(hint, fence_row(line, &at));
 }
 
+const char *nb_old_name(char *hint, const char *name) {
+  struct nb_text text = {0};
+  const struct nb_old_word *row = add_name(&text, name, strlen(name), '.');
+  free(text.at);
+  return hint_of(hint, row);
+}
+
 bool nb_old_help(FILE *out, const char *word) {
   bool found = false;
   for (const struct nb_old_word *row = nb_old_words(); row->old; row++) {
-    const char *dot = strchr(word, '.');
-    const size_t all = index_of(row->old, "", 1);
-    if (index_of(row->old, word, strlen(word)) == all && !(dot && strcmp(row->old, dot + 1) == 0))
+    const char *dot = strchr(word, '.'), *old = row->old + (*row->old == '.');
+    const size_t all = index_of(old, "", 1);
+    if (index_of(old, word, strlen(word)) == all && !(dot && strcmp(old, dot + 1) == 0))
       continue;
     if (index_of(row->now, word, strlen(word)) < index_of(row->now, "", 1) && row->kind <= NB_OLD_EXPECT)
       continue; /* it is a word of today as well */

@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
+#include "old_words.h"
 #include "statement.h"
 
 static const struct nb_argument nothing[] = {END};
@@ -26,7 +27,7 @@ bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantit
   if (nb_excused(mistakes, asked->name))
     return false;
   nb_excuse(mistakes, asked->name);
-  if (nearest[0])
+  if (!nb_old_name(hint, asked->name) && nearest[0])
     snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
   nb_mistake(mistakes, reading->reader.page, asked->line, asked->column, asked->length, hint,
              "expected a quantity, found `%s`", asked->name);

@@ -9,7 +9,7 @@
 OF_RING(ring_bodies, (double)model->drive->ring.count)
 OF_RING(ring_radius, nb_ring_radius(model))
 OF_RING(ring_area, nb_ring_area(model))
-OF_RING(ring_unevenness, nb_ring_unevenness(model))
+OF_RING(ring_roughness, nb_ring_roughness(model))
 NB_TENSOR_QUANTITY(ring_stress, nb_ring_begun(model) ? nb_ring_stress(model) : tensor(0, 0, 0, 0))
 
 /* The largest component of the difference to the stress by contacts. */
@@ -38,17 +38,17 @@ NB_TENSOR_QUANTITY(box_stress, nb_box_stress(model))
   { .name = called, .family = kind, .watches = of, .unit = in, .parts = tensor, .help = what }
 
 const struct nb_quantity_kind nb_loading_kinds[] = {
-    {"boundary.bodies", 0, "1", 0, ring_bodies, "how many bodies are the boundary"},
-    {"boundary.radius", 0, "m", 0, ring_radius, "mean distance of their centres from that of the circle"},
+    {"boundary.particles", 0, "1", 0, ring_bodies, "number of particles of the boundary"},
+    {"boundary.radius", 0, "m", 0, ring_radius, "mean distance of their centres from the centre of the circle"},
     {"boundary.area", 0, "m2", 0, ring_area, "of the polygon through their centres"},
-    {"boundary.unevenness", 0, "1", 0, ring_unevenness,
-     "root of the mean square of their distances' deviations from boundary.radius, over it [R89 6.4.1]"},
+    {"boundary.roughness", 0, "1", 0, ring_roughness,
+     "standard deviation of their distances from the centre, over boundary.radius [R89 6.4.1]"},
     TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, ring_stress,
-           "from the contact forces on the boundary's bodies, sum F_i X_j over the polygon's area and the "
+           "from the contact forces on the boundary's particles, sum F_i X_j over the polygon's area and the "
            "thickness, compression positive"),
     {"boundary.stress.residual", 0, "Pa", 0, ring_residual,
-     "largest difference between it and the stress by all contacts over the same volume: sum F_i X_j of the bodies "
-     "inside, 0 at rest"},
+     "largest difference between it and the stress by all contacts over the same volume: sum F_i X_j of the "
+     "particles inside, 0 at rest"},
 
     TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
            "sides of the cell: xx, yx of the one that was the southern one, xy, yy of the western one"),
@@ -57,14 +57,16 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
            "diameter with spheres; compression positive, dashpots included"),
     TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
            "of the cell since time 0, extension positive; xy is half the change of the right angle, while small"),
-    {"cell.strain.volume", NB_OF_CELL, "1", 0, cell_strain_volume, "growth of its area since time 0, as a share"},
+    {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
+     "relative change of its area since time 0, expansion positive"},
 
     {"box.width", NB_OF_BOX, "m", 0, box_width, "from the box's wall `west` to `east`"},
     {"box.height", NB_OF_BOX, "m", 0, box_height, "from `south` to `north`"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
            "from the forces on its walls, sum F_i X_j of the places where they act over the volume, 1 m thick "
            "with discs, the mean diameter with spheres; compression positive, dashpots included"),
-    {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width, "growth of the box's width since time 0, as a share"},
-    {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height, "of its height"},
+    {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
+     "relative change of the box's width since time 0, extension positive"},
+    {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height, "the same of its height"},
     {.name = NULL},
 };

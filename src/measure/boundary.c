@@ -25,7 +25,7 @@ double nb_ring_radius(const struct nb_model *model) {
   return count ? sum / (double)count : 0;
 }
 
-double nb_ring_unevenness(const struct nb_model *model) {
+double nb_ring_roughness(const struct nb_model *model) {
   const size_t count = model->drive->ring.count;
   const double mean = nb_ring_radius(model);
   double sum = 0;

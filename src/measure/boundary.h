@@ -12,9 +12,9 @@ static inline struct nb_vec nb_ring_place(const struct nb_model *model, size_t k
   const struct nb_ring *ring = &model->drive->ring;
   return vec_sub(model->bodies.position[ring->member[k % ring->count]], model->carry->centre);
 }
-double nb_ring_area(const struct nb_model *model);       /* of the polygon through the centres of its bodies, m2 */
-double nb_ring_radius(const struct nb_model *model);     /* mean distance of their centres from the circle's, m */
-double nb_ring_unevenness(const struct nb_model *model); /* root of the mean square of what is left, over the mean */
+double nb_ring_area(const struct nb_model *model);      /* of the polygon through the centres of its bodies, m2 */
+double nb_ring_radius(const struct nb_model *model);    /* mean distance of their centres from the circle's, m */
+double nb_ring_roughness(const struct nb_model *model); /* root of the mean square of what is left, over the mean */
 struct nb_tensor nb_ring_stress(const struct nb_model *model); /* from the forces on its bodies, Pa */
 
 #endif

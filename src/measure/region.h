@@ -50,7 +50,7 @@ struct nb_coordination {
   double rattlers;         /* bodies */
 };
 struct nb_spread {
-  double mean, max, min, deviation; /* 0 of nothing; deviation: root of the mean square of what is off the mean */
+  double mean, max, min, std; /* 0 of nothing; std: root of the mean square of what is off the mean */
 };
 struct nb_loads {
   struct nb_spread normal, shear;      /* F_n, |F_s|, N */

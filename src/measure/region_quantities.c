@@ -20,10 +20,10 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
 #define ENDS(called, of, in, by, member, what) OF(called, of, in, NB_READS_ENDS, by, member, what)
 #define FABRIC(called, of, in, member, what)                                                                           \
   OF(called, of, in, NB_READS_ENDS | NB_READS_LOADS, NB_FABRIC, fabric.member, what)
-#define PART(called, which, what)                                                                                      \
-  ENDS(called, NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.part[which].stress, what),                                   \
-      ENDS(called ".share", NB_ALONE, "1", NB_STRESS_PARTS, stress.part[which].share,                                  \
-           what ", its share of the deviator of the whole")
+#define PART(called, which, of_what)                                                                                   \
+  ENDS(called, NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.part[which].stress, "stress carried by " of_what),           \
+      ENDS(called ".fraction", NB_ALONE, "1", NB_STRESS_PARTS, stress.part[which].share,                               \
+           "fraction of the deviator carried by " of_what)
 #define COUNT(called, member, what)                                                                                    \
   OF(called, NB_ALONE, "1", NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
 #define LOAD(called, of, in, member, what) OF(called, of, in, NB_READS_LOADS, NB_LOADS, loads.member, what)
@@ -37,68 +37,71 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.whole, "stress by particles, compression positive"),
     ENDS("stress.sinphi", NB_ALONE, "1", NB_STRESS, stress.sinphi, "sin Phi, deviator over twice the mean stress"),
     ENDS("stress.contacts", NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.contacts, "stress by contacts"),
-    PART("stress.normal", NB_STRESS_NORMAL, "part of the normal forces"),
-    PART("stress.shear", NB_STRESS_SHEAR, "part of the shear forces"),
-    PART("stress.fabric", NB_STRESS_FABRIC, "part of mean normal forces"),
-    PART("stress.variation", NB_STRESS_VARIATION, "part of normal forces less their mean"),
+    PART("stress.normal", NB_STRESS_NORMAL, "normal forces"),
+    PART("stress.shear", NB_STRESS_SHEAR, "shear forces"),
+    PART("stress.fabric", NB_STRESS_FABRIC, "the mean normal force at every contact"),
+    PART("stress.variation", NB_STRESS_VARIATION, "normal forces less their mean"),
     ENDS("stress.residual", NB_ALONE, "Pa", NB_STRESS_PARTS, stress.residual,
          "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
          "rounding"),
 
     FABRIC("fabric", NB_FABRICS, "1", plain.second, "structural anisotropy Phi [R89 4.48]"),
     FABRIC("fabric.fourth", NB_FOURTH, "1", plain.xxxx, "structural anisotropy of fourth order [R89 4.48]"),
-    FABRIC("fabric.kk", NB_ALONE, "1/m2", kk, "F_kk, ends of contacts times mean radius over volume [R89 4.46]"),
+    FABRIC("fabric.kk", NB_ALONE, "1/m2", kk, "F_kk, contact ends times mean radius over volume [R89 4.46]"),
     FABRIC("fabric.normal", NB_FABRICS, "1", normal.second, "Phi weighted by the normal force"),
-    FABRIC("fabric.shear", NB_FABRICS, "1", shear.second, "Phi weighted by the shear force's size"),
+    FABRIC("fabric.shear", NB_FABRICS, "1", shear.second, "Phi weighted by the magnitude of the shear force"),
     FABRIC("fabric.sliding", NB_FABRICS, "1", sliding.second,
            "Phi of contacts whose shear force is 0.99 of its limit or more"),
     FABRIC("fabric.sliding.fourth", NB_FOURTH, "1", sliding.xxxx, "the same of fourth order"),
 
     OF("area", NB_ALONE, "m2", 0, NB_POROSITY, area, "of the region"),
     OF("porosity", NB_ALONE, "1", 0, NB_POROSITY, porosity.areal,
-       "areal: what outlines do not cover; those cut by the edge count by the part inside"),
+       "areal porosity: fraction of the area that no particle covers; those cut by the edge count by the part inside"),
     OF("porosity.volume", NB_ALONE, "1", 0, NB_POROSITY, porosity.volume,
-       "the same of volumes, area times thickness: mean diameter of all spheres, 1 m of discs [R89 4.4]"),
-    OF("voids", NB_ALONE, "1", 0, NB_POROSITY, porosity.voids, "void ratio e = n/(1 - n), n the areal porosity"),
+       "porosity by volume, area times thickness: mean diameter of all spheres, 1 m of discs [R89 4.4]"),
+    OF("void_ratio", NB_ALONE, "1", 0, NB_POROSITY, porosity.voids, "void ratio e = n/(1 - n), n the areal porosity"),
 
-    COUNT("bodies", bodies, "how many have their centre inside"),
-    COUNT("contacts", contacts, "how many contacts those bodies have, each once"),
-    COUNT("coordination", all, "contacts of a body inside, on average"),
-    COUNT("coordination.loaded", loaded, "the same without rattlers and their contacts"),
+    COUNT("particles", bodies, "number of particles whose centre is inside"),
+    COUNT("contacts", contacts, "number of contacts of those particles, each counted once"),
+    COUNT("coordination", all, "coordination number: mean number of contacts of a particle inside"),
+    COUNT("coordination.mechanical", loaded, "mechanical coordination number: without rattlers and their contacts"),
     COUNT("rattlers", rattlers,
-          "bodies inside that are free and have fewer than two contacts, those with rattlers not counted"),
+          "number of free particles inside with fewer than two contacts, contacts with rattlers not counted"),
 
     LOAD("normal", NB_SPREAD, "N", normal, "elastic normal force of the contacts"),
-    LOAD("shear", NB_SPREAD, "N", shear, "size of the elastic shear force of the contacts"),
+    LOAD("shear", NB_SPREAD, "N", shear, "magnitude of the elastic shear force of the contacts"),
     LOAD("contact_stress", NB_SPREAD, "Pa", pressure, "normal force over contact area [R89 4.6]"),
-    LOAD("contact_shear", NB_SPREAD, "Pa", traction, "size of the shear force over contact area [R89 4.6]"),
-    LOAD("contact_ratio", NB_SPREAD, "1", ratio, "radius of the contact over the smaller body's [R89 4.6]"),
+    LOAD("contact_shear", NB_SPREAD, "Pa", traction, "magnitude of the shear force over contact area [R89 4.6]"),
+    LOAD("contact_ratio", NB_SPREAD, "1", ratio, "radius of the contact over that of the smaller particle [R89 4.6]"),
     LOAD("obliquity", NB_SPREAD, "1", obliquity, "shear force over its limit, of contacts that have one"),
-    LOAD("sliding", NB_ALONE, "1", sliding, "share of the contacts whose shear force is at its limit"),
+    LOAD("sliding", NB_ALONE, "1", sliding,
+         "sliding fraction: contacts whose shear force is at its limit, over all contacts"),
     LOAD("sliding.near", NB_ALONE, "1", near_sliding,
-         "share of the contacts whose shear force is 0.99 of its limit or more"),
-    LOAD("unbalance", NB_ALONE, "1", unbalance,
-         "mean force sum on a free body over the mean normal force of the contacts"),
-    LOAD("unbalance.force", NB_ALONE, "N", force_sum, "mean size of the force sum on a free body"),
+         "fraction of the contacts whose shear force is 0.99 of its limit or more"),
+    LOAD("unbalanced.mean", NB_ALONE, "1", unbalance,
+         "mean unbalanced force on a free particle over the mean normal force of the contacts"),
+    LOAD("unbalanced.force", NB_ALONE, "N", force_sum, "mean magnitude of the unbalanced force on a free particle"),
 
-    STRAIN("strain", NB_TENSOR, "1", strain, "strain that fits the bodies' displacements best, extension positive"),
-    STRAIN("strain.volume", NB_ALONE, "1", volume, "xx + yy: growth of the area"),
-    STRAIN("strain.turn", NB_ALONE, "rad", turn, "how far the region has turned, counterclockwise, as small turns go"),
+    STRAIN("strain", NB_TENSOR, "1", strain,
+           "strain fitted to the displacements of the particles by least squares, extension positive"),
+    STRAIN("strain.volumetric", NB_ALONE, "1", volume, "volumetric strain xx + yy, expansion positive"),
+    STRAIN("strain.rotation", NB_ALONE, "rad", turn, "mean rigid rotation of the region, small, counterclockwise"),
 
-    SPEED("speed.mean", "m/s", mean, "speed of the free bodies inside beyond what carries them along, mean"),
-    SPEED("speed.max", "m/s", max, "the same, the largest"),
-    SPEED("speed.carried", "m/s", carried, "speed at which they are carried along, mean"),
-    SPEED("speed.ratio", "1", ratio, "speed.mean over speed.carried [R89 6.5.1]; 0: nothing is carried"),
+    SPEED("speed.mean", "m/s", mean, "mean speed of the free particles inside, relative to the imposed motion"),
+    SPEED("speed.max", "m/s", max, "the largest of these speeds"),
+    SPEED("speed.imposed", "m/s", carried, "mean speed of the imposed motion of these particles"),
+    SPEED("speed.ratio", "1", ratio, "speed.mean over speed.imposed [R89 6.5.1]; 0 without imposed motion"),
 
     CHAIN("chains", "1", count,
-          "force chains: three bodies or more, of major stress above the mean, that touch along their major axes"),
-    CHAIN("chains.length", "1", length, "bodies of a force chain, on average"),
-    CHAIN("chains.share", "1", share, "of the free bodies inside, those in force chains"),
-    CHAIN("chains.turn", "rad", turn, "angle between successive links of force chains, mean size: 0 is straight"),
+          "number of force chains: three particles or more, of major stress above the mean, in contact along their "
+          "major axes"),
+    CHAIN("chains.length", "1", length, "mean number of particles of a force chain"),
+    CHAIN("chains.fraction", "1", share, "fraction of the free particles inside that are in force chains"),
+    CHAIN("chains.bend", "rad", turn, "mean angle between successive links of force chains: 0 is straight"),
 
     PARTED("contacts.lost", NB_ALONE, lost.count,
-           "how many contacts its bodies have lost since the stage that `from` names, else the start"),
-    PARTED("contacts.new", NB_ALONE, made.count, "how many they have made since"),
+           "number of contacts lost since the stage that `from` names, else the start"),
+    PARTED("contacts.new", NB_ALONE, made.count, "number of contacts gained since"),
     PARTED("fabric.lost", NB_FABRICS, lost.phi, "Phi of contacts lost since"),
     PARTED("fabric.new", NB_FABRICS, made.phi, "Phi of contacts made since"),
     {.name = NULL},

@@ -35,7 +35,7 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
 
 /* The last three of `from`. */
 #define BODY(COLUMN)                                                                                                   \
-  COLUMN("body", "1", (double)k + 1)                                                                                   \
+  COLUMN("particle", "1", (double)k + 1)                                                                               \
   COLUMN("x", "m", x.x)                                                                                                \
   COLUMN("y", "m", x.y)                                                                                                \
   COLUMN("radius", "m", bodies->rim[i].x)                                                                              \
@@ -173,7 +173,7 @@ static const struct {
   const char *name;
   size_t at;
 } parts[] = {
-    {"bodies", offsetof(struct nb_snapshot, bodies)},     {"walls", offsetof(struct nb_snapshot, walls)},
+    {"particles", offsetof(struct nb_snapshot, bodies)},  {"walls", offsetof(struct nb_snapshot, walls)},
     {"contacts", offsetof(struct nb_snapshot, contacts)}, {"rings", offsetof(struct nb_snapshot, rings)},
     {"lattice", offsetof(struct nb_snapshot, lattice)},   {"traction", offsetof(struct nb_snapshot, traction)},
     {"pieces", offsetof(struct nb_snapshot, pieces)},

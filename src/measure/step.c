@@ -155,12 +155,12 @@ NB_QUANTITY(rayleigh_fit_mean, nb_step_rayleigh(model, true, true))
 
 const struct nb_quantity_kind nb_step_kinds[] = {
     {"step", 0, "s", 0, step, "the time step"},
-    {"step.critical", 0, "s", 0, critical, "2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion]"},
-    {"step.safe", 0, "s", 0, safe, "the largest step sure to be stable with the contacts and the damping of now"},
+    {"step.single-contact", 0, "s", 0, critical, "2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion]"},
+    {"step.stable", 0, "s", 0, safe, "the largest step guaranteed stable with the present contacts and damping"},
     {"step.fracc", 0, "1", NB_ASKS_FRACC, fracc,
-     "FRACC, the largest of all bodies in the cycle behind: no bound for anything [R89 4.40]"},
-    {"step.rayleigh", 0, "s", 0, rayleigh, "a surface wave's time half round the smallest sphere [R89 4.33]"},
-    {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "the same round the sphere that is the mean of all"},
+     "FRACC, the largest of all particles in the last cycle: not a stability bound [R89 4.40]"},
+    {"step.rayleigh", 0, "s", 0, rayleigh, "travel time of a Rayleigh wave half round the smallest sphere [R89 4.33]"},
+    {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "the same for the mean sphere"},
     {"step.rayleigh-fit", 0, "s", 0, rayleigh_fit, "as step.rayleigh, with R89's fit of the wave's speed [R89 4.34]"},
     {"step.rayleigh-fit-mean", 0, "s", 0, rayleigh_fit_mean, "R89's step: the fit, and the mean sphere"},
     {.name = NULL},

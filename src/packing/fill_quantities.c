@@ -26,7 +26,7 @@ static double dropped(const struct nb_model *model, const struct nb_watch *watch
   const struct sum sum = sum_of(model, watch);
   return sum.wanted - sum.placed;
 }
-static double tries(const struct nb_model *model, const struct nb_watch *watch) {
+static double attempts(const struct nb_model *model, const struct nb_watch *watch) {
   double made = 0;
   for (size_t f = 0; f < model->scene->fill_count; f++)
     if (model->scene->fills[f].grading == watch->a)
@@ -63,11 +63,10 @@ static double gap(const struct nb_model *model, const struct nb_watch *watch) {
 enum { GRADING = 1 << NB_WATCH_GRADING, EITHER = 1 << NB_WATCH_GRADING | 1 << NB_WATCH_SIZE };
 
 const struct nb_quantity_kind nb_fill_kinds[] = {
-    {"gap", 0, "m", 0, gap,
-     "the smallest distance between the outlines of two bodies, up to the skin; below 0: they overlap"},
-    {"wanted", EITHER, "1", 0, wanted, "bodies that were to be placed"},
-    {"placed", EITHER, "1", 0, placed, "bodies for which there was a place"},
-    {"dropped", EITHER, "1", 0, dropped, "bodies for which there was none"},
-    {"tries", GRADING, "1", 0, tries, "places that were tried, for all bodies"},
+    {"gap", 0, "m", 0, gap, "smallest gap between two particles, up to the skin; below 0: they overlap"},
+    {"wanted", EITHER, "1", 0, wanted, "number of particles to be placed"},
+    {"placed", EITHER, "1", 0, placed, "number of particles placed"},
+    {"dropped", EITHER, "1", 0, dropped, "number of particles for which no place was found"},
+    {"attempts", GRADING, "1", 0, attempts, "number of placement attempts, for all particles"},
     {.name = NULL},
 };
