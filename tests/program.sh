@@ -216,7 +216,7 @@ verdict 'options that are wrong'
 # Each command with an option that it does not use; the message names those that do.
 for use in 'check -o out:--output, which is an option of: run, figure, report, state' 'check --stage a:--stage, which is an option of: state' \
   'figure --tap:--tap, which is an option of: check' 'explain -o out:--output, which' 'explain --jobs 2:--jobs, which is an option of: run, check, figure, report' \
-  'state --follow a:--follow, which is an option of: run, check, figure, report, explain' 'state --jobs 2:--jobs, which' \
+  'state --jobs 2:--jobs, which' \
   'run --trust:--trust, which is an option of: figure, report' 'laws --threads 2:--threads, which' 'list --isa plain:--isa, which' \
   'laws --set a=1:--set, which' 'list --states a:--states, which'; do
   command=${use%%:*}
@@ -261,7 +261,6 @@ out 'parameters of the materials: ks, friction, cohesion'
 out '[CS79 17-19]'
 run 0 list
 out 'nine_discs'
-out 'energy.kinetic'
 verdict 'laws and list'
 
 run 0 explain "$pages/same-bits.md"
@@ -321,7 +320,7 @@ out '1 of 1 checks passed'
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 3.0000000000000001e-06 || echo 'the legs of the page do not hold' >>why
 there path/press-traction.tsv
 there path/press-pieces.tsv
-run 0 run "$pages/bench.md" --follow path.tsv -o path
+run 0 run "$pages/bench.md" --set follow=path.tsv -o path
 test "$(column slip/m path/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 ' || echo 'the path was not followed' >>why
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'nor was its unit' >>why
 column stage path/table.tsv | grep -qv follow && echo 'a leg of the page is left' >>why
@@ -333,19 +332,19 @@ run 0 check own.md
 out '1 of 1 checks passed'
 run 0 run own.md -o own
 test "$(column slip/m own/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 8.9999999999999996e-07 ' || echo 'the leg did not follow its file' >>why
-run 0 run "$pages/bench.md" --follow none.tsv --follow path.tsv -o path
-run 0 explain "$pages/bench.md" --follow path.tsv
+run 0 run "$pages/bench.md" --set follow=none.tsv --set follow=path.tsv -o path
+run 0 explain "$pages/bench.md" --set follow=path.tsv
 out 'the path is read from a file'
-run 2 check "$pages/bench.md" --follow path.tsv
-out '--follow replaces the path of the page'
+run 2 check "$pages/bench.md" --set follow=path.tsv
+out '`follow` replaces the path of the page'
 said 'no expectation of this page could fail'
 printf 'approach/m\tslip/m\n1e-6\tnought\n' >path.tsv
-run 2 run "$pages/bench.md" --follow path.tsv -o bad
+run 2 run "$pages/bench.md" --set follow=path.tsv -o bad
 said 'path.tsv:2:6: error: expected a number for the slip, found `nought`'
 absent bad
-run 2 run "$pages/passes.md" --follow path.tsv
+run 2 run "$pages/passes.md" --set follow=path.tsv
 said 'expected a page with a path for `follow`'
-verdict "--follow: the page's contact along another path, and what is wrong with one"
+verdict "--set follow: the page's contact along another path, and what is wrong with one"
 
 run 0 run "$pages/swept.md" -o swept
 test "$(column v/- swept/table.tsv | sort -u | wc -l)" -eq 3 || echo 'no column v' >>why

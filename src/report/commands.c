@@ -357,9 +357,5 @@ enum nb_status nb_command_list(const struct nb_use *use) {
   puts("references, for `reference NAME` in a page:");
   for (const struct nb_reference *const *reference = nb_references(); *reference; reference++)
     printf("  %-24s %s  %s\n", (*reference)->name, (*reference)->title, (*reference)->source);
-  puts("\nquantities, for `record`: WATCH.NAME for what is watched, the name alone for the scene");
-  struct nb_quantity_row row;
-  for (size_t k = 0; nb_quantity_row(&row, k); k++)
-    printf("  %-16s %-6s of %-10s %s\n", row.name, row.unit, row.of, row.help);
   return NB_OK;
 }

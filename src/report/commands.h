@@ -14,7 +14,6 @@ struct nb_use {
   const char *folder;    /* or a file; NULL: the default */
   const char *stage;     /* at whose end; NULL: the last one */
   const char **settings; /* NULL-terminated */
-  char follow[4096];     /* the setting of --follow; empty: none */
   struct nb_options options;
   bool tap;
   bool in_place;

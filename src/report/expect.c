@@ -55,6 +55,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
 static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   char hint[NB_HINT_SIZE];
   measure->stage = -1;
+  measure->whole = strlen(measure->label);
   if (!nb_token_skip(reader, "in"))
     return true;
   const struct nb_token *token = nb_take(reader, "the name of a stage");
@@ -166,21 +167,13 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
 /* ---- what is expected of it ---- */
 
 static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
-  char hint[NB_HINT_SIZE];
-  const struct nb_token *token = nb_take(reader, "the name of a `sweep`");
-  if (!token)
+  static const char what[] = "the name of a `sweep`";
+  const struct nb_token *token = nb_take(reader, what);
+  const int k = NB_NAMED(reader, token, scene->bindings, scene->binding_count, what, NULL);
+  if (k < 0)
     return false;
   snprintf(name, 2 * NB_NAME_SIZE, "%s", token->text);
-  struct nb_guess guess = nb_guess_begin(token->text);
-  for (size_t k = 0; k < scene->binding_count; k++) {
-    const struct nb_binding *binding = &scene->bindings[k];
-    if (binding->sweep < 0)
-      continue;
-    if (strcmp(binding->name, token->text) == 0)
-      return true;
-    nb_guess_offer(&guess, binding->name);
-  }
-  return nb_not_known(reader, token, nb_guess_hint(&guess, hint), "the name of a `sweep`");
+  return scene->bindings[k].sweep >= 0 || nb_expected_at(reader, token, "it is a `let`, which has one value", what);
 }
 
 /* `over NAME`, or nothing: the sweep whose runs are a sample. */

@@ -16,6 +16,7 @@ enum { NB_STAGE_ALL = -2 };
 /* `C.normal mean in rest` */
 struct nb_measure {
   char label[4 * NB_NAME_SIZE]; /* as references know it: quantity, reducer, stage, whole */
+  size_t whole;                 /* length of the label without ` in STAGE` */
   size_t column;                /* of the table */
   const char *unit;             /* NULL: unknown, as a mistake of the scene leaves it */
   enum nb_reducer reducer;

@@ -52,7 +52,7 @@ static void explain_statement(FILE *out, const struct nb_scene *scene, int line,
 static void explain_statements(FILE *out, const struct nb_scene *scene, size_t stage) {
   const size_t line = (size_t)scene->stages[stage].line;
   const bool opens = scene->start.line && stage == scene->start.stages;
-  size_t end = line ? scene->page->line_count + 1 : 0; /* a segment of --follow has no line */
+  size_t end = line ? scene->page->line_count + 1 : 0; /* one of --set follow=FILE has no line */
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     if ((size_t)scene->stages[s].line > line && (size_t)scene->stages[s].line < end)
       end = (size_t)scene->stages[s].line;

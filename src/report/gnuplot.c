@@ -7,11 +7,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "commands.h"
 #include "core/clean.h"
@@ -38,21 +36,6 @@ static bool hear(FILE *said, bool aloud, char *last, size_t size) {
   return lacks;
 }
 
-static int run(struct nb_confined *confined, int figure, FILE *said) {
-  int status = -1;
-  fflush(NULL);
-  const pid_t child = fork();
-  if (child == 0) {
-    if (dup2(figure, STDOUT_FILENO) < 0 || dup2(fileno(said), STDERR_FILENO) < 0)
-      _exit(126);
-    close(STDIN_FILENO);
-    nb_confine_become(confined);
-  }
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
-    continue;
-  return status;
-}
-
 enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error) {
   char file[NB_NAME_SIZE + 8], last[256];
   char *const words[] = {"-d", "-e", (char *)drawing->commands, file, NULL};
@@ -69,7 +52,7 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
     confined->folder = folder, confined->file = file, confined->library = drawing->recipes, confined->words = words;
     status = nb_confine_begin(confined, drawing->trust, error);
     if (!status) {
-      const int end = run(confined, drawing->figure, said);
+      const int end = nb_confine_run(confined, drawing->figure, fileno(said));
       const bool lacks = hear(said, drawing->aloud, last, sizeof last);
       const int code = WIFEXITED(end) ? WEXITSTATUS(end) : 0;
       const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : code > 128 ? code - 128 : 0; /* bwrap hands it on so */

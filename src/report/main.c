@@ -28,7 +28,7 @@ static const struct {
     {"state", nb_command_state, "PAGE [-o FILE]", "run a page to the end of a stage, save its state in a file"},
     {"migrate", nb_command_migrate, "PAGE… [--in-place]", "rewrite pages of version 0.3 in the words of this one"},
     {"laws", nb_command_laws, "", "the contact laws: equations, material parameters"},
-    {"list", nb_command_list, "", "the references, and the quantities that a page can record"},
+    {"list", nb_command_list, "", "the references; quantities are in nineball --help scene"},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -40,16 +40,16 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 static const struct option_row {
   const char *name, *value; /* how the help writes the value; NULL: there is none */
   int letter;               /* its short form; 0: none */
-  enum { TEXT, NUMBER, FLAG, SETTING, FOLLOW } kind;
+  enum { TEXT, NUMBER, FLAG, SETTING } kind;
   size_t at;            /* where it goes */
   const char *commands; /* that take it; NULL: it stands alone */
   const char *help;
 } options[] = {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, state",
      "where files go (default: NAME.out; report: report); of `state` a FILE (NAME-STAGE.state)"},
-    {"set", "NAME=VALUE", 0, SETTING, 0, ALL, "instead of the page's `let` or `sweep` NAME; also normal, shear, step"},
-    {"follow", "FILE", 0, FOLLOW, 0, CHECKING ", explain",
-     "lead a contact test along the path in FILE: columns approach/m and slip/m"},
+    {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
+     "instead of the page's `let` or `sweep` NAME; also normal, shear, step, and follow: a FILE with a path for a "
+     "contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
      "where saved states are, from which pages start (default: $NINEBALL_STATES, or states)"},
@@ -159,12 +159,6 @@ static enum nb_status take_option(struct nb_use *use, const struct option_row *r
     if (!strchr(value, '='))
       return usage("expected NAME=VALUE behind --set, found `%s`", value);
     use->settings[settings] = value;
-    break;
-  case FOLLOW: /* the last one holds */
-    if (!use->follow[0])
-      use->settings[settings] = use->follow;
-    if ((size_t)snprintf(use->follow, sizeof use->follow, "follow=%s", value) >= sizeof use->follow)
-      return usage("expected a name of less than %zu bytes behind --follow", sizeof use->follow - sizeof "follow=");
     break;
   }
   return NB_OK;

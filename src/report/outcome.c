@@ -57,43 +57,37 @@ static void warn_deep(struct nb_outcome *outcome) {
         count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
 }
 
-/* Progress of all runs together, of which several may be at it at once. */
+/* Progress of all runs together, of which several may be at it at once; of one of them. */
 struct together {
-  const struct nb_outcome *outcome;
+  struct nb_outcome *outcome;
   const struct nb_progress *progress;
-  double *shares; /* of each run, done */
-  double began;   /* s */
-};
-struct one {
-  struct together *all;
+  double began; /* s */
   size_t run;
 };
 
 static void tell(void *data, const char *stage, double share, double seconds) {
-  const struct one *one = data;
-  struct together *all = one->all;
-  const size_t runs = all->outcome->run_count;
+  const struct together *it = data;
   (void)seconds;
 #pragma omp critical(nb_outcome_tell)
   {
     double sum = 0;
     char text[512];
-    all->shares[one->run] = share;
-    for (size_t r = 0; r < runs; r++)
-      sum += all->shares[r];
-    const char *label = all->outcome->runs[one->run].label;
+    it->outcome->runs[it->run].done = share;
+    for (size_t r = 0; r < it->outcome->run_count; r++)
+      sum += it->outcome->runs[r].done;
+    const char *label = it->outcome->runs[it->run].label;
     snprintf(text, sizeof text, "%s%s%s", stage, label[0] ? " of " : "", label);
-    all->progress->call(all->progress->data, text, sum / (double)runs, nb_clock() - all->began);
+    it->progress->call(it->progress->data, text, sum / (double)it->outcome->run_count, nb_clock() - it->began);
   }
 }
 
 static void note(void *data, const char *words) {
-  const struct one *one = data;
-  const char *label = one->all->outcome->runs[one->run].label;
+  const struct together *it = data;
+  const char *label = it->outcome->runs[it->run].label;
   char text[1024];
   snprintf(text, sizeof text, "%s%s%s", words, label[0] ? ", run " : "", label);
 #pragma omp critical(nb_outcome_tell)
-  one->all->progress->note(one->all->progress->data, text);
+  it->progress->note(it->progress->data, text);
 }
 
 static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
@@ -120,9 +114,7 @@ static int jobs_of(const struct nb_outcome *outcome, const struct nb_options *op
 static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;
-  struct together all = {outcome, progress, calloc(runs + 1, sizeof *all.shares), nb_clock()};
-  if (!all.shares)
-    return nb_error_memory(&outcome->error);
+  const double began = nb_clock();
   const int jobs = jobs_of(outcome, options);
   bool broken = false;
   nb_references_prepare();
@@ -133,17 +125,16 @@ static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_option
     skip = broken;
     if (skip)
       continue;
-    struct one one = {&all, r};
-    const struct nb_progress mine = {progress && progress->call ? tell : NULL, progress && progress->note ? note : NULL,
-                                     &one};
-    run_one(&outcome->runs[r], options, progress ? &mine : NULL);
-    all.shares[r] = 1;
+    struct together mine = {outcome, progress, began, r};
+    const struct nb_progress its = {progress && progress->call ? tell : NULL, progress && progress->note ? note : NULL,
+                                    &mine};
+    run_one(&outcome->runs[r], options, progress ? &its : NULL);
+    outcome->runs[r].done = 1;
     if (outcome->runs[r].status) {
 #pragma omp atomic write
       broken = true;
     }
   }
-  free(all.shares);
   for (size_t r = 0; r < runs; r++)
     add_warnings(outcome, &outcome->runs[r].result.warnings);
   warn_deep(outcome);

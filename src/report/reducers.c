@@ -140,15 +140,9 @@ bool nb_measure_seen(double *seen, const struct nb_measure *measure, const struc
                     isnan(*seen) ? "it rises through its mean less than twice" : "the result is not a finite number");
 }
 
-const double *nb_measure_known(const struct nb_measure *measure, const struct nb_scene *scene,
-                               const struct nb_known *known) {
+const double *nb_measure_known(const struct nb_measure *measure, const struct nb_known *known) {
   const double *value = known_find(known, measure->label);
-  if (value || measure->stage == -1)
-    return value;
   char label[sizeof measure->label];
-  const size_t length = strlen(measure->label),
-               tail = strlen(measure->stage < 0 ? "all" : scene->stages[measure->stage].name) + strlen(" in ");
-  memcpy(label, measure->label, sizeof label);
-  label[length - tail] = 0;
-  return known_find(known, label);
+  snprintf(label, sizeof label, "%.*s", (int)measure->whole, measure->label);
+  return value ? value : known_find(known, label);
 }

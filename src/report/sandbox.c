@@ -146,6 +146,53 @@ static bool prepare_landlock(struct nb_confined *confined, const char **why) {
   return done;
 }
 
+/* ---- the program, confined ---- */
+
+/* So much and no more, whatever a page asks for. */
+static void limit(int what, rlim_t most) {
+  struct rlimit now;
+  if (getrlimit(what, &now) == 0 && now.rlim_max < most) /* RLIM_INFINITY is the largest number */
+    most = now.rlim_max;
+  now = (struct rlimit){most, most};
+  setrlimit(what, &now);
+}
+
+/* Between fork and exec: gives up all other rights and becomes the program. 126 is the exit status if that fails. */
+_Noreturn static void become(const struct nb_confined *confined) {
+  static const char sorry[] = "gnuplot could not be confined\n";
+  const bool landlock = confined->how == NB_CONFINE_LANDLOCK, bwrap = confined->how == NB_CONFINE_BWRAP;
+  limit(RLIMIT_CPU, 120);
+  limit(RLIMIT_FSIZE, 200 << 20);
+  limit(RLIMIT_AS, (rlim_t)4 << 30);
+  limit(RLIMIT_CORE, 0);
+  alarm(300); /* s by the clock: a page may sleep */
+  if (chdir(confined->folder) == 0 &&
+      (bwrap || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) && /* bwrap does so itself, when it has done its work */
+      (!landlock || syscall(SYS_landlock_restrict_self, confined->rules, 0) == 0)) {
+    for (int file = 3; file < 1024; file++)
+      close(file);
+    execve(bwrap ? confined->wrap : confined->program, confined->arguments, environment);
+  }
+  if (write(STDERR_FILENO, sorry, sizeof sorry - 1) < 0)
+    _exit(125);
+  _exit(126);
+}
+
+int nb_confine_run(const struct nb_confined *confined, int out, int said) {
+  int status = -1;
+  fflush(NULL);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (dup2(out, STDOUT_FILENO) < 0 || dup2(said, STDERR_FILENO) < 0)
+      _exit(126);
+    close(STDIN_FILENO);
+    become(confined);
+  }
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
+    continue;
+  return status;
+}
+
 /* ---- bubblewrap ---- */
 
 struct list {
@@ -178,23 +225,16 @@ static bool prepare_bwrap(struct nb_confined *confined, const char **why) {
   /* Does it work here? Containers often forbid it. */
   const int first = list.count;
   add(&list, "--version"), add(&list, NULL);
-  const pid_t child = fork();
-  if (child == 0) {
-    const int null = open("/dev/null", O_RDWR);
-    for (int k = 0; k < 3; k++)
-      dup2(null, k);
-    execve(confined->wrap, confined->arguments, environment);
-    _exit(126);
-  }
-  int status = 1;
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
-    continue;
+  const int null = open("/dev/null", O_WRONLY);
+  const bool works = null >= 0 && nb_confine_run(confined, null, null) == 0;
+  if (null >= 0)
+    close(null);
   *why = "bwrap: it cannot make a namespace here";
   list.count = first;
   for (char *const *word = confined->words; *word; word++)
     add(&list, *word);
   add(&list, NULL);
-  return child > 0 && status == 0;
+  return works;
 }
 
 /* ---- which of them ---- */
@@ -230,33 +270,4 @@ void nb_confine_end(struct nb_confined *confined) {
   if (confined->rules >= 0)
     close(confined->rules);
   confined->rules = -1;
-}
-
-/* So much and no more, whatever a page asks for. */
-static void limit(int what, rlim_t most) {
-  struct rlimit now;
-  if (getrlimit(what, &now) == 0 && now.rlim_max < most) /* RLIM_INFINITY is the largest number */
-    most = now.rlim_max;
-  now = (struct rlimit){most, most};
-  setrlimit(what, &now);
-}
-
-_Noreturn void nb_confine_become(const struct nb_confined *confined) {
-  static const char sorry[] = "gnuplot could not be confined\n";
-  const bool landlock = confined->how == NB_CONFINE_LANDLOCK, bwrap = confined->how == NB_CONFINE_BWRAP;
-  limit(RLIMIT_CPU, 120);
-  limit(RLIMIT_FSIZE, 200 << 20);
-  limit(RLIMIT_AS, (rlim_t)4 << 30);
-  limit(RLIMIT_CORE, 0);
-  alarm(300); /* s by the clock: a page may sleep */
-  if (chdir(confined->folder) == 0 &&
-      (bwrap || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) && /* bwrap does so itself, when it has done its work */
-      (!landlock || syscall(SYS_landlock_restrict_self, confined->rules, 0) == 0)) {
-    for (int file = 3; file < 1024; file++)
-      close(file);
-    execve(bwrap ? confined->wrap : confined->program, confined->arguments, environment);
-  }
-  if (write(STDERR_FILENO, sorry, sizeof sorry - 1) < 0)
-    _exit(125);
-  _exit(126);
 }

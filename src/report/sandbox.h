@@ -31,7 +31,7 @@ bool nb_program_find(char *path, size_t size, const char *name);
  * `file`, `library` and `words` are given. NINEBALL_CONFINE=landlock|bwrap|none restricts the choice. End it with nb_confine_end. */
 enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct nb_error *error);
 void nb_confine_end(struct nb_confined *confined);
-/* Between fork and exec: gives up all other rights and becomes the program. Does not return; 126 is the exit status if that fails. */
-_Noreturn void nb_confine_become(const struct nb_confined *confined);
+/* Runs it, with these files as standard output and error; the status that waitpid answers, -1: it could not be started. */
+int nb_confine_run(const struct nb_confined *confined, int out, int said);
 
 #endif

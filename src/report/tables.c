@@ -132,7 +132,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
       double seen;
       if (!first_of_its_name(all, k))
         continue;
-      const double *known = nb_measure_known(&all->list[k].measure, &run->scene, &run->known);
+      const double *known = nb_measure_known(&all->list[k].measure, &run->known);
       nb_measure_seen(&seen, &all->list[k].measure, &run->result.table, &error);
       fprintf(out, "\t%.17g\t%.17g", seen, known ? *known : NAN);
     }

@@ -112,7 +112,7 @@ bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_
 /* Of the reference, or 0 for a residual. */
 const double *nb_check_known(const struct nb_page_run *run, const struct nb_measure *measure) {
   static const double nothing = 0;
-  const double *known = nb_measure_known(measure, &run->scene, &run->known);
+  const double *known = nb_measure_known(measure, &run->known);
   return known || !measure->vanishes ? known : &nothing;
 }
 
@@ -250,7 +250,7 @@ static bool skip_unread(struct nb_outcome *outcome) {
       continue;
     all = skip(outcome, (int)i + 1,
                hidden ? "the block is in a quote, in a list or indented by four spaces, so it is not read"
-                      : "--follow replaces the path of the page",
+                      : "`follow` replaces the path of the page",
                NULL);
   }
   return all;
