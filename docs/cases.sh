@@ -106,7 +106,7 @@ awk '
     if (text ~ /^region /) return "a region"
     if (text ~ / grading /) return "a grading"
     if (text ~ / with /) return "a pair"
-    return text ~ /^watch +[^ ]+ +wall / ? "a wall" : "a particle"
+    return text ~ /^monitor +[^ ]+ +wall / ? "a wall" : "a particle"
   }
   function scene_line(text, place,  verb, i, m, all) {
     if (text ~ /^ramp /) { found("In a stage", "ramp"); sub(/^ramp +/, "", text) }
@@ -114,7 +114,7 @@ awk '
     if (verb == "") return
     found(place, verb)
     split(text, all, /[ \t]+/)
-    if (verb == "watch" || verb == "region") kind[all[2]] = kind_of(text)
+    if (verb == "monitor" || verb == "region") kind[all[2]] = kind_of(text)
     if (verb == "sweep" || verb == "let") swept = swept " " text
     if (verb == "normal" || verb == "shear") {
       m = split(text, all, /[ \t]+/)
@@ -146,9 +146,9 @@ awk '
       if (line ~ /^```/) { block = block == "" ? substr(line, 4) : ""; continue }
       sub(/#.*/, "", line); gsub(/^[ \t]+|[ \t\r]+$/, "", line)
       if (line == "") continue
-      if (block == "path") path = 1
-      if (block == "path" && line ~ /^(contact|leg|repeat) /) place = "Contact test"
-      if (block == "scene" || block == "path") scene_line(line, line ~ /^stage / ? "The scene" : place)
+      if (block == "contact-test") path = 1
+      if (block == "contact-test" && line ~ /^(contact|segment|repeat) /) place = "Contact test"
+      if (block == "scene" || block == "contact-test") scene_line(line, line ~ /^stage / ? "The scene" : place)
       if (block == "scene" && line ~ /^stage /) place = "In a stage"
       if (block == "expect") expect_line(line, path)
     }
@@ -167,10 +167,10 @@ awk '
     held = "Quantities that are held against something"
     word_rows()
     law_rows()
-    kinds("What is said with them", "damping", "contact-beta contact-fraction contact-ratio walls critical global con1")
-    kinds("What is said with them", "step", "per safe critical contact rayleigh rayleigh-mean rayleigh-fit rayleigh-fit-mean")
+    kinds("What is said with them", "damping", "stiffness r89-fraction ratio walls critical mass con1")
+    kinds("What is said with them", "step", "per stable single-contact collision rayleigh rayleigh-mean rayleigh-fit rayleigh-fit-mean")
     kinds("What is said with them", "region", "circle box inside all rings from")
-    kinds("What is said with them", "servo", "boundary cell box continuum")
+    kinds("What is said with them", "servo", "boundary cell box affine")
     kinds("What is said with them", "snapshot", "from")
     kinds("What is said with them", "units", "none")
     row("Expectations", "over"); row("Expectations", "of peak")

@@ -142,7 +142,7 @@ struct nb_grading {
   int line;
 };
 
-/* `fill`: bodies of a grading at random in a circle or a box. Where it was before `place` moved the scene. */
+/* `fill`: bodies of a grading at random in a circle or a box. Where it was before `transform` moved the scene. */
 struct nb_fill {
   bool circle;
   double x, y;   /* m: the centre of the circle, or the south-west corner of the box */

@@ -44,7 +44,7 @@ static void pairs_that_may_meet(void) {
       {"disc 0 0 radius 1 m\nwall w 90 -9 to 90 9 m\nstep 0.708\n", true},
       {"disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nstep 0.67\n", false}, /* two of them are near */
       {"disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nstep 0.671\n", true},
-      {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m\nstep 0.5\ndamping contact-ratio 0.1\n", true},
+      {"disc 0 0 radius 1 m\ndisc 90 0 radius 1 m\nstep 0.5\ndamping ratio 0.1\n", true},
       {"disc 0 0 radius 1 m\nstep 99\n", false}, /* alone */
   };
   unsigned long cycles;
@@ -67,11 +67,11 @@ static void pairs_that_may_meet(void) {
                   NB_BROKEN); /* it begins above its limit */
   CU_ASSERT_EQUAL(cycles, 4);
   CU_ASSERT_EQUAL(ends(APART "ramp material m kn 8.01\nallow unstable\ncycles 2\n", &cycles, &error), NB_OK);
-  CU_ASSERT_EQUAL(ends(PAIR
-                       "disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nrecord step\nstep 0.5 of safe\n"
-                       "stage a\ncycles 1\n",
-                       &cycles, &error),
-                  NB_OK);
+  CU_ASSERT_EQUAL(
+      ends(PAIR "disc 0 0 radius 3 m\ndisc 6 0 radius 3 m\ndisc 90 0 radius 1 m\nrecord step\nstep 0.5 of stable\n"
+                "stage a\ncycles 1\n",
+           &cycles, &error),
+      NB_OK);
   CU_ASSERT_DOUBLE_EQUAL(step, 1 / sqrt(80. / 9), 1e-15);
 }
 
@@ -88,13 +88,13 @@ static void what_is_advised_holds(void) {
   } cases[] = {
       {springs, "step 5 s", "step 1 ms"},
       {bare, "step 5", "step 0.001"},
-      {bare, "step 9 of critical", "step 0.001"},
-      {bare, "step 9 of safe", "step 0.001"},
+      {bare, "step 9 of single-contact", "step 0.001"},
+      {bare, "step 9 of stable", "step 0.001"},
       {elastic, "step 99 of rayleigh", "step 0.001"},
       {elastic, "step 99 of rayleigh-mean", "step 0.001"},
       {elastic, "step 99 of rayleigh-fit", "step 0.001"},
       {elastic, "step 99 of rayleigh-fit-mean", "step 0.001"},
-      {elastic, "step 1 per contact", "step 0.001"},
+      {elastic, "step 1 per collision", "step 0.001"},
   };
   unsigned long cycles;
   struct nb_error error;

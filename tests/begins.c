@@ -49,7 +49,7 @@ static void second_order(const char *head, const char *first, const char *second
   "0.35 m\nboundary circle 0 0 radius 0.8"
 
 static void global_damping_begins_at_the_stage(void) {
-  static const char *const kinds[] = {"damping none", "damping global 3", "damping global 0.5"};
+  static const char *const kinds[] = {"damping none", "damping mass 3", "damping mass 0.5"};
   for (int a = 0; a < 3; a++)
     for (int b = 0; b < 3; b++)
       if (a != b)
@@ -58,11 +58,11 @@ static void global_damping_begins_at_the_stage(void) {
 
 static void stress_on_a_boundary_begins_at_the_stage(void) {
   second_order(SEVEN, "boundary stress 190 130 shear 20", "boundary stress 120 190", true);
-  second_order(SEVEN, "boundary stress 190 130 shear 20", "boundary stress 120 190\ndamping global 3", true);
+  second_order(SEVEN, "boundary stress 190 130 shear 20", "boundary stress 120 190\ndamping mass 3", true);
   second_order(SEVEN, "boundary stress 190 130 shear 20", "boundary none", true);
   second_order(SEVEN, "boundary strain -0.05 0.02", "boundary stress 300 200", false);
-  second_order(SEVEN, "boundary strain -0.05 0.02\ndamping global 3", "boundary none", false);
-  second_order(SEVEN, "boundary strain -0.05 0.02", "boundary none\ndamping global 3", false);
+  second_order(SEVEN, "boundary strain -0.05 0.02\ndamping mass 3", "boundary none", false);
+  second_order(SEVEN, "boundary strain -0.05 0.02", "boundary none\ndamping mass 3", false);
 }
 
 /* Until t_0 the wall has gone as before, for half of the old step; from then on as the stage says. */
@@ -76,13 +76,13 @@ static void walls_go_otherwise_from_the_stage_on(void) {
 static void another_law_begins_at_the_stage(void) {
   second_order("material n density 2 young 9000 poisson 0.2 friction 0.9\nnormal hertz\nshear mindlin_deresiewicz\n"
                "sphere 0 0.55 radius 0.6 n\nwall w -9 0 to 9 0 n velocity 0.5 0",
-               "", "shear mindlin_deresiewicz pieces 9", false);
+               "", "shear mindlin_deresiewicz memory 9", false);
 }
 
 /* And what a boundary takes has been damped until t_0 as the stage before says. */
 static void what_is_taken_was_damped_as_before(void) {
-  second_order(FLIES, "damping global 0.5", "damping global 9\nboundary circle 0 0 radius 0.1", false);
-  second_order(FLIES, "damping global 9", "damping none\nboundary circle 0 0 radius 0.1", false);
+  second_order(FLIES, "damping mass 0.5", "damping mass 9\nboundary circle 0 0 radius 0.1", false);
+  second_order(FLIES, "damping mass 9", "damping none\nboundary circle 0 0 radius 0.1", false);
 }
 
 /* What a boundary lets go falls from rest: g t^2/2 after every step, to rounding, as the half step scheme has it. */
@@ -90,7 +90,7 @@ static void what_is_let_go_begins_at_rest(void) {
   struct words words = {0};
   struct written it;
   words_add(&words, "units none\nmaterial m density 2 kn 1000\nstep 0.01\ngravity 3 -5\ndisc 2 0 radius 1 m\n"
-                    "boundary circle 0 0 radius 1\nwatch D disc 1\nrecord D.x D.y\nstage a\ncycles 10\n"
+                    "boundary circle 0 0 radius 1\nmonitor D disc 1\nrecord D.x D.y\nstage a\ncycles 10\n"
                     "stage b\nstep 0.02\nboundary none\ncycles 20\n");
   struct nb_result result;
   written_scene(&it, &words);
@@ -114,10 +114,11 @@ static void a_ramp_begins_where_the_one_before_ended(void) {
     struct words words = {0};
     struct written it;
     struct nb_result result;
-    words_add(&words,
-              "units none\nmaterial m density 2 kn 1000\nstep 0.25\ndisc 0 0 radius 9 m\nwatch D disc 1\nrecord D.vx\n"
-              "stage a\nramp gravity centripetal 4 about 1e15 0\ncycles 8\nstage b\n%s\ncycles 8\n",
-              ways[n].then);
+    words_add(
+        &words,
+        "units none\nmaterial m density 2 kn 1000\nstep 0.25\ndisc 0 0 radius 9 m\nmonitor D disc 1\nrecord D.vx\n"
+        "stage a\nramp gravity centripetal 4 about 1e15 0\ncycles 8\nstage b\n%s\ncycles 8\n",
+        ways[n].then);
     written_scene(&it, &words);
     written_run(&result, &it, NULL);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.vx"), 4 + ways[n].gain, 1e-12);

@@ -37,7 +37,8 @@ static void legs_go_along_straight_lines(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      STEEL "leg a overlap to 3 um slip by 0.7 um in 3 steps\nleg b overlap by -1 um in 1 step\nleg c slip to -0.2 um "
+      STEEL "segment a overlap to 3 um slip by 0.7 um in 3 steps\nsegment b overlap by -1 um in 1 step\nsegment c slip "
+            "to -0.2 um "
             "in 2 steps\n");
   static const double overlap[] = {0, 1e-6, 2e-6, 3e-6, 2e-6, 2e-6, 2e-6};
   static const double slip[] = {0, 0.7e-6 / 3, 1.4e-6 / 3, 0.7e-6, 0.7e-6, 0.25e-6, -0.2e-6};
@@ -61,9 +62,9 @@ static void forces_are_reached(void) {
     struct written it;
     struct nb_result result;
     snprintf(text, sizeof text,
-             STEEL "shear %s\nleg a normal to 80 N in 7 steps\nleg b shear to 10 N hold normal in 4 steps\n"
-                   "leg c normal by -20 N hold shear in 5 steps\nleg d shear by -25 N in 3 steps\n"
-                   "leg e normal to 0 N in 1 step\nleg f normal to 5 N in 1 step\n",
+             STEEL "shear %s\nsegment a normal to 80 N in 7 steps\nsegment b shear to 10 N hold normal in 4 steps\n"
+                   "segment c normal by -20 N hold shear in 5 steps\nsegment d shear by -25 N in 3 steps\n"
+                   "segment e normal to 0 N in 1 step\nsegment f normal to 5 N in 1 step\n",
              shears[k]);
     run(&result, &it, text);
     for (size_t r = 0; r <= 7; r++)
@@ -98,14 +99,14 @@ static void expect_stop(const char *text, const char *message) {
 
 static void what_cannot_be_reached_stops(void) {
   expect_stop(
-      EXACT "leg a normal to 10 N in 1 step\nleg b shear to 5 N in 5 steps\n",
-      "leg `b` (line 8), step 4 of 5: a shear force of 4 N cannot be reached, it comes to 3 N; friction times the "
+      EXACT "segment a normal to 10 N in 1 step\nsegment b shear to 5 N in 5 steps\n",
+      "segment `b` (line 8), step 4 of 5: a shear force of 4 N cannot be reached, it comes to 3 N; friction times the "
       "normal force is 3 N");
-  expect_stop(EXACT "leg a normal to 10 N in 1 step\nleg b normal by -20 N in 4 steps\n",
-              "leg `b` (line 8), step 3 of 4: a normal force of -5 N cannot be reached, it comes to 0 N");
+  expect_stop(EXACT "segment a normal to 10 N in 1 step\nsegment b normal by -20 N in 4 steps\n",
+              "segment `b` (line 8), step 3 of 4: a normal force of -5 N cannot be reached, it comes to 0 N");
   expect_stop(
-      STEEL "leg a normal to 10 N in 1 step\nleg b shear to -1 N in 1 step\n",
-      "leg `b` (line 7), step 1 of 1: a shear force of -1 N cannot be reached, it comes to 0 N; friction times the "
+      STEEL "segment a normal to 10 N in 1 step\nsegment b shear to -1 N in 1 step\n",
+      "segment `b` (line 7), step 1 of 1: a shear force of -1 N cannot be reached, it comes to 0 N; friction times the "
       "normal force is 3 N");
 }
 
@@ -114,7 +115,8 @@ static void the_limit_is_reached(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      EXACT "leg a normal to 77 N in 1 step\nleg b shear to 23.1 N in 3 steps\nleg c shear to -23.1 N in 3 steps\n");
+      EXACT "segment a normal to 77 N in 1 step\nsegment b shear to 23.1 N in 3 steps\nsegment c shear to -23.1 N in 3 "
+            "steps\n");
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 4), 23.1, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 7, 4), -23.1, 1e-12);
   const double way = 3 * 23.1 / 16 / (1 / (2 * 2 * 1.3 * 1.7 / 210e9)); /* A a [R89 3.25] */
@@ -127,7 +129,8 @@ static void repeated_legs_have_names(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      STEEL "leg a overlap to 1 um in 2 steps\nleg b overlap by 1 um in 1 step\nleg c slip by 1 um in 3 steps\nrepeat "
+      STEEL "segment a overlap to 1 um in 2 steps\nsegment b overlap by 1 um in 1 step\nsegment c slip by 1 um in 3 "
+            "steps\nrepeat "
             "from b 2 times\n");
   static const char *const names[] = {"a", "b", "c", "b-2", "c-2", "b-3", "c-3"};
   CU_ASSERT_EQUAL_FATAL(it.scene.stage_count, 7);
@@ -144,10 +147,12 @@ static void a_gap_forgets(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      STEEL "shear mindlin\nrecord approach overlap slip normal shear work.normal work.shear\nleg a overlap to 1 um "
-            "slip by 0.1 um in 1 step\n"
-            "leg b overlap to -1 um in 1 step\nleg c slip by 5 um in 1 step\nleg d overlap to 1 um slip by 0.2 um in 1 "
-            "step\n");
+      STEEL
+      "shear mindlin\nrecord approach overlap slip normal shear work.normal work.shear\nsegment a overlap to 1 um "
+      "slip by 0.1 um in 1 step\n"
+      "segment b overlap to -1 um in 1 step\nsegment c slip by 5 um in 1 step\nsegment d overlap to 1 um slip by 0.2 "
+      "um in 1 "
+      "step\n");
   CU_ASSERT(cell(&result, 2, 0) == -1e-6 && cell(&result, 2, 1) == 0 && cell(&result, 2, 4) == 0);
   CU_ASSERT(cell(&result, 3, 4) == 0 && cell(&result, 3, 6) == cell(&result, 2, 6));
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 4, 4), cell(&result, 1, 4), 1e-9); /* half of the step, twice the slip */
@@ -164,7 +169,7 @@ static void a_wall_is_flat(void) {
   struct nb_bench bench;
   struct nb_error error;
   words_add(&page, "path\nmaterial steel young 210 GPa poisson 0.3 friction 0.3\nmaterial hard rigid friction 1\n"
-                   "contact sphere 10 mm steel with wall hard\nnormal hertz\nleg a overlap to 1 um\n");
+                   "contact sphere 10 mm steel with wall hard\nnormal hertz\nsegment a overlap to 1 um\n");
   written_scene(&it, &page);
   CU_ASSERT_EQUAL_FATAL(nb_bench_create(&bench, &it.scene, &error), NB_OK);
   CU_ASSERT(bench.pair.radius == 0.01 && bench.pair.friction == 0.3);
@@ -179,8 +184,9 @@ static void the_traction_is_mindlins(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
-      EXACT "record normal shear radius radius.stick pieces\nleg a normal to 60 N in 1 step\nleg b shear to 9 N in 1 "
-            "step\nsnapshot\n");
+      EXACT
+      "record normal shear radius radius.stick pieces\nsegment a normal to 60 N in 1 step\nsegment b shear to 9 N in 1 "
+      "step\nsnapshot\n");
   const double n = cell(&result, 2, 0), t = cell(&result, 2, 1), a = cell(&result, 2, 2),
                c = a * cbrt(1 - t / (0.3 * n));
   CU_ASSERT_DOUBLE_EQUAL(cell(&result, 2, 3), c, 1e-9 * a);

@@ -32,7 +32,7 @@ static void the_servo_goes_as_predicted(void) {
   const double b = 1000 / 4., t = sqrt(2 * pi / b);
   struct nb_result result;
   run(&result, DISC "record box.width box.height box.stress.xx box.stress.yy cycle\nstage s\n"
-                    "servo isotropic 7 on box by box at most 1e-4 per cycle every 3 cycles\ncycles 1500\n");
+                    "servo isotropic 7 on box through box at most 1e-4 per cycle every 3 cycles\ncycles 1500\n");
   double side = 2, rate = 0, gathered = NAN;
   int limited = 0;
   for (int n = 0; n <= 1500; n++) {
@@ -59,7 +59,7 @@ static void the_servo_goes_as_predicted(void) {
 
 /* Each wall by its ends: the corners of the box, wherever it lies. */
 static void corners_stay_closed(void) {
-  static const char *const places[] = {"", "place mirror x turn 0.52359877559829882 shift 0.5 -0.25\n"};
+  static const char *const places[] = {"", "transform mirror x rotate 0.52359877559829882 translate 0.5 -0.25\n"};
   static const double angles[] = {0, 30 * 3.14159265358979323846 / 180};
   for (int k = 0; k < 2; k++) {
     struct words words = {0};
@@ -104,7 +104,7 @@ static void walls_follow_until_they_are_moved(void) {
                "inward 1\nstep 0.0125\n"
                "cycles 1\nstage e\nbox strain 0 per cycle 1e-3 per cycle\ncycles 1\n"
                "stage f\nwalls inward -1\ncycles 1\n"
-               "stage g\nservo mean 1 on box by box at most 1e-3 per cycle\ncycles 1\n");
+               "stage g\nservo mean 1 on box through box at most 1e-3 per cycle\ncycles 1\n");
   for (size_t n = 0; n < 5; n++)
     CU_ASSERT_DOUBLE_EQUAL(row(&result, n + 1)[0], wanted[n], 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(row(&result, 4)[1], 4 - 0.025, 1e-12);

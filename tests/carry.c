@@ -23,7 +23,7 @@ static double ends(struct words *page, const char *name) {
 
 /* Two discs that strike each other, under gravity and damping: the same bits in a cell and in a continuum about the same point. */
 static void a_cell_and_a_continuum_are_alike(void) {
-  static const char *const carries[] = {"cell", "continuum"};
+  static const char *const carries[] = {"cell", "affine"};
   static const char *const names[] = {
       "A.x", "B.vy", "A.vx.half", "B.angle", "energy.kinetic", "energy.gravity", "energy.damped"};
   for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
@@ -33,8 +33,10 @@ static void a_cell_and_a_continuum_are_alike(void) {
       words_add(
           &page,
           "units none\nmaterial m density 1 kn 1000 ks 700 friction 0.3\nshear linear\nstep 1e-3\ngravity 0.4 -0.3\n"
-          "damping contact-ratio 0.1\ndamping con1 0.999 reading velocity\n"
-          "disc -3 0.5 radius 1 m velocity 4 0\ndisc 1 0 radius 1.1 m velocity -2 1\n%swatch A disc 1\nwatch B disc 2\n"
+          "damping ratio 0.1\ndamping con1 0.999 as velocity\n"
+          "disc -3 0.5 radius 1 m velocity 4 0\ndisc 1 0 radius 1.1 m velocity -2 1\n%smonitor A disc 1\nmonitor B "
+          "disc "
+          "2\n"
           "record %s\nstage s\n%s strain 0.2 -0.1 c12 0.3 c21 0.05\ncycles 700\n"
           "stage t\n%s strain -0.5 0.1\ncycles 300\n",
           c ? "" : "cell -40 -40 to 40 40\n", names[n], carries[c], carries[c]);
@@ -53,7 +55,8 @@ static void a_reversed_cell_comes_back(void) {
     struct words page = {0};
     words_add(&page,
               "units none\nmaterial m density 1 kn 1000\nstep 1e-3\ndisc 0 0 radius 1 m\ncell -40 -40 to 40 40\n"
-              "record %s\nstage s\ncell strain 0.2 -0.1 c12 0.15 c21 0.05\ncycles 100\nstage t\nreverse\ncycles 100\n",
+              "record %s\nstage s\ncell strain 0.2 -0.1 c12 0.15 c21 0.05\ncycles 100\nstage t\nreverse "
+              "velocities\ncycles 100\n",
               names[n]);
     CU_ASSERT_DOUBLE_EQUAL(ends(&page, names[n]), first[n], 1e-3);
   }
@@ -62,17 +65,16 @@ static void a_reversed_cell_comes_back(void) {
 /* Discs with no friction, pressed, sheared and sheared back under gravity, with dashpots. */
 static double residual(int which, double dt, double *driven) {
   static const char *const before[] = {"boundary circle 0 0 radius 4.6\n", "cell -5 -5 to 5 5\n"};
-  static const char *const strain[] = {
-      "continuum strain -0.1 -0.12 shear 0.02\nboundary strain -0.1 -0.12 shear 0.02\n",
-      "cell strain -0.1 -0.12 c12 0.05 c21 -0.01\n"};
-  static const char *const back[] = {"boundary strain 0.03 -0.02\ncontinuum none\n", "cell strain 0.03 0.01\n"};
+  static const char *const strain[] = {"affine strain -0.1 -0.12 shear 0.02\nboundary strain -0.1 -0.12 shear 0.02\n",
+                                       "cell strain -0.1 -0.12 c12 0.05 c21 -0.01\n"};
+  static const char *const back[] = {"boundary strain 0.03 -0.02\naffine none\n", "cell strain 0.03 0.01\n"};
   double value[2];
   for (int k = 0; k < 2; k++) {
     static const char *const names[] = {"energy.residual", "energy.imposed"};
     struct words page = {0};
     words_add(&page,
               "units none\nmaterial m density 2 kn 4000\nstep %g\ngravity 2 -3\n"
-              "damping contact-beta 0.002\ndamping global 0.3\nlattice discs 10 by 10 m radius 0.501 spacing 1 from "
+              "damping stiffness 0.002\ndamping mass 0.3\nlattice discs 10 by 10 m radius 0.501 spacing 1 from "
               "-4.5 -4.5\n"
               "%srecord %s\nstage a\n%scycles %d\nstage b\n%scycles %d\n",
               dt, before[which], names[k], strain[which], (int)round(0.1 / dt), back[which], (int)round(0.05 / dt));
@@ -99,10 +101,10 @@ static void still_is_as_at_time_0(void) {
   struct written it;
   struct nb_error error;
   words_add(&page,
-            "units none\nmaterial m density 1e9 kn 1000\ndamping contact-beta 0.1\nstep 1e-3\ncell -10 -10 to 10 10\n"
-            "disc 9.4 0 radius 1 m\ndisc -9.4 0 radius 1 m\nwatch P disc 1 with disc 2\nrecord P.dashpot.normal "
+            "units none\nmaterial m density 1e9 kn 1000\ndamping stiffness 0.1\nstep 1e-3\ncell -10 -10 to 10 10\n"
+            "disc 9.4 0 radius 1 m\ndisc -9.4 0 radius 1 m\nmonitor P disc 1 with disc 2\nrecord P.dashpot.normal "
             "energy.kinetic\n"
-            "stage s\ncell strain -0.1 0\ncycles 3\nstage t\nstill\ncycles 1\n");
+            "stage s\ncell strain -0.1 0\ncycles 3\nstage t\nzero velocities\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
@@ -117,18 +119,19 @@ static void still_is_as_at_time_0(void) {
 
 /* What the page holds stays, or goes as the page says, whatever strains the others; the free one beside it is carried. */
 static void what_is_fixed_is_not_carried(void) {
-  static const char *const strains[] = {"boundary strain 0.5 0.3", "continuum strain 0.5 0.3",
-                                        "boundary strain 0.5 0.3\ncontinuum strain 0.2 0.1"};
+  static const char *const strains[] = {"boundary strain 0.5 0.3", "affine strain 0.5 0.3",
+                                        "boundary strain 0.5 0.3\naffine strain 0.2 0.1"};
   static const char *const names[] = {"F.x", "F.y", "M.x", "M.y"};
   static const double at[] = {3, 2, -5 + 0.5 * 0.2, 4};
   for (size_t k = 0; k < 3; k++)
     for (size_t n = 0; n < 5; n++) {
       struct words page = {0};
-      words_add(&page,
-                "units none\nmaterial m density 1 kn 1\nstep 0.01\nboundary circle 0 0 radius 20\n"
-                "disc 3 2 radius 0.5 m fixed\ndisc -5 4 radius 0.5 m fixed velocity 0.5 0\ndisc 21 1 radius 0.5 m\n"
-                "disc 5 -6 radius 0.5 m\nwatch F disc 1\nwatch M disc 2\nwatch %s\nrecord %s\nstage s\n%s\ncycles 20\n",
-                k == 1 ? "C disc 4" : "C disc 3", n < 4 ? names[n] : "C.x", strains[k]);
+      words_add(
+          &page,
+          "units none\nmaterial m density 1 kn 1\nstep 0.01\nboundary circle 0 0 radius 20\n"
+          "disc 3 2 radius 0.5 m fixed\ndisc -5 4 radius 0.5 m fixed velocity 0.5 0\ndisc 21 1 radius 0.5 m\n"
+          "disc 5 -6 radius 0.5 m\nmonitor F disc 1\nmonitor M disc 2\nmonitor %s\nrecord %s\nstage s\n%s\ncycles 20\n",
+          k == 1 ? "C disc 4" : "C disc 3", n < 4 ? names[n] : "C.x", strains[k]);
       const double value = ends(&page, n < 4 ? names[n] : "C.x");
       if (n < 4)
         CU_ASSERT_DOUBLE_EQUAL(value, at[n], 1e-13);

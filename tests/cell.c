@@ -33,7 +33,7 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
               y + wander * to_y, r, k % 3 ? "a" : "b", vx, vy, spin);
   }
   words_add(&page,
-            "watch A disc 1\nrecord A.x A.angle contacts cell.stress.xx cell.stress.xy cell.stress.yx "
+            "monitor A disc 1\nrecord A.x A.angle contacts cell.stress.xx cell.stress.xy cell.stress.yx "
             "energy.kinetic energy.residual work.residual momentum.x\nstage s\n%s\ncycles 3000\n",
             strain);
   written_scene(it, &page);
@@ -192,7 +192,7 @@ static void a_strain_is_uniform(void) {
   words_add(
       &page,
       "units none\nmaterial a density 1 kn 1\ncell 0 0 to 20 10\nlattice discs 4 by 2 from 3 3 radius 1 spacing 4 a\n"
-      "disc 38 -5 radius 1 a\nstep 0.01\nwatch A disc 9\nrecord A.x A.vx A.vx.half cell.xx cell.xy cell.yy "
+      "disc 38 -5 radius 1 a\nstep 0.01\nmonitor A disc 9\nrecord A.x A.vx A.vx.half cell.xx cell.xy cell.yy "
       "cell.strain.xx cell.strain.xy energy.kinetic\nstage s\ncell strain 0.01 -0.02 c12 0.05\ncycles 100\n");
   written_scene(&it, &page);
   struct nb_model *model = run(&it, NULL, 100);

@@ -21,7 +21,7 @@ static struct nb_model *two_discs(struct written *it, const char *damping, const
       "shear linear\ndisc 0 0 radius 1 a velocity 0.5 0.25 spin 0.5\n%s\ndamping %s\nstep 0.001\n",
       friction, friction, second, damping);
   words_add(&page,
-            "watch A disc 1\nwatch B disc 2\nwatch C disc 1 with disc 2\nrecord A.vx.half A.vy.half A.spin.half "
+            "monitor A disc 1\nmonitor B disc 2\nmonitor C disc 1 with disc 2\nrecord A.vx.half A.vy.half A.spin.half "
             "B.vx.half B.vy.half B.spin.half A.x A.y B.x B.y A.fx A.fy C.normal C.shear C.sliding C.dashpot.normal "
             "C.dashpot.shear\nstage s\ncycles 100\n");
   written_scene(it, &page);
@@ -70,7 +70,7 @@ static void alike(void) {
 /* In the step in which two discs meet the spring has slipped for a part of it, and the dashpot moves as fast as ever. */
 static void where_they_meet(void) {
   struct written it;
-  struct nb_model *model = two_discs(&it, "contact-beta 0.02", "disc 2.96 0.5 radius 2 b velocity -1 0", 10);
+  struct nb_model *model = two_discs(&it, "stiffness 0.02", "disc 2.96 0.5 radius 2 b velocity -1 0", 10);
   CU_ASSERT_EQUAL(written_now(model, "C.normal"), 0);
   double closing, slip;
   do
@@ -93,10 +93,10 @@ static void coefficients(void) {
     const char *damping, *second;
     double normal, shear; /* c, N s/m */
   } kinds[] = {
-      {"contact-beta 0.02", free_, 0.02 * 400, 0.02 * 250},
-      {"contact-fraction 0.3", free_, 0.3 * 400 * critical / 2, 0.3 * 250 * critical / 2},
-      {"contact-ratio 0.1", free_, 0.2 * sqrt(a * b / (a + b) * 400), 0.2 * sqrt(a * b / (a + b) * 250)},
-      {"contact-ratio 0.1", fixed, 0.2 * sqrt(a * 400), 0.2 * sqrt(a * 250)}, /* what is fixed weighs without end */
+      {"stiffness 0.02", free_, 0.02 * 400, 0.02 * 250},
+      {"r89-fraction 0.3", free_, 0.3 * 400 * critical / 2, 0.3 * 250 * critical / 2},
+      {"ratio 0.1", free_, 0.2 * sqrt(a * b / (a + b) * 400), 0.2 * sqrt(a * b / (a + b) * 250)},
+      {"ratio 0.1", fixed, 0.2 * sqrt(a * 400), 0.2 * sqrt(a * 250)}, /* what is fixed weighs without end */
   };
   for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++) {
     struct written it;
@@ -126,7 +126,7 @@ static void a_wall_weighs_without_end(void) {
   struct written it;
   words_add(&page,
             "units none\nmaterial m density 3 kn 400\ndisc 0 0 radius 1 m velocity 0.5 0\nwall w 0.9 -9 to 0.9 9 m\n"
-            "damping contact-ratio 0.1\nstep 0.001\nwatch A disc 1\nwatch C disc 1 with wall w\n"
+            "damping ratio 0.1\nstep 0.001\nmonitor A disc 1\nmonitor C disc 1 with wall w\n"
             "record A.vx.half C.dashpot.normal\nstage s\ncycles 9\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
@@ -140,7 +140,7 @@ static void a_wall_weighs_without_end(void) {
 /* While discs part quickly the dashpot pulls more than the spring pushes, and what is felt is their sum. */
 static void what_is_felt_may_pull(void) {
   struct written it;
-  struct nb_model *model = two_discs(&it, "contact-beta 1", "disc 2.99 0 radius 2 b velocity 3 0.25", 0);
+  struct nb_model *model = two_discs(&it, "stiffness 1", "disc 2.99 0 radius 2 b velocity 3 0.25", 0);
   written_cycles(model, 1);
   const double elastic = written_now(model, "C.normal"), damped = elastic + written_now(model, "C.dashpot.normal");
   CU_ASSERT(elastic > 0 && damped < 0);
@@ -159,7 +159,7 @@ static void what_is_felt_may_pull(void) {
 /* The limit is of the elastic F_n alone, and a contact that slides has no shear dashpot. [CS79, Damping] */
 static void sliding(void) {
   struct written it;
-  struct nb_model *model = two_discs(&it, "contact-beta 0.05", "disc 2.9 0.5 radius 2 b spin 9", 0.01);
+  struct nb_model *model = two_discs(&it, "stiffness 0.05", "disc 2.9 0.5 radius 2 b spin 9", 0.01);
   int slid = 0;
   for (int cycle = 0; cycle < 20; cycle++) {
     written_cycles(model, 1);
@@ -189,7 +189,7 @@ static void restitution(void) {
     words_add(
         &page,
         "units none\nmaterial m density 3 kn 400\ndisc 0 0 radius 1 m velocity 0.25 0\nwall w 1.01 -9 to 1.01 9 m\n"
-        "damping contact-ratio %g\nstep %.17g\nwatch D disc 1\nwatch C disc 1 with wall w\nrecord D.vx C.overlap\n"
+        "damping ratio %g\nstep %.17g\nmonitor D disc 1\nmonitor C disc 1 with wall w\nrecord D.vx C.overlap\n"
         "stage in\nrecord none\nuntil C.overlap above 0 at most 100000 cycles\nstage out\nrecord every 100000 cycles\n"
         "until C.overlap below 1e-300 at most 100000 cycles\n",
         beta, dt);
@@ -212,8 +212,8 @@ static void a_stage_without_dashpots(void) {
   words_add(
       &page,
       "units none\nmaterial m density 3 kn 400 ks 250 friction 9\nshear linear\ndisc 0 0 radius 1 m velocity 0.5 0.25\n"
-      "disc 2.9 0.5 radius 2 m\nstep 0.001\nwatch C disc 1 with disc 2\nrecord C.dashpot.normal C.dashpot.shear\n"
-      "stage free\ncycles 9\nstage damped\ndamping contact-beta 0.02\ncycles 9\n");
+      "disc 2.9 0.5 radius 2 m\nstep 0.001\nmonitor C disc 1 with disc 2\nrecord C.dashpot.normal C.dashpot.shear\n"
+      "stage free\ncycles 9\nstage damped\ndamping stiffness 0.02\ncycles 9\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   CU_ASSERT_EQUAL_FATAL(result.table.row_count, 19);

@@ -23,7 +23,7 @@ static struct nb_model *model_of(struct written *it, const char *first, const ch
 /* E* = 1/2, G* = 1/8 between like spheres; mass 1. */
 #define SPHERE "material m density 0.238732414637843 young 1 poisson 0 friction 9\nnormal hertz\n"
 #define RECORD                                                                                                         \
-  "watch A sphere 1\nwatch B sphere 2\nwatch C sphere 1 with sphere 2\nrecord A.vx.half B.vx.half A.vy.half "          \
+  "monitor A sphere 1\nmonitor B sphere 2\nmonitor C sphere 1 with sphere 2\nrecord A.vx.half B.vx.half A.vy.half "    \
   "B.vy.half "                                                                                                         \
   "C.overlap C.dashpot.normal C.dashpot.shear C.sliding contacts.deep\nstage s\ncycles 9\n"
 
@@ -35,9 +35,9 @@ static void elastic_coefficients(void) {
         model_of(&it, SPHERE,
                  slides ? "shear mindlin\npair m m friction 1e-9\n"
                           "sphere 0 0 radius 1 m velocity 0.1 0.3\nsphere 1.9 0 radius 1 m\ndamping "
-                          "contact-ratio 0.2\nstep 1e-4\n" RECORD
+                          "ratio 0.2\nstep 1e-4\n" RECORD
                         : "shear mindlin\nsphere 0 0 radius 1 m velocity 0.1 0.3\nsphere 1.9 0 radius 1 m\n"
-                          "damping contact-ratio 0.2\nstep 1e-4\n" RECORD);
+                          "damping ratio 0.2\nstep 1e-4\n" RECORD);
     written_cycles(model, 1);
     const double a = sqrt(0.5 * written_now(model, "C.overlap"));
     const double closing = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
@@ -57,7 +57,8 @@ static void elastic_coefficients(void) {
 #define DISCS                                                                                                          \
   "material m density 0.31830988618379067 kn 8\ndisc 0 0.9 radius 1 m velocity 0 -0.5\ndisc 0 2.7 radius 1 m "         \
   "velocity "                                                                                                          \
-  "0 -2\nwall w -9 0 to 9 0 m\nwatch A disc 1\nwatch B disc 2\nwatch W disc 1 with wall w\nwatch C disc 1 with disc "  \
+  "0 -2\nwall w -9 0 to 9 0 m\nmonitor A disc 1\nmonitor B disc 2\nmonitor W disc 1 with wall w\nmonitor C disc 1 "    \
+  "with disc "                                                                                                         \
   "2\n"                                                                                                                \
   "step 1e-4\nrecord A.vy.half B.vy.half W.dashpot.normal C.dashpot.normal step.stable\n"
 
@@ -67,15 +68,12 @@ static void walls_apart(void) {
     const char *scene, *stage;
     double wall[2], discs[2]; /* c, N s/m */
   } pages[] = {
-      {"damping contact-beta 0.1\n", "", {0.8, 0.8}, {0.8, 0.8}},
-      {"damping contact-beta 0.1\ndamping walls contact-beta 0.3\n", "", {2.4, 2.4}, {0.8, 0.8}},
-      {"damping walls contact-beta 0.3\ndamping contact-beta 0.1\n",
-       "damping contact-beta 0.2\n",
-       {2.4, 2.4},
-       {0.8, 1.6}},
-      {"damping walls contact-beta 0.3\n", "damping none\n", {2.4, 0}, {0, 0}},
-      {"damping contact-beta 0.1\ndamping walls none\n", "damping walls contact-beta 0.4\n", {0, 3.2}, {0.8, 0.8}},
-      {"damping none\n", "damping walls contact-ratio 0.5\n", {0, 2.8284271247461903}, {0, 0}},
+      {"damping stiffness 0.1\n", "", {0.8, 0.8}, {0.8, 0.8}},
+      {"damping stiffness 0.1\ndamping walls stiffness 0.3\n", "", {2.4, 2.4}, {0.8, 0.8}},
+      {"damping walls stiffness 0.3\ndamping stiffness 0.1\n", "damping stiffness 0.2\n", {2.4, 2.4}, {0.8, 1.6}},
+      {"damping walls stiffness 0.3\n", "damping none\n", {2.4, 0}, {0, 0}},
+      {"damping stiffness 0.1\ndamping walls none\n", "damping walls stiffness 0.4\n", {0, 3.2}, {0.8, 0.8}},
+      {"damping none\n", "damping walls ratio 0.5\n", {0, 2.8284271247461903}, {0, 0}},
       {"damping walls none\n", "", {0, 0}, {0, 0}},
   };
   for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
@@ -102,7 +100,7 @@ static void the_safe_step_knows_walls(void) {
   struct written it;
   struct nb_model *model = model_of(
       &it, "material m density 0.31830988618379067 kn 8\ndisc 0 0.9 radius 1 m\nwall w -9 0 to 9 0 m\n",
-      "damping contact-ratio 0.7\ndamping walls contact-ratio 0.2\nstep 0.01\nrecord step.stable\nstage s\ncycles 1\n");
+      "damping ratio 0.7\ndamping walls ratio 0.2\nstep 0.01\nrecord step.stable\nstage s\ncycles 1\n");
   NEAR(written_now(model, "step.stable"), 2 / sqrt(8) * (sqrt(1.04) - 0.2), 1e-12);
   nb_model_free(model);
   written_free(&it);
@@ -122,9 +120,11 @@ static void overlaps_are_counted(void) {
       {"sphere 0 0 radius 3 m fixed\nsphere 3.86005 0 radius 1 m\n", 0, ""},
       {"sphere 0 0 radius 3 m fixed\nsphere 3.85995 0 radius 1 m\n", 11, "body 1 at body 2"},
       {"sphere 0 0 radius 1 m\nsphere 3.85995 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\n", 11, "body 1 at body 2"},
-      {"sphere 0 0 radius 1 m\nsphere 3.7 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\ndamping critical above 0.16\n",
+      {"sphere 0 0 radius 1 m\nsphere 3.7 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\ndamping critical beyond overlap "
+       "0.16\n",
        0, ""},
-      {"sphere 0 0 radius 1 m\nsphere 3.67 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\ndamping critical above 0.16\n",
+      {"sphere 0 0 radius 1 m\nsphere 3.67 0 radius 3 m fixed\nsphere 9 9 radius 0.1 m\ndamping critical beyond "
+       "overlap 0.16\n",
        11, ""},
       {"sphere 0 0.86005 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 0, ""},
       {"sphere 0 0.85995 radius 1 m\nwall w -9 0 to 9 0 m\nsphere 9 9 radius 0.1 m\n", 11, "body 1 at wall w"},
@@ -197,7 +197,7 @@ static void deep_ones_are_damped_critically(void) {
     struct words page = {0};
     struct written it;
     words_add(&page,
-              "units none\n" SPHERE "damping critical above 0.05\ndamping contact-ratio 0.1\n"
+              "units none\n" SPHERE "damping critical beyond overlap 0.05\ndamping ratio 0.1\n"
               "sphere 0 0 radius 1 m velocity 0.1 0\nsphere %g 0 radius 1 m\nstep 1e-6\n" RECORD,
               is_deep ? 1.89995 : 1.90005);
     written_scene(&it, &page);
@@ -219,8 +219,8 @@ static void marks_end_with_their_stage(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
-  words_add(&page, "units none\n" SPHERE "damping critical above 0.05\nsphere 0 0 radius 1 m velocity 0.1 0\n"
-                   "sphere 1.8 0 radius 1 m\nstep 1e-6\nwatch C sphere 1 with sphere 2\nrecord C.dashpot.normal\n"
+  words_add(&page, "units none\n" SPHERE "damping critical beyond overlap 0.05\nsphere 0 0 radius 1 m velocity 0.1 0\n"
+                   "sphere 1.8 0 radius 1 m\nstep 1e-6\nmonitor C sphere 1 with sphere 2\nrecord C.dashpot.normal\n"
                    "stage deep\ncycles 4\nstage free\ndamping none\ncycles 4\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
@@ -240,9 +240,9 @@ static void a_blow_is_the_recursion(void) {
   struct written it;
   struct nb_result result;
   words_add(&page,
-            "units none\n" SPHERE "damping critical above 0.05\ndamping contact-ratio 0.1\n"
-            "sphere 0 0 radius 1 m velocity 0.2 0\nsphere 2 0 radius 1 m\nstep 0.02\nwatch A sphere 1\n"
-            "watch B sphere 2\nwatch C sphere 1 with sphere 2\nrecord C.overlap A.vx.half B.vx.half contacts.deep\n"
+            "units none\n" SPHERE "damping critical beyond overlap 0.05\ndamping ratio 0.1\n"
+            "sphere 0 0 radius 1 m velocity 0.2 0\nsphere 2 0 radius 1 m\nstep 0.02\nmonitor A sphere 1\n"
+            "monitor B sphere 2\nmonitor C sphere 1 with sphere 2\nrecord C.overlap A.vx.half B.vx.half contacts.deep\n"
             "stage s\ncycles 400\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);

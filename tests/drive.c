@@ -1,4 +1,4 @@
-/* What carries bodies along, and what a boundary holds: against what the equations come to [R89 4.41-4.44, 6.4.1].
+/* What carries bodies along, and what a boundary fixeds: against what the equations come to [R89 4.41-4.44, 6.4.1].
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -28,12 +28,12 @@ static double after(const char *statements, const char *name) {
 }
 
 #define ONE                                                                                                            \
-  "disc 13 -6 radius 1 m velocity 7 5 spin 3\nwatch D disc 1\nrecord D.x D.y D.vx D.vy D.angle boundary.particles\n"
+  "disc 13 -6 radius 1 m velocity 7 5 spin 3\nmonitor D disc 1\nrecord D.x D.y D.vx D.vy D.angle boundary.particles\n"
 
 /* x_N - x_0 = (1 + L dt)^N (x - x_0) to rounding, L any gradient; a velocity it had is gone, and it does not turn. */
 static void the_boundary_follows_exactly(void) {
   const struct nb_tensor rate = tensor(-0.01, 0.03, 0.005, 0.02);
-  const char *page = ONE "boundary circle 3 4 radius 14\nstage s\ncontinuum strain 0.3 0.4\n"
+  const char *page = ONE "boundary circle 3 4 radius 14\nstage s\naffine strain 0.3 0.4\n"
                          "boundary strain -0.01 0.02 c12 0.03 c21 0.005\ncycles 200\n";
   struct nb_vec x = vec(10, -10);
   for (int n = 0; n < 200; n++)
@@ -59,8 +59,7 @@ static void per_cycle(void) {
 
 /* What is carried by the continuum keeps v, which alone is damped: x_(N+1) = (1 + L dt) x_N + keep^(N+1) v dt. */
 static void what_is_beyond_the_continuum_decays(void) {
-  const char *page =
-      ONE "damping con1 0.9 reading velocity\nstage s\ncontinuum strain -0.02 0.04 shear 0.01\ncycles 50\n";
+  const char *page = ONE "damping con1 0.9 as velocity\nstage s\naffine strain -0.02 0.04 shear 0.01\ncycles 50\n";
   struct nb_vec x = vec(13, -6), v = vec(7, 5);
   for (int n = 0; n < 50; n++) {
     v = vec_scale(0.9, v);
@@ -69,15 +68,15 @@ static void what_is_beyond_the_continuum_decays(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), x.x, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), x.y, 1e-12);
   /* Without `continuum` from the second stage on only v is left. */
-  const char *left = ONE "stage s\ncontinuum strain -0.02 0.04\ncycles 50\nstage t\ncontinuum none\ncycles 1\n";
+  const char *left = ONE "stage s\naffine strain -0.02 0.04\ncycles 50\nstage t\naffine none\ncycles 1\n";
   CU_ASSERT_DOUBLE_EQUAL(after(left, "D.vx"), 7, 1e-13);
   CU_ASSERT_DOUBLE_EQUAL(after(left, "D.vy"), 5, 1e-13);
 }
 
 /* As R89 codes them x_(N+1) - (2 + L dt) x_N + x_(N-1) = 0: x_N = x_0 (sinh((N + 1) q) - sinh(N q))/sinh(q), cosh q = 1 + L dt/2. */
 static void the_literal_reading_grows(void) {
-  const char *page = "disc 13 -6 radius 1 m\nwatch D disc 1\nrecord D.x D.y\nstage s\n"
-                     "continuum strain 0.008 -0.016 literal\ncycles 100\n";
+  const char *page = "disc 13 -6 radius 1 m\nmonitor D disc 1\nrecord D.x D.y\nstage s\n"
+                     "affine strain 0.008 -0.016 accumulated\ncycles 100\n";
   const double q = acosh(1 + 0.008 * dt / 2), p = acos(1 - 0.016 * dt / 2);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.x"), 13 * (sinh(101 * q) - sinh(100 * q)) / sinh(q), 1e-9);
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), -6 * (sin(101 * p) - sin(100 * p)) / sin(p), 1e-9);
@@ -85,8 +84,8 @@ static void the_literal_reading_grows(void) {
 
 /* Dashpots of two bodies at rest in a continuum feel L z: beta k_n e.L z and beta k_s t.L z [R89 4.42]. */
 static void contacts_see_the_strain(void) {
-  static const char *const pairs[] = {"stage s\ncontinuum strain -0.3 0.1 shear 0.2\n",
-                                      "boundary circle 1 2 radius 3\nstage s\ncontinuum strain -0.3 0.1 shear 0.2\n"
+  static const char *const pairs[] = {"stage s\naffine strain -0.3 0.1 shear 0.2\n",
+                                      "boundary circle 1 2 radius 3\nstage s\naffine strain -0.3 0.1 shear 0.2\n"
                                       "boundary strain -0.3 0.1 shear 0.2\n"};
   for (size_t k = 0; k < 2; k++) { /* both carried by the continuum; one of them by the boundary */
     struct words page = {0};
@@ -94,7 +93,7 @@ static void contacts_see_the_strain(void) {
     struct nb_result result;
     words_add(&page,
               "units none\nmaterial m density 1e30 kn 100 ks 60 friction 1e9\nshear linear\nstep 1e-8\n"
-              "damping contact-beta 0.5\ndisc 2 3 radius 1 m\ndisc 3.5 4 radius 1 m\nwatch P disc 1 with disc 2\n"
+              "damping stiffness 0.5\ndisc 2 3 radius 1 m\ndisc 3.5 4 radius 1 m\nmonitor P disc 1 with disc 2\n"
               "record P.dashpot.normal P.dashpot.shear boundary.particles\n%scycles 1\n",
               pairs[k]);
     written_scene(&it, &page);
@@ -120,7 +119,7 @@ static void who_crosses_belongs(void) {
     words_add(
         &page,
         "units none\nmaterial m density 2 kn 100\nstep 0.125\n%sdisc 30 0 radius 1 m\ndisc 1 2 radius 1 m velocity 0.3 "
-        "0.4\nwatch D disc 2\nrecord cycle D.x D.y D.vx.half boundary.particles boundary.radius\n"
+        "0.4\nmonitor D disc 2\nrecord cycle D.x D.y D.vx.half boundary.particles boundary.radius\n"
         "boundary circle 0 0 radius 20\nstage s\nboundary strain 0.001 -0.01\ncycles 1000\n",
         skins[s]);
     written_scene(&it, &page);
@@ -147,8 +146,8 @@ static void crowd(struct words *page, const char *more) {
   words_add(
       page,
       "units none\nmaterial m density 2 kn 4000 ks 3000 friction 0.4\nshear linear\nstep 0.001\n"
-      "damping contact-beta 0.0005\ndamping con1 0.999 reading velocity\n"
-      "lattice discs 9 by 9 m radius 0.5 spacing 1.05 from -4.2 -4.2\nwatch D disc 41\nwatch E disc 30\n"
+      "damping stiffness 0.0005\ndamping con1 0.999 as velocity\n"
+      "lattice discs 9 by 9 m radius 0.5 spacing 1.05 from -4.2 -4.2\nmonitor D disc 41\nmonitor E disc 30\n"
       "boundary circle 0 0 radius 5.3\n"
       "record cycle D.x D.y D.angle E.x E.y boundary.particles boundary.area boundary.stress.xx boundary.stress.xy "
       "boundary.stress.yx boundary.stress.yy work.residual energy.imposed energy.walls energy.removed energy.residual "
@@ -157,8 +156,8 @@ static void crowd(struct words *page, const char *more) {
 }
 
 #define SQUEEZE                                                                                                        \
-  "stage a\nboundary strain -0.6 -0.5 shear 0.02\ncontinuum strain -0.1 -0.2 shear 0.05\ncycles 500\n"                 \
-  "stage b\nboundary hold\ncontinuum none\ncycles 100\n"
+  "stage a\nboundary strain -0.6 -0.5 shear 0.02\naffine strain -0.1 -0.2 shear 0.05\ncycles 500\n"                    \
+  "stage b\nboundary fixed\naffine none\ncycles 100\n"
 
 static void squeeze(struct nb_result *result, const struct nb_options *options, const char *more) {
   struct words page = {0};
@@ -223,7 +222,7 @@ static void the_stress_is_that_of_the_contacts(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
-  crowd(&page, SQUEEZE "stage c\ndamping contact-beta 0.002\ndamping con1 0.9 reading velocity\ncycles 20000\n");
+  crowd(&page, SQUEEZE "stage c\ndamping stiffness 0.002\ndamping con1 0.9 as velocity\ncycles 20000\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   struct nb_quantity residual;

@@ -32,7 +32,7 @@ static void a_body_swings_through_the_point(void) {
   struct written it;
   struct nb_result result;
   words_add(&page,
-            "units none\nmaterial m density 2 kn 1\nstep %g\ndisc %.17g 4 radius 1 m\nwatch D disc 1\n"
+            "units none\nmaterial m density 2 kn 1\nstep %g\ndisc %.17g 4 radius 1 m\nmonitor D disc 1\n"
             "record D.x D.y D.vx energy.gravity work.residual energy.residual\n"
             "stage s\ngravity centripetal %g about 3 4\ncycles %d\n",
             dt, 3 + d, g, 4 * N + 2);
@@ -58,7 +58,7 @@ static void a_body_swings_through_the_point(void) {
 static void a_body_goes_round_the_point(void) {
   struct nb_result result;
   run(&result,
-      "material m density 2 kn 1\nstep 0.001\ndisc 2 0 radius 0.5 m velocity 0 1\nwatch D disc 1\n"
+      "material m density 2 kn 1\nstep 0.001\ndisc 2 0 radius 0.5 m velocity 0 1\nmonitor D disc 1\n"
       "record D.x D.y energy.kinetic energy.residual\nstage s\ngravity centripetal 0.5 about 0 0\ncycles 6283\n");
   const double angle = 6.283 / 2;
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "D.x"), 2 * cos(angle), 1e-6);
@@ -93,7 +93,7 @@ static void rest_counts_all_that_is_felt(void) {
 static void rotation_stops_and_goes_on(void) {
   struct nb_result result;
   run(&result, "material m density 2 kn 1e4 ks 1e4 friction 0.25\nshear linear\nstep 0.001\nwall floor -9 0 to 90 0 m\n"
-               "disc 0 0.9993716814692820 radius 1 m velocity 5 0 spin 3\nwatch D disc 1\ngravity 0 -1\n"
+               "disc 0 0.9993716814692820 radius 1 m velocity 5 0 spin 3\nmonitor D disc 1\ngravity 0 -1\n"
                "record D.vx.half D.spin.half D.angle energy.changed work.residual\n"
                "stage a\nrotation off\ncycles 1000\nstage b\nrotation on\ncycles 1000\n");
   CU_ASSERT_DOUBLE_EQUAL(column(&result, 1000, 0), 5 - 0.25, 1e-3);
@@ -116,7 +116,7 @@ static void a_boundary_is_held_anew(void) {
                "disc -20 0 radius 1 m\ndisc 0 -20 radius 1 m\ndisc 11.7 11.7 radius 1 m\n"
                "record boundary.particles boundary.radius\nboundary circle 0 0 radius 20\n"
                "stage a\nboundary strain -0.01 -0.01\ncycles 100\nstage b\nboundary stress 1e-9 1e-9\ncycles 1\n"
-               "stage c\nboundary hold\ncycles 2\n");
+               "stage c\nboundary fixed\ncycles 2\n");
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.radius"), 17.6, 0.05);
   CU_ASSERT_EQUAL(written_last(&result, "boundary.particles"), 4);
   nb_result_free(&result);
@@ -152,7 +152,7 @@ static void springs_that_are_let_go_count(void) {
         &page,
         "units none\nmaterial m density 2 kn 1000\nstep 0.0005\ndisc 1 0 radius 1 m\ndisc -1 0 radius 1 m\n"
         "boundary circle 0 0 radius 1\nrecord energy.changed energy.kinetic energy.residual energy.stored\n"
-        "stage s\nboundary strain -0.1 0\ncycles 1000\nstage h\nboundary hold\ncycles 1\nstage t\n%scycles 1000\n",
+        "stage s\nboundary strain -0.1 0\ncycles 1000\nstage h\nboundary fixed\ncycles 1\nstage t\n%scycles 1000\n",
         ends[k]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
@@ -176,8 +176,8 @@ static void apart_after_literal(void) {
   struct nb_result result;
   double x = 13, y = -6, vx = 0, vy = 0;
   run(&result,
-      "material m density 2 kn 100\nstep 0.125\ndisc 13 -6 radius 1 m\nwatch D disc 1\nrecord D.x D.y\nstage s\n"
-      "continuum strain 0.08 -0.16 literal\ncycles 20\nstage t\ncontinuum strain 0.08 -0.16\ncycles 20\n");
+      "material m density 2 kn 100\nstep 0.125\ndisc 13 -6 radius 1 m\nmonitor D disc 1\nrecord D.x D.y\nstage s\n"
+      "affine strain 0.08 -0.16 accumulated\ncycles 20\nstage t\naffine strain 0.08 -0.16\ncycles 20\n");
   for (size_t n = 0; n < 40; n++) {
     const double cx = 0.08 * x, cy = -0.16 * y;
     if (n < 20)

@@ -71,7 +71,7 @@ static void what_is_let_go_does_not_turn(void) {
   struct nb_result result;
   run(&result, &it,
       "units none\nmaterial m density 1 kn 100 ks 100 friction 1\nshear linear\nstep 0.01\ndisc 0 0.99 radius 1 m\n"
-      "wall floor -9 0 to 9 0 m velocity 1 0\nboundary circle 0 3 radius 1\nwatch D disc 1\nrecord D.spin D.vx\n"
+      "wall floor -9 0 to 9 0 m velocity 1 0\nboundary circle 0 3 radius 1\nmonitor D disc 1\nrecord D.spin D.vx\n"
       "stage a\nrotation off\ncycles 5\nstage b\nboundary none\ncycles 5\n");
   CU_ASSERT(written_last(&result, "D.vx") > 1e-4);
   CU_ASSERT_EQUAL(written_last(&result, "D.spin"), 0);
@@ -86,7 +86,7 @@ static void what_is_let_go_does_not_turn(void) {
 static void the_last_step_of_a_leg_is_recorded(void) {
   struct written it;
   struct nb_result result;
-  run(&result, &it, SOFT "record step\nleg a overlap to 3 um in 5 steps\nrecord every 2 steps\n");
+  run(&result, &it, SOFT "record step\nsegment a overlap to 3 um in 5 steps\nrecord every 2 steps\n");
   static const double steps[] = {0, 2, 4, 5};
   CU_ASSERT_EQUAL_FATAL(result.table.row_count, 4);
   for (int k = 0; k < 4; k++)
@@ -100,7 +100,7 @@ static void a_force_deep_in_the_contact_is_found(void) {
   struct nb_result result;
   struct words words = {0};
   const double overlap = 0.005;
-  words_add(&words, SOFT "record overlap normal\nleg a normal to %.17g N in 1 step\n",
+  words_add(&words, SOFT "record overlap normal\nsegment a normal to %.17g N in 1 step\n",
             4. / 3 * 0.5e6 * sqrt(0.005) * overlap * sqrt(overlap));
   written_scene(&it, &words);
   written_run(&result, &it, NULL);

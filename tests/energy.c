@@ -49,22 +49,23 @@ static double busy(double *energy, const char *damping, double step, const char 
 static void work_closes(void) {
   static const char *const dampings[] = {
       "",
-      "damping contact-beta 0.002\n",
-      "damping contact-fraction 0.2\n",
-      "damping contact-ratio 0.1\n",
-      "damping global 0.7\n",
-      "damping con1 0.99 reading cs79\n",
-      "damping con1 0.98 reading velocity\n",
-      "damping con1 0.97 reading all\n",
-      "damping contact-beta 0.002\ndamping con1 0.97 reading all\n",
+      "damping stiffness 0.002\n",
+      "damping r89-fraction 0.2\n",
+      "damping ratio 0.1\n",
+      "damping mass 0.7\n",
+      "damping con1 0.99 as cs79\n",
+      "damping con1 0.98 as velocity\n",
+      "damping con1 0.97 as all\n",
+      "damping stiffness 0.002\ndamping con1 0.97 as all\n",
   };
   for (size_t n = 0; n < sizeof dampings / sizeof *dampings; n++) {
     double energy;
     CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\ncycles %d\n", 300, NULL) < 1e-13);
     CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nstep 0.0007\ncycles %d\n", 300, NULL) < 1e-13);
-    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nstill\ngravity 1 0\ncycles %d\n", 300, NULL) < 1e-13);
-    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nreverse\ndamping global 2\ncycles %d\n", 300, NULL) <
+    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nzero velocities\ngravity 1 0\ncycles %d\n", 300, NULL) <
               1e-13);
+    CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nreverse velocities\ndamping mass 2\ncycles %d\n", 300,
+                   NULL) < 1e-13);
     CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nremove discs 5 to 7\ncycles %d\n", 300, NULL) < 1e-13);
     CU_ASSERT(busy(&energy, dampings[n], 0.002, PRESS "stage b\nramp material m kn 6000 ks 900\ncycles %d\n", 300,
                    NULL) < 1e-13);
@@ -79,10 +80,10 @@ static void energy_closes(void) {
     const char *damping, *stages;
   } kinds[] = {
       {"", PRESS "stage b\ncycles %d\n"},
-      {"damping contact-beta 0.002\n", PRESS "stage b\ncycles %d\n"},
-      {"damping global 0.7\n", PRESS "stage b\ncycles %d\n"},
-      {"", PRESS "stage b\nstill\ncycles %d\n"},
-      {"", PRESS "stage b\nreverse\ncycles %d\n"},
+      {"damping stiffness 0.002\n", PRESS "stage b\ncycles %d\n"},
+      {"damping mass 0.7\n", PRESS "stage b\ncycles %d\n"},
+      {"", PRESS "stage b\nzero velocities\ncycles %d\n"},
+      {"", PRESS "stage b\nreverse velocities\ncycles %d\n"},
       {"", PRESS "stage b\ngravity 1 0\ncycles %d\n"},
       {"", PRESS "stage b\nramp gravity 1 0\ncycles %d\n"},
       {"", PRESS "stage b\nramp wall west velocity -0.1 0 spin 0.1\ncycles %d\n"},
@@ -90,8 +91,8 @@ static void energy_closes(void) {
       {"", PRESS "stage b\nmaterial m kn 6000 ks 900\ncycles %d\n"},
       {"", PRESS "stage b\nmaterial m friction 0 cohesion 0\ncycles %d\n"},
       {"", PRESS "stage b\nremove discs 4 to 5\ncycles %d\n"},
-      {"damping contact-beta 0.002\n", PRESS "stage b\nremove discs 4 to 5\ncycles %d\n"},
-      {"damping global 0.7\n", PRESS "stage b\nremove discs 5 to 7\ncycles %d\n"},
+      {"damping stiffness 0.002\n", PRESS "stage b\nremove discs 4 to 5\ncycles %d\n"},
+      {"damping mass 0.7\n", PRESS "stage b\nremove discs 5 to 7\ncycles %d\n"},
   };
   for (size_t n = 0; n < sizeof kinds / sizeof *kinds; n++) {
     double coarse, fine;
@@ -104,12 +105,12 @@ static void energy_closes(void) {
 static void same_bits(void) {
   double first, other;
   const double one =
-      busy(&first, "damping contact-beta 0.002\n", 0.002, PRESS "stage b\nremove disc 4\ncycles %d\n", 300, NULL);
+      busy(&first, "damping stiffness 0.002\n", 0.002, PRESS "stage b\nremove disc 4\ncycles %d\n", 300, NULL);
   const struct nb_options options[] = {{.threads = 2}, {.threads = 3, .shuffle = true}, {.threads = 1, .isa = "plain"}};
   for (size_t n = 0; n < sizeof options / sizeof *options; n++) {
-    CU_ASSERT_EQUAL(busy(&other, "damping contact-beta 0.002\n", 0.002, PRESS "stage b\nremove disc 4\ncycles %d\n",
-                         300, &options[n]),
-                    one);
+    CU_ASSERT_EQUAL(
+        busy(&other, "damping stiffness 0.002\n", 0.002, PRESS "stage b\nremove disc 4\ncycles %d\n", 300, &options[n]),
+        one);
     CU_ASSERT_EQUAL(other, first);
   }
 }
@@ -125,7 +126,7 @@ static struct nb_model *made(struct written *it, const char *text) {
 static void by_gravity(void) {
   struct written it;
   struct nb_model *model = made(&it, "units none\nmaterial m density 3\ndisc 0 0 radius 1 m velocity 1 2\n"
-                                     "gravity 0.5 -10\nstep 0.01\nwatch A disc 1\nrecord A.x A.y energy.gravity "
+                                     "gravity 0.5 -10\nstep 0.01\nmonitor A disc 1\nrecord A.x A.y energy.gravity "
                                      "energy.kinetic energy.residual\nstage s\ncycles 9\n");
   const double start = written_now(model, "energy.kinetic");
   for (int n = 0; n < 50; n++) {
@@ -163,7 +164,7 @@ static void by_walls_and_stored(void) {
   "units none\nmaterial m density 3 kn 400 ks 200 friction 0.3\nshear linear\ndisc 0 0.9 radius 1 m\n"                 \
   "material heavy density 1e12 kn 400 ks 200 friction 0.3\ndisc 20 0.9 radius 1 heavy\n"                               \
   "wall w 10 0 to 90 0 m velocity 1 0\nstep 0.001\n"                                                                   \
-  "watch C disc 2 with wall w\nrecord C.shear C.sliding energy.frictional energy.shear energy.walls energy.stored\n"   \
+  "monitor C disc 2 with wall w\nrecord C.shear C.sliding energy.frictional energy.shear energy.walls energy.stored\n" \
   "stage s\ncycles 9\n"
 static void by_friction(void) {
   struct written it;

@@ -89,7 +89,7 @@ static void a_force_that_turns_is_not_seen(void) {
     struct nb_error error;
     words_add(&page,
               "units none\nmaterial m density 0.31830988618379067 kn 1\nbox -0.9 -0.9 to 0.9 0.9 m\n"
-              "disc %.17g 0 radius 1 m velocity 0 %.17g\nwatch D disc 1\nstep %.17g\nallow unstable\n"
+              "disc %.17g 0 radius 1 m velocity 0 %.17g\nmonitor D disc 1\nstep %.17g\nallow unstable\n"
               "record step.fracc D.x D.y D.vx.half D.vy.half\nstage s\ncycles 100\n",
               r, r * sin(phi) / dt, dt);
     written_scene(&it, &page);

@@ -8,7 +8,7 @@
 #include "suites.h"
 #include "written.h"
 
-#define DISC "units none\nmaterial m density 1 kn 100\nstep 0.01\ndisc 4 4 radius 1 m\nwatch D disc 1\n"
+#define DISC "units none\nmaterial m density 1 kn 100\nstep 0.01\ndisc 4 4 radius 1 m\nmonitor D disc 1\n"
 #define SPHERES                                                                                                        \
   "units none\nmaterial m density 1 young 100 friction 0.3\nnormal hertz\nshear mindlin\nstep 1e-3\nsphere 4 4 "       \
   "radius 1 m\nsphere 6 4 radius 1 m\n"
@@ -47,7 +47,7 @@ static void a_scene_has_what_it_uses(void) {
        "3 stability check, 4 stability check of stiffening contacts, 4 count of deep overlaps"},
       {DISC "record D.x\nbox 0 0 to 8 8 m\nstage a\nbox strain 0.1 0.1\ncycles 4\n",
        "0 walls of the box follow its strain rate, 0 affine motion, 3 stability check"},
-      {DISC "record D.x\nstage a\ncontinuum strain 0.1 0.1\ncycles 4\n", "0 affine motion, 3 stability check"},
+      {DISC "record D.x\nstage a\naffine strain 0.1 0.1\ncycles 4\n", "0 affine motion, 3 stability check"},
       {RING "record D.x\nstage a\nboundary strain 0.1 0.1\ncycles 4\n",
        "0 boundary takes in particles, 0 affine motion, 1 stress on the boundary, 3 stability check"},
       {DISC "record D.x\nstage a\nsnapshot from a\ncycles 4\n", "3 stability check, 4 sliding since a stage"},

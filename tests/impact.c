@@ -20,7 +20,7 @@ static const double pi = 3.14159265358979323846;
   "record time B.x B.y B.vx B.vy B.spin C.overlap C.normal C.shear impact.psi1 impact.psi2 impact.angle impact.time "  \
   "impact.duration impact.restitution impact.normal impact.shear impact.slip impact.energy.normal "                    \
   "impact.energy.tangential impact.energy.rotational energy.kinetic\nstage s\ncycles 1\n"
-#define ON_FLOOR "sphere 0 3 radius 0.5 m\nwall f -9 0 to 9 0 m\nwatch B sphere 1\nwatch C sphere 1 with wall f\n"
+#define ON_FLOOR "sphere 0 3 radius 0.5 m\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n"
 
 static struct nb_model *made(struct written *it, const char *body, const char *impact) {
   struct words page = {0};
@@ -50,13 +50,13 @@ static void it_comes_as_it_is_told(void) {
 /* R w counts in psi1, in the sense of the tangent; what is struck may move, and its spin counts too. */
 static void psi1_is_of_the_contact(void) {
   static const char *const bodies[] = {
-      "sphere 0 3 radius 0.5 m spin 0.8\nwall f -9 0 to 9 0 m\nwatch B sphere 1\nwatch C sphere 1 with wall f\n",
-      "sphere 1 3 radius 0.5 m spin 0.8\nwall f 2 0 to 9 0 m velocity 0.2 -0.1\nwatch B sphere 1\n"
-      "watch C sphere 1 with wall f\n",
-      "sphere 0 3 radius 0.5 m spin 2\nsphere 1 -1 radius 1.5 m velocity 0.3 0.1 spin -0.4\nwatch B sphere 1\n"
-      "watch C sphere 1 with sphere 2\n",
-      "sphere 0 3 radius 1.5 m velocity 0.3 0.1 spin -0.4\nsphere 1 -1 radius 0.5 m spin 2\nwatch B sphere 2\n"
-      "watch C sphere 2 with sphere 1\n"};
+      "sphere 0 3 radius 0.5 m spin 0.8\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n",
+      "sphere 1 3 radius 0.5 m spin 0.8\nwall f 2 0 to 9 0 m velocity 0.2 -0.1\nmonitor B sphere 1\n"
+      "monitor C sphere 1 with wall f\n",
+      "sphere 0 3 radius 0.5 m spin 2\nsphere 1 -1 radius 1.5 m velocity 0.3 0.1 spin -0.4\nmonitor B sphere 1\n"
+      "monitor C sphere 1 with sphere 2\n",
+      "sphere 0 3 radius 1.5 m velocity 0.3 0.1 spin -0.4\nsphere 1 -1 radius 0.5 m spin 2\nmonitor B sphere 2\n"
+      "monitor C sphere 2 with sphere 1\n"};
   for (int k = 0; k < 4; k++) {
     struct written it;
     struct nb_model *model = made(&it, bodies[k], "impact C speed 2 psi1 1.5 phase 1");
@@ -79,7 +79,7 @@ static void psi1_is_of_the_contact(void) {
   "units none\nnormal %s\nmaterial a density 0.25 kn 400 ks 320 friction 0.3 young 0.5 poisson 0.1\n"                  \
   "material b density 2 kn 100 ks 0.8 friction 0.2 young 7e3 poisson 0.4\n"                                            \
   "sphere 0 9 radius 0.5 a\nsphere 3 3 radius 0.7 b spin 0.5\nsphere 3 0 radius 1.1 a spin 0.6\n"                      \
-  "watch A sphere 1 with sphere 2\nwatch B sphere 2\nwatch C sphere 2 with sphere 3\nwatch D sphere 3\n"               \
+  "monitor A sphere 1 with sphere 2\nmonitor B sphere 2\nmonitor C sphere 2 with sphere 3\nmonitor D sphere 3\n"       \
   "impact C speed 2 psi1 %g\nstep 1e-4\nrecord energy.kinetic impact.energy.normal impact.energy.tangential "          \
   "impact.energy.rotational impact.angle impact.psi1\nstage s\ncycles 1\n"
 
@@ -129,7 +129,7 @@ static void a_wall_is_struck_where_it_is_nearest(void) {
   for (int k = 0; k < 6; k++) {
     struct written it;
     char body[256];
-    snprintf(body, sizeof body, "sphere 2 3 radius 0.5 m\n%s\nwatch B sphere 1\nwatch C sphere 1 with wall f\n",
+    snprintf(body, sizeof body, "sphere 2 3 radius 0.5 m\n%s\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n",
              walls[k].wall);
     struct nb_model *model = made(&it, body, "impact C speed 2 psi1 0");
     NEAR(written_now(model, "B.x"), walls[k].x + 0.5 * walls[k].nx, 1e-14);
@@ -175,11 +175,12 @@ static void wrong_impacts_are_refused(void) {
     struct nb_mistakes mistakes = {0};
     struct nb_page read = {0};
     struct nb_scene scene = {0};
-    words_add(&page,
-              "```scene\n" BALL "material ice density 1 kn 400\nsphere 0 3 radius 0.5 m spin 1\nwall f -9 0 to 9 0 m\n"
-              "wall g -9 9 to 9 9 ice\nwatch B sphere 1\nwatch C sphere 1 with wall f\nwatch D sphere 1 with wall g\n"
-              "%s\nstep 0.001\nstage s\ncycles 1\n```\n",
-              k < 0 ? right : wrong[k]);
+    words_add(
+        &page,
+        "```scene\n" BALL "material ice density 1 kn 400\nsphere 0 3 radius 0.5 m spin 1\nwall f -9 0 to 9 0 m\n"
+        "wall g -9 9 to 9 9 ice\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\nmonitor D sphere 1 with wall g\n"
+        "%s\nstep 0.001\nstage s\ncycles 1\n```\n",
+        k < 0 ? right : wrong[k]);
     nb_page_read_bytes(&read, "impact.md", page.text, page.length, &mistakes);
     nb_scene_read(&scene, &read, 0, NULL, &mistakes);
     CU_ASSERT_EQUAL(mistakes.count, k < 0 ? 0 : 1);
@@ -190,8 +191,8 @@ static void wrong_impacts_are_refused(void) {
 
 /* Gross sliding on springs: N is half a sine, T = mu N, so V_T falls by 2 mu (1 + q) V_N, and all that follows from it. */
 static void it_measures_gross_sliding(void) {
-  static const char *const places[] = {"", "\nplace turn 1.1 shift 3 4", "\nplace mirror x",
-                                       "\nplace mirror y turn 2.5"};
+  static const char *const places[] = {"", "\ntransform rotate 1.1 translate 3 4", "\ntransform mirror x",
+                                       "\ntransform mirror y rotate 2.5"};
   static const char *const impacts[] = {"impact C speed 2 angle 1.2", "impact C speed 2 angle 1.2 phase 0.6"};
   for (int k = 0; k < 8; k++) {
     char impact[128];
@@ -242,8 +243,8 @@ static void elastic_spheres_have_their_own_scale(void) {
   struct words page = {0};
   words_add(&page, "normal hertz\nshear none\n"
                    "material m density 7800 kg/m3 young 210 GPa poisson 0.28 friction 0.12 kn 1 N/m ks 9 N/m\n"
-                   "sphere 0 mm 3 mm radius 1 mm m\nwall f -9 mm 0 mm to 9 mm 0 mm m\nwatch B sphere 1\n"
-                   "watch C sphere 1 with wall f\nimpact C speed 0.4 m/s angle 30 deg\nstep 10 ns\n" RECORD);
+                   "sphere 0 mm 3 mm radius 1 mm m\nwall f -9 mm 0 mm to 9 mm 0 mm m\nmonitor B sphere 1\n"
+                   "monitor C sphere 1 with wall f\nimpact C speed 0.4 m/s angle 30 deg\nstep 10 ns\n" RECORD);
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   NEAR(written_now(model, "impact.psi1"), 2 * 0.72 / (0.12 * 1.72) * tan(pi / 6), 1e-12);

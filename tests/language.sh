@@ -32,7 +32,7 @@ awk '/^### / { word = $2 } /^```/ { inside = $0 != "```" }
 result $? 'and it runs, and what it expects is seen'
 
 {
-  printf '```scene\nmaterial steel density 7800 kg/m3 kn 1 MN/m\nlattice discs 4 by 4 radius 10 mm steel\nstep 0.1 of safe\n'
+  printf '```scene\nmaterial steel density 7800 kg/m3 kn 1 MN/m\nlattice discs 4 by 4 radius 10 mm steel\nstep 0.1 of stable\n'
   awk '/^```/ { inside = $0 == "```text of a scene with a cell"; next } inside && !/^ /' "$language"
   printf 'record cell.stress.xx\nstage go\ncycles 10\n'
   awk '/^```/ { inside = $0 == "```text of a scene with a cell"; next } inside && /^ /' "$language"

@@ -22,7 +22,7 @@ static void the_force_jumps_and_the_energy_is_counted(void) {
   struct nb_result result;
   words_add(&page, "units none\nmaterial m density 1e30 kn 1 young 1000 poisson 0\npair m m kn 100\nnormal hertz\n"
                    "sphere 0 0 radius 1 m fixed\nsphere 1.5 0 radius 1 m\n"
-                   "watch C sphere 1 with sphere 2\nstep 0.001\nrecord C.normal energy.stored energy.changed\n"
+                   "monitor C sphere 1 with sphere 2\nstep 0.001\nrecord C.normal energy.stored energy.changed\n"
                    "stage a\ncycles 1\nstage b\nnormal linear\ncycles 2\nstage c\nnormal hertz\ncycles 1\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);

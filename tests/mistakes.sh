@@ -82,11 +82,11 @@ counted 2000 'gradings' 'grading g@ 1 m 1'
 
 # path LINE: the same of a path.
 path() {
-  printf '```path\nmaterial rock kn 1 MN/m\ncontact disc 1 m rock with wall rock\n%s\n```\n' "$1"
+  printf '```contact-test\nmaterial rock kn 1 MN/m\ncontact disc 1 m rock with wall rock\n%s\n```\n' "$1"
 }
-path "$(numbered 2000 'leg l@ slip by 1 um in 1 step')" >"$work/right.md"
-path "$(numbered 2001 'leg l@ slip by 1 um in 1 step')" >"$work/wrong.md"
-limit 'legs' 'expected at most 2000 legs, with this there are more'
+path "$(numbered 2000 'segment l@ slip by 1 um in 1 step')" >"$work/right.md"
+path "$(numbered 2001 'segment l@ slip by 1 um in 1 step')" >"$work/wrong.md"
+limit 'segments' 'expected at most 2000 segments, with this there are more'
 
 # on FROM STAGE NAME: a page that goes on from there with one stage of its own.
 on() { printf '```scene\nstart %s stage %s\nrecord time\nstage %s\ncycles 1\n```\n' "$1" "$2" "$3"; }
@@ -149,7 +149,7 @@ refused 'a device as a page' "$no_file" "$nineball" check /dev/zero
 refused 'a folder as a page' 'it is a folder' "$nineball" check "$work/folder.md"
 page 'packing discs pipe.tsv rock' >"$work/page.md"
 refused 'a pipe as a packing' "$no_file" "$nineball" check "$work/page.md"
-path 'leg l follow pipe.tsv' >"$work/page.md"
+path 'segment l follow pipe.tsv' >"$work/page.md"
 refused 'a pipe as a path' "$no_file" "$nineball" check "$work/page.md"
 printf '```scene\nstart pipe stage go\nrecord time\nstage on\ncycles 1\n```\n' >"$work/page.md"
 refused 'a pipe as the page that another starts from' "$no_file" "$nineball" check "$work/page.md"

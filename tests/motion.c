@@ -22,7 +22,7 @@ static void oscillator(struct written *it, double x, double v, const char *state
   words_add(&page, "units none\nmaterial m density 2 kn %g\n", k);
   words_add(&page, "wall west %.17g -9 to %.17g 9 m\nwall east %.17g -9 to %.17g 9 m\n", press - 1, press - 1,
             1 - press, 1 - press);
-  words_add(&page, "disc %.17g 0 radius 1 m velocity %.17g 0\nwatch D disc 1\n", x, v);
+  words_add(&page, "disc %.17g 0 radius 1 m velocity %.17g 0\nmonitor D disc 1\n", x, v);
   words_add(&page, "record D.x D.vx D.vx.half D.fx time energy.kinetic\n%s", statements);
   written_scene(it, &page);
 }
@@ -30,14 +30,14 @@ static void oscillator(struct written *it, double x, double v, const char *state
 static void free_flight_is_exact(void) {
   struct words page = {0};
   struct written it;
-  words_add(
-      &page,
-      "units none\nmaterial m density 1 kn 1 ks 1 friction 1\nshear linear\nstep 0.0009765625\n"
-      "disc 1 2 radius 0.5 m velocity 0.5 -0.25 spin 3\ndisc 9 9 radius 0.5 m fixed velocity 0.25 1 spin -1\n"
-      "disc 30 9 radius 0.5 m fixed velocity -4 0\ndisc 20 9.9 radius 0.5 m velocity 0 0\n"
-      "watch A disc 1\nwatch B disc 2\nwatch C disc 3\nrecord A.x A.y A.angle A.vx A.spin B.x B.y B.angle C.x C.y\n"
-      "damping con1 0.5 reading all\nstage s\ndamping none\ncycles 1024\nstage t\ndamping con1 0.5 reading all\n"
-      "cycles 3072\n");
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 1 ks 1 friction 1\nshear linear\nstep 0.0009765625\n"
+            "disc 1 2 radius 0.5 m velocity 0.5 -0.25 spin 3\ndisc 9 9 radius 0.5 m fixed velocity 0.25 1 spin -1\n"
+            "disc 30 9 radius 0.5 m fixed velocity -4 0\ndisc 20 9.9 radius 0.5 m velocity 0 0\n"
+            "monitor A disc 1\nmonitor B disc 2\nmonitor C disc 3\nrecord A.x A.y A.angle A.vx A.spin B.x B.y B.angle "
+            "C.x C.y\n"
+            "damping con1 0.5 as all\nstage s\ndamping none\ncycles 1024\nstage t\ndamping con1 0.5 as all\n"
+            "cycles 3072\n");
   written_scene(&it, &page);
   struct nb_result result;
   written_run(&result, &it, NULL);
@@ -88,14 +88,14 @@ static const struct reading {
   double value;
   double (*next)(double g, double dt, double u, double f);
 } readings[] = {
-    {"global 3", 3, alpha},
-    {"global 0.1", 0.1, alpha},
-    {"con1 0.9 reading cs79", 0.9, con1_cs79},
-    {"con1 0.25 reading cs79", 0.25, con1_cs79},
-    {"con1 0.9 reading velocity", 0.9, con1_velocity},
-    {"con1 0 reading velocity", 0, con1_velocity},
-    {"con1 0.9 reading all", 0.9, con1_all},
-    {"con1 0 reading all", 0, con1_all},
+    {"mass 3", 3, alpha},
+    {"mass 0.1", 0.1, alpha},
+    {"con1 0.9 as cs79", 0.9, con1_cs79},
+    {"con1 0.25 as cs79", 0.25, con1_cs79},
+    {"con1 0.9 as velocity", 0.9, con1_velocity},
+    {"con1 0 as velocity", 0, con1_velocity},
+    {"con1 0.9 as all", 0.9, con1_all},
+    {"con1 0 as all", 0, con1_all},
 };
 
 static void global_damping_in_its_readings(void) {
@@ -129,7 +129,7 @@ static void spin_is_damped_as_the_velocity_is(void) {
     struct written it;
     words_add(&page,
               "units none\nmaterial m density 1 kn 1\nstep 0.125\ndisc 0 0 radius 1 m velocity 7 0 spin 7\n"
-              "damping %s\nwatch D disc 1\nrecord D.x D.angle\nstage s\ncycles 5\n",
+              "damping %s\nmonitor D disc 1\nrecord D.x D.angle\nstage s\ncycles 5\n",
               reading->statement);
     written_scene(&it, &page);
     struct nb_result result;
@@ -161,7 +161,7 @@ static void unlike_steps_keep_the_second_order(void) {
       char text[256];
       const int n = 100 << fine;
       snprintf(text, sizeof text,
-               "damping global %g\nstep %.17g\nstage a\ncycles %d\nstage b\nstep %.17g\ncycles %d\n"
+               "damping mass %g\nstep %.17g\nstage a\ncycles %d\nstage b\nstep %.17g\ncycles %d\n"
                "stage c\nstep %.17g\ncycles %d\n",
                rate, 2.0 / n, n, 2.0 / n / 3, 3 * n, 2.0 / n / 2, 2 * n);
       oscillator(&it, 0.05, 0, text);

@@ -32,7 +32,7 @@ static void cloud(struct written *it, double x, double y, double speed, unsigned
   }
   words_add(
       &page,
-      "watch A disc 1\nwatch B disc 200\nrecord A.x A.y A.angle A.vx A.moment B.x B.y B.angle B.fx energy.kinetic "
+      "monitor A disc 1\nmonitor B disc 200\nrecord A.x A.y A.angle A.vx A.moment B.x B.y B.angle B.fx energy.kinetic "
       "contacts\nstage s\ncycles 300\n");
   written_scene(it, &page);
 }
@@ -137,7 +137,7 @@ static unsigned long long searches_of(const char *statements, unsigned long long
   struct words page = {0};
   struct written it;
   words_add(&page,
-            "units none\nmaterial m density 1 kn 10\nstep 0.01\n%s\nwatch D disc 1\nrecord D.x D.y\nstage s\n"
+            "units none\nmaterial m density 1 kn 10\nstep 0.01\n%s\nmonitor D disc 1\nrecord D.x D.y\nstage s\n"
             "cycles 400\n",
             statements);
   written_scene(&it, &page);
@@ -225,7 +225,7 @@ static void laws_remember_through_searches(void) {
       words_add(
           &page,
           "units none\nmaterial m density 1 young 100 poisson 0.25 friction 0.4\n%ssphere 0 0 radius 1 m velocity "
-          "1 0.3\nsphere 2 0 radius 1 m\nsphere 9 9 radius 1 m velocity 5 5\nwatch C sphere 1 with sphere 2\n"
+          "1 0.3\nsphere 2 0 radius 1 m\nsphere 9 9 radius 1 m velocity 5 5\nmonitor C sphere 1 with sphere 2\n"
           "record C.normal C.shear\nskin %g\nstep 0.002\nstage s\ncycles 100\n",
           laws[n], often ? 0.03 : 30.);
       written_scene(&it, &page);

@@ -55,7 +55,7 @@ static void make(struct nb_outcome *outcome, const char *sweep, const char *expe
   char scene[512];
   snprintf(scene, sizeof scene,
            "%s\nmaterial m density 1 kg/m3 kn 1 N/m ks 1 N/m friction 0.5\nshear linear\ndisc 0 m 0 m radius 1 m m "
-           "velocity 1 m/s 0 m/s\nwatch A disc 1\nstep 1 ms\nrecord time cycle A.x\nstage one\ncycles 5\nstage "
+           "velocity 1 m/s 0 m/s\nmonitor A disc 1\nstep 1 ms\nrecord time cycle A.x\nstage one\ncycles 5\nstage "
            "two\nshear none\ncycles 5",
            sweep);
   carry_out(outcome, scene, expectations, progress);

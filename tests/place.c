@@ -20,7 +20,7 @@
 
 /* A page is HEAD, the lines before, the line of the word, and those after it. */
 #define HEAD                                                                                                           \
-  "units none\nmaterial m density 2 kn 1000 ks 700 friction 0.3\nshear linear\ndamping contact-ratio 0.1\nstep "       \
+  "units none\nmaterial m density 2 kn 1000 ks 700 friction 0.3\nshear linear\ndamping ratio 0.1\nstep "               \
   "0.004\n"
 #define FEW "disc 1 2 radius 0.6 m velocity 1 -2\ndisc 2.1 2.3 radius 0.7 m spin 3\ndisc 1.7 3.4 radius 0.5 m\n"
 #define MANY "lattice discs hexagonal 7 by 7 from 0.3 0.2 radius 0.5 spacing 0.97 m\n"
@@ -31,7 +31,7 @@
 #define BOX "box 0 0 to 6 7 m\n"
 #define WALL "wall floor 0 1.5 to 5 1.2 m about 1 -3\n"
 #define CELL "cell -0.2 -0.1 to 6.8 6.2\n"
-#define BY " by boundary at most 1e-4 per cycle every 3 cycles\n"
+#define BY " through boundary at most 1e-4 per cycle every 3 cycles\n"
 
 struct row {
   const char *word;
@@ -62,8 +62,8 @@ static const struct row rows[] = {
     {"cell", NB_IN_SCENE, MANY, CELL, GO},
     {"cell strain", NB_IN_STAGE, MANY CELL STAGE, "cell strain -0.1 0.05 shear 0.02\n", END},
     {"cell strain", NB_IN_STAGE, MANY CELL STAGE, "cell strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
-    {"wave", NB_IN_SCENE, MANY CELL, "wave 0.3 1 periods 1 2\n", GO},
-    {"impact", NB_IN_SCENE, FEW "disc 9 9 radius 0.5 m spin 2\nwatch C disc 4 with disc 2\n",
+    {"perturb wave", NB_IN_SCENE, MANY CELL, "perturb wave 0.3 1 periods 1 2\n", GO},
+    {"impact", NB_IN_SCENE, FEW "disc 9 9 radius 0.5 m spin 2\nmonitor C disc 4 with disc 2\n",
      "impact C speed 3 angle 0.7\n", GO},
     {"region", NB_IN_SCENE, RING, "region A circle 2.6 2.5 radius 1.3\n", STAGE "servo stress xx 90 on A" BY END},
     {"region", NB_IN_SCENE, RING, "region A box 2 2 to 4.2 3\n", STAGE "servo stress xx 90 xy 10 on A" BY END},
@@ -76,26 +76,27 @@ static const struct row rows[] = {
     {"boundary strain", NB_IN_STAGE, RING STAGE,
      "boundary strain -1e-3 per cycle 5e-4 per cycle shear 2e-4 per cycle\n", END},
     {"boundary stress", NB_IN_STAGE, RING STAGE, "boundary stress 90 30 shear 20\n", END},
-    {"continuum strain", NB_IN_STAGE, RING STAGE, "continuum strain -0.1 0.05 shear 0.02\n", END},
-    {"continuum strain", NB_IN_STAGE, RING STAGE, "continuum strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
-    {"continuum strain", NB_IN_STAGE, MANY STAGE, "continuum strain -0.01 0.005 c12 0.01 literal\n", END},
+    {"affine strain", NB_IN_STAGE, RING STAGE, "affine strain -0.1 0.05 shear 0.02\n", END},
+    {"affine strain", NB_IN_STAGE, RING STAGE, "affine strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
+    {"affine strain", NB_IN_STAGE, MANY STAGE, "affine strain -0.01 0.005 c12 0.01 accumulated\n", END},
     {"servo isotropic", NB_IN_STAGE, RING STAGE, "servo isotropic 90 on boundary" BY, END},
-    {"servo isotropic", NB_IN_STAGE, MANY CELL STAGE, "servo isotropic 90 on cell by cell at most 1e-4 per cycle\n",
+    {"servo isotropic", NB_IN_STAGE, MANY CELL STAGE,
+     "servo isotropic 90 on cell through cell at most 1e-4 per cycle\n", END},
+    {"servo isotropic", NB_IN_STAGE, MANY BOX STAGE, "servo isotropic 90 on box through box at most 1e-4 per cycle\n",
      END},
-    {"servo isotropic", NB_IN_STAGE, MANY BOX STAGE, "servo isotropic 90 on box by box at most 1e-4 per cycle\n", END},
     {"servo isotropic", NB_IN_RAMP, RING STAGE, "ramp servo isotropic 90 on boundary" BY, END},
     {"servo mean", NB_IN_STAGE, RING STAGE "boundary strain 0.1 -0.1\n", "servo mean 90 on boundary" BY, END},
     {"servo mean", NB_IN_RAMP, RING STAGE "boundary strain 0.1 -0.1\n", "ramp servo mean 90 on boundary" BY, END},
     {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 on boundary" BY, END},
     {"servo stress", NB_IN_STAGE, RING STAGE,
-     "servo stress yy 90 on boundary by boundary continuum at most 1e-4 per cycle\n", END},
+     "servo stress yy 90 on boundary through boundary affine at most 1e-4 per cycle\n", END},
     {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xy 20 on boundary" BY, END},
     {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 yy 40 on boundary" BY, END},
     {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 yy 40 xy 5 on boundary" BY, END},
-    {"servo stress", NB_IN_STAGE, MANY CELL STAGE, "servo stress xx 90 xy 20 on cell by cell at most 1e-4 per cycle\n",
-     END},
-    {"servo stress", NB_IN_STAGE, MANY BOX STAGE, "servo stress xx 90 yy 40 on box by box at most 1e-4 per cycle\n",
-     END},
+    {"servo stress", NB_IN_STAGE, MANY CELL STAGE,
+     "servo stress xx 90 xy 20 on cell through cell at most 1e-4 per cycle\n", END},
+    {"servo stress", NB_IN_STAGE, MANY BOX STAGE,
+     "servo stress xx 90 yy 40 on box through box at most 1e-4 per cycle\n", END},
     {"servo stress", NB_IN_RAMP, RING STAGE, "ramp servo stress xx 90 yy 50 xy 20 on boundary" BY, END},
     {"box strain", NB_IN_STAGE, MANY BOX STAGE, "box strain -1e-3 per cycle 5e-4 per cycle\n", END},
 };
@@ -106,20 +107,21 @@ static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
  * of bodies; `until` waits for what would be recorded, which is not turned, as the manual says. */
 static const char *const scalars[] = {
     ("|packing|packing discs|packing "
-     "spheres|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|watch|"
+     "spheres|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|monitor|"
      "step|allow|record|stage|"),
-    ("|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|still|reverse|remove|"
-     "boundary hold|boundary none|continuum none|rotation on|rotation off|repeat|"),
+    ("|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|zero velocities|reverse "
+     "velocities|remove|"
+     "boundary fixed|boundary none|affine none|rotation on|rotation off|repeat|"),
     "|material|pair|",
 };
 
 static const struct {
   const char *line;
   double flip_x, flip_y, angle, x, y;
-} places[] = {{"place mirror x\n", -1, 1, 0, 0, 0},
-              {"place mirror y turn 1.5707963267948966\n", 1, -1, 1.5707963267948966, 0, 0},
-              {"place turn 0.7 shift 3 -2\n", 1, 1, 0.7, 3, -2},
-              {"place mirror x turn 2.5 shift -1 5\n", -1, 1, 2.5, -1, 5}};
+} places[] = {{"transform mirror x\n", -1, 1, 0, 0, 0},
+              {"transform mirror y rotate 1.5707963267948966\n", 1, -1, 1.5707963267948966, 0, 0},
+              {"transform rotate 0.7 translate 3 -2\n", 1, 1, 0.7, 3, -2},
+              {"transform mirror x rotate 2.5 translate -1 5\n", -1, 1, 2.5, -1, 5}};
 enum { PLACES = sizeof places / sizeof *places };
 
 /* Bodies and walls at the end of the page; false: there is a mistake in it. */
@@ -272,7 +274,7 @@ static void every_word_is_in_the_list(void) {
   for (size_t k = 0; (keyword = nb_keyword_row(nb_keywords(), k)); k++)
     for (int w = 0; w < 3; w++) {
       char lines[4096], clause[64], word[64];
-      if (!(keyword->where & wheres[w]) || strcmp(keyword->word, "place") == 0)
+      if (!(keyword->where & wheres[w]) || strcmp(keyword->word, "transform") == 0)
         continue;
       lines_of(lines, sizeof lines, keyword->word, wheres[w]);
       snprintf(word, sizeof word, "|%s|", keyword->word);

@@ -18,7 +18,7 @@ void planted_page(struct nb_outcome *outcome, const char *statements, const char
   FILE *file = fdopen(descriptor, "w");
   CU_ASSERT_PTR_NOT_NULL_FATAL(file);
   fprintf(file,
-          "```scene\nunits none\n%s\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nwatch A disc 1\nstep 0.1\n"
+          "```scene\nunits none\n%s\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m\nmonitor A disc 1\nstep 0.1\n"
           "record time cycle A.x A.y A.vx energy.residual\nstage one\ncycles 1\nstage two\ncycles 1\n```\n"
           "```expect\nreference free_fall\n%s\n```\n",
           statements, expectations);

@@ -107,7 +107,7 @@ verdict 'a wall that turns too far in one step: 3, naming it, moment and limit'
 run 3 run "$pages/too-long-a-step.md"
 said 'body 1 (line 5): at cycle 0, 0 s, the step 1 s is above what is sure to be stable, 0.000792665 s'
 said 'body 1 at body 2, as if they touched: write `step 0.00063 s`, or `allow unstable`' # 0.8 of the bound
-for step in '2 of safe:write `step 0.8 of safe`' '1 per contact:write `step 2 per contact`' '3 of critical:write `step 0.57 of critical`'; do
+for step in '2 of stable:write `step 0.8 of stable`' '1 per collision:write `step 2 per collision`' '3 of single-contact:write `step 0.57 of single-contact`'; do
   run 3 check "$pages/too-long-a-step.md" --set step="${step%%:*}"
   said "${step#*:}"
 done
@@ -159,7 +159,7 @@ run 2 check "$pages/asks-nothing.md"
 said 'nothing is expected'
 run 0 run "$pages/asks-nothing.md"
 there asks-nothing.out/table.tsv
-sed 's/^step .*/&\nwatch D disc 1\nrecord D.x/' "$pages/asks-nothing.md" >reports.md
+sed 's/^step .*/&\nmonitor D disc 1\nrecord D.x/' "$pages/asks-nothing.md" >reports.md
 printf '\n```expect\nreport D.x max\nreport D.x\n```\n' >>reports.md
 run 2 check reports.md
 said 'no expectation of this page could fail, so nothing was checked'
@@ -274,12 +274,12 @@ absent same-bits.out
 sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
 run 0 explain soft.md
 out 'single contact: none, no contact has a stiffness'
-run 2 explain soft.md --set step='0.1 of critical'
+run 2 explain soft.md --set step='0.1 of single-contact'
 said '--set: the step comes out as inf s: a share needs a free particle and a contact with stiffness.'
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
-out '    line 24: ramp servo mean 12 on boundary by boundary continuum at most 1e-4 per cycle every 5 cycles'
+out '    line 24: ramp servo mean 12 on boundary through boundary affine at most 1e-4 per cycle every 5 cycles'
 out 'there are no contacts yet'
 out '  c2, at most 10 cycles'
 out '  line 10: region A circle 1 2 radius 5 rings 3 from b: 1 particles now'
@@ -325,8 +325,8 @@ test "$(column slip/m path/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'nor was its unit' >>why
 column stage path/table.tsv | grep -qv follow && echo 'a leg of the page is left' >>why
 {
-  sed '/^leg/,$d' "$pages/bench.md"
-  printf 'leg user follow path.tsv\nleg on slip by 1 um in 1 step\n```\n```expect\nslip in user expected -0.1 um within 0 um [path.tsv]\n```\n'
+  sed '/^segment/,$d' "$pages/bench.md"
+  printf 'segment user follow path.tsv\nsegment on slip by 1 um in 1 step\n```\n```expect\nslip in user expected -0.1 um within 0 um [path.tsv]\n```\n'
 } >own.md
 run 0 check own.md
 out '1 of 1 checks passed'

@@ -79,7 +79,7 @@ static void run_assembly(struct written *it, struct nb_result *result, int seed)
   struct words page = {0};
   words_add(
       &page,
-      "units none\nmaterial m density 3 kn 3000 ks 2500 friction 0.9\nshear linear\ndamping global 2\nstep 0.004\n"
+      "units none\nmaterial m density 3 kn 3000 ks 2500 friction 0.9\nshear linear\ndamping mass 2\nstep 0.004\n"
       "disc 6 6 radius 0.5 m fixed\nbox 0 0 to 12 12 m\ngrading g 0.9 8 0.7 12\ngrading h 0.8 10 0.6 15\n"
       "fill discs box 0.1 0.1 to 11.9 11.9 g m seed %d attempts 20000 else skip\n"
       "fill spheres box 0.1 0.1 to 11.9 11.9 h m seed %d attempts 20000 else skip\n"

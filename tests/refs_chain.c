@@ -17,10 +17,11 @@ static void row(struct written *it, int n, const char *step, const char *more) {
             "units none\nmaterial m density 0.3183098861837907 kn 1\ndisc 0.75 0 radius 1 m velocity 1e-3 0\n"
             "lattice discs %d by 1 from 2.5 0 radius 1 spacing 1.75 m\nwall w 0 -1 to 0 1 m\n",
             n - 1);
-  words_add(&page,
-            "wall e %.17g -1 to %.17g 1 m\nwatch W disc 1 with wall w\nwatch E disc %d with wall e\nwatch D disc 3\n"
-            "watch C disc 3 with disc 2\nstep %s of critical\n%s",
-            1.75 * n - 0.25, 1.75 * n - 0.25, n, step, more);
+  words_add(
+      &page,
+      "wall e %.17g -1 to %.17g 1 m\nmonitor W disc 1 with wall w\nmonitor E disc %d with wall e\nmonitor D disc 3\n"
+      "monitor C disc 3 with disc 2\nstep %s of single-contact\n%s",
+      1.75 * n - 0.25, 1.75 * n - 0.25, n, step, more);
   written_scene(it, &page);
 }
 

@@ -19,7 +19,7 @@ struct refs_scene {
 };
 
 /* Nine discs of R = 50, density 1000, in a box [CS79 figure 5]; walls south, east, north, west close in with 0.12 for
- * `load` cycles of 0.12 of critical, and stand for `rest`. Watches: C, disc 5 with disc 6; D, disc 1 with disc 2;
+ * `load` cycles of 0.12 of single-contact, and stand for `rest`. Watches: C, disc 5 with disc 6; D, disc 1 with disc 2;
  * S, disc 1 with wall south; M, disc 2 with wall south. kn = 1.35e9. */
 void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned long load, unsigned long rest);
 

@@ -81,7 +81,7 @@ static void another_scene_is_refused(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("stacked", &it).text, "`normal hertz`"));
   stack(&it, 1, 0);
   it.scene.damping.contact_kind = NB_CONTACT_BETA, it.scene.damping.contact = 0.1;
-  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("stacked", &it).text, "`damping contact-beta`"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("stacked", &it).text, "`damping stiffness`"));
 }
 
 void suite_refs_stacked(void) {

@@ -123,7 +123,7 @@ static void volumes(void) {
 
 /* A box is turned and mirrored with the scene, and so are its corners, which cut outlines. */
 static void a_box_that_is_turned(void) {
-  static const char *const places[] = {"", "place turn 0.5\n", "place mirror x turn 2 shift 3 -2\n"};
+  static const char *const places[] = {"", "transform rotate 0.5\n", "transform mirror x rotate 2 translate 3 -2\n"};
   for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
     struct words page = {0};
     struct written it;

@@ -26,7 +26,7 @@
 static void busy(struct words *page) {
   words_add(page, "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.2\nshear linear\nbox 0 0 to 12 12 m\n"
                   "lattice discs 6 by 6 m radius 0.98 spacing 1.95 from 1 1\ngravity 3 -9\nstep 0.002\n"
-                  "damping contact-ratio 0.1\nregion A all\nregion B circle 5 5 radius 3.3\nregion C box 2 1 to 7 8\n"
+                  "damping ratio 0.1\nregion A all\nregion B circle 5 5 radius 3.3\nregion C box 2 1 to 7 8\n"
                   "record " NAMES "\nstage a\nwall west velocity 0.3 0.2\ncycles 900\n");
 }
 

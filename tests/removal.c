@@ -16,8 +16,9 @@
 #define BUSY                                                                                                           \
   "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 cohesion 0.1\nshear linear\nbox 0 0 to 6 4 m\n"       \
   "lattice discs 3 by 2 m radius 0.98 spacing 1.95 from 1 1\ndisc 6.84 1.1 radius 0.9 m fixed velocity -0.1 0 spin "   \
-  "0.5\ngravity 0.1 -0.4\nstep 0.002\nwatch A disc 1\nwatch B disc 2\nwatch C disc 3\nwatch D disc 4\nwatch E disc "   \
-  "5\nwatch P disc 5 with disc 4\nwatch S disc 1 with disc 2\nwatch V disc 7\n"                                        \
+  "0.5\ngravity 0.1 -0.4\nstep 0.002\nmonitor A disc 1\nmonitor B disc 2\nmonitor C disc 3\nmonitor D disc "           \
+  "4\nmonitor E disc "                                                                                                 \
+  "5\nmonitor P disc 5 with disc 4\nmonitor S disc 1 with disc 2\nmonitor V disc 7\n"                                  \
   "record A.vx A.vy A.spin C.vx C.vy C.spin D.vx D.vy D.spin B.x B.y B.angle E.x B.vx B.vy B.spin B.fx B.moment "      \
   "P.normal P.shear S.normal P.overlap B.vx.half V.vx energy.kinetic energy.stored energy.frictional energy.shear "    \
   "energy.damped energy.walls energy.gravity energy.changed energy.removed energy.residual work.residual\n"
@@ -39,11 +40,11 @@ static void see(double values[ALL], const struct nb_model *model) {
 }
 
 static const char *const dampings[] = {"",
-                                       "damping contact-beta 0.002\n",
-                                       "damping global 0.7\n",
-                                       "damping con1 0.98 reading cs79\n",
-                                       "damping con1 0.98 reading velocity\n",
-                                       "damping con1 0.97 reading all\n"};
+                                       "damping stiffness 0.002\n",
+                                       "damping mass 0.7\n",
+                                       "damping con1 0.98 as cs79\n",
+                                       "damping con1 0.98 as velocity\n",
+                                       "damping con1 0.97 as all\n"};
 
 /* Before the stage and after it has begun: all is read as it was but for what is gone. */
 static void at_the_moment(void) {
@@ -99,7 +100,7 @@ static void never_there(void) {
       if (with)
         words_add(&page, "disc 1.98 1.98 radius 0.6 m spin 3 velocity 0 -1\n");
       words_add(&page,
-                "watch A disc 2\nwatch S wall south\nrecord A.x A.vy A.angle S.fy energy.removed\nstep 0.002\n"
+                "monitor A disc 2\nmonitor S wall south\nrecord A.x A.vy A.angle S.fy energy.removed\nstep 0.002\n"
                 "stage a\n%scycles 300\n",
                 with ? many ? "remove disc 37\n" : "remove disc 7\n" : "");
       written_scene(&it, &page);
@@ -124,7 +125,7 @@ static void spins_stay(void) {
     struct nb_result result;
     words_add(&page,
               "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m spin 2\ndisc 1.9 0 radius 1 m spin 3\n"
-              "watch A disc 1\nwatch B disc 2\nrecord A.spin B.spin\nstep 0.01\nstage a\ncycles 5\nstage b\n"
+              "monitor A disc 1\nmonitor B disc 2\nrecord A.spin B.spin\nstep 0.01\nstage a\ncycles 5\nstage b\n"
               "remove disc %d\ncycles 5\n",
               first ? 1 : 2);
     written_scene(&it, &page);
@@ -144,7 +145,7 @@ static void unlike_radii(void) {
     struct nb_error error;
     words_add(&page,
               "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.5\nshear linear\nstep 0.002\n"
-              "disc 0 0 radius 1 m\ndisc 2.9 0 radius 2 m velocity 0 -0.1\nwatch A disc %d\nrecord A.spin A.moment\n"
+              "disc 0 0 radius 1 m\ndisc 2.9 0 radius 2 m velocity 0 -0.1\nmonitor A disc %d\nrecord A.spin A.moment\n"
               "stage a\ncycles 10\nstage b\nremove disc %d\ncycles 1\n",
               first ? 2 : 1, first ? 1 : 2);
     written_scene(&it, &page);
@@ -166,7 +167,7 @@ static void nothing_in_the_way(void) {
   struct written it;
   struct nb_result result;
   words_add(&page, "units none\nmaterial m density 1 kn 1\ndisc 0 0 radius 1 m velocity 1 0\ndisc 10 0 radius 2 m\n"
-                   "disc 20 0 radius 2 m fixed velocity 0 1\ndisc 20 9 radius 1 m\nwatch A disc 1\nwatch C disc 3\n"
+                   "disc 20 0 radius 2 m fixed velocity 0 1\ndisc 20 9 radius 1 m\nmonitor A disc 1\nmonitor C disc 3\n"
                    "record A.x C.y C.vy\nstep 0.25\nstage a\ncycles 4\nsnapshot\nstage b\nremove discs 2 to 3\n"
                    "cycles 116\nsnapshot\n");
   written_scene(&it, &page);
@@ -191,7 +192,7 @@ static void with_what_is_left(void) {
   struct nb_result result;
   words_add(&page, "units none\nmaterial m density 1 kn 9\nmaterial light density 0.25 kn 9\ndisc 0 0 radius 1 m\n"
                    "disc 9 0 radius 1 m\ndisc 18 0 radius 0.5 light\nrecord step step.single-contact energy.removed\n"
-                   "step 0.5 of contact\nstage a\ncycles 1\nstage b\nremove disc 3\nstep 0.5 of contact\ncycles 1\n");
+                   "step 0.5 of collision\nstage a\ncycles 1\nstage b\nremove disc 3\nstep 0.5 of collision\ncycles 1\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   const double pi = 3.14159265358979323846;
@@ -212,7 +213,7 @@ static void met_by_none(void) {
     words_add(&page,
               "units none\nmaterial m density 1 young 9 poisson 0.3\nnormal hertz\n"
               "sphere 0 0 radius 1 m velocity 1 0\nsphere 240 0 radius 10 m\n%s\nrecord step\nstep 0.01\nstage a\n"
-              "cycles 1\nstage b\n%s\nstep 0.01 of contact\ncycles 1\n",
+              "cycles 1\nstage b\n%s\nstep 0.01 of collision\ncycles 1\n",
               with ? "sphere 120 0 radius 100 m" : "", with ? "remove sphere 3" : "");
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
@@ -224,7 +225,8 @@ static void met_by_none(void) {
 }
 
 static void with_other_jumps(void) {
-  static const char *const jumps[] = {"still\n", "reverse\n", "gravity 1 0\n", "material m kn 6000 ks 900\n"};
+  static const char *const jumps[] = {"zero velocities\n", "reverse velocities\n", "gravity 1 0\n",
+                                      "material m kn 6000 ks 900\n"};
   for (size_t n = 0; n < sizeof jumps / sizeof *jumps; n++) {
     double residual[2], work[2], removed[2];
     for (int fine = 0; fine < 2; fine++) {

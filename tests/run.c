@@ -10,8 +10,8 @@
 #include "written.h"
 
 #define SCENE                                                                                                          \
-  "units none\nmaterial m density 1 kn 100\nstep 0.25\nbox 0 0 to 8 8 m\ndisc 4 4 radius 1 m\nwatch W wall west\n"     \
-  "watch D disc 1\nwatch C disc 1 with wall west\nrecord cycle time W.x W.y\n"
+  "units none\nmaterial m density 1 kn 100\nstep 0.25\nbox 0 0 to 8 8 m\ndisc 4 4 radius 1 m\nmonitor W wall west\n"   \
+  "monitor D disc 1\nmonitor C disc 1 with wall west\nrecord cycle time W.x W.y\n"
 
 static void rows_come_when_they_are_asked_for(void) {
   struct words page = {0};
@@ -105,7 +105,7 @@ static void a_position_that_is_no_number(void) {
   size_t rows;
   struct nb_error error =
       broken("units none\nmaterial m density 0.05 kn 1e308\ndisc 9 9 radius 1 m\ndisc 1 1 radius 1 m\n"
-             "disc 1 2.1 radius 1 m\nstep 1\nallow unstable\nwatch D disc 1\nrecord D.x\nstage a\ncycles 9\n",
+             "disc 1 2.1 radius 1 m\nstep 1\nallow unstable\nmonitor D disc 1\nrecord D.x\nstage a\ncycles 9\n",
              &rows);
   says(&error, "particle 2 (line 5): its position is NaN or infinite");
   says(&error, "after cycle 1");
@@ -113,7 +113,7 @@ static void a_position_that_is_no_number(void) {
   CU_ASSERT_EQUAL(rows, 1);     /* the start */
   error = broken("units none\nmaterial m density 1 kn 100\ndisc 9 9 radius 1 m\ndisc 0 0 radius 1 m velocity 5e99 "
                  "0\nstep 1\nallow unstable\n"
-                 "watch D disc 1\nrecord D.x\nstage a\ncycles 9\n",
+                 "monitor D disc 1\nrecord D.x\nstage a\ncycles 9\n",
                  &rows);
   says(&error, "particle 2 (line 5): in cycle 1, at 1 s, it moved by 5e+99 m in one step of 1 s");
   CU_ASSERT_EQUAL(rows, 1);
@@ -156,7 +156,7 @@ static void a_broken_stage_has_no_snapshot(void) {
     words_add(
         &page,
         "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\ndisc 9 0 radius 1 m velocity 0 %d\nstep 1\n"
-        "allow unstable\nwatch D disc 2\nrecord D.y\nstage a\nsnapshot\nuntil D.y below -1 at most 1 cycles\n",
+        "allow unstable\nmonitor D disc 2\nrecord D.y\nstage a\nsnapshot\nuntil D.y below -1 at most 1 cycles\n",
         broken ? 3 : 0);
     written_scene(&it, &page);
     CU_ASSERT_EQUAL(nb_run(&result, &it.scene, NULL, NULL, &error), NB_BROKEN);
@@ -195,9 +195,9 @@ static void stages_once_more(void) {
   static const char *const head =
       "units none\nmaterial m density 1 kn 1e3 ks 1e3 friction 0.3\nnormal linear\nshear linear\n"
       "disc 0 0 radius 1 m\ndisc 1.9 0.3 radius 1 m velocity -1 0.2\nbox -1.1 -1.1 to 3.2 1.5 m\n"
-      "step 1e-3\nwatch D disc 2\nrecord D.x D.y D.angle D.vx\n";
+      "step 1e-3\nmonitor D disc 2\nrecord D.x D.y D.angle D.vx\n";
   static const char *const in = "walls inward 0.1\nmaterial m friction 0.2\ncycles 20\n";
-  static const char *const out = "damping global 3\nstep 2e-3\nwalls inward -0.1\ncycles 10\n";
+  static const char *const out = "damping mass 3\nstep 2e-3\nwalls inward -0.1\ncycles 10\n";
   struct words shorter = {0}, longer = {0};
   struct written it, full;
   struct nb_result result, whole;

@@ -128,13 +128,12 @@ static void defaults(void) {
 
 static void stages(void) {
   struct read read = read_scene(
-      ROCK
-      "box 0 m 0 m to 9 m 9 m rock\nwall mid 1 m 1 m to 2 m 1 m rock\nlattice discs 2 by 1 radius 1 m rock\n"
-      "record time C.normal\nwatch C disc 1 with disc 2\nstep 0.1 of critical\ndamping contact-ratio 5 %\n"
-      "damping con1 0.99 reading all\nstage a\nwalls inward 2 m/s\nwall east velocity 3 m/s 4 m/s\ncycles 7\nstage b\n"
-      "step 2 us\ndamping global 3 1/s\nwalls stop\nrecord every 5 cycles\nsnapshot\n"
-      "until C.normal above 2 kN and time below 3 ms at most 99 cycles\nstage c\n"
-      "damping contact-beta 1 us\nrecord none\ncycles 1\nstage d\ndamping none\ncycles 1\n");
+      ROCK "box 0 m 0 m to 9 m 9 m rock\nwall mid 1 m 1 m to 2 m 1 m rock\nlattice discs 2 by 1 radius 1 m rock\n"
+           "record time C.normal\nmonitor C disc 1 with disc 2\nstep 0.1 of single-contact\ndamping ratio 5 %\n"
+           "damping con1 0.99 as all\nstage a\nwalls inward 2 m/s\nwall east velocity 3 m/s 4 m/s\ncycles 7\nstage b\n"
+           "step 2 us\ndamping mass 3 1/s\nwalls stop\nrecord every 5 cycles\nsnapshot\n"
+           "until C.normal above 2 kN and time below 3 ms at most 99 cycles\nstage c\n"
+           "damping stiffness 1 us\nrecord none\ncycles 1\nstage d\ndamping none\ncycles 1\n");
   const struct nb_stage *a = &read.scene.stages[0], *b = a + 1, *c = b + 1, *d = c + 1;
   static const double v[4][2] = {{0, 2}, {3, 4}, {0, -2}, {2, 0}};
   CU_ASSERT_EQUAL_FATAL(read.scene.stage_count, 4);

@@ -48,7 +48,7 @@ static void run(struct nb_result *result, const char *stage) {
 static void it_comes_to_its_stress_as_predicted(void) {
   struct nb_result result;
   run(&result,
-      "stage s\nservo isotropic 12 on boundary by boundary at most 1e-4 per cycle every 5 cycles\ncycles 400\n");
+      "stage s\nservo isotropic 12 on boundary through boundary at most 1e-4 per cycle every 5 cycles\ncycles 400\n");
   double radius = 2, now = 0, gathered = NAN;
   int limited = 0;
   for (int n = 0; n < 400; n++) {
@@ -71,8 +71,8 @@ static void it_comes_to_its_stress_as_predicted(void) {
 static void a_ramp_is_followed(void) {
   struct nb_result result;
   run(&result,
-      "stage s\nservo mean 6 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 300\n"
-      "stage r\nramp servo mean 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 3000\n");
+      "stage s\nservo mean 6 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 300\n"
+      "stage r\nramp servo mean 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 3000\n");
   double radius = 2, gathered = NAN;
   for (int n = 0; n < 300; n++)
     radius *= 1 + strain(radius, 6, 1e-3, 1, &gathered);
@@ -88,9 +88,10 @@ static void a_ramp_is_followed(void) {
 /* Against a steady dilatation: nothing stays off, and it goes as the two rates of the theory say. P alone would be off by B T e_v. */
 static void a_dilatation_leaves_nothing(void) {
   struct nb_result result;
-  run(&result, "stage s\nservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 8000\n"
-               "stage d\nboundary strain 2e-6 per cycle 2e-6 per cycle\n"
-               "servo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 8000\n");
+  run(&result,
+      "stage s\nservo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 8000\n"
+      "stage d\nboundary strain 2e-6 per cycle 2e-6 per cycle\n"
+      "servo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 8000\n");
   const double *row = result.table.values + 8000 * result.table.column_count, radius = row[0];
   const double pi = 3.14159265358979323846, dt = 0.0125, area = 1.5 * sqrt(3) * radius * radius;
   const double b = 1500 * radius * radius / area, t = 2 * radius * sqrt(14 * pi / (area * b)), d = 4e-6 / dt;
@@ -111,15 +112,17 @@ static void a_dilatation_leaves_nothing(void) {
 /* Holding the mean, the shape goes on as the stage says; holding one component, the others do. */
 static void what_is_not_held_goes_on(void) {
   struct nb_result result;
-  run(&result, "stage s\nservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
-               "stage m\nboundary strain 2e-6 per cycle -2e-6 per cycle\n"
-               "servo mean 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n");
+  run(&result,
+      "stage s\nservo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
+      "stage m\nboundary strain 2e-6 per cycle -2e-6 per cycle\n"
+      "servo mean 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n");
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 9, 0.005 * 9);
   CU_ASSERT(written_last(&result, "boundary.stress.yy") > 1.02 * written_last(&result, "boundary.stress.xx"));
   nb_result_free(&result);
-  run(&result, "stage s\nservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
-               "stage y\nboundary strain 0 per cycle -2e-6 per cycle\n"
-               "servo stress xx 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n");
+  run(&result,
+      "stage s\nservo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
+      "stage y\nboundary strain 0 per cycle -2e-6 per cycle\n"
+      "servo stress xx 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n");
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.xx"), 9, 0.005 * 9);
   CU_ASSERT(written_last(&result, "boundary.stress.yy") > 9.1);
   nb_result_free(&result);
@@ -131,11 +134,12 @@ static void isotropic_has_no_shear(void) {
   for (int mean = 0; mean < 2; mean++) {
     char stages[512];
     struct nb_result result;
-    snprintf(stages, sizeof stages,
-             "stage s\nservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
-             "stage m\nboundary strain 0 per cycle 0 per cycle shear 1e-6 per cycle\n"
-             "servo %s 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 4000\n",
-             mean ? "mean" : "isotropic");
+    snprintf(
+        stages, sizeof stages,
+        "stage s\nservo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
+        "stage m\nboundary strain 0 per cycle 0 per cycle shear 1e-6 per cycle\n"
+        "servo %s 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 4000\n",
+        mean ? "mean" : "isotropic");
     run(&result, stages);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.mean"), 9, 0.005 * 9);
     shear[mean] = written_last(&result, "boundary.stress.xy");
@@ -153,7 +157,7 @@ static void every_tenth_cycle(void) {
     char stage[256];
     struct nb_result result;
     snprintf(stage, sizeof stage,
-             "stage s\nservo mean 9 on boundary by boundary at most 1e-4 per cycle %s\ncycles 95\n", words[k]);
+             "stage s\nservo mean 9 on boundary through boundary at most 1e-4 per cycle %s\ncycles 95\n", words[k]);
     run(&result, stage);
     radius[k] = written_last(&result, "boundary.radius");
     nb_result_free(&result);
@@ -169,7 +173,8 @@ static void what_is_gone_weighs_nothing(void) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
-    words_add(&page, "%sservo isotropic 9 on boundary by boundary at most 1e-3 per cycle every 1 cycle\ncycles 100\n",
+    words_add(&page,
+              "%sservo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 100\n",
               pages[k]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
@@ -188,7 +193,7 @@ static void a_region_is_looked_at(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, RING "region A circle 0 0 radius 2.5\nrecord A.stress.mean boundary.area\nstage s\n"
-                        "servo isotropic 5 on A by boundary at most 1e-3 per cycle every 1 cycle\ncycles 3000\n");
+                        "servo isotropic 5 on A through boundary at most 1e-3 per cycle every 1 cycle\ncycles 3000\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   const double boundary = written_last(&result, "boundary.stress.mean") * written_last(&result, "boundary.area");
@@ -198,16 +203,17 @@ static void a_region_is_looked_at(void) {
   written_free(&it);
 }
 
-/* `by boundary continuum`: a disc that touches nothing goes as the ring does; `by boundary`: it stays. */
+/* `through boundary affine`: a disc that touches nothing goes as the ring does; `through boundary`: it stays. */
 static void the_continuum_goes_along(void) {
-  static const char *const by[] = {"boundary", "boundary continuum"};
+  static const char *const by[] = {"boundary", "boundary affine"};
   for (int k = 0; k < 2; k++) {
     struct nb_result result;
     struct words page = {0};
     struct written it;
     words_add(&page,
-              RING "material h density 500 kn 1000\ndisc 1 0.57 radius 0.1 h\nwatch D disc 8\nrecord D.x D.y\nstage s\n"
-                   "servo isotropic 9 on boundary by %s at most 1e-3 per cycle every 1 cycle\ncycles 2000\n",
+              RING
+              "material h density 500 kn 1000\ndisc 1 0.57 radius 0.1 h\nmonitor D disc 8\nrecord D.x D.y\nstage s\n"
+              "servo isotropic 9 on boundary through %s at most 1e-3 per cycle every 1 cycle\ncycles 2000\n",
               by[k]);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
@@ -231,7 +237,7 @@ static void a_cell_is_servoed_too(void) {
             "units none\nmaterial m density 2 kn 1000\nstep 0.0125\nlattice discs 6 by 6 m radius 1 from 1 1\n"
             "cell 0 0 to 12 12\nrecord cell.xx cell.yy cell.stress.xx cell.stress.yy cycle\nstage s\n"
             "cell strain %g per cycle %g per cycle\n"
-            "servo mean 5 on cell by cell at most 1e-4 per cycle every 4 cycles\ncycles 1500\n",
+            "servo mean 5 on cell through cell at most 1e-4 per cycle every 4 cycles\ncycles 1500\n",
             shear, -shear);
   written_scene(&it, &page);
   written_run(&result, &it, NULL);

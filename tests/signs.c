@@ -13,12 +13,13 @@
 static void forces_on_a_pair(void) {
   struct words page = {0};
   struct written it;
-  words_add(&page,
-            "units none\nmaterial m density 1 kn 1000 ks 700 friction 5\nshear linear\nstep 0.001\n"
-            "disc 0 0 radius 1 m spin 2\ndisc 1.8 2.4 radius 2.1 m\nwatch A disc 1\nwatch B disc 2\nwatch C disc 1 "
-            "with disc 2\n"
-            "record A.fx A.fy A.moment B.fx B.fy B.moment C.normal C.shear A.x A.y B.x B.y A.spin.half B.spin.half\n"
-            "stage s\ncycles 9\n");
+  words_add(
+      &page,
+      "units none\nmaterial m density 1 kn 1000 ks 700 friction 5\nshear linear\nstep 0.001\n"
+      "disc 0 0 radius 1 m spin 2\ndisc 1.8 2.4 radius 2.1 m\nmonitor A disc 1\nmonitor B disc 2\nmonitor C disc 1 "
+      "with disc 2\n"
+      "record A.fx A.fy A.moment B.fx B.fy B.moment C.normal C.shear A.x A.y B.x B.y A.spin.half B.spin.half\n"
+      "stage s\ncycles 9\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   for (int cycle = 0; cycle < 20; cycle++) {
@@ -46,7 +47,7 @@ static void force_on_a_wall(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 1000 ks 700 friction 0.5\nshear linear\nstep 0.001\n"
-                   "disc 0 0.99 radius 1 m spin 2\nwall floor -9 0 to 9 0 m\nwatch A disc 1\nwatch F wall floor\n"
+                   "disc 0 0.99 radius 1 m spin 2\nwall floor -9 0 to 9 0 m\nmonitor A disc 1\nmonitor F wall floor\n"
                    "record A.fx A.fy A.moment F.fx F.fy\nstage s\ncycles 9\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
@@ -76,7 +77,7 @@ static void assembly(struct written *it, struct turn t) {
   static const double walls[][6] = {
       {-3, -1.5, 13, -1.5, 0.3, 1}, {11, -3, 12, 9, -1, 0}, {12, 8, -3, 9, 0, -1}, {-1, 9, -1, -3, 1, 0.2}};
   words_add(&page, "units none\nmaterial m density 1 kn 1e4 ks 7e3 friction 0.3\nshear linear\nstep 0.001\n"
-                   "damping contact-ratio 0.05\ndamping con1 0.999 reading all\n");
+                   "damping ratio 0.05\ndamping con1 0.999 as all\n");
   for (int w = 0; w < 4; w++)
     words_add(&page, "wall w%d %.17g %.17g to %.17g %.17g m velocity %.17g %.17g\n", w,
               turned_x(t, walls[w][0], walls[w][1]), turned_y(t, walls[w][0], walls[w][1]),
@@ -86,7 +87,7 @@ static void assembly(struct written *it, struct turn t) {
     const double x = 1.5 * (k % 8) + chance_between(&chance, -0.3, 0.3),
                  y = 1.5 * (k / 8) + chance_between(&chance, -0.3, 0.3);
     const double vx = chance_between(&chance, -2, 2), vy = chance_between(&chance, -2, 2);
-    words_add(&page, "disc %.17g %.17g radius %.17g m velocity %.17g %.17g spin %.17g\nwatch D%d disc %d\n",
+    words_add(&page, "disc %.17g %.17g radius %.17g m velocity %.17g %.17g spin %.17g\nmonitor D%d disc %d\n",
               turned_x(t, x, y), turned_y(t, x, y), chance_between(&chance, 0.6, 0.9), turned_x(t, vx, vy),
               turned_y(t, vx, vy), sense * chance_between(&chance, -3, 3), k, k + 1);
     words_add(&page, "record D%d.x D%d.y D%d.angle\n", k, k, k);

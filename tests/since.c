@@ -187,7 +187,7 @@ static void comes_back(void) {
   struct nb_result result;
   words_add(&page,
             "units none\nmaterial m density 1 kn 1e4 ks 1e4 friction 0.05\nnormal linear\nshear linear\n"
-            "gravity 0 -1\ndisc 0 1.01 radius 1 m velocity 9 0\nwall w -50 0 to 50 0 m\nwatch C disc 1 with wall "
+            "gravity 0 -1\ndisc 0 1.01 radius 1 m velocity 9 0\nwall w -50 0 to 50 0 m\nmonitor C disc 1 with wall "
             "w\nstep 1e-4\nrecord time C.overlap C.sliding\nstage down\nuntil C.overlap above 1e-6 at most 100000 "
             "cycles\nsnapshot from down\nstage up\nuntil C.overlap below 1e-9 at most 100000 cycles\nstage "
             "down2\nuntil C.overlap above 1e-6 at most 100000 cycles\nstage in\ncycles 150\nsnapshot from down\n"

@@ -21,7 +21,7 @@ static void speeds(void) {
               "disc -8 6 radius 1 m\ndisc 40 9 radius 2 m fixed velocity 7 7\ndisc 0 -30 radius 2 m velocity 9 9\n"
               "region A box -20 -20 to 60 20\nregion B all\n"
               "record A.speed.mean A.speed.max A.speed.imposed A.speed.ratio B.speed.max\n"
-              "stage s\ncontinuum strain 0.01 -0.02 %s\ncycles 1\n",
+              "stage s\naffine strain 0.01 -0.02 %s\ncycles 1\n",
               codings[k]);
     written_scene(&it, &page);
     struct nb_result result;
@@ -52,8 +52,8 @@ static void carried_before_the_first_step(void) {
   struct written it;
   struct nb_error error;
   words_add(&page, "units none\nmaterial m density 1 kn 100\nstep 0.125\ndisc 3 4 radius 1 m velocity 0.3 -0.4\n"
-                   "watch D disc 1\nregion A all\nrecord D.vx D.vy A.speed.mean A.speed.imposed\n"
-                   "stage s\ncontinuum strain 0.01 -0.02\ncycles 1\n");
+                   "monitor D disc 1\nregion A all\nrecord D.vx D.vy A.speed.mean A.speed.imposed\n"
+                   "stage s\naffine strain 0.01 -0.02\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);

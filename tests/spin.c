@@ -22,8 +22,7 @@ static struct shares con1_all(double t) { return (void)t, (struct shares){0.9, 0
 static const struct {
   const char *damping;
   struct shares (*over)(double t);
-} kinds[] = {
-    {"none", undamped}, {"global 30", alpha}, {"con1 0.9 reading cs79", con1_cs79}, {"con1 0.9 reading all", con1_all}};
+} kinds[] = {{"none", undamped}, {"mass 30", alpha}, {"con1 0.9 as cs79", con1_cs79}, {"con1 0.9 as all", con1_all}};
 
 /* A disc that turns rubs on a sphere; each is watched by its own names. */
 static struct nb_model *gears(struct written *it, const char *damping) {
@@ -32,7 +31,7 @@ static struct nb_model *gears(struct written *it, const char *damping) {
       &page,
       "units none\nmaterial a density 2 kn 1e4 ks 7e3 friction 5\nmaterial b density 3 kn 1e4 ks 7e3 friction 5\n"
       "shear linear\nstep 0.001\ndisc 0 0 radius 0.7 a spin 2\nsphere 1.2 1.55 radius 1.3 b spin 0.5\ndamping %s\n"
-      "watch A disc 1\nwatch B sphere 2\n"
+      "monitor A disc 1\nmonitor B sphere 2\n"
       "record A.moment A.spin A.spin.half A.angle B.moment B.spin B.spin.half B.angle\nstage s\ncycles 1\n",
       damping);
   written_scene(it, &page);
@@ -75,7 +74,7 @@ static void moments_turn(void) {
 /* And the contact feels it: slip is that of the rims as they turn now. */
 static void rims_go_with_their_bodies(void) {
   struct written it;
-  struct nb_model *model = gears(&it, "global 30");
+  struct nb_model *model = gears(&it, "mass 30");
   for (int cycle = 0; cycle < 9; cycle++) {
     written_cycles(model, 1);
     for (size_t i = 0; i < 2; i++)
@@ -108,14 +107,14 @@ static void turned_round(void) {
 
 /* Stopped, discs that turned as they touched rub no more when a later stage lets them rub. */
 static void still_rims(void) {
-  static const char *const still[] = {"", "still\n"};
+  static const char *const still[] = {"", "zero velocities\n"};
   for (int k = 0; k < 2; k++) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
     words_add(&page,
               "units none\nmaterial m density 1 kn 100 ks 100 friction 1\nstep 0.001\ndisc 0 0 radius 1 m spin 3\n"
-              "disc 1.9 0 radius 1 m spin 2\nwatch C disc 1 with disc 2\nrecord C.shear\nstage a\ncycles 2\nstage b\n"
+              "disc 1.9 0 radius 1 m spin 2\nmonitor C disc 1 with disc 2\nrecord C.shear\nstage a\ncycles 2\nstage b\n"
               "%scycles 2\nstage c\nshear linear\ncycles 1\n",
               still[k]);
     written_scene(&it, &page);

@@ -88,7 +88,7 @@ static void as_the_page_says(void) {
       struct words page = {0};
       words_add(&page,
                 "units none\nshear linear\nmaterial m density 1 kn 1 ks 1 friction 1\nbox 0 0 to %d %d m\n"
-                "lattice discs %d by %d radius 1 m\ndamping contact-ratio %d\n",
+                "lattice discs %d by %d radius 1 m\ndamping ratio %d\n",
                 rows[k][2], rows[k][3], rows[k][0], rows[k][1], 2 * ratio);
       const struct told it = told(&page, false);
       double *most = ratio ? &damped : &free;
@@ -105,7 +105,7 @@ static void turning_costs_thirty_per_cent(void) {
   struct limit limit;
   struct nb_error error;
   words_add(&page, "units none\nshear linear\nmaterial rough density 3 kn 100 ks 100 friction 1\nbox 0 0 to 6 6 rough\n"
-                   "lattice discs 3 by 3 radius 1 rough\nstep 0.1 of safe\nstage s\ncycles 1\n");
+                   "lattice discs 3 by 3 radius 1 rough\nstep 0.1 of stable\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, 1e-9, &error), NB_OK);
   NEAR(limit_of_modes(&limit) / limit.critical, 0.267092622512110, 1e-13);
@@ -125,7 +125,7 @@ static void damping_has_its_formula(void) {
     struct words page = {0};
     const double mass = 3.14159265358979323846 * 3, omega = sqrt(2 * 100 / mass);
     words_add(&page,
-              "units none\nmaterial m density 3 kn 100\nlattice discs 2 by 1 radius 1 m\ndamping contact-beta %.17g\n",
+              "units none\nmaterial m density 3 kn 100\nlattice discs 2 by 1 radius 1 m\ndamping stiffness %.17g\n",
               2 * xi / omega);
     const struct told it = told(&page, true);
     in_order(&it);
@@ -162,13 +162,13 @@ static void damping(struct words *page, struct chance *chance) {
   const double size = chance_between(chance, 0, 2);
   switch ((int)chance_between(chance, 0, 4)) {
   case 1:
-    words_add(page, "damping contact-beta %.17g\n", size * chance_scale(chance, 0.01, 1));
+    words_add(page, "damping stiffness %.17g\n", size * chance_scale(chance, 0.01, 1));
     break;
   case 2:
-    words_add(page, "damping contact-fraction %.17g\n", size);
+    words_add(page, "damping r89-fraction %.17g\n", size);
     break;
   case 3:
-    words_add(page, "damping contact-ratio %.17g\n", size);
+    words_add(page, "damping ratio %.17g\n", size);
     break;
   default:
     break;
@@ -176,9 +176,9 @@ static void damping(struct words *page, struct chance *chance) {
   static const char *const readings[] = {"cs79", "velocity", "all"};
   const int which = (int)chance_between(chance, 0, 5);
   if (which < 3)
-    words_add(page, "damping con1 %.17g reading %s\n", chance_between(chance, 0.05, 1), readings[which]);
+    words_add(page, "damping con1 %.17g as %s\n", chance_between(chance, 0.05, 1), readings[which]);
   else if (which == 3)
-    words_add(page, "damping global %.17g\n", chance_scale(chance, 0.01, 10));
+    words_add(page, "damping mass %.17g\n", chance_scale(chance, 0.01, 10));
 }
 
 static void by_chance(unsigned seeds, size_t nx, size_t ny, bool cycle, double least) {
@@ -208,7 +208,7 @@ static void storage_changes_no_bit(void) {
   struct words page = {0};
   struct written it;
   network(&page, &chance, 6, 6);
-  words_add(&page, "damping contact-ratio 0.3\nstep 1 of safe\nrecord step\nstage s\ncycles 1\n");
+  words_add(&page, "damping ratio 0.3\nstep 1 of stable\nrecord step\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL), *other = written_model(&it, &(struct nb_options){.shuffle = true});
   CU_ASSERT(written_now(model, "step") == written_now(other, "step"));

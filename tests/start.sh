@@ -43,7 +43,7 @@ cat >"$pages/third.md" <<'END'
 # From a page that starts from another
 ```scene
 start   saved-stage stage rest
-watch   C  disc 5 with disc 6
+monitor   C  disc 5 with disc 6
 record  cycle C.normal
 stage   more
 cycles  10
@@ -82,7 +82,7 @@ run again "$pages/saved-stage.md"
 in_two() {
   cat >"$work/text"
   { sed '/^---$/d' "$work/text"; echo '```'; } >"$pages/$1.md"
-  { sed -n '1,/^```scene/p' "$work/text"; echo "start $1 stage shear"; grep '^region\|^watch\|^record' "$work/text"; sed '1,/^---$/d' "$work/text"
+  { sed -n '1,/^```scene/p' "$work/text"; echo "start $1 stage shear"; grep '^region\|^monitor\|^record' "$work/text"; sed '1,/^---$/d' "$work/text"
     echo '```'; } >"$pages/$1-on.md"
   run "$1" "$pages/$1.md" && run "$1-on" "$pages/$1-on.md" && test "$(made)" -eq 1 &&
     grep '^on' "$work/$1/table.tsv" >"$work/wanted" && grep '^on' "$work/$1-on/table.tsv" | sed 1d | diff - "$work/wanted" >"$work/said" &&
@@ -105,8 +105,8 @@ record    time A.stress.xx A.stress.yy boundary.radius boundary.stress.mean G.at
 step      0.001
 stage     shear
   boundary  strain -4e-5 per cycle -5e-5 per cycle
-  continuum strain -4e-5 per cycle -5e-5 per cycle
-  servo     mean 20 on A by boundary continuum at most 1e-5 per cycle
+  affine strain -4e-5 per cycle -5e-5 per cycle
+  servo     mean 20 on A through boundary affine at most 1e-5 per cycle
   rotation  off
   cycles    2000
 ---
@@ -115,7 +115,7 @@ stage     on
   step      0.0007
   cycles    300
 END
-result $? 'a boundary, its continuum, and behind a servo'
+result $? 'a boundary, its affine motion, and behind a servo'
 in_two cell <<'END'
 # Spheres in a cell
 ```scene
@@ -150,7 +150,7 @@ region    A all
 record    time A.stress.xx A.stress.yy box.width box.stress.yy
 step      0.001
 stage     shear
-  servo     stress xx 20 yy 10 on box by box at most 1e-5 per cycle
+  servo     stress xx 20 yy 10 on box through box at most 1e-5 per cycle
   cycles    500
 ---
 stage     on
@@ -181,7 +181,7 @@ cat >"$pages/sweep.md" <<'END'
 sweep   ks 1.35e9 0.9e9
 sweep   n  5 7
 start   nine-discs stage load  with ks=$ks
-watch   C  disc 5 with disc 6
+monitor   C  disc 5 with disc 6
 record  cycle C.normal
 stage   rest
 walls   stop
@@ -202,7 +202,7 @@ sweep     x with v  1 0.25  2 0.5
 sweep     n  4 8
 material  m density 3 kn 100
 disc      $x 0 radius 1 m velocity $v 0
-watch     D disc 1
+monitor     D disc 1
 record    D.x
 step      0.125
 stage     go
@@ -214,7 +214,7 @@ cat >"$pages/turn.md" <<'END'
 ```scene
 sweep     x 2 1
 start     turns stage go with x=$x with n=8
-watch     D disc 1
+monitor     D disc 1
 record    D.x
 stage     more
   cycles  8

@@ -21,11 +21,11 @@ static const char scene[] =
     "radius "
     "0.98 p fixed velocity -0.1 0 spin 0.5\n%s 3 7.4 radius 0.7 p velocity 0.3 -1 spin 2\ngravity 0.1 -0.4\n%s\nstep "
     "0.002\n"
-    "watch C %s 1 with %s 2\nwatch W wall lid\nrecord time C.normal C.shear C.sliding W.fx energy.kinetic\n"
+    "monitor C %s 1 with %s 2\nmonitor W wall lid\nrecord time C.normal C.shear C.sliding W.fx energy.kinetic\n"
     "stage a\nwall west velocity 0.2 0.1\nramp wall south velocity 0.1 0.15\nramp material m friction 0.4\nramp "
     "gravity 0.2 "
     "-0.5\ncycles %d\nstage b\nremove %s 7\nwall lid spin -0.05\ncycles %d\n"
-    "stage c\nwalls stop\nwall east velocity -0.1 0.3\nmaterial p kn 5000 friction 0.35\ndamping contact-ratio "
+    "stage c\nwalls stop\nwall east velocity -0.1 0.3\nmaterial p kn 5000 friction 0.35\ndamping ratio "
     "0.1\ngravity 0 -0.3\n"
     "cycles %d\nstage d\ncycles %d\n";
 
@@ -48,7 +48,7 @@ static void same_bits(const char *normal, const char *shear, const char *damping
 
 static void all_laws(void) {
   static const char *const shears[] = {
-      "none", "linear", "mindlin", "mindlin_scaled", "mindlin_deresiewicz pieces 5", "randall", "randall_literal"};
+      "none", "linear", "mindlin", "mindlin_scaled", "mindlin_deresiewicz memory 5", "randall", "randall_literal"};
   for (size_t k = 0; k < sizeof shears / sizeof *shears; k++) {
     if (k < 2)
       same_bits("linear", shears[k], "");
@@ -58,12 +58,9 @@ static void all_laws(void) {
 }
 
 static void all_dampings(void) {
-  static const char *const dampings[] = {"damping contact-beta 0.002",
-                                         "damping contact-ratio 0.05\ndamping walls none",
-                                         "damping global 0.7",
-                                         "damping con1 0.98 reading cs79",
-                                         "damping con1 0.98 reading velocity",
-                                         "damping con1 0.97 reading all"};
+  static const char *const dampings[] = {
+      "damping stiffness 0.002",   "damping ratio 0.05\ndamping walls none", "damping mass 0.7",
+      "damping con1 0.98 as cs79", "damping con1 0.98 as velocity",          "damping con1 0.97 as all"};
   for (size_t k = 0; k < sizeof dampings / sizeof *dampings; k++) {
     same_bits("linear", "linear", dampings[k]);
     same_bits("hertz", "mindlin_deresiewicz", dampings[k]);
@@ -84,8 +81,7 @@ static void balances_begin_anew(void) {
     words_add(&page, "units none\n");
     free(page.text);
     page = (struct words){0};
-    words_add(&page, scene, normal, shears[l], many, one, one, "damping contact-ratio 0.1", one, one, 300, one, 200,
-              150, 100);
+    words_add(&page, scene, normal, shears[l], many, one, one, "damping ratio 0.1", one, one, 300, one, 200, 150, 100);
     char *columns = strstr(page.text, "energy.kinetic\n");
     char *text = malloc(strlen(page.text) + 256);
     sprintf(

@@ -26,24 +26,24 @@ static void same(const char *what, const char *page, const char *damping) {
 static const char ring[] = GRAINS
     "fill spheres circle 0.1 0.2 radius 7 g m seed 1 attempts 100000 else skip\nboundary circle 0.1 0.2 radius 6.3\n"
     "region A inside 0.9\nrecord time A.stress.mean\n"
-    "stage gather\nboundary strain -4e-5 per cycle -5e-5 per cycle\ncontinuum strain -4e-5 per cycle -5e-5 per "
+    "stage gather\nboundary strain -4e-5 per cycle -5e-5 per cycle\naffine strain -4e-5 per cycle -5e-5 per "
     "cycle\ncycles 2500\n"
     "stage gather-on\nstep 0.0007\ncycles 200\n"
-    "stage shear\nboundary strain -0.01 0.008 c12 0.01 c21 -0.003\ncontinuum strain 0 0.005 shear 0.01\n"
+    "stage shear\nboundary strain -0.01 0.008 c12 0.01 c21 -0.003\naffine strain 0 0.005 shear 0.01\n"
     "cycles 200\n"
     "stage shear-on\nstep 0.001\nramp material m friction 0.4\ncycles 100\n"
-    "stage literal\ncontinuum strain -1e-5 per cycle 1e-5 per cycle literal\ncycles 30\n"
+    "stage accumulated\naffine strain -1e-5 per cycle 1e-5 per cycle accumulated\ncycles 30\n"
     "stage literal-on\nstep 0.0011\ncycles 20\n"
-    "stage rigid\ncontinuum none\nboundary hold\nrotation off\ncycles 100\n"
+    "stage rigid\naffine none\nboundary fixed\nrotation off\ncycles 100\n"
     "stage rigid-on\nstep 0.0008\ncycles 50\n"
-    "stage servo\nservo isotropic 20 on A by boundary continuum at most 1e-5 per cycle every 7 cycles\ncycles "
+    "stage servo\nservo isotropic 20 on A through boundary affine at most 1e-5 per cycle every 7 cycles\ncycles "
     "100\n"
-    "stage ramped\nboundary strain 1e-5 per cycle -1e-5 per cycle\nramp servo mean 40 on A by boundary at most "
+    "stage ramped\nboundary strain 1e-5 per cycle -1e-5 per cycle\nramp servo mean 40 on A through boundary at most "
     "1e-5 per cycle\ncycles 100\n"
     "stage servo-off\nstep 0.001\ncycles 50\n"
     "stage pressed\nrotation on\nboundary stress 30 20 shear 2\ncycles 150\n"
     "stage pressed-on\nstep 0.0009\ncycles 100\n"
-    "stage pull\nboundary none\ngravity centripetal 2 about 0.3 -0.2\ncontinuum strain 0.001 0.002\ncycles 100\n"
+    "stage pull\nboundary none\ngravity centripetal 2 about 0.3 -0.2\naffine strain 0.001 0.002\ncycles 100\n"
     "stage pull-on\nstep 0.001\ncycles 100\n"
     "stage again\nboundary circle 0.3 -0.1 radius 5\nboundary strain 0.01 -0.01\ncycles 100\n"
     "stage less\nremove spheres 20 to 30\ncycles 100\n"
@@ -51,8 +51,8 @@ static const char ring[] = GRAINS
 
 static void a_ring(void) {
   same("ring", ring, "");
-  same("ring, con1", ring, "damping con1 0.99 reading cs79");
-  same("ring, ratio", ring, "damping contact-ratio 0.1");
+  same("ring, con1", ring, "damping con1 0.99 as cs79");
+  same("ring, ratio", ring, "damping ratio 0.1");
 }
 
 static const char cell[] = GRAINS "cell 0 0 to 12 12\nfill spheres box 0.5 0.5 to 11.5 11.5 g m seed 2 attempts 100000 "
@@ -62,29 +62,30 @@ static const char cell[] = GRAINS "cell 0 0 to 12 12\nfill spheres box 0.5 0.5 t
                                   "stage gather-on\nstep 0.0007\ncycles 200\n"
                                   "stage shear\ncell strain 0 0 c12 0.1 c21 0.02\ncycles 300\n"
                                   "stage shear-on\nstep 0.001\ncycles 2000\n"
-                                  "stage back\nreverse\ncycles 100\n"
+                                  "stage back\nreverse velocities\ncycles 100\n"
                                   "stage less\nremove sphere 20\nrotation off\ncycles 100\n"
                                   "stage less-on\nstep 0.0012\ncycles 100\n";
 
 static void a_cell(void) {
   same("cell", cell, "");
-  same("cell, con1", cell, "damping con1 0.99 reading velocity");
-  same("cell, ratio", cell, "damping contact-ratio 0.1");
+  same("cell, con1", cell, "damping con1 0.99 as velocity");
+  same("cell, ratio", cell, "damping ratio 0.1");
 }
 
-static const char box[] = GRAINS "box 0 0 to 12 12 m\nfill spheres box 0.1 0.1 to 11.9 11.9 g m seed 2 attempts 100000 "
-                                 "else skip\ngravity 0.01 0\nrecord time box.stress.mean box.width\n"
-                                 "stage gather\nbox strain -5e-5 per cycle -6e-5 per cycle\ncycles 2500\n"
-                                 "stage gather-on\nstep 0.0007\ncycles 200\n"
-                                 "stage servo\nservo isotropic 20 on box by box at most 1e-5 per cycle every 7 cycles\n"
-                                 "cycles 100\nstage servo-on\nstep 0.001\ncycles 100\n"
-                                 "stage push\nwalls inward 0.01\ncycles 100\n"
-                                 "stage again\nservo mean 30 on box by box at most 1e-5 per cycle\ncycles 100\n"
-                                 "stage still\nwalls stop\ncycles 50\nstage still-on\nstep 0.0012\ncycles 50\n";
+static const char box[] =
+    GRAINS "box 0 0 to 12 12 m\nfill spheres box 0.1 0.1 to 11.9 11.9 g m seed 2 attempts 100000 "
+           "else skip\ngravity 0.01 0\nrecord time box.stress.mean box.width\n"
+           "stage gather\nbox strain -5e-5 per cycle -6e-5 per cycle\ncycles 2500\n"
+           "stage gather-on\nstep 0.0007\ncycles 200\n"
+           "stage servo\nservo isotropic 20 on box through box at most 1e-5 per cycle every 7 cycles\n"
+           "cycles 100\nstage servo-on\nstep 0.001\ncycles 100\n"
+           "stage push\nwalls inward 0.01\ncycles 100\n"
+           "stage again\nservo mean 30 on box through box at most 1e-5 per cycle\ncycles 100\n"
+           "stage still\nwalls stop\ncycles 50\nstage still-on\nstep 0.0012\ncycles 50\n";
 
 static void a_box(void) {
   same("box", box, "");
-  same("box, ratio", box, "damping contact-ratio 0.1");
+  same("box, ratio", box, "damping ratio 0.1");
 }
 
 /* Gravity that points away from a point, and then in a direction as well. */

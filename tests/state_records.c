@@ -11,7 +11,7 @@
 #include "suites.h"
 
 static const char exact[] = "units none\nmaterial m density 3 friction 0.3 young 5000 poisson 0.2\nnormal "
-                            "hertz\nshear mindlin_deresiewicz pieces 3\n"
+                            "hertz\nshear mindlin_deresiewicz memory 3\n"
                             "wall w -5 0 to 5 0 m\nlattice spheres 2 by 1 m radius 1 spacing 1.99 from 0 "
                             "0.995\ngravity 1 -1\nstep 0.001\nstage a\ncycles 20\n";
 

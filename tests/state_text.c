@@ -17,7 +17,7 @@ const char state_plain[] =
     "0 0.995\ngravity 1 -1\nstep 0.001\nstage a\ncycles 20\n";
 const char state_ring[] =
     "units none\nmaterial m density 3 kn 4000\nlattice discs 3 by 3 m radius 1 spacing 1.99 from -2 -2\nboundary "
-    "circle 0 0 radius 2.5\nstep 0.001\nstage a\nboundary strain 0.1 -0.1\ncontinuum "
+    "circle 0 0 radius 2.5\nstep 0.001\nstage a\nboundary strain 0.1 -0.1\naffine "
     "strain 1e-4 per cycle 0 per cycle\nrotation off\ngravity centripetal 2 about 1 0\ncycles 20\n";
 const char state_cell[] = "units none\nmaterial m density 3 kn 4000\nlattice discs 3 by 3 m radius 1 spacing 1.99 "
                           "from 0.1 0.2\ncell 0 0 to 5.97 "

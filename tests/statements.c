@@ -127,7 +127,7 @@ static double step_of(const char *walls, const char *in_stage) {
   struct written it;
   words_add(&page,
             "units none\nnormal hertz\nmaterial m density 1 young 1 poisson 0\nmaterial r rigid\n"
-            "sphere 0 3 radius 1 m\n%s\nstep 1 of contact\nrecord step\nstage s\n%scycles 1\n",
+            "sphere 0 3 radius 1 m\n%s\nstep 1 of collision\nrecord step\nstage s\n%scycles 1\n",
             walls, in_stage);
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);

@@ -18,7 +18,7 @@ static void a_wall_turns_exactly(void) {
   struct written it;
   words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.01\ndisc 90 90 radius 1 m\n"
                    "wall blade -3 0 to 5 0 m spin 2\nwall arm 4 -1 to 4 2 m about -3 -5 velocity 0.25 -0.5 spin -0.75\n"
-                   "watch W wall arm\nrecord W.x W.y W.angle W.spin\nstage s\ncycles 100000\nstage t\nwall arm spin "
+                   "monitor W wall arm\nrecord W.x W.y W.angle W.spin\nstage s\ncycles 100000\nstage t\nwall arm spin "
                    "0.5\ncycles 100000\n"
                    "stage u\nwalls stop\ncycles 10\n");
   written_scene(&it, &page);
@@ -81,7 +81,7 @@ static void roll(struct rolled *seen, const char *floor, const char *skin, doubl
   struct written it;
   words_add(&page,
             "units none\nmaterial m density 1 kn 4000 ks 3000 friction 0.5\nshear linear\ngravity 0.3 -1\nstep 0.004\n"
-            "%s\ndisc -1 0.999 radius 1 m velocity 0.2 0\nplace turn %.17g\nwatch D disc 1\n%s"
+            "%s\ndisc -1 0.999 radius 1 m velocity 0.2 0\ntransform rotate %.17g\nmonitor D disc 1\n%s"
             "record D.x D.moment contacts\nstage s\ncycles 2000\n",
             floor, turn, skin);
   written_scene(&it, &page);
@@ -102,8 +102,8 @@ static void a_wall_that_leaves_is_heard_at_once(void) {
   struct words page = {0};
   struct written it;
   words_add(&page, "units none\nmaterial m density 1e12 kn 400\nstep 0.01\nskin 1e-5\ndisc -0.2 0.95 radius 1 m\n"
-                   "wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m velocity 0 0\nwatch A disc 1 with wall a\n"
-                   "watch B disc 1 with wall b\nrecord A.normal B.normal\nstage rest\ncycles 5\nstage up\n"
+                   "wall a -9 0 to 0 0 m\nwall b 0 0 to 9 0 m velocity 0 0\nmonitor A disc 1 with wall a\n"
+                   "monitor B disc 1 with wall b\nrecord A.normal B.normal\nstage rest\ncycles 5\nstage up\n"
                    "wall b velocity 0 2\ncycles 5\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
@@ -155,7 +155,7 @@ static double push(const char *walls, double x, double y, double *contacts) {
   struct words page = {0};
   struct written it;
   words_add(&page,
-            "units none\nmaterial m density 1 kn 100\nstep 1e-3\n%s\ndisc %.17g %.17g radius 1 m\nwatch D disc 1\n"
+            "units none\nmaterial m density 1 kn 100\nstep 1e-3\n%s\ndisc %.17g %.17g radius 1 m\nmonitor D disc 1\n"
             "record D.fx D.fy contacts\nstage s\ncycles 1\n",
             walls, x, y);
   written_scene(&it, &page);
@@ -225,11 +225,11 @@ static void through(const char *statements, const char *wanted, long cycle) {
   struct words page = {0};
   struct written it;
   struct nb_error error = {0};
-  words_add(
-      &page,
-      "units none\nmaterial m density 1 kn 10\nstep 0.01\n%s\nwatch D disc 1\nrecord D.x D.y\nallow unstable\nstage s\n"
-      "cycles 1000\n",
-      statements);
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 10\nstep 0.01\n%s\nmonitor D disc 1\nrecord D.x D.y\nallow "
+            "unstable\nstage s\n"
+            "cycles 1000\n",
+            statements);
   written_scene(&it, &page);
   struct nb_model *model = nb_model_create(&it.scene, NULL, &error);
   enum nb_status status = model ? NB_OK : error.status;

@@ -40,7 +40,7 @@ static void an_impact_between_two_looks(void) {
             "units none\nmaterial m density 0.238732414637843 young 1 poisson 0\nmaterial heavy density "
             "238732.414637843 young 1 "
             "poisson 0\nnormal hertz\nskin 0.5\nsphere 1 0 radius 1 m\nsphere 3 0 radius 1 heavy velocity -1e-4 0\n"
-            "wall w 0 -9 to 0 9 m\nwatch C sphere 1 with sphere 2\nstep 3\nrecord C.normal\nstage s\ncycles 900\n");
+            "wall w 0 -9 to 0 9 m\nmonitor C sphere 1 with sphere 2\nstep 3\nrecord C.normal\nstage s\ncycles 900\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   const int done = watched(model, &it, 900, &error);
@@ -71,10 +71,10 @@ static void a_pair_may_use_it_up(void) {
       {"shear none\n", 1e-9},
       {"shear mindlin\n", 1e-9},
       {"shear mindlin_deresiewicz\n", 1e-9},
-      {"shear none\ndamping contact-ratio 0.3\n", 1e-9},
-      {"shear none\ndamping contact-beta 0.2\n", 1e-9},
-      {"shear none\ndamping con1 0.8 reading all\n", 1e-9},
-      {"shear mindlin\ndamping contact-ratio 0.3\n", 0.03},
+      {"shear none\ndamping ratio 0.3\n", 1e-9},
+      {"shear none\ndamping stiffness 0.2\n", 1e-9},
+      {"shear none\ndamping con1 0.8 as all\n", 1e-9},
+      {"shear mindlin\ndamping ratio 0.3\n", 0.03},
   };
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     double overlap = 0.002, step = 0;
@@ -142,7 +142,7 @@ static void it_may_get_deep(void) {
     struct written it;
     struct nb_error error = {0};
     words_add(&page,
-              SPHERE "shear none\ndamping contact-ratio %g\ndamping critical above 0.5\nsphere 0 0 radius 1 m\n"
+              SPHERE "shear none\ndamping ratio %g\ndamping critical above 0.5\nsphere 0 0 radius 1 m\n"
                      "sphere 1.999999 0 radius 1 m\nstep 0.5\nrecord step.stable\nstage s\ncycles 1\n",
               ratios[n]);
     written_scene(&it, &page);
@@ -228,8 +228,8 @@ static void crowd(struct words *page, struct chance *chance, const char *shear) 
 
 static void no_cycle_is_unsure(void) {
   static const char *const shears[] = {"none", "mindlin", "mindlin_deresiewicz", "randall"};
-  static const char *const damped[] = {"", "damping contact-ratio 0.2\n", "damping contact-beta 0.01\n",
-                                       "damping critical above 0.02\n", "damping con1 0.9 reading all\n"};
+  static const char *const damped[] = {"", "damping ratio 0.2\n", "damping stiffness 0.01\n",
+                                       "damping critical beyond overlap 0.02\n", "damping con1 0.9 as all\n"};
   int ended = 0, went = 0;
   unsigned long looks = 0, cycles = 0;
   for (unsigned seed = 1; seed <= 60; seed++) {
@@ -238,7 +238,7 @@ static void no_cycle_is_unsure(void) {
     struct written it;
     struct nb_error error = {0};
     crowd(&page, &chance, shears[seed % 4]);
-    words_add(&page, "%sstep %.17g of safe\nrecord time\nstage s\ncycles 400\n", damped[seed % 5],
+    words_add(&page, "%sstep %.17g of stable\nrecord time\nstage s\ncycles 400\n", damped[seed % 5],
               chance_scale(&chance, 0.1, 0.95));
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);

@@ -2,14 +2,14 @@
  *
  * `apart`, from rest:   x_N = (1 + e)^N x_0,   e = L dt
  *
- * `literal` [R89 4.43]: u' = K u + L x,  x' = x + u' dt, so that
+ * `accumulated` [R89 4.43]: u' = K u + L x,  x' = x + u' dt, so that
  *
  *   x_(N+1) - (1 + K + e) x_N + K x_(N-1) = 0,   x_N = A l_1^N + B l_2^N,   l^2 - (1 + K + e) l + K = 0
  *
  * with K what global damping leaves of a velocity in a cycle: 1 without, X/(2 - X), X, X for the readings of CON1. The roots
  * are complex where e < 0 is strong enough: then the body swings. A + B = x_0; from rest, x_1 = (1 + e) x_0.
  *
- * Stages follow each other, each with its own strain rate and coding; a stage after one that is `literal` is not known.
+ * Stages follow each other, each with its own strain rate and coding; a stage after one that is `accumulated` is not known.
  * Strain along the axes alone, about the origin; one step and one damping.
  *
  * Known: NAME.x along cycle, NAME.y along cycle of each body that is watched.
@@ -90,7 +90,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   }
   if (!right)
     return nb_error_set(error, NB_BAD_USE,
-                        "carried wants a `continuum strain` per cycle along the axes in one stage or two, `literal` in "
+                        "carried wants an `affine strain` per cycle along the axes in one stage or two, `accumulated` in "
                         "the last at most");
   for (size_t k = 0; k < scene->watch_count; k++)
     if (scene->watches[k].kind == NB_WATCH_BODY &&

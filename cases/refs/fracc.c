@@ -13,7 +13,7 @@
  * Known    step.fracc max, and D.x max of the disc if it is watched as D, by the cycle.
  * Exact but for rounding.
  * Range    one disc amid two walls across x and two across y that touch it or do not, linear springs, no shear, no damping,
- *          `step F of critical`, one stage.
+ *          `step F of single-contact`, one stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -35,7 +35,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const struct nb_body *disc = &scene->bodies[0];
   if (scene->body_count != 1 || scene->wall_count != 4 || stage->step.kind != NB_STEP_CRITICAL ||
       scene->stage_count != 1 || disc->y != 0 || disc->vx != 0)
-    return nb_error_set(error, NB_BAD_USE, "reference fracc is for one disc between four walls, `step F of critical`");
+    return nb_error_set(error, NB_BAD_USE, "reference fracc is for one disc between four walls, `step F of single-contact`");
   const double kn = matter_pair(scene, disc->material, scene->walls[0].material).kn;
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
   const double dt = 2 * h / sqrt(2 * kn / matter_mass(scene, disc));

@@ -6,7 +6,7 @@
  *
  * the largest of the contact for both discs, as long as the step is short. a_1 is what the way of a whole number of steps leaves
  * above the gap. Known: step.fracc max. Exact but for the rounding of a_1.
- * Range    two like discs, the second at rest, linear springs, no damping, `step F of critical`.
+ * Range    two like discs, the second at rest, linear springs, no damping, `step F of single-contact`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

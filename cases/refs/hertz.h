@@ -19,7 +19,7 @@ struct hertz {
   double unit;                     /* alpha* / V_N, s */
   double duration;                 /* T_c, s [R89 5.12] */
   double step;                     /* the first one of the run, s */
-  double damping;                  /* beta of `contact-ratio`, 1 [R89 4.13]; 0: none */
+  double damping;                  /* beta of `damping ratio`, 1 [R89 4.13]; 0: none */
   const struct nb_body *bodies[2]; /* the second NULL: a wall */
   double ex, ey;                   /* from the first to the second */
   const struct nb_scene *scene;

@@ -38,7 +38,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const double limit = scene->damping.deep * 2 * smaller / hertz.depth, beta = hertz.damping;
   double y[HERTZ_UNKNOWNS] = HERTZ_TOUCH, lowest[HERTZ_UNKNOWNS] = {0};
   if (!(limit > 0))
-    return nb_error_set(error, NB_BAD_USE, "hertz_deep is for `damping critical above`");
+    return nb_error_set(error, NB_BAD_USE, "hertz_deep is for `damping critical beyond overlap`");
   double trial[HERTZ_UNKNOWNS] = HERTZ_TOUCH;
   bool solved = turn(trial, beta, 0, lowest);
   if (solved && lowest[HERTZ_WAY] > limit)

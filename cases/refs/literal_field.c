@@ -21,7 +21,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (!last || !last->continuum.line || !last->continuum.literal || !strain->per_cycle || strain->xx != -strain->yy ||
       strain->xy != 0 || strain->yx != 0 || last->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN || last->damping.global_kind)
     return nb_error_set(error, NB_BAD_USE,
-                        "literal_field wants a last stage with `continuum strain E -E literal` per cycle, a step that "
+                        "literal_field wants a last stage with `affine strain E -E accumulated` per cycle, a step that "
                         "is a share of rayleigh-fit-mean, and no damping but at contacts");
   double mass = 0, radius = 0;
   for (size_t k = 0; k < scene->body_count; k++)

@@ -137,7 +137,7 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
     pair->cs = 2 * value * sqrt(reduced * pair->values.ks);
     break;
   case NB_CONTACT_FRACTION:
-    return refuse(error, "wants `contact-beta` or `contact-ratio`");
+    return refuse(error, "wants `damping stiffness` or `damping ratio`");
   case NB_CONTACT_UNDAMPED:
     break;
   }

@@ -7,7 +7,7 @@
  *   K'  = m v_N^2/2,   v_N = k^N (1 + k)/2 v_0                           N >= 1: the mean of the half steps
  *   the boundary's area goes as (det A)^N
  *
- * `literal`, as R89 codes 4.43, adds L x dt to the velocity and keeps it there: x_(N+1) = (2 + L dt) x_N - x_(N-1), x_1 = A x_0.
+ * `accumulated`, as R89 codes 4.43, adds L x dt to the velocity and keeps it there: x_(N+1) = (2 + L dt) x_N - x_(N-1), x_1 = A x_0.
  * Along an axis of L with the eigenvalue s, from rest and undamped:
  *
  *   x_N = x_0 (sinh((N+1) q) - sinh(N q))/sinh q,   cosh q = 1 + s dt/2, sinh q/2 = (s dt)^(1/2)/2;      s < 0: sin, cos
@@ -136,7 +136,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   }
   if (!(it.keep < 1 || energy == 0) || (it.literal && (energy > 0 || it.keep < 1)))
     return nb_error_set(error, NB_BAD_USE,
-                        "ring_strain wants CON1 where something has a velocity, and `literal` undamped from rest");
+                        "ring_strain wants CON1 where something has a velocity, and `accumulated` undamped from rest");
   for (size_t w = 0; w < scene->watch_count; w++) {
     const struct nb_watch *watch = &scene->watches[w];
     if (watch->kind != NB_WATCH_BODY)

@@ -29,7 +29,7 @@ static enum nb_status refuse(struct nb_error *error) {
   return nb_error_set(
       error, NB_BAD_USE,
       "speed_of_loading is for nine equal discs without friction, three by three in a box that closes in "
-      "evenly from the first stage on, with `damping global` only");
+      "evenly from the first stage on, with `damping mass` only");
 }
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {

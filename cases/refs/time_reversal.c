@@ -1,7 +1,7 @@
 /* Reference: what goes forward, turns round and goes back as long arrives where it began, with opposite velocities.
  *
  * True of the continuous motion without friction and damping, and of the leapfrog scheme, which is symmetric in
- * time: only rounding is left. The scene needs one stage with `reverse`, as many cycles before it as from it on, and
+ * time: only rounding is left. The scene needs one stage with `reverse velocities`, as many cycles before it as from it on, and
  * one step.
  *
  * Known at the end, for every watch of a body: x, y, angle, and vx, vy, spin with the opposite sign.
@@ -34,7 +34,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (!goes_back(scene))
     return nb_error_set(
         error, NB_BAD_USE,
-        "time_reversal wants one `reverse`, as many cycles before it as after it, and walls whose motion no stage "
+        "time_reversal wants one `reverse velocities`, as many cycles before it as after it, and walls whose motion no stage "
         "changes but the first");
   for (size_t w = 0; w < scene->watch_count; w++) {
     const struct nb_watch *watch = &scene->watches[w];

@@ -45,7 +45,7 @@ static inline void nb_carry_by(struct nb_carry *carry, size_t slot, enum nb_carr
   carry->carries[carrier] = true;
 }
 
-/* Of the c of a body at x: what is no part of its own velocity afterwards, and what is (`literal`), m/s. */
+/* Of the c of a body at x: what is no part of its own velocity afterwards, and what is (`accumulated`), m/s. */
 static inline struct nb_vec nb_carry_remembered(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
   return vec_scale(carry->remembered[carry->by[slot]], nb_carried_at(carry, slot, x));
 }

@@ -76,7 +76,7 @@ struct part {
   double time, step, reach;     /* of the kick and of the drift, s; how far a body may go without a new search, m */
 };
 
-/* v, without what carries the body, and c over the step to come, of which with `literal` nothing is remembered: it stays in v.
+/* v, without what carries the body, and c over the step to come, of which with `accumulated` nothing is remembered: it stays in v.
  * `alike`: one rate is that of all. */
 static inline NB_FORM void carry(const struct part *part, struct sums *sums, size_t from, size_t n, bool alike) {
   struct nb_vec *velocity = part->bodies.velocity + from, *carried = part->bodies.carried + from;

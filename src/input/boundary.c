@@ -30,7 +30,7 @@ static const struct nb_argument box_strain_fields[] = {STRAIN_SIDES, END};
 static const struct nb_argument continuum_strain_fields[] = {
   STRAIN,
   FLAG("apart", AT_APART, "apart", "What carries a body along is no part of its own velocity [R89 4.41]."),
-  FLAG("literal", AT_LITERAL, "apart",
+  FLAG("accumulated", AT_LITERAL, "apart",
        "The equations as R89 codes them: what carries a body along is added to its velocity in every cycle and stays there."),
   END
 };
@@ -113,7 +113,7 @@ NB_APPLY(apply_continuum) {
   if (record->keyword->variant == 0)
     continuum.strain = nb_strain_of(reader, value);
   if (continuum.literal && value[AT_APART].token)
-    nb_token_mistake(reader, value[AT_LITERAL].token, NULL, "expected `apart` or `literal`, not both");
+    nb_token_mistake(reader, value[AT_LITERAL].token, NULL, "expected `apart` or `accumulated`, not both");
   if (!nb_said_twice(reader, stage->continuum.line))
     stage->continuum = continuum;
 }
@@ -175,7 +175,7 @@ void nb_drives_check(struct nb_scene_reading *reading) {
     if (!stage->reverse || !line)
       continue;
     nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
-                    "expected a stage without `reverse`: what line %d carries along does not go back", line);
+                    "expected a stage without `reverse velocities`: what line %d carries along does not go back", line);
   }
 }
 
@@ -193,9 +193,9 @@ NB_STATEMENTS(boundary) = {
    "The boundary's bodies are free, and on each acts the force of a stress on its share of the polygon through their centres. From this "
    "stage on.",
    "stage     load\n  boundary stress 1 kPa 1 kPa\n  cycles  10"},
-  {"boundary hold", NB_IN_STAGE, nothing, NULL, 2, false, apply_boundary,
+  {"boundary fixed", NB_IN_STAGE, nothing, NULL, 2, false, apply_boundary,
    "The boundary's bodies stand still from this stage on.",
-   "stage     rest\n  boundary hold\n  cycles  10"},
+   "stage     rest\n  boundary fixed\n  cycles  10"},
   {"boundary none", NB_IN_STAGE, nothing, NULL, 3, false, apply_boundary,
    "There is no boundary from this stage on: its bodies are free again, with the velocity that they have.",
    "stage     loose\n  boundary none\n  cycles  10"},
@@ -203,13 +203,13 @@ NB_STATEMENTS(boundary) = {
    "The walls of the box follow a strain rate about its middle, exactly; they grow or shrink with it, so that its corners stay closed. From this stage on, until a stage moves one "
    "of them by `wall` or `walls`.",
    "stage     narrow\n  box     strain -1e-6 per cycle 1e-7 per cycle\n  cycles  10"},
-  {"continuum strain", NB_IN_STAGE, continuum_strain_fields, NULL, 0, false, apply_continuum,
+  {"affine strain", NB_IN_STAGE, continuum_strain_fields, NULL, 0, false, apply_continuum,
    "All bodies that are free and no boundary's are carried along with a strain rate about the boundary's centre, or the origin of the page. "
    "Forces and damping change what their velocities are beyond it [R89 4.41, 4.42]. From this stage on.",
-   "stage     carry\n  continuum strain -1e-6 per cycle 1e-6 per cycle  shear 1e-7 per cycle\n  cycles  10"},
-  {"continuum none", NB_IN_STAGE, nothing, NULL, 1, false, apply_continuum,
+   "stage     carry\n  affine  strain -1e-6 per cycle 1e-6 per cycle  shear 1e-7 per cycle\n  cycles  10"},
+  {"affine none", NB_IN_STAGE, nothing, NULL, 1, false, apply_continuum,
    "Nothing is carried along from this stage on, but the boundary.",
-   "stage     stop\n  continuum none\n  cycles  10"},
+   "stage     stop\n  affine  none\n  cycles  10"},
   {0},
 };
 /* clang-format on */

@@ -1,4 +1,4 @@
-/* The periodic cell, how stages strain it, and waves in it: `cell`, `wave`, `cell strain`.
+/* The periodic cell, how stages strain it, and waves in it: `cell`, `perturb wave`, `cell strain`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -101,10 +101,10 @@ NB_STATEMENTS(cell) = {
    "A periodic cell: copies of it fill the plane, and every body of it meets those of others. All bodies belong to it, wherever "
    "they are. In place of walls; then there are quantities `cell.NAME`.",
    "cell      0 mm 0 mm to 80 mm 80 mm"},
-  {"wave", NB_IN_SCENE | NB_IN_CELL, wave_fields, "periods NX NY", 0, false, apply_wave,
+  {"perturb wave", NB_IN_SCENE | NB_IN_CELL, wave_fields, "periods NX NY", 0, false, apply_wave,
    "Gives the free bodies above a velocity more, times the sine of a plane wave: so many periods from side to side of the "
    "cell, to the east and to the north, from its centre.",
-   "wave      0 m/s 1 mm/s  periods 1 0"},
+   "perturb   wave 0 m/s 1 mm/s  periods 1 0"},
   {"cell strain", NB_IN_STAGE | NB_IN_CELL, strain_fields, NULL, 0, false, apply_strain,
    "How the periodic cell is strained from the beginning of this stage on, about its centre, and all bodies in it are carried along "
    "[R89 4.43, 4.44].",

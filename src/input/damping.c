@@ -17,7 +17,7 @@ static const struct damping_word {
     {NB_CONTACT_UNDAMPED, NB_GLOBAL_ALPHA, NB_UNIT_RATE, NB_NOT_NEGATIVE},
     {NB_CONTACT_UNDAMPED, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_SHARE},
 };
-#define CONTACT_WORDS "contact-beta|contact-fraction|contact-ratio"
+#define CONTACT_WORDS "stiffness|r89-fraction|ratio"
 enum { WALLS = 3, CRITICAL, GLOBAL, CON1, NONE }; /* the words behind them */
 
 /* What one statement says. */
@@ -30,7 +30,7 @@ struct said {
 
 static void take_damping(struct nb_reader *reader, struct said *said) {
   static const enum nb_global_damping readings[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
-  int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|global|con1|none");
+  int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|none");
   if (word == WALLS) {
     said->walls = true;
     word = nb_take_choice(reader, CONTACT_WORDS "|none");
@@ -38,8 +38,8 @@ static void take_damping(struct nb_reader *reader, struct said *said) {
   }
   if (word == NONE)
     said->all = said->global = said->deep = !said->walls;
-  if (word == CRITICAL) { /* `above 7 %`: of the smaller diameter */
-    said->deep = nb_take_word(reader, "above");
+  if (word == CRITICAL) { /* `beyond overlap 7 %`: of the smaller diameter */
+    said->deep = nb_take_word(reader, "beyond") && nb_take_word(reader, "overlap");
     nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &said->value);
   }
   if (word < 0 || word == NONE || word == CRITICAL)
@@ -47,8 +47,8 @@ static void take_damping(struct nb_reader *reader, struct said *said) {
   said->of = words[word < WALLS ? word : WALLS + word - GLOBAL];
   said->global = word >= GLOBAL, said->all = !said->global && !said->walls;
   nb_take_number(reader, said->of.unit, said->of.range, &said->value);
-  if (word == CON1 && !nb_token_skip(reader, "reading"))
-    nb_expected(reader, NULL, "`reading cs79`, `reading velocity` or `reading all`");
+  if (word == CON1 && !nb_token_skip(reader, "as"))
+    nb_expected(reader, NULL, "`as cs79`, `as velocity` or `as all`");
   if (word == CON1) {
     const int reading = nb_take_choice(reader, "cs79|velocity|all");
     said->of.global_kind = readings[reading < 0 ? 0 : reading];
@@ -95,14 +95,14 @@ NB_APPLY(apply_damping) {
 /* clang-format off */
 NB_STATEMENTS(damping) = {
   {"damping", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing,
-   "{walls} contact-beta TIME|contact-fraction X|contact-ratio X | walls none | critical above SHARE | global RATE | "
-   "con1 X reading cs79|velocity|all | none",
+   "{walls} stiffness TIME|ratio X|r89-fraction X | walls none | critical beyond overlap F | mass RATE | "
+   "con1 X as cs79|velocity|all | none",
    0, false, apply_damping,
    "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all bodies [CS79 34] [R89 6.5.1], one statement for each; "
-   "default none. `walls` is for contacts with walls alone, which are damped as all others without it. `critical above`: contacts "
-   "that overlap by more than that share of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
+   "default none. `walls` is for contacts with walls alone, which are damped as all others without it. `critical beyond overlap`: contacts "
+   "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
    "stage on.",
-   "damping   contact-ratio 0.1\ndamping   walls contact-ratio 0.3\ndamping   global 2 1/s"},
+   "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},
   {0},
 };
 /* clang-format on */

@@ -17,7 +17,7 @@ enum { AT_NAME, AT_SPEED, AT_ANGLE, AT_PSI1, AT_PHASE };
 
 /* clang-format off */
 static const struct nb_argument impact_fields[] = {
-  WORD("WATCH", AT_NAME, "the name of a watched contact"),
+  WORD("MONITOR", AT_NAME, "the name of a monitored contact"),
   CLAUSE("speed", "V", NB_UNIT_VELOCITY, NB_POSITIVE, AT_SPEED, 1, NULL,
          "Of the sphere's centre, relative to what it strikes."),
   CLAUSE("angle", "A", NB_UNIT_ANGLE, NB_NOT_NEGATIVE, AT_ANGLE, 1, "from `psi1`",
@@ -39,7 +39,8 @@ NB_APPLY(apply_impact) {
   if (nb_said_twice(reader, scene->impact.line))
     return;
   if (kind != NB_WATCH_BODY_BODY && kind != NB_WATCH_BODY_WALL)
-    nb_not_known(reader, name, "name it above: `watch NAME sphere N with wall NAME`", "the name of a watched contact");
+    nb_not_known(reader, name, "name it above: `monitor NAME sphere N with wall NAME`",
+                 "the name of a monitored contact");
   if (!angle == !psi1)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected either `angle` or `psi1`, found %s",
                      angle ? "both" : "neither");
@@ -94,7 +95,7 @@ void nb_impact_aim(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(impact) = {
   {"impact", NB_IN_SCENE, impact_fields, NULL, 0, false, apply_impact,
-   "Lets the first body of a watched contact strike the other one, or the wall: from the side where the page has put it, "
+   "Lets the first body of a monitored contact strike the other one, or the wall: from the side where the page has put it, "
    "it is moved until it just touches and flies from there, east when what it strikes lies to the south. Its velocity is replaced, its spin is "
    "not. Then there are quantities `impact.NAME`.",
    "impact    F  speed 0.4 m/s  angle 20 deg  phase 0.5"},

@@ -12,7 +12,7 @@ enum { AT_NAME, AT_PIECES };
 static const struct nb_argument normal_fields[] = {WORD("LAW", AT_NAME, "the name of a law"), END};
 static const struct nb_argument shear_fields[] = {
     WORD("LAW", AT_NAME, "the name of a law"),
-    COUNT("pieces", "K", AT_PIECES, "as many as the law likes best",
+    COUNT("memory", "K", AT_PIECES, "as many as the law likes best",
           "How much of a contact's history is kept, by a law that keeps it."),
     END};
 
@@ -130,11 +130,11 @@ static void check_damping(struct nb_scene_reading *reading, const struct nb_damp
     say(reading, damping->deep_line, "`normal hertz`", "expected a normal law of elastic spheres for `%s`",
         "damping critical");
   if (elastic && damping->contact_kind == NB_CONTACT_FRACTION)
-    say(reading, damping->contact_line, "elastic spheres have no critical step; `contact-ratio`",
-        "expected no `contact-fraction` for `normal %s`", normal->name);
+    say(reading, damping->contact_line, "elastic spheres have no critical step; `damping ratio`",
+        "expected no `damping r89-fraction` for `normal %s`", normal->name);
   if (elastic && damping->walls_apart && damping->walls_kind == NB_CONTACT_FRACTION)
-    say(reading, damping->walls_line, "elastic spheres have no critical step; `contact-ratio`",
-        "expected no `contact-fraction` for `normal %s`", normal->name);
+    say(reading, damping->walls_line, "elastic spheres have no critical step; `damping ratio`",
+        "expected no `damping r89-fraction` for `normal %s`", normal->name);
 }
 
 /* What two laws ask that are in force together from `line` on; 0: as a --set says. */

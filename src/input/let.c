@@ -298,7 +298,7 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
   } else if (strcmp(name, "follow") == 0) {
     reading->follow = equals + 1;
     if (!scene->path)
-      nb_mistake(mistakes, &reading->settings, line, 1, (int)length, "a path is a block of kind `path`",
+      nb_mistake(mistakes, &reading->settings, line, 1, (int)length, "a contact test is a block of kind `contact-test`",
                  "expected a page with a path for `follow`, found a scene");
   } else {
     nb_mistake(mistakes, &reading->settings, line, 1, (int)length,

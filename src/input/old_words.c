@@ -9,8 +9,8 @@
  *
  * so {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, {NB_OLD_STATEMENT, "fill … tries",
  * "fill … attempts"} a clause wherever it stands, and what is behind the matched words stays. Rows are tried from above, each until it
- * no longer matches, so a row sees what those above it have written. No new form may match an old one: what is in the words of today
- * must stay as it is, and a test goes through all rows.
+ * no longer matches or its new form does, so a row sees what those above it have written. What is in the words of today must match no
+ * row: a test goes through all of them.
  *
  * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes `A.stress.std` of
  * `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner. `"A.stress.deviation/Pa"` and
@@ -36,6 +36,33 @@ const struct nb_old_word *nb_old_words(void) {
     {NB_OLD_STATEMENT, "discs packing", "packing discs"},
     {NB_OLD_STATEMENT, "spheres packing", "packing spheres"},
     {NB_OLD_STATEMENT, "let NAME NUMBER", "let NAME = NUMBER"},
+    {NB_OLD_STATEMENT, "step F of safe", "step F of stable"},
+    {NB_OLD_STATEMENT, "step F of contact", "step F of collision"},
+    {NB_OLD_STATEMENT, "step F of critical", "step F of single-contact"},
+    {NB_OLD_STATEMENT, "step N per contact", "step N per collision"},
+    {NB_OLD_STATEMENT, "damping … contact-beta", "damping … stiffness"},
+    {NB_OLD_STATEMENT, "damping … contact-ratio", "damping … ratio"},
+    {NB_OLD_STATEMENT, "damping … contact-fraction", "damping … r89-fraction"},
+    {NB_OLD_STATEMENT, "damping global", "damping mass"},
+    {NB_OLD_STATEMENT, "damping critical above", "damping critical beyond overlap"},
+    {NB_OLD_STATEMENT, "damping con1 X reading", "damping con1 X as"},
+    {NB_OLD_STATEMENT, "shear … pieces", "shear … memory"},
+    {NB_OLD_STATEMENT, "place", "transform"},
+    {NB_OLD_STATEMENT, "transform … turn", "transform … rotate"},
+    {NB_OLD_STATEMENT, "transform … shift", "transform … translate"},
+    {NB_OLD_STATEMENT, "wave", "perturb wave"},
+    {NB_OLD_STATEMENT, "watch", "monitor"},
+    {NB_OLD_STATEMENT, "still", "zero velocities"},
+    {NB_OLD_STATEMENT, "reverse", "reverse velocities"},
+    {NB_OLD_STATEMENT, "boundary hold", "boundary fixed"},
+    {NB_OLD_STATEMENT, "continuum … literal", "affine … accumulated"},
+    {NB_OLD_STATEMENT, "continuum", "affine"},
+    {NB_OLD_STATEMENT, "servo … by boundary continuum", "servo … through boundary affine"},
+    {NB_OLD_STATEMENT, "servo … by", "servo … through"},
+    {NB_OLD_STATEMENT, "ramp servo … by boundary continuum", "ramp servo … through boundary affine"},
+    {NB_OLD_STATEMENT, "ramp servo … by", "ramp servo … through"},
+    {NB_OLD_STATEMENT, "leg", "segment"},
+    {NB_OLD_FENCE, "path", "contact-test"},
     {NB_OLD_EXPECT, "… stated", "… expected"},
     {NB_OLD_EXPECT, "… rises with", "… increases with"},
     {NB_OLD_EXPECT, "… falls with", "… decreases with"},
@@ -284,7 +311,8 @@ static const struct nb_old_word *change(struct line *line, enum nb_old_kind kind
   const struct nb_old_word *first = NULL;
   size_t at[WORDS_MAX], rounds = 0;
   for (const struct nb_old_word *row = nb_old_words(); row->old; row++)
-    while (row->kind == kind && match(row->old, line, 0, at) && rounds++ < ROUNDS_MAX && rewrite(line, row, at))
+    while (row->kind == kind && !match(row->now, line, 0, at) && match(row->old, line, 0, at) &&
+           rounds++ < ROUNDS_MAX && rewrite(line, row, at))
       first = first ? first : row;
   return first;
 }

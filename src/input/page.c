@@ -17,8 +17,10 @@
 #include "old_words.h"
 #include "reader.h"
 
-static const char *const kinds[NB_BLOCK_KINDS] = {
-    [NB_BLOCK_SCENE] = "scene", [NB_BLOCK_EXPECT] = "expect", [NB_BLOCK_GNUPLOT] = "gnuplot", [NB_BLOCK_PATH] = "path"};
+static const char *const kinds[NB_BLOCK_KINDS] = {[NB_BLOCK_SCENE] = "scene",
+                                                  [NB_BLOCK_EXPECT] = "expect",
+                                                  [NB_BLOCK_GNUPLOT] = "gnuplot",
+                                                  [NB_BLOCK_PATH] = "contact-test"};
 
 void nb_page_free(struct nb_page *page) {
   for (size_t i = 0; i < page->line_count; i++)
@@ -84,11 +86,7 @@ int nb_page_kind(const char *word, size_t length) {
 
 /* The kind that a word was meant to name: it differs by one letter, or has the name and more; NULL: none. */
 static const char *near_kind(const char *word) {
-  static const char *const others[] = {"math", "patch"}; /* GitHub's own tags, one letter off `path` */
   struct nb_guess guess = nb_guess_begin(word);
-  for (size_t k = 0; k < sizeof others / sizeof *others; k++)
-    if (strcmp(word, others[k]) == 0)
-      return NULL;
   for (int kind = 0; kind < NB_BLOCK_KINDS; kind++) {
     nb_guess_offer(&guess, kinds[kind]);
     if (guess.distance <= 1 || strncmp(word, kinds[kind], strlen(kinds[kind])) == 0)
@@ -114,7 +112,7 @@ static int kind_of_info(const struct nb_page *page, size_t line, const char *inf
     snprintf(hint, sizeof hint, "did you mean `%s`?", near);
   if (near || old) {
     nb_mistake(mistakes, page, line, (int)(info + signs - page->lines[line - 1]) + 1, (int)length, hint,
-               "expected a block of a known kind (scene, path, expect, gnuplot), found `%.*s`", whole, info);
+               "expected a block of a known kind (scene, contact-test, expect, gnuplot), found `%.*s`", whole, info);
   }
   return -1;
 }

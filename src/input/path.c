@@ -1,5 +1,5 @@
-/* A path: the contact on the bench, `contact`, and the legs that it goes through, `leg`; `repeat` them. Its bodies and its wall are
- * those of a scene, so that whoever reads a scene finds them; its legs are stages. A leg, or --follow, may take its points from a file
+/* A contact test: its `contact`, and the prescribed displacements or forces, `segment` by `segment`. Its particles and its wall are
+ * those of a scene, so that whoever reads a scene finds them; its segments are stages. A segment, or --follow, may take its points from a file
  * of columns: `approach` (or `overlap`, from a table of our own) and `slip`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -16,7 +16,7 @@ enum { STEPS_DEFAULT = 100 };
 
 enum { AT_NAME };
 static const struct nb_argument nothing[] = {END};
-static const struct nb_argument leg_fields[] = {NAME(AT_NAME, "a name for the leg"), END};
+static const struct nb_argument leg_fields[] = {NAME(AT_NAME, "a name for the segment"), END};
 
 /* ---- contact ---- */
 
@@ -67,7 +67,7 @@ NB_APPLY(apply_contact) {
     take_body(scene, reader);
 }
 
-/* ---- legs ---- */
+/* ---- segments ---- */
 
 static bool read_points(struct nb_leg *it, const char *path, bool unitless, struct nb_mistakes *mistakes) {
   static const struct nb_wanted wanted[] = {{"approach", "overlap", false}, {"slip", NULL, false}};
@@ -90,7 +90,7 @@ static bool take_aim(struct nb_reader *reader, struct nb_aim *aim, bool force, b
   return nb_take_number(reader, force ? NB_UNIT_FORCE : NB_UNIT_LENGTH, push ? NB_NOT_NEGATIVE : NB_ANY, &aim->value);
 }
 
-/* What a leg says, in any order, each once. */
+/* What a segment says, in any order, each once. */
 static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
   static const char *const words[] = {"overlap", "normal", "slip", "shear", "hold", "in", "follow"};
   enum { OVERLAP, NORMAL, SLIP, SHEAR, HOLD, IN, FOLLOW, WORDS };
@@ -132,7 +132,7 @@ static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
          nb_expected(reader, NULL, "`overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`");
 }
 
-/* A wrong line begins a leg too: the lines below belong to it. */
+/* A wrong line begins a segment too: the lines below belong to it. */
 NB_APPLY(apply_leg) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -146,10 +146,10 @@ NB_APPLY(apply_leg) {
     nb_stage_name(&one, reading, name);
   const int same = NB_FIND(scene->stages, scene->stage_count, one.name);
   if (name)
-    nb_exists(reader, name, "leg", same < 0 ? 0 : scene->stages[same].line);
+    nb_exists(reader, name, "segment", same < 0 ? 0 : scene->stages[same].line);
   if (!reader->bad && take_leg(reader, &one) && one.leg.points)
     one.cycles = one.leg.point_count;
-  nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "legs");
+  nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "segments");
   if (scene->stage_count >= NB_NAMED_MAX || !NB_APPEND(reader, scene->stages, scene->stage_count, one))
     free(one.leg.points);
 }
@@ -164,7 +164,7 @@ const struct nb_quantity_kind nb_bench_kinds[] = {
 
 /* ---- the whole ---- */
 
-/* --follow: one leg with the points of a file instead of those of the page. */
+/* --follow: one segment with the points of a file instead of those of the page. */
 static void follow(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_stage one = {.name = "follow", .record = 1, .look = 1, .snapshot_from = -1};
@@ -183,10 +183,10 @@ void nb_path_check(struct nb_scene_reading *reading) {
   static const char *const usual[] = {"step", "overlap", "slip", "normal", "shear"};
   if (!reading->contact_line)
     nb_say_of_scene(reading, "contact", "`contact sphere R MATERIAL with sphere R MATERIAL` puts one there",
-                    "expected a path with a `contact`, found none");
+                    "expected a contact test with a `contact`, found none");
   if (scene->stage_count == 0 && !reading->follow)
-    nb_say_of_scene(reading, "leg", "`leg NAME overlap to 1 um in 10 steps`",
-                    "expected a path with a `leg`, found none");
+    nb_say_of_scene(reading, "segment", "`segment NAME overlap to 1 um in 10 steps`",
+                    "expected a contact test with a `segment`, found none");
   if (reading->follow)
     follow(reading);
   for (size_t k = 0; k < sizeof usual / sizeof *usual && reading->asked_count == 0; k++) {
@@ -222,16 +222,16 @@ void nb_path_laws_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(path) = {
   {"contact", NB_IN_PATH, nothing, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, false, apply_contact,
-   "The contact on the bench: of two bodies, or of one with a wall. They just touch at first.",
+   "The contact that is tested: of two particles, or of one with a wall. They just touch at first.",
    "contact   disc 10 mm steel  with wall steel"},
-  {"leg", NB_IN_PATH | NB_IN_LEG, leg_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
+  {"segment", NB_IN_PATH | NB_IN_LEG, leg_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
    0, true, apply_leg,
    "Takes the contact on: the overlap or the normal force, and the slip or the shear force, each along a straight line to "
    "a value or by a difference; default 100 steps. Overlap and slip stay where they are unless something is said; `hold` "
    "holds a force instead. `follow` takes it from point to point of a file of tab-separated columns `approach/m` and "
    "`slip/m`, one step each; the file is found as a page is by `start`.",
-   "leg       press  overlap to 10 um  in 5 steps\nleg       load   shear to 15 N  hold normal\n"
-   "leg       back   slip by -2 um  overlap by -1 um  in 1 step"},
+   "segment   press  overlap to 10 um  in 5 steps\nsegment   load   shear to 15 N  hold normal\n"
+   "segment   back   slip by -2 um  overlap by -1 um  in 1 step"},
   {0},
 };
 /* clang-format on */

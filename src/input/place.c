@@ -1,4 +1,4 @@
-/* `place`: the whole scene mirrored, turned and shifted: the same physics in another place.
+/* `transform`: the whole scene mirrored, rotated and translated: the same physics in another place.
  *
  *   x' = S + Q M x        v' = Q M v        w' = w det M
  *
@@ -19,8 +19,8 @@ enum mirror { MIRROR_NONE, MIRROR_X, MIRROR_Y };
 /* clang-format off */
 static const struct nb_argument place_fields[] = {
   CHOICE("mirror", "none|x|y", AT_MIRROR, "none", "`none`, `x` or `y`"),
-  CLAUSE("turn", "ANGLE", NB_UNIT_ANGLE, NB_ANY, AT_ANGLE, 1, "0", "Counterclockwise; quarters of a turn are exact."),
-  CLAUSE("shift", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "0 0", "To the east and to the north."),
+  CLAUSE("rotate", "ANGLE", NB_UNIT_ANGLE, NB_ANY, AT_ANGLE, 1, "0", "Counterclockwise; quarters of a turn are exact."),
+  CLAUSE("translate", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "0 0", "To the east and to the north."),
   END
 };
 /* clang-format on */
@@ -152,12 +152,12 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *to) {
 
 /* clang-format off */
 NB_STATEMENTS(place) = {
-  {"place", NB_IN_SCENE, place_fields, NULL, 0, false, apply_place,
-   "Moves the whole scene, as it is at the end of the page: positions, velocities, walls and what they do in stages. "
-   "First it is mirrored, then turned about the origin, then shifted. All that the page says with a direction turns with it, "
+  {"transform", NB_IN_SCENE, place_fields, NULL, 0, false, apply_place,
+   "Transforms the whole scene, as it is at the end of the page: positions, velocities, walls and what they do in stages. "
+   "First it is mirrored, then rotated about the origin, then translated. All that the page says with a direction turns with it, "
    "the components that a `servo` holds too. The physics stays the same; quantities with a direction, recorded or waited for by `until`, "
    "do not: they are those of the plane.",
-   "place     mirror none  turn 0 deg  shift 0.5 m 0 m"},
+   "transform mirror none  rotate 0 deg  translate 0.5 m 0 m"},
   {0},
 };
 /* clang-format on */

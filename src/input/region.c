@@ -92,7 +92,7 @@ void nb_regions_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(region) = {
   {"region", NB_IN_SCENE | NB_IN_START, region_fields, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, false, apply_region,
-   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest box round all outlines that is upright before `place`, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain, and what contacts are lost and new, are counted from the stage of this page that `from` names, else from the start of its run.",
+   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest box round all outlines that is upright before `transform`, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain, and what contacts are lost and new, are counted from the stage of this page that `from` names, else from the start of its run.",
    "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {0},
 };

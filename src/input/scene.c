@@ -49,7 +49,7 @@ bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char
 
 void nb_say_of_scene(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what) {
   const struct nb_page *page = reading->reader.page;
-  const char *kind = reading->scene->path ? "path" : "scene";
+  const char *kind = reading->scene->path ? "contact-test" : "scene";
   size_t fence = nb_page_fence(page, reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE);
   const char *word = fence ? strstr(page->lines[fence - 1], kind) : NULL;
   if (!nb_excused(reading->reader.mistakes, statement))
@@ -153,8 +153,8 @@ static void check_whole(struct nb_scene_reading *reading) {
   struct nb_reader *reader = &reading->reader;
   if (scene->path && nb_page_fence(reader->page, NB_BLOCK_SCENE))
     nb_say_of_scene(reading, "scene",
-                    "a path is one contact on a bench, in a scene bodies move: make two pages of them",
-                    "expected blocks of kind `scene` or `path`, found both");
+                    "a contact test is one contact, in a scene particles move: make two pages of them",
+                    "expected blocks of kind `scene` or `contact-test`, found both");
   if (!scene->path && !nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
     nb_say_of_scene(reading, "scene", "begin one with a line of three backticks and the word `scene`",
                     "expected a block of kind `scene`, found none");
@@ -185,7 +185,7 @@ static void check_whole(struct nb_scene_reading *reading) {
                       "`cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
                       "expected a stage that ends, found neither `cycles` nor `until` in `%s`", scene->stages[i].name);
   if ((scene->stage_count > 0 ? scene->stages[0].step.value : scene->step.value) == 0)
-    nb_say_of_scene(reading, "step", "`step TIME` or `step F of safe`", "expected a scene with a `step`, found none");
+    nb_say_of_scene(reading, "step", "`step TIME` or `step F of stable`", "expected a scene with a `step`, found none");
 }
 
 static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {

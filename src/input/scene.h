@@ -19,7 +19,7 @@ struct nb_asked {
   int column, length;
 };
 
-/* `place`: first mirrored, then turned, then shifted. */
+/* `transform`: first mirrored, then rotated, then translated. */
 struct nb_place {
   double flip_x, flip_y; /* 1, or -1: mirrored; 0, 0: no such statement */
   double cosine, sine;   /* of the angle that the scene is turned by, counterclockwise */
@@ -128,7 +128,7 @@ void nb_path_check(struct nb_scene_reading *reading);      /* what a path must h
 void nb_path_laws_check(struct nb_scene_reading *reading); /* what a path's quantities ask of the laws */
 /* Puts what `impact` names where it just touches, and gives it its velocity: materials, pairs and laws must be known. */
 void nb_impact_aim(struct nb_scene_reading *reading);
-/* Moves all that has been read as `place` says. At the end of reading: it wants the motions of walls in the stages too. */
+/* Moves all that has been read as `transform` says. At the end of reading: it wants the motions of walls in the stages too. */
 bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place); /* false: something is too far away */
 
 /* ---- a page that another one starts from ---- */

@@ -7,7 +7,7 @@
 
 enum { AT_P };
 enum { AT_XX, AT_YY, AT_XY };
-#define PLACE_AND_MEANS "on REGION|boundary|cell|box by boundary {continuum}|cell|box at most RATE {every N cycles}"
+#define PLACE_AND_MEANS "on REGION|boundary|cell|box through boundary {affine}|cell|box at most RATE {every N cycles}"
 
 /* clang-format off */
 static const struct nb_argument pressure_fields[] = {
@@ -35,11 +35,11 @@ static void take_place(struct nb_scene_reading *reading, struct nb_reader *reade
   }
 }
 
-/* `by boundary {continuum}|cell|box at most RATE {every N cycles}` */
+/* `through boundary {affine}|cell|box at most RATE {every N cycles}` */
 static void take_means(struct nb_reader *reader, struct nb_servo *servo) {
-  const int by = nb_take_word(reader, "by") ? nb_take_choice(reader, "boundary|cell|box") : 0;
+  const int by = nb_take_word(reader, "through") ? nb_take_choice(reader, "boundary|cell|box") : 0;
   servo->cell = by == 1, servo->box = by == 2;
-  servo->continuum = by == 0 && nb_token_skip(reader, "continuum");
+  servo->continuum = by == 0 && nb_token_skip(reader, "affine");
   if (!nb_take_word(reader, "at") || !nb_take_word(reader, "most") ||
       !nb_take_number(reader, NB_UNIT_STRAIN_RATE, NB_POSITIVE, &servo->most))
     return;
@@ -77,15 +77,15 @@ NB_APPLY(apply_servo) {
 /* clang-format off */
 NB_STATEMENTS(servo) = {
   {"servo isotropic", NB_IN_STAGE | NB_IN_RAMP, pressure_fields, PLACE_AND_MEANS, 0, false, apply_servo,
-   "Adds to the boundary's strain rate, and to the continuum's if it says so, or to the cell's or the box's, what brings the stress of a region, or that on the boundary, in the cell or on the box, to P in all directions: "
+   "Adds to the boundary's strain rate, and to the affine motion's if it says so, or to the cell's or the box's, what brings the stress of a region, or that on the boundary, in the cell or on the box, to P in all directions: "
    "xx and yy to P, xy to 0 [R89 4.1], which the walls of a box leave alone: they follow its strain rate as with `box strain`, of xx and yy. The gain follows from the contacts' stiffness; `at most` bounds the rates that are added. For this stage.",
-   "stage     even\n  servo   isotropic 1 kPa  on boundary  by boundary continuum  at most 1e-6 per cycle\n  cycles  10"},
+   "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10"},
   {"servo mean", NB_IN_STAGE | NB_IN_RAMP, pressure_fields, PLACE_AND_MEANS, 1, false, apply_servo,
    "Holds (xx + yy)/2 alone, by a change of area: what the stage's own strain rates do to the shape goes on.",
-   "stage     shear\n  servo   mean 1 kPa  on boundary  by boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10"},
+   "stage     shear\n  servo   mean 1 kPa  on boundary  through boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10"},
   {"servo stress", NB_IN_STAGE | NB_IN_RAMP, stress_fields, PLACE_AND_MEANS, 2, false, apply_servo,
    "Holds single components.",
-   "stage     biaxial\n  servo   stress yy 2 kPa  on boundary  by boundary  at most 1e-6 per cycle\n  cycles  10\nstage     walled\n  servo   stress xx 2 kPa yy 1 kPa  on box  by box  at most 1e-6 per cycle\n  cycles  10"},
+   "stage     biaxial\n  servo   stress yy 2 kPa  on boundary  through boundary  at most 1e-6 per cycle\n  cycles  10\nstage     walled\n  servo   stress xx 2 kPa yy 1 kPa  on box  through box  at most 1e-6 per cycle\n  cycles  10"},
   {0},
 };
 /* clang-format on */

@@ -1,4 +1,4 @@
-/* What happens: `stage`, how long one lasts, `ramp` before what shall come gradually; `still`, `reverse`, `rotation`; and stages
+/* What happens: `stage`, how long one lasts, `ramp` before what shall come gradually; `zero velocities`, `reverse velocities`, `rotation`; and stages
  * once more, `repeat from NAME N times`, of which the lines are read again as if they stood there so often.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -143,7 +143,7 @@ NB_APPLY(apply_still) {
   struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
   if (record->keyword->variant && it->motion_count > 0)
     nb_token_mistake(reader, &reader->tokens[0], "it turns round what walls did until then",
-                     "expected `reverse` above the statements that move walls, found it below");
+                     "expected `reverse velocities` above the statements that move walls, found it below");
   *(record->keyword->variant ? &it->reverse : &it->still) = true;
 }
 
@@ -161,7 +161,7 @@ NB_APPLY(apply_rotation) {
 bool nb_repeat_closed(struct nb_scene_reading *reading) {
   struct nb_reader *reader = &reading->reader;
   const struct nb_scene *scene = reading->scene;
-  const char *begins = scene->path ? "leg" : "stage", *verb = reader->tokens[0].text;
+  const char *begins = scene->path ? "segment" : "stage", *verb = reader->tokens[0].text;
   if (reading->repeat.now || reading->repeat.until == 0 || strcmp(verb, begins) == 0 || strcmp(verb, "repeat") == 0 ||
       (size_t)nb_stage_now(scene)->line > reading->repeat.until)
     return false;
@@ -175,18 +175,18 @@ NB_APPLY(apply_repeat) {
   struct nb_scene_reading *reading = subject;
   const struct nb_scene *scene = reading->scene;
   const size_t before = scene->start.stages;
-  const char *what = scene->path ? "the name of a leg" : "the name of a stage";
+  const char *what = scene->path ? "the name of a segment" : "the name of a stage";
   unsigned long times;
   (void)record;
   const struct nb_token *token = nb_take_word(reader, "from") ? nb_take(reader, what) : NULL;
   if (!token || nb_stage_not_here(scene, reader, token))
     return;
   const int s = NB_NAMED(reader, token, scene->stages + before, scene->stage_count - before,
-                         scene->path ? "the name of a leg above" : "the name of a stage above", NULL);
+                         scene->path ? "the name of a segment above" : "the name of a stage above", NULL);
   const size_t from = s < 0 ? 0 : (size_t)scene->stages[before + (size_t)s].line;
   if (from < reading->repeat.until)
     nb_token_mistake(reader, token, NULL, "expected %s that stands below the last `repeat`, on line %zu",
-                     scene->path ? "a leg" : "a stage", reading->repeat.until);
+                     scene->path ? "a segment" : "a stage", reading->repeat.until);
   else if (nb_take_count(reader, 1, NB_NAMED_MAX, &times) &&
            (nb_token_skip(reader, "time") || nb_take_word(reader, "times")))
     reading->repeat = (struct nb_repeat){.from = from, .times = times, .until = reader->line};
@@ -207,13 +207,13 @@ NB_STATEMENTS(stage) = {
    "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N cycles", 0, false, apply_until,
    "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure. `every`: they are looked at every so many cycles only, default 1.",
    "stage     part\n  until   C.overlap below 1 nm and time above 1 ms  at most 10000 cycles"},
-  {"still", NB_IN_STAGE, nothing, NULL, 0, false, apply_still,
-   "All bodies stop at the beginning of this stage; walls do not.",
-   "stage     halt\n  still\n  cycles  10"},
-  {"reverse", NB_IN_STAGE, nothing, NULL, 1, false, apply_still,
-   "All velocities and spins turn round at the beginning of this stage, those of walls too: what has no friction and no "
+  {"zero velocities", NB_IN_STAGE, nothing, NULL, 0, false, apply_still,
+   "The velocities and spins of all particles are 0 at the beginning of this stage; those of walls stay.",
+   "stage     halt\n  zero    velocities\n  cycles  10"},
+  {"reverse velocities", NB_IN_STAGE, nothing, NULL, 1, false, apply_still,
+   "All velocities and spins change sign at the beginning of this stage, those of walls too: what has no friction and no "
    "damping goes back the way it came.",
-   "stage     back\n  reverse\n  cycles  10"},
+   "stage     back\n  reverse velocities\n  cycles  10"},
   {"rotation off", NB_IN_STAGE, nothing, NULL, 1, false, apply_rotation,
    "Bodies stop turning when this stage begins, and do not turn from then on.",
    "stage     stiff\n  rotation off\n  cycles  10"},
@@ -222,8 +222,8 @@ NB_STATEMENTS(stage) = {
   {"repeat", NB_IN_STAGE, nothing, "from STAGE N times", 1, false, apply_repeat,
    "The lines from STAGE down to here once more, so often; those stages are called STAGE-2, STAGE-3 and so on.",
    "stage     again\n  cycles  10\nrepeat    from again 2 times"},
-  {"repeat", NB_IN_LEG, nothing, "from LEG N times", 0, false, apply_repeat,
-   "The lines from LEG down to here once more, so often; those legs are called LEG-2, LEG-3 and so on.",
+  {"repeat", NB_IN_LEG, nothing, "from SEGMENT N times", 0, false, apply_repeat,
+   "The lines from SEGMENT down to here once more, so often; those segments are called SEGMENT-2, SEGMENT-3 and so on.",
    "repeat    from load 2 times"},
   {0},
 };

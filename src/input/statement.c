@@ -42,11 +42,11 @@ static const char *where_words(unsigned where, unsigned here) {
   if (here == NB_IN_START && where & NB_IN_SCENE)
     return "in a page that does not `start` from another";
   if (where == NB_IN_LEG)
-    return "in a leg: below a line `leg NAME …`";
+    return "in a segment: below a line `segment NAME …`";
   if (!(where & ~(unsigned)(NB_IN_PATH | NB_IN_LEG)))
-    return "in a block of kind `path`";
+    return "in a block of kind `contact-test`";
   if (where & NB_IN_PATH && here == NB_IN_LEG)
-    return "before the first `leg`";
+    return "before the first `segment`";
   where &= ~(unsigned)(NB_IN_PATH | NB_IN_LEG);
   if (where == NB_IN_SCENE)
     return "before the first `stage`";
@@ -115,8 +115,8 @@ static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struc
                                        [NB_IN_STAGE] = "a statement of a stage",
                                        [NB_IN_EXPECT] = "an expectation",
                                        [NB_IN_RAMP] = "something that can ramp",
-                                       [NB_IN_PATH] = "a statement of a path",
-                                       [NB_IN_LEG] = "a statement of a leg",
+                                       [NB_IN_PATH] = "a statement of a contact test",
+                                       [NB_IN_LEG] = "a statement of a segment",
                                        [NB_IN_START] = "a statement of a page that starts from another"};
   char hint[NB_HINT_SIZE];
   char word[NB_NAME_SIZE];

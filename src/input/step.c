@@ -11,7 +11,7 @@ static const struct nb_argument skin_fields[] = {VALUE("LENGTH", NB_UNIT_LENGTH,
                                                  END};
 
 /* What a step may be a share of. */
-#define SHARES "safe|contact|critical|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean"
+#define SHARES "stable|collision|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean"
 static const enum nb_step_kind kinds[] = {
     NB_STEP_SAFE,          NB_STEP_CONTACT,      NB_STEP_CRITICAL,         NB_STEP_RAYLEIGH,
     NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT, NB_STEP_RAYLEIGH_FIT_MEAN};
@@ -20,7 +20,7 @@ static bool follows(const struct nb_reader *reader, const char *word) {
   return reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, word) == 0;
 }
 
-/* TIME, F of something, or N per contact. */
+/* TIME, F of something, or N per collision. */
 NB_APPLY(apply_step) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_stage_now(reading->scene);
@@ -32,7 +32,7 @@ NB_APPLY(apply_step) {
   if (share && nb_take_word(reader, "of")) {
     const int kind = nb_take_choice(reader, SHARES);
     step.kind = kind < 0 ? NB_STEP_TIME : kinds[kind];
-  } else if (per && nb_take_word(reader, "per") && nb_take_word(reader, "contact")) {
+  } else if (per && nb_take_word(reader, "per") && nb_take_word(reader, "collision")) {
     step.kind = NB_STEP_CONTACT, step.value = 1 / step.value;
   }
   if (reader->bad || nb_token_peek(reader)) /* which the engine says */
@@ -70,15 +70,15 @@ NB_APPLY(apply_skin) {
 
 /* clang-format off */
 NB_STATEMENTS(step) = {
-  {"step", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing, "TIME | N per contact | F of contact|safe|critical|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, apply_step,
-   "How long a cycle is: a time, or a share of what is sure to be stable as a stage begins, of 2 sqrt(m/k) [CS79, "
-   "Motion], or of the duration of the shortest contact there can be; no default. `N per contact` is the N-th part of that. "
-   "Elastic spheres meet for Hertz's time, which goes with their speed: of those that would meet if all went straight on "
-   "from there. `rayleigh` is a surface wave's time half round the smallest sphere, `rayleigh-mean` round the mean one, "
+  {"step", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing, "TIME | N per collision | F of collision|stable|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, apply_step,
+   "The time step: a time; or a fraction of the guaranteed stable step at the beginning of a stage, `stable`; of 2 sqrt(m/k) of the lightest particle and the stiffest contact [CS79, "
+   "Motion], `single-contact`; or of the shortest collision, `collision`. `N per collision` is the N-th part of that. No default. "
+   "The collision of elastic spheres takes Hertz's time, which depends on their speed: that of the pairs predicted to collide at their current velocities. "
+   "`rayleigh` is a surface wave's time half round the smallest sphere, `rayleigh-mean` round the mean one, "
    "with `-fit` by R89's fit of its speed [R89 4.33, 4.34]. In a stage: from this stage on. --set step=... overrides it everywhere.",
-   "step      0.1 of critical"},
+   "step      0.1 of single-contact"},
   {"allow", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing, "unstable", 0, false, apply_allow,
-   "Lets a run go on whose step is above what is sure to be stable; else it stops there. In a stage: in this one only.",
+   "Lets a run go on whose step is longer than the guaranteed stable one; else it is aborted. In a stage: in this one only.",
    "allow     unstable"},
   {"skin", NB_IN_SCENE | NB_IN_START, skin_fields, NULL, 0, false, apply_skin,
    "Pairs closer than this are listed as contacts that may come to touch [R89 TOL], and looked for again when something "

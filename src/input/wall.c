@@ -132,7 +132,7 @@ NB_APPLY(apply_box) {
 
 /* ---- in a stage ---- */
 
-/* What a wall does by now, as the page has it: `reverse` has turned round what it was told before. */
+/* What a wall does by now, as the page has it: `reverse velocities` has turned round what it was told before. */
 static struct nb_wall_motion wall_so_far(const struct nb_scene *scene, size_t index) {
   const struct nb_wall *it = &scene->walls[index];
   struct nb_wall_motion motion = {.wall = (int)index, .vx = it->vx, .vy = it->vy, .spin = it->spin};

@@ -1,4 +1,4 @@
-/* What is looked at under a name of its own: `watch`.
+/* What is looked at under a name of its own: `monitor`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "statement.h"
 
 enum { AT_NAME };
-static const struct nb_argument watch_fields[] = {NAME(AT_NAME, "a name for what is watched"), END};
+static const struct nb_argument watch_fields[] = {NAME(AT_NAME, "a name for what is monitored"), END};
 
 /* `disc N`: index of the body; -1 with a message. */
 static int take_numbered(const struct nb_scene_reading *reading, struct nb_reader *reader, const char *what) {
@@ -35,8 +35,8 @@ static int take_wall(const struct nb_scene *scene, struct nb_reader *reader) {
 bool nb_watch_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name, struct nb_watch one) {
   const int same = NB_FIND(scene->watches, scene->watch_count, name->text);
   one.line = (int)reader->line;
-  if (nb_exists(reader, name, "watch", same < 0 ? 0 : scene->watches[same].line) ||
-      nb_too_many(reader, scene->watch_count, NB_NAMED_MAX, "watches"))
+  if (nb_exists(reader, name, "monitor", same < 0 ? 0 : scene->watches[same].line) ||
+      nb_too_many(reader, scene->watch_count, NB_NAMED_MAX, "monitors"))
     return false;
   snprintf(one.name, sizeof one.name, "%s", name->text);
   return NB_APPEND(reader, scene->watches, scene->watch_count, one);
@@ -73,10 +73,10 @@ NB_APPLY(apply_watch) {
 
 /* clang-format off */
 NB_STATEMENTS(watch) = {
-  {"watch", NB_IN_SCENE | NB_IN_START, watch_fields,
+  {"monitor", NB_IN_SCENE | NB_IN_START, watch_fields,
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME | grading NAME {radius R}", 0, false, apply_watch,
    "Names a body, a contact, a wall, or a grading or one size of it, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`.",
-   "watch     A  disc 1\nwatch     C  disc 1 with sphere 2\nwatch     F  sphere 9 with wall shelf\nwatch     S  wall shelf\nwatch     G  grading mixed\nwatch     H  grading mixed radius 5 mm"},
+   "monitor   A  disc 1\nmonitor   C  disc 1 with sphere 2\nmonitor   F  sphere 9 with wall shelf\nmonitor   S  wall shelf\nmonitor   G  grading mixed\nmonitor   H  grading mixed radius 5 mm"},
   {0},
 };
 /* clang-format on */

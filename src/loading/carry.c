@@ -9,7 +9,7 @@
  * v while it holds them (boundary.c); all others that are free have the continuum's. What is carried with v at rest stays so, as in
  * a continuum; v is damped as everything is. When L jumps at the begin of a stage, v stays what it was.
  *
- * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43] and keeps the sum as the new velocity (`literal`): then c is added again in
+ * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43] and keeps the sum as the new velocity (`accumulated`): then c is added again in
  * every cycle, and is an acceleration L (x - x_0)/dt, under which what is at rest moves away as exp(sqrt(L/dt) t).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

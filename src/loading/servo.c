@@ -18,7 +18,7 @@
  * have answered. P alone leaves a steady dilatation e_v off by B T e_v; Z comes to be what that takes. It begins at -a P,
  * a = (1 - (3/4)^(1/2))/2, which is the fast of the two ways for f = 1, exp(-0.93 t/T): so coming from afar gathers nothing that goes beyond.
  *
- * The components that are servoed, and the bound `at most`, are those of the servo's own axes, which `place` turns and mirrors
+ * The components that are servoed, and the bound `at most`, are those of the servo's own axes, which `transform` turns and mirrors
  * with the scene.
  *
  * As B falls to 0 with the load the rates would go beyond all bounds: none of them is larger than `at most`, all are reduced alike, and Z

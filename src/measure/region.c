@@ -11,7 +11,7 @@
  * part. The volume of a sphere that the region's edge cuts is counted by the share of its outline that is inside.
  *
  * `inside F` is the circle about the boundary's centre whose radius is F of the boundary's mean radius now.
- * `all` is the smallest box upright on the page, before `place` turns the scene, that holds the outlines of all bodies, or the
+ * `all` is the smallest box upright on the page, before `transform` turns the scene, that holds the outlines of all bodies, or the
  * periodic cell.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

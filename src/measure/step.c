@@ -128,9 +128,9 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   const char *why = refused(model, step->kind, unit);
   if (why)
     return nb_error_set(error, NB_BAD_USE, "%s: %s: say %s", place_of(place, sizeof place, step), why,
-                        step->kind >= NB_STEP_RAYLEIGH  ? "a time, or `F of safe`"
+                        step->kind >= NB_STEP_RAYLEIGH  ? "a time, or `F of stable`"
                         : step->kind == NB_STEP_CONTACT ? "a time, or `F of rayleigh`"
-                                                        : "`N per contact` or `F of rayleigh`");
+                                                        : "`N per collision` or `F of rayleigh`");
   model->step = step->value * unit;
   model->stability->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step))

@@ -16,7 +16,7 @@
  *   u   velocity of a body at t_N, m/s      c   what carries it along then, the mean over both half steps, m/s; 0 where nothing does
  *
  * R89's *perturbation velocities* are w, its *fixed imposed velocities* c. `speed.ratio` is mean |w| over mean |c|.
- * Where c is added to u for good (`literal`) w is still u - c, so that both codings are measured alike.
+ * Where c is added to u for good (`accumulated`) w is still u - c, so that both codings are measured alike.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/carry.h"

@@ -155,9 +155,9 @@ static const double proposed = 0.8;
 /* A step below what is sure to be stable, as the page says its own. */
 static void smaller_step(char *text, size_t size, const struct nb_model *model, double sure) {
   static const char *const of[] = {[NB_STEP_TIME] = " s",
-                                   [NB_STEP_CRITICAL] = " of critical",
-                                   [NB_STEP_SAFE] = " of safe",
-                                   [NB_STEP_CONTACT] = " per contact",
+                                   [NB_STEP_CRITICAL] = " of single-contact",
+                                   [NB_STEP_SAFE] = " of stable",
+                                   [NB_STEP_CONTACT] = " per collision",
                                    [NB_STEP_RAYLEIGH] = " of rayleigh",
                                    [NB_STEP_RAYLEIGH_MEAN] = " of rayleigh-mean",
                                    [NB_STEP_RAYLEIGH_FIT] = " of rayleigh-fit",

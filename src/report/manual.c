@@ -213,7 +213,7 @@ static void quantities(const struct manual *to) {
   const char *before = "";
   section(to, "Quantities");
   paragraph(to, "Quantities for `record`, `until` and expectations: the name alone for the whole scene, `WATCH.NAME` "
-                "for what `watch` has named.");
+                "for what `monitor` has named.");
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     if (strcmp(row.of, before) != 0) {
       char text[64];
@@ -270,7 +270,7 @@ static void values(const struct manual *to) {
 static void grammar(const struct manual *to) {
   char text[1024];
   section(to, "Words");
-  paragraph(to, "A page is a Markdown file. The program reads its fenced blocks `scene` or `path`, `expect` and "
+  paragraph(to, "A page is a Markdown file. The program reads its fenced blocks `scene` or `contact-test`, `expect` and "
                 "`gnuplot`; all else is prose. Several blocks of a kind are read as one, in their order. A statement "
                 "is one line of words with spaces between; `#` begins a comment.");
   paragraph(to,
@@ -310,8 +310,8 @@ void nb_manual(FILE *out, bool markdown) {
   section(&to, "In a stage");
   statements(&to, nb_keywords(), NB_IN_STAGE, NB_IN_SCENE);
   section(&to, "Contact test");
-  paragraph(&to, "A page with a block `path` instead of `scene` tests one contact: it prescribes approach and slip, or "
-                 "forces. There is no motion and no time. To an expectation its legs are stages: `shear max in load`.");
+  paragraph(&to, "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and slip, or "
+                 "forces. There is no motion and no time. To an expectation its segments are stages: `shear max in load`.");
   statements(&to, nb_keywords(), NB_IN_PATH | NB_IN_LEG, NB_IN_SCENE | NB_IN_STAGE);
   expectations(&to);
   figures(&to);

@@ -174,7 +174,7 @@ static enum nb_status unreachable(const struct nb_bench *bench, const struct nb_
     snprintf(limit, sizeof limit, "; friction times the normal force is %g%s",
              bench->pair.friction * bench->trial.n.force, unit);
   return nb_error_set(
-      error, NB_BROKEN, "leg `%s` (line %d), step %lu of %lu: a %s force of %g%s cannot be reached, it comes to %g%s%s",
+      error, NB_BROKEN, "segment `%s` (line %d), step %lu of %lu: a %s force of %g%s cannot be reached, it comes to %g%s%s",
       stage->name, stage->line, step, stage->cycles, shear ? "shear" : "normal", target, unit, reached, unit, limit);
 }
 
@@ -200,7 +200,7 @@ static enum nb_status leg_step(struct nb_bench *bench, const struct leg *leg, un
     return unreachable(bench, stage, step, true, shear, reached, error);
   try_step(bench, approach, slip);
   if (!isfinite(bench->trial.n.force) || !isfinite(bench->trial.s.force))
-    return nb_error_set(error, NB_BROKEN, "leg `%s` (line %d), step %lu: the force is not a number", stage->name,
+    return nb_error_set(error, NB_BROKEN, "segment `%s` (line %d), step %lu: the force is not a number", stage->name,
                         stage->line, step);
   make_step(bench);
   return NB_OK;

@@ -8,7 +8,7 @@
  *
  * What does not ramp jumps at t_0. The forces at t_0 have been worked out with the old properties and laws by then; the new ones
  * hold for those at t_1. Half of the kick around t_0 lies before it, so gravity is there the mean of the old and the new one, each
- * for the time it lasts; global damping likewise (motion.h), and a stress on a boundary (boundary.c). `still` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
+ * for the time it lasts; global damping likewise (motion.h), and a stress on a boundary (boundary.c). `zero velocities` is a start from rest: the next kick lasts half a step, and dashpots have nothing to damp.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/laws_now.h"
@@ -68,7 +68,7 @@ static void stop_bodies(struct nb_model *model) {
   nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
-/* `reverse`: walls before this stage moves them otherwise, */
+/* `reverse velocities`: walls before this stage moves them otherwise, */
 static void turn_walls(struct nb_model *model) {
   for (size_t w = 0; w < model->walls.count; w++) {
     model->walls.velocity[w] = vec_scale(-1, model->walls.velocity[w]);

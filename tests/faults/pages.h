@@ -7,8 +7,8 @@
 
 #define STATEMENTS                                                                                                     \
   "material rock density 2000 kg/m3 young 1 GPa poisson 0.2 friction 0.3\n"                                            \
-  "normal hertz\nshear mindlin_deresiewicz pieces 4\nlattice spheres 2 by 1 rock radius 10 mm spacing 19.99 mm from "  \
-  "10 mm 9.995 mm\nwall floor -1 m 0 mm to 1 m 0 mm rock\ngravity 1 m/s2 -9.81 m/s2\nwatch A sphere 1\nregion W all\n" \
+  "normal hertz\nshear mindlin_deresiewicz memory 4\nlattice spheres 2 by 1 rock radius 10 mm spacing 19.99 mm from "  \
+  "10 mm 9.995 mm\nwall floor -1 m 0 mm to 1 m 0 mm rock\ngravity 1 m/s2 -9.81 m/s2\nmonitor A sphere 1\nregion W all\n" \
   "step 0.1 of rayleigh\n"
 
 static const struct {
@@ -18,7 +18,7 @@ static const struct {
      "# First\n\n```scene\n" STATEMENTS "record A.y energy.kinetic\nstage load\n  ramp gravity 0 m/s2 -1 m/s2\n  "
      "cycles 4\n  snapshot\n```\n"},
     {"second.md",
-     "# Second\n\n```scene\nstart first stage load\nwatch A sphere 1\nrecord cycle A.y work.residual\nstage on\n  "
+     "# Second\n\n```scene\nstart first stage load\nmonitor A sphere 1\nrecord cycle A.y work.residual\nstage on\n  "
      "wall floor velocity 0 m/s 1 mm/s\n  remove sphere 2\n  material rock friction 0.2\n  cycles "
      "4\n```\n\n```expect\ncycle "
      "max  expected 8 within 1 %  [by hand]\n```\n"},
@@ -28,12 +28,12 @@ static const struct {
      "boundary strain -1 1/s -1 1/s\n  cycles 3\n  snapshot\n```\n"},
     {"list.tsv", "x/m\ty/m\tradius/m\n0\t0\t0.1\n0.3\t0\t0.1\n"},
     {"path.md",
-     "# Path\n\n```path\nmaterial rock young 1 GPa poisson 0.2 friction 0.3\nnormal hertz\nshear mindlin\ncontact "
-     "sphere 10 mm rock with wall rock\nleg press overlap to 1 um in 3 steps\nleg rub slip by 1 um in 3 steps\n```\n"},
+     "# Path\n\n```contact-test\nmaterial rock young 1 GPa poisson 0.2 friction 0.3\nnormal hertz\nshear mindlin\ncontact "
+     "sphere 10 mm rock with wall rock\nsegment press overlap to 1 um in 3 steps\nsegment rub slip by 1 um in 3 steps\n```\n"},
     {"fall.md",
      "# Fall\n\n```scene\nsweep g 1 2\nmaterial m density 1 kg/m3 kn 1 N/m\nsphere 0 m 2 m radius 1 m m\nwall floor -1 "
      "m "
-     "0 m to 1 m 0 m m\ngravity 0 m/s2 -$g m/s2\nwatch D sphere 1\nstep 1 ms\nrecord time D.y\nstage fall\n  cycles "
+     "0 m to 1 m 0 m m\ngravity 0 m/s2 -$g m/s2\nmonitor D sphere 1\nstep 1 ms\nrecord time D.y\nstage fall\n  cycles "
      "10\n```\n\n```expect\nreference free_fall\nD.y versus time within 1 %\nD.y min decreases with "
      "g\n```\n\n```gnuplot\nplot $table_1\n```\n"},
     {"wrong.md",

@@ -35,13 +35,13 @@ static const struct {
   const char *first, *second;
 } pages[] = {
     {"units none\nlet a = 2\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nmaterial n density $a kn 1e4\n"
-     "pair m m friction 0.2\nnormal hertz_increment\nshear mindlin_deresiewicz pieces 3\nwall w -5 0 to 5 0 m\n"
+     "pair m m friction 0.2\nnormal hertz_increment\nshear mindlin_deresiewicz memory 3\nwall w -5 0 to 5 0 m\n"
      "lattice spheres 2 by 2 m radius 1 spacing 1.99 from 0 0.995\nsphere 9 1 radius 1 m fixed\ngravity 1 -1\n"
      "step 0.001\nstage a\ncycles 20\n",
      "stage b\nremove sphere 2\nmaterial m friction 0.1\nwall w velocity 0 0.1\ncycles 9\n"},
     {"units none\nmaterial m density 3 kn 4000 ks 2000 friction 0.3\nshear linear\nlattice discs 3 by 3 m radius 1 "
      "spacing 1.99 from -2 -2\nboundary circle 0 0 radius 2.5\nstep 0.001\nstage a\nboundary strain 0.1 -0.1\n"
-     "continuum strain 1e-4 per cycle 0 per cycle\nrotation off\ngravity centripetal 2 about 1 0\ncycles 20\n",
+     "affine strain 1e-4 per cycle 0 per cycle\nrotation off\ngravity centripetal 2 about 1 0\ncycles 20\n",
      "stage b\nrotation on\ncycles 9\n"},
     {"units none\nmaterial m density 3 young 5000 poisson 0.2 friction 0.3\nnormal hertz\nshear randall\n"
      "lattice spheres 3 by 3 m radius 1 spacing 1.99 from 0.1 0.2\ncell 0 0 to 5.97 5.97\nstep 0.001\nstage a\n"
