@@ -17,7 +17,7 @@ static const char exact[] = "units none\nmaterial m density 3 friction 0.3 young
 
 static const char struck[] =
     "units none\nmaterial m density 3 young 5000 poisson 0.2\nnormal hertz\nwall w -5 0 to 5 0 m\n"
-    "sphere 0 5 radius 1 m\nlattice spheres 3 by 1 m radius 0.3 spacing 0.59 from 2 0.29\nwatch C sphere 1 with wall "
+    "sphere 0 5 radius 1 m\nlattice spheres 3 by 1 m radius 0.3 spacing 0.59 from 2 0.29\nmonitor C sphere 1 with wall "
     "w\nimpact C speed 1 angle 0.5 phase 0.3\n"
     "step 0.001\nstage a\ncycles 20\n";
 

@@ -270,9 +270,10 @@ static void values(const struct manual *to) {
 static void grammar(const struct manual *to) {
   char text[1024];
   section(to, "Words");
-  paragraph(to, "A page is a Markdown file. The program reads its fenced blocks `scene` or `contact-test`, `expect` and "
-                "`gnuplot`; all else is prose. Several blocks of a kind are read as one, in their order. A statement "
-                "is one line of words with spaces between; `#` begins a comment.");
+  paragraph(to,
+            "A page is a Markdown file. The program reads its fenced blocks `scene` or `contact-test`, `expect` and "
+            "`gnuplot`; all else is prose. Several blocks of a kind are read as one, in their order. A statement "
+            "is one line of words with spaces between; `#` begins a comment.");
   paragraph(to,
             "Below, CAPITALS stand for a value, `{...}` is optional, and `a|b` is one of the two. Clauses (a word and "
             "its values) may stand in any order. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
@@ -310,8 +311,10 @@ void nb_manual(FILE *out, bool markdown) {
   section(&to, "In a stage");
   statements(&to, nb_keywords(), NB_IN_STAGE, NB_IN_SCENE);
   section(&to, "Contact test");
-  paragraph(&to, "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and slip, or "
-                 "forces. There is no motion and no time. To an expectation its segments are stages: `shear max in load`.");
+  paragraph(
+      &to,
+      "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and slip, or "
+      "forces. There is no motion and no time. To an expectation its segments are stages: `shear max in load`.");
   statements(&to, nb_keywords(), NB_IN_PATH | NB_IN_LEG, NB_IN_SCENE | NB_IN_STAGE);
   expectations(&to);
   figures(&to);
