@@ -16,7 +16,7 @@ static void make(struct written *it, int which) {
       "units none\nmaterial rock density %d kn 1e9 ks %de8 friction 0.%d\nshear linear\ndamping mass %d\n"
       "wall south 0 0 to 400 0 rock\nwall north 0 300 to 400 300 rock\nwall west 0 0 to 0 300 rock velocity 0.%d 0\n"
       "wall east 400 0 to 400 300 rock velocity -0.1 0\nlattice discs 4 by 3 radius 50 rock\nstep 0.1 of "
-      "critical\nmonitor C disc 5 with disc 6\n"
+      "single-contact\nmonitor C disc 5 with disc 6\n"
       "monitor A disc 4\nrecord C.normal C.shear A.x A.angle\nstage squeeze\ncycles %d\n",
       1000 + 100 * which, 3 + which, 2 + which, which, 1 + which, CYCLES);
   written_scene(it, &page);

@@ -157,7 +157,7 @@ static void network(struct words *page, struct chance *chance, size_t nx, size_t
     words_add(page, "wall south -1 -0.5 to 9 -0.5 m1\nwall west -0.5 -1 to -0.5 9 m2\n");
 }
 
-/* Up to twice critical; a time for contact-beta, where omega is about that of the stiffest contact. */
+/* Up to twice critical; a time for `damping stiffness`, where omega is about that of the stiffest contact. */
 static void damping(struct words *page, struct chance *chance) {
   const double size = chance_between(chance, 0, 2);
   switch ((int)chance_between(chance, 0, 4)) {
