@@ -98,9 +98,9 @@ static void walls_apart(void) {
 /* One disc at a wall: omega^2 = 8, xi = ratio; what the others would have does not count. */
 static void the_safe_step_knows_walls(void) {
   struct written it;
-  struct nb_model *model = model_of(
-      &it, "material m density 0.31830988618379067 kn 8\ndisc 0 0.9 radius 1 m\nwall w -9 0 to 9 0 m\n",
-      "damping ratio 0.7\ndamping walls ratio 0.2\nstep 0.01\nrecord step.stable\nstage s\ncycles 1\n");
+  struct nb_model *model =
+      model_of(&it, "material m density 0.31830988618379067 kn 8\ndisc 0 0.9 radius 1 m\nwall w -9 0 to 9 0 m\n",
+               "damping ratio 0.7\ndamping walls ratio 0.2\nstep 0.01\nrecord step.stable\nstage s\ncycles 1\n");
   NEAR(written_now(model, "step.stable"), 2 / sqrt(8) * (sqrt(1.04) - 0.2), 1e-12);
   nb_model_free(model);
   written_free(&it);

@@ -190,9 +190,10 @@ static void with_what_is_left(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
-  words_add(&page, "units none\nmaterial m density 1 kn 9\nmaterial light density 0.25 kn 9\ndisc 0 0 radius 1 m\n"
-                   "disc 9 0 radius 1 m\ndisc 18 0 radius 0.5 light\nrecord step step.single-contact energy.removed\n"
-                   "step 0.5 of collision\nstage a\ncycles 1\nstage b\nremove disc 3\nstep 0.5 of collision\ncycles 1\n");
+  words_add(&page,
+            "units none\nmaterial m density 1 kn 9\nmaterial light density 0.25 kn 9\ndisc 0 0 radius 1 m\n"
+            "disc 9 0 radius 1 m\ndisc 18 0 radius 0.5 light\nrecord step step.single-contact energy.removed\n"
+            "step 0.5 of collision\nstage a\ncycles 1\nstage b\nremove disc 3\nstep 0.5 of collision\ncycles 1\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   const double pi = 3.14159265358979323846;

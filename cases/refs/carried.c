@@ -89,9 +89,10 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
             (!it->literal || s + 1 == scene->stage_count);
   }
   if (!right)
-    return nb_error_set(error, NB_BAD_USE,
-                        "carried wants an `affine strain` per cycle along the axes in one stage or two, `accumulated` in "
-                        "the last at most");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "carried wants an `affine strain` per cycle along the axes in one stage or two, `accumulated` in "
+        "the last at most");
   for (size_t k = 0; k < scene->watch_count; k++)
     if (scene->watches[k].kind == NB_WATCH_BODY &&
         !(tell(known, scene, &scene->watches[k], false) && tell(known, scene, &scene->watches[k], true)))

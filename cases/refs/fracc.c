@@ -35,7 +35,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const struct nb_body *disc = &scene->bodies[0];
   if (scene->body_count != 1 || scene->wall_count != 4 || stage->step.kind != NB_STEP_CRITICAL ||
       scene->stage_count != 1 || disc->y != 0 || disc->vx != 0)
-    return nb_error_set(error, NB_BAD_USE, "reference fracc is for one disc between four walls, `step F of single-contact`");
+    return nb_error_set(error, NB_BAD_USE,
+                        "reference fracc is for one disc between four walls, `step F of single-contact`");
   const double kn = matter_pair(scene, disc->material, scene->walls[0].material).kn;
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
   const double dt = 2 * h / sqrt(2 * kn / matter_mass(scene, disc));

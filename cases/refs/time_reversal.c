@@ -32,10 +32,10 @@ static bool goes_back(const struct nb_scene *scene) {
 
 static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
   if (!goes_back(scene))
-    return nb_error_set(
-        error, NB_BAD_USE,
-        "time_reversal wants one `reverse velocities`, as many cycles before it as after it, and walls whose motion no stage "
-        "changes but the first");
+    return nb_error_set(error, NB_BAD_USE,
+                        "time_reversal wants one `reverse velocities`, as many cycles before it as after it, and walls "
+                        "whose motion no stage "
+                        "changes but the first");
   for (size_t w = 0; w < scene->watch_count; w++) {
     const struct nb_watch *watch = &scene->watches[w];
     if (watch->kind != NB_WATCH_BODY)

@@ -15,7 +15,7 @@ enum nb_term {
   NB_TERM_SLIDING,    /* of that, what is lost in steps that end with the contact sliding as a whole */
   NB_TERM_SHEAR,      /* work against the shear forces of all laws */
   NB_TERM_UNSTORED,   /* the same of laws that have no stored energy only */
-  NB_TERM_CHANGED,    /* put in from outside: `zero velocities`, `reverse velocities`, springs that a stage has made stiffer or softer */
+  NB_TERM_CHANGED, /* put in from outside: `zero velocities`, `reverse velocities`, springs that a stage has made stiffer or softer */
   NB_TERM_REMOVED, /* kinetic energy of bodies that were taken out, and what their springs held; of those that are held */
   NB_TERM_DRIVEN, /* what carries bodies along, and stress on a boundary, times velocity */
   NB_TERMS

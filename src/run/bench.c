@@ -174,8 +174,9 @@ static enum nb_status unreachable(const struct nb_bench *bench, const struct nb_
     snprintf(limit, sizeof limit, "; friction times the normal force is %g%s",
              bench->pair.friction * bench->trial.n.force, unit);
   return nb_error_set(
-      error, NB_BROKEN, "segment `%s` (line %d), step %lu of %lu: a %s force of %g%s cannot be reached, it comes to %g%s%s",
-      stage->name, stage->line, step, stage->cycles, shear ? "shear" : "normal", target, unit, reached, unit, limit);
+      error, NB_BROKEN,
+      "segment `%s` (line %d), step %lu of %lu: a %s force of %g%s cannot be reached, it comes to %g%s%s", stage->name,
+      stage->line, step, stage->cycles, shear ? "shear" : "normal", target, unit, reached, unit, limit);
 }
 
 /* Step number `step` of the leg, from 1; NB_BROKEN when a force cannot be reached. */

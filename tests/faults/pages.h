@@ -8,7 +8,8 @@
 #define STATEMENTS                                                                                                     \
   "material rock density 2000 kg/m3 young 1 GPa poisson 0.2 friction 0.3\n"                                            \
   "normal hertz\nshear mindlin_deresiewicz memory 4\nlattice spheres 2 by 1 rock radius 10 mm spacing 19.99 mm from "  \
-  "10 mm 9.995 mm\nwall floor -1 m 0 mm to 1 m 0 mm rock\ngravity 1 m/s2 -9.81 m/s2\nmonitor A sphere 1\nregion W all\n" \
+  "10 mm 9.995 mm\nwall floor -1 m 0 mm to 1 m 0 mm rock\ngravity 1 m/s2 -9.81 m/s2\nmonitor A sphere 1\nregion W "    \
+  "all\n"                                                                                                              \
   "step 0.1 of rayleigh\n"
 
 static const struct {
@@ -27,9 +28,10 @@ static const struct {
      "sphere 5 m 0 m radius $d rock\nboundary circle 0 m 0 m radius 1 m\nstep 1 us\nrecord time\nstage go\n  "
      "boundary strain -1 1/s -1 1/s\n  cycles 3\n  snapshot\n```\n"},
     {"list.tsv", "x/m\ty/m\tradius/m\n0\t0\t0.1\n0.3\t0\t0.1\n"},
-    {"path.md",
-     "# Path\n\n```contact-test\nmaterial rock young 1 GPa poisson 0.2 friction 0.3\nnormal hertz\nshear mindlin\ncontact "
-     "sphere 10 mm rock with wall rock\nsegment press overlap to 1 um in 3 steps\nsegment rub slip by 1 um in 3 steps\n```\n"},
+    {"path.md", "# Path\n\n```contact-test\nmaterial rock young 1 GPa poisson 0.2 friction 0.3\nnormal hertz\nshear "
+                "mindlin\ncontact "
+                "sphere 10 mm rock with wall rock\nsegment press overlap to 1 um in 3 steps\nsegment rub slip by 1 um "
+                "in 3 steps\n```\n"},
     {"fall.md",
      "# Fall\n\n```scene\nsweep g 1 2\nmaterial m density 1 kg/m3 kn 1 N/m\nsphere 0 m 2 m radius 1 m m\nwall floor -1 "
      "m "

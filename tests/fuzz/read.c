@@ -102,9 +102,10 @@ static void read_runs(const struct nb_page *page, nb_settings settings) {
 /* The same with `--set`: a law, a step or what cannot be meant, and a name of the page itself. */
 static void read_set(const struct nb_page *page, size_t chance) {
   static const char *const values[] = {"0", "-1", "1e300", "1e-300", "nan", "3 mm", "1 2", "", "$a", "a"};
-  static const char *const more[] = {"normal=hertz",         "shear=linear", "shear=mindlin_deresiewicz pieces 4",
-                                     "step=1e-300 s",        "normal=",      "shear",
-                                     "step=1e9 of single-contact", "step=1 of",    "a=$b"};
+  static const char *const more[] = {
+      "normal=hertz", "shear=linear", "shear=mindlin_deresiewicz pieces 4", "step=1e-300 s",
+      "normal=",      "shear",        "step=1e9 of single-contact",         "step=1 of",
+      "a=$b"};
   char name[NB_NAME_SIZE], own[2 * NB_NAME_SIZE];
   const char *texts[3] = {more[chance % (sizeof more / sizeof *more)]};
   for (size_t k = 0; k < page->line_count && !texts[1]; k++)
