@@ -142,7 +142,7 @@ static void it_may_get_deep(void) {
     struct written it;
     struct nb_error error = {0};
     words_add(&page,
-              SPHERE "shear none\ndamping ratio %g\ndamping critical above 0.5\nsphere 0 0 radius 1 m\n"
+              SPHERE "shear none\ndamping ratio %g\ndamping critical beyond overlap 0.5\nsphere 0 0 radius 1 m\n"
                      "sphere 1.999999 0 radius 1 m\nstep 0.5\nrecord step.stable\nstage s\ncycles 1\n",
               ratios[n]);
     written_scene(&it, &page);
