@@ -323,7 +323,7 @@ there path/press-pieces.tsv
 run 0 run "$pages/bench.md" --set follow=path.tsv -o path
 test "$(column slip/m path/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 ' || echo 'the path was not followed' >>why
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'nor was its unit' >>why
-column stage path/table.tsv | grep -qv follow && echo 'a leg of the page is left' >>why
+column stage path/table.tsv | grep -qv follow && echo 'a segment of the page is left' >>why
 {
   sed '/^segment/,$d' "$pages/bench.md"
   printf 'segment user follow path.tsv\nsegment on slip by 1 um in 1 step\n```\n```expect\nslip in user expected -0.1 um within 0 um [path.tsv]\n```\n'
@@ -331,7 +331,7 @@ column stage path/table.tsv | grep -qv follow && echo 'a leg of the page is left
 run 0 check own.md
 out '1 of 1 checks passed'
 run 0 run own.md -o own
-test "$(column slip/m own/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 8.9999999999999996e-07 ' || echo 'the leg did not follow its file' >>why
+test "$(column slip/m own/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 8.9999999999999996e-07 ' || echo 'the segment did not follow its file' >>why
 run 0 run "$pages/bench.md" --set follow=none.tsv --set follow=path.tsv -o path
 run 0 explain "$pages/bench.md" --set follow=path.tsv
 out 'the path is read from a file'

@@ -99,8 +99,8 @@ grading   g  0.9 8  0.7 25  0.5 30
 fill   spheres circle 0.1 0.2 radius 7 g m seed 1 attempts 100000 else skip
 boundary  circle 0.1 0.2 radius 6.3
 region    A inside 0.9
-watch     G grading g
-watch     H grading g radius 0.5
+monitor     G grading g
+monitor     H grading g radius 0.5
 record    time A.stress.xx A.stress.yy boundary.radius boundary.stress.mean G.attempts H.placed
 step      0.001
 stage     shear
