@@ -85,7 +85,7 @@ void nb_sweep_words(char *text, size_t size, const struct nb_page_run *run, cons
   text[0] = 0;
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];
-    if (binding->swept && (!e || (binding->sweep != along && binding->sweep != among)))
+    if (binding->swept && binding->sweep != along && binding->sweep != among) /* a sweep has a number, 0 or more */
       nb_append(text, size, "%s%s=%s", text[0] ? ", " : "", binding->name, binding->text);
   }
 }
