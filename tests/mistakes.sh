@@ -147,7 +147,7 @@ no_file='it is a pipe or a device, a regular file is expected'
 refused 'a pipe as a page' "$no_file" "$nineball" check "$work/pipe.md"
 refused 'a device as a page' "$no_file" "$nineball" check /dev/zero
 refused 'a folder as a page' 'it is a folder' "$nineball" check "$work/folder.md"
-page 'packing discs pipe.tsv rock' >"$work/page.md"
+page 'packing pipe.tsv discs rock' >"$work/page.md"
 refused 'a pipe as a packing' "$no_file" "$nineball" check "$work/page.md"
 path 'segment l follow pipe.tsv' >"$work/page.md"
 refused 'a pipe as a path' "$no_file" "$nineball" check "$work/page.md"
@@ -165,12 +165,12 @@ twice="expected a file that is there once, found \`$work/cases/a/twice.md\` and 
 test $? -eq 2 && grep -qF "cases/c/wrong.md:2:7: error: $twice" "$work/said" && grep -qF "hint: name it by its path from the folder of this page" "$work/said" &&
   "$nineball" explain "$work/cases/c/right.md" >"$work/out" 2>"$work/why"
 result $? 'a page whose name is there twice'
-page 'packing discs twice.md rock' >"$work/cases/c/wrong.md"
+page 'packing twice.md discs rock' >"$work/cases/c/wrong.md"
 cat "$work/said" >>"$work/heard"
 "$nineball" explain "$work/cases/c/wrong.md" >"$work/out" 2>"$work/said"
-test $? -eq 2 && grep -qF "cases/c/wrong.md:3:15: error: $twice" "$work/said"
+test $? -eq 2 && grep -qF "cases/c/wrong.md:3:9: error: $twice" "$work/said"
 result $? 'a packing whose name is there twice'
-page "packing discs $(many 4076 x) r" >"$work/wrong.md"
+page "packing $(many 4076 x) discs r" >"$work/wrong.md"
 "$nineball" explain "$work/wrong.md" >"$work/out" 2>"$work/why"
 test $? -eq 2 && grep -qF 'expected a file of less than 4096 bytes in its path' "$work/why"
 result $? 'a path that is too long'

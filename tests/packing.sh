@@ -81,7 +81,7 @@ places() { awk -F '\t' '/^#/ { next } !h { for (k = 1; k <= NF; k++) at[$k] = k;
 } >"$pages/heap.txt"
 cp "$work/made/fall-particles.tsv" "$pages/heap.tsv"
 for file in state tsv txt; do
-  taken "of-$file" "packing spheres heap.$file rock" && "$nineball" run "$pages/of-$file.md" -o "$work/of-$file.d" >"$work/said" 2>&1 &&
+  taken "of-$file" "packing heap.$file spheres rock" && "$nineball" run "$pages/of-$file.md" -o "$work/of-$file.d" >"$work/said" 2>&1 &&
     places "$work/of-$file.d/look-particles.tsv" >"$work/seen" &&
     diff "$work/wanted" "$work/seen" >"$work/said" && test "$(wc -l <"$work/seen")" -eq 50
   result $? "places and radii from heap.$file are the same to the last bit"
@@ -99,7 +99,7 @@ result $? 'and its state is stale when the file has changed'
 
 # A list is no page, and may be longer than one: 100,000 discs, 4.5 MB.
 awk 'BEGIN { print "x/m\ty/m\tradius/m"; for (k = 0; k < 100000; k++) printf "%.17g\t%.17g\t0.004999\n", k % 400 * 0.01, int(k / 400) * 0.01 + 1e-9 * k }' >"$pages/many.tsv"
-printf '# Many\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m\npacking discs many.tsv rock\nstep 1 us\nrecord time\nstage go\ncycles 1\n```\n' >"$pages/many.md"
+printf '# Many\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m\npacking many.tsv discs rock\nstep 1 us\nrecord time\nstage go\ncycles 1\n```\n' >"$pages/many.md"
 timeout 60 "$nineball" explain "$pages/many.md" >"$work/said" 2>&1 && grep -q 'many.tsv: 100000 particles' "$work/said"
 result $? 'a list of 100,000 discs'
 

@@ -65,10 +65,10 @@ static const struct row rows[] = {
     {"perturb wave", NB_IN_SCENE, MANY CELL, "perturb wave 0.3 1 periods 1 2\n", GO},
     {"impact", NB_IN_SCENE, FEW "disc 9 9 radius 0.5 m spin 2\nmonitor C disc 4 with disc 2\n",
      "impact C speed 3 angle 0.7\n", GO},
-    {"region", NB_IN_SCENE, RING, "region A circle 2.6 2.5 radius 1.3\n", STAGE "servo stress xx 90 on A" BY END},
-    {"region", NB_IN_SCENE, RING, "region A box 2 2 to 4.2 3\n", STAGE "servo stress xx 90 xy 10 on A" BY END},
-    {"region", NB_IN_SCENE, RING, "region A inside 0.8\n", STAGE "servo stress yy 90 on A" BY END},
-    {"region", NB_IN_SCENE, RING, "region A all\n", STAGE "servo stress yy 90 xy 20 on A" BY END},
+    {"region", NB_IN_SCENE, RING, "region A circle 2.6 2.5 radius 1.3\n", STAGE "servo xx 90 on A" BY END},
+    {"region", NB_IN_SCENE, RING, "region A box 2 2 to 4.2 3\n", STAGE "servo xx 90 xy 10 on A" BY END},
+    {"region", NB_IN_SCENE, RING, "region A inside 0.8\n", STAGE "servo yy 90 on A" BY END},
+    {"region", NB_IN_SCENE, RING, "region A all\n", STAGE "servo yy 90 xy 20 on A" BY END},
     {"boundary circle", NB_IN_SCENE, MANY, "boundary circle 3.2 2.9 radius 2.1\n", GO},
     {"boundary circle", NB_IN_STAGE, MANY STAGE, "boundary circle 3.2 2.9 radius 2.1\n", END},
     {"boundary strain", NB_IN_STAGE, RING STAGE, "boundary strain -0.1 0.05 shear 0.02\n", END},
@@ -79,25 +79,20 @@ static const struct row rows[] = {
     {"affine strain", NB_IN_STAGE, RING STAGE, "affine strain -0.1 0.05 shear 0.02\n", END},
     {"affine strain", NB_IN_STAGE, RING STAGE, "affine strain -0.1 0.05 c12 0.1 c21 -0.04\n", END},
     {"affine strain", NB_IN_STAGE, MANY STAGE, "affine strain -0.01 0.005 c12 0.01 accumulated\n", END},
-    {"servo isotropic", NB_IN_STAGE, RING STAGE, "servo isotropic 90 on boundary" BY, END},
-    {"servo isotropic", NB_IN_STAGE, MANY CELL STAGE,
-     "servo isotropic 90 on cell through cell at most 1e-4 per cycle\n", END},
-    {"servo isotropic", NB_IN_STAGE, MANY BOX STAGE, "servo isotropic 90 on box through box at most 1e-4 per cycle\n",
-     END},
-    {"servo isotropic", NB_IN_RAMP, RING STAGE, "ramp servo isotropic 90 on boundary" BY, END},
-    {"servo mean", NB_IN_STAGE, RING STAGE "boundary strain 0.1 -0.1\n", "servo mean 90 on boundary" BY, END},
-    {"servo mean", NB_IN_RAMP, RING STAGE "boundary strain 0.1 -0.1\n", "ramp servo mean 90 on boundary" BY, END},
-    {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 on boundary" BY, END},
-    {"servo stress", NB_IN_STAGE, RING STAGE,
-     "servo stress yy 90 on boundary through boundary affine at most 1e-4 per cycle\n", END},
-    {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xy 20 on boundary" BY, END},
-    {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 yy 40 on boundary" BY, END},
-    {"servo stress", NB_IN_STAGE, RING STAGE, "servo stress xx 90 yy 40 xy 5 on boundary" BY, END},
-    {"servo stress", NB_IN_STAGE, MANY CELL STAGE,
-     "servo stress xx 90 xy 20 on cell through cell at most 1e-4 per cycle\n", END},
-    {"servo stress", NB_IN_STAGE, MANY BOX STAGE,
-     "servo stress xx 90 yy 40 on box through box at most 1e-4 per cycle\n", END},
-    {"servo stress", NB_IN_RAMP, RING STAGE, "ramp servo stress xx 90 yy 50 xy 20 on boundary" BY, END},
+    {"servo", NB_IN_STAGE, RING STAGE, "servo isotropic 90 on boundary" BY, END},
+    {"servo", NB_IN_STAGE, MANY CELL STAGE, "servo isotropic 90 on cell through cell at most 1e-4 per cycle\n", END},
+    {"servo", NB_IN_STAGE, MANY BOX STAGE, "servo isotropic 90 on box through box at most 1e-4 per cycle\n", END},
+    {"servo", NB_IN_RAMP, RING STAGE, "ramp servo isotropic 90 on boundary" BY, END},
+    {"servo", NB_IN_STAGE, RING STAGE "boundary strain 0.1 -0.1\n", "servo mean 90 on boundary" BY, END},
+    {"servo", NB_IN_RAMP, RING STAGE "boundary strain 0.1 -0.1\n", "ramp servo mean 90 on boundary" BY, END},
+    {"servo", NB_IN_STAGE, RING STAGE, "servo xx 90 on boundary" BY, END},
+    {"servo", NB_IN_STAGE, RING STAGE, "servo yy 90 on boundary through boundary affine at most 1e-4 per cycle\n", END},
+    {"servo", NB_IN_STAGE, RING STAGE, "servo xy 20 on boundary" BY, END},
+    {"servo", NB_IN_STAGE, RING STAGE, "servo xx 90 yy 40 on boundary" BY, END},
+    {"servo", NB_IN_STAGE, RING STAGE, "servo xx 90 yy 40 xy 5 on boundary" BY, END},
+    {"servo", NB_IN_STAGE, MANY CELL STAGE, "servo xx 90 xy 20 on cell through cell at most 1e-4 per cycle\n", END},
+    {"servo", NB_IN_STAGE, MANY BOX STAGE, "servo xx 90 yy 40 on box through box at most 1e-4 per cycle\n", END},
+    {"servo", NB_IN_RAMP, RING STAGE, "ramp servo xx 90 yy 50 xy 20 on boundary" BY, END},
     {"box strain", NB_IN_STAGE, MANY BOX STAGE, "box strain -1e-3 per cycle 5e-4 per cycle\n", END},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
@@ -106,8 +101,7 @@ static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
 /* Words that have no direction, in a scene, in a stage and behind `ramp`. A packing has places from a file, which then are those
  * of bodies; `until` waits for what would be recorded, which is not turned, as the manual says. */
 static const char *const scalars[] = {
-    ("|packing|packing discs|packing "
-     "spheres|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|monitor|"
+    ("|packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|monitor|"
      "step|allow|record|stage|"),
     ("|material|pair|normal|shear|damping|step|allow|record|stage|ramp|cycles|until|snapshot|zero velocities|reverse "
      "velocities|remove|"

@@ -122,7 +122,7 @@ static void what_is_not_held_goes_on(void) {
   run(&result,
       "stage s\nservo isotropic 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n"
       "stage y\nboundary strain 0 per cycle -2e-6 per cycle\n"
-      "servo stress xx 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n");
+      "servo xx 9 on boundary through boundary at most 1e-3 per cycle every 1 cycle\ncycles 600\n");
   CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "boundary.stress.xx"), 9, 0.005 * 9);
   CU_ASSERT(written_last(&result, "boundary.stress.yy") > 9.1);
   nb_result_free(&result);

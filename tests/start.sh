@@ -150,7 +150,7 @@ region    A all
 record    time A.stress.xx A.stress.yy box.width box.stress.yy
 step      0.001
 stage     shear
-  servo     stress xx 20 yy 10 on box through box at most 1e-5 per cycle
+  servo     xx 20 yy 10 on box through box at most 1e-5 per cycle
   cycles    500
 ---
 stage     on
@@ -337,7 +337,7 @@ mkdir -p "$deep/10" && base 3 >"$deep/end.md" && base 3 >"$deep/10/over.md" && o
   test "$(cycle_of "$house/cases/1-one/page.md")" = 4 && on over >"$house/cases/1-one/page.md" && no "$house/cases/1-one/page.md" 'cannot be read'
 result $? 'eight folders deep, and no deeper'
 printf 'x/m\ty/m\tradius/m\n0\t0\t1\n' >"$house/cases/1-one/deeper/list.tsv"
-printf '# P\n```scene\nunits none\nmaterial m density 1 kn 100\npacking discs deeper/list.tsv m\nstep 0.1\nrecord cycle\nstage more\n cycles 3\n```\n' >"$house/cases/2-two/packed.md"
+printf '# P\n```scene\nunits none\nmaterial m density 1 kn 100\npacking deeper/list.tsv discs m\nstep 0.1\nrecord cycle\nstage more\n cycles 3\n```\n' >"$house/cases/2-two/packed.md"
 sed 's/deeper.list/list/' "$house/cases/2-two/packed.md" >"$house/cases/2-two/also.md"
 sed -i 's/x.m/x\/-/; s/y.m/y\/-/; s/us.m/us\/-/' "$house/cases/1-one/deeper/list.tsv"
 test "$(cycle_of "$house/cases/2-two/packed.md")" = 3 && test "$(cycle_of "$house/cases/2-two/also.md")" = 3

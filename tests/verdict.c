@@ -191,6 +191,8 @@ static void words(void) {
   planted_one("A.x within 2", "A.x", 8, 1, (double[]){9}, NB_PASS, "computed 9, reference 8, error 1, tolerance 2");
   planted_one("A.x expected 8 within 2 [t]", NULL, 0, 1, (double[]){9}, NB_PASS,
               "computed 9, expected 8, error 1, tolerance 2");
+  planted_one("A.x within 0", "A.x", 1, 1, (double[]){1.000000002}, NB_FAIL, /* enough digits to see the difference */
+              "computed 1.000000002, reference 1, error 2e-09");
   planted_one("report A.x", NULL, 0, 1, (double[]){9}, NB_NOTE, "computed 9");
   planted_one("report A.x", NULL, 0, 1, (double[]){NAN}, NB_FAIL, "cannot be formed");
   planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 100 % of A.vx");

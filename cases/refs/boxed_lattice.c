@@ -8,7 +8,7 @@
  *
  * Two equations of W, H and the two stresses. Each stage says two of the four, of which it begins where the one before it ended:
  *
- *   servo stress xx S       s_xx = S; likewise yy
+ *   servo xx S              s_xx = S; likewise yy
  *   box strain              W <- W (1 + L_xx dt)^N, of what is not held; likewise H
  *   servo isotropic P       s_xx = s_yy = P
  *   servo mean P            s_xx + s_yy = 2 P; width and height grow by the same share, so W/H stays

@@ -12,10 +12,14 @@
 #include "state_file.h"
 #include "statement.h"
 
-enum { AT_FILE, AT_MATERIAL };
-#define FILE_NAME WORD("FILE", AT_FILE, "the name of a file")
-static const struct nb_argument packing_fields[] = {FILE_NAME, END};
-static const struct nb_argument packing_of_fields[] = {FILE_NAME, MATERIAL(AT_MATERIAL), END};
+enum { AT_FILE, AT_OF }; /* the material of discs, and behind it that of spheres */
+#define ALL_OF(shapes, shape)                                                                                          \
+  {                                                                                                                    \
+    shapes, "MATERIAL", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_OF + shape, 1, "as the file says",                \
+        "the name of a material"                                                                                       \
+  }
+static const struct nb_argument packing_fields[] = {WORD("FILE", AT_FILE, "the name of a file"),
+                                                    ALL_OF("discs", NB_DISC), ALL_OF("spheres", NB_SPHERE), END};
 
 static bool is_state(const char *path) {
   struct nb_error error;
@@ -26,15 +30,12 @@ static bool is_state(const char *path) {
   return is;
 }
 
-/* The word of the statement that names the file. */
-static const struct nb_token *file_of(const struct nb_reader *reader, bool all) { return &reader->tokens[all ? 2 : 1]; }
-
 /* Index of the page's material of this name, for a body that is free or fixed; -1 with a message. */
-static int material_named(const struct nb_scene *scene, struct nb_reader *reader, const char *name, bool fixed) {
-  const struct nb_token *file = file_of(reader, false);
+static int material_named(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file,
+                          const char *name, bool fixed) {
   const int m = NB_FIND(scene->materials, scene->material_count, name);
   if (m < 0)
-    nb_token_mistake(reader, file, "define it above, or give all the same one: `packing discs FILE MATERIAL`",
+    nb_token_mistake(reader, file, "define it above, or give all the same one: `packing FILE discs MATERIAL`",
                      "expected the page to have all materials of the file, `%s` is missing", name);
   else if (scene->materials[m].density == 0 && !fixed)
     nb_token_mistake(reader, file, NULL, "expected materials with mass for free bodies, `%s` has no `density`", name);
@@ -42,15 +43,16 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
 }
 
 /* Those that are not gone; with `all` of its shape and material, and free. */
-static void from_state(struct nb_scene *scene, struct nb_reader *reader, const char *path, const struct nb_body *all) {
+static void from_state(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file, const char *path,
+                       const struct nb_body *all) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
   if (nb_saved_read(&saved, path, &error) == NB_NO_MEMORY)
     nb_no_memory(reader);
   else if (error.status)
-    nb_token_mistake(reader, file_of(reader, all), NULL, "no bodies can be taken from the file: %s", error.text);
+    nb_token_mistake(reader, file, NULL, "no bodies can be taken from the file: %s", error.text);
   else if (saved.unitless != reader->unitless)
-    nb_token_mistake(reader, file_of(reader, all), NULL, "expected a file from a page with the same `units`");
+    nb_token_mistake(reader, file, NULL, "expected a file from a page with the same `units`");
   else if (!nb_too_many_bodies(reader, scene, saved.body_count))
     for (size_t k = 0; k < saved.body_count && !reader->bad; k++) {
       const struct nb_saved_body *it = &saved.bodies[k];
@@ -60,7 +62,7 @@ static void from_state(struct nb_scene *scene, struct nb_reader *reader, const c
       if (all)
         body = *all;
       else
-        body.material = material_named(scene, reader, saved.materials[it->material].name, body.fixed);
+        body.material = material_named(scene, reader, file, saved.materials[it->material].name, body.fixed);
       body.x = it->position.x, body.y = it->position.y, body.radius = it->radius, body.line = (int)reader->line;
       if (!reader->bad)
         NB_APPEND(reader, scene->bodies, scene->body_count, body);
@@ -68,12 +70,13 @@ static void from_state(struct nb_scene *scene, struct nb_reader *reader, const c
   nb_saved_free(&saved);
 }
 
-static void from_list(struct nb_scene *scene, struct nb_reader *reader, const char *path, const struct nb_body *all) {
+static void from_list(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file, const char *path,
+                      const struct nb_body *all) {
   static const struct nb_wanted wanted[] = {{"x", NULL, false}, {"y", NULL, false}, {"radius", NULL, true}};
   double *lengths;
   size_t rows;
   if (!all) {
-    nb_token_mistake(reader, file_of(reader, all), "say it of all: `packing discs FILE MATERIAL`",
+    nb_token_mistake(reader, file, "say it of all: `packing FILE discs MATERIAL`",
                      "expected a file of `nineball state`: a list does not tell what its bodies are");
     return;
   }
@@ -98,19 +101,24 @@ static void hash_bodies(struct nb_scene_reading *reading, size_t first) {
   }
 }
 
-/* variant: enum nb_shape of all, or -1: as the file has them. */
 NB_APPLY(apply_packing) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   struct nb_packing one = {.first = scene->body_count, .line = (int)reader->line};
-  const int shape = record->keyword->variant;
+  const struct nb_token *file = record->value[AT_FILE].token, *of = NULL;
   char path[NB_PATH_SIZE];
   struct nb_body all = {0};
-  nb_file_named(reader, record->value[AT_FILE].token, path);
-  if (shape >= 0)
-    all = nb_body_of(reader, scene, (enum nb_shape)shape, record->value[AT_MATERIAL].token, false, 0);
+  nb_file_named(reader, file, path);
+  for (enum nb_shape shape = NB_DISC; shape <= NB_SPHERE; shape++) {
+    const struct nb_token *material = record->value[AT_OF + shape].token;
+    if (of && material)
+      nb_token_mistake(reader, material - 1, NULL,
+                       "expected all particles of a packing to be `discs` or `spheres`, not both");
+    else if (material)
+      of = material, all = nb_body_of(reader, scene, shape, material, false, 0);
+  }
   if (!reader->bad)
-    (is_state(path) ? from_state : from_list)(scene, reader, path, shape >= 0 ? &all : NULL);
+    (is_state(path) ? from_state : from_list)(scene, reader, file, path, of ? &all : NULL);
   one.path = reader->bad ? NULL : malloc(strlen(path) + 1);
   if (!one.path) {
     if (!reader->bad)
@@ -126,18 +134,12 @@ NB_APPLY(apply_packing) {
 
 /* clang-format off */
 NB_STATEMENTS(packing) = {
-  {"packing", NB_IN_SCENE | NB_APART, packing_fields, NULL, -1, false, apply_packing,
-   "Bodies from a file that `nineball state` has written, in its order: discs and spheres, with their radii where they were, free or fixed, of the page's "
-   "materials of the same names. They are at rest, and the contacts between them remember nothing. Numbers come as they are in the file, to the last bit: docs/STATE.md. The file is "
-   "found as a page is by `start`.",
-   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state"},
-  {"packing discs", NB_IN_SCENE | NB_APART, packing_of_fields, NULL, NB_DISC, false, apply_packing,
-   "Discs of one material where bodies are in a file: one as for `packing`, or a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, "
-   "parted by tabs or by blanks; other columns are passed over, and lines that begin with `#`. So STAGE-bodies.tsv of any run will do.",
-   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   discs heap.tsv rock"},
-  {"packing spheres", NB_IN_SCENE | NB_APART, packing_of_fields, NULL, NB_SPHERE, false, apply_packing,
-   "The same with spheres.",
-   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   spheres heap.tsv rock"},
+  {"packing", NB_IN_SCENE | NB_APART, packing_fields, NULL, 0, false, apply_packing,
+   "Particles from a file that `nineball state` has written, in its order: discs and spheres, with their radii where they were, free or fixed, of the page's "
+   "materials of the same names. They are at rest, and the contacts between them have no history. Numbers are those of the file, to the last bit: docs/STATE.md. The file is "
+   "found as a page is by `start`. With `discs` or `spheres` all are free, of that shape and that material; then the file may also be a list under a head line with columns `x/m`, `y/m` and `radius/m`, "
+   "in any unit of length, separated by tabs or by spaces. Other columns are ignored, and lines that begin with `#`: STAGE-particles.tsv of any run is such a list.",
+   "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state\npacking   heap.tsv discs rock\npacking   heap.tsv spheres rock"},
   {0},
 };
 /* clang-format on */

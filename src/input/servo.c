@@ -5,41 +5,53 @@
 
 #include "statement.h"
 
-enum { AT_P };
-enum { AT_XX, AT_YY, AT_XY };
-#define PLACE_AND_MEANS "on REGION|boundary|cell|box through boundary {affine}|cell|box at most RATE {every N cycles}"
+enum { AT_ISOTROPIC, AT_MEAN, AT_XX, AT_YY, AT_XY, AT_ON, AT_THROUGH, AT_AFFINE };
+#define PLACE "a region, `boundary`, `cell` or `box`"
+#define TARGET(word, at, help) CLAUSE(word, "P", NB_UNIT_PRESSURE, NB_ANY, at, 1, "not held", help)
 
 /* clang-format off */
-static const struct nb_argument pressure_fields[] = {
-  VALUE("P", NB_UNIT_PRESSURE, NB_ANY, AT_P, "What it should be; compression is positive."),
-  END
-};
-static const struct nb_argument stress_fields[] = {
-  CLAUSE("xx", "S", NB_UNIT_PRESSURE, NB_ANY, AT_XX, 1, "left alone", "What it should be; compression is positive."),
-  CLAUSE("yy", "S", NB_UNIT_PRESSURE, NB_ANY, AT_YY, 1, "left alone", "Likewise."),
-  CLAUSE("xy", "S", NB_UNIT_PRESSURE, NB_ANY, AT_XY, 1, "left alone", "Likewise."),
+static const struct nb_argument servo_fields[] = {
+  TARGET("isotropic", AT_ISOTROPIC, "Target of xx and yy; that of xy is 0. Compression is positive."),
+  TARGET("mean", AT_MEAN, "Target of (xx + yy)/2."),
+  TARGET("xx", AT_XX, "Target of this component; there may be several."),
+  TARGET("yy", AT_YY, "Likewise."),
+  TARGET("xy", AT_XY, "Likewise."),
+  {"on", "REGION|boundary|cell|box", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_ON, 1, NULL, PLACE},
+  CHOICE("through", "boundary|cell|box", AT_THROUGH, NULL, "`boundary`, `cell` or `box`"),
+  FLAG("affine", AT_AFFINE, "the boundary alone", "Through the boundary and the affine motion of the particles inside."),
   END
 };
 /* clang-format on */
 
-/* `on REGION|boundary|cell|box`: the components of the stress that is looked at. */
-static void take_place(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_servo *servo) {
+/* The components of the stress that is measured. */
+static void take_place(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *place,
+                       struct nb_servo *servo) {
   static const char *const parts[] = {"xx", "xy", "yx", "yy"};
-  const char *what = "a region, `boundary`, `cell` or `box`";
-  const struct nb_token *place = nb_take_word(reader, "on") ? nb_take(reader, what) : NULL;
-  for (int k = 0; k < 4 && place; k++) {
+  for (int k = 0; k < 4; k++) {
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "%.63s.stress.%s", place->text, parts[k]);
     if (!nb_quantity_find(&servo->quantity[k], reading->scene, name, NULL))
-      nb_not_known(reader, place, NULL, what);
+      nb_not_known(reader, place, NULL, PLACE);
   }
 }
 
-/* `through boundary {affine}|cell|box at most RATE {every N cycles}` */
-static void take_means(struct nb_reader *reader, struct nb_servo *servo) {
-  const int by = nb_take_word(reader, "through") ? nb_take_choice(reader, "boundary|cell|box") : 0;
-  servo->cell = by == 1, servo->box = by == 2;
-  servo->continuum = by == 0 && nb_token_skip(reader, "affine");
+/* One of `isotropic`, `mean` and components. */
+static void take_target(struct nb_reader *reader, const struct nb_value *value, struct nb_servo *servo) {
+  const bool isotropic = value[AT_ISOTROPIC].token,
+             components = value[AT_XX].token || value[AT_YY].token || value[AT_XY].token;
+  servo->mean = value[AT_MEAN].token;
+  if (isotropic + servo->mean + components != 1)
+    nb_token_mistake(reader, &reader->tokens[0], NULL,
+                     "expected one target: `isotropic P`, `mean P`, or components `xx P`, `yy P`, `xy P`");
+  for (int k = 0; k < 3; k++) {
+    const int at = components ? AT_XX + k : isotropic ? AT_ISOTROPIC : AT_MEAN;
+    servo->held[k] = !components || value[at].token;
+    servo->stress[k] = components || k < 2 ? value[at].number : 0;
+  }
+}
+
+/* `at most RATE {every N cycles}` */
+static void take_limit(struct nb_reader *reader, struct nb_servo *servo) {
   if (!nb_take_word(reader, "at") || !nb_take_word(reader, "most") ||
       !nb_take_number(reader, NB_UNIT_STRAIN_RATE, NB_POSITIVE, &servo->most))
     return;
@@ -48,27 +60,28 @@ static void take_means(struct nb_reader *reader, struct nb_servo *servo) {
     nb_take_counted(reader, "cycle", &servo->every);
 }
 
-/* variant 0: isotropic, 1: mean, 2: stress */
 NB_APPLY(apply_servo) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   struct nb_stage *stage = nb_stage_now(scene);
   const struct nb_value *value = record->value;
-  const int variant = record->keyword->variant;
-  struct nb_servo servo = {
-      .east = {1, 0}, .north = {0, 1}, .every = 10, .mean = variant == 1, .line = (int)reader->line};
-  for (int k = 0; k < 3; k++) {
-    servo.held[k] = variant < 2 || value[AT_XX + k].token;
-    servo.stress[k] = variant == 2 ? value[AT_XX + k].number : k < 2 ? value[AT_P].number : 0;
-  }
-  take_place(reading, reader, &servo);
-  take_means(reader, &servo);
-  servo.held[2] = servo.held[2] && !(servo.box && variant == 0); /* walls do not turn */
-  if (!servo.held[0] && !servo.held[1] && !servo.held[2])
-    nb_token_mistake(reader, &reader->tokens[1], NULL, "expected `xx`, `yy` or `xy`, or several of them, found none");
+  const int through = (int)value[AT_THROUGH].number;
+  struct nb_servo servo = {.east = {1, 0},
+                           .north = {0, 1},
+                           .every = 10,
+                           .cell = through == 1,
+                           .box = through == 2,
+                           .continuum = value[AT_AFFINE].token,
+                           .line = (int)reader->line};
+  take_target(reader, value, &servo);
+  take_place(reading, reader, value[AT_ON].token, &servo);
+  if (servo.continuum && through != 0)
+    nb_token_mistake(reader, value[AT_AFFINE].token, NULL, "expected `affine` with `through boundary` alone");
+  take_limit(reader, &servo);
   nb_said_twice(reader, stage->servo.line);
-  if (servo.box && variant == 2 && servo.held[2])
+  if (servo.box && value[AT_XY].token)
     nb_token_mistake(reader, value[AT_XY].token, NULL, "expected `xx` or `yy` of a box: its walls do not turn");
+  servo.held[2] = servo.held[2] && !servo.box;
   (servo.cell ? nb_lacks_cell : servo.box ? nb_lacks_box : nb_lacks_boundary)(scene, reader);
   if (!reader->bad)
     stage->servo = servo;
@@ -76,16 +89,14 @@ NB_APPLY(apply_servo) {
 
 /* clang-format off */
 NB_STATEMENTS(servo) = {
-  {"servo isotropic", NB_IN_STAGE | NB_IN_RAMP, pressure_fields, PLACE_AND_MEANS, 0, false, apply_servo,
-   "Adds to the boundary's strain rate, and to the affine motion's if it says so, or to the cell's or the box's, what brings the stress of a region, or that on the boundary, in the cell or on the box, to P in all directions: "
-   "xx and yy to P, xy to 0 [R89 4.1], which the walls of a box leave alone: they follow its strain rate as with `box strain`, of xx and yy. The gain follows from the contacts' stiffness; `at most` bounds the rates that are added. For this stage.",
-   "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10"},
-  {"servo mean", NB_IN_STAGE | NB_IN_RAMP, pressure_fields, PLACE_AND_MEANS, 1, false, apply_servo,
-   "Holds (xx + yy)/2 alone, by a change of area: what the stage's own strain rates do to the shape goes on.",
-   "stage     shear\n  servo   mean 1 kPa  on boundary  through boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10"},
-  {"servo stress", NB_IN_STAGE | NB_IN_RAMP, stress_fields, PLACE_AND_MEANS, 2, false, apply_servo,
-   "Holds single components.",
-   "stage     biaxial\n  servo   stress yy 2 kPa  on boundary  through boundary  at most 1e-6 per cycle\n  cycles  10\nstage     walled\n  servo   stress xx 2 kPa yy 1 kPa  on box  through box  at most 1e-6 per cycle\n  cycles  10"},
+  {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "at most RATE {every N cycles}", 0, false, apply_servo,
+   "Brings the stress of a region, or that on the boundary, in the cell or on the box, to a target, for this stage. It adds a strain rate to that of the boundary, the cell or the box. "
+   "`isotropic` holds all components [R89 4.1]; through a box xy is not held, because its walls do not turn. `mean` changes the area alone, so that the shape follows the stage's own strain rates. "
+   "Components that are not named are not held. The gain follows from the stiffness of the contacts; `at most` bounds the strain rate that is added, and `every` says how often it is renewed, default 10.",
+   "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10\n"
+   "stage     shear\n  servo   mean 1 kPa  on boundary  through boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10\n"
+   "stage     biaxial\n  servo   yy 2 kPa  on boundary  through boundary  at most 1e-6 per cycle\n  cycles  10\n"
+   "stage     walled\n  servo   xx 2 kPa yy 1 kPa  on box  through box  at most 1e-6 per cycle\n  cycles  10"},
   {0},
 };
 /* clang-format on */

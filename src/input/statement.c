@@ -242,7 +242,10 @@ static void missing_field(struct nb_reader *reader, const struct nb_argument *fi
   char syntax[256], hint[NB_HINT_SIZE];
   nb_keyword_syntax(syntax, sizeof syntax, reader->keyword);
   snprintf(hint, sizeof hint, "the statement is `%s`", syntax);
-  reader->next = reader->count;
+  const struct nb_token *token = nb_token_peek(reader); /* where the tail would begin */
+  const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
+  if (nb_guess_found(&guess))
+    nb_guess_hint(&guess, hint);
   if (!field->word)
     nb_expected(reader, hint, "%s (%s)", field->value, field->help);
   else

@@ -24,7 +24,7 @@ static const struct {
      "4\n```\n\n```expect\ncycle "
      "max  expected 8 within 1 %  [by hand]\n```\n"},
     {"packed.md",
-     "# Packed\n\n```scene\nlet d = 20 mm\nmaterial rock density 2000 kg/m3 kn 1 MN/m\npacking spheres list.tsv rock\n"
+     "# Packed\n\n```scene\nlet d = 20 mm\nmaterial rock density 2000 kg/m3 kn 1 MN/m\npacking list.tsv spheres rock\n"
      "sphere 5 m 0 m radius $d rock\nboundary circle 0 m 0 m radius 1 m\nstep 1 us\nrecord time\nstage go\n  "
      "boundary strain -1 1/s -1 1/s\n  cycles 3\n  snapshot\n```\n"},
     {"list.tsv", "x/m\ty/m\tradius/m\n0\t0\t0.1\n0.3\t0\t0.1\n"},
