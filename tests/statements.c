@@ -147,10 +147,85 @@ static void walls_of_the_first_stage(void) {
   CU_ASSERT_EQUAL(step_of(walls, "wall g velocity 0 -0.2\nramp wall f velocity 0 5\n"), fast);
 }
 
+/* ---- statements in the wrong place ---- */
+
+/* Pages with a statement between the two texts. */
+static const struct {
+  unsigned here;
+  const char *before, *behind;
+} frames[] = {
+    {NB_IN_SCENE, "```scene\nlet speed = 1 m/s\n", "\nstage go\ncycles 1\n```\n"},
+    {NB_IN_STAGE, "```scene\nlet speed = 1 m/s\nstage go\n", "\ncycles 1\n```\n"},
+    {NB_IN_PATH, "```contact-test\nlet speed = 1 m/s\n", "\nsegment go slip by 1 um\n```\n"},
+    {NB_IN_LEG, "```contact-test\nlet speed = 1 m/s\nsegment go slip by 1 um\n", "\n```\n"},
+};
+
+static const char *rightly(unsigned where, unsigned here) {
+  const unsigned test = NB_IN_PATH | NB_IN_LEG, scene = NB_IN_SCENE | NB_IN_STAGE;
+  if (!(where & (here & test ? test : scene)))
+    return here & test ? "in a block of kind `scene`" : "in a block of kind `contact-test`";
+  return here == NB_IN_SCENE   ? "in a stage: below a line `stage NAME`"
+         : here == NB_IN_STAGE ? "before the first `stage`"
+         : here == NB_IN_PATH  ? "in a segment: below a line `segment NAME …`"
+                               : "before the first `segment`";
+}
+
+/* The line of the row's example that the row reads: its words, whatever blanks are between them. */
+static void example_line(char *line, size_t size, const struct nb_keyword *row) {
+  char words[128] = "";
+  for (const char *at = row->example; *at && strcmp(words, row->word) != 0;
+       at += strcspn(at, "\n"), at += *at == '\n') {
+    const char *word = at;
+    size_t used = 0;
+    snprintf(line, size, "%.*s", (int)strcspn(at, "\n"), at);
+    while (used < strlen(row->word)) {
+      const size_t blanks = strspn(word, " "), length = strcspn(word + blanks, " \n");
+      if (length == 0)
+        break;
+      used +=
+          (size_t)snprintf(words + used, sizeof words - used, "%s%.*s", used ? " " : "", (int)length, word + blanks);
+      word += blanks + length;
+    }
+  }
+  CU_ASSERT_STRING_EQUAL(words, row->word);
+}
+
+/* Every statement in every place where it does not belong: the message says where it does. A few are written alike in two places. */
+static void the_wrong_place(void) {
+  static const char *const alike = "|material|pair|repeat|";
+  const struct nb_keyword *row;
+  size_t wrong = 0;
+  for (size_t k = 0; (row = nb_keyword_row(nb_keywords(), k)); k++)
+    for (size_t f = 0; f < sizeof frames / sizeof *frames; f++) {
+      const unsigned here = frames[f].here;
+      char line[256], name[64], said[160];
+      struct words words = {0};
+      struct nb_mistakes mistakes = {0};
+      struct nb_page page = {0};
+      struct nb_scene scene = {0};
+      snprintf(name, sizeof name, "|%s|", row->word);
+      if (row->where & here || strstr(alike, name))
+        continue;
+      example_line(line, sizeof line, row);
+      words_add(&words, "%s%s%s", frames[f].before, line, frames[f].behind);
+      nb_page_read_bytes(&page, "wrong.md", words.text, words.length, &mistakes);
+      nb_scene_read(&scene, &page, 0, NULL, &mistakes);
+      snprintf(said, sizeof said, "belongs %s", rightly(row->where, here));
+      if (!mistakes.text || !strstr(mistakes.text, said)) {
+        printf("# no `%s` in what is said of `%s`:\n# %s\n", said, line, mistakes.text ? mistakes.text : "nothing");
+        CU_FAIL("the message does not say where a statement belongs");
+      }
+      wrong++;
+      nb_mistakes_free(&mistakes), nb_scene_free(&scene), nb_page_free(&page), free(words.text);
+    }
+  CU_ASSERT(wrong > 100);
+}
+
 void suite_statements(void) {
   CU_pSuite suite = CU_add_suite("statements", NULL, NULL);
   CU_add_test(suite, "a wall turns about a point, on its line or beside it", a_wall_turns_about_a_point);
   CU_add_test(suite, "a file of columns", a_file_of_columns);
   CU_add_test(suite, "walls that the first stage sets going", walls_of_the_first_stage);
+  CU_add_test(suite, "a statement in the wrong place", the_wrong_place);
   CU_add_test(suite, "one of two may be rigid", one_rigid_sphere);
 }

@@ -155,27 +155,39 @@ void nb_boxes_check(struct nb_scene_reading *reading) {
   }
 }
 
-/* What is carried along comes a step later to where it is carried: that has no way back. A cell carries its bodies itself. */
+/* A cell carries its bodies itself. */
+static void check_cell(struct nb_scene_reading *reading) {
+  const struct nb_scene *scene = reading->scene;
+  int line = scene->circle.line;
+  for (size_t s = 0; s < scene->stage_count && !line; s++)
+    line = scene->stages[s].circle.line ? scene->stages[s].circle.line : scene->stages[s].continuum.line;
+  if (scene->cell.line && line)
+    nb_line_mistake(&reading->reader, (size_t)line, "a cell has no boundary: say `cell strain`",
+                    "expected a scene without a cell, found one on line %d", scene->cell.line);
+}
+
+/* The line of a stage that carries bodies or walls along; 0: none. */
+static int carries(const struct nb_stage *stage) {
+  const struct nb_strain_rate *rate = &stage->boundary.strain;
+  if (rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0)
+    return stage->boundary.line;
+  if (stage->continuum.line)
+    return stage->continuum.line;
+  return stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
+}
+
+/* What is carried along comes a step later to where it is carried: that has no way back. */
 void nb_drives_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
-  int first = scene->circle.line;
-  for (size_t s = 0; s < scene->stage_count && !first; s++)
-    first = scene->stages[s].circle.line ? scene->stages[s].circle.line : scene->stages[s].continuum.line;
-  if (scene->cell.line && first) {
-    nb_line_mistake(&reading->reader, (size_t)first, "a cell has no boundary: say `cell strain`",
-                    "expected a scene without a cell, found one on line %d", scene->cell.line);
-  }
+  check_cell(reading);
   int line = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    const struct nb_strain_rate *rate = &stage->boundary.strain;
-    const bool strained = rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0;
-    line = line ? line : strained ? stage->boundary.line : stage->continuum.line;
-    line = line ? line : stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
-    if (!stage->reverse || !line)
-      continue;
-    nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
-                    "expected a stage without `reverse velocities`: what line %d carries along does not go back", line);
+    line = line ? line : carries(stage);
+    if (stage->reverse && line)
+      nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
+                      "expected a stage without `reverse velocities`: what line %d carries along does not go back",
+                      line);
   }
 }
 

@@ -90,45 +90,63 @@ static bool take_aim(struct nb_reader *reader, struct nb_aim *aim, bool force, b
   return nb_take_number(reader, force ? NB_UNIT_FORCE : NB_UNIT_LENGTH, push ? NB_NOT_NEGATIVE : NB_ANY, &aim->value);
 }
 
-/* What a segment says, in any order, each once. */
-static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
+enum word { OVERLAP, NORMAL, SLIP, SHEAR, HOLD, IN, FOLLOW, WORDS };
+enum part { PART_NORMAL, PART_SHEAR, PART_STEPS, PARTS }; /* of a segment, each said once */
+
+static enum word take_leg_word(struct nb_reader *reader) {
   static const char *const words[] = {"overlap", "normal", "slip", "shear", "hold", "in", "follow"};
-  enum { OVERLAP, NORMAL, SLIP, SHEAR, HOLD, IN, FOLLOW, WORDS };
-  struct nb_leg *it = &stage->leg;
+  enum word word = OVERLAP;
+  while (word < WORDS && !nb_token_skip(reader, words[word]))
+    word++;
+  return word;
+}
+
+static enum part part_of(const struct nb_reader *reader, enum word word) {
+  const bool normal = word == OVERLAP || word == NORMAL || (word == HOLD && nb_token_is(reader, "normal"));
+  return word == IN ? PART_STEPS : normal ? PART_NORMAL : PART_SHEAR;
+}
+
+static bool take_points(struct nb_reader *reader, struct nb_leg *it) {
   char path[NB_PATH_SIZE];
-  bool normal_said = false, shear_said = false, steps_said = false;
-  while (nb_token_peek(reader)) {
-    int word = 0;
-    while (word < WORDS && !nb_token_skip(reader, words[word]))
-      word++;
+  return (nb_file_named(reader, nb_take(reader, "the name of a file"), path) &&
+          read_points(it, path, reader->unitless, reader->mistakes)) ||
+         nb_silent(reader);
+}
+
+static void take_part(struct nb_reader *reader, struct nb_stage *stage, enum word word, enum part part) {
+  struct nb_aim *aim = part == PART_NORMAL ? &stage->leg.normal : &stage->leg.shear;
+  if (word == IN)
+    nb_take_counted(reader, "step", &stage->cycles);
+  else if (word == HOLD)
+    reader->next++, aim->force = true;
+  else
+    take_aim(reader, aim, word == NORMAL || word == SHEAR, part == PART_NORMAL);
+}
+
+/* What a segment says, in any order, each part once. */
+static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
+  static const char *const once[] = {[PART_NORMAL] = "one of `overlap`, `normal` and `hold normal`",
+                                     [PART_SHEAR] = "one of `slip`, `shear` and `hold shear`",
+                                     [PART_STEPS] = "`in N steps` once"};
+  bool said[PARTS] = {false}, any = false;
+  for (; nb_token_peek(reader); any = true) {
+    const enum word word = take_leg_word(reader);
     if (word == HOLD && !nb_token_is(reader, "normal") && !nb_token_is(reader, "shear"))
       return nb_expected(reader, "overlap and slip stay where they are without a word", "`normal` or `shear`");
-    const bool normal = word == OVERLAP || word == NORMAL || (word == HOLD && nb_token_is(reader, "normal"));
-    bool *said = word == IN ? &steps_said : normal ? &normal_said : &shear_said;
-    if (word == WORDS || (word == FOLLOW && (normal_said || shear_said || steps_said)))
+    if (word == WORDS || (word == FOLLOW && any))
       return nb_expected(reader, NULL,
                          "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line");
-    if (*said) {
-      reader->next--;
-      return nb_expected(reader, NULL,
-                         normal       ? "one of `overlap`, `normal` and `hold normal`"
-                         : word == IN ? "`in N steps` once"
-                                      : "one of `slip`, `shear` and `hold shear`");
-    }
-    *said = true;
-    struct nb_aim *aim = normal ? &it->normal : &it->shear;
     if (word == FOLLOW)
-      return (nb_file_named(reader, nb_take(reader, "the name of a file"), path) &&
-              read_points(it, path, reader->unitless, reader->mistakes)) ||
-             nb_silent(reader);
-    if (word == IN)
-      nb_take_counted(reader, "step", &stage->cycles);
-    else if (word == HOLD)
-      reader->next++, aim->force = true;
-    else
-      take_aim(reader, aim, word == NORMAL || word == SHEAR, normal);
+      return take_points(reader, &stage->leg);
+    const enum part part = part_of(reader, word);
+    if (said[part]) {
+      reader->next--;
+      return nb_expected(reader, NULL, "%s", once[part]);
+    }
+    said[part] = true;
+    take_part(reader, stage, word, part);
   }
-  return normal_said || shear_said ||
+  return said[PART_NORMAL] || said[PART_SHEAR] ||
          nb_expected(reader, NULL, "`overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`");
 }
 

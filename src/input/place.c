@@ -104,49 +104,59 @@ static bool turn_gravity(const struct nb_place *to, struct nb_gravity *gravity) 
   return turn(to, &gravity->x, &gravity->y) && move(to, &gravity->about_x, &gravity->about_y);
 }
 
+/* -1: what turned left turns right. */
+static void turn_spin(const struct nb_place *to, double *spin) { *spin = to->flip_x * to->flip_y * *spin + 0.0; }
+
+static bool move_body(const struct nb_place *to, struct nb_body *body) {
+  turn_spin(to, &body->spin);
+  const bool held = move(to, &body->x, &body->y);
+  return turn(to, &body->vx, &body->vy) && held;
+}
+
+static bool move_wall(const struct nb_place *to, struct nb_wall *wall) {
+  turn_spin(to, &wall->spin);
+  turn_spin(to, &wall->h0);
+  bool held = move(to, &wall->x, &wall->y);
+  held = turn(to, &wall->ex, &wall->ey) && held;
+  held = turn(to, &wall->inx, &wall->iny) && held;
+  return turn(to, &wall->vx, &wall->vy) && held;
+}
+
+static bool move_cell(const struct nb_place *to, struct nb_scene_cell *cell) {
+  bool held = !cell->line || move(to, &cell->x, &cell->y);
+  for (int side = 0; side < 2 && cell->line; side++)
+    held = turn(to, &cell->h[side], &cell->h[2 + side]) && held;
+  return held;
+}
+
+static bool move_stage(const struct nb_place *to, struct nb_stage *stage) {
+  bool held = turn_gravity(to, &stage->gravity);
+  held = move_drives(to, stage) && held;
+  held = turn_servo(to, &stage->servo) && held;
+  for (size_t m = 0; m < stage->motion_count; m++) {
+    held = turn(to, &stage->motions[m].vx, &stage->motions[m].vy) && held;
+    turn_spin(to, &stage->motions[m].spin);
+  }
+  return held;
+}
+
 bool nb_scene_place(struct nb_scene *scene, const struct nb_place *to) {
   if (!to->line)
     return true;
   bool held = true;
-  const double hand = to->flip_x * to->flip_y; /* -1: what turned left turns right */
-  for (size_t i = 0; i < scene->body_count; i++) {
-    struct nb_body *body = &scene->bodies[i];
-    held = move(to, &body->x, &body->y) && held;
-    held = turn(to, &body->vx, &body->vy) && held;
-    body->spin = hand * body->spin + 0.0;
-  }
-  for (size_t i = 0; i < scene->wall_count; i++) {
-    struct nb_wall *wall = &scene->walls[i];
-    held = move(to, &wall->x, &wall->y) && held;
-    held = turn(to, &wall->ex, &wall->ey) && held;
-    held = turn(to, &wall->inx, &wall->iny) && held;
-    held = turn(to, &wall->vx, &wall->vy) && held;
-    wall->spin = hand * wall->spin + 0.0;
-    wall->h0 = hand * wall->h0 + 0.0;
-  }
+  for (size_t i = 0; i < scene->body_count; i++)
+    held = move_body(to, &scene->bodies[i]) && held;
+  for (size_t i = 0; i < scene->wall_count; i++)
+    held = move_wall(to, &scene->walls[i]) && held;
   for (size_t i = 0; i < scene->region_count; i++) {
-    struct nb_region *region = &scene->regions[i];
-    held = move(to, &region->x, &region->y) && held;
-    held = turn(to, &region->ex, &region->ey) && held;
+    held = move(to, &scene->regions[i].x, &scene->regions[i].y) && held;
+    held = turn(to, &scene->regions[i].ex, &scene->regions[i].ey) && held;
   }
-  if (scene->cell.line) {
-    held = move(to, &scene->cell.x, &scene->cell.y) && held;
-    for (int side = 0; side < 2; side++)
-      held = turn(to, &scene->cell.h[side], &scene->cell.h[2 + side]) && held;
-  }
+  held = move_cell(to, &scene->cell) && held;
   held = turn_gravity(to, &scene->gravity) && held;
   held = move_circle(to, &scene->circle) && move(to, &scene->origin_x, &scene->origin_y) && held;
-  for (size_t s = 0; s < scene->stage_count; s++) {
-    held = turn_gravity(to, &scene->stages[s].gravity) && held;
-    held = move_drives(to, &scene->stages[s]) && held;
-    held = turn_servo(to, &scene->stages[s].servo) && held;
-  }
   for (size_t s = 0; s < scene->stage_count; s++)
-    for (size_t m = 0; m < scene->stages[s].motion_count; m++) {
-      struct nb_wall_motion *motion = &scene->stages[s].motions[m];
-      held = turn(to, &motion->vx, &motion->vy) && held;
-      motion->spin = hand * motion->spin + 0.0;
-    }
+    held = move_stage(to, &scene->stages[s]) && held;
   return held;
 }
 

@@ -86,6 +86,8 @@ struct nb_reader {
   size_t count, next; /* how many, and which one is to be read */
   bool bad;           /* a mistake was made in this statement: no other one is said, and there is nothing to be read */
   const struct nb_keyword *keyword; /* its row while the fields of the row are read, else NULL */
+  const struct nb_keyword *twin;    /* a row of the same words that belongs elsewhere, or NULL */
+  unsigned here;                    /* where the statement stands */
   unsigned given;                   /* set of the fields that have been read */
   size_t used;                      /* of the store, up to the zero of the last token */
   char store[NB_LINE_MAX + NB_TOKENS_MAX * (2 * NB_NAME_SIZE + 2)]; /* the texts of the tokens */

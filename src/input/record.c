@@ -38,6 +38,11 @@ bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantit
 NB_APPLY(apply_columns) {
   struct nb_scene_reading *reading = subject;
   (void)record;
+  if (nb_token_is(reader, "every") || nb_token_is(reader, "none"))
+    nb_expected(reader,
+                reading->scene->path ? "`record every N steps` belongs in a segment: below a line `segment NAME …`"
+                                     : "`record every N cycles` belongs in a stage: below a line `stage NAME`",
+                "a quantity, such as `C.normal`");
   do {
     struct nb_asked one;
     if (!nb_take_asked(reader, &one) || nb_too_many(reader, reading->asked_count, NB_NAMED_MAX, "columns"))
@@ -59,7 +64,10 @@ NB_APPLY(apply_record) {
   if (nb_token_skip(reader, "every"))
     nb_take_counted(reader, scene->path ? "step" : "cycle", &every);
   else if (!nb_token_skip(reader, "none"))
-    nb_expected(reader, "what to record is said before the first stage", "`every N cycles` or `none`");
+    nb_expected(reader,
+                scene->path ? "`record QUANTITY …` belongs before the first `segment`"
+                            : "`record QUANTITY …` belongs before the first `stage`",
+                scene->path ? "`every N steps` or `none`" : "`every N cycles` or `none`");
   if (!reader->bad)
     nb_stage_now(scene)->record = every;
 }

@@ -30,21 +30,23 @@ static size_t misnamed(const struct nb_scene *scene, struct nb_removal removal, 
 /* `disc N`: one word of four, and the numbers of the first body and the last one. */
 static struct nb_removal take_range(const struct nb_scene_reading *reading, struct nb_reader *reader,
                                     enum nb_shape *shape) {
+  static const char *const words[] = {"disc", "discs", "sphere", "spheres"};
   const size_t count = reading->scene->body_count;
   const bool unsure = nb_bodies_unsure(reading);
   const unsigned long most = unsure || !count ? NB_BODIES_MAX : count;
-  const bool disc = nb_token_skip(reader, "disc"), discs = !disc && nb_token_skip(reader, "discs");
-  const bool sphere = nb_token_skip(reader, "sphere"), spheres = !sphere && nb_token_skip(reader, "spheres");
   unsigned long from, to;
-  if (!disc && !discs && !sphere && !spheres)
+  int word = 0;
+  while (word < 4 && !nb_token_skip(reader, words[word]))
+    word++;
+  if (word == 4)
     nb_expected(reader, NULL, "`disc N`, `discs N to M`, `sphere N` or `spheres N to M`");
   nb_take_count(reader, 1, most, &from);
   to = from;
-  if ((discs || spheres) && nb_take_word(reader, "to"))
+  if (word % 2 && nb_take_word(reader, "to"))
     nb_take_count(reader, from, most, &to);
   if (unsure || count == 0)
     nb_silent(reader);
-  *shape = disc || discs ? NB_DISC : NB_SPHERE;
+  *shape = word < 2 ? NB_DISC : NB_SPHERE;
   return (struct nb_removal){from - 1, to - 1, (int)reader->line};
 }
 

@@ -37,54 +37,74 @@ bool nb_first_word(char *first, const char *words) {
   return words[length] != 0;
 }
 
+enum { CONTACT_TEST = NB_IN_PATH | NB_IN_LEG };
+
+/* Where a row belongs that does not belong here: in the same kind of block if it may be there at all. */
 static const char *where_words(unsigned where, unsigned here) {
-  where &= ~(unsigned)(NB_IN_RAMP | NB_IN_CELL | NB_IN_START | NB_APART);
+  if (here & CONTACT_TEST && !(where & CONTACT_TEST))
+    return "in a block of kind `scene`";
+  if (here & CONTACT_TEST)
+    return where & NB_IN_PATH ? "before the first `segment`" : "in a segment: below a line `segment NAME …`";
+  if (!(where & ~(unsigned)CONTACT_TEST))
+    return "in a block of kind `contact-test`";
   if (here == NB_IN_START && where & NB_IN_SCENE)
     return "in a page that does not `start` from another";
-  if (where == NB_IN_LEG)
-    return "in a segment: below a line `segment NAME …`";
-  if (!(where & ~(unsigned)(NB_IN_PATH | NB_IN_LEG)))
-    return "in a block of kind `contact-test`";
-  if (where & NB_IN_PATH && here == NB_IN_LEG)
-    return "before the first `segment`";
-  where &= ~(unsigned)(NB_IN_PATH | NB_IN_LEG);
-  if (where == NB_IN_SCENE)
-    return "before the first `stage`";
-  if (where == NB_IN_STAGE)
-    return "in a stage: below a line `stage NAME`";
-  return where == NB_IN_EXPECT ? "in a block of kind `expect`" : "in a block of kind `scene`";
+  return where & NB_IN_SCENE ? "before the first `stage`" : "in a stage: below a line `stage NAME`";
 }
 
-/* The first words of rows are there and none of the words that go on from them: `spheres fil`. Answers one of those rows. */
-static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
-  char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
-  size_t most = 0, all;
+/* The row of which most words are there, one after the other; *most of them. NULL: not even a first one. */
+static const struct nb_keyword *begun(const struct nb_reader *reader, const struct nb_family *table, unsigned here,
+                                      size_t *most) {
   const struct nb_keyword *meant = NULL, *row;
+  size_t all;
+  *most = 0;
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
     const size_t there = row->where & here && row->word ? words_there(reader, row->word, &all) : 0;
-    if (there > most)
-      most = there, meant = row;
+    if (there > *most)
+      *most = there, meant = row;
   }
-  if (!meant)
+  return meant;
+}
+
+/* The word behind so many. */
+static void word_behind(char *word, const char *words, size_t count) {
+  for (; count; count--)
+    words += strcspn(words, " "), words += strspn(words, " ");
+  nb_first_word(word, words);
+}
+
+/* ` or `WORD``, once. */
+static void list_word(char *list, size_t size, const char *word) {
+  char quoted[NB_NAME_SIZE + 2];
+  const size_t used = strlen(list);
+  snprintf(quoted, sizeof quoted, "`%s`", word);
+  if (!strstr(list, quoted))
+    snprintf(list + used, size - used, "%s%s", used ? " or " : "", quoted);
+}
+
+/* The first words of rows are there and none of the words that go on from them: `spheres fil`. Answers one of those rows; NULL where
+ * that row of another place is whole, and nothing near. */
+static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
+                                           const struct nb_keyword *whole) {
+  char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
+  size_t most, all;
+  const struct nb_keyword *meant = begun(reader, table, here, &most), *row;
+  if (!meant || (whole && words_there(reader, whole->word, &all) > most))
     return NULL;
   const struct nb_token *token = reader->next + most < reader->count ? &reader->tokens[reader->next + most] : NULL;
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
     if (!(row->where & here) || !row->word || words_there(reader, row->word, &all) < most)
       continue;
-    const char *behind = row->word;
-    for (size_t word_there = 0; word_there < most; word_there++)
-      behind += strcspn(behind, " "), behind += strspn(behind, " ");
-    nb_first_word(word, behind);
+    word_behind(word, row->word, most);
     nb_guess_offer(&guess, word);
-    char quoted[NB_NAME_SIZE + 2];
-    snprintf(quoted, sizeof quoted, "`%s`", word);
-    const size_t used = strlen(list);
-    if (!strstr(list, quoted))
-      snprintf(list + used, sizeof list - used, "%s%s", used ? " or " : "", quoted);
+    list_word(list, sizeof list, word);
   }
+  const bool near = token && nb_guess_found(&guess);
+  if (whole && !near)
+    return NULL;
   reader->next += most;
-  nb_expected(reader, token ? nb_guess_hint(&guess, hint) : NULL, "%s", list);
+  nb_expected(reader, near ? nb_guess_hint(&guess, hint) : NULL, "%s", list);
   return meant;
 }
 
@@ -99,55 +119,77 @@ static bool same_verb(const struct nb_family *table, size_t k, const char *word,
   return false;
 }
 
-/* Whether the row is the bench's and another one of this word the scene's, where that is wanted; or the other way round. */
-static bool other_side(const struct nb_family *table, const struct nb_keyword *row, unsigned here) {
-  const unsigned bench = NB_IN_PATH | NB_IN_LEG, side = here & bench ? bench : ~bench;
-  const struct nb_keyword *other;
-  for (size_t k = 0; (other = nb_keyword_row(table, k)) && !(row->where & side); k++)
-    if (other->word && strcmp(other->word, row->word) == 0 && other->where & side)
-      return true;
-  return false;
+/* Of the rows whose words are all there and that belong elsewhere the one with most words; of two, the one of this kind of block. */
+static const struct nb_keyword *elsewhere(const struct nb_reader *reader, const struct nb_family *table, unsigned here,
+                                          size_t *most) {
+  const struct nb_keyword *found = NULL, *row;
+  const unsigned side = here & CONTACT_TEST ? CONTACT_TEST : ~(unsigned)CONTACT_TEST;
+  size_t words;
+  *most = 0;
+  for (size_t k = 0; here != NB_IN_RAMP && (row = nb_keyword_row(table, k)); k++) {
+    const bool whole = row->word && !(row->where & here) && words_there(reader, row->word, &words) == words;
+    if (whole && (words > *most || (words == *most && !(found->where & side))))
+      found = row, *most = words;
+  }
+  return found;
 }
 
-/* The verb is unknown, or known but not here. Answers the row that was probably meant, or NULL. */
-static const struct nb_keyword *wrong_verb(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
-  static const char *const places[] = {[NB_IN_SCENE] = "a statement of the scene",
-                                       [NB_IN_STAGE] = "a statement of a stage",
-                                       [NB_IN_EXPECT] = "an expectation",
-                                       [NB_IN_RAMP] = "something that can ramp",
-                                       [NB_IN_PATH] = "a statement of a contact test",
-                                       [NB_IN_LEG] = "a statement of a segment",
-                                       [NB_IN_START] = "a statement of a page that starts from another"};
-  char hint[NB_HINT_SIZE];
-  char word[NB_NAME_SIZE];
-  snprintf(hint, sizeof hint, "the %s word may be: ", here == NB_IN_RAMP ? "next" : "first");
-  const struct nb_token *verb = nb_token_peek(reader);
-  struct nb_guess guess = nb_guess_begin(verb->text);
+static const char *place_of(unsigned here) {
+  switch (here) {
+  case NB_IN_STAGE:
+    return "a statement of a stage";
+  case NB_IN_EXPECT:
+    return "an expectation";
+  case NB_IN_RAMP:
+    return "something that can ramp";
+  case NB_IN_PATH:
+    return "a statement of a contact test";
+  case NB_IN_LEG:
+    return "a statement of a segment";
+  case NB_IN_START:
+    return "a statement of a page that starts from another";
+  default:
+    return "a statement of the scene";
+  }
+}
+
+/* No row begins with that word. Answers the one that was probably meant, or NULL. */
+static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
+  char hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
+  size_t used = (size_t)snprintf(hint, sizeof hint, "the %s word may be: ", here == NB_IN_RAMP ? "next" : "first");
+  struct nb_guess guess = nb_guess_begin(nb_token_peek(reader)->text);
   const struct nb_keyword *meant = NULL, *row;
-  const struct nb_keyword *partly = wrong_word(reader, table, here);
-  if (partly)
-    return partly;
+  const char *comma = "";
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
     if (row->word)
       nb_first_word(word, row->word);
-    if (here != NB_IN_RAMP && row->word && strcmp(word, verb->text) == 0 && !other_side(table, row, here)) {
-      snprintf(hint, sizeof hint, "`%s` belongs %s", row->word, where_words(row->where, here));
-      nb_expected(reader, hint, "%s", places[here]);
-      return row;
-    }
     if (!row->word || !(row->where & here) || same_verb(table, k, word, here))
       continue;
-    int before = guess.distance;
+    const int before = guess.distance;
     nb_guess_offer(&guess, word);
     if (guess.distance < before)
       meant = row;
-    size_t used = strlen(hint);
-    snprintf(hint + used, sizeof hint - used, "%s%s", before == 2 * NB_NAME_SIZE ? "" : ", ", word);
+    snprintf(hint + used, sizeof hint - used, "%s%s", comma, word);
+    used = strlen(hint), comma = ", ";
   }
   const bool near = nb_guess_found(&guess);
-  nb_expected(reader, near ? nb_guess_hint(&guess, hint) : hint, "%s", places[here]);
+  nb_expected(reader, near ? nb_guess_hint(&guess, hint) : hint, "%s", place_of(here));
   nb_excuse(reader->mistakes, near ? guess.best : NB_ANYTHING);
   return near ? meant : NULL;
+}
+
+static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct nb_keyword *row, unsigned here) {
+  char hint[NB_HINT_SIZE];
+  snprintf(hint, sizeof hint, "`%s` belongs %s", row->word, where_words(row->where, here));
+  nb_expected(reader, hint, "%s", place_of(here));
+  return row;
+}
+
+/* The row that was probably meant, where it is none of those of this place, with a message; or NULL. */
+static const struct nb_keyword *wrong_row(struct nb_reader *reader, const struct nb_family *table, unsigned here,
+                                          const struct nb_keyword *whole) {
+  const struct nb_keyword *partly = wrong_word(reader, table, here, whole);
+  return partly ? partly : whole ? misplaced(reader, whole, here) : unknown_verb(reader, table, here);
 }
 
 /* ---- the fields of a row ---- */
@@ -218,6 +260,23 @@ static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argu
   return nb_guess_found(&guess) && nb_number_read(&number, token[1].text, 0) == NB_READ;
 }
 
+static size_t leading(const struct nb_keyword *keyword) {
+  size_t count = 0;
+  for (const struct nb_argument *field = keyword->arguments; field->count; field++)
+    count += !field->word;
+  return count;
+}
+
+/* Of the same words is another statement elsewhere, which begins otherwise: `wall` in the scene and in a stage. */
+static const char *twin_hint(const struct nb_reader *reader, char *hint) {
+  if (!reader->twin || leading(reader->twin) == leading(reader->keyword))
+    return NULL;
+  char syntax[256];
+  nb_keyword_syntax(syntax, sizeof syntax, reader->twin);
+  snprintf(hint, NB_HINT_SIZE, "`%s` belongs %s", syntax, where_words(reader->twin->where, reader->here));
+  return hint;
+}
+
 static void unknown_word(struct nb_reader *reader) {
   char words[256] = "", hint[NB_HINT_SIZE];
   size_t used = 0;
@@ -234,7 +293,8 @@ static void unknown_word(struct nb_reader *reader) {
     if (n > 0)
       used += (size_t)n;
   }
-  nb_expected(reader, nb_guess_hint(&guess, hint), "%s%s%s", words, used && may_end ? " or " : "",
+  const char *near = nb_guess_hint(&guess, hint);
+  nb_expected(reader, near ? near : twin_hint(reader, hint), "%s%s%s", words, used && may_end ? " or " : "",
               may_end ? "the end of the line" : "");
 }
 
@@ -246,6 +306,8 @@ static void missing_field(struct nb_reader *reader, const struct nb_argument *fi
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   if (nb_guess_found(&guess))
     nb_guess_hint(&guess, hint);
+  else if (!field->word)
+    twin_hint(reader, hint);
   if (!field->word)
     nb_expected(reader, hint, "%s (%s)", field->value, field->help);
   else
@@ -288,10 +350,14 @@ static const struct nb_keyword *choose(struct nb_reader *reader, const struct nb
       found = row, most = words;
     }
   }
+  const struct nb_keyword *whole = elsewhere(reader, table, here, &words);
+  if (found && whole && words > most)
+    return misplaced(reader, whole, here);
+  reader->twin = found && whole && words == most ? whole : NULL;
   reader->next += most;
   if (found || fallback)
     return found ? found : fallback;
-  return wrong_verb(reader, table, here);
+  return wrong_row(reader, table, here, whole);
 }
 
 /* What a bad statement leaves unknown: what it says, by its first word, and what it would have given a name to. */
@@ -305,7 +371,7 @@ static void excuse_names(struct nb_reader *reader, const struct nb_keyword *keyw
 
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject) {
   struct nb_record record = {0};
-  reader->next = 0;
+  reader->next = 0, reader->here = here, reader->twin = NULL;
   const struct nb_keyword *keyword = record.keyword = choose(reader, table, here);
   if (keyword) {
     reader->keyword = keyword;
@@ -322,18 +388,14 @@ void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, 
 }
 
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword) {
-  size_t used = 0;
-  int n = snprintf(text, size, "%s", keyword->word ? keyword->word : "");
-  if (n > 0)
-    used = (size_t)n;
-  for (const struct nb_argument *field = keyword->arguments; field->count && used < size; field++) {
-    bool both = field->word && field->value;
-    n = snprintf(text + used, size - used, "%s%s%s%s%s%s", used ? " " : "", field->otherwise ? "{" : "",
-                 field->word ? field->word : "", both ? " " : "", field->value ? field->value : "",
-                 field->otherwise ? "}" : "");
-    if (n > 0)
-      used += (size_t)n;
+  snprintf(text, size, "%s", keyword->word ? keyword->word : "");
+  for (const struct nb_argument *field = keyword->arguments; field->count; field++) {
+    const char *word = field->word ? field->word : "", *value = field->value ? field->value : "";
+    const char *between = *word && *value ? " " : "", *open = field->otherwise ? "{" : "", *close = *open ? "}" : "";
+    const size_t used = strlen(text);
+    snprintf(text + used, size - used, "%s%s%s%s%s%s", used ? " " : "", open, word, between, value, close);
   }
-  if (keyword->tail && used < size)
+  const size_t used = strlen(text);
+  if (keyword->tail)
     snprintf(text + used, size - used, "%s%s", used ? " " : "", keyword->tail);
 }
