@@ -18,6 +18,8 @@ for page in tests/pages/old-*.md; do
   new=$work/a/b/${page##*/}
   "$nineball" migrate "$page" >"$new" 2>"$work/said" && "$nineball" explain "$new" >/dev/null 2>>"$work/said"
   result $? "$page is read in the words of today"
+  ! grep -n "'known [A-Z]" "$new" >"$work/said"
+  result $? 'and so are the columns of its figures'
   "$nineball" migrate "$new" 2>&1 | diff "$new" - >"$work/said"
   result $? 'and they stay'
   ! "$nineball" explain "$page" >/dev/null 2>"$work/said" && grep -q 'of version 0.3 is' "$work/said"

@@ -29,6 +29,7 @@ static double step_of(const char *statements) {
 static void a_step_is_a_share(void) {
   /* omega^2 = 2 k/m = 16 */
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
+  NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\nstep 50 % of stable\n"), 0.25, 1e-15);
   /* near, though not touching, counts; two that are far apart count as if they met, and so does a wall alone */
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 2.09 m\nstep 0.5 of stable\n"), 0.25, 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 spacing 5 m\nstep 0.5 of stable\n"), 0.25, 1e-15);

@@ -82,7 +82,7 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
     double step = step_length(scene, &stage->step);
     if (isnan(step))
       status = nb_error_set(error, NB_BAD_USE,
-                            "this reference must know the step: say it as a time or as a share of critical");
+                            "this reference must know the step: say it as a time or as a fraction of single-contact");
     if (step != lattice->step)
       lattice->one_step = false;
     if (damped(&stage->damping))

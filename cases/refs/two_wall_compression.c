@@ -124,7 +124,7 @@ static enum nb_status tell_contact(struct nb_known *known, const char *watch, co
   struct numbers numbers = numbers_of(row);
   long double overlap = numbers.way * evaluate(&hand->overlap[place][n], numbers.at);
   if (overlap < 0)
-    return nb_error_set(error, NB_BAD_USE, "the contact of watch %s opens at cycle %lu: the step is too long", watch,
+    return nb_error_set(error, NB_BAD_USE, "the contact of monitor %s opens at cycle %lu: the step is too long", watch,
                         n);
   tell(known, watch, "overlap", n, overlap);
   tell(known, watch, "normal", n, overlap * row->k[place]);

@@ -45,9 +45,10 @@ NB_APPLY(apply_law) {
   if (!law)
     say_unknown(reader, kind, token);
   else if (pieces->token && law->piece == 0)
-    nb_token_mistake(reader, pieces->token, NULL, "`shear %s` keeps no pieces of history", token->text);
+    nb_token_mistake(reader, pieces->token, NULL, "`shear %s` keeps no history, so it takes no `memory`", token->text);
   else if (pieces->token && (pieces->number < 2 || pieces->number > NB_PIECES_MAX))
-    nb_token_mistake(reader, pieces->token, NULL, "expected 2 to %d pieces", NB_PIECES_MAX);
+    nb_token_mistake(reader, pieces->token, NULL, "expected `memory` from 2 to %d, found %g", NB_PIECES_MAX,
+                     pieces->number);
   if (reader->bad || (!setting && (nb_said_twice(reader, *line) || *set)))
     return;
   *set = setting;

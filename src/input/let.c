@@ -207,12 +207,20 @@ static void unify(struct nb_binding *values, size_t count, size_t columns) {
   }
 }
 
+static bool has_comma(struct nb_reader *reader, const struct nb_token *token) {
+  if (strchr(token->text, ','))
+    nb_expected_at(reader, token, "put blanks between the values of a sweep", "one value");
+  return reader->bad;
+}
+
 /* The values, row by row. Answers how many rows; 0: they are wrong. There is room for NB_TOKENS_MAX values. */
 static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, size_t columns) {
   const struct nb_token *tokens[NB_TOKENS_MAX];
   size_t count = 0;
+  if (nb_token_is(reader, "="))
+    nb_expected(reader, "they stand behind the name, without `=`", "the values of the sweep");
   do {
-    if (!take_value(reader, &values[count], &tokens[count]) ||
+    if (!take_value(reader, &values[count], &tokens[count]) || has_comma(reader, tokens[count]) ||
         !same_sort(reader, &values[count % columns], &values[count], tokens[count]))
       return 0;
     count++;

@@ -150,6 +150,11 @@ static void find_hard_blank(struct nb_reader *reader, const char *line, const ch
     }
 }
 
+/* Whether the line begins with `let NAME =`, behind which an expression goes on to its end. */
+static bool is_let(const struct nb_reader *reader) {
+  return strcmp(reader->tokens[0].text, "let") == 0 && strcmp(reader->tokens[2].text, "=") == 0;
+}
+
 /* The next token of the line, or of a source in brackets, in which all is text; false: there is no room. */
 static bool add_token(struct nb_reader *reader, const char *line, const char *word, size_t length, bool text) {
   size_t before = 0;
@@ -160,7 +165,7 @@ static bool add_token(struct nb_reader *reader, const char *line, const char *wo
     return false;
   if (!text)
     find_hard_blank(reader, line, word, length);
-  const bool rest = reader->count == 4 && strcmp(reader->tokens[2].text, "=") == 0; /* let NAME = EXPRESSION */
+  const bool rest = reader->count == 4 && is_let(reader);
   if (text || rest || before == length || (word[before] == '(' && !value))
     return put(reader, word, length);
   return word[before] == '$' ? put_named(reader, word, before, length)
@@ -186,7 +191,7 @@ bool nb_line_read(struct nb_reader *reader, size_t line) {
       at++, at += strspn(at, " \t\r");
     if (!*at || *at == '#')
       break;
-    const bool rest = reader->count == 3 && strcmp(reader->tokens[2].text, "=") == 0; /* let NAME = EXPRESSION */
+    const bool rest = reader->count == 3 && is_let(reader);
     source = source || *at == '[';
     const size_t length = source ? strcspn(at, " \t\r#") : word_length(at, equals, rest);
     room = add_token(reader, text, at, length, source);
@@ -276,8 +281,9 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
 /* `50mm`: a number and its unit without a blank; `1,5`: a decimal comma. */
 static bool number_hint(char *hint, const char *text) {
   struct nb_unit read;
-  const size_t n = strspn(text, "+-.0123456789"), all = n + strspn(text + n, ",0123456789");
-  const bool unit = nb_unit_read(&read, text + n), comma = all > n + 1 && !text[all];
+  const size_t n = strspn(text, "+-.0123456789"), point = text[n] == ',',
+               all = n + point + strspn(text + n + point, "0123456789");
+  const bool unit = nb_unit_read(&read, text + n), comma = point && all > n + 1 && !text[all];
   if (n == 0 || n >= 40 || !(unit || comma))
     return false;
   const char *form =

@@ -246,6 +246,12 @@ static bool may_be_quantity(const struct line *line, size_t w, enum nb_old_block
 
 /* ---- figures ---- */
 
+/* Whether a name between quotes is that of a column: `C.normal/N`, `C.normal max in load/N`. */
+static bool has_unit(const char *behind) {
+  const size_t n = strcspn(behind, "'\"/");
+  return behind[n] == '/' && (n == 0 || (*behind == ' ' && behind[n - 1] != ' '));
+}
+
 /* The row of the word before a column of a figure, `known C.normal/N`, or before a variable, known_C_normal; NULL: it is none. */
 static const struct nb_old_word *figure_row(const char *run, size_t length, bool quoted) {
   const struct nb_old_word *row = nb_old_words();
@@ -253,7 +259,7 @@ static const struct nb_old_word *figure_row(const char *run, size_t length, bool
     const size_t n = strlen(row->old);
     if (row->kind != NB_OLD_FIGURE || n > length || strncmp(run, row->old, n) != 0)
       continue;
-    if (quoted ? n == length && run[n] == ' ' && run[n + 1 + strcspn(run + n + 1, " '\"/")] == '/' : run[n] == '_')
+    if (quoted ? n == length && run[n] == ' ' && has_unit(run + n) : run[n] == '_')
       return row;
   }
   return NULL;
@@ -265,12 +271,6 @@ static const struct nb_old_word *column_row(const char *run, size_t length) {
   while (row->old && !(row->kind == NB_OLD_COLUMN && strlen(row->old) == length && strncmp(run, row->old, length) == 0))
     row++;
   return row->old ? row : NULL;
-}
-
-/* Whether a name between quotes is that of a column: `C.normal/N`, `C.normal max in load/N`. */
-static bool has_unit(const char *behind) {
-  const size_t n = strcspn(behind, "'\"/");
-  return behind[n] == '/' && (n == 0 || (*behind == ' ' && behind[n - 1] != ' '));
 }
 
 /* A run of letters: between quotes `C.normal` before a unit, elsewhere known_C_normal, or anything else, which stays. */

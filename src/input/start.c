@@ -1,7 +1,7 @@
 /* `start PAGE stage NAME`: the scene is that of another page up to the end of one of its stages, and goes on from there.
  *
  * So it has the other page's materials, bodies, walls, laws, and stages, and a reference sees all of them; but the lines of what it
- * has from there are that of `start`. Regions, watches and columns are its own. What it says before its first stage holds
+ * has from there are that of `start`. Regions, monitors and columns are its own. What it says before its first stage holds
  * from that stage on, as if it stood in it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -312,10 +312,10 @@ NB_STATEMENTS(start) = {
   {"start", NB_IN_SCENE | NB_APART, start_fields, "{with NAME=VALUE …}", 0, false, apply_start,
    "Goes on where a stage of another page ends: PAGE.md, given these values as by --set. The page is found by its name: beside this one; else in the nearest "
    "folder `cases` that this page lies in, or in any folder below, where the name must be there once. A name with `../` or `/` at its beginning is a path from this page's folder or from the root. Bodies, walls, a boundary or a cell, materials, "
-   "laws, damping, gravity and step are those of its end, cycles and time count on; watches and columns are this page's own. What "
+   "laws, damping, gravity and step are those of its end, cycles and time count on; monitors and columns are this page's own. What "
    "is said before the first stage holds from that stage on. The other page is run up to there once, and its state kept in a "
    "folder: docs/STATE.md. Stands before all but `units`, `let` and `sweep`.",
-   "start     nine-discs stage load\nwatch     C  disc 5 with disc 6\nrecord    cycle C.normal\nstage     rest\n  walls   stop\n  cycles  400"},
+   "start     nine-discs stage load\nmonitor   C  disc 5 with disc 6\nrecord    cycle C.normal\nstage     rest\n  walls   stop\n  cycles  400"},
   {0},
 };
 /* clang-format on */

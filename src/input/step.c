@@ -16,8 +16,11 @@ static const enum nb_step_kind kinds[] = {
     NB_STEP_SAFE,          NB_STEP_CONTACT,      NB_STEP_CRITICAL,         NB_STEP_RAYLEIGH,
     NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT, NB_STEP_RAYLEIGH_FIT_MEAN};
 
+/* Whether that word stands behind the number, `0.2` or `20 %`. */
 static bool follows(const struct nb_reader *reader, const char *word) {
-  return reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, word) == 0;
+  size_t behind = reader->next + 1;
+  behind += behind < reader->count && strcmp(reader->tokens[behind].text, "%") == 0;
+  return behind < reader->count && strcmp(reader->tokens[behind].text, word) == 0;
 }
 
 /* TIME, F of something, or N per collision. */

@@ -212,7 +212,7 @@ static void quantities(const struct manual *to) {
   struct nb_quantity_row row;
   const char *before = "";
   section(to, "Quantities");
-  paragraph(to, "Quantities for `record`, `until` and expectations: the name alone for the whole scene, `WATCH.NAME` "
+  paragraph(to, "Quantities for `record`, `until` and expectations: the name alone for the whole scene, `MONITOR.NAME` "
                 "for what `monitor` has named.");
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     if (strcmp(row.of, before) != 0) {
@@ -388,7 +388,8 @@ bool nb_manual_word(FILE *out, const char *word, char *hint) {
   }
   for (size_t t = 0; t < sizeof tables / sizeof *tables && !found; t++)
     found = clause(out, word, tables[t]);
-  found = found || quantity(out, word) || nb_old_help(out, word);
+  const bool old = nb_old_help(out, word);
+  found = found || quantity(out, word) || old;
   snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return found;
 }
