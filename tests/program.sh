@@ -240,7 +240,7 @@ for word in run check figure report explain state laws list --set --stage --thre
 run 0 check --help
 out 'usage: nineball COMMAND'
 run 0 --help scene
-for word in 'lattice' 'stage' 'WATCH.NAME' 'increases with'; do out "$word"; done
+for word in 'lattice' 'stage' 'MONITOR.NAME' 'increases with'; do out "$word"; done
 run 0 --help expect
 for word in MEASURE amplitude 'reference NAME' within; do out "$word"; done
 run 0 --help kn

@@ -32,7 +32,11 @@ static void write_name(FILE *out, const char *label) {
     fputc(isalnum((unsigned char)*c) ? *c : '_', out);
 }
 
+enum { VARIABLE_MAX = 49 }; /* characters of a name that gnuplot keeps; a longer one would hide another */
+
 static void write_value(FILE *out, const char *prefix, const char *label, const char *number, double value) {
+  if (strlen(prefix) + strlen(label) + strlen(number) > VARIABLE_MAX)
+    return;
   fputs(prefix, out);
   write_name(out, label);
   fprintf(out, isfinite(value) ? "%s = %.17g\n" : "%s = NaN\n", number, value);

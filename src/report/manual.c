@@ -186,7 +186,8 @@ static void figures(const struct manual *to) {
       {"C_normal_max",
        "a variable for each measure of the expect blocks, here `C.normal max`: what is no letter or digit "
        "becomes `_`. With a sweep `C_normal_max_1`, …"},
-      {"reference_C_normal_max", "a variable for each value that the reference returns, likewise"},
+      {"reference_C_normal_max", "a variable for each value that the reference returns, likewise. A name of more than "
+                                 "50 characters, which gnuplot would cut, has none"},
       {"$STAGE_particles",
        "a snapshot of a stage; also `$STAGE_walls`, `$STAGE_contacts`, of regions `$STAGE_rings`, of `snapshot from` "
        "`$STAGE_lattice`, of a path `$LEG_traction` and `$LEG_pieces`. With a sweep `$STAGE_particles_1`, …"},
