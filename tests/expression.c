@@ -13,7 +13,10 @@
 
 #define COUNT(list) (sizeof list / sizeof *list)
 
-static const struct nb_binding names[] = {{.name = "a", .value = 3},
+#define LONGEST "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefghijk" /* 63 letters */
+
+static const struct nb_binding names[] = {{.name = LONGEST, .value = 1},
+                                          {.name = "a", .value = 3},
                                           {.name = "N", .value = 7},
                                           {.name = "R", .value = 0.5, .dimension = {60, 0, 0}},
                                           {.name = "m", .value = 4, .dimension = {0, 60, 0}},
@@ -218,6 +221,12 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"(-8)^0.5", "found that `^` gives NaN", false},
       {"1e400", "p:1:1: error: expected a number that a double can hold, up to 1.7e308, found `1e400`", false},
       {"1 + 1e-400", "p:1:5: error: expected a number that a double can hold, from 4.9e-324, found `1e-400`", false},
+      {"1e308 1/deg", "p:1:1: error: expected a number that a double can hold, up to 1.7e308, found `1e308`", false},
+      {"1 + 5e-324 deg", "p:1:5: error: expected a number that a double can hold, from 4.9e-324", false},
+      /* what is longer than the longest name or unit is none, and not its beginning */
+      {LONGEST "l + 1", "p:1:1: error: expected a name that a `let` or `sweep` above defines", false},
+      {"2 m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:3: error: expected a unit", false},
+      {"(2) m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:5: error: expected a unit", false},
       {"", "expected a number, a name or `(`, found the end of the expression", false},
       {"2 +", "p:1:4: error: expected a number, a name or `(`, found the end of the expression", false},
       {"(2 + 3", "p:1:7: error: expected an operator or `)`, found the end of the expression", false},

@@ -19,7 +19,12 @@
 #include "core/vec.h"
 #include "expression.h"
 
-enum { DEEPEST = 100, SIXTIETHS = 60, HIGHEST = 99 };
+enum {
+  DEEPEST = 100,
+  SIXTIETHS = 60,
+  HIGHEST = 99,
+  WORD_SIZE = NB_NAME_SIZE + 1 /* a longer word is cut to one that is no name */
+};
 
 struct quantity {
   double value; /* SI */
@@ -76,11 +81,11 @@ static bool skip(struct parser *p, char sign) {
 }
 
 /* Letters, digits and those signs at the place where the parser is. */
-static size_t word(const struct parser *p, const char *signs, char text[NB_NAME_SIZE]) {
+static size_t word(const struct parser *p, const char *signs, char text[WORD_SIZE]) {
   size_t n = 0;
   while (p->at + n < p->end && (isalnum((unsigned char)p->at[n]) || p->at[n] & 0x80 || strchr(signs, p->at[n])))
     n++;
-  snprintf(text, NB_NAME_SIZE, "%.*s", (int)n, p->at);
+  snprintf(text, WORD_SIZE, "%.*s", (int)n, p->at);
   return n;
 }
 
@@ -100,7 +105,7 @@ static struct quantity wrong(struct parser *p, const char *at, size_t length, co
 }
 
 static struct quantity expected(struct parser *p, const char *what) {
-  char text[NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  char text[WORD_SIZE], hint[NB_HINT_SIZE];
   const char c = peek(p);
   if (!c)
     return wrong(p, p->at, 1, NULL, "expected %s, found the end of the expression", what);
@@ -172,7 +177,7 @@ static void wrong_unit(struct parser *p, size_t length, const char *text, bool i
 /* The word behind a literal or a parenthesis: it is a unit, or a mistake. */
 static struct nb_unit unit_behind(struct parser *p) {
   struct nb_unit unit;
-  char text[NB_NAME_SIZE];
+  char text[WORD_SIZE];
   const char *const behind = p->at;
   peek(p);
   const bool glued = p->at == behind;
@@ -195,10 +200,10 @@ static struct quantity literal(struct parser *p) {
   snprintf(text, sizeof text, "%.*s", (int)length, from);
   p->at += length;
   const struct nb_unit unit = unit_behind(p);
-  const enum nb_reading reading = nb_number_read(&value, text, unit.shift);
+  const enum nb_reading reading = nb_quantity_read(&value, text, false, &unit);
   if (reading != NB_READ)
     return wrong(p, from, length, NULL, "expected %s, found `%.80s`", nb_reach(reading), text);
-  return (struct quantity){value * unit.factor, unit.dimension};
+  return (struct quantity){value, unit.dimension};
 }
 
 /* Behind `(`, up to `)`. */
@@ -231,7 +236,7 @@ static struct quantity call(struct parser *p, const struct function *f, const ch
 
 /* A function, pi, or what `let` and `sweep` name. */
 static struct quantity named(struct parser *p) {
-  char name[NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  char name[WORD_SIZE], hint[NB_HINT_SIZE];
   struct nb_unit unit;
   const char *const from = p->at;
   const size_t length = word(p, "_", name);
@@ -339,21 +344,22 @@ void nb_value_write(struct nb_binding *value) {
   value->computed = true;
 }
 
-enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit) {
+enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit, bool computed) {
   struct nb_unit read = {.factor = 1};
   *value = (struct nb_binding){.value = NAN};
   if ((unit && !nb_unit_read(&read, unit)) || strlen(number) + (unit ? strlen(unit) : 0) + 2 > sizeof value->text)
     return NB_NO_NUMBER;
-  const enum nb_reading reading = nb_number_read(&value->value, number, read.shift);
-  value->value *= read.factor;
+  const enum nb_reading reading = nb_quantity_read(&value->value, number, computed, &read);
   value->dimension = read.dimension;
   snprintf(value->text, sizeof value->text, "%s%s%s", number, unit ? " " : "", unit ? unit : "");
+  if (reading == NB_READ && computed)
+    nb_value_write(value);
   return reading;
 }
 
 /* A literal and nothing else: `-5`, `0.3 mm`. */
 static bool plain(const struct parser *p, struct nb_binding *value) {
-  char number[NB_NAME_SIZE], unit[NB_NAME_SIZE];
+  char number[NB_NAME_SIZE], unit[WORD_SIZE];
   const size_t minus = *p->at == '-' || *p->at == '+', length = minus + nb_number_length(p->at + minus);
   struct parser behind = *p;
   behind.at = p->at + length;
@@ -364,7 +370,7 @@ static bool plain(const struct parser *p, struct nb_binding *value) {
   const size_t rest = word(&behind, "./%", unit), blanks = (size_t)(behind.at - p->at) - length;
   behind.at += rest;
   return (bare || (blanks && rest < sizeof unit && !peek(&behind) && (!p->reader->unitless || nb_unit_bare(unit)))) &&
-         nb_literal(value, number, bare ? NULL : unit) == NB_READ;
+         nb_literal(value, number, bare ? NULL : unit, false) == NB_READ;
 }
 
 bool nb_expression(struct nb_reader *reader, const char *line, const char *at, const char *end,

@@ -35,15 +35,10 @@ static bool take_value(struct nb_reader *reader, struct nb_binding *value, const
   const struct nb_token *next = nb_token_peek(reader);
   const char *unit =
       next && nb_unit_read(&read, next->text) && (!reader->unitless || nb_unit_bare(next->text)) ? next->text : NULL;
-  const enum nb_reading reading = nb_literal(value, (*token)->text, unit);
+  const enum nb_reading reading = nb_literal(value, (*token)->text, unit, (*token)->computed);
   if (reading == NB_TOO_LARGE || reading == NB_TOO_SMALL)
     return nb_expected_at(reader, *token, NULL, nb_reach(reading));
   reader->next += reading == NB_READ && unit;
-  if (reading == NB_READ && (*token)->computed) { /* with the bits that it has, and the unit as a factor */
-    nb_number_read(&value->value, (*token)->text, 0);
-    value->value = unit ? nb_unit_times(value->value, &read) : value->value;
-    nb_value_write(value);
-  }
   if (reading == NB_READ)
     return true;
   value->value = NAN;

@@ -86,7 +86,7 @@ static bool put_value(struct nb_reader *reader, const struct nb_binding *value, 
 static bool put_named(struct nb_reader *reader, const char *word, size_t before, size_t length) {
   const struct nb_token *token = &reader->tokens[reader->count - 1];
   const char *const name = word + before + 1, *const end = word + length, *behind = name;
-  char text[NB_NAME_SIZE], hint[NB_HINT_SIZE];
+  char text[NB_NAME_SIZE + 1], hint[NB_HINT_SIZE]; /* a longer name is cut to one that nothing has */
   while (behind < end && name_letter(*behind))
     behind++;
   snprintf(text, sizeof text, "%.*s", (int)(behind - name), name);

@@ -226,3 +226,12 @@ enum nb_reading nb_number_read(double *value, const char *text, int shift) {
     return NB_TOO_LARGE;
   return *value == 0 && nonzero ? NB_TOO_SMALL : NB_READ;
 }
+
+enum nb_reading nb_quantity_read(double *value, const char *text, bool computed, const struct nb_unit *unit) {
+  const enum nb_reading reading = nb_number_read(value, text, computed ? 0 : unit->shift);
+  if (reading != NB_READ)
+    return reading;
+  const double number = *value;
+  *value = computed ? nb_unit_times(number, unit) : number * unit->factor;
+  return !isfinite(*value) ? NB_TOO_LARGE : *value == 0 && number != 0 ? NB_TOO_SMALL : NB_READ;
+}

@@ -66,6 +66,8 @@ enum nb_reading { NB_READ, NB_NO_NUMBER, NB_TOO_LARGE, NB_TOO_SMALL };
 /* The double nearest to text times 10^shift. The whole text must be a decimal number, such as `-1.5e3`: no hex, no inf,
  * no nan, nothing behind it. The decimal point is a point whatever the program's locale. */
 enum nb_reading nb_number_read(double *value, const char *text, int shift);
+/* A number with its unit, in SI. What is computed keeps its bits and is multiplied by the unit. */
+enum nb_reading nb_quantity_read(double *value, const char *text, bool computed, const struct nb_unit *unit);
 /* "a number that a double can hold, up to 1.7e308" */
 const char *nb_reach(enum nb_reading reading);
 /* How many bytes at the beginning of text are a decimal number without a sign; 0: none. */

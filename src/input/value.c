@@ -168,12 +168,6 @@ static bool may_be_bare(const struct nb_reader *reader, const struct wanted *it)
   return computed || reader->unitless || is_bare(it);
 }
 
-static enum nb_reading read_in(double *value, const struct nb_token *number, const struct nb_unit *unit) {
-  const enum nb_reading reading = nb_number_read(value, number->text, number->computed ? 0 : unit->shift);
-  *value = number->computed ? nb_unit_times(*value, unit) : *value * unit->factor;
-  return reading;
-}
-
 static bool take(struct nb_reader *reader, const struct wanted *it, enum nb_range range, double *value) {
   char what[256], hint[NB_HINT_SIZE];
   struct nb_unit unit;
@@ -184,7 +178,7 @@ static bool take(struct nb_reader *reader, const struct wanted *it, enum nb_rang
     return nb_expected(reader, NULL, "%s", what);
   const bool matches = fits(&unit, reader, it);
   const struct nb_token *behind = matches || meant_as_unit(reader) ? token_behind(reader, 1) : NULL;
-  const enum nb_reading reading = read_in(value, number, &unit);
+  const enum nb_reading reading = nb_quantity_read(value, number->text, number->computed, &unit);
   if (reading != NB_READ)
     return refuse(reader, number, matches ? behind : NULL, NULL, nb_reach(reading));
   if (!matches && (behind || !may_be_bare(reader, it)))
