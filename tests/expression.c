@@ -225,8 +225,9 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"1 + 5e-324 deg", "p:1:5: error: expected a number that a double can hold, from 4.9e-324", false},
       /* what is longer than the longest name or unit is none, and not its beginning */
       {LONGEST "l + 1", "p:1:1: error: expected a name that a `let` or `sweep` above defines", false},
-      {"2 m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:3: error: expected a unit", false},
-      {"(2) m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:5: error: expected a unit", false},
+      {"2 m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:3: error: expected a unit", false},
+      {"(2) m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.m/m.mm", "p:1:5: error: expected a unit",
+       false},
       {"", "expected a number, a name or `(`, found the end of the expression", false},
       {"2 +", "p:1:4: error: expected a number, a name or `(`, found the end of the expression", false},
       {"(2 + 3", "p:1:7: error: expected an operator or `)`, found the end of the expression", false},
