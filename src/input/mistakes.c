@@ -241,7 +241,9 @@ struct nb_guess nb_guess_begin(const char *word) {
 }
 
 void nb_guess_offer(struct nb_guess *guess, const char *known) {
-  int d = distance(guess->word, known);
+  const size_t length = strlen(guess->word);
+  const bool begins = length > 2 && strncmp(known, guess->word, length) == 0 && known[length] == '.';
+  const int d = begins ? 1 : distance(guess->word, known); /* `energy` is near to `energy.kinetic` */
   if (d >= guess->distance || strlen(known) >= sizeof guess->best)
     return;
   guess->distance = d;

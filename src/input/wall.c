@@ -184,7 +184,7 @@ NB_APPLY(apply_walls) {
     move_wall(scene, reader, motion);
     moved++;
   }
-  if (moved == 0 && nb_excused(reader->mistakes, inward->token ? "box" : "wall"))
+  if (moved == 0 && (nb_excused(reader->mistakes, "box") || (stop->token && nb_excused(reader->mistakes, "wall"))))
     nb_silent(reader);
   if (moved == 0)
     nb_token_mistake(reader, &reader->tokens[0], inward->token ? "define it before the stages with `box …`" : NULL,
