@@ -74,6 +74,11 @@ cp "$work/one.md" "$work/two.md"
 "$nineball" migrate "$work/one.md" "$work/two.md" --in-place >"$work/said" 2>&1 &&
   cmp "$work/one.md" "$work/wanted" >>"$work/said" 2>&1 && cmp "$work/two.md" "$work/wanted" >>"$work/said" 2>&1
 result $? 'in place, ends of lines as they are'
+printf '```scene\ndiscs lattice 1 by 1 radius 1 m rock\n```\n' >"$work/page.md"
+chmod 640 "$work/page.md" && ln -s page.md "$work/link.md"
+"$nineball" migrate --in-place "$work/link.md" >"$work/said" 2>&1 && test -L "$work/link.md" &&
+  grep -q '^lattice discs' "$work/page.md" && ls -l "$work/page.md" | grep -q '^-rw-r-----'
+result $? 'a link leads to the page still, and the page keeps its permissions'
 "$nineball" migrate "$work/one.md" "$work/two.md" >/dev/null 2>"$work/said"
 test $? -eq 2 && grep -q 'with --in-place' "$work/said"
 result $? 'several pages only in place'

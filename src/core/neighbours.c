@@ -222,8 +222,8 @@ enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
     nb_cell_searched(model->cell, model->search.skin);
   model->search.count += searching;
   model->search.made = model->cycle;
-  if (nb_blocks_cut(model,
-                    error)) /* before the guard, which may end the run: the old blocks went with the old contacts */
+  /* Before the guard, which may end the run: the old blocks went with the old contacts. */
+  if (nb_blocks_cut(model, error))
     return error->status;
   return model->search.squeezed ? nb_guard_pairs(model, error) : NB_OK;
 }

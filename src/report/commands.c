@@ -314,8 +314,8 @@ static enum nb_status migrate(const char *path, bool in_place, struct nb_error *
   enum nb_status status = text.failed ? nb_error_memory(error) : NB_OK;
   if (!status && !in_place) {
     fputs(text.at ? text.at : "", stdout);
-  } else if (!status && text.at) {
-    status = nb_save_begin(&save, path, error);
+  } else if (!status && text.at && strcmp(text.at, page) != 0) {
+    status = nb_save_over(&save, path, error);
     if (!status)
       fputs(text.at, save.file), status = nb_save_end(&save, error);
   }

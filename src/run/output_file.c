@@ -84,6 +84,20 @@ enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_e
   return status;
 }
 
+enum nb_status nb_save_over(struct nb_save *save, const char *path, struct nb_error *error) {
+  struct stat old;
+  char *target = realpath(path, NULL); /* where links lead */
+  const bool writable = target && access(target, W_OK) == 0 && stat(target, &old) == 0;
+  enum nb_status status =
+      writable ? nb_save_begin(save, target, error) : nb_error_system(error, "cannot write %s", path);
+  if (!status && fchmod(fileno(save->file), old.st_mode & 07777) != 0) {
+    status = nb_error_system(error, "cannot write %s", path);
+    nb_save_drop(save);
+  }
+  free(target);
+  return status;
+}
+
 void nb_save_drop(struct nb_save *save) {
   fclose(save->file);
   remove(save->temporary);
