@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The step in s. `of critical` is of 2 sqrt(m/k) [CS79, Motion]: m the smallest mass that is free, k the largest normal
+/* The step in s. `of single-contact` is of 2 sqrt(m/k) [CS79, Motion]: m the smallest mass that is free, k the largest normal
  * stiffness between any two materials that bodies have, or a body and a wall. */
 static double step_length(const struct nb_scene *scene, const struct nb_step *step) {
   if (step->kind == NB_STEP_TIME)
