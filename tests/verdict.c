@@ -196,6 +196,9 @@ static void words(void) {
   planted_one("report A.x", NULL, 0, 1, (double[]){9}, NB_NOTE, "computed 9");
   planted_one("report A.x", NULL, 0, 1, (double[]){NAN}, NB_FAIL, "cannot be formed");
   planted_one("A.x within 1 of A.vx", "A.x", 8, 1, (double[]){9}, NB_PASS, "error 25 %, tolerance 100 % of A.vx");
+  /* below 1e-7 a share is no per cent, which would be a number of zeros */
+  planted_one("A.x within 1e-9 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 0.25, tolerance 1e-09 of A.vx");
+  planted_one("A.x within 1e-6 of A.vx", "A.x", 8, 1, (double[]){9}, NB_FAIL, "error 25 %, tolerance 0.0001 % of A.vx");
   struct nb_outcome outcome;
   planted_page(&outcome, "",
                "A.x versus time within 9"); /* of the worst row only, though each is worse than the one before */
