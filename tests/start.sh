@@ -168,9 +168,11 @@ run changed "$pages/saved-stage.md"
 test "$(made)" -eq 1 && ! cmp -s "$work/now/table.tsv" "$work/changed/table.tsv" &&
   test "$(ls "$states" | grep -c '^nine-discs-load-')" -eq 1
 result $? 'it is made anew, and the old one goes'
-sed 's/^walls     inward 0.12/walls     inward 0.12   # as ever/; s/^cycles    4000/cycles    7/; s/^record .*/record time/' \
-  cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md"
-run back "$pages/saved-stage.md" && run again "$pages/saved-stage.md" && test "$(made)" -eq 0
+cp cases/3-nine-discs/nine-discs.md "$pages"
+run back "$pages/saved-stage.md" && test "$(made)" -eq 1 &&
+  sed 's/^walls     inward 0.12/walls     inward 0.12   # as ever/; s/^cycles    4000/cycles    7/; s/^record .*/record time/' \
+    cases/3-nine-discs/nine-discs.md >"$pages/nine-discs.md" &&
+  run again "$pages/saved-stage.md" && test "$(made)" -eq 0
 result $? 'what is only looked at, remarks and what comes later make no difference'
 
 # ---- sweeps, and several at once ----
