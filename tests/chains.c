@@ -40,6 +40,13 @@ static void rows(void) {
   is(&page, 1, 5, 0.5, 0);
 }
 
+/* Of fixed particles alone none is in a chain: the fraction of nothing is 0. */
+static void all_fixed(void) {
+  struct words page = begin();
+  words_add(&page, "disc 0 0 radius 1 m fixed\ndisc 1.99 0 radius 1 m fixed\n");
+  is(&page, 0, 0, 0, 0);
+}
+
 /* n discs between two walls, links at phi from the axis; one that idles brings the mean below. Up to 30 degrees the major axis is
  * the zigzag's: cos 2 phi > sin phi; there each link turns 2 phi from the one before. Beyond it the walls press more. */
 static void zigzags(void) {
@@ -158,6 +165,7 @@ static void not_these(void) {
 void suite_chains(void) {
   CU_pSuite suite = CU_add_suite("chains", NULL, NULL);
   CU_add_test(suite, "a row is straight, two bodies are no chain", rows);
+  CU_add_test(suite, "fixed particles alone are in none", all_fixed);
   CU_add_test(suite, "a zigzag turns by its angle", zigzags);
   CU_add_test(suite, "hexagonal lattices, across the rows and along", hexagonal);
   CU_add_test(suite, "along both axes, and above the mean", along_and_above);

@@ -133,7 +133,7 @@ static enum nb_status wait_for(struct lock *lock, const struct nb_progress *prog
       nanosleep(&(struct timespec){.tv_nsec = (long)(PAUSE * 1e9)}, NULL);
       if (flock(lock->file, LOCK_EX | LOCK_NB) == 0)
         return NB_OK;
-      if (errno != EWOULDBLOCK && errno != EINTR)
+      if (errno != EWOULDBLOCK)
         return nb_error_system(error, "cannot lock %s", lock->path);
     }
     return nb_error_set(
