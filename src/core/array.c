@@ -31,14 +31,21 @@ void *nb_room(void *array, size_t count, size_t more, size_t element) {
   return have >= need ? array : realloc(array, need * element);
 }
 
-void *nb_more(void *array, size_t *count, size_t element) {
+bool nb_grow(void *array, size_t count, size_t element) {
   void *things;
   memcpy(&things, array, sizeof things); /* a pointer to void need not look like the others */
-  things = nb_room(things, *count, 1, element);
-  if (!things)
+  things = nb_room(things, count, 1, element);
+  if (things)
+    memcpy(array, &things, sizeof things);
+  return things != NULL;
+}
+
+void *nb_more(void *array, size_t *count, size_t element) {
+  char *things;
+  if (!nb_grow(array, *count, element))
     return NULL;
-  memcpy(array, &things, sizeof things);
-  return memset((char *)things + (*count)++ * element, 0, element);
+  memcpy(&things, array, sizeof things);
+  return memset(things + (*count)++ * element, 0, element);
 }
 
 void *nb_own(struct nb_owner *owner, size_t count, size_t size) {

@@ -17,19 +17,10 @@ bool nb_table_create(struct nb_table *table, size_t column_count) {
   return false;
 }
 
-static bool room(void *array, size_t rows, size_t size) {
-  void *things;
-  memcpy(&things, array, sizeof things);
-  things = nb_room(things, rows, 1, size);
-  if (things)
-    memcpy(array, &things, sizeof things);
-  return things != NULL;
-}
-
 double *nb_table_row(struct nb_table *table, int stage, double cycle, double time) {
   const size_t row = table->row_count, columns = table->column_count;
-  if (!room(&table->values, row, (columns + 1) * sizeof(double)) || !room(&table->cycle, row, sizeof(double)) ||
-      !room(&table->time, row, sizeof(double)) || !room(&table->stage, row, sizeof(int)))
+  if (!nb_grow(&table->values, row, (columns + 1) * sizeof(double)) || !nb_grow(&table->cycle, row, sizeof(double)) ||
+      !nb_grow(&table->time, row, sizeof(double)) || !nb_grow(&table->stage, row, sizeof(int)))
     return NULL;
   table->row_count++;
   table->stage[row] = stage, table->cycle[row] = cycle, table->time[row] = time;

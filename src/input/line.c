@@ -234,13 +234,10 @@ bool nb_no_memory(struct nb_reader *reader) {
 }
 
 bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const void *element, size_t size) {
-  void *things;
-  memcpy(&things, array, sizeof things);
-  things = nb_room(things, *count, 1, size);
-  if (!things)
+  void *place = nb_more(array, count, size);
+  if (!place)
     return nb_no_memory(reader);
-  memcpy((char *)things + (*count)++ * size, element, size);
-  memcpy(array, &things, sizeof things);
+  memcpy(place, element, size);
   return true;
 }
 
