@@ -11,6 +11,8 @@
 #include "../src/input/expression.h"
 #include "suites.h"
 
+static const double pi = 3.14159265358979323846;
+
 #define COUNT(list) (sizeof list / sizeof *list)
 
 #define LONGEST "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefghijk" /* 63 letters */
@@ -88,14 +90,14 @@ static void values(void) {
       {"sqrt(2)", sqrt(2), 0, 0, 0},
       {"sqrt(9 m2)", 3, 60, 0, 0},
       {"sin(pi/2)", 1, 0, 0, 0},
-      {"sin(30 deg)", sin(30 * (3.14159265358979323846 / 180)), 0, 0, 0},
+      {"sin(30 deg)", sin(30 * (pi / 180)), 0, 0, 0},
       {"cos(0)", 1, 0, 0, 0},
       {"tan(0)", 0, 0, 0, 0},
-      {"4*atan(1)", 3.14159265358979323846, 0, 0, 0},
-      {"asin(1)*2", 3.14159265358979323846, 0, 0, 0},
-      {"acos(-1)", 3.14159265358979323846, 0, 0, 0},
-      {"atan2(0, -1)", 3.14159265358979323846, 0, 0, 0},
-      {"atan2(1 mm, 1 m / 1000)", 3.14159265358979323846 / 4, 0, 0, 0},
+      {"4*atan(1)", pi, 0, 0, 0},
+      {"asin(1)*2", pi, 0, 0, 0},
+      {"acos(-1)", pi, 0, 0, 0},
+      {"atan2(0, -1)", pi, 0, 0, 0},
+      {"atan2(1 mm, 1 m / 1000)", pi / 4, 0, 0, 0},
       {"hypot(3, 4)", 5, 0, 0, 0},
       {"hypot(3 m/s, 4 m/s)", 5, 60, 0, -60},
       {"exp(0)", 1, 0, 0, 0},
@@ -105,7 +107,7 @@ static void values(void) {
       {"abs(-2 N)", 2, 60, 60, -120},
       {"min(2, -3)", -3, 0, 0, 0},
       {"max(2 s, 3 s)", 3, 0, 0, 60},
-      {"pi", 3.14159265358979323846, 0, 0, 0},
+      {"pi", pi, 0, 0, 0},
       /* dimensions */
       {"2 m * 3 s", 6, 60, 0, 60},
       {"1 kg.m/s / 1 s - 1 N", 0, 60, 60, -120},

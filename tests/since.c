@@ -10,18 +10,10 @@
 #include "suites.h"
 #include "written.h"
 
-static double cell(const struct nb_table *table, size_t row, const char *column) {
-  size_t c = 0;
-  while (c < table->column_count && strcmp(table->names[c], column) != 0)
-    c++;
-  CU_ASSERT_FATAL(c < table->column_count && row < table->row_count);
-  return table->values[row * table->column_count + c];
-}
-
 static void line(const struct nb_table *lattice, size_t row, const double wanted[8]) {
   static const char *const names[] = {"a", "b", "wall", "x1", "y1", "x2", "y2", "kind"};
   for (int k = 0; k < 8; k++)
-    CU_ASSERT_DOUBLE_EQUAL(cell(lattice, row, names[k]), wanted[k], 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(lattice, row, names[k]), wanted[k], 1e-12);
 }
 
 /* Disc 1 leaves disc 2 and comes to disc 3; 4 stays with 5, 6 leaves a wall and 7 comes to it, 8 is taken out. Springs are so
@@ -48,10 +40,10 @@ static void goes_over(void) {
   line(lattice, 3, (double[]){8, 9, 0, 40, 0, 41.9, 0, 0});
   line(lattice, 4, (double[]){6, 0, 1, 20, 4.9, 20, 0, -1});
   line(lattice, 5, (double[]){7, 0, 1, 30, 0.9, 30, 0, 1});
-  CU_ASSERT_DOUBLE_EQUAL(cell(bodies, 0, "moved_x"), 4, 1e-12);
-  CU_ASSERT_DOUBLE_EQUAL(cell(bodies, 5, "moved_y"), 4, 1e-12);
-  CU_ASSERT_DOUBLE_EQUAL(cell(bodies, 6, "moved_y"), -4, 1e-12);
-  CU_ASSERT(cell(bodies, 1, "moved_x") == 0 && cell(bodies, 0, "turned") == 0);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(bodies, 0, "moved_x"), 4, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(bodies, 5, "moved_y"), 4, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(bodies, 6, "moved_y"), -4, 1e-12);
+  CU_ASSERT(written_cell(bodies, 1, "moved_x") == 0 && written_cell(bodies, 0, "turned") == 0);
   CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 5); /* nobody draws a line to what is gone */
   CU_ASSERT_PTR_NULL(result.snapshots[2].lattice.names);
   CU_ASSERT_EQUAL(result.snapshots[2].bodies.column_count + 3, bodies->column_count);
@@ -148,19 +140,19 @@ static void slides(void) {
   struct written it;
   incline(&result, &it, friction);
   const struct nb_snapshot *last = &result.snapshots[many];
-  const double slid = cell(&last->contacts, 0, "slid");
+  const double slid = written_cell(&last->contacts, 0, "slid");
   CU_ASSERT(result.searches > 5);
   CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way); /* 3 steps of the last speed, 0.1 */
   /* what it slips in all is its way and its turn; what is no sliding is what the spring takes up, but for one step */
-  const double slip = cell(&last->bodies, 0, "moved_x") + 0.1 * cell(&last->bodies, 0, "turned");
+  const double slip = written_cell(&last->bodies, 0, "moved_x") + 0.1 * written_cell(&last->bodies, 0, "turned");
   CU_ASSERT(slip - slid <= spring * (1 + 1e-9) && slip - slid > 0.8 * spring);
   double sum = 0;
   for (int s = 0; s < many; s++) { /* six stages: more than there are fields for */
     const struct nb_table *bodies = &result.snapshots[s].bodies;
-    const double part = cell(&result.snapshots[s].contacts, 0, "slid");
+    const double part = written_cell(&result.snapshots[s].contacts, 0, "slid");
     sum += part;
     if (s > 0)
-      CU_ASSERT_DOUBLE_EQUAL(part, cell(bodies, 0, "moved_x") + 0.1 * cell(bodies, 0, "turned"), 1e-12);
+      CU_ASSERT_DOUBLE_EQUAL(part, written_cell(bodies, 0, "moved_x") + 0.1 * written_cell(bodies, 0, "turned"), 1e-12);
   }
   CU_ASSERT_DOUBLE_EQUAL(sum, slid, 1e-4 * way); /* less the one cycle before them and the one after */
   CU_ASSERT(sum < slid);
@@ -173,9 +165,10 @@ static void rolls(void) {
   struct written it;
   incline(&result, &it, 0.3);
   const struct nb_snapshot *last = &result.snapshots[many];
-  CU_ASSERT_EQUAL(cell(&last->contacts, 0, "slid"), 0);
-  CU_ASSERT(cell(&last->bodies, 0, "moved_x") > 0.25); /* it has gone all the same: p/(1 + 2/5) t^2/2 */
-  CU_ASSERT_DOUBLE_EQUAL(cell(&last->bodies, 0, "moved_x"), -0.1 * cell(&last->bodies, 0, "turned"), 2e-5);
+  CU_ASSERT_EQUAL(written_cell(&last->contacts, 0, "slid"), 0);
+  CU_ASSERT(written_cell(&last->bodies, 0, "moved_x") > 0.25); /* it has gone all the same: p/(1 + 2/5) t^2/2 */
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(&last->bodies, 0, "moved_x"), -0.1 * written_cell(&last->bodies, 0, "turned"),
+                         2e-5);
   nb_result_free(&result);
   written_free(&it);
 }
@@ -194,12 +187,12 @@ static void comes_back(void) {
             "stage in2\ncycles 1\nsnapshot from down2\n");
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
-  const double since_down = cell(&result.snapshots[1].contacts, 0, "slid");
-  const double since_apart = cell(&result.snapshots[2].contacts, 0, "slid");
+  const double since_down = written_cell(&result.snapshots[1].contacts, 0, "slid");
+  const double since_apart = written_cell(&result.snapshots[2].contacts, 0, "slid");
   CU_ASSERT(since_down > 0.05); /* 150 steps of 1e-4 at nearly 9 */
   CU_ASSERT(since_apart > since_down && since_apart < since_down + 1e-3);
   CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 1);
-  CU_ASSERT_EQUAL(cell(&result.snapshots[1].lattice, 0, "kind"), 1);
+  CU_ASSERT_EQUAL(written_cell(&result.snapshots[1].lattice, 0, "kind"), 1);
   nb_result_free(&result);
   written_free(&it);
 }

@@ -91,12 +91,15 @@ void written_run(struct nb_result *result, const struct written *written, const 
   CU_ASSERT_EQUAL_FATAL(status, NB_OK);
 }
 
-double written_last(const struct nb_result *result, const char *name) {
-  const struct nb_table *table = &result->table;
-  for (size_t c = 0; c < table->column_count && table->row_count; c++)
+double written_cell(const struct nb_table *table, size_t row, const char *name) {
+  for (size_t c = 0; c < table->column_count && row < table->row_count; c++)
     if (strcmp(table->names[c], name) == 0)
-      return table->values[(table->row_count - 1) * table->column_count + c];
-  printf("# not recorded: %s\n", name);
+      return table->values[row * table->column_count + c];
+  printf("# not recorded: %s in row %zu\n", name, row);
   CU_FAIL("a quantity is not recorded");
   return NAN;
+}
+
+double written_last(const struct nb_result *result, const char *name) {
+  return written_cell(&result->table, result->table.row_count - 1, name);
 }

@@ -18,7 +18,7 @@ struct words {
 };
 void words_add(struct words *words, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The only run of the page with these statements, those of a path if the first line is `path`; the test ends here when they hold a mistake. Free it in place. */
+/* The only run of the page with these statements, those of a contact test if the first line is `path`; the test ends here when they hold a mistake. Free it in place. */
 void written_scene(struct written *written, struct words *words);
 void written_free(struct written *written);
 
@@ -30,7 +30,8 @@ double written_now(const struct nb_model *model, const char *name);
 
 /* All stages; the test ends here when the physics breaks. nb_result_free it. */
 void written_run(struct nb_result *result, const struct written *written, const struct nb_options *options);
-/* Column `name` of the last row. */
+/* Column `name` of that row, and of the last one; a test with a row or a column that is not there fails. */
+double written_cell(const struct nb_table *table, size_t row, const char *name);
 double written_last(const struct nb_result *result, const char *name);
 
 #endif
