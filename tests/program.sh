@@ -506,6 +506,18 @@ if command -v gnuplot >/dev/null; then
   run 0 figure tree/cases/given.md -o drawn --trust --set wall=steel --set h=0.04
   grep -q "^[$]table << EOD" drawn/given.gp || echo 'there are several runs' >>why
   verdict 'all that --help gnuplot names is given to a page'
+
+  # Names of 49 and of 50 characters; gnuplot keeps 49.
+  long=$(printf 'm%046d' 0 | tr 0 x)
+  {
+    sed '/^```gnuplot/,/^```$/d' "$pages/passes.md" | sed "s/^monitor .* D .*/&\nmonitor $long disc 1\nmonitor x$long disc 1/" |
+      sed "s/^record .*/& $long.x x$long.x/"
+    printf '```expect\nreport %s.x\nreport x%s.x\n```\n```gnuplot\nplot x\n```\n' "$long" "$long"
+  } >tree/cases/long.md
+  run 0 figure tree/cases/long.md -o drawn --trust
+  grep -q "^${long}_x = " drawn/long.gp || echo 'a name of 49 characters has no variable' >>why
+  ! grep -q "^x${long}_x = " drawn/long.gp || echo 'a name of 50 characters has a variable' >>why
+  verdict 'a figure has variables whose names gnuplot keeps, and no others'
 fi
 
 run 0 figure "$pages/swept.md" -o drawn

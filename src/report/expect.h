@@ -55,9 +55,8 @@ struct nb_expectation {
   struct nb_tolerance tolerance;
   double number;             /* NB_EXPECTED: SI; NB_ORDER: the power */
   char source[NB_NAME_SIZE]; /* "[CS79 figure 6]" */
-  char
-      against[2 *
-              NB_NAME_SIZE]; /* NB_VERSUS: the independent variable, `time`; NB_INCREASES to NB_ORDER: the swept name */
+  /* NB_VERSUS: the independent variable, `time`; NB_INCREASES to NB_ORDER: the swept name */
+  char against[2 * NB_NAME_SIZE];
   char sample[2 * NB_NAME_SIZE]; /* the sweep whose runs are realizations of one case; empty: none */
   size_t column;                 /* of the independent variable */
   int line;

@@ -187,10 +187,11 @@ static void figures(const struct manual *to) {
        "a variable for each measure of the expect blocks, here `C.normal max`: what is no letter or digit "
        "becomes `_`. With a sweep `C_normal_max_1`, …"},
       {"reference_C_normal_max", "a variable for each value that the reference returns, likewise. A name of more than "
-                                 "50 characters, which gnuplot would cut, has none"},
+                                 "49 characters, which gnuplot would cut, has none"},
       {"$STAGE_particles",
        "a snapshot of a stage; also `$STAGE_walls`, `$STAGE_contacts`, of regions `$STAGE_rings`, of `snapshot from` "
-       "`$STAGE_lattice`, of a path `$LEG_traction` and `$LEG_pieces`. With a sweep `$STAGE_particles_1`, …"},
+       "`$STAGE_lattice`, of a contact test `$SEGMENT_traction` and `$SEGMENT_pieces`. With a sweep "
+       "`$STAGE_particles_1`, …"},
       {"plots", "the folder of the recipes: `load plots.'force-chains.gp'`"},
       {"terminal", "SVG, then PNG, of 840 by 560 points; the program sets it, and the file. `eval canvas(1100, 760)` "
                    "sets another size"},

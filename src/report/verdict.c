@@ -116,10 +116,15 @@ const double *nb_check_known(const struct nb_page_run *run, const struct nb_meas
   return known || !measure->vanishes ? known : &nothing;
 }
 
-const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *e) {
-  const bool bare = e->has_scale || run->scene.unitless || strcmp(e->measure.unit, "1") == 0;
-  snprintf(text, NB_NAME_SIZE, "%s%s", bare ? "" : " ", bare ? "" : e->measure.unit);
+/* A unit behind a number: with a space, or nothing. */
+static const char *unit_behind(char *text, const struct nb_page_run *run, const char *unit) {
+  const bool bare = run->scene.unitless || strcmp(unit, "1") == 0;
+  snprintf(text, NB_NAME_SIZE, "%s%s", bare ? "" : " ", bare ? "" : unit);
   return text;
+}
+
+const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *e) {
+  return unit_behind(text, run, e->has_scale ? "1" : e->measure.unit);
 }
 
 /* One number beside that of the reference, or beside the one that the page gives. */
@@ -162,9 +167,8 @@ static void check_curve(struct nb_check *check, const struct nb_page_run *run, c
       continue;
     most = excess;
     compare(check, &e->tolerance, computed, reference, whole, nb_check_unit(unit, run, e), "reference");
-    nb_append(check->words, sizeof check->words, "; the worst of %zu rows, at %s = %.6g%s%s", to - from, e->against, x,
-              run->scene.unitless || strcmp(table->units[e->column], "1") == 0 ? "" : " ",
-              run->scene.unitless || strcmp(table->units[e->column], "1") == 0 ? "" : table->units[e->column]);
+    nb_append(check->words, sizeof check->words, "; the worst of %zu rows, at %s = %.6g%s", to - from, e->against, x,
+              unit_behind(unit, run, table->units[e->column]));
   }
 }
 
