@@ -214,8 +214,10 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
   while (k < saved->body_count && k < scene->body_count &&
          same_body(&saved->bodies[k], &scene->bodies[k], removals > 0))
     k++;
-  const bool impact = saved->impact.is == (scene->impact.line > 0);
-  if (named && impact && saved->rule_count <= rules && k == scene->body_count && k == saved->body_count)
+  if (saved->impact.is != (scene->impact.line > 0))
+    return nb_error_set(error, NB_BAD_USE, "%.200s: expected the state of a page %s `impact`, found one %s", path,
+                        scene->impact.line ? "with" : "without", scene->impact.line ? "without" : "with");
+  if (named && saved->rule_count <= rules && k == scene->body_count && k == saved->body_count)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE,
                       "%.200s: expected the state of %zu bodies, %zu walls and %zu materials%s, "
