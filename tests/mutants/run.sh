@@ -4,7 +4,7 @@
 #
 #   make mutants                          all; about a second each
 #   make mutants MUTANTS=shear_linear     those whose file or description has the word
-#   make mutants MUTANTS=loading          those of a room; the only way to them
+#   make mutants MUTANTS=loading          those of a module; the only way to them
 #
 # What is changed stands in tests/mutants/rules.txt. The copy is kept in mutants/ of the build folder, to build less the next time;
 # `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK are what they say.
@@ -104,22 +104,22 @@ $awk -v OFS="$tab" '
   /^#/ || /^$/ { next }
   /^[a-z]+ / { key = $1; value = $0; sub(/^[a-z]+ +/, "", value) }
   key == "each" { put(); print key, "-", value, "-", "-"; key = ""; next }
-  key == "room" { put(); room = value; sub(/ .*/, "", room); sub(/^[^ ]+ /, "", value); print key, room, value, "-", "-"; key = ""; next }
+  key == "module" { put(); module = value; sub(/ .*/, "", module); sub(/^[^ ]+ /, "", value); print key, module, value, "-", "-"; key = ""; next }
   key == "mutant" || key == "equal" { put(); kind = key; words = value; key = ""; next }
   key == "in" { file = value; key = ""; next }
   /^- / { old = substr($0, 3); sub(/^ +/, "", old); next }
   /^\+ / { new = substr($0, 3); sub(/^ +/, "", new); next }
   { print "mistake", NR, "-", "-", "-" }
   END { put() }' tests/mutants/rules.txt >../table
-grep "^mistake" ../table && stop "lines of tests/mutants/rules.txt that are none of: each, room, mutant, equal, in, -, +"
+grep "^mistake" ../table && stop "lines of tests/mutants/rules.txt that are none of: each, module, mutant, equal, in, -, +"
 
 # Where each stands: LINE, COLUMN, LENGTH, new text. A text that is not there, or twice, is a rule that has rotted.
 : >../list
 : >../rotten
 while IFS=$tab read -r kind words file old new; do
   case $kind in
-  each | room)
-    test "$kind" = room && test -z "$only" && continue
+  each | module)
+    test "$kind" = module && test -z "$only" && continue
     set -- $file
     test -f "$1" || echo "each $file: no such file" >>../rotten
     for path in "$@"; do
@@ -163,7 +163,7 @@ equal() {
 
 # ---- one after the other ---------------------------------------------------------------------------------------------
 
-# A file may be in two rooms.
+# A file may be in two modules.
 $awk -F "$tab" -v only="$only" '
   only != "" && !index(tolower($2), tolower(only)) && !index(tolower($3), tolower(only)) { next }
   !seen[$3, $4, $5, $6, $7]++' ../list >../some
