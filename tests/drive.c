@@ -1,4 +1,4 @@
-/* What carries bodies along, and what a boundary fixeds: against what the equations come to [R89 4.41-4.44, 6.4.1].
+/* Imposed affine motion, and the particles that a boundary holds: against the solution of the equations [R89 4.41-4.44, 6.4.1].
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -1,7 +1,7 @@
 /* The periodic cell.                                                      [R89 2.3, 4.5.2]
  *
  *   H <- (1 + L dt) H                    L = c_ij, the strain rate tensor                    [R89 4.43, 4.44]
- *   c_i = L (x_i - x_0)                  what carries a body along, besides its own velocity v_i (carry.c)
+ *   c_i = L (x_i - x_0)                  imposed velocity of a particle, besides its own velocity v_i (carry.c)
  *   x_i <- x_i + (v_i + c_i) dt          so x_i - x_0 = H s keeps its s when v = 0: a uniform strain
  *   x_j + H m,   v_j + c_j + L H m       place and velocity of the copy of j that i meets
  *

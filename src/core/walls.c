@@ -76,11 +76,11 @@ static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
   return !(away > 2 * model->previous_step * (fabs(v.x) + fabs(v.y) + turn));
 }
 
-/* Whether the centre of body i has come from one side of wall w to the other between its ends, or upon it. */
 /* A crossing this share of a wall's length, 1, beyond its end counts as one: no particle slips through the joint of two walls.
  * Far above the rounding of a coordinate, 1e-16, and far below any gap that a page could mean. */
 static const double beyond_end = 1e-12;
 
+/* Whether the centre of body i has come from one side of wall w to the other between its ends, or upon it. */
 static bool crossed(const struct nb_model *model, size_t i, size_t w, double *way) {
   const struct nb_walls *walls = &model->walls;
   const double dt = model->previous_step, h0 = walls->h0[w];

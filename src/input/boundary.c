@@ -31,7 +31,7 @@ static const struct nb_argument continuum_strain_fields[] = {
   STRAIN,
   FLAG("apart", AT_APART, "apart", "What carries a body along is no part of its own velocity [R89 4.41]."),
   FLAG("accumulated", AT_LITERAL, "apart",
-       "The equations as R89 codes them: what carries a body along is added to its velocity in every cycle and stays there."),
+       "The interpretation that R89 codes: the imposed velocity is added to the velocity of a particle in every cycle and accumulates there."),
   END
 };
 /* clang-format on */
@@ -166,7 +166,7 @@ static void check_cell(struct nb_scene_reading *reading) {
                     "expected a scene without a cell, found one on line %d", scene->cell.line);
 }
 
-/* The line of a stage that carries bodies or walls along; 0: none. */
+/* The line of a stage that imposes motion on particles or walls; 0: none. */
 static int carries(const struct nb_stage *stage) {
   const struct nb_strain_rate *rate = &stage->boundary.strain;
   if (rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0)
@@ -176,7 +176,7 @@ static int carries(const struct nb_stage *stage) {
   return stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
 }
 
-/* What is carried along comes a step later to where it is carried: that has no way back. */
+/* Imposed motion uses the positions at the beginning of a step, so its displacements are not reversible. */
 void nb_drives_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   check_cell(reading);
@@ -185,9 +185,9 @@ void nb_drives_check(struct nb_scene_reading *reading) {
     const struct nb_stage *stage = &scene->stages[s];
     line = line ? line : carries(stage);
     if (stage->reverse && line)
-      nb_line_mistake(&reading->reader, (size_t)stage->line, NULL,
-                      "expected a stage without `reverse velocities`: what line %d carries along does not go back",
-                      line);
+      nb_line_mistake(
+          &reading->reader, (size_t)stage->line, NULL,
+          "expected a stage without `reverse velocities`: the motion that line %d imposes is not reversible", line);
   }
 }
 

@@ -89,7 +89,7 @@ static size_t word(const struct parser *p, const char *signs, char text[WORD_SIZ
   return n;
 }
 
-/* A mistake at so many bytes, and a value that nobody looks at. */
+/* Reports a mistake at `length` bytes from `at`. The value is never used. */
 static struct quantity wrong(struct parser *p, const char *at, size_t length, const char *hint, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 static struct quantity wrong(struct parser *p, const char *at, size_t length, const char *hint, const char *format,

@@ -208,7 +208,7 @@ static bool has_comma(struct nb_reader *reader, const struct nb_token *token) {
   return reader->bad;
 }
 
-/* The values, row by row. Answers how many rows; 0: they are wrong. There is room for NB_TOKENS_MAX values. */
+/* Reads the values, row by row, into room for NB_TOKENS_MAX of them. Returns the number of rows; 0 after a mistake. */
 static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, size_t columns) {
   const struct nb_token *tokens[NB_TOKENS_MAX];
   size_t count = 0;

@@ -1,5 +1,5 @@
 /* Words of the page language of 0.3, what they are today, and how a line is written anew: for `nineball migrate`, for hints, and for
- * `--help OLDWORD`. Nobody lists old words elsewhere.
+ * `--help OLDWORD`. Old words are listed nowhere else.
  *
  * To rename something, add a row. A row of statements or expectations is matched from the first word of the line:
  *

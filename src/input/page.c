@@ -179,7 +179,7 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
     nb_mistake(mistakes, page, block.line, column, (int)block.length,
                "close it with a line of as many signs, alone on the line",
                "expected the end of the block that begins here, found the end of the page");
-    /* where it should have ended nobody knows */
+    /* the page does not tell where it should have ended */
     memset(page->kind_of + block.line, 0, page->line_count - block.line);
   }
 }

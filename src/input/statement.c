@@ -82,8 +82,8 @@ static void list_word(char *list, size_t size, const char *word) {
     snprintf(list + used, size - used, "%s%s", used ? " or " : "", quoted);
 }
 
-/* The first words of rows are there and none of the words that go on from them: `spheres fil`. Answers one of those rows; NULL where
- * that row of another place is whole, and nothing near. */
+/* Reports a line that begins as some rows do and continues as none of them: `fill sphres`. Returns one of these rows; NULL if `whole`, a
+ * complete row of another place, fits and no row of this place is near. */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
@@ -153,7 +153,7 @@ static const char *place_of(unsigned here) {
   }
 }
 
-/* No row begins with that word. Answers the one that was probably meant, or NULL. */
+/* Reports a first word that no row begins with. Returns the row that was probably meant, or NULL. */
 static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
   char hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
   size_t used = (size_t)snprintf(hint, sizeof hint, "the %s word may be: ", here == NB_IN_RAMP ? "next" : "first");

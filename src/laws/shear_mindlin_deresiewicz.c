@@ -43,8 +43,8 @@
 #include "corners.h"
 
 static const double little = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
-static const double most_share =
-    1e150; /* old friction over new one: with more all slides the same, and its square is finite */
+/* The largest ratio of the old friction to the new one: with a larger one all slides as well, and its square is finite. */
+static const double most_share = 1e150;
 
 static inline double unit_of(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
 static inline double u_of(struct nb_pair p, double slip) { return slip * p.radius * (1 / unit_of(p)); }

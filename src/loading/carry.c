@@ -36,7 +36,7 @@ enum nb_status nb_carry_create(struct nb_model *model, struct nb_error *error) {
   if (model->owner.failed)
     return nb_error_memory(error);
   carry->by = by;
-  carry->free_before = true; /* nobody knows */
+  carry->free_before = true; /* not known */
   carry->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_CARRIERS; c++)
     carry->remembered[c] = 1;

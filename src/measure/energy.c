@@ -4,7 +4,7 @@
  *   U = sum (U_n + U_s)                         the laws' state functions: F_n^2/2k_n and F_s^2/2k_s for springs
  *   p = sum m v,   L = sum (m x x v + I w)      about the origin
  *
- * Velocities are without what carries a body along (carry.c). Sums run in the order of numbers, over bodies that are free.
+ * Velocities are those without the imposed motion (carry.c). Sums run in the order of numbers, over bodies that are free.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"

@@ -1,9 +1,9 @@
 /* Contact dashpots, added to what is felt and never to what is remembered.       [CS79 24-28; R89 4.3, 4.13]
  *
  *   D_n = c_n dn/dt,   D_s = c_s ds/dt                                  [CS79 26, 27]
- *   c = beta k                  `damping stiffness`, beta a time             [CS79 28]
- *   c = beta k t_c/2            `damping r89-fraction`: dN beta/(2 FRAC) is this, since dt = FRAC t_c    [R89 4.3, 4.4]
- *   c = beta 2 sqrt(M* k)       `damping ratio`, a share of critical    [R89 4.13, 4.19]
+ *   c = beta k                  `damping stiffness`, beta a time       [CS79 28]
+ *   c = beta k t_c/2            `damping r89-fraction`: dN beta/(2 FRAC) is this, since dt = FRAC t_c  [R89 4.3, 4.4]
+ *   c = beta 2 sqrt(M* k)       `damping ratio`, a fraction of critical  [R89 4.13, 4.19]
  *   c = 2 sqrt(M* k)            in the place of these where a contact is deep and the page says `critical beyond overlap` [R89 6.4.3]
  *
  * k is k_n for c_n, k_s for c_s; between elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.

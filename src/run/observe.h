@@ -12,7 +12,7 @@ bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage)
 /* Fields that some column or condition of the scene reads, and what else is to be kept for it: NB_ASKS_ of model.h. */
 unsigned nb_fields_watched(const struct nb_scene *scene);
 
-/* How far the run is, for who waits; who it is may be NULL. */
+/* Reports the progress of a run. `progress` may be NULL. */
 struct nb_teller {
   const struct nb_progress *progress;
   double began, told; /* s */
