@@ -350,6 +350,7 @@ SHELL_TESTS = \
   tests/start.sh \
   tests/packing.sh \
   tests/docs.sh \
+  tests/sketches.sh \
   tests/thesis.sh \
   tests/recipes.sh \
   tests/equations.sh \

@@ -1,0 +1,41 @@
+# The geometry of a contact of two discs.
+eval canvas(-2.8, 2.95, -1.75, 2.2)
+b = 20.; c = cos(b * pi / 180); s = sin(b * pi / 180)
+X = -0.95; Y = -0.35; D = 2.15                  # centre of x, distance to the centre of y
+U = X + D * c; V = Y + D * s
+eval disc(X, Y, 1.3)
+eval disc(U, V, 1.1)
+eval lens(X, Y, 1.3, U, V, 1.1, b)
+eval dashed(X, Y, U, V)
+eval dot(X, Y)
+eval dot(U, V)
+eval right(X - 0.08, Y + 0.12, sym('x'))
+eval left(U - 0.1, V - 0.22, sym('y'))
+eval line(X, Y, X - 1.3 * sin(0.7), Y + 1.3 * cos(0.7))
+eval label(X - 0.22, Y + 0.66, sub('R', 'x'))
+eval line(U, V, U + 1.1 * sin(0.5), V + 1.1 * cos(0.5))
+eval label(U + 0.05, V + 0.62, sub('R', 'y'))
+# The contact is half-way between the two outlines.
+G = (1.3 + D - 1.1) / 2
+P = X + G * c; Q = Y + G * s
+eval dot(P, Q)
+eval label(P - 0.75, Q + 1.2, 'C')
+eval line(P - 0.65, Q + 1.08, P - 0.03, Q + 0.07)
+eval arrow(P, Q, P + 0.62 * c, Q + 0.62 * s, green)
+eval coloured(P + 0.5, Q + 0.4, '{/:Bold e}', green)
+eval arrow(P, Q, P + 0.62 * s, Q - 0.62 * c, green)
+eval coloured(P + 0.42, Q - 0.48, '{/:Bold t}', green)
+# The overlap, between two lines along t.
+eval line(P - 0.125 * c + 0.7 * s, Q - 0.125 * s - 0.7 * c, P - 0.125 * c + 1.45 * s, Q - 0.125 * s - 1.45 * c)
+eval line(P + 0.125 * c + 0.7 * s, Q + 0.125 * s - 0.7 * c, P + 0.125 * c + 1.45 * s, Q + 0.125 * s - 1.45 * c)
+eval arrow(P - 0.6 * c + 1.3 * s, Q - 0.6 * s - 1.3 * c, P - 0.125 * c + 1.3 * s, Q - 0.125 * s - 1.3 * c, grey)
+eval arrow(P + 0.6 * c + 1.3 * s, Q + 0.6 * s - 1.3 * c, P + 0.125 * c + 1.3 * s, Q + 0.125 * s - 1.3 * c, grey)
+eval label(P + 0.8 * c + 1.3 * s, Q + 0.8 * s - 1.3 * c, sym('α'))
+eval arrow(X, Y, X - 0.75, Y - 0.45, blue)
+eval coloured(X - 0.5, Y - 0.6, '{/:Bold v}_x', blue)
+eval arrow(U, V, U + 0.7, V - 0.6, blue)
+eval coloured(U + 0.72, V - 0.25, '{/:Bold v}_y', blue)
+eval turn(X, Y, 1.42, 170., 215., green)
+eval coloured(X - 1.6, Y + 0.42, sub('ω', 'x'), green)
+eval turn(U, V, 1.22, 0., 50., green)
+eval coloured(U + 1.38, V + 0.7, sub('ω', 'y'), green)

@@ -1,0 +1,21 @@
+# A disc on an inclined plane.
+eval canvas(-2.9, 3.1, -0.35, 3.65)
+a = 25.; c = cos(a * pi / 180); s = sin(a * pi / 180)
+l = 2.45                                        # of the point of contact along the plane, from its foot
+X = -2.5 + l * c - s; Y = l * s + c             # centre of the disc
+eval wall(-2.5, 0, -2.5 + 5.6 * c, 5.6 * s)
+eval line(-2.5, 0, 0.6, 0)
+eval arc(-2.5, 0, 1.3, 0, a, black)
+eval label(-1.0, 0.3, sym('θ'))
+eval disc(X, Y, 1)
+eval dot(X, Y)
+eval arrow(X, Y, X, Y - 1.35, red)
+eval coloured(X - 0.3, Y - 0.6, sym('m').sym('g'), red)
+eval arrow(X + s, Y - c, X + s - 0.9 * s, Y - c + 0.9 * c, red)
+eval coloured(X + s - 0.05, Y - c + 0.65, sym('N'), red)
+eval arrow(X + s, Y - c, X + s + 1.0 * c, Y - c + 1.0 * s, red)
+eval coloured(X + s + 1.0 * c + 0.02, Y - c + 1.0 * s + 0.26, sym('F'), red)
+eval turn(X, Y, 1.2, 60., 130., green)
+eval coloured(X - 0.1, Y + 1.42, sym('ω'), green)
+eval arrow(X - 1.15 * c, Y - 1.15 * s, X - 1.85 * c, Y - 1.85 * s, blue)
+eval coloured(X - 1.6 * c - 0.12, Y - 1.6 * s + 0.3, sym('v'), blue)
