@@ -25,6 +25,15 @@ result $? 'every word has an example'
 "$nineball" explain "$language" >/dev/null 2>"$work/said"
 result $? 'the examples, one after the other, are a page that is read'
 
+# Every quantity, or the family that it belongs to, `fabric` for `fabric.normal.xx`, is in the glossary.
+sed -n '/^## Quantities/,/^## Numbers/s/^- `\([^`]*\)`.*/\1/p' "$language" | sort -u | awk '
+  FNR == NR { line = $0; while (match(line, /`[^`]*`/)) { known[substr(line, RSTART + 1, RLENGTH - 2)]; line = substr(line, RSTART + RLENGTH) }; next }
+  { family = $0; while (!(family in known) && sub(/\.[^.]*$/, "", family)) {} }
+  !(family in known) { print $0 " is not in docs/GLOSSARY.md" }
+  END { if (FNR < 100) print "there are " FNR " quantities only" }' docs/GLOSSARY.md - >"$work/said"
+test ! -s "$work/said"
+result $? 'every quantity, or its family, is in the glossary'
+
 # Its reference is one of another scene: what asks for it is left out.
 awk '/^### / { word = $2 } /^```/ { inside = $0 != "```" }
   !(inside && !/^```/ && word ~ /^(reference|within|versus|order)$/)' "$language" >"$work/runs.md"

@@ -305,7 +305,7 @@ void nb_manual(FILE *out, bool markdown) {
           "All words of pages. The program makes this document from the tables that it reads pages by; `make language` "
           "renews it. The document is a page itself: its examples, one after the other, are a scene, and `nineball "
           "explain docs/LANGUAGE.md` shows what it would run. On the terminal: `nineball --help scene`, and `nineball "
-          "--help disc` for one word.\n\n",
+          "--help disc` for one word. [GLOSSARY.md](GLOSSARY.md) explains the terms of the field.\n\n",
           out);
   grammar(&to);
   section(&to, "The scene");
