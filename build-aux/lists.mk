@@ -293,7 +293,7 @@ SUITES = \
   tests/walls.c \
   tests/stable.c \
   tests/fracc.c \
-  tests/watch.c \
+  tests/stability.c \
   tests/steps.c \
   tests/rayleigh.c \
   tests/impact.c \
@@ -301,7 +301,7 @@ SUITES = \
   tests/refs_hertz.c \
   tests/refs_stacked.c \
   tests/changes.c \
-  tests/carry.c \
+  tests/affine.c \
   tests/box.c \
   tests/place.c \
   tests/begins.c \
@@ -318,7 +318,7 @@ SUITES = \
   tests/state.c \
   tests/state_driven.c \
   tests/state_file.c tests/state_records.c \
-  tests/bench.c \
+  tests/contact_test.c \
   tests/many.c \
   tests/tensor.c \
   tests/areas.c \
@@ -329,7 +329,7 @@ SUITES = \
   tests/region_sums.c \
   tests/snapshot.c \
   tests/chains.c \
-  tests/since.c \
+  tests/configuration.c \
   tests/speeds.c \
   tests/reducers.c \
   tests/verdict.c \
@@ -386,7 +386,7 @@ CORE = \
   src/core/block.h \
   src/core/blocks.c \
   src/core/boundary.h \
-  src/core/carry.h \
+  src/core/affine.h \
   src/core/cell.c \
   src/core/cell.h \
   src/core/clean.c \
@@ -406,7 +406,7 @@ CORE = \
   src/core/guard.c \
   src/core/guess.h \
   src/core/hertz_impact.h \
-  src/core/joints.c \
+  src/core/wall_vertices.c \
   src/core/machine.c \
   src/core/materials.c \
   src/core/memory.c \
@@ -443,7 +443,7 @@ PASS = \
   src/pass/disc_disc.c \
   src/pass/disc_disc.h \
   src/pass/disc_wall.c \
-  src/pass/joints.c \
+  src/pass/wall_vertices.c \
   src/pass/pass.h \
   src/pass/periodic.c \
   src/pass/resolve.c
@@ -471,8 +471,8 @@ MEASURE = \
   src/measure/region.c \
   src/measure/region.h \
   src/measure/region_quantities.c \
-  src/measure/since.c \
-  src/measure/since.h \
+  src/measure/configuration.c \
+  src/measure/configuration.h \
   src/measure/snapshot.c \
   src/measure/snapshot.h \
   src/measure/stable_step.c \
@@ -480,13 +480,13 @@ MEASURE = \
   src/measure/step.h \
   src/measure/strain.c \
   src/measure/stress.c \
-  src/measure/watch.c
+  src/measure/stability.c
 
 # What moves an assembly from outside: boundary, cell, box, servo; what is taken out.
 LOADING = \
   src/loading/box.c \
   src/loading/boundary.c \
-  src/loading/carry.c \
+  src/loading/affine.c \
   src/loading/loading.h \
   src/loading/loading_quantities.c \
   src/loading/remove.c \
@@ -503,7 +503,7 @@ PACKING = \
 
 # A page, line by line, to struct nb_scene.
 INPUT = \
-  src/input/bench_quantities.h \
+  src/input/contact_test_quantities.h \
   src/input/columns.c \
   src/input/columns.h \
   src/input/expression.c \
@@ -532,9 +532,9 @@ INPUT = \
 
 # Plan, stages, states, tables, and one contact alone.
 RUN = \
-  src/run/bench.c \
-  src/run/bench.h \
-  src/run/bench_quantities.c \
+  src/run/contact_test.c \
+  src/run/contact_test.h \
+  src/run/contact_test_quantities.c \
   src/run/hooks.c \
   src/run/model.c \
   src/run/observe.c \

@@ -75,7 +75,7 @@ struct nb_scene;
 /* A quantity that can be recorded, waited for or expected: `C.normal`, `time`, `energy.kinetic`. */
 struct nb_quantity {
   const struct nb_quantity_kind *kind; /* one row of the table in names.c, NULL: none */
-  int watch;                           /* index of the watch it belongs to, -1: of the whole scene */
+  int monitor;                         /* index of the watch it belongs to, -1: of the whole scene */
   const struct nb_suffix *suffix; /* of a family of quantities (families.c): which of them; NULL: it is one alone */
 };
 
@@ -118,7 +118,7 @@ struct nb_pair_rule {
 };
 
 /* A body is known by its number for ever: 1, 2, ... in the order of the page; here at index number - 1. */
-struct nb_body {
+struct nb_particle {
   enum nb_shape shape;
   double x, y, radius; /* m */
   double vx, vy;       /* m/s, at time 0 */
@@ -230,18 +230,18 @@ struct nb_step {
 };
 
 /* Something a page looks at, under a name of its own. */
-enum nb_watch_kind {
-  NB_WATCH_BODY,
-  NB_WATCH_WALL,
-  NB_WATCH_BODY_BODY,
-  NB_WATCH_BODY_WALL,
-  NB_WATCH_REGION,
-  NB_WATCH_GRADING,
-  NB_WATCH_SIZE
+enum nb_monitor_kind {
+  NB_MONITOR_PARTICLE,
+  NB_MONITOR_WALL,
+  NB_MONITOR_PARTICLE_PARTICLE,
+  NB_MONITOR_PARTICLE_WALL,
+  NB_MONITOR_REGION,
+  NB_MONITOR_GRADING,
+  NB_MONITOR_SIZE
 };
-struct nb_watch {
+struct nb_monitor {
   char name[NB_NAME_SIZE];
-  enum nb_watch_kind kind;
+  enum nb_monitor_kind kind;
   int a, b; /* index of a body, wall, region, grading or size of it, as the kind says; -1 where there is none */
   int line;
 };
@@ -263,7 +263,7 @@ struct nb_region {
 /* `gravity GX GY`: the same acceleration on all bodies that are free; `gravity centripetal G about X Y`: towards a point. */
 struct nb_gravity {
   double x, y;             /* m/s2 */
-  double inward;           /* m/s2, towards the point: */
+  double central;          /* m/s2, towards the point: */
   double about_x, about_y; /* m */
   bool ramp;               /* reached at the end of the stage, along a straight line */
   int line;                /* of the page; 0: not said here */
@@ -280,7 +280,7 @@ struct nb_change {
 /* `impact`: a sphere flies at what its watch names with it. Reading puts it where it just touches and gives it its velocity;
  * the run begins the share `phase` of a step before that. */
 struct nb_impact {
-  int watch;    /* the contact; its first body is the one that flies */
+  int monitor;  /* the contact; its first body is the one that flies */
   double speed; /* of its centre relative to what it strikes, m/s */
   double angle; /* from the normal, rad; NAN: it follows from psi1 */
   double psi1;  /* Maw's angle of incidence, 1 [R89 5.15]; NAN: it follows from the angle */
@@ -344,7 +344,7 @@ struct nb_point {
 };
 
 /* One leg of a path: what the contact on the bench goes through while a stage of a path page lasts. */
-struct nb_leg {
+struct nb_segment {
   struct nb_aim normal, shear;
   struct nb_point *points; /* `follow FILE`: instead of the aims, one step to each; owned by the scene */
   size_t point_count;
@@ -420,7 +420,7 @@ struct nb_stage {
   struct nb_damping damping; /* as the stage before, unless this one says otherwise */
   struct nb_laws laws;       /* as the stage before where they are empty */
   unsigned long long hash;   /* of all that the page says up to the end of this stage, but what is only looked at */
-  struct nb_leg leg;         /* of a path: `cycles` are its steps */
+  struct nb_segment segment; /* of a path: `cycles` are its steps */
   int line;
 };
 
@@ -451,8 +451,8 @@ struct nb_scene {
   size_t material_count;
   struct nb_pair_rule *pair_rules;
   size_t pair_rule_count;
-  struct nb_body *bodies;
-  size_t body_count;
+  struct nb_particle *particles;
+  size_t particle_count;
   struct nb_wall *walls;
   size_t wall_count;
   struct nb_grading *gradings;
@@ -472,8 +472,8 @@ struct nb_scene {
   struct nb_step step;
   bool allow_unstable; /* the step is not watched in any stage */
   double skin;         /* m: pairs closer than this are listed [R89 TOL]; 0: not said, a tenth of the mean radius */
-  struct nb_watch *watches;
-  size_t watch_count;
+  struct nb_monitor *monitors;
+  size_t monitor_count;
   struct nb_region *regions;
   size_t region_count;
   struct nb_impact impact;
@@ -537,7 +537,7 @@ void nb_table_free(struct nb_table *table);
 /* The contacts, bodies and walls at one moment: what a picture of forces needs. */
 struct nb_snapshot {
   int stage; /* index of the stage at whose end it was taken */
-  struct nb_table bodies, walls, contacts;
+  struct nb_table particles, walls, contacts;
   struct nb_table rings;   /* of regions: porosity by radius */
   struct nb_table lattice; /* `snapshot from`: which contacts are kept, new and lost */
   struct nb_table traction,
@@ -559,8 +559,8 @@ struct nb_result {
 
 /* Called about ten times a second while a run goes on, with the share done (0 to 1) and the seconds since its start. */
 struct nb_progress {
-  void (*call)(void *data, const char *stage, double share, double seconds); /* or NULL */
-  void (*note)(void *data, const char *text);                                /* what is worth a word; or NULL */
+  void (*call)(void *data, const char *stage, double fraction, double seconds); /* or NULL */
+  void (*note)(void *data, const char *text);                                   /* what is worth a word; or NULL */
   void *data;
 };
 

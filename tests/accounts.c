@@ -23,7 +23,7 @@ static const char *const names[TERMS] = {"energy.gravity",    "energy.walls",   
   "disc 0 0 radius 1 m velocity 0.4 0 spin 0.2\ndisc 1.99 0.1 radius 1 m velocity -0.4 0.1\n"                          \
   "disc 0 9 radius 1 m velocity 0.3 0.2 spin 0.5\n"
 #define SPRINGS "material m density 1 kn 900\n"
-#define RUBS "material m density 1 kn 900 ks 700 friction 0.005\nshear linear\n"
+#define HAS_FRICTION "material m density 1 kn 900 ks 700 friction 0.005\nshear linear\n"
 #define CIRCLE "boundary circle 0 0 radius 0.5\n"
 #define FOUR                                                                                                           \
   "disc 1 1 radius 1 m velocity -1 0\ndisc -0.99 1 radius 1 m\ndisc 1 -1 radius 1 m\ndisc -1 -0.99 radius 1 "          \
@@ -44,7 +44,7 @@ static void each_way_has_its_term(void) {
       {SPRINGS MEET, "", "damping stiffness 0.01\n", BIT(DAMPED)},
       {SPRINGS MEET, "", "damping mass 0.3\n", BIT(DAMPED)},
       {SPRINGS MEET, "", "damping con1 0.99 as cs79\n", BIT(DAMPED)},
-      {RUBS MEET, "", "", BIT(FRICTIONAL) | BIT(SLIDING) | BIT(SHEAR)},
+      {HAS_FRICTION MEET, "", "", BIT(FRICTIONAL) | BIT(SLIDING) | BIT(SHEAR)},
       {SPRINGS MEET, "", "zero velocities\n", BIT(CHANGED)},
       {SPRINGS MEET, "", "reverse velocities\n", 0},
       {SPRINGS MEET, "", "rotation off\n", BIT(CHANGED)},

@@ -105,8 +105,8 @@ static void what_is_advised_holds(void) {
     char text[512], advice[64] = "";
     snprintf(text, sizeof text, format, head, later ? small : cases[k / 2].step, later ? cases[k / 2].step : "");
     CU_ASSERT_EQUAL(ends(text, &cycles, &error), NB_BROKEN);
-    const char *const said = strstr(error.text, "write `step ");
-    CU_ASSERT_FATAL(said && sscanf(said, "write `%63[^`]", advice) == 1);
+    const char *const given = strstr(error.text, "write `step ");
+    CU_ASSERT_FATAL(given && sscanf(given, "write `%63[^`]", advice) == 1);
     const char *const way = strpbrk(cases[k / 2].step + 5, " "), *const its = strpbrk(advice + 5, " ");
     CU_ASSERT(way && its ? strcmp(way, its) == 0 : way == its);
     snprintf(text, sizeof text, format, head, later ? small : advice, later ? advice : "");

@@ -41,10 +41,10 @@ static void the_servo_goes_as_predicted(void) {
     CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[1], side, 1e-12);
     CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[2], p, 1e-9);
     CU_ASSERT_DOUBLE_EQUAL(row(&result, (size_t)n)[3], p, 1e-9);
-    const double asked = p > 0 ? (p - wanted) / (2 * b * t) * dt : -INFINITY;
+    const double requested = p > 0 ? (p - wanted) / (2 * b * t) * dt : -INFINITY;
     if (n % 3 == 0) { /* as in tests/servo.c */
-      const bool fast = !(fabs(asked) <= most);
-      const double first = fast ? copysign(most, asked) : asked;
+      const bool fast = !(fabs(requested) <= most);
+      const double first = fast ? copysign(most, requested) : requested;
       const bool anew = fast || !(fabs(first + gathered) <= most);
       rate = anew ? first * (1 - (1 - sqrt(0.75)) / 2) : first + gathered;
       gathered = anew ? -(1 - sqrt(0.75)) / 2 * first : gathered + first * 3 * dt / (16 * t);

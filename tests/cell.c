@@ -22,7 +22,7 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
             "units none\nmaterial a density 1 kn 3e3 ks 2e3 friction 0.4\nmaterial b density 2 kn 9e3 ks 3e3 friction "
             "0.2\nshear linear\nstep 1e-3\ncell -8 -8 to 8 8\n%s",
             more);
-  struct placed placed = {.share = 0.5, .side = 16};
+  struct placed placed = {.fraction = 0.5, .side = 16};
   for (int k = 0; k < DISCS; k++) {
     const double r = chance_scale(&chance, 0.2, 0.8), vx = chance_between(&chance, -5, 5);
     const double spin = chance_between(&chance, -9, 9), vy = chance_between(&chance, -5, 5);
@@ -42,14 +42,14 @@ static void gas(struct written *it, const char *strain, const char *more, int wa
 /* The gap between i and the nearest of all copies of j within five sides, and how many copies are nearer than `within`. */
 static double nearest(const struct nb_model *model, size_t i, size_t j, double within, int *count) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
-  const struct nb_vec a = nb_wrapped(&wrap, model->bodies.position[i]),
-                      b = nb_wrapped(&wrap, model->bodies.position[j]);
+  const struct nb_vec a = nb_wrapped(&wrap, model->particles.position[i]),
+                      b = nb_wrapped(&wrap, model->particles.position[j]);
   double least = INFINITY;
   *count = 0;
   for (int m = -5; m <= 5; m++)
     for (int n = -5; n <= 5; n++) {
       const struct nb_vec apart = vec_sub(vec_add(b, tensor_times(wrap.h, vec(m, n))), a);
-      const double gap = vec_length(apart) - model->bodies.rim[i].x - model->bodies.rim[j].x;
+      const double gap = vec_length(apart) - model->particles.surface[i].radius - model->particles.surface[j].radius;
       least = fmin(least, gap), *count += gap < within;
     }
   return least;
@@ -59,8 +59,8 @@ static double nearest(const struct nb_model *model, size_t i, size_t j, double w
 static double gap_of(const struct nb_model *model, size_t c) {
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   const struct nb_vec shift = tensor_times(model->cell->h, model->contacts.image[c]);
-  const struct nb_vec apart = vec_add(vec_sub(model->bodies.position[j], model->bodies.position[i]), shift);
-  return vec_length(apart) - model->bodies.rim[i].x - model->bodies.rim[j].x;
+  const struct nb_vec apart = vec_add(vec_sub(model->particles.position[j], model->particles.position[i]), shift);
+  return vec_length(apart) - model->particles.surface[i].radius - model->particles.surface[j].radius;
 }
 
 /* Whatever is nearer than `within` is listed, once, and under the copy that is so near. */
@@ -69,7 +69,7 @@ static size_t compare(const struct nb_model *model, double within) {
   for (size_t k = 0; k < DISCS; k++)
     for (size_t l = k + 1; l < DISCS; l++) {
       int count;
-      const size_t i = (size_t)model->bodies.slot[k], j = (size_t)model->bodies.slot[l];
+      const size_t i = (size_t)model->particles.slot[k], j = (size_t)model->particles.slot[l];
       const double gap = nearest(model, i, j, within, &count);
       if (!(gap < within))
         continue;
@@ -93,7 +93,7 @@ static void all_copies_are_found(void) {
       struct nb_model *model = written_model(&it, &(struct nb_options){.threads = 1, .shuffle = shuffle});
       CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
       for (int round = 0; round < 12; round++) {
-        CU_ASSERT_EQUAL_FATAL(nb_near(model, &error), NB_OK);
+        CU_ASSERT_EQUAL_FATAL(nb_neighbours_search(model, &error), NB_OK);
         const size_t wanted = compare(model, model->search.skin);
         CU_ASSERT(wanted > 20 && wanted == model->contacts.count);
         for (int cycle = 0; cycle < 250; cycle++) {
@@ -111,11 +111,12 @@ static void all_copies_are_found(void) {
 /* Forces, spins and how much each has moved, by number. */
 static void outcome(const struct nb_model *model, double state[DISCS][8]) {
   for (size_t k = 0; k < DISCS; k++) {
-    const size_t i = (size_t)model->bodies.slot[k];
+    const size_t i = (size_t)model->particles.slot[k];
     const struct nb_force force = nb_force_on(model, i);
     const struct nb_vec v = nb_velocity_half(model, i).velocity;
-    const double values[8] = {force.force.x, force.force.y,         force.moment,           v.x,
-                              v.y,           model->bodies.spin[i], model->bodies.angle[i], model->cell->h.xy};
+    const double values[8] = {
+        force.force.x,    force.force.y, force.moment, v.x, v.y, model->particles.spin[i], model->particles.angle[i],
+        model->cell->h.xy};
     memcpy(state[k], values, sizeof values);
   }
 }
@@ -140,7 +141,7 @@ static void which_copy_is_named_changes_nothing(void) {
     gas(&it, "cell strain 0.02 0 c12 0.3", "", wander, 7);
     struct nb_model *model = run(&it, NULL, 200);
     outcome(model, wander ? seen : wanted);
-    CU_ASSERT(fabs(model->bodies.position[0].x) > 0);
+    CU_ASSERT(fabs(model->particles.position[0].x) > 0);
     nb_model_free(model);
     written_free(&it);
   }

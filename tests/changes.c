@@ -43,7 +43,7 @@ static double row_of(const char *statements, const char *column, size_t row) {
   "disc "                                                                                                              \
   "1\nmonitor F disc 2\nrecord D.x D.y D.vx D.vy D.fy F.y F.vy\nstep 0.25\n"
 
-static void a_body_falls(void) {
+static void a_particle_falls(void) {
   const char *falls = FLIGHT "gravity 0 -2\nstage a\ncycles 8\n";
   CU_ASSERT_EQUAL(after(falls, "D.y"), -4); /* -g t^2/2, t = 2 */
   CU_ASSERT_EQUAL(after(falls, "D.vy"), -4);
@@ -282,7 +282,7 @@ static void a_spin_ramps(void) {
 
 void suite_changes(void) {
   CU_pSuite suite = CU_add_suite("changes", NULL, NULL);
-  CU_add_test(suite, "a body falls", a_body_falls);
+  CU_add_test(suite, "a body falls", a_particle_falls);
   CU_add_test(suite, "gravity jumps", gravity_jumps);
   CU_add_test(suite, "gravity pulls along any axis", gravity_pulls_along_any_axis);
   CU_add_test(suite, "gravity ramps", gravity_ramps);

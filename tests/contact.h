@@ -18,10 +18,10 @@ struct contact {
   const struct nb_law *normal, *shear; /* shear NULL: none */
   struct nb_pair pair;
   double overlap;
-  double normal_memory[NB_MEMORY], shear_memory[MOST];
+  double normal_history[NB_HISTORY], shear_history[MOST];
   struct nb_normal n;
   struct nb_shear s;
-  double lost; /* in all, by a law that says it, J */
+  double dissipated; /* in all, by a law that says it, J */
 };
 
 static inline struct contact contact_of(const struct nb_law *normal, const struct nb_law *shear, struct nb_pair pair) {
@@ -29,29 +29,29 @@ static inline struct contact contact_of(const struct nb_law *normal, const struc
   it.pair.pieces = shear ? shear->pieces : 0;
   if (shear && shear->cohesionless)
     it.pair.cohesion = 0;
-  for (int m = 0; m < NB_MEMORY; m++)
-    it.normal_memory[m] = m < normal->memory ? 0 : untouched;
+  for (int m = 0; m < NB_HISTORY; m++)
+    it.normal_history[m] = m < normal->memory ? 0 : untouched;
   for (int m = 0; m < MOST; m++)
-    it.shear_memory[m] = m < nb_law_memory(shear, it.pair) ? 0 : untouched;
+    it.shear_history[m] = m < nb_law_history(shear, it.pair) ? 0 : untouched;
   return it;
 }
 
 /* Over to this overlap, and on by this slip. */
 static inline void contact_go(struct contact *it, double overlap, double slip) {
-  const int remembered = nb_law_memory(it->shear, it->pair);
-  it->n = it->normal->normal(it->pair, overlap, overlap - it->overlap, it->normal_memory);
+  const int remembered = nb_law_history(it->shear, it->pair);
+  it->n = it->normal->normal(it->pair, overlap, overlap - it->overlap, it->normal_history);
   it->n.overlap = it->overlap = overlap;
-  if (it->shear && (overlap > 0 || remembered <= NB_MEMORY))
-    it->s = it->shear->shear(it->pair, it->n, slip, it->shear_memory);
+  if (it->shear && (overlap > 0 || remembered <= NB_HISTORY))
+    it->s = it->shear->shear(it->pair, it->n, slip, it->shear_history);
   else
     it->s = (struct nb_shear){0};
-  it->lost += it->shear && it->shear->loses ? it->s.lost : 0;
+  it->dissipated += it->shear && it->shear->dissipative ? it->s.dissipated : 0;
   if (overlap > 0)
     return;
   for (int m = 0; m < it->normal->memory; m++) /* what is remembered ends with the contact, as law_batch.h sees to */
-    it->normal_memory[m] = 0;
+    it->normal_history[m] = 0;
   for (int m = 0; m < remembered; m++)
-    it->shear_memory[m] = m > 0 && remembered > NB_MEMORY ? untouched : 0; /* there the first one tells */
+    it->shear_history[m] = m > 0 && remembered > NB_HISTORY ? untouched : 0; /* there the first one tells */
 }
 
 /* Along a straight line of n steps; answers the work done on the contact, by the mean force of each step. */
@@ -103,9 +103,9 @@ static inline void every_law(bool shears, void (*test)(struct contact it, struct
 }
 
 static inline double stored(const struct contact *it) {
-  double sum = it->normal->stored(it->pair, it->n, it->normal_memory);
+  double sum = it->normal->stored(it->pair, it->n, it->normal_history);
   if (it->shear)
-    sum += it->shear->stored(it->pair, it->n, it->shear_memory);
+    sum += it->shear->stored(it->pair, it->n, it->shear_history);
   return sum;
 }
 

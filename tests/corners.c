@@ -39,7 +39,7 @@ static void one_go(struct one *it, double x, double u) {
   CU_ASSERT_EQUAL(it->m[0], floor(it->m[0]));
 }
 static int pieces(const struct one *it) { return (int)it->m[0]; }
-static double share(const struct one *it) { return it->s.force / (it->pair.friction * it->n.force); }
+static double fraction(const struct one *it) { return it->s.force / (it->pair.friction * it->n.force); }
 
 /* ---- the pieces themselves ---- */
 
@@ -204,12 +204,12 @@ static void closed_loops_are_forgotten(void) {
     const double back = u * chance_scale(&chance, 1e-3, 1.8);
     one_go(&it, x, 0);
     one_go(&it, x, u);
-    const double before = share(&it);
+    const double before = fraction(&it);
     one_go(&it, x, -back);
-    const double there = it.s.lost;
+    const double there = it.s.dissipated;
     one_go(&it, x, back);
-    CU_ASSERT_DOUBLE_EQUAL(it.s.lost, there, 1e-8 * there + 1e-15 * 0.25 * it.n.force * x / 4);
-    CU_ASSERT_DOUBLE_EQUAL(share(&it), before, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(it.s.dissipated, there, 1e-8 * there + 1e-15 * 0.25 * it.n.force * x / 4);
+    CU_ASSERT_DOUBLE_EQUAL(fraction(&it), before, 1e-12);
   }
   struct one it = one_of(plain); /* without any rounding */
   one_go(&it, 0x1p-10, 0);
@@ -229,7 +229,7 @@ static void friction_goes_anew(void) {
   for (int path = 0; path < 300; path++) {
     struct one it = one_of(plain);
     double x[MOST], d[MOST], begin = 0;
-    for (int leg = 0; leg < 8; leg++)
+    for (int segment = 0; segment < 8; segment++)
       one_go(&it, chance_between(&chance, 0.5e-3, 2e-3), chance_between(&chance, -0.5e-3, 0.5e-3));
     const int count = exact()->pieces_of(it.pair, it.n, it.m, x, d);
     const double held = exact()->stored(it.pair, it.n, it.m), new = chance_between(&chance, 0.4, 1.5);
@@ -239,8 +239,8 @@ static void friction_goes_anew(void) {
     for (int k = 0; k < count; k++)
       wanted = by_hand_go(&hand, x[k], d[k] * (x[k] - begin) / new), begin = x[k];
     one_go(&it, it.n.overlap, 0);
-    CU_ASSERT_DOUBLE_EQUAL(share(&it), wanted, 1e-6);
-    CU_ASSERT_DOUBLE_EQUAL(it.s.lost, held - exact()->stored(it.pair, it.n, it.m), 1e-6 * held);
+    CU_ASSERT_DOUBLE_EQUAL(fraction(&it), wanted, 1e-6);
+    CU_ASSERT_DOUBLE_EQUAL(it.s.dissipated, held - exact()->stored(it.pair, it.n, it.m), 1e-6 * held);
     CU_ASSERT_DOUBLE_EQUAL(it.m[1], it.pair.friction, 1e-15);
     most = count > most ? count : most;
   }
@@ -255,33 +255,34 @@ static void nothing_rubs(void) {
   CU_ASSERT_EQUAL(it.s.sliding, 0);
   CU_ASSERT_EQUAL(it.m[1], 0.25);
   for (int k = 0; k < 3; k++) {
-    const struct nb_normal gone = {.overlap = 1e-3, .radius = k == 2 ? 1e-120 : 0}; /* whose cube is 0 */
-    it.s = exact()->shear(it.pair, gone, k == 1 ? 0 : 1e-4, it.m);
-    CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 0 && it.s.lost == 0);
+    const struct nb_normal removed = {.overlap = 1e-3, .radius = k == 2 ? 1e-120 : 0}; /* whose cube is 0 */
+    it.s = exact()->shear(it.pair, removed, k == 1 ? 0 : 1e-4, it.m);
+    CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 0 && it.s.dissipated == 0);
   }
   it.pair.friction = 0;
   one_go(&it, 1e-3, 1e-4);
-  CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 1 && it.s.lost == 0);
+  CU_ASSERT(it.m[0] == 0 && it.s.force == 0 && it.s.sliding == 1 && it.s.dissipated == 0);
 }
 
 /* As many doubles are in use as have been written, and the contact goes on from those alone. */
 static void what_is_used(void) {
-  for (int legs = 1; legs < 12; legs++) {
+  for (int segments = 1; segments < 12; segments++) {
     struct one it = one_of(plain), other = one_of(plain);
     for (int k = 1; k < ROW; k++)
       it.m[k] = NAN, other.m[k] = 1e-3;
     one_go(&it, 1e-3, 0);
     double u = 0.9e-3;
-    for (int leg = 1; leg < legs; leg++, u *= -0.9) /* loops within loops: each turn is one piece more */
+    for (int segment = 1; segment < segments;
+         segment++, u *= -0.9) /* loops within loops: each turn is one piece more */
       one_go(&it, 1e-3, u);
     int written = ROW;
     while (isnan(it.m[written - 1]))
       written--;
-    CU_ASSERT_EQUAL(pieces(&it), legs);
+    CU_ASSERT_EQUAL(pieces(&it), segments);
     CU_ASSERT_EQUAL(exact()->used(it.m), written);
     memcpy(other.m, it.m, sizeof *it.m * (size_t)exact()->used(it.m));
     one_go(&it, 0.99e-3, -0.3 * u), one_go(&other, 0.99e-3, -0.3 * u);
-    CU_ASSERT(it.s.force == other.s.force && it.s.lost == other.s.lost && it.m[0] == other.m[0]);
+    CU_ASSERT(it.s.force == other.s.force && it.s.dissipated == other.s.dissipated && it.m[0] == other.m[0]);
   }
 }
 

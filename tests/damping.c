@@ -29,13 +29,13 @@ static struct nb_model *two_discs(struct written *it, const char *damping, const
 }
 
 /* dn/dt and ds/dt of C over the step behind, [CS79 14, 15]. */
-static void rates(const struct nb_model *model, double *closing, double *slip) {
+static void rates(const struct nb_model *model, double *dn, double *slip) {
   const double dx = written_now(model, "B.x") - written_now(model, "A.x"),
                dy = written_now(model, "B.y") - written_now(model, "A.y");
   const double e1 = dx / hypot(dx, dy), e2 = dy / hypot(dx, dy);
   const double vx = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
   const double vy = written_now(model, "A.vy.half") - written_now(model, "B.vy.half");
-  *closing = vx * e1 + vy * e2;
+  *dn = vx * e1 + vy * e2;
   *slip = vx * e2 - vy * e1 - (written_now(model, "A.spin.half") + 2 * written_now(model, "B.spin.half"));
 }
 
@@ -72,16 +72,16 @@ static void where_they_meet(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 0.02", "disc 2.96 0.5 radius 2 b velocity -1 0", 10);
   CU_ASSERT_EQUAL(written_now(model, "C.normal"), 0);
-  double closing, slip;
+  double dn, slip;
   do
     written_cycles(model, 1);
   while (!(written_now(model, "C.normal") > 0));
-  rates(model, &closing, &slip);
-  const double overlap = written_now(model, "C.normal") / 400, share = overlap / (closing * 0.001);
-  CU_ASSERT(share > 0.1 && share < 0.9 && fabs(slip) > 0.1);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.shear"), 250 * share * slip * 0.001, 1e-12);
+  rates(model, &dn, &slip);
+  const double overlap = written_now(model, "C.normal") / 400, fraction = overlap / (dn * 0.001);
+  CU_ASSERT(fraction > 0.1 && fraction < 0.9 && fabs(slip) > 0.1);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.shear"), 250 * fraction * slip * 0.001, 1e-12);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), 0.02 * 250 * slip, 1e-12);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), 0.02 * 400 * closing, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), 0.02 * 400 * dn, 1e-12);
   nb_model_free(model);
   written_free(&it);
 }
@@ -103,17 +103,18 @@ static void coefficients(void) {
     struct nb_model *model = two_discs(&it, kinds[n].damping, kinds[n].second, 10);
     CU_ASSERT_EQUAL(written_now(model, "C.dashpot.normal"), 0); /* nothing has moved yet */
     for (int cycle = 0; cycle < 20; cycle++) {
-      double closing, slip;
+      double dn, slip;
       written_cycles(model, 1);
-      rates(model, &closing, &slip);
-      CU_ASSERT(fabs(closing) > 0.1 && fabs(slip) > 0.1);
-      CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), kinds[n].normal * closing, 1e-12);
+      rates(model, &dn, &slip);
+      CU_ASSERT(fabs(dn) > 0.1 && fabs(slip) > 0.1);
+      CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.normal"), kinds[n].normal * dn, 1e-12);
       CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), kinds[n].shear * slip, 1e-12);
     }
-    const double felt = written_now(model, "C.dashpot.normal"), dragged = written_now(model, "C.dashpot.shear");
+    const double contact_forces = written_now(model, "C.dashpot.normal"),
+                 dragged = written_now(model, "C.dashpot.shear");
     model->step *= 3; /* a rate is over the step behind, whatever comes next */
     nb_forces(model);
-    CU_ASSERT(written_now(model, "C.dashpot.normal") == felt);
+    CU_ASSERT(written_now(model, "C.dashpot.normal") == contact_forces);
     CU_ASSERT_DOUBLE_EQUAL(written_now(model, "C.dashpot.shear"), dragged, 1e-12);
     nb_model_free(model);
     written_free(&it);
@@ -138,7 +139,7 @@ static void a_wall_weighs_without_end(void) {
 }
 
 /* While discs part quickly the dashpot pulls more than the spring pushes, and what is felt is their sum. */
-static void what_is_felt_may_pull(void) {
+static void what_is_contact_forces_may_pull(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 1", "disc 2.99 0 radius 2 b velocity 3 0.25", 0);
   written_cycles(model, 1);
@@ -195,10 +196,10 @@ static void restitution(void) {
         beta, dt);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
-    const double known = exp(-pi * beta / sqrt(1 - beta * beta)), seen = -written_last(&result, "D.vx") / 0.25;
-    if (!(fabs(seen / known - 1) <= 3 * 2 * beta * w * dt))
-      printf("# e = %g, known %g, at beta = %g\n", seen, known, beta);
-    CU_ASSERT(fabs(seen / known - 1) <= 3 * 2 * beta * w * dt);
+    const double solution = exp(-pi * beta / sqrt(1 - beta * beta)), seen = -written_last(&result, "D.vx") / 0.25;
+    if (!(fabs(seen / solution - 1) <= 3 * 2 * beta * w * dt))
+      printf("# e = %g, known %g, at beta = %g\n", seen, solution, beta);
+    CU_ASSERT(fabs(seen / solution - 1) <= 3 * 2 * beta * w * dt);
     nb_result_free(&result);
     written_free(&it);
   }
@@ -230,7 +231,7 @@ void suite_damping(void) {
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
   CU_add_test(suite, "a wall weighs without end", a_wall_weighs_without_end);
   CU_add_test(suite, "a stage without dashpots", a_stage_without_dashpots);
-  CU_add_test(suite, "what is felt may pull", what_is_felt_may_pull);
+  CU_add_test(suite, "what is felt may pull", what_is_contact_forces_may_pull);
   CU_add_test(suite, "sliding: limit of the elastic force, no shear dashpot", sliding);
   CU_add_test(suite, "restitution of a disc on a wall", restitution);
 }

@@ -11,7 +11,7 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, share) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(b))
+#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
 
 static struct nb_model *model_of(struct written *it, const char *first, const char *second) {
   struct words page = {0};
@@ -40,10 +40,9 @@ static void elastic_coefficients(void) {
                           "damping ratio 0.2\nstep 1e-4\n" RECORD);
     written_cycles(model, 1);
     const double a = sqrt(0.5 * written_now(model, "C.overlap"));
-    const double closing = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
+    const double dn = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
     const double slip = written_now(model, "A.vy.half") - written_now(model, "B.vy.half");
-    NEAR(written_now(model, "C.dashpot.normal"), 0.4 * sqrt(0.5 * 2 * 0.5 * a) * closing,
-         1e-3); /* e has turned by 1e-5 */
+    NEAR(written_now(model, "C.dashpot.normal"), 0.4 * sqrt(0.5 * 2 * 0.5 * a) * dn, 1e-3); /* e has turned by 1e-5 */
     CU_ASSERT_EQUAL(written_now(model, "C.sliding"), slides);
     const double shear = slides ? 0 : 0.4 * sqrt(0.5 * 8 * 0.125 * a) * fabs(slip);
     CU_ASSERT(fabs(fabs(written_now(model, "C.dashpot.shear")) - shear) <= 1e-3 * shear);
@@ -204,8 +203,8 @@ static void deep_ones_are_damped_critically(void) {
     struct nb_model *model = written_model(&it, NULL);
     written_cycles(model, 1);
     const double a = sqrt(0.5 * written_now(model, "C.overlap")), ratio = is_deep ? 1 : 0.1;
-    const double closing = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
-    NEAR(written_now(model, "C.dashpot.normal"), 2 * ratio * sqrt(0.5 * a) * closing, 1e-12);
+    const double dn = written_now(model, "A.vx.half") - written_now(model, "B.vx.half");
+    NEAR(written_now(model, "C.dashpot.normal"), 2 * ratio * sqrt(0.5 * a) * dn, 1e-12);
     CU_ASSERT_EQUAL(written_now(model, "contacts.deep"), is_deep ? 2 : 0);
     /* without shear 2/omega (sqrt(1 + xi^2) - xi), omega^2 = k/M* */
     NEAR(nb_safe_step(model).step, 2 / sqrt(a / 0.5) * (sqrt(1 + ratio * ratio) - ratio), 1e-5);

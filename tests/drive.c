@@ -210,10 +210,10 @@ static void the_work_balances(void) {
 /* The largest component of sum F_i X_j/A over the bodies inside, which is what boundary.stress.residual should be. */
 static double out_of_balance(const struct nb_model *model) {
   struct nb_tensor sum = tensor(0, 0, 0, 0);
-  for (size_t i = 0; i < model->bodies.count; i++)
-    if (model->bodies.inverse_mass[i] > 0)
+  for (size_t i = 0; i < model->particles.count; i++)
+    if (model->particles.inverse_mass[i] > 0)
       sum = tensor_add(
-          sum, tensor_outer(nb_force_on(model, i).force, vec_sub(model->bodies.position[i], model->carry->centre)));
+          sum, tensor_outer(nb_force_on(model, i).force, vec_sub(model->particles.position[i], model->affine->centre)));
   return fmax(fmax(fabs(sum.xx), fabs(sum.xy)), fmax(fabs(sum.yx), fabs(sum.yy))) / nb_ring_area(model);
 }
 
@@ -237,7 +237,7 @@ static void the_stress_is_that_of_the_contacts(void) {
   struct nb_tensor sum = tensor(0, 0, 0, 0);
   for (size_t c = 0; c < model->contacts.count; c++) {
     const int a = model->contacts.a[c], b = model->contacts.b[c];
-    const struct nb_vec l = vec_sub(model->bodies.position[a], model->bodies.position[b]);
+    const struct nb_vec l = vec_sub(model->particles.position[a], model->particles.position[b]);
     sum = tensor_add(sum, tensor_outer(model->contacts.force[c], l));
   }
   sum = tensor_scale(1 / nb_ring_area(model), sum); /* discs are 1 thick */
@@ -263,9 +263,9 @@ static void a_stress_is_shared_out(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   struct nb_tensor sum = tensor(0, 0, 0, 0);
   struct nb_vec force = vec(0, 0);
-  for (size_t i = 0; i < model->bodies.count; i++) {
+  for (size_t i = 0; i < model->particles.count; i++) {
     force = vec_add(force, model->drive->pressed[i]);
-    sum = tensor_add(sum, tensor_outer(model->drive->pressed[i], model->bodies.position[i]));
+    sum = tensor_add(sum, tensor_outer(model->drive->pressed[i], model->particles.position[i]));
   }
   const double area = nb_ring_area(model);
   CU_ASSERT(area > 50);
@@ -274,8 +274,8 @@ static void a_stress_is_shared_out(void) {
   CU_ASSERT_DOUBLE_EQUAL(sum.xy, 0.7 * area, 1e-11 * area);
   CU_ASSERT_DOUBLE_EQUAL(sum.yx, 0.7 * area, 1e-11 * area);
   CU_ASSERT_DOUBLE_EQUAL(sum.yy, -3 * area, 1e-11 * area);
-  for (size_t i = 0; i < model->bodies.count; i++)
-    CU_ASSERT(model->bodies.inverse_mass[i] > 0);
+  for (size_t i = 0; i < model->particles.count; i++)
+    CU_ASSERT(model->particles.inverse_mass[i] > 0);
   nb_model_free(model);
   written_free(&it);
 }

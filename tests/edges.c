@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/core/carry.h"
+#include "../src/core/affine.h"
 #include "run/plan.h"
 #include "suites.h"
 #include "written.h"
@@ -61,7 +61,7 @@ static void straining_takes_of_the_skin(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   const struct nb_cell *cell = model->cell;
   written_cycles(model, 3);
-  CU_ASSERT_DOUBLE_EQUAL(cell->reach, (0.4 - (pow(1.003, 3) - 1) * (1 + 0.4)) / 2, 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(cell->travel_limit, (0.4 - (pow(1.003, 3) - 1) * (1 + 0.4)) / 2, 1e-14);
   nb_model_free(model), written_free(&it);
 }
 
@@ -82,8 +82,8 @@ static void what_is_let_go_does_not_turn(void) {
   "path\nmaterial soft young 1 MPa poisson 0 friction 0.3\ncontact sphere 10 mm soft with sphere 10 mm soft\n"         \
   "normal hertz\n"
 
-/* bench.c, run_leg: the last step of a leg has a row whatever the rows are counted by. */
-static void the_last_step_of_a_leg_is_recorded(void) {
+/* contact_test.c, run_leg: the last step of a leg has a row whatever the rows are counted by. */
+static void the_last_step_of_a_segment_is_recorded(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it, SOFT "record step\nsegment a overlap to 3 um in 5 steps\nrecord every 2 steps\n");
@@ -94,7 +94,7 @@ static void the_last_step_of_a_leg_is_recorded(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* bench.c, seek: a force is sought up to an overlap of two radii: here one of half a radius, R* = 5 mm, E* = 0.5 MPa. */
+/* contact_test.c, seek: a force is sought up to an overlap of two radii: here one of half a radius, R* = 5 mm, E* = 0.5 MPa. */
 static void a_force_deep_in_the_contact_is_found(void) {
   struct written it;
   struct nb_result result;
@@ -114,6 +114,6 @@ void suite_edges(void) {
   CU_ADD_TEST(suite, a_cell_stays_wide_enough_or_not);
   CU_ADD_TEST(suite, straining_takes_of_the_skin);
   CU_ADD_TEST(suite, what_is_let_go_does_not_turn);
-  CU_ADD_TEST(suite, the_last_step_of_a_leg_is_recorded);
+  CU_ADD_TEST(suite, the_last_step_of_a_segment_is_recorded);
   CU_ADD_TEST(suite, a_force_deep_in_the_contact_is_found);
 }

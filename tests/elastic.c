@@ -10,11 +10,11 @@
 
 static const struct nb_pair pair = {.young = 3e10, .shear = 7e9, .radius = 0.02, .friction = 1e6};
 
-static struct nb_normal normal(const char *law, double overlap, double closing, double m[]) {
-  return nb_law_find("normal", law)->normal(pair, overlap, closing, m);
+static struct nb_normal normal(const char *law, double overlap, double dn, double m[]) {
+  return nb_law_find("normal", law)->normal(pair, overlap, dn, m);
 }
-static struct nb_normal increment(double overlap, double closing, double m[]) {
-  return normal("hertz_increment", overlap, closing, m);
+static struct nb_normal increment(double overlap, double dn, double m[]) {
+  return normal("hertz_increment", overlap, dn, m);
 }
 
 /* ---- R89's increments ---- */
@@ -25,7 +25,7 @@ static double rebound(const char *law, int steps, double *left) {
   const double mass = 0.1, speed = 2;
   const double depth = pow(15 * mass * speed * speed / (16 * sqrt(pair.radius) * pair.young), 0.4);
   const double dt = 2.9432751843247047 * depth / speed / steps;
-  double v = speed, overlap = 0, m[NB_MEMORY] = {0};
+  double v = speed, overlap = 0, m[NB_HISTORY] = {0};
   *left = 0;
   for (int k = 0; k < 2 * steps; k++) {
     overlap += v * dt;
@@ -43,12 +43,12 @@ static void increments_lose_speed(void) {
   static const struct {
     int steps;
     double kept, within;
-  } known[] = {
+  } solution[] = {
       {30, 0.97069, 5e-6}, {35, 0.97463, 5e-6}, {40, 0.97764, 5e-6}, {80, 0.98857, 5e-6}, {400, 0.99769, 5e-6}};
-  for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+  for (size_t k = 0; k < sizeof solution / sizeof *solution; k++) {
     double left;
-    CU_ASSERT_DOUBLE_EQUAL(rebound("hertz_increment", known[k].steps, &left), known[k].kept, known[k].within);
-    if (known[k].steps <= 40)
+    CU_ASSERT_DOUBLE_EQUAL(rebound("hertz_increment", solution[k].steps, &left), solution[k].kept, solution[k].within);
+    if (solution[k].steps <= 40)
       CU_ASSERT_DOUBLE_EQUAL(left, 0.10, 0.01); /* likewise: 0.109, 0.100, 0.093 */
   }
 }
@@ -63,7 +63,7 @@ static void increments_are_of_first_order(void) {
 
 /* [R89 4.11] for the first one, whatever part of the step it took; [R89 4.12, 4.14] from there on. */
 static void increments_as_printed(void) {
-  double m[NB_MEMORY] = {0};
+  double m[NB_HISTORY] = {0};
   const double first = 4. / 3 * pair.young * sqrt(pair.radius * pow(1e-6, 3));
   struct nb_normal n = increment(1e-6, 5e-6, m);
   CU_ASSERT_DOUBLE_EQUAL(n.force, first, 1e-14 * first);
@@ -78,7 +78,7 @@ static void increments_as_printed(void) {
 
 /* 4.3.1: with the force all of the contact's data is gone, though the outlines still overlap. */
 static void increments_part_before_the_outlines(void) {
-  double m[NB_MEMORY] = {0}, shear[NB_MEMORY] = {0};
+  double m[NB_HISTORY] = {0}, shear[NB_HISTORY] = {0};
   const struct nb_law *mindlin = nb_law_find("shear", "mindlin");
   CU_ASSERT(mindlin->shear(pair, increment(4e-6, 4e-6, m), 1e-7, shear).force > 0);
   struct nb_normal n = increment(1e-6, -3e-6, m);
@@ -97,7 +97,7 @@ static void increments_part_before_the_outlines(void) {
 struct stuck {
   const struct nb_law *law;
   double radius, force, work; /* m, N, J of slip */
-  double m[NB_MEMORY];
+  double m[NB_HISTORY];
 };
 
 /* To this radius of the circle, then on by this slip. */
@@ -153,10 +153,10 @@ static void stuck_up_to_the_limit(void) {
   for (int law = 0; law < 2; law++)
     for (int above = 0; above < 2; above++) {
       struct stuck it = {.law = nb_law_find("shear", laws[law])};
-      const double share = above ? 1.0001 : 0.9999;
+      const double fraction = above ? 1.0001 : 0.9999;
       stuck_go(&it, radius, 0);
-      stuck_go(&it, radius, share * limit / (8 * pair.shear * radius));
-      CU_ASSERT_DOUBLE_EQUAL(it.force, above ? limit : share * limit, 1e-12 * limit);
+      stuck_go(&it, radius, fraction * limit / (8 * pair.shear * radius));
+      CU_ASSERT_DOUBLE_EQUAL(it.force, above ? limit : fraction * limit, 1e-12 * limit);
     }
 }
 

@@ -190,10 +190,10 @@ static void a_law_that_stores_nothing(void) {
   struct written it;
   struct nb_error error;
   struct nb_model *model = made(&it, DRAG);
-  struct nb_law loose = *model->pairings[0].shear;
+  struct nb_law loose = *model->material_pairs[0].shear;
   loose.stored = NULL;
-  for (size_t p = 0; p < model->pairing_count; p++)
-    model->pairings[p].shear = &loose;
+  for (size_t p = 0; p < model->material_pair_count; p++)
+    model->material_pairs[p].shear = &loose;
   nb_balance_free(model);
   CU_ASSERT_EQUAL(nb_balance_create(model, &error), NB_BAD_USE);
   CU_ASSERT(strstr(error.text, "shear linear") && strstr(error.text, "energy.shear"));
@@ -205,8 +205,8 @@ static void a_law_that_stores_nothing(void) {
             DRAG);
   written_scene(&it, &page);
   model = written_model(&it, NULL);
-  for (size_t p = 0; p < model->pairing_count; p++)
-    model->pairings[p].shear = &loose;
+  for (size_t p = 0; p < model->material_pair_count; p++)
+    model->material_pairs[p].shear = &loose;
   written_cycles(model, 160);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.shear"), 12 * 0.1 + 12 * 12 / 400., 1e-7);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "energy.residual"), 0, 1e-6);
@@ -242,7 +242,7 @@ static void nothing_for_nothing(void) {
                                      "record time energy.kinetic momentum.x\nstage s\ncycles 9\n");
   CU_ASSERT_PTR_NULL(model->balance);
   CU_ASSERT_PTR_NULL(model->contacts.kept[NB_SHEAR_BEFORE]);
-  CU_ASSERT_PTR_NULL(model->contacts.kept[NB_SLIP]);
+  CU_ASSERT_PTR_NULL(model->contacts.kept[NB_TANGENTIAL_INCREMENT]);
   CU_ASSERT_EQUAL(model->plan.kept >> NB_FIELDS, 0);
   nb_model_free(model);
   written_free(&it);

@@ -16,7 +16,7 @@ static const char *const pages[] = {
 
 /* What a stage waits for may then not come: it ends after its cycles. */
 static void shorten(struct nb_scene *scene, double budget) {
-  const double each = budget / (double)((scene->body_count + 10) * scene->stage_count);
+  const double each = budget / (double)((scene->particle_count + 10) * scene->stage_count);
   const unsigned long most = each > 20 ? (unsigned long)each : 20;
   for (size_t s = 0; s < scene->stage_count && !scene->path; s++) {
     struct nb_stage *stage = &scene->stages[s];
@@ -27,10 +27,10 @@ static void shorten(struct nb_scene *scene, double budget) {
 }
 
 /* On the bench a column asks the laws for what not all of them know: no more than the page's own do. */
-static void add_column(struct nb_scene *scene, const char *name, size_t room, unsigned known) {
+static void add_column(struct nb_scene *scene, const char *name, size_t room, unsigned solution) {
   struct nb_column *column = &scene->columns[scene->column_count];
   if (scene->column_count >= room || !nb_quantity_find(&column->quantity, scene, name, NULL) ||
-      (scene->path && column->quantity.kind->fields & ~known))
+      (scene->path && column->quantity.kind->fields & ~solution))
     return;
   snprintf(column->name, sizeof column->name, "%.120s", name);
   scene->column_count++;
@@ -40,10 +40,10 @@ static void add_column(struct nb_scene *scene, const char *name, size_t room, un
 static void record_everything(struct nb_scene *scene, bool energies) {
   enum { ROOM = 20000 };
   struct nb_quantity_row row;
-  unsigned known = 0;
+  unsigned solution = 0;
   char name[3 * NB_NAME_SIZE];
   for (size_t c = 0; c < scene->column_count; c++)
-    known |= scene->columns[c].quantity.kind->fields;
+    solution |= scene->columns[c].quantity.kind->fields;
   free(scene->columns);
   scene->columns = calloc(ROOM, sizeof *scene->columns);
   scene->column_count = 0;
@@ -51,10 +51,10 @@ static void record_everything(struct nb_scene *scene, bool energies) {
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     if (!energies && strncmp(row.name, "energy.", 7) == 0)
       continue;
-    add_column(scene, row.name, ROOM, known);
-    for (size_t w = 0; w < scene->watch_count; w++) {
-      snprintf(name, sizeof name, "%s.%s", scene->watches[w].name, row.name);
-      add_column(scene, name, ROOM, known);
+    add_column(scene, row.name, ROOM, solution);
+    for (size_t w = 0; w < scene->monitor_count; w++) {
+      snprintf(name, sizeof name, "%s.%s", scene->monitors[w].name, row.name);
+      add_column(scene, name, ROOM, solution);
     }
   }
 }

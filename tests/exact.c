@@ -18,7 +18,7 @@ struct exact {
   struct nb_normal n;
   struct nb_shear s;
   double memory[MEMORY];
-  double lost, work; /* J, the work of T alone */
+  double dissipated, work; /* J, the work of T alone */
 };
 
 static const struct nb_pair steel = {
@@ -36,7 +36,7 @@ static void exact_go(struct exact *it, double x, double slip) {
   it->n = nb_law_find("normal", "hertz")->normal(it->pair, x, 0, NULL);
   it->n.overlap = x;
   it->s = it->law->shear(it->pair, it->n, slip, it->memory);
-  it->lost += it->s.lost;
+  it->dissipated += it->s.dissipated;
   it->work += (before + it->s.force) / 2 * slip;
 }
 
@@ -46,7 +46,7 @@ static void exact_lead(struct exact *it, double x, double slip, int n) {
     exact_go(it, k == n ? x : from + (x - from) * k / n, slip / n);
 }
 
-static double share(const struct exact *it) { return it->s.force / (it->pair.friction * it->n.force); } /* T/mu N */
+static double fraction(const struct exact *it) { return it->s.force / (it->pair.friction * it->n.force); } /* T/mu N */
 static double stored(const struct exact *it) { return it->law->stored(it->pair, it->n, it->memory); }
 
 /* ---- closed forms ---- */
@@ -62,19 +62,19 @@ static void mindlins_curves(void) {
     const double a = 3 * steel.friction * it.n.force / (16 * steel.shear * it.n.radius);
     exact_lead(&it, x, 0.6 * a, steps[k]);
     const double first = 1 - pow(1 - 0.6, 1.5);
-    CU_ASSERT_DOUBLE_EQUAL(share(&it), first, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(fraction(&it), first, 1e-12);
     exact_lead(&it, x, -0.7 * a, steps[k]);
     const double second = first - 2 * (1 - pow(1 - 0.7 / 2, 1.5));
-    CU_ASSERT_DOUBLE_EQUAL(share(&it), second, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(fraction(&it), second, 1e-12);
     exact_lead(&it, x, 0.3 * a, steps[k]);
-    CU_ASSERT_DOUBLE_EQUAL(share(&it), second + 2 * (1 - pow(1 - 0.3 / 2, 1.5)), 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(fraction(&it), second + 2 * (1 - pow(1 - 0.3 / 2, 1.5)), 1e-12);
     exact_lead(&it, x, 0.4 * a, steps[k]); /* back at T*, and over the first curve again */
-    CU_ASSERT_DOUBLE_EQUAL(share(&it), first, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(fraction(&it), first, 1e-12);
     exact_lead(&it, x, 0.2 * a, steps[k]);
-    CU_ASSERT_DOUBLE_EQUAL(share(&it), 1 - pow(1 - 0.8, 1.5), 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(fraction(&it), 1 - pow(1 - 0.8, 1.5), 1e-12);
     CU_ASSERT_EQUAL(it.s.sliding, 0);
     exact_lead(&it, x, 0.3 * a, steps[k]);
-    CU_ASSERT(share(&it) == 1 && it.s.sliding == 1);
+    CU_ASSERT(fraction(&it) == 1 && it.s.sliding == 1);
   }
 }
 
@@ -86,16 +86,16 @@ static void loops_lose(void) {
     exact_go(&it, 1e-6, 0);
     const double limit = steel.friction * it.n.force, a = 3 * limit / (16 * steel.shear * it.n.radius);
     exact_lead(&it, 1e-6, 0.6 * a, steps);
-    const double w = pow(0.4, 1.5), before = it.lost, held = stored(&it);
+    const double w = pow(0.4, 1.5), before = it.dissipated, held = stored(&it);
     exact_lead(&it, 1e-6, -2 * a * (1 - pow(w, 2. / 3)), steps);
     exact_lead(&it, 1e-6, 2 * a * (1 - pow(w, 2. / 3)), steps);
     const double loop = limit * a * (0.8 - 4 * pow(w, 2. / 3) + 4 * w - 0.8 * pow(w, 5. / 3));
-    CU_ASSERT_DOUBLE_EQUAL(it.lost - before, loop, 1e-11 * loop);
+    CU_ASSERT_DOUBLE_EQUAL(it.dissipated - before, loop, 1e-11 * loop);
     CU_ASSERT_DOUBLE_EQUAL(stored(&it), held, 1e-12 * held);
     exact_lead(&it, 1e-6, 2 * a, 1);
-    const double slid = it.lost;
+    const double slid = it.dissipated;
     exact_lead(&it, 1e-6, 3 * a, steps);
-    CU_ASSERT_DOUBLE_EQUAL(it.lost - slid, 3 * a * limit, 1e-12 * 3 * a * limit);
+    CU_ASSERT_DOUBLE_EQUAL(it.dissipated - slid, 3 * a * limit, 1e-12 * 3 * a * limit);
   }
 }
 
@@ -103,17 +103,17 @@ static void loops_lose(void) {
 static void proportional_loading(void) {
   struct exact it = exact_of(steel);
   exact_lead(&it, 2e-6, 0.7 * 2e-6 * unit(steel), 50);
-  CU_ASSERT_DOUBLE_EQUAL(share(&it), 0.7, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(fraction(&it), 0.7, 1e-12);
   exact_lead(&it, 1e-6, -0.7 * 1e-6 * unit(steel), 50);
-  CU_ASSERT_DOUBLE_EQUAL(share(&it), 0.7, 1e-12);
-  CU_ASSERT(fabs(it.lost) <= 1e-12 * stored(&it));
-  CU_ASSERT_DOUBLE_EQUAL(stored(&it), 0.4 * 0.7 * share(&it) * steel.friction * it.n.force * 1e-6 * unit(steel),
+  CU_ASSERT_DOUBLE_EQUAL(fraction(&it), 0.7, 1e-12);
+  CU_ASSERT(fabs(it.dissipated) <= 1e-12 * stored(&it));
+  CU_ASSERT_DOUBLE_EQUAL(stored(&it), 0.4 * 0.7 * fraction(&it) * steel.friction * it.n.force * 1e-6 * unit(steel),
                          1e-12 * stored(&it));
 }
 
 /* One step from an overlap to a smaller one at the same slip: T does no work, so what is lost is what is stored less, at any friction
  * and step, whether the front passes all rings or the contact slides in the end. */
-static void parting_loses_what_was_held(void) {
+static void parting_dissipative_what_was_held(void) {
   for (int k = 0; k < 24; k++) {
     struct exact it = exact_of(steel);
     it.pair.friction = k % 3 == 0 ? 0.3 : k % 3 == 1 ? 1e4 : 1e-3;
@@ -122,7 +122,7 @@ static void parting_loses_what_was_held(void) {
     const double force = it.pair.friction * it.n.force;
     for (double held = stored(&it), to = k < 12 ? 0.7 * x : x; to > 1e-6 * x; to *= k < 12 ? 0.02 : 0.9) {
       exact_go(&it, to, 0);
-      CU_ASSERT_DOUBLE_EQUAL(it.s.lost, held - stored(&it), 4e-16 * force * x * unit(it.pair));
+      CU_ASSERT_DOUBLE_EQUAL(it.s.dissipated, held - stored(&it), 4e-16 * force * x * unit(it.pair));
       held = stored(&it);
     }
     CU_ASSERT_EQUAL(it.s.sliding, 1);
@@ -141,11 +141,11 @@ static void steps_of_any_length_lose_as_much(void) {
         exact_go(both[b], 0.4e-6, 0.1e-6 * unit(steel));
         exact_go(both[b], 1e-6, (first == 2 ? -2 : first ? 0.5 : 0.1) * 1e-6 * unit(steel));
         exact_go(both[b], 1e-6, (first == 2 ? 0.3 : 0) * 1e-6 * unit(steel));
-        both[b]->lost = 0;
+        both[b]->dissipated = 0;
         exact_lead(both[b], to[k][0] * 1e-6, to[k][1] * 1e-6 * unit(steel), b ? 4000 : 1);
       }
-      CU_ASSERT(one.lost > 0);
-      CU_ASSERT_DOUBLE_EQUAL(one.lost, many.lost, 1e-9 * one.lost);
+      CU_ASSERT(one.dissipated > 0);
+      CU_ASSERT_DOUBLE_EQUAL(one.dissipated, many.dissipated, 1e-9 * one.dissipated);
     }
 }
 
@@ -167,29 +167,29 @@ static void polygons(void) {
   static struct by_hand hand;
   static const int steps[] = {1, 7, 1000};
   struct chance chance = chance_begin(5);
-  int legs = 0, slides = 0, most = 0, kinds[2][2] = {{0}};
+  int segments = 0, slides = 0, most = 0, kinds[2][2] = {{0}};
   for (int path = 0; path < 60; path++) {
     struct exact it[3];
     for (int k = 0; k < 3; k++)
       it[k] = exact_of(steel);
     hand.count = 0;
     double x = 0, before = 0;
-    for (int leg = 0; leg < 14; leg++) {
-      const double next = leg % 7 == 6 ? x : 1e-6 * chance_between(&chance, 0.3, 2);
-      const double u = chance_between(&chance, -1, 1) * 1e-6 * (leg % 3 ? 0.3 : 1.2);
+    for (int segment = 0; segment < 14; segment++) {
+      const double next = segment % 7 == 6 ? x : 1e-6 * chance_between(&chance, 0.3, 2);
+      const double u = chance_between(&chance, -1, 1) * 1e-6 * (segment % 3 ? 0.3 : 1.2);
       const double wanted = by_hand_go(&hand, next, u);
       if (is_little(&hand) < 1e-6)
         break; /* the law would join it, and be off by so much */
       for (int k = 0; k < 3; k++) {
         exact_lead(&it[k], next, u * unit(steel), steps[k]);
-        CU_ASSERT_DOUBLE_EQUAL(share(&it[k]), wanted, 1e-12);
+        CU_ASSERT_DOUBLE_EQUAL(fraction(&it[k]), wanted, 1e-12);
       }
       CU_ASSERT_EQUAL(it[0].s.sliding, hand.slid > 0);
       kinds[next > x][fabs(wanted) > fabs(before)]++;
-      legs++, slides += hand.slid > 0, x = next, before = wanted, most = hand.count > most ? hand.count : most;
+      segments++, slides += hand.slid > 0, x = next, before = wanted, most = hand.count > most ? hand.count : most;
     }
   }
-  CU_ASSERT(legs > 400 && slides > 50 && most > 6);
+  CU_ASSERT(segments > 400 && slides > 50 && most > 6);
   CU_ASSERT(kinds[0][0] > 50 && kinds[0][1] > 50 && kinds[1][0] > 50 && kinds[1][1] > 50);
 }
 
@@ -208,12 +208,12 @@ static void friction_changes(void) {
   CU_ASSERT_DOUBLE_EQUAL(stored(&it), energy, 1e-12 * energy);
   it.pair.friction = 0.15; /* the same slip, for half the limit */
   exact_go(&it, x, 0);
-  CU_ASSERT_DOUBLE_EQUAL(share(&it), 1 - pow(1 - 0.6, 1.5), 1e-12);
-  CU_ASSERT_DOUBLE_EQUAL(it.s.lost, energy - stored(&it), 1e-12 * energy);
+  CU_ASSERT_DOUBLE_EQUAL(fraction(&it), 1 - pow(1 - 0.6, 1.5), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(it.s.dissipated, energy - stored(&it), 1e-12 * energy);
   it.pair.friction = 0.05;
   exact_go(&it, x, 0);
-  CU_ASSERT(share(&it) == 1);
-  CU_ASSERT(it.s.lost > 0);
+  CU_ASSERT(fraction(&it) == 1);
+  CU_ASSERT(it.s.dissipated > 0);
   it.pair.friction = 0;
   exact_go(&it, x, 1e-8);
   CU_ASSERT(it.s.force == 0 && it.s.sliding == 1);
@@ -241,11 +241,11 @@ static void hardly_any_friction(void) {
       exact_go(&it, 1e-6, 0);
       exact_go(&it, 2e-6, 1e-9);
       CU_ASSERT_EQUAL(it.s.sliding, 1);
-      CU_ASSERT(isfinite(it.lost));
+      CU_ASSERT(isfinite(it.dissipated));
       if (k == 0)
         CU_ASSERT_EQUAL(it.s.force, 0);
       if (k == 1)
-        CU_ASSERT_DOUBLE_EQUAL(share(&it), 1, 1e-12);
+        CU_ASSERT_DOUBLE_EQUAL(fraction(&it), 1, 1e-12);
     }
 }
 
@@ -264,7 +264,7 @@ static void pieces_are_told(void) {
   for (int k = 0; k < count; k++)
     force += d[k] * (pow(x[k], 1.5) - pow(begin, 1.5)), begin = x[k];
   CU_ASSERT_EQUAL(begin, 2e-6);
-  CU_ASSERT_DOUBLE_EQUAL(share(&it), force / pow(begin, 1.5), 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(fraction(&it), force / pow(begin, 1.5), 1e-12);
 }
 
 void suite_exact(void) {
@@ -272,7 +272,7 @@ void suite_exact(void) {
   CU_add_test(suite, "Mindlin's curves", mindlins_curves);
   CU_add_test(suite, "loops and slides lose what they must", loops_lose);
   CU_add_test(suite, "proportional loading is reversible", proportional_loading);
-  CU_add_test(suite, "parting loses what was held", parting_loses_what_was_held);
+  CU_add_test(suite, "parting loses what was held", parting_dissipative_what_was_held);
   CU_add_test(suite, "steps of any length lose as much", steps_of_any_length_lose_as_much);
   CU_add_test(suite, "polygons, by hand, at any step", polygons);
   CU_add_test(suite, "friction changes under load", friction_changes);

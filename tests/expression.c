@@ -25,7 +25,7 @@ static const struct nb_binding names[] = {{.name = LONGEST, .value = 1},
                                           {.name = "law", .text = "linear", .value = NAN}};
 
 /* The value of the text, to be compared; NaN with the messages in *said, which is freed by the next call. */
-static struct nb_binding value_of(const char *text, bool unitless, const char **said) {
+static struct nb_binding value_of(const char *text, bool unitless, const char **given) {
   static struct nb_mistakes mistakes;
   char path[] = "p", *lines[1];
   unsigned char kinds[] = {1};
@@ -43,7 +43,7 @@ static struct nb_binding value_of(const char *text, bool unitless, const char **
   CU_ASSERT_EQUAL(is, mistakes.made == 0);
   if (!is)
     value = (struct nb_binding){.value = NAN};
-  *said = mistakes.text ? mistakes.text : "";
+  *given = mistakes.text ? mistakes.text : "";
   free(lines[0]);
   free(reader);
   return value;
@@ -146,12 +146,12 @@ static void values(void) {
       {" \t2 ", 2, 0, 0, 0},
   };
   for (size_t k = 0; k < COUNT(all); k++) {
-    const char *said;
-    const struct nb_binding it = value_of(all[k].text, false, &said);
+    const char *given;
+    const struct nb_binding it = value_of(all[k].text, false, &given);
     const bool right = it.value == all[k].value &&
                        nb_dimension_same(it.dimension, (struct nb_dimension){all[k].m, all[k].kg, all[k].s});
     if (!right)
-      printf("# %s is %.17g, wanted %.17g %s\n", all[k].text, it.value, all[k].value, said);
+      printf("# %s is %.17g, wanted %.17g %s\n", all[k].text, it.value, all[k].value, given);
     CU_ASSERT(right);
     if (!it.computed)
       continue;
@@ -178,8 +178,8 @@ static void texts(void) { /* a literal is kept as it is written; what is compute
              {"- 5", "-5", true},
              {"1/3", "0.333333333333333", true}};
   for (size_t k = 0; k < COUNT(all) - 1; k++) {
-    const char *said;
-    const struct nb_binding it = value_of(all[k].text, false, &said);
+    const char *given;
+    const struct nb_binding it = value_of(all[k].text, false, &given);
     CU_ASSERT_STRING_EQUAL(it.text, all[k].written);
     CU_ASSERT_EQUAL(it.computed, all[k].computed);
   }
@@ -187,7 +187,7 @@ static void texts(void) { /* a literal is kept as it is written; what is compute
 
 static void mistakes(void) { /* the column, from 1, and the message */
   static const struct {
-    const char *text, *said;
+    const char *text, *given;
     bool unitless;
   } all[] = {
       {"1 m + 1 s",
@@ -261,16 +261,16 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"30 deg", "hint: the scene says `units none`", true},
       {"(2*a) mm", "expected a unit or an operator, found `mm`", true},
   };
-  const char *said;
+  const char *given;
   for (size_t k = 0; k < COUNT(all); k++) {
-    const double value = value_of(all[k].text, all[k].unitless, &said).value;
-    const char *wanted = strstr(all[k].text, "**") ? "expected a number, a name or `(`, found `*`" : all[k].said;
-    if (!isnan(value) || !strstr(said, wanted))
-      printf("# %s: %g, said %s", all[k].text, value, said);
-    CU_ASSERT(isnan(value) && strstr(said, wanted));
+    const double value = value_of(all[k].text, all[k].unitless, &given).value;
+    const char *wanted = strstr(all[k].text, "**") ? "expected a number, a name or `(`, found `*`" : all[k].given;
+    if (!isnan(value) || !strstr(given, wanted))
+      printf("# %s: %g, said %s", all[k].text, value, given);
+    CU_ASSERT(isnan(value) && strstr(given, wanted));
   }
-  CU_ASSERT_EQUAL(value_of("50 % + 1 ppm", true, &said).value, 0.5 + 1e-6);
-  CU_ASSERT_EQUAL(value_of("2*N", true, &said).value, 14);
+  CU_ASSERT_EQUAL(value_of("50 % + 1 ppm", true, &given).value, 0.5 + 1e-6);
+  CU_ASSERT_EQUAL(value_of("2*N", true, &given).value, 14);
 }
 
 /* Parentheses, signs, powers and functions one within another: a hundred of them, and a line of them. */
@@ -281,29 +281,29 @@ static void deep(void) {
   for (size_t k = 0; k < COUNT(kinds); k++)
     for (int count = 98; count < 4000 / (int)strlen(kinds[k].open); count += count == 98 ? 4 : 700) {
       char text[9000] = "";
-      const char *said;
+      const char *given;
       size_t used = 0;
       for (int i = 0; i < count; i++)
         used += (size_t)snprintf(text + used, sizeof text - used, "%s", kinds[k].open);
       used += (size_t)snprintf(text + used, sizeof text - used, "1");
       for (int i = 0; i < count; i++)
         used += (size_t)snprintf(text + used, sizeof text - used, "%s", kinds[k].close);
-      const double value = value_of(text, false, &said).value;
+      const double value = value_of(text, false, &given).value;
       if (count == 98 && strcmp(kinds[k].open, "2^") != 0)
         CU_ASSERT_EQUAL(value, 1);
       if (count > 98)
-        CU_ASSERT(strstr(said, "expected at most 100 parts one within another") != NULL);
+        CU_ASSERT(strstr(given, "expected at most 100 parts one within another") != NULL);
     }
   char text[NB_LINE_MAX] = "1", long_name[300] = "";
-  const char *said;
+  const char *given;
   for (size_t used = 1; used + 3 < sizeof text; used += 2)
     strcpy(text + used, "+1");
-  CU_ASSERT_EQUAL(value_of(text, false, &said).value, (double)(strlen(text) + 1) / 2);
+  CU_ASSERT_EQUAL(value_of(text, false, &given).value, (double)(strlen(text) + 1) / 2);
   memset(text, '1', sizeof text - 1);
-  CU_ASSERT(isnan(value_of(text, false, &said).value) && strstr(said, "expected a number"));
+  CU_ASSERT(isnan(value_of(text, false, &given).value) && strstr(given, "expected a number"));
   memset(long_name, 'n', sizeof long_name - 1);
-  CU_ASSERT(isnan(value_of(long_name, false, &said).value) && strstr(said, "expected a name"));
-  value_of("", false, &said); /* frees what was said */
+  CU_ASSERT(isnan(value_of(long_name, false, &given).value) && strstr(given, "expected a name"));
+  value_of("", false, &given); /* frees what was said */
 }
 
 static void reserved(void) {

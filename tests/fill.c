@@ -27,13 +27,13 @@ static void make(struct written *it, const char *statements) {
 /* The first five numbers of seed 1234567 as many sources print them, such as Rosetta Code, Pseudo-random
  * numbers/Splitmix64. */
 static void published_numbers(void) {
-  static const uint64_t known[] = {UINT64_C(6457827717110365317), UINT64_C(3203168211198807973),
-                                   UINT64_C(9817491932198370423), UINT64_C(4593380528125082431),
-                                   UINT64_C(16408922859458223821)};
+  static const uint64_t solution[] = {UINT64_C(6457827717110365317), UINT64_C(3203168211198807973),
+                                      UINT64_C(9817491932198370423), UINT64_C(4593380528125082431),
+                                      UINT64_C(16408922859458223821)};
   struct nb_random bits = {1234567}, shares = {1234567};
   for (int k = 0; k < 5; k++) {
-    CU_ASSERT(nb_random_bits(&bits) == known[k]);
-    CU_ASSERT(nb_random_share(&shares) == ldexp((double)(known[k] >> 11), -53));
+    CU_ASSERT(nb_random_bits(&bits) == solution[k]);
+    CU_ASSERT(nb_random_fraction(&shares) == ldexp((double)(solution[k] >> 11), -53));
   }
 }
 
@@ -53,7 +53,7 @@ static void seeds_are_apart(void) {
   int counts[100] = {0}, pairs[100] = {0};
   for (int seed = 1; seed <= SEEDS; seed++) {
     struct nb_random one = {(uint64_t)seed}, next = {(uint64_t)seed + 1};
-    const double a = nb_random_share(&one), b = nb_random_share(&next);
+    const double a = nb_random_fraction(&one), b = nb_random_fraction(&next);
     counts[(int)(100 * a)]++;
     pairs[10 * (int)(10 * a) + (int)(10 * b)]++;
   }
@@ -72,9 +72,9 @@ static void evenly_in_a_circle(void) {
     int counts[80] = {0}; /* ten rings of equal area by eight octants */
     snprintf(page, sizeof page, TINY "fill discs circle 3 -2 radius 1 dust rock seed %d attempts 1 else stop\n", seed);
     make(&it, page);
-    CU_ASSERT_EQUAL_FATAL(it.scene.body_count, DUST);
+    CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, DUST);
     for (size_t k = 0; k < DUST; k++) {
-      const double x = it.scene.bodies[k].x - 3, y = it.scene.bodies[k].y + 2;
+      const double x = it.scene.particles[k].x - 3, y = it.scene.particles[k].y + 2;
       const int ring = (int)(10 * (x * x + y * y)), octant = (x > 0) + 2 * (y > 0) + 4 * (fabs(x) > fabs(y));
       counts[8 * (ring < 10 ? ring : 9) + octant]++;
     }
@@ -87,9 +87,9 @@ static void evenly_in_a_box(void) {
   struct written it;
   int counts[100] = {0};
   make(&it, TINY "fill discs box -1 4 to 9 5 dust rock seed 7 attempts 1 else stop\n");
-  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, DUST);
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, DUST);
   for (size_t k = 0; k < DUST; k++)
-    counts[10 * (int)(it.scene.bodies[k].x + 1) + (int)(10 * (it.scene.bodies[k].y - 4))]++;
+    counts[10 * (int)(it.scene.particles[k].x + 1) + (int)(10 * (it.scene.particles[k].y - 4))]++;
   is_even(counts, 100, DUST);
   written_free(&it);
 }
@@ -99,10 +99,10 @@ static void evenly_in_a_box(void) {
 static void sound(const struct nb_scene *scene, size_t first) {
   const struct nb_fill *fill = &scene->fills[scene->fill_count - 1];
   size_t overlaps = 0, outside = 0;
-  for (size_t i = first; i < scene->body_count; i++) {
-    const struct nb_body *a = &scene->bodies[i];
+  for (size_t i = first; i < scene->particle_count; i++) {
+    const struct nb_particle *a = &scene->particles[i];
     for (size_t j = 0; j < i; j++) {
-      const struct nb_body *b = &scene->bodies[j];
+      const struct nb_particle *b = &scene->particles[j];
       const double dx = a->x - b->x, dy = a->y - b->y;
       overlaps += a->radius + b->radius - sqrt(dx * dx + dy * dy) > 0;
     }
@@ -123,13 +123,13 @@ static void counted(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->gradings[0].size_count; s++) {
     const struct nb_size *size = &scene->gradings[0].sizes[s];
     size_t there = 0;
-    for (size_t k = 0; k < scene->body_count; k++)
-      there += scene->bodies[k].radius == size->radius;
+    for (size_t k = 0; k < scene->particle_count; k++)
+      there += scene->particles[k].radius == size->radius;
     CU_ASSERT_EQUAL(there, size->placed);
     CU_ASSERT(size->placed <= size->wanted && (s == 0 || size->radius < size[-1].radius));
     all += there;
   }
-  CU_ASSERT_EQUAL(all, scene->body_count);
+  CU_ASSERT_EQUAL(all, scene->particle_count);
 }
 
 static void nobody_overlaps(void) {
@@ -146,7 +146,7 @@ static void nobody_overlaps(void) {
       char page[512] = ROCK;
       snprintf(page + strlen(page), sizeof page - strlen(page), fills[f], seed);
       make(&it, page);
-      CU_ASSERT(it.scene.body_count > 300);
+      CU_ASSERT(it.scene.particle_count > 300);
       sound(&it.scene, 0);
       counted(&it.scene);
       written_free(&it);
@@ -162,7 +162,7 @@ static void what_is_there_stays_free(void) {
   CU_ASSERT(it.scene.fills[0].count > 400 && it.scene.fills[1].count > 400);
   CU_ASSERT_EQUAL(it.scene.fills[1].first, 2 + it.scene.fills[0].count);
   sound(&it.scene, it.scene.fills[1].first);
-  it.scene.fill_count = 1, it.scene.body_count = it.scene.fills[1].first;
+  it.scene.fill_count = 1, it.scene.particle_count = it.scene.fills[1].first;
   sound(&it.scene, 2);
   it.scene.fill_count = 2;
   written_free(&it);
@@ -180,10 +180,10 @@ static void what_is_there_stays_free(void) {
  * may lie in, of side a, keep less of it from others: in the mean 1 - 8 d/(3 pi a) of pi d^2, d = 2 R. The tries of a body are
  * geometric, of variance (1 - p)/p^2; four deviations. What is left out, q^4 and the edge in the second order, is 0.2 %. */
 static void as_many_tries_as_chance_takes(void) {
-  enum { BODIES = 20000 };
+  enum { PARTICLES = 20000 };
   const double pi = acos(-1), side = 560, a = side - 2, edge = 1 - 8 * 2 / (3 * pi * a);
   double tries = 0, variance = 0;
-  for (int k = 0; k < BODIES; k++) {
+  for (int k = 0; k < PARTICLES; k++) {
     const double q = k * pi / (a * a);
     const double p =
         1 - 4 * edge * q + 6 * sqrt(3) / pi * q * q + (40 / (sqrt(3) * pi) - 176 / (3 * pi * pi)) * q * q * q;
@@ -193,8 +193,8 @@ static void as_many_tries_as_chance_takes(void) {
     struct written it;
     char page[256];
     snprintf(page, sizeof page,
-             ROCK "grading g 1 %d\nfill discs box 0 0 to %g %g g rock seed %d attempts 1000 else stop\n", BODIES, side,
-             side, seed);
+             ROCK "grading g 1 %d\nfill discs box 0 0 to %g %g g rock seed %d attempts 1000 else stop\n", PARTICLES,
+             side, side, seed);
     make(&it, page);
     CU_ASSERT_DOUBLE_EQUAL((double)it.scene.fills[0].made, tries, 4 * sqrt(variance) + 0.002 * tries);
     written_free(&it);
@@ -207,14 +207,14 @@ static void tries_and_skips(void) {
   struct written it;
   make(&it, ROCK "grading g 1 3 2 1 0.1 4\nfill discs circle 5 5 radius 1 g rock seed 9 attempts 77 else skip\n");
   const struct nb_size *sizes = it.scene.gradings[0].sizes;
-  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 1);
-  CU_ASSERT(it.scene.bodies[0].x == 5 && it.scene.bodies[0].y == 5); /* the only place */
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 1);
+  CU_ASSERT(it.scene.particles[0].x == 5 && it.scene.particles[0].y == 5); /* the only place */
   CU_ASSERT_EQUAL(it.scene.fills[0].made, 1 + 77 + 77);
   CU_ASSERT(sizes[0].placed == 0 && sizes[1].placed == 1 && sizes[2].placed == 0);
   CU_ASSERT(sizes[0].wanted == 1 && sizes[1].wanted == 3 && sizes[2].wanted == 4);
   written_free(&it);
   make(&it, ROCK "grading g 1 2 0.1 3\nfill discs circle 5 5 radius 1.3 g rock seed 9 attempts 1000 else skip\n");
-  CU_ASSERT_EQUAL(it.scene.body_count, 4); /* the rest of a size is left, the next one is not */
+  CU_ASSERT_EQUAL(it.scene.particle_count, 4); /* the rest of a size is left, the next one is not */
   CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[0].placed, 1);
   written_free(&it);
 }
@@ -247,8 +247,8 @@ static void across_the_edge_by_rounding(void) {
 /* FNV-1a of the very bits, the same for every compiler, option and machine. */
 static uint64_t bits_of(const struct nb_scene *scene) {
   uint64_t hash = UINT64_C(14695981039346656037);
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const double numbers[] = {scene->bodies[k].x, scene->bodies[k].y, scene->bodies[k].radius};
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const double numbers[] = {scene->particles[k].x, scene->particles[k].y, scene->particles[k].radius};
     for (int n = 0; n < 3; n++) {
       uint64_t bits;
       memcpy(&bits, &numbers[n], sizeof bits);
@@ -263,7 +263,7 @@ static void the_same_bits(void) {
   struct written it;
   make(&it, ROCK GRADED "fill spheres circle 0 0 radius 19.5 g rock seed 1 attempts 10000 else skip\n"
                         "fill spheres box 30 0 to 70 41 g rock seed 2 attempts 10000 else skip\n");
-  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 1200);
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 1200);
   CU_ASSERT(bits_of(&it.scene) == UINT64_C(2551416825784825474)); /* as gcc and clang make it, with -O0 and -O3 */
   written_free(&it);
 }
@@ -271,15 +271,15 @@ static void the_same_bits(void) {
 static void hexagonal(void) {
   struct written it;
   make(&it, ROCK "lattice discs hexagonal 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
-  const struct nb_body *at = it.scene.bodies;
-  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 12);
+  const struct nb_particle *at = it.scene.particles;
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 12);
   CU_ASSERT(at[0].x == 10 && at[0].y == 20 && at[2].x == 15 && at[3].x == 11.25 && at[6].x == 10 && at[9].x == 11.25);
   for (size_t k = 0; k < 12; k++) {
     int neighbours = 0;
     for (size_t j = 0; j < 12; j++)
       neighbours += j != k && fabs(hypot(at[j].x - at[k].x, at[j].y - at[k].y) - 2.5) < 1e-14;
-    static const int known[] = {2, 4, 3, 5, 6, 3, 3, 6, 5, 3, 4, 2}; /* counted on paper */
-    CU_ASSERT_EQUAL(neighbours, known[k]);
+    static const int solution[] = {2, 4, 3, 5, 6, 3, 3, 6, 5, 3, 4, 2}; /* counted on paper */
+    CU_ASSERT_EQUAL(neighbours, solution[k]);
   }
   written_free(&it);
 }

@@ -103,7 +103,7 @@ static void way_in_a_step(void) {
 }
 
 /* A cell carries its copies along, those that lie far out by more than a radius in each step: they move together. */
-static void carried_by_a_cell(void) {
+static void imposed_by_a_cell(void) {
   struct nb_error error;
   unsigned long done;
   struct words page = {0};
@@ -115,7 +115,7 @@ static void carried_by_a_cell(void) {
   CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   CU_ASSERT_EQUAL(nb_cycle(model, &error), NB_OK);
   done = model->cycle;
-  CU_ASSERT(done == 1 && fabs(model->bodies.position[0].x - 152) < 1e-12); /* 8 of it in one step */
+  CU_ASSERT(done == 1 && fabs(model->particles.position[0].x - 152) < 1e-12); /* 8 of it in one step */
   nb_model_free(model);
   written_free(&it);
 }
@@ -280,7 +280,7 @@ void suite_guard(void) {
   CU_pSuite suite = CU_add_suite("guard", NULL, NULL);
   CU_add_test(suite, "overlap at the start", overlap_at_the_start);
   CU_add_test(suite, "way in a step", way_in_a_step);
-  CU_add_test(suite, "carried by a cell", carried_by_a_cell);
+  CU_add_test(suite, "carried by a cell", imposed_by_a_cell);
   CU_add_test(suite, "turn in a step", turn_in_a_step);
   CU_add_test(suite, "overlap later", overlap_later);
   CU_add_test(suite, "friction without effect", friction_without_effect);

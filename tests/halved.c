@@ -131,8 +131,8 @@ static bool timed(const char *name) {
   return strcmp(name, "time") == 0 || strcmp(name, "impact.time") == 0 || strcmp(name, "impact.duration") == 0;
 }
 
-static bool same(double a, double b, double share) {
-  return a == b || (isnan(a) && isnan(b)) || fabs(a - b) <= share * fmax(fabs(a), fabs(b));
+static bool same(double a, double b, double fraction) {
+  return a == b || (isnan(a) && isnan(b)) || fabs(a - b) <= fraction * fmax(fabs(a), fabs(b));
 }
 
 static bool same_values(const struct nb_scene *scene, const struct seen *a, const struct seen *b, const char *name,

@@ -11,7 +11,7 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, share) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(b))
+#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
 static const double pi = 3.14159265358979323846;
 
 /* A ball of m = 4 pi/3 R^3 rho and q = 5/2 on springs, k_n = 400, k_s = 320, mu = 0.3: kappa = 1.25. */
@@ -22,9 +22,9 @@ static const double pi = 3.14159265358979323846;
   "impact.energy.tangential impact.energy.rotational energy.kinetic\nstage s\ncycles 1\n"
 #define ON_FLOOR "sphere 0 3 radius 0.5 m\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n"
 
-static struct nb_model *made(struct written *it, const char *body, const char *impact) {
+static struct nb_model *made(struct written *it, const char *particle, const char *impact) {
   struct words page = {0};
-  words_add(&page, BALL "%s%s\nstep 0.001\n" RECORD, body, impact);
+  words_add(&page, BALL "%s%s\nstep 0.001\n" RECORD, particle, impact);
   written_scene(it, &page);
   return written_model(it, NULL);
 }
@@ -49,7 +49,7 @@ static void it_comes_as_it_is_told(void) {
 
 /* R w counts in psi1, in the sense of the tangent; what is struck may move, and its spin counts too. */
 static void psi1_is_of_the_contact(void) {
-  static const char *const bodies[] = {
+  static const char *const particles[] = {
       "sphere 0 3 radius 0.5 m spin 0.8\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n",
       "sphere 1 3 radius 0.5 m spin 0.8\nwall f 2 0 to 9 0 m velocity 0.2 -0.1\nmonitor B sphere 1\n"
       "monitor C sphere 1 with wall f\n",
@@ -59,7 +59,7 @@ static void psi1_is_of_the_contact(void) {
       "monitor C sphere 2 with sphere 1\n"};
   for (int k = 0; k < 4; k++) {
     struct written it;
-    struct nb_model *model = made(&it, bodies[k], "impact C speed 2 psi1 1.5 phase 1");
+    struct nb_model *model = made(&it, particles[k], "impact C speed 2 psi1 1.5 phase 1");
     const double slope = 1.5 * 0.3 * 1.25, a = written_now(model, "impact.angle");
     NEAR(written_now(model, "impact.psi1"), 1.5, 1e-14);
     NEAR(written_now(model, "impact.psi2"), 1.5, 1e-14);
@@ -83,14 +83,14 @@ static void psi1_is_of_the_contact(void) {
   "impact C speed 2 psi1 %g\nstep 1e-4\nrecord energy.kinetic impact.energy.normal impact.energy.tangential "          \
   "impact.energy.rotational impact.angle impact.psi1\nstage s\ncycles 1\n"
 
-static void two_bodies_count_as_one(void) {
+static void two_particles_count_as_one(void) {
   static const char *const laws[] = {"linear\nshear linear", "hertz\nshear none"};
   for (int k = 0; k < 4; k++) {
     struct written it;
     struct words page = {0};
     words_add(&page, TWO, laws[k / 2], 0.5);
     written_scene(&it, &page);
-    it.scene.bodies[2].fixed = k % 2;
+    it.scene.particles[2].fixed = k % 2;
     const double ma = pi * 4 / 3 * 0.7 * 0.7 * 0.7 * 2, mb = pi * 4 / 3 * 1.1 * 1.1 * 1.1 * 0.25;
     const double m = k % 2 ? ma : ma * mb / (ma + mb), radius = 0.7 * 1.1 / 1.8;
     const double young = 1 / ((1 - 0.01) / 0.5 + (1 - 0.16) / 7e3);
@@ -128,10 +128,10 @@ static void a_wall_is_struck_where_it_is_nearest(void) {
                {"wall f 5 0.5 to 9 0.5 m", 5, 0.5, -0.76822127959737585, 0.64018439966447988}};
   for (int k = 0; k < 6; k++) {
     struct written it;
-    char body[256];
-    snprintf(body, sizeof body, "sphere 2 3 radius 0.5 m\n%s\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n",
-             walls[k].wall);
-    struct nb_model *model = made(&it, body, "impact C speed 2 psi1 0");
+    char particle[256];
+    snprintf(particle, sizeof particle,
+             "sphere 2 3 radius 0.5 m\n%s\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n", walls[k].wall);
+    struct nb_model *model = made(&it, particle, "impact C speed 2 psi1 0");
     NEAR(written_now(model, "B.x"), walls[k].x + 0.5 * walls[k].nx, 1e-14);
     NEAR(written_now(model, "B.y"), walls[k].y + 0.5 * walls[k].ny, 1e-14);
     CU_ASSERT(fabs(written_now(model, "B.vx") + 2 * walls[k].nx) < 1e-14);
@@ -225,7 +225,7 @@ static void it_measures_gross_sliding(void) {
 }
 
 /* The kinds of energy are those of the bodies where what is struck stands still. */
-static void energies_are_those_of_the_bodies(void) {
+static void energies_are_those_of_the_particles(void) {
   struct written it;
   struct nb_model *model = made(&it, ON_FLOOR, "impact C speed 2 angle 0.4");
   for (int n = 0; n < 20; n++) {
@@ -262,11 +262,11 @@ void suite_impact(void) {
   CU_pSuite suite = CU_add_suite("impact", NULL, NULL);
   CU_add_test(suite, "it comes as it is told", it_comes_as_it_is_told);
   CU_add_test(suite, "psi1 is of the contact", psi1_is_of_the_contact);
-  CU_add_test(suite, "two bodies count as one", two_bodies_count_as_one);
+  CU_add_test(suite, "two bodies count as one", two_particles_count_as_one);
   CU_add_test(suite, "a wall is struck where it is nearest", a_wall_is_struck_where_it_is_nearest);
   CU_add_test(suite, "it is over when they part", it_is_over_when_they_part);
   CU_add_test(suite, "wrong impacts are refused", wrong_impacts_are_refused);
   CU_add_test(suite, "it measures gross sliding", it_measures_gross_sliding);
-  CU_add_test(suite, "energies are those of the bodies", energies_are_those_of_the_bodies);
+  CU_add_test(suite, "energies are those of the bodies", energies_are_those_of_the_particles);
   CU_add_test(suite, "elastic spheres have their own scale", elastic_spheres_have_their_own_scale);
 }

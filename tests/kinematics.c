@@ -9,25 +9,26 @@
 #include "pass/pass.h"
 #include "suites.h"
 
-enum { N = NB_BLOCK };
+enum { N = NB_BLOCK_SIZE };
 
 /* What a geometry pass is given and answers, with nothing around it. */
 struct bench {
   struct nb_model model;
-  struct nb_vec position[2 * N], velocity[2 * N], rim[2 * N];
+  struct nb_vec position[2 * N], velocity[2 * N];
+  struct nb_surface surface[2 * N];
   struct nb_vec pivot[N], point[N], along[N], wall_velocity[N], wall_turn[N];
   double h1[N], h2[N];
   int a[N], b[N];
   _Alignas(64) double f[NB_FIELDS][N];
-  struct nb_pairing pairing;
-  struct nb_view view;
+  struct nb_material_pair material_pair;
+  struct nb_block block;
 };
 
 static struct bench *bench_create(bool wall) {
   struct bench *it = calloc(1, sizeof *it);
   CU_ASSERT_PTR_NOT_NULL_FATAL(it);
-  it->model.bodies =
-      (struct nb_bodies){.count = 2 * N, .position = it->position, .velocity = it->velocity, .rim = it->rim};
+  it->model.particles =
+      (struct nb_particles){.count = 2 * N, .position = it->position, .velocity = it->velocity, .surface = it->surface};
   it->model.walls = (struct nb_walls){.count = N,
                                       .pivot = it->pivot,
                                       .point = it->point,
@@ -36,10 +37,10 @@ static struct bench *bench_create(bool wall) {
                                       .h2 = it->h2,
                                       .velocity = it->wall_velocity,
                                       .turn = it->wall_turn};
-  it->pairing.wall = wall;
-  it->view = (struct nb_view){.n = N, .a = it->a, .b = it->b, .pairing = &it->pairing};
+  it->material_pair.wall = wall;
+  it->block = (struct nb_block){.n = N, .a = it->a, .b = it->b, .material_pair = &it->material_pair};
   for (int f = 0; f < NB_FIELDS; f++)
-    it->view.f[f] = it->f[f];
+    it->block.f[f] = it->f[f];
   return it;
 }
 
@@ -50,22 +51,22 @@ static void bench_fill(struct bench *it, unsigned seed) {
   for (int c = 0; c < N; c++) {
     const double x = chance_between(&chance, -1e3, 1e3), y = chance_between(&chance, -1e3, 1e3);
     const double turn = chance_between(&chance, 0, 6.283), reach = chance_between(&chance, 0.3, 1.3);
-    it->a[c] = 2 * c, it->b[c] = it->pairing.wall ? c : 2 * c + 1;
+    it->a[c] = 2 * c, it->b[c] = it->material_pair.wall ? c : 2 * c + 1;
     for (int k = 2 * c; k < 2 * c + 2; k++) {
       const double radius = chance_scale(&chance, 0.1, 10), spin = chance_between(&chance, -3, 3);
-      it->rim[k] = vec(radius, spin * radius);
+      it->surface[k] = nb_surface(radius, spin * radius);
       it->velocity[k] = vec(chance_between(&chance, -2, 2), chance_between(&chance, -2, 2));
       it->wall_velocity[c] = vec(chance_between(&chance, -2, 2), chance_between(&chance, -2, 2));
     }
-    it->f[NB_REACH][c] = it->rim[2 * c].x + (it->pairing.wall ? 0 : it->rim[2 * c + 1].x);
+    it->f[NB_RADIUS_SUM][c] = it->surface[2 * c].radius + (it->material_pair.wall ? 0 : it->surface[2 * c + 1].radius);
     const struct nb_vec faster = vec_sub(it->velocity[2 * c], it->velocity[2 * c + 1]);
-    const double closing = vec_dot(faster, vec(cos(turn), sin(turn))) * it->model.previous_step;
+    const double dn = vec_dot(faster, vec(cos(turn), sin(turn))) * it->model.previous_step;
     const double since = chance_between(&chance, 0.1, 0.9); /* every fourth pair that closes has just met */
-    const double apart = c % 4 == 0 && closing > 0 ? it->f[NB_REACH][c] - since * closing : reach * it->f[NB_REACH][c];
+    const double apart = c % 4 == 0 && dn > 0 ? it->f[NB_RADIUS_SUM][c] - since * dn : reach * it->f[NB_RADIUS_SUM][c];
     it->position[2 * c] = vec(x, y);
     it->position[2 * c + 1] = vec(x + apart * cos(turn), y + apart * sin(turn));
     it->along[c] = vec(-sin(turn), cos(turn));
-    const double length = it->rim[2 * c].x, where = chance_between(&chance, -2, 2) * length;
+    const double length = it->surface[2 * c].radius, where = chance_between(&chance, -2, 2) * length;
     it->h1[c] = -length, it->h2[c] = chance_between(&chance, 0.2, 1) * length;
     it->point[c] = vec_add(it->position[2 * c + 1], vec_scale(where, it->along[c]));
     it->pivot[c] = vec_add(it->point[c], vec_scale(chance_between(&chance, -2, 2), vec_clockwise(it->along[c])));
@@ -73,26 +74,28 @@ static void bench_fill(struct bench *it, unsigned seed) {
   }
 }
 
-static bool near(double seen, long double known, double scale) {
-  return fabsl(seen - known) <= 16 * 2.2e-16L * (fabsl(known) + scale);
+static bool near(double seen, long double solution, double scale) {
+  return fabsl(seen - solution) <= 16 * 2.2e-16L * (fabsl(solution) + scale);
 }
 
 /* [CS79 8-15] for disc c against a point at (qx, qy) with radius `other`, velocity (ux, uy) and rim speed `turning`. */
 static void compare(const struct bench *it, int c, const long double q[2], const long double u[2], long double other,
                     long double turning) {
-  const struct nb_vec x = it->position[2 * c], v = it->velocity[2 * c], rim = it->rim[2 * c];
+  const struct nb_vec x = it->position[2 * c], v = it->velocity[2 * c];
+  const struct nb_surface surface = it->surface[2 * c];
   const long double dx = q[0] - x.x, dy = q[1] - x.y, distance = sqrtl(dx * dx + dy * dy);
   const long double e1 = dx / distance, e2 = dy / distance, t1 = e2, t2 = -e1;
   const long double rx = v.x - u[0], ry = v.y - u[1], dt = it->model.previous_step;
-  const long double overlap = rim.x + other - distance;
+  const long double overlap = surface.radius + other - distance;
   const double blur = 2000 / (double)distance; /* a position is known to an epsilon of 1e3, so e to that over D */
   CU_ASSERT(near(it->f[NB_OVERLAP][c], overlap > 0 ? overlap : 0, 2000));
   CU_ASSERT(near(it->f[NB_EX][c], e1, blur) && near(it->f[NB_EY][c], e2, blur));
-  const long double closing = (rx * e1 + ry * e2) * dt, slip = (rx * t1 + ry * t2 - (rim.y + turning)) * dt;
-  CU_ASSERT(near(it->f[NB_CLOSING][c], closing, 8 * (1 + blur) * (double)dt));
-  const bool met = overlap > 0 && overlap < closing; /* in the step behind: slip counts for the rest of it */
-  const double share = met ? (double)(overlap / closing) : 1, share_blur = met ? 2000 / (double)closing : 0;
-  CU_ASSERT(near(it->f[NB_SLIP][c], share * slip, 80 * (1 + blur) * (double)dt + share_blur * fabs((double)slip)));
+  const long double dn = (rx * e1 + ry * e2) * dt, slip = (rx * t1 + ry * t2 - (surface.speed + turning)) * dt;
+  CU_ASSERT(near(it->f[NB_NORMAL_INCREMENT][c], dn, 8 * (1 + blur) * (double)dt));
+  const bool met = overlap > 0 && overlap < dn; /* in the step behind: slip counts for the rest of it */
+  const double fraction = met ? (double)(overlap / dn) : 1, share_blur = met ? 2000 / (double)dn : 0;
+  CU_ASSERT(near(it->f[NB_TANGENTIAL_INCREMENT][c], fraction * slip,
+                 80 * (1 + blur) * (double)dt + share_blur * fabs((double)slip)));
 }
 
 static void disc_disc(void) {
@@ -100,12 +103,13 @@ static void disc_disc(void) {
   int touching = 0, met = 0;
   for (unsigned seed = 1; seed <= 8; seed++) {
     bench_fill(it, seed);
-    nb_pass_disc_disc[NB_APPROACH_SLIP].run[NB_PLAIN](&it->model, &it->view);
+    nb_pass_disc_disc[NB_APPROACH_TANGENTIAL].run[NB_PLAIN](&it->model, &it->block);
     for (int c = 0; c < N; c++) {
-      const struct nb_vec y = it->position[2 * c + 1], u = it->velocity[2 * c + 1], rim = it->rim[2 * c + 1];
-      compare(it, c, (long double[]){y.x, y.y}, (long double[]){u.x, u.y}, rim.x, rim.y);
+      const struct nb_vec y = it->position[2 * c + 1], u = it->velocity[2 * c + 1];
+      const struct nb_surface surface = it->surface[2 * c + 1];
+      compare(it, c, (long double[]){y.x, y.y}, (long double[]){u.x, u.y}, surface.radius, surface.speed);
       touching += it->f[NB_OVERLAP][c] > 0;
-      met += nb_met(it->f[NB_OVERLAP][c], it->f[NB_CLOSING][c]);
+      met += nb_met(it->f[NB_OVERLAP][c], it->f[NB_NORMAL_INCREMENT][c]);
     }
   }
   CU_ASSERT(touching > 2 * N && touching < 8 * N);
@@ -118,7 +122,7 @@ static void disc_wall(void) {
   int inside = 0, first = 0, second = 0;
   for (unsigned seed = 1; seed <= 8; seed++) {
     bench_fill(it, seed);
-    nb_pass_disc_wall[NB_APPROACH_SLIP].run[NB_PLAIN](&it->model, &it->view);
+    nb_pass_disc_wall[NB_APPROACH_TANGENTIAL].run[NB_PLAIN](&it->model, &it->block);
     for (int c = 0; c < N; c++) {
       const struct nb_vec x = it->position[2 * c], p = it->point[c], along = it->along[c], u = it->wall_velocity[c];
       long double h = ((long double)x.x - p.x) * along.x + ((long double)x.y - p.y) * along.y;
@@ -141,14 +145,16 @@ static void forms_agree(void) {
     struct bench *all = bench_create(wall), *some = bench_create(wall);
     const struct nb_pass *passes = wall ? nb_pass_disc_wall : nb_pass_disc_disc;
     bench_fill(all, 9), bench_fill(some, 9);
-    passes[NB_APPROACH_SLIP].run[NB_PLAIN](&all->model, &all->view);
-    for (int approach = 0; approach <= NB_APPROACH_SLIP; approach++) {
-      passes[approach].run[NB_PLAIN](&some->model, &some->view);
+    passes[NB_APPROACH_TANGENTIAL].run[NB_PLAIN](&all->model, &all->block);
+    for (int approach = 0; approach <= NB_APPROACH_TANGENTIAL; approach++) {
+      passes[approach].run[NB_PLAIN](&some->model, &some->block);
       for (int c = 0; c < N; c++) {
         CU_ASSERT(some->f[NB_OVERLAP][c] == all->f[NB_OVERLAP][c] && some->f[NB_EX][c] == all->f[NB_EX][c]);
         CU_ASSERT(some->f[NB_EY][c] == all->f[NB_EY][c]);
-        CU_ASSERT(some->f[NB_CLOSING][c] == (approach >= NB_APPROACH_CLOSING ? all->f[NB_CLOSING][c] : 0));
-        CU_ASSERT(some->f[NB_SLIP][c] == (approach >= NB_APPROACH_SLIP ? all->f[NB_SLIP][c] : 0));
+        CU_ASSERT(some->f[NB_NORMAL_INCREMENT][c] ==
+                  (approach >= NB_APPROACH_NORMAL ? all->f[NB_NORMAL_INCREMENT][c] : 0));
+        CU_ASSERT(some->f[NB_TANGENTIAL_INCREMENT][c] ==
+                  (approach >= NB_APPROACH_TANGENTIAL ? all->f[NB_TANGENTIAL_INCREMENT][c] : 0));
       }
     }
     free(all), free(some);
@@ -159,20 +165,20 @@ static void forms_agree(void) {
  * the opposite of t at the contact, slips as the paper says. */
 static void signs_of_slip(void) {
   struct bench *it = bench_create(false);
-  it->view.n = 4;
+  it->block.n = 4;
   it->model.previous_step = 1;
   for (int c = 0; c < 4; c++) {
     it->a[c] = 2 * c, it->b[c] = 2 * c + 1;
     it->position[2 * c + 1] = vec(2, 0);
-    it->rim[2 * c] = vec(1, 0), it->rim[2 * c + 1] = vec(1, 0);
+    it->surface[2 * c] = nb_surface(1, 0), it->surface[2 * c + 1] = nb_surface(1, 0);
   }
   it->velocity[0] = vec(0, -3); /* disc 1 moves south: along t */
   it->velocity[3] = vec(0, 3);  /* disc 2 moves north: the same */
-  it->rim[4].y = 5;             /* disc 1 turns counterclockwise: its rim goes north at the contact */
-  it->rim[7].y = 5;             /* disc 2 turns counterclockwise: its rim goes south there */
-  nb_pass_disc_disc[NB_APPROACH_SLIP].run[NB_PLAIN](&it->model, &it->view);
-  CU_ASSERT(it->f[NB_SLIP][0] == 3 && it->f[NB_SLIP][1] == 3);
-  CU_ASSERT(it->f[NB_SLIP][2] == -5 && it->f[NB_SLIP][3] == -5);
+  it->surface[4].speed = 5;     /* disc 1 turns counterclockwise: its rim goes north at the contact */
+  it->surface[7].speed = 5;     /* disc 2 turns counterclockwise: its rim goes south there */
+  nb_pass_disc_disc[NB_APPROACH_TANGENTIAL].run[NB_PLAIN](&it->model, &it->block);
+  CU_ASSERT(it->f[NB_TANGENTIAL_INCREMENT][0] == 3 && it->f[NB_TANGENTIAL_INCREMENT][1] == 3);
+  CU_ASSERT(it->f[NB_TANGENTIAL_INCREMENT][2] == -5 && it->f[NB_TANGENTIAL_INCREMENT][3] == -5);
   free(it);
 }
 
@@ -181,18 +187,18 @@ static void force_in_components(void) {
   static struct nb_vec force[N];
   struct bench *it = bench_create(false);
   struct chance chance = chance_begin(10);
-  it->view.force = force;
+  it->block.force = force;
   for (int shear = 0; shear < 2; shear++) {
     for (int c = 0; c < N; c++) {
       const double turn = chance_between(&chance, 0, 6.283);
       it->f[NB_EX][c] = cos(turn), it->f[NB_EY][c] = sin(turn);
-      it->f[NB_PUSH][c] = chance_between(&chance, -9, 9);
-      it->f[NB_DRAG][c] = shear ? chance_between(&chance, -9, 9) : NAN; /* nobody may read it then */
+      it->f[NB_TOTAL_NORMAL][c] = chance_between(&chance, -9, 9);
+      it->f[NB_TOTAL_SHEAR][c] = shear ? chance_between(&chance, -9, 9) : NAN; /* nobody may read it then */
     }
-    nb_pass_resolve[shear].run[NB_PLAIN](&it->model, &it->view);
+    nb_pass_resolve[shear].run[NB_PLAIN](&it->model, &it->block);
     for (int c = 0; c < N; c++) {
-      const long double e1 = it->f[NB_EX][c], e2 = it->f[NB_EY][c], fn = it->f[NB_PUSH][c];
-      const long double fs = shear ? it->f[NB_DRAG][c] : 0;
+      const long double e1 = it->f[NB_EX][c], e2 = it->f[NB_EY][c], fn = it->f[NB_TOTAL_NORMAL][c];
+      const long double fs = shear ? it->f[NB_TOTAL_SHEAR][c] : 0;
       CU_ASSERT(near(force[c].x, -(fn * e1 + fs * e2), 9) && near(force[c].y, -(fn * e2 - fs * e1), 9));
     }
   }

@@ -16,9 +16,9 @@ static void nothing_at_zero_overlap(struct contact it, struct chance *chance) {
     CU_ASSERT(it.n.force == 0 && it.n.stiffness == 0 && it.n.radius == 0);
     CU_ASSERT(it.s.force == 0 && it.s.stiffness == 0 && it.s.sliding == 0);
     if (it.normal->stored)
-      CU_ASSERT_EQUAL(it.normal->stored(it.pair, it.n, it.normal_memory), 0);
+      CU_ASSERT_EQUAL(it.normal->stored(it.pair, it.n, it.normal_history), 0);
     if (it.shear->stored)
-      CU_ASSERT_EQUAL(it.shear->stored(it.pair, it.n, it.shear_memory), 0);
+      CU_ASSERT_EQUAL(it.shear->stored(it.pair, it.n, it.shear_history), 0);
     contact_lead(&it, chance_scale(chance, 1e-9, 1e-4), chance_between(chance, -1e-5, 1e-5), 3);
   }
 }
@@ -73,7 +73,7 @@ static void never_stiffer_than_stated(struct contact it, struct chance *chance) 
 
 /* The slope over two steps is the mean of what the law answers in both: one that goes by increments answers that of its step. */
 static void shear_stiffness_is_the_slope(struct contact it, struct chance *chance) {
-  if (it.shear->loses)
+  if (it.shear->dissipative)
     return; /* it slips a little before it slides: tested below */
   contact_lead(&it, chance_scale(chance, 1e-9, 1e-3), 0, 16);
   const double sign = chance_between(chance, -1, 1) < 0 ? -1 : 1;
@@ -93,12 +93,12 @@ static void shear_stiffness_is_the_slope(struct contact it, struct chance *chanc
 /* A law that loses energy before it slides as a whole has its stiffness where slip has just turned round, and less in
  * micro-slip: over a way h, of what would make the contact slide, it has lost a share of it of the order of h. */
 static void shear_stiffness_is_the_slope_at_stick(struct contact it, struct chance *chance) {
-  if (!it.shear->loses || it.pair.friction == 0)
+  if (!it.shear->dissipative || it.pair.friction == 0)
     return;
   contact_lead(&it, chance_scale(chance, 1e-9, 1e-3), 0, 16);
   const double slide = it.pair.friction * it.n.force / it.s.stiffness * 1.5; /* 3 mu N/16 G* a  [R89 3.25] */
-  const double slip = (chance_between(chance, -1, 1) < 0 ? -1 : 1) * slide, share = chance_between(chance, 0.1, 0.9);
-  contact_lead(&it, it.overlap, share * slip, 64);
+  const double slip = (chance_between(chance, -1, 1) < 0 ? -1 : 1) * slide, fraction = chance_between(chance, 0.1, 0.9);
+  contact_lead(&it, it.overlap, fraction * slip, 64);
   const double before = it.s.force, h = ldexp(slip, -12);
   contact_go(&it, it.overlap, h);
   CU_ASSERT((it.s.force - before) / h < 0.98 * it.s.stiffness && it.s.sliding == 0);
@@ -134,30 +134,30 @@ static void mirrored_slip_gives_the_mirrored_force(struct contact it, struct cha
 
 /* A law has no size of its own: what is softer by a power of two, in stiffness and cohesion, feels less by just that. */
 static void forces_scale_with_the_stiffnesses(struct contact it, struct chance *chance) {
-  const double share = ldexp(1, -60);
+  const double fraction = ldexp(1, -60);
   struct contact soft = it;
-  soft.pair.kn *= share, soft.pair.ks *= share, soft.pair.cohesion *= share;
-  soft.pair.young *= share, soft.pair.shear *= share;
+  soft.pair.kn *= fraction, soft.pair.ks *= fraction, soft.pair.cohesion *= fraction;
+  soft.pair.young *= fraction, soft.pair.shear *= fraction;
   for (int k = 0; k < 20; k++) {
     const double overlap = chance_scale(chance, 1e-9, 1e-3);
     const double slip = chance_between(chance, -1, 1) * chance_scale(chance, 1e-12, 1e-3);
     contact_go(&it, overlap, slip);
     contact_go(&soft, overlap, slip);
-    CU_ASSERT(soft.n.force == share * it.n.force && soft.n.stiffness == share * it.n.stiffness);
-    CU_ASSERT(soft.s.force == share * it.s.force && soft.s.stiffness == share * it.s.stiffness);
+    CU_ASSERT(soft.n.force == fraction * it.n.force && soft.n.stiffness == fraction * it.n.stiffness);
+    CU_ASSERT(soft.s.force == fraction * it.s.force && soft.s.stiffness == fraction * it.s.stiffness);
     CU_ASSERT(soft.s.sliding == it.s.sliding);
     if (it.normal->stored && it.shear->stored)
-      CU_ASSERT_EQUAL(stored(&soft), share * stored(&it));
+      CU_ASSERT_EQUAL(stored(&soft), fraction * stored(&it));
   }
 }
 
 static void memory_that_is_not_the_laws_own_is_left_alone(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++)
     contact_go(&it, k % 7 == 6 ? 0 : chance_scale(chance, 1e-9, 1e-3), chance_between(chance, -1e-4, 1e-4));
-  for (int m = it.normal->memory; m < NB_MEMORY; m++)
-    CU_ASSERT_EQUAL(it.normal_memory[m], untouched);
-  for (int m = nb_law_memory(it.shear, it.pair); m < MOST; m++)
-    CU_ASSERT_EQUAL(it.shear_memory[m], untouched);
+  for (int m = it.normal->memory; m < NB_HISTORY; m++)
+    CU_ASSERT_EQUAL(it.normal_history[m], untouched);
+  for (int m = nb_law_history(it.shear, it.pair); m < MOST; m++)
+    CU_ASSERT_EQUAL(it.shear_history[m], untouched);
 }
 
 /* Whether the word is one of those of a list, "ks, friction". */
@@ -202,7 +202,7 @@ static void the_force_depends_on_the_stated_parameters(void) {
           if ((*law)->normal)
             contact_go(&other, it.overlap, slip);
           else
-            other.s = (*law)->shear(other.pair, it.n, slip, other.shear_memory);
+            other.s = (*law)->shear(other.pair, it.n, slip, other.shear_history);
           depends = depends || ((*law)->normal ? other.n.force != it.n.force : other.s.force != it.s.force);
         }
       }

@@ -15,10 +15,10 @@
 
 /* A law of the tests alone: it fills all the memory there is and never empties it, touching or not. */
 static inline struct nb_shear shear_scribble(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
-  for (int k = 0; k < NB_MEMORY; k++)
+  for (int k = 0; k < NB_HISTORY; k++)
     m[k] += (k + 1) * slip;
   return (struct nb_shear){
-      .force = p.ks * (m[0] + m[NB_MEMORY - 1]) * n.radius, .stiffness = n.stiffness, .sliding = m[1]};
+      .force = p.ks * (m[0] + m[NB_HISTORY - 1]) * n.radius, .stiffness = n.stiffness, .sliding = m[1]};
 }
 #define LAW shear_scribble
 #define SHEAR
@@ -37,7 +37,7 @@ static const struct nb_law *law_number(int k) {
   return k == 0 ? &law_shear_scribble : NULL;
 }
 
-enum { ROOM = NB_BLOCK + 8 }; /* what lies past the block is seen */
+enum { ROOM = NB_BLOCK_SIZE + 8 }; /* what lies past the block is seen */
 
 enum { MOST = 16 + 5 * 64 }; /* doubles of a law that remembers more than NB_MEMORY */
 
@@ -47,7 +47,7 @@ static void row_of_chance(double *row, const struct nb_law *law, struct nb_pair 
   for (int m = 1; m < MOST; m++)
     row[m] = chance_between(chance, -1, 1);
   pair.radius = 1e-2;
-  for (int k = 0; nb_law_memory(law, pair) > NB_MEMORY && k < 6; k++) {
+  for (int k = 0; nb_law_history(law, pair) > NB_HISTORY && k < 6; k++) {
     struct nb_normal n = {.overlap = chance_scale(chance, 1e-9, 1e-3)};
     n.radius = sqrt(pair.radius * n.overlap), n.stiffness = 2 * pair.young * n.radius;
     n.force = n.stiffness * n.overlap / 1.5;
@@ -58,7 +58,7 @@ static void row_of_chance(double *row, const struct nb_law *law, struct nb_pair 
 /* All that a law reads and writes, as the plan would lay it out. */
 struct fields {
   _Alignas(64) double f[NB_FIELDS][ROOM];
-  _Alignas(64) double memory[NB_MEMORY][ROOM];
+  _Alignas(64) double memory[NB_HISTORY][ROOM];
   double rows[ROOM][MOST]; /* of a law that remembers more */
 };
 
@@ -66,7 +66,7 @@ static void fill(struct fields *fields, const struct nb_law *law, struct nb_pair
   for (size_t c = 0; c < ROOM; c++) {
     for (int f = 0; f < NB_FIELDS; f++)
       fields->f[f][c] = chance_between(chance, -1, 1);
-    for (int m = 0; m < NB_MEMORY; m++)
+    for (int m = 0; m < NB_HISTORY; m++)
       fields->memory[m][c] = chance_between(chance, -1, 1) * 1e-3;
     fields->f[NB_REDUCED][c] = chance_scale(chance, 1e-4, 1e-1);
     row_of_chance(fields->rows[c], law, pair, chance);
@@ -75,22 +75,22 @@ static void fill(struct fields *fields, const struct nb_law *law, struct nb_pair
     fields->f[NB_NORMAL][c] = touching ? chance_scale(chance, 1e-6, 1e2) : 0;
     fields->f[NB_STIFFNESS][c] = touching ? chance_scale(chance, 1, 1e5) : 0;
     fields->f[NB_RADIUS][c] = touching ? chance_scale(chance, 1e-9, 1e-3) : 0;
-    fields->f[NB_SLIP][c] = chance_between(chance, -1, 1) * chance_scale(chance, 1e-12, 1e-2);
-    fields->f[NB_CLOSING][c] = chance_between(chance, -1, 1) * chance_scale(chance, 1e-12, 1e-2);
+    fields->f[NB_TANGENTIAL_INCREMENT][c] = chance_between(chance, -1, 1) * chance_scale(chance, 1e-12, 1e-2);
+    fields->f[NB_NORMAL_INCREMENT][c] = chance_between(chance, -1, 1) * chance_scale(chance, 1e-12, 1e-2);
   }
 }
 
 /* One contact at a time, as law_batch.h promises. */
 static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields *fields, size_t n) {
-  const bool rows = nb_law_memory(law, pair) > NB_MEMORY;
+  const bool rows = nb_law_history(law, pair) > NB_HISTORY;
   for (size_t c = 0; c < n; c++) {
     const bool touching = fields->f[NB_OVERLAP][c] > 0;
-    double own[NB_MEMORY] = {0}, *m = rows ? fields->rows[c] : own;
+    double own[NB_HISTORY] = {0}, *m = rows ? fields->rows[c] : own;
     for (int k = 0; k < law->memory && !rows; k++)
       m[k] = fields->memory[k][c];
     pair.radius = fields->f[NB_REDUCED][c];
     if (law->normal) {
-      const struct nb_normal out = law->normal(pair, fields->f[NB_OVERLAP][c], fields->f[NB_CLOSING][c], m);
+      const struct nb_normal out = law->normal(pair, fields->f[NB_OVERLAP][c], fields->f[NB_NORMAL_INCREMENT][c], m);
       fields->f[NB_NORMAL][c] = out.force, fields->f[NB_STIFFNESS][c] = out.stiffness;
       fields->f[NB_RADIUS][c] = out.radius;
     } else {
@@ -100,11 +100,11 @@ static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields
                                    .overlap = fields->f[NB_OVERLAP][c]};
       struct nb_shear out = {0};
       if (touching || !rows)
-        out = law->shear(pair, n_, fields->f[NB_SLIP][c], m);
+        out = law->shear(pair, n_, fields->f[NB_TANGENTIAL_INCREMENT][c], m);
       fields->f[NB_SHEAR][c] = out.force, fields->f[NB_SHEAR_STIFFNESS][c] = out.stiffness;
       fields->f[NB_SLIDING][c] = out.sliding;
-      if (law->loses)
-        fields->f[NB_LOST][c] = out.lost;
+      if (law->dissipative)
+        fields->f[NB_DISSIPATED][c] = out.dissipated;
     }
     for (int k = 0; k < law->memory && !rows; k++)
       fields->memory[k][c] = touching ? m[k] : 0;
@@ -113,20 +113,20 @@ static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields
   }
 }
 
-static void by_block(const struct nb_law *law, const struct nb_pairing *pairing, struct fields *fields, size_t n,
-                     enum nb_isa isa, bool counts) {
-  struct nb_view view = {.n = n, .pairing = pairing};
+static void by_block(const struct nb_law *law, const struct nb_material_pair *material_pair, struct fields *fields,
+                     size_t n, enum nb_isa isa, bool counts) {
+  struct nb_block block = {.n = n, .material_pair = material_pair};
   for (int f = 0; f < NB_FIELDS; f++)
-    view.f[f] = fields->f[f];
+    block.f[f] = fields->f[f];
   if (!counts)
-    view.f[NB_LOST] = NULL; /* nobody asks */
-  struct nb_memory *memory = law->normal ? &view.normal_memory : &view.shear_memory;
-  memory->doubles = nb_law_memory(law, pairing->values);
-  if (memory->doubles > NB_MEMORY)
+    block.f[NB_DISSIPATED] = NULL; /* nobody asks */
+  struct nb_history *memory = law->normal ? &block.normal_history : &block.shear_history;
+  memory->doubles = nb_law_history(law, material_pair->values);
+  if (memory->doubles > NB_HISTORY)
     memory->doubles = MOST, memory->rows = fields->rows[0];
   for (int m = 0; m < memory->doubles && !memory->rows; m++) /* the others are NULL, as the plan leaves them */
     memory->field[m] = fields->memory[m];
-  law->run[isa](NULL, &view);
+  law->run[isa](NULL, &block);
 }
 
 static bool runs_here(enum nb_isa isa) {
@@ -141,33 +141,33 @@ static bool runs_here(enum nb_isa isa) {
 }
 
 static void same_bits(void) {
-  static const size_t sizes[] = {0, 1, 7, 8, 9, NB_BLOCK - 1, NB_BLOCK};
+  static const size_t sizes[] = {0, 1, 7, 8, 9, NB_BLOCK_SIZE - 1, NB_BLOCK_SIZE};
   static const char *const isas[] = {"plain", "avx2", "avx512"};
   static struct fields given, wanted, seen; /* too large for some stacks */
   struct chance chance = chance_begin(2);
   const struct nb_law *law;
   for (int l = 0; (law = law_number(l)) != NULL; l++)
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
-      const struct nb_pairing pairing = {.values = {.kn = 1e5,
-                                                    .ks = 7e4,
-                                                    .friction = 0.4,
-                                                    .cohesion = k % 2 ? 1e-3 : 0,
-                                                    .young = 1e9,
-                                                    .shear = 3e8,
-                                                    .pieces = law->pieces}};
-      fill(&given, law, pairing.values, &chance);
+      const struct nb_material_pair material_pair = {.values = {.kn = 1e5,
+                                                                .ks = 7e4,
+                                                                .friction = 0.4,
+                                                                .cohesion = k % 2 ? 1e-3 : 0,
+                                                                .young = 1e9,
+                                                                .shear = 3e8,
+                                                                .pieces = law->pieces}};
+      fill(&given, law, material_pair.values, &chance);
       wanted = given;
-      by_hand(law, pairing.values, &wanted, sizes[k]);
+      by_hand(law, material_pair.values, &wanted, sizes[k]);
       for (int form = 0; form < 2 * NB_ISAS; form++) {
         const enum nb_isa isa = (enum nb_isa)(form / 2);
         const bool counts = form % 2;
         if (!runs_here(isa))
           continue;
         seen = given;
-        by_block(law, &pairing, &seen, sizes[k], isa, counts);
+        by_block(law, &material_pair, &seen, sizes[k], isa, counts);
         if (!counts) {
-          CU_ASSERT(memcmp(seen.f[NB_LOST], given.f[NB_LOST], sizeof seen.f[NB_LOST]) == 0);
-          memcpy(seen.f[NB_LOST], wanted.f[NB_LOST], sizeof seen.f[NB_LOST]);
+          CU_ASSERT(memcmp(seen.f[NB_DISSIPATED], given.f[NB_DISSIPATED], sizeof seen.f[NB_DISSIPATED]) == 0);
+          memcpy(seen.f[NB_DISSIPATED], wanted.f[NB_DISSIPATED], sizeof seen.f[NB_DISSIPATED]);
         }
         const bool same = memcmp(&seen, &wanted, sizeof seen) == 0;
         if (!same)
@@ -182,14 +182,14 @@ static void memory_ends_with_the_contact(void) {
   struct chance chance = chance_begin(3);
   const struct nb_law *law;
   for (int l = 0; (law = law_number(l)) != NULL; l++) {
-    const struct nb_pairing pairing = {
+    const struct nb_material_pair material_pair = {
         .values = {
             .kn = 1e5, .ks = 7e4, .friction = 0.4, .cohesion = 1, .young = 1e9, .shear = 3e8, .pieces = law->pieces}};
-    const bool rows = nb_law_memory(law, pairing.values) > NB_MEMORY;
-    fill(&fields, law, pairing.values, &chance);
-    by_block(law, &pairing, &fields, NB_BLOCK, NB_PLAIN, true);
+    const bool rows = nb_law_history(law, material_pair.values) > NB_HISTORY;
+    fill(&fields, law, material_pair.values, &chance);
+    by_block(law, &material_pair, &fields, NB_BLOCK_SIZE, NB_PLAIN, true);
     int ended = 0, lasting = 0;
-    for (size_t c = 0; c < NB_BLOCK; c++)
+    for (size_t c = 0; c < NB_BLOCK_SIZE; c++)
       for (int m = 0; m < (rows ? 1 : law->memory); m++) {
         const double kept = rows ? fields.rows[c][0] : fields.memory[m][c];
         if (!(fields.f[NB_OVERLAP][c] > 0))

@@ -28,7 +28,7 @@ static void go_around(const struct contact *at, const struct corner *corners, in
 }
 
 static void closed_paths_give_no_energy(struct contact it, struct chance *chance) {
-  if (it.normal->gains || (it.shear && it.shear->gains))
+  if (it.normal->non_conservative || (it.shear && it.shear->non_conservative))
     return;
   const double low = chance_scale(chance, 1e-8, 1e-4), high = low * chance_between(chance, 1.1, 5);
   const double reach = low * chance_between(chance, 0.05, 4) * (chance_between(chance, -1, 1) < 0 ? -1 : 1);
@@ -51,26 +51,26 @@ static void stored_energy_is_the_work(struct contact it, struct chance *chance) 
     return;
   contact_lead(&it, chance_scale(chance, 1e-8, 1e-4), 0, 64);
   int stuck = 0;
-  for (int leg = 0; leg < 40; leg++) {
+  for (int segment = 0; segment < 40; segment++) {
     const double to = it.overlap * chance_between(chance, 0.7, 1.4);
-    const double slip = chance_between(chance, -1, 1) * it.overlap * (leg % 2 ? 0.02 : 0.3);
+    const double slip = chance_between(chance, -1, 1) * it.overlap * (segment % 2 ? 0.02 : 0.3);
     struct contact coarse = it;
-    const double before = stored(&it), already = it.lost, work = contact_lead(&coarse, to, slip, 64);
+    const double before = stored(&it), already = it.dissipated, work = contact_lead(&coarse, to, slip, 64);
     bool slid = false;
     double finer = 0;
     const double from = it.overlap;
     for (int k = 1; k <= 128; k++) {
       finer += contact_lead(&it, from + (to - from) * k / 128, slip / 128, 1);
-      slid = slid || (it.s.sliding > 0 && !it.shear->loses);
+      slid = slid || (it.s.sliding > 0 && !it.shear->dissipative);
     }
-    const double lost = it.lost - already, less = coarse.lost - already;
+    const double dissipated = it.dissipated - already, less = coarse.dissipated - already;
     const double missing = finer - (stored(&it) - before);
-    const double error = 16 * (fabs(finer - work) + fabs(stored(&it) - stored(&coarse)) + fabs(lost - less)) +
+    const double error = 16 * (fabs(finer - work) + fabs(stored(&it) - stored(&coarse)) + fabs(dissipated - less)) +
                          1024 * DBL_EPSILON * (before + stored(&it));
     const double joined = it.shear && it.shear->piece > 0 ? 1e-3 * (before + stored(&it)) : 0;
-    CU_ASSERT(missing >= -error - joined && lost >= -error - joined);
+    CU_ASSERT(missing >= -error - joined && dissipated >= -error - joined);
     if (!slid)
-      CU_ASSERT(fabs(missing - lost) <= error);
+      CU_ASSERT(fabs(missing - dissipated) <= error);
     stuck += !slid;
   }
   if (it.shear && it.pair.friction > 0.1)

@@ -6,43 +6,43 @@
 #include "../src/core/model.h"
 #include "suites.h"
 
-enum { CONTACTS = 40000, FEW = NB_MEMORY, MANY = 20 };
+enum { CONTACTS = 40000, FEW = NB_HISTORY, MANY = 20 };
 
-static void put(struct nb_memory *memory, size_t contact, double first) {
+static void put(struct nb_history *memory, size_t contact, double first) {
   for (int m = 0; m < memory->doubles; m++)
     *(memory->rows ? &memory->rows[contact * (size_t)memory->doubles + (size_t)m] : &memory->field[m][contact]) =
         first + m;
 }
 
-static void holds(const struct nb_memory *memory, size_t contact, double first, int doubles) {
-  double room[NB_MEMORY];
-  const double *seen = nb_memory_read(memory, contact, room);
+static void holds(const struct nb_history *memory, size_t contact, double first, int doubles) {
+  double room[NB_HISTORY];
+  const double *seen = nb_history_read(memory, contact, room);
   for (int m = 0; m < doubles; m++)
     CU_ASSERT_EQUAL(seen[m], first + m);
 }
 
 static void kept(int doubles) {
   struct nb_owner owner = {NULL};
-  struct nb_memory memory = nb_memory_create(&owner, doubles, CONTACTS);
+  struct nb_history memory = nb_history_create(&owner, doubles, CONTACTS);
   CU_ASSERT_FATAL(!owner.failed);
   CU_ASSERT_EQUAL(memory.doubles, doubles);
-  CU_ASSERT_EQUAL(memory.rows != NULL, doubles > NB_MEMORY);
+  CU_ASSERT_EQUAL(memory.rows != NULL, doubles > NB_HISTORY);
   for (size_t c = 0; c < CONTACTS; c++)
     put(&memory, c, 100. * (double)c);
   for (size_t c = 0; c < CONTACTS; c += 777)
     holds(&memory, c, 100. * (double)c, doubles);
-  const struct nb_memory from = nb_memory_from(&memory, 300);
+  const struct nb_history from = nb_history_from(&memory, 300);
   holds(&from, 7, 30700, doubles);
-  nb_memory_copy(&memory, 5, &memory, 9);
+  nb_history_copy(&memory, 5, &memory, 9);
   holds(&memory, 5, 900, doubles);
   holds(&memory, 4, 400, doubles);
   holds(&memory, 6, 600, doubles);
-  nb_memory_forget(&memory, 5);
-  double room[NB_MEMORY];
-  CU_ASSERT_EQUAL(nb_memory_read(&memory, 5, room)[0], 0);
-  if (doubles <= NB_MEMORY)
-    for (int m = 0; m < NB_MEMORY; m++)
-      CU_ASSERT_EQUAL(nb_memory_read(&memory, 5, room)[m], 0);
+  nb_history_forget(&memory, 5);
+  double room[NB_HISTORY];
+  CU_ASSERT_EQUAL(nb_history_read(&memory, 5, room)[0], 0);
+  if (doubles <= NB_HISTORY)
+    for (int m = 0; m < NB_HISTORY; m++)
+      CU_ASSERT_EQUAL(nb_history_read(&memory, 5, room)[m], 0);
   holds(&memory, 4, 400, doubles);
   holds(&memory, 6, 600, doubles);
   nb_owner_free(&owner);
@@ -57,9 +57,9 @@ static void many(void) {
   kept(FEW + 1);
   kept(MANY);
   struct nb_owner owner = {NULL};
-  struct nb_memory memory = nb_memory_create(&owner, NB_MEMORY_MAX, 1);
+  struct nb_history memory = nb_history_create(&owner, NB_HISTORY_MAX, 1);
   CU_ASSERT_FATAL(!owner.failed);
-  CU_ASSERT_EQUAL(memory.doubles, NB_MEMORY_MAX);
+  CU_ASSERT_EQUAL(memory.doubles, NB_HISTORY_MAX);
   nb_owner_free(&owner);
 }
 
@@ -67,21 +67,21 @@ static void many(void) {
 static void unlike(void) {
   static const int sizes[][2] = {{1, FEW}, {FEW, 1}, {FEW + 1, MANY}, {MANY, FEW + 1}};
   for (int k = 0; k < 4; k++) {
-    double room[NB_MEMORY];
+    double room[NB_HISTORY];
     const int both = sizes[k][0] < sizes[k][1] ? sizes[k][0] : sizes[k][1];
     struct nb_owner owner = {NULL};
-    struct nb_memory from = nb_memory_create(&owner, sizes[k][0], 5), to = nb_memory_create(&owner, sizes[k][1], 5);
+    struct nb_history from = nb_history_create(&owner, sizes[k][0], 5), to = nb_history_create(&owner, sizes[k][1], 5);
     CU_ASSERT_FATAL(!owner.failed);
     put(&from, 2, 10), put(&from, 3, 50), put(&to, 2, 200), put(&to, 1, 100), put(&to, 3, 300);
-    nb_memory_copy(&to, 2, &from, 3);
+    nb_history_copy(&to, 2, &from, 3);
     holds(&to, 2, 50, both);
     holds(&to, 1, 100, sizes[k][1]);
     holds(&to, 3, 300, sizes[k][1]);
-    const double *seen = nb_memory_read(&to, 2, room);
+    const double *seen = nb_history_read(&to, 2, room);
     for (int m = both; m < sizes[k][1]; m++)
       CU_ASSERT_EQUAL(seen[m], 200 + m);
-    for (int m = sizes[k][0]; m < NB_MEMORY && k < 2; m++)
-      CU_ASSERT_EQUAL(nb_memory_read(&from, 3, room)[m], 0);
+    for (int m = sizes[k][0]; m < NB_HISTORY && k < 2; m++)
+      CU_ASSERT_EQUAL(nb_history_read(&from, 3, room)[m], 0);
     nb_owner_free(&owner);
   }
 }
@@ -90,11 +90,11 @@ static void unlike(void) {
 static void unlike_in_kind(void) {
   for (int rows = 0; rows < 2; rows++) {
     struct nb_owner owner = {NULL};
-    struct nb_memory from = nb_memory_create(&owner, rows ? MANY : FEW, 5);
-    struct nb_memory to = nb_memory_create(&owner, rows ? FEW : MANY, 5);
+    struct nb_history from = nb_history_create(&owner, rows ? MANY : FEW, 5);
+    struct nb_history to = nb_history_create(&owner, rows ? FEW : MANY, 5);
     CU_ASSERT_FATAL(!owner.failed);
     put(&from, 3, 50), put(&to, 2, 200);
-    nb_memory_copy(&to, 2, &from, 3);
+    nb_history_copy(&to, 2, &from, 3);
     holds(&to, 2, 200, to.doubles);
     nb_owner_free(&owner);
   }

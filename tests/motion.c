@@ -211,7 +211,7 @@ static void many_fall(void) {
   struct nb_model *model = written_model(&it, NULL);
   written_cycles(model, 4);
   for (int i = 0; i < 600; i++)
-    CU_ASSERT_DOUBLE_EQUAL(model->bodies.position[i].y, -1, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(model->particles.position[i].y, -1, 1e-14);
   nb_model_free(model);
   written_free(&it);
 }

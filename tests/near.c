@@ -22,7 +22,7 @@ static void cloud(struct written *it, double x, double y, double speed, unsigned
       "material c kn 1 ks 90 friction 0.3\npair a c kn 1e5\npair b c kn 1e5\n" /* too hard to be gone through */
       "shear linear\nstep 1e-4\nwall ramp %.17g %.17g to %.17g %.17g c velocity %.17g 0\n",
       x - 5, y - 5, x + 20, y - 0.8, speed);
-  struct placed placed = {.share = 0.5};
+  struct placed placed = {.fraction = 0.5};
   for (int k = 0; k < DISCS; k++) {
     const double *disc = placed.disc[k];
     placed_find(&placed, &chance, 0, 20, chance_scale(&chance, 0.2, 0.8));
@@ -39,34 +39,36 @@ static void cloud(struct written *it, double x, double y, double speed, unsigned
 
 /* The gap between the outlines of two bodies, or of a body and a wall. */
 static double gap(const struct nb_model *model, size_t i, size_t j, bool wall) {
-  const struct nb_vec x = model->bodies.position[i];
+  const struct nb_vec x = model->particles.position[i];
   if (!wall)
-    return vec_length(vec_sub(model->bodies.position[j], x)) - model->bodies.rim[i].x - model->bodies.rim[j].x;
+    return vec_length(vec_sub(model->particles.position[j], x)) - model->particles.surface[i].radius -
+           model->particles.surface[j].radius;
   const struct nb_vec p = model->walls.point[j], along = model->walls.along[j];
   const double s = fmin(fmax(vec_dot(vec_sub(x, p), along), model->walls.h1[j]), model->walls.h2[j]);
-  return vec_length(vec_sub(vec_add(p, vec_scale(s, along)), x)) - model->bodies.rim[i].x;
+  return vec_length(vec_sub(vec_add(p, vec_scale(s, along)), x)) - model->particles.surface[i].radius;
 }
 
 /* Every pair closer than `within` is listed, once, with its smaller number first and under its own materials; no pair
  * of fixed ones. */
 static size_t compare(const struct nb_model *model, double within) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   size_t wanted = 0;
-  for (size_t i = 0; i < bodies->count; i++) {
-    for (size_t j = 0; j < bodies->count; j++) {
-      if (bodies->number[j] <= bodies->number[i] || !(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
+  for (size_t i = 0; i < particles->count; i++) {
+    for (size_t j = 0; j < particles->count; j++) {
+      if (particles->number[j] <= particles->number[i] ||
+          !(particles->inverse_mass[i] > 0 || particles->inverse_mass[j] > 0))
         continue;
       const long c = nb_contacts_find(model, (int)i, (int)j, false);
       if (gap(model, i, j, false) >= within)
         continue;
       wanted++;
       CU_ASSERT_FATAL(c >= 0);
-      const struct nb_pairing *pairing = &model->pairings[model->contacts.pairing[c]];
-      const int a = bodies->material[i], b = bodies->material[j];
+      const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
+      const int a = particles->material[i], b = particles->material[j];
       CU_ASSERT(model->contacts.a[c] == (int)i && model->contacts.b[c] == (int)j);
-      CU_ASSERT(!pairing->wall && pairing->a == (a < b ? a : b) && pairing->b == (a < b ? b : a));
+      CU_ASSERT(!material_pair->wall && material_pair->a == (a < b ? a : b) && material_pair->b == (a < b ? b : a));
     }
-    for (size_t w = 0; w < model->walls.count && bodies->inverse_mass[i] > 0; w++)
+    for (size_t w = 0; w < model->walls.count && particles->inverse_mass[i] > 0; w++)
       if (gap(model, i, w, true) < within) {
         wanted++;
         CU_ASSERT(nb_contacts_find(model, (int)i, (int)w, true) >= 0);
@@ -112,7 +114,7 @@ static void unlike_sizes(void) {
   struct written it;
   words_add(&page, "units none\nmaterial a density 1 kn 100\nstep 1e-6\nskin 0.02\n");
   struct placed placed = {
-      .share = 0.9, .count = 5, .disc = {{0, 0, 12}, {26, -6, 12}, {40, 42, 30}, {60, -8, 12}, {-8, 60, 12}}};
+      .fraction = 0.9, .count = 5, .disc = {{0, 0, 12}, {26, -6, 12}, {40, 42, 30}, {60, -8, 12}, {-8, 60, 12}}};
   for (int k = 5; k < 5 + SMALL; k++)
     placed_find(&placed, &chance, 0, 60, chance_scale(&chance, 0.01, 1));
   for (int k = 0; k < 5 + SMALL; k++)
@@ -173,13 +175,13 @@ static void nothing_is_searched_for_nothing(void) {
 /* All that has come of a model, in the order of numbers; frees it. */
 static void outcome(struct nb_model *model, double state[DISCS][8]) {
   for (size_t k = 0; k < DISCS; k++) {
-    const size_t i = (size_t)model->bodies.slot[k];
+    const size_t i = (size_t)model->particles.slot[k];
     const struct nb_force force = nb_force_on(model, i);
-    const double values[8] = {model->bodies.position[i].x,
-                              model->bodies.position[i].y,
-                              model->bodies.angle[i],
-                              model->bodies.velocity[i].x,
-                              model->bodies.velocity[i].y,
+    const double values[8] = {model->particles.position[i].x,
+                              model->particles.position[i].y,
+                              model->particles.angle[i],
+                              model->particles.velocity[i].x,
+                              model->particles.velocity[i].y,
                               force.force.x,
                               force.force.y,
                               force.moment};
@@ -201,7 +203,7 @@ static void the_skin_changes_no_bit(void) {
     struct nb_error error;
     struct nb_model *model = written_model(&it, NULL);
     model->search.skin = skins[s];
-    CU_ASSERT_EQUAL_FATAL(nb_near(model, &error), NB_OK);
+    CU_ASSERT_EQUAL_FATAL(nb_neighbours_search(model, &error), NB_OK);
     nb_forces(model);
     written_cycles(model, 300);
     searches[s] = model->search.count;

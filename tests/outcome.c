@@ -16,15 +16,15 @@
 struct heard {
   int calls, notes;
   char stage[512], note[1024];
-  double share;
+  double fraction;
 };
 
-static void call(void *data, const char *stage, double share, double seconds) {
+static void call(void *data, const char *stage, double fraction, double seconds) {
   struct heard *heard = data;
   CU_ASSERT(seconds >= 0);
-  CU_ASSERT(share > 0 && share <= 1);
+  CU_ASSERT(fraction > 0 && fraction <= 1);
   snprintf(heard->stage, sizeof heard->stage, "%s", stage);
-  heard->share = share, heard->calls++;
+  heard->fraction = fraction, heard->calls++;
 }
 
 static void note(void *data, const char *text) {
@@ -66,7 +66,7 @@ static void progress(void) {
   static const struct {
     const char *sweep, *stage, *note;
     int calls, runs;
-    double share;
+    double fraction;
   } rows[] = {
       {"", "one", "from stage `two` on shear none instead of linear: contacts remember nothing of it", 1, 1, 0},
       {"sweep v 1 2\nsweep w 3 4", "one of v=2, w=4",
@@ -81,7 +81,7 @@ static void progress(void) {
     CU_ASSERT_EQUAL(outcome.check_count, (size_t)rows[k].runs);
     CU_ASSERT(heard.calls >= rows[k].calls);
     CU_ASSERT_STRING_EQUAL(heard.stage, rows[k].stage);
-    CU_ASSERT(heard.share > rows[k].share && heard.share <= rows[k].share + 0.5 / rows[k].runs);
+    CU_ASSERT(heard.fraction > rows[k].fraction && heard.fraction <= rows[k].fraction + 0.5 / rows[k].runs);
     CU_ASSERT_EQUAL(heard.notes, rows[k].runs);
     CU_ASSERT_STRING_EQUAL(heard.note, rows[k].note);
     nb_outcome_free(&outcome);

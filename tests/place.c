@@ -170,7 +170,7 @@ static double turns_off(const struct nb_table *a, const struct nb_table *b, cons
 }
 
 static double farthest(const struct nb_result *one, const struct nb_result *other, int place) {
-  const struct nb_table *a = &one->snapshots[0].bodies, *b = &other->snapshots[0].bodies;
+  const struct nb_table *a = &one->snapshots[0].particles, *b = &other->snapshots[0].particles;
   const struct nb_table *walls = &one->snapshots[0].walls, *there = &other->snapshots[0].walls;
   CU_ASSERT_EQUAL_FATAL(a->row_count, b->row_count);
   const double off[] = {vectors_off(a, b, "x", "y", place, true),
@@ -192,7 +192,7 @@ static bool matters(const struct row *row, const struct nb_result *with) {
   struct nb_result without = {0};
   if (!ran(&without, row, "", ""))
     return true; /* what follows cannot do without it */
-  const struct nb_table *a = &with->snapshots[0].bodies, *b = &without.snapshots[0].bodies;
+  const struct nb_table *a = &with->snapshots[0].particles, *b = &without.snapshots[0].particles;
   double off = a->row_count == b->row_count ? 0 : 1;
   for (size_t r = 0; r < a->row_count && r < b->row_count; r++)
     off = fmax(off, hypot(column(a, r, "x") - column(b, r, "x"), column(a, r, "y") - column(b, r, "y")));
@@ -224,7 +224,7 @@ static void whole_scenes_are_moved(void) {
 }
 
 /* What references read of a wall of the box: the normal that points to its middle. */
-static void walls_of_the_box_point_inward(void) {
+static void walls_of_the_box_point_central(void) {
   for (int place = 0; place < PLACES; place++) {
     struct words words = {0};
     struct written it;
@@ -287,6 +287,6 @@ static void every_word_is_in_the_list(void) {
 void suite_place(void) {
   CU_pSuite suite = CU_add_suite("place", NULL, NULL);
   CU_ADD_TEST(suite, whole_scenes_are_moved);
-  CU_ADD_TEST(suite, walls_of_the_box_point_inward);
+  CU_ADD_TEST(suite, walls_of_the_box_point_central);
   CU_ADD_TEST(suite, every_word_is_in_the_list);
 }

@@ -9,7 +9,7 @@
 #include "chance.h"
 
 struct placed {
-  double share, side; /* of the smaller radius; of a periodic square, 0: none */
+  double fraction, side; /* of the smaller radius; of a periodic square, 0: none */
   int count;
   double disc[2000][3]; /* x, y, radius */
 };
@@ -24,7 +24,7 @@ static inline void placed_find(struct placed *placed, struct chance *chance, dou
       const double *other = placed->disc[k], side = placed->side;
       const double x = to[0] - other[0], y = to[1] - other[1];
       const double distance = side > 0 ? hypot(remainder(x, side), remainder(y, side)) : hypot(x, y);
-      taken = radius + other[2] - distance > placed->share * fmin(radius, other[2]);
+      taken = radius + other[2] - distance > placed->fraction * fmin(radius, other[2]);
     }
   }
   placed->count++;

@@ -60,18 +60,18 @@ void planted_runs(struct nb_outcome *outcome, const double *x) {
     planted_rows(outcome, r, 1, &x[r]);
 }
 
-void planted_known(struct nb_outcome *outcome, const char *name, double value) {
+void planted_solution(struct nb_outcome *outcome, const char *name, double value) {
   for (size_t r = 0; r < outcome->run_count; r++)
-    known_value(&outcome->runs[r].known, value, name);
+    solution_value(&outcome->runs[r].solution, value, name);
 }
 
 static double at(const void *data, double x) { return ((const double *)data)[(int)x]; }
 
-void planted_curve(struct nb_outcome *outcome, int count, const double *known) {
+void planted_curve(struct nb_outcome *outcome, int count, const double *solution) {
   double *data = malloc((size_t)count * sizeof *data);
   CU_ASSERT_PTR_NOT_NULL_FATAL(data);
-  memcpy(data, known, (size_t)count * sizeof *data);
-  known_curve(&outcome->runs[0].known, "A.x", "time", at, data);
+  memcpy(data, solution, (size_t)count * sizeof *data);
+  solution_curve(&outcome->runs[0].solution, "A.x", "time", at, data);
 }
 
 void planted_is(struct nb_outcome *outcome, enum nb_mark mark) {
@@ -86,10 +86,10 @@ void planted_is(struct nb_outcome *outcome, enum nb_mark mark) {
 }
 
 void planted_says(const struct nb_outcome *outcome, const char *text) {
-  const bool said = strstr(outcome->checks[0].words, text) != NULL;
-  if (!said)
+  const bool given = strstr(outcome->checks[0].words, text) != NULL;
+  if (!given)
     printf("# no `%s` in: %s\n", text, outcome->checks[0].words);
-  CU_ASSERT(said);
+  CU_ASSERT(given);
 }
 
 void planted_sweeps(const struct planted_sweep *list, size_t count) {
@@ -97,7 +97,7 @@ void planted_sweeps(const struct planted_sweep *list, size_t count) {
     struct nb_outcome outcome;
     planted_page(&outcome, list[k].statements, list[k].expectation);
     planted_runs(&outcome, list[k].x);
-    planted_known(&outcome, "A.x", 0);
+    planted_solution(&outcome, "A.x", 0);
     planted_is(&outcome, list[k].mark);
     planted_says(&outcome, list[k].words);
     CU_ASSERT_EQUAL(outcome.check_count, 1);
@@ -105,13 +105,13 @@ void planted_sweeps(const struct planted_sweep *list, size_t count) {
   }
 }
 
-void planted_one(const char *expectation, const char *known, double value, int count, const double *x,
+void planted_one(const char *expectation, const char *solution, double value, int count, const double *x,
                  enum nb_mark mark, const char *words) {
   struct nb_outcome outcome;
   planted_page(&outcome, "", expectation);
   planted_rows(&outcome, 0, count, x);
-  if (known)
-    planted_known(&outcome, known, value);
+  if (solution)
+    planted_solution(&outcome, solution, value);
   planted_is(&outcome, mark);
   planted_says(&outcome, words);
   nb_outcome_free(&outcome);

@@ -119,14 +119,14 @@ static void many_rules(void) {
 static void pieces_of_history(void) {
   static const struct {
     const char *shear;
-    int said;
+    int given;
     double pieces;
   } rows[] = {{"mindlin_deresiewicz", 0, 64}, {"mindlin_deresiewicz", 32, 32}, {"linear", 0, 0}, {"none", 0, 0}};
   for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
     struct nb_scene scene = scene_of(NULL, 0);
     struct nb_properties now = {0};
     snprintf(scene.shear, sizeof scene.shear, "%s", rows[n].shear);
-    scene.pieces = rows[n].said;
+    scene.pieces = rows[n].given;
     CU_ASSERT_FATAL(nb_properties_create(&now, &scene));
     CU_ASSERT_EQUAL(nb_properties_pair(&now, 0, 1).pieces, rows[n].pieces);
     nb_properties_free(&now);

@@ -37,30 +37,30 @@ static void slip_to(struct rings *r, double alpha, double delta) {
 }
 
 /* After these legs, each of which is a reversal. */
-static double known(double alpha, const struct leg *legs, int count) {
+static double solution(double alpha, const struct segment *segments, int count) {
   const double a = slope() * alpha;
   struct rings r = {alpha, {alpha}, 0};
   double delta = 0;
   for (int k = 0; k < count; k++) {
     r.fronts[r.count++] = r.alpha;
-    delta += legs[k].slip * a;
-    slip_to(&r, legs[k].alpha * alpha, delta);
+    delta += segments[k].slip * a;
+    slip_to(&r, segments[k].alpha * alpha, delta);
   }
   return force(&r);
 }
 
-static double error_of(const char *law, const struct leg *legs, int count, int steps) {
+static double error_of(const char *law, const struct segment *segments, int count, int steps) {
   struct contact it = contact_of(law);
   const double alpha = deep(N);
   go(&it, alpha, 0);
   for (int k = 0; k < count; k++)
-    lead(&it, legs[k].alpha * alpha, legs[k].slip * slope() * alpha, steps);
-  return (it.s.force - known(alpha, legs, count)) / (mu * N);
+    lead(&it, segments[k].alpha * alpha, segments[k].slip * slope() * alpha, steps);
+  return (it.s.force - solution(alpha, segments, count)) / (mu * N);
 }
 
 /* First order, and small: at 500 steps a leg it is below 1e-3 of mu N, at twice as many half of it. */
-static void expect_first_order(const struct leg *legs, int count) {
-  const double coarse = error_of("randall", legs, count, 500), fine = error_of("randall", legs, count, 1000);
+static void expect_first_order(const struct segment *segments, int count) {
+  const double coarse = error_of("randall", segments, count, 500), fine = error_of("randall", segments, count, 1000);
   CU_ASSERT(fabs(coarse) < 2e-3 && fabs(fine - coarse / 2) < 0.05 * fabs(coarse) + 1e-7);
 }
 
@@ -68,20 +68,20 @@ static void expect_first_order(const struct leg *legs, int count) {
 
 /* [R89 3.25, 3.40, 3.50] solved for T; known() says the same, to rounding. */
 static void curves_of_constant_normal_force(void) {
-  static const struct leg legs[] = {{1, 0.7}, {1, -0.9}, {1, 0.6}};
+  static const struct segment segments[] = {{1, 0.7}, {1, -0.9}, {1, 0.6}};
   const double t1 = 1 - pow(1 - 0.7, 1.5), t2 = t1 - 2 * (1 - pow(1 - 0.9 / 2, 1.5));
   const double t3 = t2 + 2 * (1 - pow(1 - 0.6 / 2, 1.5)), t[] = {t1, t2, t3};
   for (int k = 0; k < 3; k++) {
-    CU_ASSERT(fabs(known(deep(N), legs, k + 1) - t[k] * mu * N) < 1e-13 * N);
-    expect_first_order(legs, k + 1);
+    CU_ASSERT(fabs(solution(deep(N), segments, k + 1) - t[k] * mu * N) < 1e-13 * N);
+    expect_first_order(segments, k + 1);
   }
 }
 
 /* Between T* and -T* a cycle loses  (24/5 (1 - (1-x)^(5/3)) - 4 x (1 + (1-x)^(2/3))) mu N A,  x = T*'/mu N: the area between 3.40 and its
  * mirror image. */
-static void loop_loses_what_it_should(void) {
+static void loop_dissipative_what_it_should(void) {
   const double x = 0.8, a = slope() * deep(N), star = a * (1 - pow(1 - x, 2. / 3));
-  const double known = (4.8 * (1 - pow(1 - x, 5. / 3)) - 4 * x * (1 + pow(1 - x, 2. / 3))) * mu * N * a;
+  const double solution = (4.8 * (1 - pow(1 - x, 5. / 3)) - 4 * x * (1 + pow(1 - x, 2. / 3))) * mu * N * a;
   double errors[2];
   for (int k = 0; k < 2; k++) {
     const int steps = k ? 2000 : 1000;
@@ -91,9 +91,9 @@ static void loop_loses_what_it_should(void) {
     const double before = it.work;
     lead(&it, deep(N), -2 * star, 2 * steps);
     lead(&it, deep(N), 2 * star, 2 * steps);
-    errors[k] = (it.work - before) / known - 1;
+    errors[k] = (it.work - before) / solution - 1;
   }
-  CU_ASSERT(known > 0 && fabs(errors[0]) < 5e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
+  CU_ASSERT(solution > 0 && fabs(errors[0]) < 5e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
 }
 
 /* Re-unloading goes back along the reloading curve: elastic, R89's approximation [R89 3.3]. */
@@ -123,12 +123,12 @@ static void all_ways_of_normal_and_tangential_force(void) {
   static const double alpha[3][2] = {{0.3, -0.15}, {0.2, -0.1}, {0.15, -0.05}}; /* more overlap */
   static const double slip[3][2] = {{0.8, 0.3}, {-0.5, -0.4}, {0.3, 0.1}};
   for (int ways = 0; ways < 8; ways++) {
-    struct leg legs[3];
+    struct segment segments[3];
     double at = 1;
     for (int k = 0; k < 3; k++) {
       const int falls = ways >> k & 1;
-      legs[k] = (struct leg){at += alpha[k][falls], slip[k][falls]};
-      expect_first_order(legs, k + 1);
+      segments[k] = (struct segment){at += alpha[k][falls], slip[k][falls]};
+      expect_first_order(segments, k + 1);
     }
   }
 }
@@ -263,7 +263,7 @@ void suite_randall(void) {
   CU_pSuite suite = CU_add_suite("randall", NULL, NULL);
   CU_add_test(suite, "constant N: loading, unloading, reloading", curves_of_constant_normal_force);
   CU_add_test(suite, "what is remembered", what_is_remembered);
-  CU_add_test(suite, "a closed loop loses what it should", loop_loses_what_it_should);
+  CU_add_test(suite, "a closed loop loses what it should", loop_dissipative_what_it_should);
   CU_add_test(suite, "re-unloading retraces reloading", unloading_again_retraces_reloading);
   CU_add_test(suite, "N and T rising and falling", all_ways_of_normal_and_tangential_force);
   CU_add_test(suite, "the front takes what the edge gives up", front_takes_what_the_edge_gives_up);

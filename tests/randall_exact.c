@@ -10,30 +10,30 @@
 
 /* A leg by chance, to that side: N constant, rising slower than slip goes on, or falling; then slip may also be none, or go
  * back more slowly than N falls. */
-static struct leg leg_by(struct chance *chance, double at, double side, bool first) {
+static struct segment segment_by(struct chance *chance, double at, double side, bool first) {
   const int kind = (int)chance_between(chance, 0, 4);
   const double slip = side * chance_between(chance, 0.05, 0.8);
   if (kind == 0)
-    return (struct leg){at, slip};
+    return (struct segment){at, slip};
   if (kind == 1)
-    return (struct leg){at + fabs(slip) * chance_between(chance, 0.1, 0.9), slip};
+    return (struct segment){at + fabs(slip) * chance_between(chance, 0.1, 0.9), slip};
   const double down = chance_between(chance, 0.02, 0.25) * at;
   if (kind == 2 || first) /* a reversal is faster than that */
-    return (struct leg){at - down, side * (down * 1.1 + fabs(slip))};
-  return (struct leg){at - down, side * chance_between(chance, -0.9, 0.5) * down};
+    return (struct segment){at - down, side * (down * 1.1 + fabs(slip))};
+  return (struct segment){at - down, side * chance_between(chance, -0.9, 0.5) * down};
 }
 
 /* The largest error of T, of mu N at first, on the way of both laws along these legs. */
-static double astray(const struct leg *legs, int count, int steps) {
+static double astray(const struct segment *segments, int count, int steps) {
   struct contact it = contact_of("randall"), exact = contact_of("mindlin_deresiewicz");
   const double alpha = deep(N), a = slope() * alpha;
   double most = 0;
   go(&it, alpha, 0), go(&exact, alpha, 0);
   for (int k = 0; k < count; k++) {
-    const double from = it.overlap, to = legs[k].alpha * alpha;
+    const double from = it.overlap, to = segments[k].alpha * alpha;
     for (int j = 1; j <= steps; j++) {
-      go(&it, from + (to - from) * j / steps, legs[k].slip * a / steps);
-      go(&exact, it.overlap, legs[k].slip * a / steps);
+      go(&it, from + (to - from) * j / steps, segments[k].slip * a / steps);
+      go(&exact, it.overlap, segments[k].slip * a / steps);
       most = fmax(most, fabs(it.s.force - exact.s.force) / (mu * N));
       CU_ASSERT(it.s.stiffness >= 0 && it.s.stiffness <= 8 * G * sqrt(R * it.overlap));
     }
@@ -46,13 +46,13 @@ static void two_reversals_are_exact_in_the_limit(void) {
   struct chance chance = chance_begin(3);
   double most = 0, finest = 0, sum = 0, finer = 0;
   for (int path = 0; path < 300; path++) {
-    struct leg legs[6];
+    struct segment segments[6];
     double at = 1;
     for (int k = 0; k < 6; k++) {
-      legs[k] = leg_by(&chance, at, k / 2 == 1 ? -1 : 1, k % 2 == 0);
-      at = legs[k].alpha;
+      segments[k] = segment_by(&chance, at, k / 2 == 1 ? -1 : 1, k % 2 == 0);
+      at = segments[k].alpha;
     }
-    const double coarse = astray(legs, 6, 500), fine = astray(legs, 6, 2000);
+    const double coarse = astray(segments, 6, 500), fine = astray(segments, 6, 2000);
     most = fmax(most, coarse), finest = fmax(finest, fine), sum += coarse / 300, finer += fine / 300;
   }
   CU_ASSERT(most < 3e-3 && finest < most / 3 && finer < sum / 3.6);
@@ -63,12 +63,12 @@ static void more_reversals_are_off(void) {
   struct chance chance = chance_begin(4);
   double most[7] = {0};
   for (int path = 0; path < 300; path++) {
-    struct leg legs[6];
+    struct segment segments[6];
     double slip = chance_between(&chance, 0.3, 1);
     for (int k = 0; k < 6; k++) {
-      legs[k] = (struct leg){1, k % 2 ? -slip : slip};
+      segments[k] = (struct segment){1, k % 2 ? -slip : slip};
       slip *= chance_between(&chance, 0.3, 0.98);
-      most[k] = fmax(most[k], astray(legs, k + 1, 1000));
+      most[k] = fmax(most[k], astray(segments, k + 1, 1000));
     }
   }
   CU_ASSERT(most[2] < 3e-4 && most[3] > 0.07 && most[5] < 0.09);

@@ -19,13 +19,13 @@ static struct nb_vec found_near(struct nb_vec at, struct chance *chance, int *ou
   return vec(at.x - away * cos(turn), at.y - away * sin(turn));
 }
 
-static void bodies(void) {
-  enum { BODIES = 600, PARTS = 3 };
+static void particles(void) {
+  enum { PARTICLES = 600, PARTS = 3 };
   struct words page = {0};
   struct written it;
   struct chance chance = chance_begin(5);
   words_add(&page, "units none\nmaterial m density 1 kn 1\nstep 0.5\n");
-  for (int k = 0; k < BODIES; k++)
+  for (int k = 0; k < PARTICLES; k++)
     words_add(&page, "disc %d %d radius 1 m velocity %.17g %.17g%s\n", 40 + 9 * (k % 25), 30 + 9 * (k / 25),
               chance_between(&chance, -1, 1), chance_between(&chance, -1, 1), k % 5 ? "" : " fixed");
   words_add(&page, "stage s\ncycles 1\n");
@@ -34,12 +34,12 @@ static void bodies(void) {
     struct nb_model *model = written_model(&it, NULL);
     int wanted = 0, seen = 0;
     model->search.skin = 2 * half_skin;
-    for (size_t i = 0; i < BODIES; i++)
-      model->bodies.searched[i] =
-          found_near(vec_add(model->bodies.position[i], vec_scale(0.5, model->bodies.velocity[i])), &chance, &wanted);
+    for (size_t i = 0; i < PARTICLES; i++)
+      model->particles.searched[i] = found_near(
+          vec_add(model->particles.position[i], vec_scale(0.5, model->particles.velocity[i])), &chance, &wanted);
     for (int part = 0; part < parts; part++)
       seen += nb_motion_part(model, part, parts);
-    CU_ASSERT(wanted > BODIES / 3 && wanted < 2 * BODIES / 3);
+    CU_ASSERT(wanted > PARTICLES / 3 && wanted < 2 * PARTICLES / 3);
     CU_ASSERT_EQUAL(seen, wanted);
     nb_model_free(model);
   }
@@ -76,6 +76,6 @@ static void walls(void) {
 
 void suite_reach(void) {
   CU_pSuite suite = CU_add_suite("reach", NULL, NULL);
-  CU_add_test(suite, "bodies", bodies);
+  CU_add_test(suite, "bodies", particles);
   CU_add_test(suite, "walls", walls);
 }

@@ -115,8 +115,8 @@ static void product(void) {
     struct read read = read_scene(good, run, NULL);
     CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
     CU_ASSERT_EQUAL(read.runs, 6);
-    CU_ASSERT_EQUAL(read.scene.bodies[0].radius, run < 3 ? 0.001 : 0.002);
-    CU_ASSERT_EQUAL(read.scene.bodies[0].x, -read.scene.bodies[0].radius);
+    CU_ASSERT_EQUAL(read.scene.particles[0].radius, run < 3 ? 0.001 : 0.002);
+    CU_ASSERT_EQUAL(read.scene.particles[0].x, -read.scene.particles[0].radius);
     CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 10 * (run % 3 + 1));
     CU_ASSERT_EQUAL_FATAL(read.scene.binding_count, 3);
     CU_ASSERT_STRING_EQUAL(read.scene.bindings[0].text, run < 3 ? "1 mm" : "2 mm");
@@ -133,7 +133,7 @@ static void tuples(void) {
     struct read read = read_scene(text, run, NULL);
     CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
     CU_ASSERT_EQUAL(read.runs, 2);
-    CU_ASSERT_EQUAL(read.scene.bodies[0].vy, run ? 0.04 : 0.12);
+    CU_ASSERT_EQUAL(read.scene.particles[0].vy, run ? 0.04 : 0.12);
     CU_ASSERT_EQUAL(read.scene.stages[0].cycles, run ? 120 : 40);
     done(&read);
   }
@@ -147,8 +147,8 @@ static void settings(void) {
   struct read read = read_scene(text, 1, some);
   CU_ASSERT_EQUAL_FATAL(read.status, NB_OK);
   CU_ASSERT_EQUAL(read.runs, 2); /* n still has two values */
-  CU_ASSERT_EQUAL(read.scene.bodies[0].vx, 7);
-  CU_ASSERT_EQUAL(read.scene.bodies[0].radius, 0.003); /* the last one holds */
+  CU_ASSERT_EQUAL(read.scene.particles[0].vx, 7);
+  CU_ASSERT_EQUAL(read.scene.particles[0].radius, 0.003); /* the last one holds */
   CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 120);
   CU_ASSERT_FALSE(read.scene.bindings[0].swept);
   CU_ASSERT_STRING_EQUAL(read.scene.shear, "linear");

@@ -80,19 +80,19 @@ static void spread_near(const struct nb_result *result, const char *stem, const 
 
 /* Ends of contacts on bodies inside. */
 struct end {
-  double ex, ey, arm, push, drag, near;
+  double ex, ey, arm, total_normal, total_shear, near;
 };
 
-static int ends_of(struct end ends[], const struct nb_table *table, const struct bodies *all) {
+static int ends_of(struct end ends[], const struct nb_table *table, const struct particles *all) {
   int count = 0;
   for (size_t c = 0; c < table->row_count; c++)
     for (int second = 0; second < 2; second++) {
-      const int body = (int)of(table, c, second ? "b" : "a"), wall = (int)of(table, c, "wall");
-      if (!body || !all->of[body].inside)
+      const int particle = (int)of(table, c, second ? "b" : "a"), wall = (int)of(table, c, "wall");
+      if (!particle || !all->of[particle].inside)
         continue;
       const double sign = second ? -1 : 1, overlap = of(table, c, "overlap");
       ends[count++] = (struct end){
-          sign * of(table, c, "ex"), sign * of(table, c, "ey"), all->of[body].r - (wall ? overlap : overlap / 2),
+          sign * of(table, c, "ex"), sign * of(table, c, "ey"), all->of[particle].r - (wall ? overlap : overlap / 2),
           of(table, c, "normal"),    of(table, c, "shear"),     of(table, c, "obliquity") >= 0.99};
     }
   return count;
@@ -101,28 +101,28 @@ static int ends_of(struct end ends[], const struct nb_table *table, const struct
 static void stress_and_fabric(void) {
   struct written it;
   struct nb_result result;
-  struct bodies all;
+  struct particles all;
   struct end ends[200];
   struct sums plain = {0}, normal = {0}, shear = {0}, sliding = {0};
   double parts[4][4] = {{0}}, whole[4] = {0}, mean = 0; /* normal, shear, fabric, variation */
   made(&it, &result);
-  read_bodies(&all, &result.snapshots[0].bodies);
+  read_particles(&all, &result.snapshots[0].particles);
   const double volume = pi * reach * reach * all.thickness;
   const int count = ends_of(ends, &result.snapshots[0].contacts, &all);
   for (int k = 0; k < count; k++)
-    mean += ends[k].push / count;
+    mean += ends[k].total_normal / count;
   for (int k = 0; k < count; k++) {
     const double e[] = {ends[k].ex, ends[k].ey}, t[] = {ends[k].ey, -ends[k].ex}, per = ends[k].arm / volume;
     for (int i = 0; i < 2; i++)
       for (int j = 0; j < 2; j++) {
-        parts[0][2 * i + j] += ends[k].push * e[i] * e[j] * per,
-            parts[1][2 * i + j] += ends[k].drag * t[i] * e[j] * per;
+        parts[0][2 * i + j] += ends[k].total_normal * e[i] * e[j] * per,
+            parts[1][2 * i + j] += ends[k].total_shear * t[i] * e[j] * per;
         parts[2][2 * i + j] += mean * e[i] * e[j] * per,
-            parts[3][2 * i + j] += (ends[k].push - mean) * e[i] * e[j] * per;
-        whole[2 * i + j] += (ends[k].push * e[i] + ends[k].drag * t[i]) * e[j] * per;
+            parts[3][2 * i + j] += (ends[k].total_normal - mean) * e[i] * e[j] * per;
+        whole[2 * i + j] += (ends[k].total_normal * e[i] + ends[k].total_shear * t[i]) * e[j] * per;
       }
-    add_direction(&plain, 1, e[0], e[1]), add_direction(&normal, ends[k].push, e[0], e[1]);
-    add_direction(&shear, fabs(ends[k].drag), e[0], e[1]), add_direction(&sliding, ends[k].near, e[0], e[1]);
+    add_direction(&plain, 1, e[0], e[1]), add_direction(&normal, ends[k].total_normal, e[0], e[1]);
+    add_direction(&shear, fabs(ends[k].total_shear), e[0], e[1]), add_direction(&sliding, ends[k].near, e[0], e[1]);
   }
   static const char *const names[] = {"stress.normal", "stress.shear", "stress.fabric", "stress.variation"};
   const double apart = whole[0] - whole[3], mixed = whole[1] + whole[2], size = whole[0] + whole[3];
@@ -149,15 +149,15 @@ static void stress_and_fabric(void) {
 static void loads(void) {
   struct written it;
   struct nb_result result;
-  struct bodies all;
+  struct particles all;
   static const char *const columns[] = {"normal", "shear", "normal_stress", "shear_stress", "ratio", "obliquity"};
   static const char *const names[] = {"normal",        "shear",         "contact_stress",
                                       "contact_shear", "contact_ratio", "obliquity"};
   double values[6][100], sliding = 0, near_limit = 0, force = 0, speed = 0, fastest = 0;
   int count = 0;
   made(&it, &result);
-  read_bodies(&all, &result.snapshots[0].bodies);
-  const struct nb_table *table = &result.snapshots[0].contacts, *bodies = &result.snapshots[0].bodies;
+  read_particles(&all, &result.snapshots[0].particles);
+  const struct nb_table *table = &result.snapshots[0].contacts, *particles = &result.snapshots[0].particles;
   for (size_t c = 0; c < table->row_count; c++) {
     const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b");
     const bool one = all.of[a].inside, two = b && all.of[b].inside;
@@ -170,9 +170,9 @@ static void loads(void) {
   }
   for (int k = 0; k < 6; k++)
     spread_near(&result, names[k], values[k], count);
-  for (size_t k = 0; k < bodies->row_count; k++) {
-    const struct body *b = &all.of[(int)of(bodies, k, "particle")];
-    const double mass = 4. / 3 * pi * b->r * b->r * b->r * 3, v = hypot(of(bodies, k, "vx"), of(bodies, k, "vy"));
+  for (size_t k = 0; k < particles->row_count; k++) {
+    const struct particle *b = &all.of[(int)of(particles, k, "particle")];
+    const double mass = 4. / 3 * pi * b->r * b->r * b->r * 3, v = hypot(of(particles, k, "vx"), of(particles, k, "vy"));
     if (b->inside && !b->fixed)
       force += hypot(b->fx + 3 * mass, b->fy - 9 * mass), speed += v, fastest = fmax(fastest, v);
   }

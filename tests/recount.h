@@ -12,7 +12,7 @@
 #include "written.h"
 
 static const double pi = 3.14159265358979323846;
-enum { BODIES = 40 };
+enum { PARTICLES = 40 };
 static const double at_x = 5, at_y = 4.5, reach = 3.2; /* the region, a circle */
 
 static inline double of(const struct nb_table *table, size_t row, const char *name) {
@@ -56,29 +56,29 @@ static inline void made(struct written *it, struct nb_result *result) {
   written_run(result, it, NULL);
 }
 
-struct body {
+struct particle {
   bool there, inside, fixed;
   double x, y, r, fx, fy, touching;
 };
-struct bodies {
-  struct body of[BODIES];
+struct particles {
+  struct particle of[PARTICLES];
   double thickness, radius, count, free; /* means and counts of those inside; the thickness is of all */
 };
 
-static inline void read_bodies(struct bodies *all, const struct nb_table *table) {
+static inline void read_particles(struct particles *all, const struct nb_table *table) {
   double there = 0;
-  *all = (struct bodies){.count = 0};
+  *all = (struct particles){.count = 0};
   for (size_t k = 0; k < table->row_count; k++, there++) {
-    struct body *b = &all->of[(int)of(table, k, "particle")];
-    *b = (struct body){true,
-                       false,
-                       of(table, k, "fixed") > 0,
-                       of(table, k, "x"),
-                       of(table, k, "y"),
-                       of(table, k, "radius"),
-                       of(table, k, "fx"),
-                       of(table, k, "fy"),
-                       of(table, k, "contacts")};
+    struct particle *b = &all->of[(int)of(table, k, "particle")];
+    *b = (struct particle){true,
+                           false,
+                           of(table, k, "fixed") > 0,
+                           of(table, k, "x"),
+                           of(table, k, "y"),
+                           of(table, k, "radius"),
+                           of(table, k, "fx"),
+                           of(table, k, "fy"),
+                           of(table, k, "contacts")};
     b->inside = hypot(b->x - at_x, b->y - at_y) <= reach;
     all->thickness += 2 * b->r;
     all->radius += b->inside ? b->r : 0, all->count += b->inside, all->free += b->inside && !b->fixed;

@@ -15,22 +15,22 @@ static void is(const struct nb_table *table, size_t row, const char *name, doubl
 }
 
 /* Each contact against its two bodies, or its wall: direction, overlap, force by Hertz; and what bodies feel in all. */
-static void contacts_are_those_of_the_bodies(void) {
+static void contacts_are_those_of_the_particles(void) {
   struct written it;
   struct nb_result result;
-  struct bodies all;
-  double fx[BODIES] = {0}, fy[BODIES] = {0}, touching[BODIES] = {0};
+  struct particles all;
+  double fx[PARTICLES] = {0}, fy[PARTICLES] = {0}, touching[PARTICLES] = {0};
   made(&it, &result);
   const struct nb_table *table = &result.snapshots[0].contacts;
   const double ends[] = {0, 9.85, 9.9, 0}; /* south y, east x, north y, west x but for its motion */
-  read_bodies(&all, &result.snapshots[0].bodies);
-  CU_ASSERT_EQUAL(result.snapshots[0].bodies.row_count, 28);
+  read_particles(&all, &result.snapshots[0].particles);
+  CU_ASSERT_EQUAL(result.snapshots[0].particles.row_count, 28);
   for (size_t k = 0; k < result.snapshots[0].walls.row_count; k++)
     CU_ASSERT_EQUAL(of(&result.snapshots[0].walls, k, "wall"), (double)k + 1);
   CU_ASSERT(table->row_count > 30);
   for (size_t c = 0; c < table->row_count; c++) {
     const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b"), wall = (int)of(table, c, "wall");
-    const struct body *one = &all.of[a], *two = &all.of[b];
+    const struct particle *one = &all.of[a], *two = &all.of[b];
     const double west = of(&result.snapshots[0].walls, 3, "x1");
     const double to_x = !wall ? two->x : wall == 2 ? ends[1] : wall == 4 ? west : one->x;
     const double to_y = !wall ? two->y : wall == 1 ? ends[0] : wall == 3 ? ends[2] : one->y;
@@ -50,7 +50,7 @@ static void contacts_are_those_of_the_bodies(void) {
     fx[a] += of(table, c, "fx"), fy[a] += of(table, c, "fy"), touching[a]++;
     fx[b] -= of(table, c, "fx"), fy[b] -= of(table, c, "fy"), touching[b]++; /* [0]: walls */
   }
-  for (int k = 1; k < BODIES; k++) {
+  for (int k = 1; k < PARTICLES; k++) {
     CU_ASSERT_DOUBLE_EQUAL(all.of[k].fx, fx[k], 1e-9);
     CU_ASSERT_DOUBLE_EQUAL(all.of[k].fy, fy[k], 1e-9);
     CU_ASSERT_EQUAL(all.of[k].touching, touching[k]);
@@ -98,34 +98,34 @@ static void force_chains(void) {
     struct written it;
     struct nb_result result;
     struct chained all[MOST] = {{0}};
-    double ahead[MOST][LINKS][2], bodies = 0, sum = 0, turns = 0, pairs = 0, chains = 0, members = 0;
+    double ahead[MOST][LINKS][2], particles = 0, sum = 0, rotates = 0, pairs = 0, chains = 0, members = 0;
     int links[MOST] = {0};
     run_assembly(&it, &result, seed);
-    const struct nb_table *table = &result.snapshots[0].contacts, *places = &result.snapshots[0].bodies;
+    const struct nb_table *table = &result.snapshots[0].contacts, *places = &result.snapshots[0].particles;
     CU_ASSERT_FATAL(places->row_count < MOST);
     for (size_t k = 0; k < places->row_count; k++) {
       const int n = (int)of(places, k, "particle");
-      struct chained *body = &all[n];
+      struct chained *particle = &all[n];
       const double r = of(places, k, "radius");
-      body->r = r, body->free = of(places, k, "fixed") == 0, body->chain = n;
-      body->inside = hypot(of(places, k, "x") - 6, of(places, k, "y") - 6) <= 4.2;
-      body->volume = it.scene.bodies[n - 1].shape == NB_SPHERE ? 4 * pi / 3 * r * r * r : pi * r * r;
+      particle->r = r, particle->free = of(places, k, "fixed") == 0, particle->chain = n;
+      particle->inside = hypot(of(places, k, "x") - 6, of(places, k, "y") - 6) <= 4.2;
+      particle->volume = it.scene.particles[n - 1].shape == NB_SPHERE ? 4 * pi / 3 * r * r * r : pi * r * r;
     }
     for (size_t c = 0; c < table->row_count; c++)
       for (int second = 0; second < 2; second++) {
-        struct chained *body = &all[(int)of(table, c, second ? "b" : "a")];
+        struct chained *particle = &all[(int)of(table, c, second ? "b" : "a")];
         const double ex = of(table, c, "ex"), ey = of(table, c, "ey"), overlap = of(table, c, "overlap");
-        const double push = of(table, c, "normal"), drag = of(table, c, "shear"); /* the same for -e */
-        const double per = (body->r - (of(table, c, "wall") > 0 ? overlap : overlap / 2)) / body->volume;
-        const double fx = push * ex + drag * ey, fy = push * ey - drag * ex;
-        body->stress[0] += per * fx * ex, body->stress[1] += per * (fx * ey + fy * ex) / 2,
-            body->stress[2] += per * fy * ey;
+        const double total_normal = of(table, c, "normal"), total_shear = of(table, c, "shear"); /* the same for -e */
+        const double per = (particle->r - (of(table, c, "wall") > 0 ? overlap : overlap / 2)) / particle->volume;
+        const double fx = total_normal * ex + total_shear * ey, fy = total_normal * ey - total_shear * ex;
+        particle->stress[0] += per * fx * ex, particle->stress[1] += per * (fx * ey + fy * ex) / 2,
+            particle->stress[2] += per * fy * ey;
       }
     for (int n = 1; n < MOST; n++)
       if (all[n].inside && all[n].free)
-        bodies++, sum += major(all[n].stress);
+        particles++, sum += major(all[n].stress);
     for (int n = 1; n < MOST; n++)
-      all[n].strong = all[n].inside && all[n].free && major(all[n].stress) > sum / bodies;
+      all[n].strong = all[n].inside && all[n].free && major(all[n].stress) > sum / particles;
     for (size_t c = 0; c < table->row_count; c++) {
       const int a = (int)of(table, c, "a"), b = (int)of(table, c, "b");
       const double ex = of(table, c, "ex"), ey = of(table, c, "ey");
@@ -146,14 +146,14 @@ static void force_chains(void) {
       for (int k = 0; k < links[n]; k++)
         for (int l = 0; l < k; l++) {
           const double on = -(ahead[n][k][0] * ahead[n][l][0] + ahead[n][k][1] * ahead[n][l][1]);
-          pairs += on > 0, turns += on > 0 ? acos(fmin(on, 1)) : 0;
+          pairs += on > 0, rotates += on > 0 ? acos(fmin(on, 1)) : 0;
         }
     }
     found += chains, turned += pairs;
     CU_ASSERT_EQUAL(written_last(&result, "B.chains"), chains);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.length"), chains > 0 ? members / chains : 0, 1e-12);
-    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.fraction"), members / bodies, 1e-12);
-    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.bend"), pairs > 0 ? turns / pairs : 0,
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.fraction"), members / particles, 1e-12);
+    CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "B.chains.bend"), pairs > 0 ? rotates / pairs : 0,
                            1e-6); /* acos near 1: a root */
     nb_result_free(&result), written_free(&it);
   }
@@ -162,6 +162,6 @@ static void force_chains(void) {
 
 void suite_recount_contacts(void) {
   CU_pSuite suite = CU_add_suite("recount contacts", NULL, NULL);
-  CU_ADD_TEST(suite, contacts_are_those_of_the_bodies);
+  CU_ADD_TEST(suite, contacts_are_those_of_the_particles);
   CU_ADD_TEST(suite, force_chains);
 }

@@ -103,7 +103,7 @@ static void nothing_to_reduce(void) {
     planted_page(&outcome, "", rows[k].expectation);
     planted_rows(&outcome, 0, rows[k].count, rows[k].x);
     planted_curve(&outcome, rows[k].count, rows[k].x);
-    planted_known(&outcome, outcome.runs[0].expectations.list[0].measure.label, 1);
+    planted_solution(&outcome, outcome.runs[0].expectations.list[0].measure.label, 1);
     planted_is(&outcome, NB_FAIL);
     planted_says(&outcome, rows[k].words);
     nb_outcome_free(&outcome);

@@ -23,8 +23,8 @@ static void what_cannot_be_judged_is_refused(void) {
   refs_nine_discs(&it, kn, 2, 40, 400);
   it.stages[1].damping.contact_kind = NB_CONTACT_BETA;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "damping"));
-  struct nb_known known = refs_known("nine_discs_statics", &it); /* at rest damping does not matter */
-  known_free(&known);
+  struct nb_solution solution = refs_solution("nine_discs_statics", &it); /* at rest damping does not matter */
+  solution_free(&solution);
   refs_nine_discs(&it, kn, 2, 40, 400);
   it.stages[1].step.value = 0.05;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "step in a stage"));
@@ -39,7 +39,7 @@ static void what_cannot_be_judged_is_refused(void) {
   it.materials[0].cohesion = 1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "cohesion"));
   refs_nine_discs(&it, kn, 2, 40, 400);
-  it.bodies[4].x += 0.01;
+  it.particles[4].x += 0.01;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "just touch"));
   refs_nine_discs(&it, kn, 2, 40, 400);
   strcpy(it.scene.normal, "hertz");
@@ -55,10 +55,10 @@ static void what_cannot_be_computed_is_refused(void) {
     CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "cannot be solved"));
     CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "cannot be solved"));
   }
-  it.scene.body_count = 1001; /* nobody looks at them */
-  struct nb_body *many = calloc(it.scene.body_count, sizeof *many);
+  it.scene.particle_count = 1001; /* nobody looks at them */
+  struct nb_particle *many = calloc(it.scene.particle_count, sizeof *many);
   CU_ASSERT_PTR_NOT_NULL_FATAL(many);
-  it.scene.bodies = many;
+  it.scene.particles = many;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "1000 bodies"));
   free(many);
 }
@@ -81,31 +81,31 @@ static void memory_that_gsl_does_not_get_ends_the_program(void) {
 static double twice(const void *data, double x) { return 2 * x + *(const double *)data; }
 
 static void known_keeps_what_it_is_told(void) {
-  struct nb_known known = {0};
+  struct nb_solution solution = {0};
   struct nb_error error = {0};
   char name[16];
   for (int i = 0; i < 100; i++) {
     snprintf(name, sizeof name, "C.%d", i);
-    known_value(&known, i, name);
+    solution_value(&solution, i, name);
   }
   double *data = malloc(sizeof *data);
   CU_ASSERT_PTR_NOT_NULL_FATAL(data);
   *data = 1;
-  known_curve(&known, "C.normal", "time", twice, data);
+  solution_curve(&solution, "C.normal", "time", twice, data);
   for (int i = 0; i < 100; i++) {
     snprintf(name, sizeof name, "C.%d", i);
-    CU_ASSERT_EQUAL(refs_value(&known, name), i);
+    CU_ASSERT_EQUAL(refs_value(&solution, name), i);
   }
-  CU_ASSERT_PTR_NULL(known_find(&known, "C.100"));
-  const struct nb_known_curve *curve = known_find_curve(&known, "C.normal", "time");
+  CU_ASSERT_PTR_NULL(solution_find(&solution, "C.100"));
+  const struct nb_solution_curve *curve = solution_find_curve(&solution, "C.normal", "time");
   CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
   CU_ASSERT_EQUAL(curve->at(curve->data, 3), 7);
-  CU_ASSERT_PTR_NULL(known_find_curve(&known, "C.normal", "cycle"));
-  CU_ASSERT_EQUAL(known_full(&known, &error), NB_OK);
-  known_curve(&known, "C.shear", "time", twice, NULL); /* a curve whose data could not be made */
-  CU_ASSERT_EQUAL(known_full(&known, &error), NB_NO_MEMORY);
-  known_free(&known);
-  CU_ASSERT_EQUAL(known.value_count, 0);
+  CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "C.normal", "cycle"));
+  CU_ASSERT_EQUAL(solution_full(&solution, &error), NB_OK);
+  solution_curve(&solution, "C.shear", "time", twice, NULL); /* a curve whose data could not be made */
+  CU_ASSERT_EQUAL(solution_full(&solution, &error), NB_NO_MEMORY);
+  solution_free(&solution);
+  CU_ASSERT_EQUAL(solution.value_count, 0);
   for (const struct nb_reference *const *it = nb_references(); *it; it++)
     CU_ASSERT_PTR_EQUAL(nb_reference_find((*it)->name), *it);
   CU_ASSERT_PTR_NULL(nb_reference_find("nine_disks"));
@@ -118,8 +118,8 @@ static void matter_is_what_books_say(void) {
       {.density = 5, .kn = 3, .ks = 2, .friction = 0.25, .cohesion = 9, .young = 75, .poisson = 0.25},
       {.young = INFINITY}};
   struct nb_pair_rule rule = {.a = 1, .b = 0, .kn = NAN, .ks = 11, .friction = 0, .cohesion = NAN};
-  const struct nb_body disc = {.shape = NB_DISC, .radius = 2},
-                       sphere = {.shape = NB_SPHERE, .radius = 3, .material = 1};
+  const struct nb_particle disc = {.shape = NB_DISC, .radius = 2},
+                           sphere = {.shape = NB_SPHERE, .radius = 3, .material = 1};
   struct nb_scene scene = {.materials = materials, .material_count = 3};
   CU_ASSERT_DOUBLE_EQUAL(matter_mass(&scene, &disc), 37.69911184307752, 1e-13);    /* 12 pi */
   CU_ASSERT_DOUBLE_EQUAL(matter_inertia(&scene, &disc), 75.39822368615503, 1e-13); /* 24 pi */
@@ -142,8 +142,8 @@ static void matter_is_what_books_say(void) {
   REFS_NEAR(theirs.kn, pair.kn, 1e-15, 4.);
   REFS_NEAR(theirs.young, pair.young, 1e-15, 60.);
   REFS_NEAR(theirs.shear, pair.shear, 1e-15, 12.);
-  REFS_NEAR(nb_body_mass(&scene, &disc), matter_mass(&scene, &disc), 1e-15, 40.);
-  REFS_NEAR(nb_body_inertia(&scene, &sphere), matter_inertia(&scene, &sphere), 1e-15, 2000.);
+  REFS_NEAR(nb_particle_mass(&scene, &disc), matter_mass(&scene, &disc), 1e-15, 40.);
+  REFS_NEAR(nb_particle_inertia(&scene, &sphere), matter_inertia(&scene, &sphere), 1e-15, 2000.);
 }
 
 /* A body of material 0, which has neither by itself, and a wall of material 1: what rubs or holds is their pair alone. */
@@ -153,7 +153,7 @@ static void friction_at_a_wall(void) {
   strcpy(it.scene.normal, "linear"), strcpy(it.scene.shear, "linear");
   it.scene.materials = it.materials, it.scene.material_count = 2;
   it.scene.pair_rules = it.rules, it.scene.pair_rule_count = 1;
-  it.scene.bodies = it.bodies, it.scene.body_count = 1;
+  it.scene.particles = it.particles, it.scene.particle_count = 1;
   it.scene.walls = it.walls, it.scene.wall_count = 1;
   it.materials[0].line = 12, it.materials[1].line = 13, it.walls[0].material = 1;
   for (int b = 0; b < 2; b++)              /* the wall's material with that of the body, or with itself */

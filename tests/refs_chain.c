@@ -25,8 +25,8 @@ static void row(struct written *it, int n, const char *step, const char *more) {
   written_scene(it, &page);
 }
 
-static const struct nb_known_curve *curve(const struct nb_known *known, const char *name) {
-  const struct nb_known_curve *found = known_find_curve(known, name, "cycle");
+static const struct nb_solution_curve *curve(const struct nb_solution *solution, const char *name) {
+  const struct nb_solution_curve *found = solution_find_curve(solution, name, "cycle");
   CU_ASSERT_PTR_NOT_NULL_FATAL(found);
   return found;
 }
@@ -36,10 +36,10 @@ static void check_cycle(const char *step, double dt) {
   struct refs_scene around;
   row(&it, 7, step, "stage s\ncycles 100\n");
   around.scene = it.scene;
-  struct nb_known known = refs_known("chain", &around);
-  const struct nb_known_curve *w = curve(&known, "W.normal"), *e = curve(&known, "E.normal"),
-                              *c = curve(&known, "C.normal");
-  const struct nb_known_curve *x = curve(&known, "D.x"), *v = curve(&known, "D.vx.half");
+  struct nb_solution solution = refs_solution("chain", &around);
+  const struct nb_solution_curve *w = curve(&solution, "W.normal"), *e = curve(&solution, "E.normal"),
+                                 *c = curve(&solution, "C.normal");
+  const struct nb_solution_curve *x = curve(&solution, "D.x"), *v = curve(&solution, "D.vx.half");
   double u[9] = {0}, speed[9] = {0}, worst = 0, size = 0;
   speed[1] = 1e-3;
   for (int n = 1; n <= 100; n++) {
@@ -59,7 +59,7 @@ static void check_cycle(const char *step, double dt) {
     worst = fmax(worst, dt * fabs(v->at(v->data, n) - speed[3]));
   }
   CU_ASSERT(worst < 1e-10 * fmax(size, 1e-3));
-  known_free(&known);
+  solution_free(&solution);
   written_free(&it);
 }
 
@@ -75,8 +75,8 @@ static void a_blow_is_bessels(void) {
   struct refs_scene around;
   row(&it, N, "0.001", "stage s\nuntil D.vx.half above 1e-4 at most 5000 cycles\n");
   around.scene = it.scene;
-  struct nb_known known = refs_known("chain", &around);
-  const struct nb_known_curve *v = curve(&known, "D.vx.half");
+  struct nb_solution solution = refs_solution("chain", &around);
+  const struct nb_solution_curve *v = curve(&solution, "D.vx.half");
   double worst = 0, first = 0;
   for (int n = 1; n <= 15000; n += 7) {
     const double t = 0.002 * (n - 0.5);
@@ -86,8 +86,8 @@ static void a_blow_is_bessels(void) {
   for (int n = 1; first == 0; n++)
     if (gsl_sf_bessel_Jn(4, 0.004 * (n - 0.5)) - gsl_sf_bessel_Jn(8, 0.004 * (n - 0.5)) > 0.1)
       first = 0.002 * n;
-  REFS_NEAR(refs_value(&known, "time in s"), first, 1e-12, first);
-  known_free(&known);
+  REFS_NEAR(refs_value(&solution, "time in s"), first, 1e-12, first);
+  solution_free(&solution);
   written_free(&it);
 }
 

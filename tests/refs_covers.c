@@ -35,11 +35,11 @@ static void plain(struct refs_scene *it, const struct nb_reference *reference) {
   first_word(it->scene.normal, reference->normal, "linear");
   first_word(it->scene.shear, reference->shear, "none");
   it->scene.materials = it->materials, it->scene.material_count = 1;
-  it->scene.bodies = it->bodies, it->scene.body_count = 1;
+  it->scene.particles = it->particles, it->scene.particle_count = 1;
   it->scene.walls = it->walls;
   it->scene.stages = it->stages, it->scene.stage_count = 2;
-  it->bodies[0].radius = 1;
-  it->bodies[0].shape = covered(reference, HAS_SPHERES) ? NB_SPHERE : NB_DISC;
+  it->particles[0].radius = 1;
+  it->particles[0].shape = covered(reference, HAS_SPHERES) ? NB_SPHERE : NB_DISC;
 }
 
 static void add_to_stage(struct nb_stage *stage, enum nb_feature feature);
@@ -47,21 +47,22 @@ static void add_damping(struct nb_damping *it, enum nb_feature feature);
 
 static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   struct nb_scene *scene = &it->scene;
-  struct nb_body *body = &it->bodies[0];
+  struct nb_particle *particle = &it->particles[0];
   switch (feature) {
   case HAS_DISCS:
   case HAS_SPHERES:
-    it->bodies[1] = *body, it->bodies[1].shape = feature == HAS_DISCS ? NB_DISC : NB_SPHERE, it->bodies[1].line = LINE;
-    scene->body_count = 2;
+    it->particles[1] = *particle, it->particles[1].shape = feature == HAS_DISCS ? NB_DISC : NB_SPHERE,
+    it->particles[1].line = LINE;
+    scene->particle_count = 2;
     break;
-  case HAS_FIXED_BODIES:
-    body->fixed = 1, body->line = LINE;
+  case HAS_FIXED_PARTICLES:
+    particle->fixed = 1, particle->line = LINE;
     break;
   case HAS_VELOCITIES:
-    body->vy = -1, body->line = LINE;
+    particle->vy = -1, particle->line = LINE;
     break;
   case HAS_SPINS:
-    body->spin = -1, body->line = LINE;
+    particle->spin = -1, particle->line = LINE;
     break;
   case HAS_IMPACT:
     scene->impact.line = LINE;
@@ -81,7 +82,7 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
     it->materials[0].line = LINE;
     if (strcmp(scene->shear, "none") == 0)
       strcpy(scene->shear, "linear");
-    it->bodies[1] = *body, scene->body_count = 2;
+    it->particles[1] = *particle, scene->particle_count = 2;
     break;
   case HAS_PIECES:
     scene->pieces = 1, scene->shear_line = LINE;
@@ -90,7 +91,7 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
     scene->gravity.y = -1, scene->gravity.line = LINE;
     break;
   case HAS_CENTRIPETAL_GRAVITY:
-    scene->gravity.inward = 1, scene->gravity.line = LINE;
+    scene->gravity.central = 1, scene->gravity.line = LINE;
     break;
   case HAS_BOUNDARY:
     scene->circle.line = LINE;

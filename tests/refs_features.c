@@ -15,8 +15,8 @@ static struct refs_scene plain(void) {
   strcpy(it.scene.normal, "linear"), strcpy(it.scene.shear, "linear");
   for (int m = 0; m < 3; m++)
     it.materials[m].line = LINE;
-  it.scene.material_count = 2, it.scene.body_count = 1, it.scene.stage_count = 2;
-  it.bodies[1].shape = it.bodies[0].shape = NB_DISC;
+  it.scene.material_count = 2, it.scene.particle_count = 1, it.scene.stage_count = 2;
+  it.particles[1].shape = it.particles[0].shape = NB_DISC;
   return it;
 }
 
@@ -24,7 +24,8 @@ static struct refs_scene plain(void) {
 static void has(struct refs_scene *it, const char *what, const enum nb_feature expected[]) {
   int lines[NB_FEATURES];
   struct nb_scene *scene = &it->scene;
-  scene->materials = it->materials, scene->bodies = it->bodies, scene->walls = it->walls, scene->stages = it->stages;
+  scene->materials = it->materials, scene->particles = it->particles, scene->walls = it->walls,
+  scene->stages = it->stages;
   nb_features(lines, scene);
   for (enum nb_feature f = HAS_NOTHING + 1; f < NB_FEATURES; f++) {
     int wanted = f == HAS_DISCS ? 0 : -1;
@@ -38,33 +39,34 @@ static void has(struct refs_scene *it, const char *what, const enum nb_feature e
 #define HAS(change, ...)                                                                                               \
   do {                                                                                                                 \
     struct refs_scene it = plain();                                                                                    \
-    struct nb_body *const body = &it.bodies[0];                                                                        \
+    struct nb_particle *const particle = &it.particles[0];                                                             \
     struct nb_scene *const scene = &it.scene;                                                                          \
     struct nb_stage *const stage = &it.stages[1];                                                                      \
-    (void)body, (void)scene, (void)stage;                                                                              \
+    (void)particle, (void)scene, (void)stage;                                                                          \
     change;                                                                                                            \
     has(&it, #change, (const enum nb_feature[]){__VA_ARGS__});                                                         \
   } while (0)
 
-static void of_bodies_and_walls(void) {
+static void of_particles_and_walls(void) {
   HAS((void)0, HAS_NOTHING);
   for (int sign = -1; sign < 2; sign += 2) {
-    HAS((body->vx = sign, body->line = LINE), HAS_DISCS, HAS_VELOCITIES, HAS_NOTHING);
-    HAS((body->vy = sign, body->line = LINE), HAS_DISCS, HAS_VELOCITIES, HAS_NOTHING);
-    HAS((body->spin = sign, body->line = LINE), HAS_DISCS, HAS_SPINS, HAS_NOTHING);
+    HAS((particle->vx = sign, particle->line = LINE), HAS_DISCS, HAS_VELOCITIES, HAS_NOTHING);
+    HAS((particle->vy = sign, particle->line = LINE), HAS_DISCS, HAS_VELOCITIES, HAS_NOTHING);
+    HAS((particle->spin = sign, particle->line = LINE), HAS_DISCS, HAS_SPINS, HAS_NOTHING);
     HAS((it.walls->vx = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_MOVING_WALLS, HAS_NOTHING);
     HAS((it.walls->vy = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_MOVING_WALLS, HAS_NOTHING);
     HAS((it.walls->spin = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_TURNING_WALLS,
         HAS_NOTHING);
   }
   /* The first line that asks for it. */
-  HAS((body[0].fixed = body[1].fixed = 3, body[0].line = LINE, body[1].line = LATER, scene->body_count = 2), HAS_DISCS,
-      HAS_FIXED_BODIES, HAS_NOTHING);
+  HAS((particle[0].fixed = particle[1].fixed = 3, particle[0].line = LINE, particle[1].line = LATER,
+       scene->particle_count = 2),
+      HAS_DISCS, HAS_FIXED_PARTICLES, HAS_NOTHING);
 }
 
 /* Of pairs that may touch, and where there is a shear law. */
 static void of_contacts(void) {
-  struct nb_change rubs = {.friction = 1, .line = LINE}, sticks = {.cohesion = 1, .line = LINE};
+  struct nb_change has_friction = {.friction = 1, .line = LINE}, sticks = {.cohesion = 1, .line = LINE};
   struct nb_change swells = {.friction = 0, .cohesion = 0, .ramp = true, .line = LINE};
   HAS(it.materials[0].friction = 1, HAS_FRICTION, HAS_NOTHING);
   HAS(it.materials[0].cohesion = 1, HAS_COHESION, HAS_NOTHING);
@@ -73,11 +75,11 @@ static void of_contacts(void) {
   HAS((it.materials[0].friction = 1, scene->shear[0] = 0, strcpy(it.stages[0].laws.shear, "linear"),
        it.stages[0].laws.shear_line = LINE),
       HAS_LAW_CHANGE, HAS_FRICTION, HAS_NOTHING);
-  HAS((it.materials[0].friction = it.materials[0].cohesion = 1, body->material = 1), HAS_NOTHING);
+  HAS((it.materials[0].friction = it.materials[0].cohesion = 1, particle->material = 1), HAS_NOTHING);
   HAS((it.materials[0].friction = it.materials[0].cohesion = it.materials[1].friction = it.materials[1].cohesion = 1,
        scene->walls = it.walls, it.walls[0].material = 1, it.walls[0].line = LINE, scene->wall_count = 1),
       HAS_WALLS, HAS_FRICTION, HAS_COHESION, HAS_NOTHING);
-  HAS((stage->changes = &rubs, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_FRICTION, HAS_NOTHING);
+  HAS((stage->changes = &has_friction, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_FRICTION, HAS_NOTHING);
   HAS((stage->changes = &sticks, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_COHESION, HAS_NOTHING);
   HAS((stage->changes = &swells, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_RAMP, HAS_NOTHING);
   HAS((strcpy(stage->laws.normal, "linear"), stage->laws.normal_line = LINE), HAS_LAW_CHANGE, HAS_NOTHING);
@@ -88,8 +90,8 @@ static void of_contacts(void) {
 static void of_pairs(void) {
   const struct nb_pair_rule rule = {.a = 0, .b = 1, .kn = NAN, .ks = NAN, .friction = 1, .cohesion = 1};
 #define BETWEEN(first, second, walled, ...)                                                                            \
-  HAS((scene->pair_rules = it.rules, scene->pair_rule_count = 1, it.rules[0] = rule, body[0].material = first,         \
-       body[1].material = it.walls[0].material = second, scene->body_count = walled ? 1 : 2,                           \
+  HAS((scene->pair_rules = it.rules, scene->pair_rule_count = 1, it.rules[0] = rule, particle[0].material = first,     \
+       particle[1].material = it.walls[0].material = second, scene->particle_count = walled ? 1 : 2,                   \
        scene->wall_count = walled, it.walls[0].line = LINE),                                                           \
       __VA_ARGS__)
   BETWEEN(0, 1, 0, HAS_FRICTION, HAS_COHESION, HAS_NOTHING);
@@ -128,7 +130,7 @@ static void of_loading(void) {
     }
     HAS((scene->gravity.x = sign, scene->gravity.line = LINE), HAS_GRAVITY, HAS_NOTHING);
     HAS((scene->gravity.y = sign, scene->gravity.line = LINE), HAS_GRAVITY, HAS_NOTHING);
-    HAS((scene->gravity.inward = sign, scene->gravity.line = LINE), HAS_CENTRIPETAL_GRAVITY, HAS_NOTHING);
+    HAS((scene->gravity.central = sign, scene->gravity.line = LINE), HAS_CENTRIPETAL_GRAVITY, HAS_NOTHING);
     HAS((stage->gravity.y = sign, stage->gravity.line = LINE), HAS_GRAVITY_CHANGE, HAS_GRAVITY, HAS_NOTHING);
     HAS((stage->motions = &motion, stage->motion_count = 1, motion.vx = sign), HAS_MOVING_WALLS, HAS_NOTHING);
     HAS((stage->motions = &motion, stage->motion_count = 1, motion.vx = 0, motion.vy = sign), HAS_MOVING_WALLS,
@@ -155,7 +157,7 @@ static void of_loading(void) {
 
 void suite_refs_features(void) {
   CU_pSuite suite = CU_add_suite("refs_features", NULL, NULL);
-  CU_add_test(suite, "features of bodies and walls", of_bodies_and_walls);
+  CU_add_test(suite, "features of bodies and walls", of_particles_and_walls);
   CU_add_test(suite, "friction and cohesion, from the start or from a stage on", of_contacts);
   CU_add_test(suite, "rules for two materials", of_pairs);
   CU_add_test(suite, "damping, of walls and in stages too; none is none", of_damping);

@@ -17,19 +17,20 @@ static void meet(struct refs_scene *it, bool wall, double damping) {
   it->materials[0] = (struct nb_material){.name = "a", .density = 7800, .young = 210e9, .poisson = 0.3};
   it->materials[1] = (struct nb_material){.name = "b", .density = 2650, .young = 70e9, .poisson = 0.25};
   const double ex = 0.6, ey = -0.8, gap = 1e-5;
-  it->bodies[0] = (struct nb_body){.shape = NB_SPHERE, .radius = 0.01, .vx = ex, .vy = ey};
-  it->bodies[1] = (struct nb_body){.shape = NB_SPHERE, .radius = 0.012, .material = 1, .vx = -ex, .vy = -ey};
-  it->bodies[1].x = (0.022 + gap) * ex, it->bodies[1].y = (0.022 + gap) * ey;
+  it->particles[0] = (struct nb_particle){.shape = NB_SPHERE, .radius = 0.01, .vx = ex, .vy = ey};
+  it->particles[1] = (struct nb_particle){.shape = NB_SPHERE, .radius = 0.012, .material = 1, .vx = -ex, .vy = -ey};
+  it->particles[1].x = (0.022 + gap) * ex, it->particles[1].y = (0.022 + gap) * ey;
   it->walls[0] =
       (struct nb_wall){.x = (0.01 + gap) * ex, .y = (0.01 + gap) * ey, .ex = -ey, .ey = ex, .h1 = -1, .h2 = 1};
   it->walls[0].vx = -ex, it->walls[0].vy = -ey, it->walls[0].material = 1;
   strcpy(it->scene.normal, "hertz"), strcpy(it->scene.shear, "none");
-  it->watches[0] = (struct nb_watch){.name = "C", .kind = wall ? NB_WATCH_BODY_WALL : NB_WATCH_BODY_BODY};
-  it->watches[0].b = wall ? 0 : 1;
+  it->monitors[0] =
+      (struct nb_monitor){.name = "C", .kind = wall ? NB_MONITOR_PARTICLE_WALL : NB_MONITOR_PARTICLE_PARTICLE};
+  it->monitors[0].b = wall ? 0 : 1;
   it->scene.materials = it->materials, it->scene.material_count = 2;
-  it->scene.bodies = it->bodies, it->scene.body_count = wall ? 1 : 2;
+  it->scene.particles = it->particles, it->scene.particle_count = wall ? 1 : 2;
   it->scene.walls = it->walls, it->scene.wall_count = wall ? 1 : 0;
-  it->scene.watches = it->watches, it->scene.watch_count = 1;
+  it->scene.monitors = it->monitors, it->scene.monitor_count = 1;
   it->scene.step = (struct nb_step){.kind = NB_STEP_TIME, .value = 1e-7};
   if (damping > 0)
     it->scene.damping = (struct nb_damping){.contact_kind = NB_CONTACT_RATIO, .contact = damping};
@@ -37,8 +38,8 @@ static void meet(struct refs_scene *it, bool wall, double damping) {
   it->scene.stages = it->stages, it->scene.stage_count = 1;
 }
 
-static double at(const struct nb_known *known, const char *name, double t) {
-  const struct nb_known_curve *curve = known_find_curve(known, name, "time");
+static double at(const struct nb_solution *solution, const char *name, double t) {
+  const struct nb_solution_curve *curve = solution_find_curve(solution, name, "time");
   CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
   return curve->at(curve->data, t);
 }
@@ -48,18 +49,18 @@ static void the_numbers_of_the_book(void) {
   for (int wall = 0; wall < 2; wall++) {
     struct refs_scene it;
     meet(&it, wall, 0);
-    struct nb_known known = refs_known("hertz_impact", &it);
+    struct nb_solution solution = refs_solution("hertz_impact", &it);
     const double m1 = 4 * M_PI / 3 * 1e-6 * 7800, m2 = 4 * M_PI / 3 * 1.728e-6 * 2650;
     const double m = wall ? m1 : m1 * m2 / (m1 + m2), r = wall ? 0.01 : 0.01 * 0.012 / 0.022;
     const double young = 1 / (0.91 / 210e9 + 0.9375 / 70e9);
     const double depth = pow(15 * m * 4 / (16 * sqrt(r) * young), 0.4);
-    REFS_NEAR(refs_value(&known, "C.overlap max"), depth, 1e-13, depth);
-    REFS_NEAR(refs_value(&known, "C.normal max"), 1.25 * m * 4 / depth, 1e-13, m * 4 / depth);
-    REFS_NEAR(refs_value(&known, "impact.duration"), 2.9432751843247047 * depth / 2, 1e-13, depth);
-    REFS_NEAR(refs_value(&known, "impact.duration"), 2.8682656991953314 * pow(m * m / (r * young * young * 2), 0.2),
+    REFS_NEAR(refs_value(&solution, "C.overlap max"), depth, 1e-13, depth);
+    REFS_NEAR(refs_value(&solution, "C.normal max"), 1.25 * m * 4 / depth, 1e-13, m * 4 / depth);
+    REFS_NEAR(refs_value(&solution, "impact.duration"), 2.9432751843247047 * depth / 2, 1e-13, depth);
+    REFS_NEAR(refs_value(&solution, "impact.duration"), 2.8682656991953314 * pow(m * m / (r * young * young * 2), 0.2),
               1e-13, depth);
-    CU_ASSERT_EQUAL(refs_value(&known, "impact.restitution"), 1);
-    known_free(&known);
+    CU_ASSERT_EQUAL(refs_value(&solution, "impact.restitution"), 1);
+    solution_free(&solution);
   }
 }
 
@@ -67,51 +68,51 @@ static void the_numbers_of_the_book(void) {
 static void the_way_in_is_a_beta_function(void) {
   struct refs_scene it;
   meet(&it, false, 0);
-  struct nb_known known = refs_known("hertz_impact", &it);
-  const double depth = refs_value(&known, "C.overlap max"), duration = refs_value(&known, "impact.duration");
+  struct nb_solution solution = refs_solution("hertz_impact", &it);
+  const double depth = refs_value(&solution, "C.overlap max"), duration = refs_value(&solution, "impact.duration");
   const double begin = 5e-6;
   for (double s = 0.05; s < 1; s += 0.05) {
     const double t = duration / 2 * gsl_sf_beta_inc(0.4, 0.5, pow(s, 2.5));
-    REFS_NEAR(at(&known, "C.overlap", begin + t), s * depth, 1e-12, depth);
-    REFS_NEAR(at(&known, "C.overlap", begin + duration - t), s * depth, 1e-12, depth);
+    REFS_NEAR(at(&solution, "C.overlap", begin + t), s * depth, 1e-12, depth);
+    REFS_NEAR(at(&solution, "C.overlap", begin + duration - t), s * depth, 1e-12, depth);
   }
-  REFS_NEAR(at(&known, "C.overlap", begin + duration / 2), depth, 1e-14, depth);
-  CU_ASSERT_EQUAL(at(&known, "C.overlap", begin / 2), 0);
-  CU_ASSERT_EQUAL(at(&known, "C.overlap", begin + 1.001 * duration), 0);
-  REFS_NEAR(refs_value(&known, "C.overlap in s"), at(&known, "C.overlap", 3e-5), 0, 1.);
-  known_free(&known);
+  REFS_NEAR(at(&solution, "C.overlap", begin + duration / 2), depth, 1e-14, depth);
+  CU_ASSERT_EQUAL(at(&solution, "C.overlap", begin / 2), 0);
+  CU_ASSERT_EQUAL(at(&solution, "C.overlap", begin + 1.001 * duration), 0);
+  REFS_NEAR(refs_value(&solution, "C.overlap in s"), at(&solution, "C.overlap", 3e-5), 0, 1.);
+  solution_free(&solution);
 }
 
 /* Without damping the ODE is the quadrature; with damping it gives the closed form of the restitution. */
 static void the_ode_agrees(void) {
   struct refs_scene it;
   meet(&it, true, 0);
-  struct nb_known free = refs_known("hertz_impact", &it), ode = refs_known("hertz_damped", &it);
+  struct nb_solution free = refs_solution("hertz_impact", &it), ode = refs_solution("hertz_damped", &it);
   static const char *const same[] = {"C.overlap max", "C.normal max", "impact.duration", "impact.restitution"};
   for (int k = 0; k < 4; k++)
     REFS_NEAR(refs_value(&free, same[k]), refs_value(&ode, same[k]), 1e-12, refs_value(&free, same[k]));
   for (double t = 0; t < 1.2e-4; t += 7e-7)
     REFS_NEAR(at(&free, "C.normal", t), at(&ode, "C.normal", t), 1e-11, refs_value(&free, "C.normal max"));
-  known_free(&free), known_free(&ode);
+  solution_free(&free), solution_free(&ode);
   for (double beta = 0.05; beta < 0.9; beta += 0.05) {
     meet(&it, true, beta);
-    ode = refs_known("hertz_damped", &it);
+    ode = refs_solution("hertz_damped", &it);
     REFS_NEAR(refs_value(&ode, "impact.restitution"), hertz_restitution(beta), 1e-11, 1.);
     CU_ASSERT(fabs(hertz_ratio(hertz_restitution(beta)) - beta) < 1e-13);
-    known_free(&ode);
+    solution_free(&ode);
   }
   meet(&it, true, 1);
-  ode = refs_known("hertz_damped", &it);
+  ode = refs_solution("hertz_damped", &it);
   CU_ASSERT_EQUAL(refs_value(&ode, "impact.restitution"), 0);
-  CU_ASSERT_PTR_NULL(known_find(&ode, "impact.duration"));
-  known_free(&ode);
+  CU_ASSERT_PTR_NULL(solution_find(&ode, "impact.duration"));
+  solution_free(&ode);
 }
 
 /* The curve obeys m* alpha'' = -N - D, with D as [R89 4.13] has it. */
 static void the_dashpot_is_the_one_of_the_book(void) {
   struct refs_scene it;
   meet(&it, true, 0.3);
-  struct nb_known ode = refs_known("hertz_damped", &it);
+  struct nb_solution ode = refs_solution("hertz_damped", &it);
   const double m = 4 * M_PI / 3 * 1e-6 * 7800, young = 1 / (0.91 / 210e9 + 0.9375 / 70e9), h = 2e-8;
   for (double t = 1e-5; t < 5e-5; t += 5e-6) {
     const double before = at(&ode, "C.overlap", t - h), here = at(&ode, "C.overlap", t),
@@ -121,7 +122,7 @@ static void the_dashpot_is_the_one_of_the_book(void) {
     REFS_NEAR(pull, 0.6 * sqrt(m * 2 * young * a) * v, 1e-5, refs_value(&ode, "C.normal max"));
     REFS_NEAR(m * (after - 2 * here + before) / (h * h), -force - pull, 1e-4, refs_value(&ode, "C.normal max"));
   }
-  known_free(&ode);
+  solution_free(&ode);
 }
 
 /* zeta(-3/2, a + 1) = zeta(-3/2, a) - a^(3/2) shows as e over a whole turn of the phase; and its bound, -0.0315 and 0.0241. */
@@ -131,18 +132,18 @@ static void the_phase_comes_round(void) {
   for (int k = 0; k <= 64; k++) {
     meet(&it, true, 0);
     it.scene.impact = (struct nb_impact){.phase = k / 64., .line = 1};
-    struct nb_known known = refs_known("hertz_phase", &it);
-    const double e = refs_value(&known, "impact.restitution");
+    struct nb_solution solution = refs_solution("hertz_phase", &it);
+    const double e = refs_value(&solution, "impact.restitution");
     first = k ? first : e, least = fmin(least, e), most = fmax(most, e);
     if (k == 64)
       CU_ASSERT(fabs(e - first) < 1e-9);
-    known_free(&known);
+    solution_free(&solution);
   }
   meet(&it, true, 0);
-  struct nb_known known = refs_known("hertz_impact", &it);
-  const double n = refs_value(&known, "impact.duration") / 1e-7;
+  struct nb_solution solution = refs_solution("hertz_impact", &it);
+  const double n = refs_value(&solution, "impact.duration") / 1e-7;
   CU_ASSERT(most - least > 0.5 * pow(n, -2.5) && most - least < 2.1 * pow(n, -2.5));
-  known_free(&known);
+  solution_free(&solution);
 }
 
 /* (1/4) B(3/5, 3/2) 2.9432751843247047 = 0.92797, and the law's recursion by itself: at 400 steps e = 0.99769. */
@@ -151,15 +152,15 @@ static void increments_lose_this_much(void) {
   meet(&it, true, 0);
   strcpy(it.scene.normal, "hertz_increment");
   it.scene.step = it.stages[0].step = (struct nb_step){.kind = NB_STEP_CONTACT, .value = 1. / 400};
-  struct nb_known known = refs_known("hertz_increment", &it);
-  REFS_NEAR(1 - refs_value(&known, "impact.restitution"), 0.92797 / 400, 1e-5, 0.92797 / 400);
-  CU_ASSERT(fabs(refs_value(&known, "impact.restitution") - 0.9977) < 5e-5);
+  struct nb_solution solution = refs_solution("hertz_increment", &it);
+  REFS_NEAR(1 - refs_value(&solution, "impact.restitution"), 0.92797 / 400, 1e-5, 0.92797 / 400);
+  CU_ASSERT(fabs(refs_value(&solution, "impact.restitution") - 0.9977) < 5e-5);
   strcpy(it.scene.normal, "hertz");
-  struct nb_known hertz = refs_known("hertz_impact", &it);
+  struct nb_solution hertz = refs_solution("hertz_impact", &it);
   const double peak = refs_value(&hertz, "C.normal max");
-  REFS_NEAR(peak - refs_value(&known, "C.normal max in s"), 0.55678 / 400 * peak, 1e-5, 0.55678 / 400 * peak);
-  known_free(&hertz);
-  known_free(&known);
+  REFS_NEAR(peak - refs_value(&solution, "C.normal max in s"), 0.55678 / 400 * peak, 1e-5, 0.55678 / 400 * peak);
+  solution_free(&hertz);
+  solution_free(&solution);
   strcpy(it.scene.normal, "hertz");
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_increment", &it).text, "hertz_increment"));
 }
@@ -169,23 +170,23 @@ static void a_column(struct refs_scene *it) {
   memset(it, 0, sizeof *it);
   it->materials[0] = (struct nb_material){.name = "a", .density = 7800, .young = 210e9, .poisson = 0.3};
   it->materials[1] = (struct nb_material){.name = "b", .young = INFINITY};
-  it->bodies[0] = (struct nb_body){.shape = NB_SPHERE, .radius = 1, .y = 1};
-  it->bodies[1] = (struct nb_body){.shape = NB_SPHERE, .radius = 3, .y = 5};
+  it->particles[0] = (struct nb_particle){.shape = NB_SPHERE, .radius = 1, .y = 1};
+  it->particles[1] = (struct nb_particle){.shape = NB_SPHERE, .radius = 3, .y = 5};
   it->walls[0] = (struct nb_wall){.name = "low", .material = 1, .ex = 1, .vy = 1};
   it->walls[1] = (struct nb_wall){.name = "high", .material = 1, .ex = 1, .vy = -1, .y = 8};
   strcpy(it->scene.normal, "hertz"), strcpy(it->scene.shear, "none");
-  it->watches[0] = (struct nb_watch){.name = "L", .kind = NB_WATCH_BODY_WALL, .b = 0};
-  it->watches[1] = (struct nb_watch){.name = "C", .kind = NB_WATCH_BODY_BODY, .b = 1};
-  it->watches[2] = (struct nb_watch){.name = "U", .kind = NB_WATCH_BODY_WALL, .a = 1, .b = 1};
-  it->watches[3] = (struct nb_watch){.name = "H", .kind = NB_WATCH_WALL, .a = 1, .b = -1};
+  it->monitors[0] = (struct nb_monitor){.name = "L", .kind = NB_MONITOR_PARTICLE_WALL, .b = 0};
+  it->monitors[1] = (struct nb_monitor){.name = "C", .kind = NB_MONITOR_PARTICLE_PARTICLE, .b = 1};
+  it->monitors[2] = (struct nb_monitor){.name = "U", .kind = NB_MONITOR_PARTICLE_WALL, .a = 1, .b = 1};
+  it->monitors[3] = (struct nb_monitor){.name = "H", .kind = NB_MONITOR_WALL, .a = 1, .b = -1};
   it->scene.materials = it->materials, it->scene.material_count = 2;
-  it->scene.bodies = it->bodies, it->scene.body_count = 2;
+  it->scene.particles = it->particles, it->scene.particle_count = 2;
   it->scene.walls = it->walls, it->scene.wall_count = 2;
-  it->scene.watches = it->watches, it->scene.watch_count = 4;
+  it->scene.monitors = it->monitors, it->scene.monitor_count = 4;
 }
 
-static double along(const struct nb_known *known, const char *name, const char *with, double x) {
-  const struct nb_known_curve *curve = known_find_curve(known, name, with);
+static double along(const struct nb_solution *solution, const char *name, const char *with, double x) {
+  const struct nb_solution_curve *curve = solution_find_curve(solution, name, with);
   CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
   return curve->at(curve->data, x);
 }
@@ -197,23 +198,23 @@ static void a_column_is_in_equilibrium(void) {
   const double radius[] = {1, 0.75, 3}, young[] = {210e9 / 0.91, 210e9 / 0.91 / 2, 210e9 / 0.91};
   struct refs_scene it;
   a_column(&it);
-  struct nb_known known = refs_known("hertz_curve", &it);
+  struct nb_solution solution = refs_solution("hertz_curve", &it);
   for (double s = 1e-6; s < 1e-2; s *= 10) {
     double sum = 0;
     for (int c = 0; c < 3; c++) {
-      const double alpha = along(&known, overlap[c], "H.y", 8 - s / 2),
-                   force = along(&known, normal[c], "H.y", 8 - s / 2);
+      const double alpha = along(&solution, overlap[c], "H.y", 8 - s / 2),
+                   force = along(&solution, normal[c], "H.y", 8 - s / 2);
       const double hertz = 4. / 3 * young[c] * sqrt(radius[c]) * pow(alpha, 1.5);
       REFS_NEAR(force, hertz, 1e-12, hertz);
-      REFS_NEAR(along(&known, normal[c], overlap[c], alpha), hertz, 1e-12, hertz);
-      REFS_NEAR(force, along(&known, normal[0], "H.y", 8 - s / 2), 1e-8, force);
+      REFS_NEAR(along(&solution, normal[c], overlap[c], alpha), hertz, 1e-12, hertz);
+      REFS_NEAR(force, along(&solution, normal[0], "H.y", 8 - s / 2), 1e-8, force);
       sum += alpha;
     }
     REFS_NEAR(sum, s, 1e-8, s);
   }
-  CU_ASSERT_EQUAL(along(&known, "C.normal", "H.y", 8.1), 0);
-  known_free(&known);
-  it.bodies[1].x = 0.1;
+  CU_ASSERT_EQUAL(along(&solution, "C.normal", "H.y", 8.1), 0);
+  solution_free(&solution);
+  it.particles[1].x = 0.1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "one above the other"));
   a_column(&it);
   it.walls[1].vy = -2;
@@ -228,21 +229,21 @@ static void a_column_is_in_equilibrium(void) {
 static void long_after_first_touch(void) {
   struct refs_scene it;
   meet(&it, true, 1);
-  struct nb_known known = refs_known("hertz_damped", &it);
+  struct nb_solution solution = refs_solution("hertz_damped", &it);
   double before = INFINITY;
   int followed = 0;
   for (double t = 1e-4; t < 1e300; t *= t < 1 ? 1.5 : 1e10) {
-    const double overlap = at(&known, "C.overlap", t);
+    const double overlap = at(&solution, "C.overlap", t);
     CU_ASSERT(isnan(overlap) ? t > 1e-3 : overlap > 0 && overlap < before);
     before = overlap, followed += !isnan(overlap);
   }
   CU_ASSERT(followed > 8 && isnan(before));
-  known_free(&known);
+  solution_free(&solution);
   meet(&it, true, 0.1);
-  known = refs_known("hertz_damped", &it);
+  solution = refs_solution("hertz_damped", &it);
   for (double t = 1e-2; t < 1e300; t *= 1e10)
-    CU_ASSERT(at(&known, "C.overlap", t) == 0);
-  known_free(&known);
+    CU_ASSERT(at(&solution, "C.overlap", t) == 0);
+  solution_free(&solution);
 }
 
 static void what_is_no_such_impact_is_refused(void) {
@@ -251,16 +252,16 @@ static void what_is_no_such_impact_is_refused(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "`damping ratio`"));
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_phase", &it).text, "`damping ratio`"));
   meet(&it, false, 0);
-  it.bodies[0].vx += 0.01;
+  it.particles[0].vx += 0.01;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "head-on"));
   meet(&it, false, 0);
-  it.bodies[1].spin = 1;
+  it.particles[1].spin = 1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_damped", &it).text, "spin"));
   meet(&it, false, 0);
   it.scene.gravity = (struct nb_gravity){.y = -1, .line = 3};
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "gravity"));
   meet(&it, false, 0);
-  it.bodies[1].shape = NB_DISC;
+  it.particles[1].shape = NB_DISC;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "`disc`"));
   meet(&it, false, 0);
   it.materials[1].young = 0;

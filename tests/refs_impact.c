@@ -44,7 +44,7 @@ static void springs_converge(void) {
 }
 
 /* Where psi2 changes its sign. */
-static double turns(double chi) {
+static double rotates(double chi) {
   double low = 0.6, high = 1.1;
   for (int n = 0; n < 20; n++) {
     const double middle = (low + high) / 2;
@@ -54,8 +54,8 @@ static double turns(double chi) {
 }
 
 static void springs_know_the_curve(void) {
-  CU_ASSERT(fabs(turns(chi28) - 0.9075) < 5e-5);
-  CU_ASSERT(fabs(turns(chi30) - 0.8099) < 5e-5);
+  CU_ASSERT(fabs(rotates(chi28) - 0.9075) < 5e-5);
+  CU_ASSERT(fabs(rotates(chi30) - 0.8099) < 5e-5);
   const double chi[] = {chi28, chi30}, least[] = {-1.49, -1.48};
   for (int c = 0; c < 2; c++) {
     double min = 0, where = 0, max = 0;

@@ -16,17 +16,17 @@ static const double kn = 1.35e9;
 
 /* k_n d: the force that a wall's way would make at one contact. */
 static double force_unit(const struct refs_scene *it) {
-  double mass = nb_body_mass(&it->scene, &it->bodies[0]);
+  double mass = nb_particle_mass(&it->scene, &it->particles[0]);
   return kn * 0.12 * (double)it->stages[0].cycles * 0.12 * 2 * sqrt(mass / kn);
 }
 
-static void check_forces(const struct nb_known *known, double unit, double c, double d, double s, double m) {
-  REFS_NEAR(refs_value(known, "C.normal"), c * unit, 1e-12, unit);
-  REFS_NEAR(refs_value(known, "D.normal"), d * unit, 1e-12, unit);
-  REFS_NEAR(refs_value(known, "S.normal"), s * unit, 1e-12, unit);
-  REFS_NEAR(refs_value(known, "M.normal"), m * unit, 1e-12, unit);
-  REFS_NEAR(refs_value(known, "C.shear"), 0, 1e-12, unit);
-  REFS_NEAR(refs_value(known, "M.shear"), 0, 1e-12, unit);
+static void check_forces(const struct nb_solution *solution, double unit, double c, double d, double s, double m) {
+  REFS_NEAR(refs_value(solution, "C.normal"), c * unit, 1e-12, unit);
+  REFS_NEAR(refs_value(solution, "D.normal"), d * unit, 1e-12, unit);
+  REFS_NEAR(refs_value(solution, "S.normal"), s * unit, 1e-12, unit);
+  REFS_NEAR(refs_value(solution, "M.normal"), m * unit, 1e-12, unit);
+  REFS_NEAR(refs_value(solution, "C.shear"), 0, 1e-12, unit);
+  REFS_NEAR(refs_value(solution, "M.shear"), 0, 1e-12, unit);
 }
 
 /* The fractions in which k_n d is carried, known without any matrix. */
@@ -34,24 +34,24 @@ static void statics_are_the_closed_forms(void) {
   struct refs_scene it;
   refs_nine_discs(&it, kn, 1, 40, 400);
   double unit = force_unit(&it);
-  struct nb_known known = refs_known("nine_discs_statics", &it);
-  check_forces(&known, unit, 3. / 7, 5. / 14, 9. / 14, 4. / 7);
-  REFS_NEAR(fabs(refs_value(&known, "S.shear")), 5. / 14 * unit, 1e-12, unit);
-  REFS_NEAR(fabs(refs_value(&known, "D.shear")), 1. / 14 * unit, 1e-12, unit);
-  REFS_NEAR(refs_value(&known, "C.normal in load"), 3. / 7 * unit, 1e-12, unit);
-  REFS_NEAR(refs_value(&known, "C.normal mean in rest"), 3. / 7 * unit, 1e-12, unit);
-  CU_ASSERT_PTR_NULL(known_find(&known, "C.normal mean in load"));
-  known_free(&known);
+  struct nb_solution solution = refs_solution("nine_discs_statics", &it);
+  check_forces(&solution, unit, 3. / 7, 5. / 14, 9. / 14, 4. / 7);
+  REFS_NEAR(fabs(refs_value(&solution, "S.shear")), 5. / 14 * unit, 1e-12, unit);
+  REFS_NEAR(fabs(refs_value(&solution, "D.shear")), 1. / 14 * unit, 1e-12, unit);
+  REFS_NEAR(refs_value(&solution, "C.normal in load"), 3. / 7 * unit, 1e-12, unit);
+  REFS_NEAR(refs_value(&solution, "C.normal mean in rest"), 3. / 7 * unit, 1e-12, unit);
+  CU_ASSERT_PTR_NULL(solution_find(&solution, "C.normal mean in load"));
+  solution_free(&solution);
 
   refs_nine_discs(&it, kn * 2 / 3, 1, 40, 400);
-  known = refs_known("nine_discs_statics", &it);
-  check_forces(&known, unit, 21. / 46, 9. / 23, 14. / 23, 25. / 46);
-  known_free(&known);
+  solution = refs_solution("nine_discs_statics", &it);
+  check_forces(&solution, unit, 21. / 46, 9. / 23, 14. / 23, 25. / 46);
+  solution_free(&solution);
 
   refs_nine_discs(&it, kn, 0, 40, 400); /* without friction nothing holds a spin */
-  known = refs_known("nine_discs_statics", &it);
-  check_forces(&known, unit, 0.5, 0.5, 0.5, 0.5);
-  known_free(&known);
+  solution = refs_solution("nine_discs_statics", &it);
+  check_forces(&solution, unit, 0.5, 0.5, 0.5, 0.5);
+  solution_free(&solution);
 
   refs_nine_discs(&it, kn, 2, 40, 400); /* without friction at the walls all may turn like gears */
   it.materials[1] = it.materials[0];
@@ -59,10 +59,10 @@ static void statics_are_the_closed_forms(void) {
   for (size_t i = 0; i < 4; i++)
     it.walls[i].material = 1;
   for (int i = 0; i < 2; i++) {
-    known = refs_known(i == 0 ? "nine_discs_statics" : "nine_discs", &it);
-    REFS_NEAR(refs_value(&known, "C.normal mean"), 0.5 * unit, 1e-12, unit);
-    REFS_NEAR(refs_value(&known, "D.shear mean"), 0, 1e-12, unit);
-    known_free(&known);
+    solution = refs_solution(i == 0 ? "nine_discs_statics" : "nine_discs", &it);
+    REFS_NEAR(refs_value(&solution, "C.normal mean"), 0.5 * unit, 1e-12, unit);
+    REFS_NEAR(refs_value(&solution, "D.shear mean"), 0, 1e-12, unit);
+    solution_free(&solution);
   }
 }
 
@@ -72,10 +72,10 @@ static void check_slip(double r, double f) {
   refs_nine_discs(&it, r * kn, f, 40, 400);
   double unit = force_unit(&it), det = (2 - f + r) * (2 + 2 * r) - 2 * r * r;
   double d_c = ((1 - f) * (2 + 2 * r) + r) / det, d_m = ((2 - f + r) + 2 * r * (1 - f)) / det;
-  struct nb_known known = refs_known("nine_discs_slip", &it);
-  check_forces(&known, unit, d_m, d_c, 1 - d_c, 1 - d_m);
-  REFS_NEAR(fabs(refs_value(&known, "S.shear")), f * refs_value(&known, "S.normal"), 1e-12, unit);
-  known_free(&known);
+  struct nb_solution solution = refs_solution("nine_discs_slip", &it);
+  check_forces(&solution, unit, d_m, d_c, 1 - d_c, 1 - d_m);
+  REFS_NEAR(fabs(refs_value(&solution, "S.shear")), f * refs_value(&solution, "S.normal"), 1e-12, unit);
+  solution_free(&solution);
 }
 
 static void slip_is_the_closed_form(void) {
@@ -86,10 +86,10 @@ static void slip_is_the_closed_form(void) {
   /* At 30 degrees the load can be held. */
   struct refs_scene it;
   refs_nine_discs(&it, kn, f30, 40, 400);
-  struct nb_known slip = refs_known("nine_discs_slip", &it), known = refs_known("nine_discs_statics", &it);
-  REFS_NEAR(refs_value(&slip, "C.normal"), refs_value(&known, "C.normal"), 1e-12, force_unit(&it));
-  known_free(&slip);
-  known_free(&known);
+  struct nb_solution slip = refs_solution("nine_discs_slip", &it), solution = refs_solution("nine_discs_statics", &it);
+  REFS_NEAR(refs_value(&slip, "C.normal"), refs_value(&solution, "C.normal"), 1e-12, force_unit(&it));
+  solution_free(&slip);
+  solution_free(&solution);
   refs_nine_discs(&it, kn, f15, 40, 400);
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "slips"));
   refs_nine_discs(&it, kn, f30, 40, 400); /* but it slips while it swings */
@@ -100,13 +100,13 @@ static void slip_is_the_closed_form(void) {
 static void check_leapfrog(double r, unsigned long load) {
   struct refs_scene it;
   refs_nine_discs(&it, r * kn, 2, load, 4000);
-  struct nb_known known = refs_known("nine_discs", &it);
-  const struct nb_known_curve *centre = known_find_curve(&known, "C.normal", "cycle");
-  const struct nb_known_curve *wall = known_find_curve(&known, "S.shear", "time");
+  struct nb_solution solution = refs_solution("nine_discs", &it);
+  const struct nb_solution_curve *centre = solution_find_curve(&solution, "C.normal", "cycle");
+  const struct nb_solution_curve *wall = solution_find_curve(&solution, "S.shear", "time");
   CU_ASSERT_PTR_NOT_NULL_FATAL(centre);
   CU_ASSERT_PTR_NOT_NULL_FATAL(wall);
-  double unit = force_unit(&it), f = 0.12, worst = 0, sign = refs_value(&known, "S.shear mean") > 0 ? 1 : -1;
-  double dt = f * 2 * sqrt(nb_body_mass(&it.scene, &it.bodies[0]) / kn);
+  double unit = force_unit(&it), f = 0.12, worst = 0, sign = refs_value(&solution, "S.shear mean") > 0 ? 1 : -1;
+  double dt = f * 2 * sqrt(nb_particle_mass(&it.scene, &it.particles[0]) / kn);
   double d = 0, c = 0, m = 0, vc = 0, vm = 0; /* in units of the walls' whole way and of the step */
   for (unsigned long n = 0; n <= load + 4000; n++) {
     worst = fmax(worst, fabs(centre->at(centre->data, (double)n) / unit - m));
@@ -119,7 +119,7 @@ static void check_leapfrog(double r, unsigned long load) {
       d += 1 / (double)load;
   }
   CU_ASSERT(worst < 1e-10);
-  known_free(&known);
+  solution_free(&solution);
 }
 
 static void modes_are_the_leapfrog(void) {
@@ -134,26 +134,26 @@ static void mean_amplitude_and_frequency(void) {
   double unit = force_unit(&it), f = 0.12, sum = 0, rate = 0;
   for (int sign = -1; sign <= 1; sign += 2) {
     double square = 4 + sign * sqrt(2), phase = 2 * asin(sqrt(square) * f);
-    double share = (1 - sign * sqrt(2)) / 2 / square; /* of a static force 3/7 */
-    sum += fabs(share * 2 * sin(20 * phase) / sin(phase)) / 40;
+    double fraction = (1 - sign * sqrt(2)) / 2 / square; /* of a static force 3/7 */
+    sum += fabs(fraction * 2 * sin(20 * phase) / sin(phase)) / 40;
     if (sign < 0)
       rate = phase / (2 * M_PI);
   }
-  struct nb_known known = refs_known("nine_discs", &it);
-  struct nb_known rest = refs_known("nine_discs_statics", &it);
-  double dt = f * 2 * sqrt(nb_body_mass(&it.scene, &it.bodies[0]) / kn);
-  REFS_NEAR(refs_value(&known, "C.normal amplitude"), sum * unit, 1e-11, unit);
-  REFS_NEAR(refs_value(&known, "C.normal amplitude in rest"), sum * unit, 1e-11, unit);
-  REFS_NEAR(refs_value(&known, "C.normal frequency"), rate / dt, 1e-11, rate / dt);
-  REFS_NEAR(refs_value(&known, "C.normal mean"), refs_value(&rest, "C.normal"), 1e-11, unit);
-  REFS_NEAR(refs_value(&known, "S.shear mean"), refs_value(&rest, "S.shear"), 1e-11, unit);
-  REFS_NEAR(refs_value(&known, "D.shear mean in rest"), refs_value(&rest, "D.shear"), 1e-11, unit);
-  CU_ASSERT_PTR_NULL(known_find(&known, "C.normal mean in load"));
+  struct nb_solution solution = refs_solution("nine_discs", &it);
+  struct nb_solution rest = refs_solution("nine_discs_statics", &it);
+  double dt = f * 2 * sqrt(nb_particle_mass(&it.scene, &it.particles[0]) / kn);
+  REFS_NEAR(refs_value(&solution, "C.normal amplitude"), sum * unit, 1e-11, unit);
+  REFS_NEAR(refs_value(&solution, "C.normal amplitude in rest"), sum * unit, 1e-11, unit);
+  REFS_NEAR(refs_value(&solution, "C.normal frequency"), rate / dt, 1e-11, rate / dt);
+  REFS_NEAR(refs_value(&solution, "C.normal mean"), refs_value(&rest, "C.normal"), 1e-11, unit);
+  REFS_NEAR(refs_value(&solution, "S.shear mean"), refs_value(&rest, "S.shear"), 1e-11, unit);
+  REFS_NEAR(refs_value(&solution, "D.shear mean in rest"), refs_value(&rest, "D.shear"), 1e-11, unit);
+  CU_ASSERT_PTR_NULL(solution_find(&solution, "C.normal mean in load"));
 
   /* The curve itself: how far it goes, and how often it rises through its mean. */
-  const struct nb_known_curve *curve = known_find_curve(&known, "C.normal", "cycle");
+  const struct nb_solution_curve *curve = solution_find_curve(&solution, "C.normal", "cycle");
   CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
-  double high = 0, low = unit, mean = refs_value(&known, "C.normal mean"), before = 0;
+  double high = 0, low = unit, mean = refs_value(&solution, "C.normal mean"), before = 0;
   int rises = 0;
   for (int n = 40; n <= 40 + 100000; n++) {
     double now = curve->at(curve->data, n);
@@ -165,8 +165,8 @@ static void mean_amplitude_and_frequency(void) {
   }
   REFS_NEAR((high - low) / 2, sum * unit, 1e-4, sum * unit);
   REFS_NEAR(rises / 1e5, rate, 1e-5 / rate, rate);
-  known_free(&known);
-  known_free(&rest);
+  solution_free(&solution);
+  solution_free(&rest);
 }
 
 /* Forces of the nine discs straight from [CS79 12, 13, 16, 17], contacts found by counting; 27 freedoms. */
@@ -222,22 +222,22 @@ static void modes_are_the_ode(void) {
   struct lattice lattice;
   struct nb_error error = {0};
   CU_ASSERT_EQUAL_FATAL(lattice_build(&lattice, &it.scene, &error), NB_OK);
-  struct swing_modes modes = swing_modes_create(&lattice);
-  struct ode ode = {.r = 0.7, .square = kn / nb_body_mass(&it.scene, &it.bodies[0]), .east = -1, .south = 0.3};
+  struct oscillation_modes modes = oscillation_modes_create(&lattice);
+  struct ode ode = {.r = 0.7, .square = kn / nb_particle_mass(&it.scene, &it.particles[0]), .east = -1, .south = 0.3};
   gsl_odeiv2_system system = {motion, NULL, 54, &ode};
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-4, 1e-16, 1e-14);
   double y[54] = {0}, t = 0, worst = 0, spin = 0;
-  size_t c = (size_t)lattice_watched(&lattice, &it.watches[0]), d = (size_t)lattice_watched(&lattice, &it.watches[1]);
-  struct swing *normal = swing_create(&lattice, &modes, 2 * c, SWING_CONTINUOUS, 1, &error);
-  struct swing *shear = swing_create(&lattice, &modes, 2 * d + 1, SWING_CONTINUOUS, 1, &error);
+  size_t c = (size_t)lattice_watched(&lattice, &it.monitors[0]), d = (size_t)lattice_watched(&lattice, &it.monitors[1]);
+  struct oscillation *normal = oscillation_create(&lattice, &modes, 2 * c, OSCILLATION_CONTINUOUS, 1, &error);
+  struct oscillation *shear = oscillation_create(&lattice, &modes, 2 * d + 1, OSCILLATION_CONTINUOUS, 1, &error);
   CU_ASSERT_PTR_NOT_NULL_FATAL(normal);
   CU_ASSERT_PTR_NOT_NULL_FATAL(shear);
   double unit = kn * lattice.step * 40;
   for (int n = 1; n <= 40; n++) {
     CU_ASSERT_EQUAL_FATAL(gsl_odeiv2_driver_apply(driver, &t, n * lattice.step, y), GSL_SUCCESS);
     double f_n = kn * (y[12] - y[15]), f_s = 0.7 * kn * (-(y[1] - y[4]) - (y[2] + y[5]));
-    worst = fmax(worst, fabs(swing_at(normal, n) - f_n) / unit);
-    worst = fmax(worst, fabs(swing_at(shear, n) - f_s) / unit);
+    worst = fmax(worst, fabs(oscillation_at(normal, n) - f_n) / unit);
+    worst = fmax(worst, fabs(oscillation_at(shear, n) - f_s) / unit);
     spin = fmax(spin, fabs(y[2]) / (40 * lattice.step));
   }
   CU_ASSERT(worst < 1e-12);
@@ -245,7 +245,7 @@ static void modes_are_the_ode(void) {
   free(normal);
   free(shear);
   gsl_odeiv2_driver_free(driver);
-  swing_modes_free(&modes);
+  oscillation_modes_free(&modes);
   lattice_free(&lattice);
 }
 

@@ -18,84 +18,84 @@ static void first_cycles_are_the_papers(void) {
   double same[3] = {3e6, 3e6, 3e6};
   refs_row(&it, same, m, v, step, 6, 100);
   double f = same[0] * v * step, xdot = f / m[0] * step, ydot = -f / m[1] * step;
-  struct nb_known known = refs_known("two_wall_compression", &it);
-  REFS_NEAR(refs_value(&known, "A.normal at 1 cycles"), f, 1e-15, f);
-  CU_ASSERT_EQUAL(refs_value(&known, "B.normal at 1 cycles"), 0);
-  REFS_NEAR(refs_value(&known, "C.normal at 1 cycles"), f, 1e-15, f);
-  REFS_NEAR(refs_value(&known, "A.normal at 2 cycles"), f + same[0] * (v - xdot) * step, 1e-15, f);
-  REFS_NEAR(refs_value(&known, "B.normal at 2 cycles"), same[0] * (xdot - ydot) * step, 1e-15, f);
-  REFS_NEAR(refs_value(&known, "C.normal at 2 cycles"), f + same[0] * (ydot + v) * step, 1e-15, f);
-  REFS_NEAR(refs_value(&known, "A.overlap at 2 cycles"), v * step + (v - xdot) * step, 1e-15, v * step);
-  REFS_NEAR(refs_value(&known, "X.fx at 1 cycles"), f, 1e-15, f);
-  REFS_NEAR(refs_value(&known, "Y.fx at 1 cycles"), -f, 1e-15, f);
-  CU_ASSERT_EQUAL(refs_value(&known, "X.vx.half at 1 cycles"), 0);
-  REFS_NEAR(refs_value(&known, "X.vx.half at 2 cycles"), xdot, 1e-15, xdot);
-  REFS_NEAR(refs_value(&known, "Y.vx.half at 2 cycles"), ydot, 1e-15, ydot);
-  CU_ASSERT_EQUAL(refs_value(&known, "Y.vy.half at 2 cycles"), 0);
-  known_free(&known);
+  struct nb_solution solution = refs_solution("two_wall_compression", &it);
+  REFS_NEAR(refs_value(&solution, "A.normal at 1 cycles"), f, 1e-15, f);
+  CU_ASSERT_EQUAL(refs_value(&solution, "B.normal at 1 cycles"), 0);
+  REFS_NEAR(refs_value(&solution, "C.normal at 1 cycles"), f, 1e-15, f);
+  REFS_NEAR(refs_value(&solution, "A.normal at 2 cycles"), f + same[0] * (v - xdot) * step, 1e-15, f);
+  REFS_NEAR(refs_value(&solution, "B.normal at 2 cycles"), same[0] * (xdot - ydot) * step, 1e-15, f);
+  REFS_NEAR(refs_value(&solution, "C.normal at 2 cycles"), f + same[0] * (ydot + v) * step, 1e-15, f);
+  REFS_NEAR(refs_value(&solution, "A.overlap at 2 cycles"), v * step + (v - xdot) * step, 1e-15, v * step);
+  REFS_NEAR(refs_value(&solution, "X.fx at 1 cycles"), f, 1e-15, f);
+  REFS_NEAR(refs_value(&solution, "Y.fx at 1 cycles"), -f, 1e-15, f);
+  CU_ASSERT_EQUAL(refs_value(&solution, "X.vx.half at 1 cycles"), 0);
+  REFS_NEAR(refs_value(&solution, "X.vx.half at 2 cycles"), xdot, 1e-15, xdot);
+  REFS_NEAR(refs_value(&solution, "Y.vx.half at 2 cycles"), ydot, 1e-15, ydot);
+  CU_ASSERT_EQUAL(refs_value(&solution, "Y.vy.half at 2 cycles"), 0);
+  solution_free(&solution);
 }
 
-static double refs_value_at(const struct nb_known *known, const char *name, int n) {
+static double refs_value_at(const struct nb_solution *solution, const char *name, int n) {
   char text[64];
   snprintf(text, sizeof text, "%s at %d cycles", name, n);
-  return refs_value(known, text);
+  return refs_value(solution, text);
 }
 
 /* Unlike springs and masses, all six cycles: the same recursion in rounded numbers, and the modes. */
 static void hand_is_the_recursion_and_the_modes(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 6, 100);
-  struct nb_known known = refs_known("two_wall_compression", &it);
+  struct nb_solution solution = refs_solution("two_wall_compression", &it);
   long double x = 0, y = 0, vx = 0, vy = 0, unit = k[0] * v * step;
-  static const char watch[3] = {'A', 'B', 'C'};
+  static const char monitor[3] = {'A', 'B', 'C'};
   for (int n = 1; n <= 6; n++) {
     x += vx * step;
     y += vy * step;
     long double force[3] = {k[0] * (n * v * step - x), k[1] * (x - y), k[2] * (n * v * step + y)};
-    REFS_NEAR(refs_value_at(&known, "X.vx.half", n), (double)vx, 2e-15, v);
-    REFS_NEAR(refs_value_at(&known, "Y.vx.half", n), (double)vy, 2e-15, v);
-    REFS_NEAR(refs_value_at(&known, "Y.fx", n), (double)(force[1] - force[2]), 2e-15, (double)unit);
+    REFS_NEAR(refs_value_at(&solution, "X.vx.half", n), (double)vx, 2e-15, v);
+    REFS_NEAR(refs_value_at(&solution, "Y.vx.half", n), (double)vy, 2e-15, v);
+    REFS_NEAR(refs_value_at(&solution, "Y.fx", n), (double)(force[1] - force[2]), 2e-15, (double)unit);
     vx += (force[0] - force[1]) / m[0] * step;
     vy += (force[1] - force[2]) / m[1] * step;
     for (int i = 0; i < 3; i++) {
-      char name[32] = {watch[i], 0};
+      char name[32] = {monitor[i], 0};
       strcat(name, ".normal");
-      const struct nb_known_curve *curve = known_find_curve(&known, name, "cycle");
-      double hand = refs_value_at(&known, name, n);
+      const struct nb_solution_curve *curve = solution_find_curve(&solution, name, "cycle");
+      double hand = refs_value_at(&solution, name, n);
       REFS_NEAR(hand, (double)force[i], 2e-15, (double)unit);
       CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
       REFS_NEAR(curve->at(curve->data, n), hand, 1e-13, (double)unit);
     }
   }
-  CU_ASSERT_PTR_NULL(known_find(&known, "A.normal at 7 cycles"));
-  known_free(&known);
+  CU_ASSERT_PTR_NULL(solution_find(&solution, "A.normal at 7 cycles"));
+  solution_free(&solution);
 }
 
 /* Only as far as the walls keep their way and nothing is damped. */
 static void hand_stops_where_the_scene_turns(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 3, 100);
-  struct nb_known known = refs_known("two_wall_compression", &it);
-  CU_ASSERT_PTR_NOT_NULL(known_find(&known, "A.normal at 3 cycles"));
-  CU_ASSERT_PTR_NULL(known_find(&known, "A.normal at 4 cycles"));
-  known_free(&known);
+  struct nb_solution solution = refs_solution("two_wall_compression", &it);
+  CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "A.normal at 3 cycles"));
+  CU_ASSERT_PTR_NULL(solution_find(&solution, "A.normal at 4 cycles"));
+  solution_free(&solution);
   it.stages[1].motion_count = 0; /* the walls go on, but in longer steps */
   it.stages[1].step.value = 2 * step;
-  known = refs_known("two_wall_compression", &it);
-  CU_ASSERT_PTR_NOT_NULL(known_find(&known, "A.normal at 3 cycles"));
-  CU_ASSERT_PTR_NULL(known_find(&known, "A.normal at 4 cycles"));
-  known_free(&known);
+  solution = refs_solution("two_wall_compression", &it);
+  CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "A.normal at 3 cycles"));
+  CU_ASSERT_PTR_NULL(solution_find(&solution, "A.normal at 4 cycles"));
+  solution_free(&solution);
   refs_row(&it, k, m, v, step, 6, 100);
   it.stages[1].damping.global_kind = NB_GLOBAL_ALPHA;
-  known = refs_known("two_wall_compression", &it);
-  CU_ASSERT_PTR_NOT_NULL(known_find(&known, "A.normal at 6 cycles"));
-  CU_ASSERT_PTR_NULL(known_find_curve(&known, "A.normal", "cycle"));
-  known_free(&known);
+  solution = refs_solution("two_wall_compression", &it);
+  CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "A.normal at 6 cycles"));
+  CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "A.normal", "cycle"));
+  solution_free(&solution);
   refs_row(&it, k, m, v, step, 1, 100); /* after so short a push B swings open */
-  known = refs_known("two_wall_compression", &it);
-  CU_ASSERT_PTR_NOT_NULL(known_find(&known, "B.normal at 1 cycles"));
-  CU_ASSERT_PTR_NULL(known_find_curve(&known, "B.normal", "cycle"));
-  known_free(&known);
+  solution = refs_solution("two_wall_compression", &it);
+  CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "B.normal at 1 cycles"));
+  CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "B.normal", "cycle"));
+  solution_free(&solution);
   it.motions[1].vx *= 1.5;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_compression", &it).text, "alike"));
   refs_row(&it, k, m, v, 6 * step, 6, 100); /* q + r = 6.5: B is torn open by overshoot */
@@ -105,15 +105,15 @@ static void hand_stops_where_the_scene_turns(void) {
 static void springs_in_series(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 6, 100);
-  struct nb_known known = refs_known("two_wall_statics", &it);
-  struct nb_known network = refs_known("nine_discs_statics", &it);
+  struct nb_solution solution = refs_solution("two_wall_statics", &it);
+  struct nb_solution network = refs_solution("nine_discs_statics", &it);
   double force = 2 * 6 * v * step * 30e6 / 31; /* 1/3 + 1/5 + 1/2 = 31/30 */
-  REFS_NEAR(refs_value(&known, "A.normal"), force, 1e-14, force);
-  REFS_NEAR(refs_value(&known, "C.normal mean"), force, 1e-14, force);
-  REFS_NEAR(refs_value(&known, "B.overlap"), force / k[1], 1e-14, force / k[1]);
+  REFS_NEAR(refs_value(&solution, "A.normal"), force, 1e-14, force);
+  REFS_NEAR(refs_value(&solution, "C.normal mean"), force, 1e-14, force);
+  REFS_NEAR(refs_value(&solution, "B.overlap"), force / k[1], 1e-14, force / k[1]);
   REFS_NEAR(refs_value(&network, "B.normal"), force, 1e-12, force);
-  known_free(&known);
-  known_free(&network);
+  solution_free(&solution);
+  solution_free(&network);
   it.stages[1].motion_count = 0; /* they go on */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_statics", &it).text, "stop"));
 }

@@ -7,18 +7,18 @@
 #include <math.h>
 #include <string.h>
 
-static void point(struct refs_scene *it, size_t bodies, size_t walls, size_t watches) {
+static void point(struct refs_scene *it, size_t particles, size_t walls, size_t monitors) {
   struct nb_scene *scene = &it->scene;
   scene->unitless = true;
   scene->materials = it->materials;
   scene->pair_rules = it->rules;
-  scene->bodies = it->bodies;
+  scene->particles = it->particles;
   scene->walls = it->walls;
-  scene->watches = it->watches;
+  scene->monitors = it->monitors;
   scene->stages = it->stages;
-  scene->body_count = bodies;
+  scene->particle_count = particles;
   scene->wall_count = walls;
-  scene->watch_count = watches;
+  scene->monitor_count = monitors;
   scene->stage_count = 2;
   strcpy(scene->normal, "linear");
   strcpy(scene->shear, "linear");
@@ -38,9 +38,10 @@ static void drive(struct refs_scene *it, double v, struct nb_step step, unsigned
       .name = "rest", .motions = it->motions + n, .motion_count = n, .cycles = rest, .record = 1, .step = step};
 }
 
-static void watch(struct refs_scene *it, size_t i, const char *name, int a, int b, bool wall) {
-  it->watches[i] = (struct nb_watch){.kind = wall ? NB_WATCH_BODY_WALL : NB_WATCH_BODY_BODY, .a = a, .b = b};
-  strcpy(it->watches[i].name, name);
+static void monitor(struct refs_scene *it, size_t i, const char *name, int a, int b, bool wall) {
+  it->monitors[i] =
+      (struct nb_monitor){.kind = wall ? NB_MONITOR_PARTICLE_WALL : NB_MONITOR_PARTICLE_PARTICLE, .a = a, .b = b};
+  strcpy(it->monitors[i].name, name);
 }
 
 void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned long load, unsigned long rest) {
@@ -50,17 +51,18 @@ void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned
   it->materials[0] =
       (struct nb_material){.name = "rock", .density = 1000, .kn = 1.35e9, .ks = ks, .friction = friction};
   for (int i = 0; i < 9; i++)
-    it->bodies[i] = (struct nb_body){.shape = NB_DISC, .x = 50 + 100 * (i % 3), .y = 50 + 100 * (i / 3), .radius = 50};
+    it->particles[i] =
+        (struct nb_particle){.shape = NB_DISC, .x = 50 + 100 * (i % 3), .y = 50 + 100 * (i / 3), .radius = 50};
   static const double in[4][2] = {{0, 1}, {-1, 0}, {0, -1}, {1, 0}}; /* south, east, north, west */
   for (size_t i = 0; i < 4; i++) {
     double nx = in[i][0], ny = in[i][1];
     it->walls[i] = (struct nb_wall){
         .x = 150 - 150 * nx, .y = 150 - 150 * ny, .ex = ny, .ey = -nx, .h1 = -150, .h2 = 150, .inx = nx, .iny = ny};
   }
-  watch(it, 0, "C", 4, 5, false);
-  watch(it, 1, "D", 1, 0, false);
-  watch(it, 2, "S", 0, 0, true);
-  watch(it, 3, "M", 1, 0, true);
+  monitor(it, 0, "C", 4, 5, false);
+  monitor(it, 1, "D", 1, 0, false);
+  monitor(it, 2, "S", 0, 0, true);
+  monitor(it, 3, "M", 1, 0, true);
   drive(it, 0.12, (struct nb_step){.kind = NB_STEP_CRITICAL, .value = 0.12}, load, rest);
 }
 
@@ -78,35 +80,35 @@ void refs_row(struct refs_scene *it, const double k[3], const double m[2], doubl
   }
   for (int i = 0; i < 2; i++) {
     double radius = 1 + i;
-    it->bodies[i] = (struct nb_body){.shape = NB_DISC, .x = i == 0 ? 1 : 4, .radius = radius, .material = i};
+    it->particles[i] = (struct nb_particle){.shape = NB_DISC, .x = i == 0 ? 1 : 4, .radius = radius, .material = i};
     it->materials[i].density = m[i] / (3.14159265358979323846 * radius * radius);
     double in = i == 0 ? 1 : -1;
     it->walls[i] = (struct nb_wall){.x = i == 0 ? 0 : 6, .ey = 1, .h1 = -3, .h2 = 3, .inx = in, .material = 2};
   }
-  watch(it, 0, "A", 0, 0, true);
-  watch(it, 1, "B", 0, 1, false);
-  watch(it, 2, "C", 1, 1, true);
+  monitor(it, 0, "A", 0, 0, true);
+  monitor(it, 1, "B", 0, 1, false);
+  monitor(it, 2, "C", 1, 1, true);
   for (int i = 0; i < 2; i++) {
-    watch(it, 3 + (size_t)i, i == 0 ? "X" : "Y", i, -1, false);
-    it->watches[3 + i].kind = NB_WATCH_BODY;
+    monitor(it, 3 + (size_t)i, i == 0 ? "X" : "Y", i, -1, false);
+    it->monitors[3 + i].kind = NB_MONITOR_PARTICLE;
   }
   drive(it, v, (struct nb_step){.kind = NB_STEP_TIME, .value = step}, load, rest);
 }
 
-struct nb_known refs_known(const char *name, const struct refs_scene *it) {
-  struct nb_known known = {0};
+struct nb_solution refs_solution(const char *name, const struct refs_scene *it) {
+  struct nb_solution solution = {0};
   struct nb_error error = {0};
   const struct nb_reference *reference = nb_reference_find(name);
   CU_ASSERT_PTR_NOT_NULL_FATAL(reference);
-  enum nb_status status = nb_reference_ask(reference, &known, &it->scene, &error);
+  enum nb_status status = nb_reference_ask(reference, &solution, &it->scene, &error);
   if (status != NB_OK)
     printf("# %s: %s\n", name, error.text);
   CU_ASSERT_EQUAL(status, NB_OK);
-  return known;
+  return solution;
 }
 
-double refs_value(const struct nb_known *known, const char *name) {
-  const double *value = known_find(known, name);
+double refs_value(const struct nb_solution *solution, const char *name) {
+  const double *value = solution_find(solution, name);
   if (!value)
     printf("# not known: %s\n", name);
   CU_ASSERT_PTR_NOT_NULL(value);
@@ -114,12 +116,12 @@ double refs_value(const struct nb_known *known, const char *name) {
 }
 
 struct nb_error refs_refused(const char *name, const struct refs_scene *it) {
-  struct nb_known known = {0};
+  struct nb_solution solution = {0};
   struct nb_error error = {0};
   const struct nb_reference *reference = nb_reference_find(name);
   CU_ASSERT_PTR_NOT_NULL_FATAL(reference);
-  CU_ASSERT_EQUAL(nb_reference_ask(reference, &known, &it->scene, &error), NB_BAD_USE);
+  CU_ASSERT_EQUAL(nb_reference_ask(reference, &solution, &it->scene, &error), NB_BAD_USE);
   CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
-  known_free(&known);
+  solution_free(&solution);
   return error;
 }

@@ -11,9 +11,9 @@ struct refs_scene {
   struct nb_scene scene;
   struct nb_material materials[3];
   struct nb_pair_rule rules[3];
-  struct nb_body bodies[9];
+  struct nb_particle particles[9];
   struct nb_wall walls[4];
-  struct nb_watch watches[32];
+  struct nb_monitor monitors[32];
   struct nb_stage stages[2];
   struct nb_wall_motion motions[8];
 };
@@ -30,13 +30,13 @@ void refs_row(struct refs_scene *it, const double k[3], const double m[2], doubl
               unsigned long rest);
 
 /* What a reference knows of a scene; the test fails when it does not answer. known_free it. */
-struct nb_known refs_known(const char *reference, const struct refs_scene *it);
+struct nb_solution refs_solution(const char *reference, const struct refs_scene *it);
 /* The value; not a number, and the test fails, when it is not known. */
-double refs_value(const struct nb_known *known, const char *name);
+double refs_value(const struct nb_solution *solution, const char *name);
 /* What the reference says against the scene; the test fails when it has nothing against it. */
 struct nb_error refs_refused(const char *reference, const struct refs_scene *it);
 
 /* Asserts |a - b| <= share * scale. */
-#define REFS_NEAR(a, b, share, scale) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(scale))
+#define REFS_NEAR(a, b, fraction, scale) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(scale))
 
 #endif

@@ -176,11 +176,11 @@ static void nothing_in_the_way(void) {
   CU_ASSERT_EQUAL(written_last(&result, "C.y"), 1);
   CU_ASSERT_EQUAL(written_last(&result, "C.vy"), 0);
   CU_ASSERT_EQUAL_FATAL(result.snapshot_count, 2);
-  CU_ASSERT_EQUAL(result.snapshots[0].bodies.row_count, 4);
-  const struct nb_table *bodies = &result.snapshots[1].bodies;
-  CU_ASSERT_EQUAL_FATAL(bodies->row_count, 2);
-  CU_ASSERT_EQUAL(bodies->values[0], 1);
-  CU_ASSERT_EQUAL(bodies->values[bodies->column_count], 4); /* it keeps its number */
+  CU_ASSERT_EQUAL(result.snapshots[0].particles.row_count, 4);
+  const struct nb_table *particles = &result.snapshots[1].particles;
+  CU_ASSERT_EQUAL_FATAL(particles->row_count, 2);
+  CU_ASSERT_EQUAL(particles->values[0], 1);
+  CU_ASSERT_EQUAL(particles->values[particles->column_count], 4); /* it keeps its number */
   nb_result_free(&result);
   written_free(&it);
 }

@@ -54,10 +54,10 @@ static struct off smooth(double pieces) {
   for (int path = 0; path < 10; path++) {
     struct contact it = begin(pieces);
     const double depth = chance_between(&chance, 0.2, 0.6), reach = 1e-6 * chance_between(&chance, 0.1, 1);
-    const double fast = chance_between(&chance, 6, 30), swing = chance_between(&chance, 6, 30);
+    const double fast = chance_between(&chance, 6, 30), oscillation = chance_between(&chance, 6, 30);
     for (double k = 1; k <= 400; k++) {
       const double x = 1e-6 * (1 - depth * cos(fast * k / 400));
-      const double u = reach * (sin(swing * k / 400) - sin(swing * (k - 1) / 400));
+      const double u = reach * (sin(oscillation * k / 400) - sin(oscillation * (k - 1) / 400));
       go(&off, &it, x, u);
     }
   }
@@ -84,15 +84,15 @@ enum shrinks { EVENLY, BY_A_FACTOR, BY_CHANCE };
 
 /* Slip to and fro between u and -u at one overlap, less at every turn until as many turns are done or next to nothing is left; then on, one
  * way, until it slides, and back. */
-static void ring_down(struct off *off, double pieces, enum shrinks shrinks, double turns, double factor, int way) {
+static void ring_down(struct off *off, double pieces, enum shrinks shrinks, double rotates, double factor, int way) {
   struct contact it = begin(pieces);
   struct chance chance = chance_begin(13);
   double at = 0, size = 0.98;
   go(off, &it, 1, 0);
-  for (double k = 0; k < turns && size > 1e-6; k++) {
+  for (double k = 0; k < rotates && size > 1e-6; k++) {
     const double to = (int)k % 2 ? -size : size;
     go(off, &it, 1, to - at), at = to;
-    size = shrinks == EVENLY ? 0.98 * (1 - (k + 1) / turns)
+    size = shrinks == EVENLY ? 0.98 * (1 - (k + 1) / rotates)
                              : size * (shrinks == BY_CHANCE ? chance_between(&chance, 2 * factor - 1, 1) : factor);
   }
   for (int k = 0; k < 50; k++)
@@ -125,8 +125,8 @@ static void they_come_back(void) {
   for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++) {
     struct off evenly = {0}, others = {0};
     for (int way = -1; way < 2; way += 2) {
-      for (double turns = 40; turns < 1000; turns *= 1.65)
-        ring_down(&evenly, wanted[k].pieces, EVENLY, floor(turns), 0, way);
+      for (double rotates = 40; rotates < 1000; rotates *= 1.65)
+        ring_down(&evenly, wanted[k].pieces, EVENLY, floor(rotates), 0, way);
       for (double less = 0.1; less > 0.005; less /= 1.6) {
         ring_down(&others, wanted[k].pieces, BY_A_FACTOR, 400, 1 - less, way);
         ring_down(&others, wanted[k].pieces, BY_CHANCE, 400, 1 - less, way);

@@ -130,7 +130,7 @@ static void a_snapshot_holds_what_touches(void) {
   written_run(&result, &it, NULL);
   CU_ASSERT_EQUAL_FATAL(result.snapshot_count, 1);
   const struct nb_table *contacts = &result.snapshots[0].contacts;
-  CU_ASSERT(result.snapshots[0].bodies.row_count == 3 && result.snapshots[0].walls.row_count == 1);
+  CU_ASSERT(result.snapshots[0].particles.row_count == 3 && result.snapshots[0].walls.row_count == 1);
   CU_ASSERT_EQUAL_FATAL(contacts->row_count, 2);
   for (size_t r = 0; r < 2; r++) {
     const double *values = contacts->values + r * contacts->column_count;

@@ -76,7 +76,7 @@ static void scale_matter(struct nb_scene *scene) {
 }
 
 static void scale_gravity(struct nb_gravity *gravity) {
-  SCALE(ACCELERATION, gravity->x), SCALE(ACCELERATION, gravity->y), SCALE(ACCELERATION, gravity->inward);
+  SCALE(ACCELERATION, gravity->x), SCALE(ACCELERATION, gravity->y), SCALE(ACCELERATION, gravity->central);
   SCALE(LENGTH, gravity->about_x), SCALE(LENGTH, gravity->about_y);
 }
 
@@ -99,8 +99,8 @@ static void scale_step(struct nb_step *step) {
 }
 
 static void scale_places(struct nb_scene *scene) {
-  for (size_t k = 0; k < scene->body_count; k++) {
-    struct nb_body *of = &scene->bodies[k];
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    struct nb_particle *of = &scene->particles[k];
     SCALE(LENGTH, of->x), SCALE(LENGTH, of->y), SCALE(LENGTH, of->radius);
     SCALE(VELOCITY, of->vx), SCALE(VELOCITY, of->vy), SCALE(SPIN, of->spin);
   }
@@ -130,12 +130,12 @@ static void scale_strain(struct nb_strain_rate *strain) {
     SCALE(RATE, strain->xx), SCALE(RATE, strain->xy), SCALE(RATE, strain->yx), SCALE(RATE, strain->yy);
 }
 
-static void scale_leg(struct nb_leg *leg) {
-  struct nb_aim *const aims[] = {&leg->normal, &leg->shear};
+static void scale_segment(struct nb_segment *segment) {
+  struct nb_aim *const aims[] = {&segment->normal, &segment->shear};
   for (int k = 0; k < 2; k++)
     aims[k]->value = as(aims[k]->value, aims[k]->force ? NB_UNIT_FORCE : NB_UNIT_LENGTH);
-  for (size_t k = 0; k < leg->point_count; k++)
-    SCALE(LENGTH, leg->points[k].approach), SCALE(LENGTH, leg->points[k].slip);
+  for (size_t k = 0; k < segment->point_count; k++)
+    SCALE(LENGTH, segment->points[k].approach), SCALE(LENGTH, segment->points[k].slip);
 }
 
 static void scale_servo(struct nb_servo *servo) {
@@ -160,11 +160,11 @@ static void scale_stage(struct nb_stage *stage) {
   scale_strain(&stage->boundary.strain), scale_strain(&stage->continuum.strain);
   scale_strain(&stage->cell), scale_strain(&stage->box);
   scale_servo(&stage->servo), scale_circle(&stage->circle), scale_gravity(&stage->gravity);
-  scale_step(&stage->step), scale_damping(&stage->damping), scale_leg(&stage->leg);
+  scale_step(&stage->step), scale_damping(&stage->damping), scale_segment(&stage->segment);
 }
 
 /* The overlap of an impact is a power 0.4 of L^(5/2). */
-static bool asks_duration(const struct nb_scene *scene) {
+static bool requests_duration(const struct nb_scene *scene) {
   bool asks = scene->impact.line || scene->step.kind == NB_STEP_CONTACT;
   for (size_t s = 0; s < scene->stage_count; s++)
     asks = asks || scene->stages[s].step.kind == NB_STEP_CONTACT;
@@ -174,13 +174,13 @@ static bool asks_duration(const struct nb_scene *scene) {
 static void choose(const struct nb_scene *scene) {
   bool young = false, spheres = false;
   by.discs = false;
-  for (size_t k = 0; k < scene->body_count; k++) {
-    spheres = spheres || scene->bodies[k].shape == NB_SPHERE;
-    by.discs = by.discs || scene->bodies[k].shape == NB_DISC;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    spheres = spheres || scene->particles[k].shape == NB_SPHERE;
+    by.discs = by.discs || scene->particles[k].shape == NB_DISC;
   }
   for (size_t k = 0; k < scene->material_count; k++)
     young = young || scene->materials[k].young > 0;
-  by.l = (by.discs && (young || spheres)) || asks_duration(scene) ? 0 : 6, by.m = -12, by.t = 18;
+  by.l = (by.discs && (young || spheres)) || requests_duration(scene) ? 0 : 6, by.m = -12, by.t = 18;
 }
 
 static void scale(struct nb_scene *scene) {

@@ -51,33 +51,35 @@ static void done(struct read *read) {
 static void lattice(void) {
   struct read read = read_scene(ROCK "disc 9 m 9 m radius 1 m rock\nlattice discs 3 by 2 radius 5 mm rock\n"
                                      "lattice spheres 2 by 2 from 1 m 2 m spacing 3 m radius 1 m rock\n" END);
-  const struct nb_body *bodies = read.scene.bodies;
-  CU_ASSERT_EQUAL_FATAL(read.scene.body_count, 11);
+  const struct nb_particle *particles = read.scene.particles;
+  CU_ASSERT_EQUAL_FATAL(read.scene.particle_count, 11);
   static const double x[] = {5, 15, 25, 5, 15, 25}, y[] = {5, 5, 5, 15, 15, 15}; /* mm */
   for (size_t i = 0; i < 6; i++) {
-    CU_ASSERT_DOUBLE_EQUAL(bodies[i + 1].x, x[i] / 1000, 1e-17);
-    CU_ASSERT_DOUBLE_EQUAL(bodies[i + 1].y, y[i] / 1000, 1e-17);
-    CU_ASSERT(bodies[i + 1].shape == NB_DISC && bodies[i + 1].radius == 0.005 && bodies[i + 1].line == 4);
+    CU_ASSERT_DOUBLE_EQUAL(particles[i + 1].x, x[i] / 1000, 1e-17);
+    CU_ASSERT_DOUBLE_EQUAL(particles[i + 1].y, y[i] / 1000, 1e-17);
+    CU_ASSERT(particles[i + 1].shape == NB_DISC && particles[i + 1].radius == 0.005 && particles[i + 1].line == 4);
   }
-  CU_ASSERT(bodies[7].x == 1 && bodies[7].y == 2 && bodies[8].x == 4 && bodies[8].y == 2);
-  CU_ASSERT(bodies[9].x == 1 && bodies[9].y == 5 && bodies[10].shape == NB_SPHERE);
+  CU_ASSERT(particles[7].x == 1 && particles[7].y == 2 && particles[8].x == 4 && particles[8].y == 2);
+  CU_ASSERT(particles[9].x == 1 && particles[9].y == 5 && particles[10].shape == NB_SPHERE);
   done(&read);
 }
 
-static void bodies(void) {
+static void particles(void) {
   struct read read =
       read_scene(ROCK "material air\nsphere 1 m 2 m rock fixed spin -3 rad/s velocity 4 m/s 5 mm/s radius 6 cm\n"
                       "disc 0 m 0 m radius 1 m air fixed\ndisc 5 m 5 m radius 1 m rock\n" END);
-  const struct nb_body *body = &read.scene.bodies[0];
-  CU_ASSERT(body->x == 1 && body->y == 2 && body->radius == 0.06 && body->vx == 4 && body->vy == 0.005);
-  CU_ASSERT(body->spin == -3 && body->fixed && body->shape == NB_SPHERE && body->material == 0);
-  CU_ASSERT(read.scene.bodies[1].fixed && read.scene.bodies[1].material == 1);
-  CU_ASSERT(!read.scene.bodies[2].fixed && read.scene.bodies[2].vx == 0 && read.scene.bodies[2].spin == 0);
-  CU_ASSERT_DOUBLE_EQUAL(nb_body_mass(&read.scene, body), 4.0 / 3 * acos(-1) * 2.16e-4 * 2000, 1e-14);
-  CU_ASSERT_DOUBLE_EQUAL(nb_body_inertia(&read.scene, body), 0.4 * 0.0036 * nb_body_mass(&read.scene, body), 1e-17);
-  body = &read.scene.bodies[2];
-  CU_ASSERT_DOUBLE_EQUAL(nb_body_mass(&read.scene, body), 2000 * acos(-1), 1e-11);
-  CU_ASSERT_DOUBLE_EQUAL(nb_body_inertia(&read.scene, body), 1000 * acos(-1), 1e-11);
+  const struct nb_particle *particle = &read.scene.particles[0];
+  CU_ASSERT(particle->x == 1 && particle->y == 2 && particle->radius == 0.06 && particle->vx == 4 &&
+            particle->vy == 0.005);
+  CU_ASSERT(particle->spin == -3 && particle->fixed && particle->shape == NB_SPHERE && particle->material == 0);
+  CU_ASSERT(read.scene.particles[1].fixed && read.scene.particles[1].material == 1);
+  CU_ASSERT(!read.scene.particles[2].fixed && read.scene.particles[2].vx == 0 && read.scene.particles[2].spin == 0);
+  CU_ASSERT_DOUBLE_EQUAL(nb_particle_mass(&read.scene, particle), 4.0 / 3 * acos(-1) * 2.16e-4 * 2000, 1e-14);
+  CU_ASSERT_DOUBLE_EQUAL(nb_particle_inertia(&read.scene, particle),
+                         0.4 * 0.0036 * nb_particle_mass(&read.scene, particle), 1e-17);
+  particle = &read.scene.particles[2];
+  CU_ASSERT_DOUBLE_EQUAL(nb_particle_mass(&read.scene, particle), 2000 * acos(-1), 1e-11);
+  CU_ASSERT_DOUBLE_EQUAL(nb_particle_inertia(&read.scene, particle), 1000 * acos(-1), 1e-11);
   done(&read);
 }
 
@@ -153,14 +155,14 @@ static void stages(void) {
   CU_ASSERT(d->damping.contact_kind == NB_CONTACT_UNDAMPED && d->damping.global_kind == NB_GLOBAL_UNDAMPED);
   CU_ASSERT(read.scene.step.kind == NB_STEP_CRITICAL && read.scene.column_count == 2);
   CU_ASSERT_STRING_EQUAL(read.scene.columns[1].name, "C.normal"); /* though C was named below */
-  CU_ASSERT(read.scene.columns[1].quantity.watch == 0 && read.scene.watches[0].b == 1);
+  CU_ASSERT(read.scene.columns[1].quantity.monitor == 0 && read.scene.monitors[0].b == 1);
   done(&read);
 }
 
 void suite_scene(void) {
   CU_pSuite suite = CU_add_suite("scene", NULL, NULL);
   CU_add_test(suite, "a lattice is numbered from the south-west", lattice);
-  CU_add_test(suite, "bodies, their mass and inertia", bodies);
+  CU_add_test(suite, "bodies, their mass and inertia", particles);
   CU_add_test(suite, "walls and boxes", walls);
   CU_add_test(suite, "pairs of materials", pairs);
   CU_add_test(suite, "defaults", defaults);

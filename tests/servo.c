@@ -27,9 +27,9 @@ static double strain(double radius, double wanted, double most, int every, doubl
   const double pi = 3.14159265358979323846, mass = 7 * 2 * pi, area = 1.5 * sqrt(3) * radius * radius, dt = 0.0125;
   const double stiffness = radius < 2 ? 1.5 * 1000 * radius * radius / area : 0;
   const double time = 2 * radius * sqrt(mass / (area * stiffness));
-  const double off = pressure(radius) - wanted, asked = off / (2 * stiffness * time) * dt;
-  const bool limited = !(stiffness > 0 && fabs(asked) <= most);
-  const double p = limited ? copysign(most, off) : asked, rate = p + *gathered;
+  const double off = pressure(radius) - wanted, requested = off / (2 * stiffness * time) * dt;
+  const bool limited = !(stiffness > 0 && fabs(requested) <= most);
+  const double p = limited ? copysign(most, off) : requested, rate = p + *gathered;
   const bool anew = limited || !(fabs(rate) <= most);
   *gathered = anew ? -(1 - sqrt(3) / 2) / 2 * p : *gathered + p * every * dt / (16 * time);
   return anew ? p + *gathered : rate;
@@ -166,7 +166,7 @@ static void every_tenth_cycle(void) {
 }
 
 /* A disc in the gap between three others, taken out, weighs nothing: the ring goes as if it had never been there, to the last bit. */
-static void what_is_gone_weighs_nothing(void) {
+static void what_is_removed_weighs_nothing(void) {
   static const char *const pages[] = {RING "stage s\n", RING "disc 1 0.577 radius 0.1 m\nstage s\nremove disc 8\n"};
   double radius[2];
   for (int k = 0; k < 2; k++) {
@@ -255,9 +255,9 @@ static void a_cell_is_servoed_too(void) {
     if (n % 4 == 0) {
       const double area = x * y / 36, b = 1000 * (x * x + y * y) / 36 / (4 * area);
       const double wave = sqrt(x * y) * sqrt(2 * pi / (area * b)), off = (px + py) / 2 - 5;
-      const double asked = n == 0 ? -1 : off / (2 * b * wave) * dt;
-      const double p = fabs(asked) > 1e-4 ? copysign(1e-4, asked) : asked;
-      const bool anew = p != asked || !(fabs(p + gathered) <= 1e-4);
+      const double requested = n == 0 ? -1 : off / (2 * b * wave) * dt;
+      const double p = fabs(requested) > 1e-4 ? copysign(1e-4, requested) : requested;
+      const bool anew = p != requested || !(fabs(p + gathered) <= 1e-4);
       const double begin = -(1 - sqrt(3) / 2) / 2 * p;
       rate = p + (anew ? begin : gathered);
       gathered = anew ? begin : gathered + p * 4 * dt / (16 * wave);
@@ -280,7 +280,7 @@ void suite_servo(void) {
   CU_add_test(suite, "a cell is servoed too", a_cell_is_servoed_too);
   CU_add_test(suite, "a region is looked at", a_region_is_looked_at);
   CU_add_test(suite, "the continuum goes along", the_continuum_goes_along);
-  CU_add_test(suite, "what is gone weighs nothing", what_is_gone_weighs_nothing);
+  CU_add_test(suite, "what is gone weighs nothing", what_is_removed_weighs_nothing);
   CU_add_test(suite, "what is not held goes on", what_is_not_held_goes_on);
   CU_add_test(suite, "isotropic has no shear", isotropic_has_no_shear);
   CU_add_test(suite, "every tenth cycle is looked at", every_tenth_cycle);

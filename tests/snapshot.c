@@ -28,21 +28,21 @@ static void columns(void) {
   struct nb_result result;
   struct written it;
   run(&result, &it);
-  const struct nb_table *bodies = &result.snapshots[0].bodies, *contacts = &result.snapshots[0].contacts;
-  CU_ASSERT_FATAL(bodies->row_count == 4 && contacts->row_count == 2);
+  const struct nb_table *particles = &result.snapshots[0].particles, *contacts = &result.snapshots[0].contacts;
+  CU_ASSERT_FATAL(particles->row_count == 4 && contacts->row_count == 2);
   static const double touching[] = {2, 1, 1, 0}, fixed[] = {0, 1, 1, 0}, vy[] = {0, 0, 0, -2}, spin[] = {0, 3, 0, 0};
   for (size_t k = 0; k < 4; k++) {
-    CU_ASSERT(written_cell(bodies, k, "contacts") == touching[k] && written_cell(bodies, k, "fixed") == fixed[k]);
-    CU_ASSERT_DOUBLE_EQUAL(written_cell(bodies, k, "vy"), vy[k],
+    CU_ASSERT(written_cell(particles, k, "contacts") == touching[k] && written_cell(particles, k, "fixed") == fixed[k]);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, k, "vy"), vy[k],
                            1e-8); /* the large one has begun to turn and to move */
-    CU_ASSERT_DOUBLE_EQUAL(written_cell(bodies, k, "spin"), spin[k], 1e-8);
+    CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, k, "spin"), spin[k], 1e-8);
   }
   const double E = 1000 / (2 * (1 - 0.0625));
   for (size_t k = 0; k < 2; k++) {
     const double overlap = k ? 0.02 : 0.01, a = sqrt(2. / 3 * overlap), n = 4. / 3 * E * a * overlap;
     const struct {
       const char *name;
-      double known;
+      double solution;
     } rows[] = {{"overlap", overlap},
                 {"normal", n},
                 {"radius", a},
@@ -51,7 +51,7 @@ static void columns(void) {
                 {"angle", k ? pi / 2 : 0},
                 {"limit", k ? 0.5 * n : 0}}; /* a does not rub on a */
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
-      CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, rows[r].name), rows[r].known, 1e-12 * (1 + rows[r].known));
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, rows[r].name), rows[r].solution, 1e-12 * (1 + rows[r].solution));
   }
   nb_result_free(&result);
   written_free(&it);

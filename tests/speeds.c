@@ -47,7 +47,7 @@ static void speeds(void) {
 }
 
 /* From the begin of the first stage on a body has what carries it, before it has moved. */
-static void carried_before_the_first_step(void) {
+static void imposed_before_the_first_step(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error;
@@ -85,6 +85,6 @@ static void weighed_towards_a_point(void) {
 void suite_speeds(void) {
   CU_pSuite suite = CU_add_suite("speeds", NULL, NULL);
   CU_add_test(suite, "speeds beyond what carries along", speeds);
-  CU_add_test(suite, "carried before the first step", carried_before_the_first_step);
+  CU_add_test(suite, "carried before the first step", imposed_before_the_first_step);
   CU_add_test(suite, "weight towards a point", weighed_towards_a_point);
 }

@@ -17,7 +17,7 @@ static inline double press(double x) { return x > 0 ? 4. / 3 * E * sqrt(R) * x *
 static inline double slope(void) { return mu * E / (4 * G); } /* mu kappa */
 
 /* A leg of a path: to this share of the overlap at N, and slip in units of A = mu kappa alpha at N. */
-struct leg {
+struct segment {
   double alpha, slip;
 };
 
@@ -31,7 +31,7 @@ struct contact {
 static inline struct contact contact_of(const char *law) {
   struct contact it = {.law = nb_law_find("shear", law), .pair = {.young = E, .shear = G, .radius = R, .friction = mu}};
   it.pair.pieces = it.law->pieces;
-  CU_ASSERT_FATAL(nb_law_memory(it.law, it.pair) <= (int)(sizeof it.m / sizeof *it.m));
+  CU_ASSERT_FATAL(nb_law_history(it.law, it.pair) <= (int)(sizeof it.m / sizeof *it.m));
   return it;
 }
 

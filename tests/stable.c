@@ -12,7 +12,7 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, share) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(b))
+#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
 
 /* All of one scene: what the program says, and what the judges say. */
 struct told {
@@ -190,9 +190,9 @@ static void by_chance(unsigned seeds, size_t nx, size_t ny, bool cycle, double l
     damping(&page, &chance);
     const struct told it = told(&page, cycle);
     in_order(&it);
-    const double share = it.safe / it.modes;
-    sum += share;
-    lowest = share < lowest ? share : lowest;
+    const double fraction = it.safe / it.modes;
+    sum += fraction;
+    lowest = fraction < lowest ? fraction : lowest;
   }
   printf("# %zu by %zu: safe/limit is %.3f in the mean of %u, %.3f at least\n", nx, ny, sum / seeds, seeds, lowest);
   CU_ASSERT(lowest > least); /* and it is no idle bound */
@@ -217,8 +217,8 @@ static void storage_changes_no_bit(void) {
 }
 
 /* A law that may unload forty times as stiffly as it loads. */
-static struct nb_normal yields(struct nb_pair p, double overlap, double closing, double m[]) {
-  (void)closing, (void)m;
+static struct nb_normal yields(struct nb_pair p, double overlap, double dn, double m[]) {
+  (void)dn, (void)m;
   return (struct nb_normal){.force = p.kn * overlap, .stiffness = p.kn, .stiffest = 40 * p.kn};
 }
 
@@ -237,7 +237,7 @@ static void a_stiffer_way_back_counts(void) {
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     const double before = nb_safe_step(model).step;
-    model->coming.normal = &law;
+    model->next.normal = &law;
     CU_ASSERT_DOUBLE_EQUAL(nb_safe_step(model).step, before / sqrt(40), 1e-12 * before);
     nb_model_free(model);
     written_free(&it);

@@ -138,7 +138,7 @@ static void rules_of_stages_fit(void) {
 }
 
 /* The state of other bodies is refused: of another radius, shape, material or mobility, one by one. */
-static void other_bodies_do_not_fit(void) {
+static void other_particles_do_not_fit(void) {
   struct words page = {0};
   struct written it;
   struct nb_saved saved;
@@ -150,11 +150,11 @@ static void other_bodies_do_not_fit(void) {
   continued_stages(model, 0, 1);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
-  const struct nb_saved_body was = saved.bodies[1];
-  struct nb_saved_body others[4] = {was, was, was, was};
+  const struct nb_saved_particle was = saved.particles[1];
+  struct nb_saved_particle others[4] = {was, was, was, was};
   others[0].radius = nextafter(1, 2), others[1].shape = NB_SPHERE, others[2].material = 0, others[3].mobility = NB_FREE;
   for (int k = 0; k < 4; k++) {
-    saved.bodies[1] = others[k];
+    saved.particles[1] = others[k];
     CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
   }
   nb_saved_free(&saved);
@@ -163,7 +163,7 @@ static void other_bodies_do_not_fit(void) {
 }
 
 /* Without dashpots what contacts feel is what the laws say: a page that goes on with dashpots reads it. */
-static void felt_without_dashpots(void) {
+static void contact_forces_without_dashpots(void) {
   struct written it;
   struct nb_saved saved;
   struct nb_error error;
@@ -176,8 +176,8 @@ static void felt_without_dashpots(void) {
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   for (size_t c = 0; c < saved.contact_count; c++) {
     const double *field = saved.contacts[c].field;
-    CU_ASSERT_EQUAL(field[NB_PUSH], field[NB_NORMAL]);
-    CU_ASSERT_EQUAL(field[NB_DRAG], field[NB_SHEAR]);
+    CU_ASSERT_EQUAL(field[NB_TOTAL_NORMAL], field[NB_NORMAL]);
+    CU_ASSERT_EQUAL(field[NB_TOTAL_SHEAR], field[NB_SHEAR]);
     rubbing += field[NB_SHEAR] != 0;
   }
   CU_ASSERT(rubbing > 3);
@@ -211,8 +211,8 @@ static void the_step_before_goes_on(void) {
     const double stiffness = model->contacts.kept[NB_SHEAR_STIFFNESS][c];
     CU_ASSERT_EQUAL(next->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c], stiffness);
     CU_ASSERT_EQUAL(next->contacts.kept[NB_SHEAR_BEFORE][c], model->contacts.kept[NB_SHEAR][c]);
-    CU_ASSERT_EQUAL(next->contacts.muted[c] & 1, model->contacts.muted[c] & 1);
-    suppressed += model->contacts.muted[c] & 1, sheared += stiffness > 0;
+    CU_ASSERT_EQUAL(next->contacts.suppressed[c] & 1, model->contacts.suppressed[c] & 1);
+    suppressed += model->contacts.suppressed[c] & 1, sheared += stiffness > 0;
   }
   CU_ASSERT_EQUAL(suppressed, 1);
   CU_ASSERT(sheared > 0);
@@ -250,8 +250,8 @@ void suite_state(void) {
   CU_add_test(suite, "and with every damping", all_dampings);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
   CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
-  CU_add_test(suite, "other bodies do not fit", other_bodies_do_not_fit);
-  CU_add_test(suite, "what is felt without dashpots", felt_without_dashpots);
+  CU_add_test(suite, "other bodies do not fit", other_particles_do_not_fit);
+  CU_add_test(suite, "what is felt without dashpots", contact_forces_without_dashpots);
   CU_add_test(suite, "the step before goes on", the_step_before_goes_on);
   CU_add_test(suite, "what is remembered behind a 0", what_is_remembered_behind_a_0);
 }

@@ -112,12 +112,12 @@ static void otherwise(const char *statements, int drop) {
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   nb_model_free(model);
   const struct nb_saved whole = saved;
-  struct nb_saved_carried some[9] = {{.by = NB_CARRIER_NONE}};
-  saved.carried = some;
-  saved.carried_count = drop == 1 ? 1 : drop == 2 ? saved.body_count : whole.carried_count;
+  struct nb_saved_imposed some[9] = {{.by = NB_CARRIER_NONE}};
+  saved.imposed = some;
+  saved.imposed_count = drop == 1 ? 1 : drop == 2 ? saved.particle_count : whole.imposed_count;
   saved.cell.is = saved.cell.is != (drop == 3);
   saved.ring.is = saved.ring.is || drop == 4;
-  saved.turns = saved.turns && drop != 5;
+  saved.rotates = saved.rotates && drop != 5;
   saved.ring.pressing = drop == 6;
   it.scene.start.stages = 1;
   model = nb_model_resume(&it.scene, &options, &saved, &error);

@@ -59,7 +59,7 @@ static void every_length(void) {
 }
 
 struct mistake {
-  const char *from, *to, *said;
+  const char *from, *to, *given;
 };
 
 static void mistakes(const char *page, const struct mistake rows[], size_t count) {
@@ -68,9 +68,9 @@ static void mistakes(const char *page, const struct mistake rows[], size_t count
     size_t size;
     char *text = state_changed(page, rows[k].from, rows[k].to, &size);
     CU_ASSERT(!reads(text, size, &error));
-    if (!strstr(error.text, rows[k].said))
-      printf("# said: %s\n# wanted: %s\n", error.text, rows[k].said);
-    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, rows[k].said));
+    if (!strstr(error.text, rows[k].given))
+      printf("# said: %s\n# wanted: %s\n", error.text, rows[k].given);
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, rows[k].given));
     free(text);
   }
 }

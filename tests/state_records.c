@@ -89,7 +89,7 @@ static size_t line_number(const char *text, const char *at) {
 }
 
 /* Reads the text with the bytes from `from` to `to` replaced; what is said. */
-static struct nb_error said(const char *text, size_t size, const char *from, const char *to, const char *by) {
+static struct nb_error given(const char *text, size_t size, const char *from, const char *to, const char *by) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
   size_t sealed_size;
@@ -108,7 +108,7 @@ static void refused(const char *text, size_t size, char *field, size_t length, c
     line--;
   snprintf(where, sizeof where, "a.state:%zu:%zu: ", line_number(text, field), (size_t)(field - line) + 1);
   where[vector ? strcspn(where, ":") + 1 : strlen(where)] = 0; /* a vector is refused at its last number */
-  const struct nb_error error = said(text, size, field, field + length, by);
+  const struct nb_error error = given(text, size, field, field + length, by);
   if (strncmp(error.text, where, strlen(where)) != 0)
     printf("# `%s` in %.*s: expected %s…, found `%s`\n", by, (int)(strcspn(field, "\n") + (size_t)(field - line)), line,
            where, error.text);
@@ -122,7 +122,7 @@ static void every_field(void) {
     size_t size;
     char *text = state_of(records[r].page, &size), *end, *at = line_of(text, records[r].record, &end);
     at += strlen(records[r].record);
-    CU_ASSERT_EQUAL(said(text, size, text, text, "").status, NB_OK);
+    CU_ASSERT_EQUAL(given(text, size, text, text, "").status, NB_OK);
     for (const char *kind = records[r].fields; *kind && *at == ' '; kind++) {
       const size_t length = strcspn(++at, " \n");
       for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
@@ -140,7 +140,7 @@ static void every_field(void) {
 static void every_record(void) {
   static const struct {
     const char *page, *record;
-    const char *gone; /* what is said without it */
+    const char *removed; /* what is said without it */
   } rows[] = {
       {state_plain, "program", "expected a record `program` above"},
       {state_plain, "page", "expected a record `page` above"},
@@ -166,24 +166,24 @@ static void every_record(void) {
     size_t size;
     char *text = state_of(rows[r].page, &size), *end, *at = line_of(text, rows[r].record, &end), twice[1024];
     snprintf(twice, sizeof twice, "%.*s\n%.*s\n", (int)(end - at), at, (int)(end - at), at);
-    struct nb_error error = said(text, size, at, end + 1, twice);
+    struct nb_error error = given(text, size, at, end + 1, twice);
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "expected such a record once"));
-    error = said(text, size, at, end + 1, "");
-    CU_ASSERT(rows[r].gone ? strstr(error.text, rows[r].gone) != NULL : error.status == NB_OK);
+    error = given(text, size, at, end + 1, "");
+    CU_ASSERT(rows[r].removed ? strstr(error.text, rows[r].removed) != NULL : error.status == NB_OK);
     free(text);
   }
 }
 
-static void without_bodies(void) {
+static void without_particles(void) {
   static const char text[] =
       "nineball state 1\nprogram 1\npage a\nhash 0000000000000000\nstage a\ncycle 1 1\n"
       "time 0x1p+0 0x1p+0\nunits si\ngravity 0x0p+0 0x0p+0\nlaw normal linear\nlaw shear none 0\n"
       "end 0000000000000000\n";
-  const struct nb_error error = said(text, sizeof text - 1, text, text, "");
+  const struct nb_error error = given(text, sizeof text - 1, text, text, "");
   CU_ASSERT_STRING_EQUAL(error.text, "a.state:12:1: expected a record `body` above, found `end`");
   /* A last line without an end, and its right checksum. */
   const char *end = strstr(text, "\nend ");
-  CU_ASSERT_PTR_NOT_NULL(strstr(said(text, sizeof text - 1, end, end + 1, "").text, "expected another checksum"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, sizeof text - 1, end, end + 1, "").text, "expected another checksum"));
 }
 
 /* As many records, and as many numbers in one, as there may be; and one more. */
@@ -193,18 +193,18 @@ static void at_most(void) {
   char *many = calloc(NB_NAMED_MAX + 1, 16);
   for (int k = 0; k + 1 < NB_NAMED_MAX; k++) /* there is one already */
     strcat(many, "setting a=1\n");
-  CU_ASSERT_EQUAL(said(text, size, at, at, many).status, NB_OK);
+  CU_ASSERT_EQUAL(given(text, size, at, at, many).status, NB_OK);
   strcat(many, "setting a=1\n");
-  CU_ASSERT_PTR_NOT_NULL(strstr(said(text, size, at, at, many).text, "expected at most 2000 such records"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, at, many).text, "expected at most 2000 such records"));
   free(many);
   at = line_of(text, "shear", &end);
-  many = calloc(NB_MEMORY_MAX + 3, 3);
+  many = calloc(NB_HISTORY_MAX + 3, 3);
   strcpy(many, "shear");
-  for (int k = 0; k < NB_MEMORY_MAX; k++)
+  for (int k = 0; k < NB_HISTORY_MAX; k++)
     strcat(many, " 0");
-  CU_ASSERT_PTR_NOT_NULL(strstr(said(text, size, at, end, many).text, "numbers that the law can have remembered"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, end, many).text, "numbers that the law can have remembered"));
   strcat(many, " 0");
-  CU_ASSERT_PTR_NOT_NULL(strstr(said(text, size, at, end, many).text, "expected at most 1292 numbers"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, end, many).text, "expected at most 1292 numbers"));
   free(many), free(text);
 }
 
@@ -212,6 +212,6 @@ void suite_state_records(void) {
   CU_pSuite suite = CU_add_suite("state_records", NULL, NULL);
   CU_add_test(suite, "what a field may not be is refused there", every_field);
   CU_add_test(suite, "a record that is missing, or there twice", every_record);
-  CU_add_test(suite, "no body, no end of the last line", without_bodies);
+  CU_add_test(suite, "no body, no end of the last line", without_particles);
   CU_add_test(suite, "no more than there may be", at_most);
 }

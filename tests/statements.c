@@ -33,18 +33,18 @@ static void a_wall_turns_about_a_point(void) {
   static const double sizes[] = {1e-6, 1e-3, 1, 1e3, 1e6};
   for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
     for (int n = -9; n <= 9; n++) {
-      const double s = sizes[k], share = 0.37 * n;
+      const double s = sizes[k], fraction = 0.37 * n;
       char text[256];
       snprintf(text, sizeof text, "wall w %.17g %.17g to %.17g %.17g rock about %.17g %.17g", 0.1 * s, 0.3 * s, 3.1 * s,
-               1.3 * s, (0.1 + 3 * share) * s, (0.3 + share) * s);
+               1.3 * s, (0.1 + 3 * fraction) * s, (0.3 + fraction) * s);
       const struct nb_wall on = wall_of(text);
       CU_ASSERT_EQUAL(on.h0, 0);
-      CU_ASSERT_DOUBLE_EQUAL(on.h1, -share * sqrt(10) * s, 1e-14 * s * (1 + fabs(share)));
-      CU_ASSERT_DOUBLE_EQUAL(on.h2, (1 - share) * sqrt(10) * s, 1e-14 * s * (1 + fabs(share)));
+      CU_ASSERT_DOUBLE_EQUAL(on.h1, -fraction * sqrt(10) * s, 1e-14 * s * (1 + fabs(fraction)));
+      CU_ASSERT_DOUBLE_EQUAL(on.h2, (1 - fraction) * sqrt(10) * s, 1e-14 * s * (1 + fabs(fraction)));
       snprintf(text, sizeof text, "wall w %.17g %.17g to %.17g %.17g rock about %.17g %.17g", 0.1 * s, 0.3 * s, 3.1 * s,
-               1.3 * s, (0.1 + 3 * share + 1e-9) * s, (0.3 + share - 3e-9) * s);
+               1.3 * s, (0.1 + 3 * fraction + 1e-9) * s, (0.3 + fraction - 3e-9) * s);
       const struct nb_wall beside = wall_of(text);
-      CU_ASSERT_DOUBLE_EQUAL(beside.h0, sqrt(10) * 1e-9 * s, 1e-15 * s * (1 + fabs(share)));
+      CU_ASSERT_DOUBLE_EQUAL(beside.h0, sqrt(10) * 1e-9 * s, 1e-15 * s * (1 + fabs(fraction)));
     }
 }
 
@@ -63,20 +63,20 @@ static void one_rigid_sphere(void) {
 static size_t columns(double *sum, size_t *mistakes, bool unitless, const char *text) {
   static const struct nb_wanted wanted[] = {{"a", "b", false}, {"c", NULL, true}};
   char path[] = "/tmp/nineball-columns-XXXXXX";
-  struct nb_mistakes said = {0};
+  struct nb_mistakes given = {0};
   double *values;
   size_t rows;
   const int file = mkstemp(path);
   CU_ASSERT_FATAL(file >= 0);
   CU_ASSERT_FATAL(write(file, text, strlen(text)) == (ssize_t)strlen(text));
   close(file);
-  nb_columns_read(&values, &rows, path, wanted, 2, unitless, &said);
+  nb_columns_read(&values, &rows, path, wanted, 2, unitless, &given);
   unlink(path);
-  *sum = 0, *mistakes = said.count;
+  *sum = 0, *mistakes = given.count;
   for (size_t k = 0; k < rows; k++)
     *sum += values[2 * k] + 1000 * values[2 * k + 1];
   free(values);
-  nb_mistakes_free(&said);
+  nb_mistakes_free(&given);
   return rows;
 }
 
@@ -157,11 +157,11 @@ static const struct {
     {NB_IN_SCENE, "```scene\nlet speed = 1 m/s\n", "\nstage go\ncycles 1\n```\n"},
     {NB_IN_STAGE, "```scene\nlet speed = 1 m/s\nstage go\n", "\ncycles 1\n```\n"},
     {NB_IN_PATH, "```contact-test\nlet speed = 1 m/s\n", "\nsegment go slip by 1 um\n```\n"},
-    {NB_IN_LEG, "```contact-test\nlet speed = 1 m/s\nsegment go slip by 1 um\n", "\n```\n"},
+    {NB_IN_SEGMENT, "```contact-test\nlet speed = 1 m/s\nsegment go slip by 1 um\n", "\n```\n"},
 };
 
 static const char *rightly(unsigned where, unsigned here) {
-  const unsigned test = NB_IN_PATH | NB_IN_LEG, scene = NB_IN_SCENE | NB_IN_STAGE;
+  const unsigned test = NB_IN_PATH | NB_IN_SEGMENT, scene = NB_IN_SCENE | NB_IN_STAGE;
   if (!(where & (here & test ? test : scene)))
     return here & test ? "in a block of kind `scene`" : "in a block of kind `contact-test`";
   return here == NB_IN_SCENE   ? "in a stage: below a line `stage NAME`"
@@ -198,7 +198,7 @@ static void the_wrong_place(void) {
   for (size_t k = 0; (row = nb_keyword_row(nb_keywords(), k)); k++)
     for (size_t f = 0; f < sizeof frames / sizeof *frames; f++) {
       const unsigned here = frames[f].here;
-      char line[256], name[64], said[160];
+      char line[256], name[64], given[160];
       struct words words = {0};
       struct nb_mistakes mistakes = {0};
       struct nb_page page = {0};
@@ -210,9 +210,9 @@ static void the_wrong_place(void) {
       words_add(&words, "%s%s%s", frames[f].before, line, frames[f].behind);
       nb_page_read_bytes(&page, "wrong.md", words.text, words.length, &mistakes);
       nb_scene_read(&scene, &page, 0, NULL, &mistakes);
-      snprintf(said, sizeof said, "belongs %s", rightly(row->where, here));
-      if (!mistakes.text || !strstr(mistakes.text, said)) {
-        printf("# no `%s` in what is said of `%s`:\n# %s\n", said, line, mistakes.text ? mistakes.text : "nothing");
+      snprintf(given, sizeof given, "belongs %s", rightly(row->where, here));
+      if (!mistakes.text || !strstr(mistakes.text, given)) {
+        printf("# no `%s` in what is said of `%s`:\n# %s\n", given, line, mistakes.text ? mistakes.text : "nothing");
         CU_FAIL("the message does not say where a statement belongs");
       }
       wrong++;

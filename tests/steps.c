@@ -8,7 +8,7 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, share) CU_ASSERT(fabs((a) - (b)) <= (share)*fabs(b))
+#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
 
 /* ---- the step of a page ---- */
 
@@ -121,12 +121,13 @@ static void a_contact_of_spheres(void) {
 
 /* Springs of no stiffness, or nothing that may move: no share of that is a step. */
 static void a_step_without_end(void) {
-  static const char *const bodies[] = {"kn 0\ndisc 0 0 radius 1 m", "kn 8\ndisc 0 0 radius 1 m fixed"};
+  static const char *const particles[] = {"kn 0\ndisc 0 0 radius 1 m", "kn 8\ndisc 0 0 radius 1 m fixed"};
   for (size_t n = 0; n < 2; n++) {
     struct words page = {0};
     struct written it;
     struct nb_error error = {0};
-    words_add(&page, "units none\nmaterial m density 1 %s\nstep 0.1 of single-contact\nstage s\ncycles 1\n", bodies[n]);
+    words_add(&page, "units none\nmaterial m density 1 %s\nstep 0.1 of single-contact\nstage s\ncycles 1\n",
+              particles[n]);
     written_scene(&it, &page);
     CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
     CU_ASSERT_EQUAL(error.status, NB_BAD_USE);

@@ -46,7 +46,7 @@ static void through_or_not(void) {
     /* Where it goes through the line, about one of the ends; and from how far above it to how far below, or not so far. */
     const double at = (chance_between(&chance, 0, 1) < 0.5 ? h1 : h2) + size * by(&chance);
     const double y0 = size * by(&chance), y1 = size * by(&chance), drift = size * by(&chance);
-    const double share = y0 / (y0 - y1), x0 = at - share * drift, x1 = x0 + drift;
+    const double fraction = y0 / (y0 - y1), x0 = at - fraction * drift, x1 = x0 + drift;
     const bool wanted = (y0 > 0) != (y1 > 0) && at >= h1 && at <= h2;
     const struct nb_vec p = vec(chance_between(&chance, -9, 9), chance_between(&chance, -9, 9));
     const struct nb_vec v = vec(chance_between(&chance, -9, 9), chance_between(&chance, -9, 9));
@@ -54,7 +54,7 @@ static void through_or_not(void) {
     const struct nb_vec before = place(vec_sub(p, vec_scale(dt, v)), angle - spin * dt, h0, x0, y0);
     walls->pivot[0] = p, walls->velocity[0] = v, walls->spin[0] = spin, walls->along[0] = vec(cos(angle), sin(angle));
     walls->point[0] = place(p, angle, h0, 0, 0);
-    model->bodies.position[0] = now, model->bodies.velocity[0] = vec_scale(1 / dt, vec_sub(now, before));
+    model->particles.position[0] = now, model->particles.velocity[0] = vec_scale(1 / dt, vec_sub(now, before));
     struct nb_error error = {0};
     CU_ASSERT_EQUAL(nb_walls_crossed(model, true, &error), wanted ? NB_BROKEN : NB_OK);
     crossings += wanted;
@@ -77,7 +77,7 @@ static const char *crossing(struct nb_error *error, double h1, bool fixed, doubl
   struct nb_model *model = written_model(&it, NULL);
   model->cycle = 1, model->previous_step = 1;
   model->walls.h1[0] = h1, model->walls.h2[0] = h1 + 2;
-  model->bodies.position[0] = vec(x, y), model->bodies.velocity[0] = vec(dx, dy);
+  model->particles.position[0] = vec(x, y), model->particles.velocity[0] = vec(dx, dy);
   *error = (struct nb_error){0};
   const enum nb_status status = nb_walls_crossed(model, true, error);
   CU_ASSERT((status == NB_BROKEN) == (error->text[0] != 0));

@@ -12,7 +12,7 @@
 /* What is planted is on the edge and holds; a little further that way it does not. */
 struct edge {
   const char *expectation;
-  double known[6]; /* of A.x; of a curve row by row */
+  double solution[6]; /* of A.x; of a curve row by row */
   int count;
   double x[6];
   int which, outwards;
@@ -27,10 +27,10 @@ static void edges(const struct edge *list, size_t count) {
       x[list[k].which] += beyond * list[k].outwards * 1e-12;
       planted_page(&outcome, "", list[k].expectation);
       planted_rows(&outcome, 0, list[k].count, x);
-      planted_curve(&outcome, list[k].count, list[k].known);
+      planted_curve(&outcome, list[k].count, list[k].solution);
       const struct nb_measure *measure = &outcome.runs[0].expectations.list[0].measure;
       if (!measure->vanishes)
-        planted_known(&outcome, measure->label, list[k].known[0]);
+        planted_solution(&outcome, measure->label, list[k].solution[0]);
       planted_is(&outcome, beyond ? NB_FAIL : NB_PASS);
       nb_outcome_free(&outcome);
     }
@@ -124,7 +124,7 @@ static void along(void) {
 static void worst_row(void) {
   static const struct {
     const char *expectation, *words;
-    double known[3], x[3];
+    double solution[3], x[3];
   } rows[] = {
       {"A.x versus time within 1e-4 %",
        "computed 20, reference 10, error 100 %, tolerance 0.0001 %; the worst of 3 rows, at time = 2",
@@ -171,7 +171,7 @@ static void worst_row(void) {
     struct nb_outcome outcome;
     planted_page(&outcome, "", rows[k].expectation);
     planted_rows(&outcome, 0, 3, rows[k].x);
-    planted_curve(&outcome, 3, rows[k].known);
+    planted_curve(&outcome, 3, rows[k].solution);
     planted_is(&outcome, NB_FAIL);
     planted_says(&outcome, rows[k].words);
     nb_outcome_free(&outcome);
@@ -210,7 +210,7 @@ static void words(void) {
   nb_outcome_free(&outcome);
   planted_page(&outcome, "", "A.x   within\t 2  # of something");
   planted_rows(&outcome, 0, 1, (double[]){1});
-  planted_known(&outcome, "A.x", 1);
+  planted_solution(&outcome, "A.x", 1);
   planted_is(&outcome, NB_PASS);
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].label, "A.x within 2");
   CU_ASSERT_EQUAL(outcome.page.lines[outcome.checks[0].line - 1][0], 'A');

@@ -101,12 +101,12 @@ static void orders(void) {
   planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 in h within 1e-9");
   planted_runs(&outcome, (double[]){11, 22, 34});
   for (size_t r = 0; r < 3; r++)
-    known_value(&outcome.runs[r].known, 10 * (double)(r + 1), "A.x");
+    solution_value(&outcome.runs[r].solution, 10 * (double)(r + 1), "A.x");
   planted_is(&outcome, NB_PASS);
   nb_outcome_free(&outcome);
   planted_page(&outcome, "sweep w 5 6\nsweep h 1 2", "A.x order 1 in h within 1e-9"); /* for each w apart */
   planted_runs(&outcome, (double[]){1, 2, 1, 4});
-  planted_known(&outcome, "A.x", 0);
+  planted_solution(&outcome, "A.x", 0);
   planted_is(&outcome, NB_PASS);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
   CU_ASSERT_STRING_EQUAL(outcome.checks[0].words,
@@ -117,7 +117,7 @@ static void orders(void) {
   nb_outcome_free(&outcome);
   planted_page(&outcome, "sweep h 1 2 4", "A.x order 1 in h within 1e300");
   planted_runs(&outcome, (double[]){11, 22, 34});
-  planted_known(&outcome, "A.x", NAN);
+  planted_solution(&outcome, "A.x", NAN);
   planted_is(&outcome, NB_FAIL);
   planted_says(&outcome, "the error at 1 is nan");
   nb_outcome_free(&outcome);

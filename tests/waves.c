@@ -20,16 +20,16 @@ static void a_wave_is_a_sine_from_the_centre(void) {
             "disc 7 6 radius 0.5 m velocity 3 4\nperturb wave 0.2 -0.1 periods 2 -1\nperturb wave 0 0.5 periods 0 3\n"
             "disc 10 6 radius 0.5 m velocity 1 2\nstep 1\nrecord time\nstage s\ncycles 1\n");
   written_scene(&it, &page);
-  CU_ASSERT_EQUAL_FATAL(it.scene.body_count, 18);
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 18);
   for (size_t k = 0; k < 18; k++) {
-    const struct nb_body *body = &it.scene.bodies[k];
-    const double one = sin(2 * pi * (2 * (body->x - 22) / 40 - (body->y - 9) / 16));
-    const double two = sin(2 * pi * 3 * (body->y - 9) / 16), above = k < 17 && !body->fixed;
+    const struct nb_particle *particle = &it.scene.particles[k];
+    const double one = sin(2 * pi * (2 * (particle->x - 22) / 40 - (particle->y - 9) / 16));
+    const double two = sin(2 * pi * 3 * (particle->y - 9) / 16), above = k < 17 && !particle->fixed;
     const double vx = k == 16 ? 3 : k == 17 ? 1 : 0, vy = k == 16 ? 4 : k == 17 ? 2 : 0;
-    CU_ASSERT_DOUBLE_EQUAL(body->vx, vx + above * 0.2 * one, 1e-14);
-    CU_ASSERT_DOUBLE_EQUAL(body->vy, vy + above * (-0.1 * one + 0.5 * two), 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(particle->vx, vx + above * 0.2 * one, 1e-14);
+    CU_ASSERT_DOUBLE_EQUAL(particle->vy, vy + above * (-0.1 * one + 0.5 * two), 1e-14);
   }
-  CU_ASSERT(fabs(it.scene.bodies[0].vx) > 0.01);
+  CU_ASSERT(fabs(it.scene.particles[0].vx) > 0.01);
   written_free(&it);
 }
 

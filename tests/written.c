@@ -35,8 +35,8 @@ void written_scene(struct written *written, struct words *words) {
   CU_ASSERT_FATAL(descriptor >= 0);
   FILE *file = fdopen(descriptor, "w");
   CU_ASSERT_PTR_NOT_NULL_FATAL(file);
-  const bool bench = strncmp(words->text, "path\n", 5) == 0; /* its own kind of block */
-  fprintf(file, "```%s\n%s\n```\n", bench ? "contact-test" : "scene", words->text + (bench ? 5 : 0));
+  const bool contact_test = strncmp(words->text, "path\n", 5) == 0; /* its own kind of block */
+  fprintf(file, "```%s\n%s\n```\n", contact_test ? "contact-test" : "scene", words->text + (contact_test ? 5 : 0));
   fclose(file);
   free(words->text);
   *words = (struct words){0};

@@ -42,7 +42,7 @@ static void left(double f[4], const struct lattice *it, const struct state *s, e
 }
 
 /* Gauss's elimination with the largest pivot. */
-static void solve(double a[4][5], double x[4]) {
+static void solve_equations(double a[4][5], double x[4]) {
   for (int k = 0; k < 4; k++) {
     int p = k;
     for (int i = k + 1; i < 4; i++)
@@ -77,7 +77,7 @@ static struct state settle(const struct lattice *it, enum hold hold, const struc
       for (int i = 0; i < 4; i++)
         a[i][j] = g[i] - f[i], a[i][4] = -f[i];
     }
-    solve(a, x);
+    solve_equations(a, x);
     s.w += x[0] * way[0], s.h += x[1] * way[1], s.sx += x[2] * way[2], s.sy += x[3] * way[3];
   }
   return s;
@@ -85,18 +85,18 @@ static struct state settle(const struct lattice *it, enum hold hold, const struc
 
 /* The lattice of the page: rows from south to north, all touching. */
 static bool find_lattice(struct lattice *it, const struct nb_scene *scene) {
-  const struct nb_body *first = scene->bodies;
+  const struct nb_particle *first = scene->particles;
   size_t nx = 1;
-  while (nx < scene->body_count && scene->bodies[nx].y == first->y)
+  while (nx < scene->particle_count && scene->particles[nx].y == first->y)
     nx++;
-  *it = (struct lattice){(double)nx, (double)(scene->body_count / nx), first->radius,
+  *it = (struct lattice){(double)nx, (double)(scene->particle_count / nx), first->radius,
                          matter_pair(scene, first->material, first->material).kn};
-  bool is = scene->wall_count == 4 && scene->body_count % nx == 0;
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
+  bool is = scene->wall_count == 4 && scene->particle_count % nx == 0;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
     const double x = first->x + 2 * it->r * (double)(k % nx), y = first->y + 2 * it->r * (double)(k / nx);
-    is = is && body->radius == it->r && body->material == first->material &&
-         fabs(body->x - x) + fabs(body->y - y) < 1e-12 * it->r * it->nx * it->ny;
+    is = is && particle->radius == it->r && particle->material == first->material &&
+         fabs(particle->x - x) + fabs(particle->y - y) < 1e-12 * it->r * it->nx * it->ny;
   }
   for (size_t w = 0; w < scene->wall_count; w++)
     is = is && matter_pair(scene, first->material, scene->walls[w].material).kn == it->k;
@@ -126,25 +126,26 @@ static bool held(enum hold *hold, struct state *to, const struct nb_stage *stage
          (!stage->box_line || stage->box.per_cycle || stage->step.kind == NB_STEP_TIME);
 }
 
-static void tell(struct nb_known *known, const char *of, const char *what, const char *stage, double value) {
+static void add_value(struct nb_solution *solution, const char *of, const char *what, const char *stage, double value) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.%s in %s", of, what, stage);
-  known_value(known, value, name);
+  solution_value(solution, value, name);
 }
 
-static void tell_stage(struct nb_known *known, const struct nb_scene *scene, const char *stage, const struct state *s) {
-  tell(known, "box", "width", stage, s->w), tell(known, "box", "height", stage, s->h);
-  tell(known, "box", "stress.xx", stage, s->sx), tell(known, "box", "stress.yy", stage, s->sy);
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    if (scene->watches[w].kind != NB_WATCH_WALL)
+static void add_stage(struct nb_solution *solution, const struct nb_scene *scene, const char *stage,
+                      const struct state *s) {
+  add_value(solution, "box", "width", stage, s->w), add_value(solution, "box", "height", stage, s->h);
+  add_value(solution, "box", "stress.xx", stage, s->sx), add_value(solution, "box", "stress.yy", stage, s->sy);
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    if (scene->monitors[w].kind != NB_MONITOR_WALL)
       continue;
-    const struct nb_wall *wall = &scene->walls[scene->watches[w].a];
-    tell(known, scene->watches[w].name, "fx", stage, -wall->inx * s->sx * s->h);
-    tell(known, scene->watches[w].name, "fy", stage, -wall->iny * s->sy * s->w);
+    const struct nb_wall *wall = &scene->walls[scene->monitors[w].a];
+    add_value(solution, scene->monitors[w].name, "fx", stage, -wall->inx * s->sx * s->h);
+    add_value(solution, scene->monitors[w].name, "fy", stage, -wall->iny * s->sy * s->w);
   }
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice it;
   if (!find_lattice(&it, scene))
     return nb_error_set(error, NB_BAD_USE,
@@ -155,9 +156,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     if (!held(&hold, &s, &scene->stages[k]))
       return nb_error_set(error, NB_BAD_USE, "boxed_lattice wants stages of `box strain` and `servo ... by box` alone");
     s = settle(&it, hold, &s);
-    tell_stage(known, scene, scene->stages[k].name, &s);
+    add_stage(solution, scene, scene->stages[k].name, &s);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_boxed_lattice = {
@@ -169,5 +170,5 @@ const struct nb_reference reference_boxed_lattice = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -40,7 +40,7 @@ static double at(const void *data, double cycle) {
   return creal(way->a * cpow(way->l1, n) + way->b * cpow(way->l2, n));
 }
 
-static void solve(struct way *way, double keep) {
+static void solve_equations(struct way *way, double keep) {
   const double e = way->late;
   const double half = (1 + keep + e) / 2;
   /* half^2 - K, without the difference of two numbers near 1 */
@@ -63,9 +63,10 @@ static double kept(const struct nb_damping *damping) {
   }
 }
 
-static bool tell(struct nb_known *known, const struct nb_scene *scene, const struct nb_watch *watch, bool y) {
+static bool add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct nb_monitor *monitor,
+                      bool y) {
   const struct nb_stage *first = &scene->stages[0], *last = &scene->stages[scene->stage_count - 1];
-  const struct nb_body *body = &scene->bodies[watch->a];
+  const struct nb_particle *particle = &scene->particles[monitor->a];
   struct way *way = calloc(1, sizeof *way);
   char name[3 * NB_NAME_SIZE];
   if (!way)
@@ -74,14 +75,14 @@ static bool tell(struct nb_known *known, const struct nb_scene *scene, const str
   way->late = y ? last->continuum.strain.yy : last->continuum.strain.xx;
   way->literal = last->continuum.literal;
   way->begin = last == first ? 0 : (double)first->cycles;
-  way->from = (y ? body->y : body->x) * (last == first ? 1 : pow(1 + way->early, way->begin));
-  solve(way, kept(&scene->damping));
-  snprintf(name, sizeof name, "%s.%s", watch->name, y ? "y" : "x");
-  known_curve(known, name, "cycle", at, way);
+  way->from = (y ? particle->y : particle->x) * (last == first ? 1 : pow(1 + way->early, way->begin));
+  solve_equations(way, kept(&scene->damping));
+  snprintf(name, sizeof name, "%s.%s", monitor->name, y ? "y" : "x");
+  solution_curve(solution, name, "cycle", at, way);
   return true;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   bool right = scene->stage_count >= 1 && scene->stage_count <= 2;
   for (size_t s = 0; s < scene->stage_count && right; s++) {
     const struct nb_continuum *it = &scene->stages[s].continuum;
@@ -93,11 +94,11 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
         error, NB_BAD_USE,
         "carried wants an `affine strain` per cycle along the axes in one stage or two, `accumulated` in "
         "the last at most");
-  for (size_t k = 0; k < scene->watch_count; k++)
-    if (scene->watches[k].kind == NB_WATCH_BODY &&
-        !(tell(known, scene, &scene->watches[k], false) && tell(known, scene, &scene->watches[k], true)))
+  for (size_t k = 0; k < scene->monitor_count; k++)
+    if (scene->monitors[k].kind == NB_MONITOR_PARTICLE && !(add_value(solution, scene, &scene->monitors[k], false) &&
+                                                            add_value(solution, scene, &scene->monitors[k], true)))
       return nb_error_memory(error);
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_carried = {
@@ -108,5 +109,5 @@ const struct nb_reference reference_carried = {
     .needs = {HAS_CONTINUUM},
     .normal = NB_ANY_LAW,
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

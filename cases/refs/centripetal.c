@@ -13,31 +13,32 @@
 
 #include "reference.h"
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   static const double pi = 3.14159265358979323846, porosity = 0.155;
   const struct nb_gravity *pull = &scene->gravity;
   double mass = 0, diameter = 0, section = 0;
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].gravity.line)
       pull = &scene->stages[s].gravity;
-  if (!(pull->inward > 0) || scene->body_count == 0)
+  if (!(pull->central > 0) || scene->particle_count == 0)
     return nb_error_set(error, NB_BAD_USE, "centripetal wants bodies, and `gravity centripetal` to the end");
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    mass += matter_mass(scene, body), diameter += 2 * body->radius, section += pi * body->radius * body->radius;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
+    mass += matter_mass(scene, particle), diameter += 2 * particle->radius,
+        section += pi * particle->radius * particle->radius;
   }
   const double R = sqrt(section / (1 - porosity) / pi);
-  const double middle = pull->inward * mass / (pi * R * diameter / (double)scene->body_count);
+  const double middle = pull->central * mass / (pi * R * diameter / (double)scene->particle_count);
   const struct nb_stage *last = &scene->stages[scene->stage_count - 1];
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind != NB_WATCH_REGION || scene->regions[watch->a].kind != NB_REGION_CIRCLE)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind != NB_MONITOR_REGION || scene->regions[monitor->a].kind != NB_REGION_CIRCLE)
       continue;
     char name[3 * NB_NAME_SIZE];
-    snprintf(name, sizeof name, "%s.stress.mean in %s", watch->name, last->name);
-    known_value(known, middle * (1 - 2 * scene->regions[watch->a].radius / (3 * R)), name);
+    snprintf(name, sizeof name, "%s.stress.mean in %s", monitor->name, last->name);
+    solution_value(solution, middle * (1 - 2 * scene->regions[monitor->a].radius / (3 * R)), name);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_centripetal = {
@@ -48,5 +49,5 @@ const struct nb_reference reference_centripetal = {
     .needs = {HAS_CENTRIPETAL_GRAVITY},
     .normal = NB_ANY_LAW,
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -74,8 +74,8 @@ static double shape(const struct chain *chain, size_t j, size_t l) {
 }
 
 /* factor (u_a - u_b), b = a: factor u_a. */
-static void tell(struct nb_known *known, const struct chain *chain, const char *name, double rest, double factor,
-                 size_t a, size_t b, bool speed) {
+static void add_value(struct nb_solution *solution, const struct chain *chain, const char *name, double rest,
+                      double factor, size_t a, size_t b, bool speed) {
   for (int axis = 0; axis < 2; axis++) {
     struct tune *tune = calloc(1, sizeof *tune + chain->n * sizeof tune->notes[0]);
     if (tune) {
@@ -87,7 +87,7 @@ static void tell(struct nb_known *known, const struct chain *chain, const char *
             (struct note){factor * way * chain->velocity[j - 1] * chain->step, omega(chain, j) * chain->step / 2};
       }
     }
-    known_curve(known, name, axis ? "time" : "cycle", tune_at, tune);
+    solution_curve(solution, name, axis ? "time" : "cycle", tune_at, tune);
   }
 }
 
@@ -106,22 +106,23 @@ static size_t only_mode(const struct chain *chain) {
   return found;
 }
 
-static void tell_contact(struct nb_known *known, const struct chain *chain, const char *watch, size_t a, size_t b) {
+static void add_contact(struct nb_solution *solution, const struct chain *chain, const char *monitor, size_t a,
+                        size_t b) {
   char name[3 * NB_NAME_SIZE];
-  snprintf(name, sizeof name, "%s.normal", watch);
-  tell(known, chain, name, chain->k * chain->overlap, chain->k, a, b, false);
+  snprintf(name, sizeof name, "%s.normal", monitor);
+  add_value(solution, chain, name, chain->k * chain->overlap, chain->k, a, b, false);
   const size_t mode = only_mode(chain);
   const double half = mode ? omega(chain, mode) * chain->step / 2 : 1;
   if (!(half < 1))
     return;
-  snprintf(name, sizeof name, "%s.normal frequency", watch);
-  known_value(known, asin(half) / (pi * chain->step), name);
-  snprintf(name, sizeof name, "%s.normal mean", watch);
-  known_value(known, chain->k * chain->overlap, name);
+  snprintf(name, sizeof name, "%s.normal frequency", monitor);
+  solution_value(solution, asin(half) / (pi * chain->step), name);
+  snprintf(name, sizeof name, "%s.normal mean", monitor);
+  solution_value(solution, chain->k * chain->overlap, name);
 }
 
 /* When a stage ends that waits for the speed of one watched body to rise above a value: `time in STAGE`. */
-static void tell_ends(struct nb_known *known, const struct nb_scene *scene, const struct chain *chain) {
+static void add_ends(struct nb_solution *solution, const struct nb_scene *scene, const struct chain *chain) {
   double n = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -132,41 +133,41 @@ static void tell_ends(struct nb_known *known, const struct nb_scene *scene, cons
       continue;
     }
     const struct nb_condition *until = &stage->conditions[0];
-    const struct nb_known_curve *speed = known_find_curve(known, until->name, "cycle");
+    const struct nb_solution_curve *speed = solution_find_curve(solution, until->name, "cycle");
     if (stage->condition_count > 1 || until->relation != NB_ABOVE || !speed)
       return;
     do
       n++;
     while (n < begin + (double)stage->cycles && !(speed->at(speed->data, n) > until->value));
     snprintf(name, sizeof name, "time in %s", stage->name);
-    known_value(known, n * chain->step, name);
+    solution_value(solution, n * chain->step, name);
   }
 }
 
-static enum nb_status tell_watches(struct nb_known *known, const struct nb_scene *scene, const struct chain *chain,
-                                   struct nb_error *error) {
+static enum nb_status tell_monitors(struct nb_solution *solution, const struct nb_scene *scene,
+                                    const struct chain *chain, struct nb_error *error) {
   if (chain->n > 1)
-    known_value(known, sqrt(chain->m / chain->k), "step.stable");
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    const size_t a = (size_t)watch->a + 1, b = (size_t)watch->b + 1;
+    solution_value(solution, sqrt(chain->m / chain->k), "step.stable");
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    const size_t a = (size_t)monitor->a + 1, b = (size_t)monitor->b + 1;
     char name[3 * NB_NAME_SIZE];
-    if (watch->kind == NB_WATCH_BODY) {
-      snprintf(name, sizeof name, "%s.x", watch->name);
-      tell(known, chain, name, scene->bodies[watch->a].x, 1, a, a, false);
-      snprintf(name, sizeof name, "%s.vx.half", watch->name);
-      tell(known, chain, name, 0, 1, a, a, true);
-    } else if (watch->kind == NB_WATCH_BODY_BODY && (a + 1 == b || b + 1 == a)) {
-      tell_contact(known, chain, watch->name, a < b ? a : b, a < b ? b : a);
-    } else if (watch->kind ==
-               NB_WATCH_BODY_WALL) { /* the wall stands: the overlap is u_1 toward the first, u_N the last */
-      const bool first = scene->walls[watch->b].x < scene->bodies[watch->a].x;
+    if (monitor->kind == NB_MONITOR_PARTICLE) {
+      snprintf(name, sizeof name, "%s.x", monitor->name);
+      add_value(solution, chain, name, scene->particles[monitor->a].x, 1, a, a, false);
+      snprintf(name, sizeof name, "%s.vx.half", monitor->name);
+      add_value(solution, chain, name, 0, 1, a, a, true);
+    } else if (monitor->kind == NB_MONITOR_PARTICLE_PARTICLE && (a + 1 == b || b + 1 == a)) {
+      add_contact(solution, chain, monitor->name, a < b ? a : b, a < b ? b : a);
+    } else if (monitor->kind ==
+               NB_MONITOR_PARTICLE_WALL) { /* the wall stands: the overlap is u_1 toward the first, u_N the last */
+      const bool first = scene->walls[monitor->b].x < scene->particles[monitor->a].x;
       if (a == (first ? 1 : chain->n))
-        tell_contact(known, chain, watch->name, first ? 0 : a, first ? a : chain->n + 1);
+        add_contact(solution, chain, monitor->name, first ? 0 : a, first ? a : chain->n + 1);
     }
   }
-  tell_ends(known, scene, chain);
-  return known_full(known, error);
+  add_ends(solution, scene, chain);
+  return solution_full(solution, error);
 }
 
 static enum nb_status unfit(struct nb_error *error, const char *what) {
@@ -175,14 +176,14 @@ static enum nb_status unfit(struct nb_error *error, const char *what) {
 
 /* Overlaps of all contacts, the same; bodies numbered from west to east. */
 static bool pressed_alike(struct chain *chain, const struct nb_scene *scene) {
-  const double radius = scene->bodies[0].radius;
+  const double radius = scene->particles[0].radius;
   const struct nb_wall *west = &scene->walls[0], *east = &scene->walls[1];
   if (west->x > east->x)
     west = &scene->walls[1], east = &scene->walls[0];
-  chain->overlap = west->x + radius - scene->bodies[0].x;
+  chain->overlap = west->x + radius - scene->particles[0].x;
   for (size_t l = 0; l < chain->n; l++) {
-    const double next = l + 1 < chain->n ? scene->bodies[l + 1].x - radius : east->x;
-    if (fabs(scene->bodies[l].x + radius - next - chain->overlap) > 1e-9 * radius)
+    const double next = l + 1 < chain->n ? scene->particles[l + 1].x - radius : east->x;
+    if (fabs(scene->particles[l].x + radius - next - chain->overlap) > 1e-9 * radius)
       return false;
   }
   return chain->overlap > 0 && west->ex == 0 && east->ex == 0;
@@ -190,13 +191,13 @@ static bool pressed_alike(struct chain *chain, const struct nb_scene *scene) {
 
 static enum nb_status fit(struct chain *chain, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_step *step = &scene->stages[0].step;
-  const struct nb_body *first = &scene->bodies[0];
+  const struct nb_particle *first = &scene->particles[0];
   if (scene->wall_count != 2)
     return unfit(error, "two walls");
   for (size_t l = 0; l < chain->n; l++) {
-    const struct nb_body *body = &scene->bodies[l];
-    if (body->y != first->y || body->vy != 0 || body->radius != first->radius || body->material != first->material ||
-        body->shape != first->shape)
+    const struct nb_particle *particle = &scene->particles[l];
+    if (particle->y != first->y || particle->vy != 0 || particle->radius != first->radius ||
+        particle->material != first->material || particle->shape != first->shape)
       return unfit(error, "a straight row of equal bodies that move along it");
   }
   for (size_t w = 0; w < 2; w++)
@@ -210,9 +211,9 @@ static enum nb_status fit(struct chain *chain, const struct nb_scene *scene, str
   return NB_OK;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *first = &scene->bodies[0];
-  struct chain chain = {.n = scene->body_count, .m = matter_mass(scene, first)};
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_particle *first = &scene->particles[0];
+  struct chain chain = {.n = scene->particle_count, .m = matter_mass(scene, first)};
   chain.k = matter_pair(scene, first->material, first->material).kn;
   if (fit(&chain, scene, error))
     return error->status;
@@ -221,8 +222,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_memory(error);
   for (size_t j = 1; j <= chain.n; j++)
     for (size_t l = 1; l <= chain.n; l++)
-      chain.velocity[j - 1] += 2 * shape(&chain, j, l) * scene->bodies[l - 1].vx / (double)(chain.n + 1);
-  const enum nb_status status = tell_watches(known, scene, &chain, error);
+      chain.velocity[j - 1] += 2 * shape(&chain, j, l) * scene->particles[l - 1].vx / (double)(chain.n + 1);
+  const enum nb_status status = tell_monitors(solution, scene, &chain, error);
   free(chain.velocity);
   return status;
 }
@@ -236,5 +237,5 @@ const struct nb_reference reference_chain = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -82,7 +82,7 @@ static double shear_at(const void *data, double time) {
 }
 
 /* False when some stage is none that is known here. */
-static bool tell_story(struct story *it, const struct nb_scene *scene) {
+static bool add_story(struct story *it, const struct nb_scene *scene) {
   const char *normal = scene->normal, *shear = scene->shear;
   int pieces = scene->pieces;
   double time = 0, since = 0, step = scene->stages[0].step.value;
@@ -103,37 +103,37 @@ static bool tell_story(struct story *it, const struct nb_scene *scene) {
   return scene->stage_count <= STAGES;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *body = scene->bodies;
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_particle *particle = scene->particles;
   const struct nb_wall *wall = scene->walls;
-  if (scene->body_count != 1 || scene->wall_count != 1 || wall->h0 != 0)
+  if (scene->particle_count != 1 || scene->wall_count != 1 || wall->h0 != 0)
     return nb_error_set(error, NB_BAD_USE, "changed_law wants one sphere and one wall given by its ends");
-  const double dx = body->x - wall->x, dy = body->y - wall->y, away = dy * wall->ex - dx * wall->ey;
+  const double dx = particle->x - wall->x, dy = particle->y - wall->y, away = dy * wall->ex - dx * wall->ey;
   const double side = away > 0 ? 1 : -1; /* t is e turned clockwise, e points from the body to the wall */
-  struct story it = {.pair = matter_pair(scene, body->material, wall->material),
-                     .radius = body->radius,
-                     .overlap = body->radius - fabs(away),
+  struct story it = {.pair = matter_pair(scene, particle->material, wall->material),
+                     .radius = particle->radius,
+                     .overlap = particle->radius - fabs(away),
                      .v = side * (wall->vx * wall->ex + wall->vy * wall->ey)};
-  if (!(it.overlap > 0) || fabs(wall->vy * wall->ex - wall->vx * wall->ey) > 0 || !tell_story(&it, scene))
+  if (!(it.overlap > 0) || fabs(wall->vy * wall->ex - wall->vx * wall->ey) > 0 || !add_story(&it, scene))
     return nb_error_set(error, NB_BAD_USE,
                         "changed_law wants a wall that moves along itself, steps that are times, and no sliding");
-  const double end = it.parts[it.count - 1].end, mass = matter_mass(scene, body);
+  const double end = it.parts[it.count - 1].end, mass = matter_mass(scene, particle);
   const double most = fmax(it.pair.kn * it.overlap, 4. / 3 * it.pair.young * circle(&it) * it.overlap);
   if (!(most * end * end / 2 < 1e-13 * mass * it.overlap))
     return nb_error_set(error, NB_BAD_USE, "changed_law wants a sphere so heavy that its contact does not move it");
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    if (scene->watches[w].kind != NB_WATCH_BODY_WALL)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    if (scene->monitors[w].kind != NB_MONITOR_PARTICLE_WALL)
       continue;
     for (int shear = 0; shear < 2; shear++) {
       char name[2 * NB_NAME_SIZE];
       struct story *mine = malloc(sizeof *mine);
       if (mine)
         *mine = it;
-      snprintf(name, sizeof name, "%s.%s", scene->watches[w].name, shear ? "shear" : "normal");
-      known_curve(known, name, "time", shear ? shear_at : normal_at, mine);
+      snprintf(name, sizeof name, "%s.%s", scene->monitors[w].name, shear ? "shear" : "normal");
+      solution_curve(solution, name, "time", shear ? shear_at : normal_at, mine);
     }
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_changed_law = {
@@ -144,5 +144,5 @@ const struct nb_reference reference_changed_law = {
     .needs = {HAS_WALLS},
     .normal = "linear hertz hertz_increment",
     .shear = "none linear mindlin mindlin_deresiewicz",
-    .know = know,
+    .solve = solve,
 };

@@ -60,32 +60,32 @@ static bool read_stages(struct drag *drag, const struct nb_scene *scene) {
   return drag->dragging >= 0 && moves(last, 1, &vx, &vy) && vy * step_of(scene) * (double)last->cycles > drag->press;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct drag drag = {0};
-  if (scene->body_count != 1 || scene->wall_count != 3 || !read_stages(&drag, scene))
+  if (scene->particle_count != 1 || scene->wall_count != 3 || !read_stages(&drag, scene))
     return nb_error_set(error, NB_BAD_USE,
                         "cohesion is for one body between two plates that press, drag it and part, and a stop");
-  const int body = scene->bodies[0].material;
-  const struct matter_pair pair = matter_pair(scene, body, scene->walls[0].material);
-  const struct matter_pair stop = matter_pair(scene, body, scene->walls[2].material);
+  const int particle = scene->particles[0].material;
+  const struct matter_pair pair = matter_pair(scene, particle, scene->walls[0].material);
+  const struct matter_pair stop = matter_pair(scene, particle, scene->walls[2].material);
   const double normal = pair.kn * drag.press / 2, limit = normal * pair.friction + pair.cohesion;
   const double stuck = pair.ks * drag.way / (1 + 2 * pair.ks / stop.kn);
   const double shear = fabs(stuck) < limit ? stuck : copysign(limit, stuck);
   const char *dragging = scene->stages[drag.dragging].name, *last = scene->stages[scene->stage_count - 1].name;
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind != NB_WATCH_BODY_WALL || watch->b > 1)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind != NB_MONITOR_PARTICLE_WALL || monitor->b > 1)
       continue;
     /* e points down at the first wall and up at the second, so t points west and then east. F_s is how far the body has gone
      * along t past the wall: the plates go east, the body falls behind, so F_s is positive below and negative above. */
-    single_tell(known, watch->name, "normal", dragging, normal);
-    single_tell(known, watch->name, "shear", dragging, watch->b == 0 ? shear : -shear);
-    if (watch->b == 1) {
-      single_tell(known, watch->name, "normal", last, 0);
-      single_tell(known, watch->name, "shear", last, 0);
+    single_add(solution, monitor->name, "normal", dragging, normal);
+    single_add(solution, monitor->name, "shear", dragging, monitor->b == 0 ? shear : -shear);
+    if (monitor->b == 1) {
+      single_add(solution, monitor->name, "normal", last, 0);
+      single_add(solution, monitor->name, "shear", last, 0);
     }
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_cohesion = {
@@ -96,5 +96,5 @@ const struct nb_reference reference_cohesion = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "linear",
-    .know = know,
+    .solve = solve,
 };

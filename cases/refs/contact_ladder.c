@@ -164,7 +164,7 @@ static double psi2_error(const char *law, double kappa) {
 
 /* ---- */
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   static const struct law laws[] = {{.name = "linear"},
                                     {.name = "mindlin"},
                                     {.name = "mindlin_scaled"},
@@ -179,26 +179,26 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return error->status;
   if (which == sizeof laws / sizeof *laws)
     return nb_error_set(error, NB_BAD_USE, "contact_ladder has no rung for `shear %s`", scene->shear);
-  const struct nb_body *bodies = scene->bodies;
-  const int other = scene->body_count == 1 ? scene->walls[0].material : bodies[1].material;
+  const struct nb_particle *particles = scene->particles;
+  const int other = scene->particle_count == 1 ? scene->walls[0].material : particles[1].material;
   struct path_column *columns[COLUMNS];
   bool made = true;
   for (int c = 0; c < COLUMNS; c++)
     made = (columns[c] = path_column(scene)) != NULL && made;
   struct state state = {.law = laws[which]};
   const bool fits =
-      made && walk_path(&state, &contact, matter_pair(scene, bodies[0].material, other).ks, scene, columns);
+      made && walk_path(&state, &contact, matter_pair(scene, particles[0].material, other).ks, scene, columns);
   for (int c = 0; c < COLUMNS; c++)
     if (fits)
-      path_tell(known, scene, names[c], columns[c]);
+      path_add(solution, scene, names[c], columns[c]);
     else
       free(columns[c]);
   if (made && !fits)
     return nb_error_set(error, NB_BAD_USE, "contact_ladder wants legs of slip at one normal force");
   const bool exact = laws[which].most == BRANCHES;
   if (!laws[which].literal)
-    known_value(known, exact ? 0 : psi2_error(scene->shear, contact.kappa), "psi2 error");
-  return made ? known_full(known, error) : nb_error_memory(error);
+    solution_value(solution, exact ? 0 : psi2_error(scene->shear, contact.kappa), "psi2 error");
+  return made ? solution_full(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_contact_ladder = {
@@ -209,5 +209,5 @@ const struct nb_reference reference_contact_ladder = {
     .needs = {HAS_CONTACT_TEST},
     .normal = "hertz",
     .shear = "linear mindlin mindlin_scaled mindlin_deresiewicz randall randall_literal",
-    .know = know,
+    .solve = solve,
 };

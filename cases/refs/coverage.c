@@ -11,7 +11,7 @@ static const char *const names[NB_FEATURES] = {
     [HAS_NOTHING] = "",
     [HAS_DISCS] = "disc",
     [HAS_SPHERES] = "sphere",
-    [HAS_FIXED_BODIES] = "fixed",
+    [HAS_FIXED_PARTICLES] = "fixed",
     [HAS_VELOCITIES] = "velocity",
     [HAS_SPINS] = "spin",
     [HAS_IMPACT] = "impact",
@@ -67,11 +67,11 @@ static void note(int lines[], enum nb_feature feature, bool has, int line) {
 
 static bool has_law(const char *law) { return law[0] && strcmp(law, "none") != 0; }
 
-static void note_bodies(int lines[], const struct nb_scene *scene) {
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *it = &scene->bodies[k];
+static void note_particles(int lines[], const struct nb_scene *scene) {
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *it = &scene->particles[k];
     note(lines, it->shape == NB_DISC ? HAS_DISCS : HAS_SPHERES, true, it->line);
-    note(lines, HAS_FIXED_BODIES, it->fixed, it->line);
+    note(lines, HAS_FIXED_PARTICLES, it->fixed, it->line);
     note(lines, HAS_VELOCITIES, it->vx != 0 || it->vy != 0, it->line);
     note(lines, HAS_SPINS, it->spin != 0, it->line);
   }
@@ -92,8 +92,9 @@ static void note_friction(int lines[], const struct nb_scene *scene) {
   for (size_t a = 0; a < scene->material_count; a++)
     for (size_t b = 0; b < scene->material_count; b++) {
       bool first = false, second = false;
-      for (size_t k = 0; k < scene->body_count; k++)
-        first = first || scene->bodies[k].material == (int)a, second = second || scene->bodies[k].material == (int)b;
+      for (size_t k = 0; k < scene->particle_count; k++)
+        first = first || scene->particles[k].material == (int)a,
+        second = second || scene->particles[k].material == (int)b;
       for (size_t w = 0; w < scene->wall_count; w++)
         second = second || scene->walls[w].material == (int)b;
       const struct matter_pair pair = matter_pair(scene, (int)a, (int)b);
@@ -127,7 +128,7 @@ static void note_damping(int lines[], const struct nb_damping *it) {
 
 static void note_gravity(int lines[], const struct nb_gravity *it) {
   note(lines, HAS_GRAVITY, it->x != 0 || it->y != 0, it->line);
-  note(lines, HAS_CENTRIPETAL_GRAVITY, it->inward != 0, it->line);
+  note(lines, HAS_CENTRIPETAL_GRAVITY, it->central != 0, it->line);
   note(lines, HAS_RAMP, it->ramp, it->line);
 }
 
@@ -177,7 +178,7 @@ void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene) {
   bool shears = has_law(scene->shear);
   for (int f = 0; f < NB_FEATURES; f++)
     lines[f] = -1;
-  note_bodies(lines, scene);
+  note_particles(lines, scene);
   note_damping(lines, &scene->damping);
   note_gravity(lines, &scene->gravity);
   note(lines, HAS_BOUNDARY, scene->circle.line, scene->circle.line);

@@ -14,7 +14,7 @@ enum nb_feature {
   /* bodies and walls */
   HAS_DISCS,
   HAS_SPHERES,
-  HAS_FIXED_BODIES,
+  HAS_FIXED_PARTICLES,
   HAS_VELOCITIES, /* of bodies, at time 0 */
   HAS_SPINS,      /* likewise */
   HAS_IMPACT,

@@ -18,36 +18,36 @@
 
 static double count(const struct nb_scene *scene, double radius) {
   double n = 0;
-  for (size_t k = 0; k < scene->body_count; k++)
-    n += scene->bodies[k].radius == radius;
+  for (size_t k = 0; k < scene->particle_count; k++)
+    n += scene->particles[k].radius == radius;
   return n;
 }
 
-static void tell(struct nb_known *known, const char *of, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *of, const char *what, double value) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.%s", of, what);
-  known_value(known, value, name);
+  solution_value(solution, value, name);
 }
 
-static void tell_sizes(struct nb_known *known, const struct nb_scene *scene, const struct nb_watch *watch) {
-  const struct nb_grading *grading = &scene->gradings[watch->a];
+static void add_sizes(struct nb_solution *solution, const struct nb_scene *scene, const struct nb_monitor *monitor) {
+  const struct nb_grading *grading = &scene->gradings[monitor->a];
   double wanted = 0, placed = 0;
   for (int s = 0; s < (int)grading->size_count; s++)
-    if (watch->b < 0 || watch->b == s)
+    if (monitor->b < 0 || monitor->b == s)
       wanted += (double)grading->sizes[s].count, placed += count(scene, grading->sizes[s].radius);
-  tell(known, watch->name, "wanted", wanted);
-  tell(known, watch->name, "placed", placed);
-  tell(known, watch->name, "dropped", wanted - placed);
+  add_value(solution, monitor->name, "wanted", wanted);
+  add_value(solution, monitor->name, "placed", placed);
+  add_value(solution, monitor->name, "dropped", wanted - placed);
 }
 
-static void tell_porosity(struct nb_known *known, const struct nb_scene *scene, const char *name) {
+static void add_porosity(struct nb_solution *solution, const struct nb_scene *scene, const char *name) {
   const struct nb_fill *fill = &scene->fills[0];
   const struct nb_grading *grading = &scene->gradings[fill->grading];
   const double area = fill->circle ? M_PI * gsl_pow_2(fill->radius) : (fill->x1 - fill->x) * (fill->y1 - fill->y);
   double covered = 0;
   for (size_t s = 0; s < grading->size_count; s++)
     covered += count(scene, grading->sizes[s].radius) * M_PI * gsl_pow_2(grading->sizes[s].radius);
-  tell(known, name, "porosity", 1 - covered / area);
+  add_value(solution, name, "porosity", 1 - covered / area);
 }
 
 static bool is_filled(const struct nb_region *region, const struct nb_fill *fill) {
@@ -60,29 +60,29 @@ static bool is_filled(const struct nb_region *region, const struct nb_fill *fill
 
 static double smallest_gap(const struct nb_scene *scene) {
   double least = INFINITY;
-  for (size_t i = 0; i < scene->body_count; i++)
+  for (size_t i = 0; i < scene->particle_count; i++)
     for (size_t j = 0; j < i; j++) {
-      const struct nb_body *a = &scene->bodies[i], *b = &scene->bodies[j];
+      const struct nb_particle *a = &scene->particles[i], *b = &scene->particles[j];
       least = fmin(least, hypot(a->x - b->x, a->y - b->y) - a->radius - b->radius);
     }
   return least;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const bool alone = scene->fill_count == 1 && scene->fills[0].count == scene->body_count;
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  const bool alone = scene->fill_count == 1 && scene->fills[0].count == scene->particle_count;
   if (!alone)
     return nb_error_set(error, NB_BAD_USE, "filling wants one `fill` and nothing else");
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind == NB_WATCH_GRADING || watch->kind == NB_WATCH_SIZE)
-      tell_sizes(known, scene, watch);
-    if (watch->kind == NB_WATCH_REGION && is_filled(&scene->regions[watch->a], &scene->fills[0]))
-      tell_porosity(known, scene, watch->name);
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind == NB_MONITOR_GRADING || monitor->kind == NB_MONITOR_SIZE)
+      add_sizes(solution, scene, monitor);
+    if (monitor->kind == NB_MONITOR_REGION && is_filled(&scene->regions[monitor->a], &scene->fills[0]))
+      add_porosity(solution, scene, monitor->name);
   }
   const double gap = smallest_gap(scene);
-  if (scene->body_count > 1)
-    known_value(known, gap, "gap");
-  return known_full(known, error);
+  if (scene->particle_count > 1)
+    solution_value(solution, gap, "gap");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_filling = {
@@ -92,5 +92,5 @@ const struct nb_reference reference_filling = {
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FRICTION},
     .normal = NB_ANY_LAW,
     .shear = NB_ANY_LAW,
-    .know = know,
+    .solve = solve,
 };

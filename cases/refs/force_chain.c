@@ -19,17 +19,18 @@
 
 #include "reference.h"
 
-static void tell(struct nb_known *known, const char *region, const char *of, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *region, const char *of, const char *what,
+                      double value) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.%s%s at 0 cycles", region, of, what);
-  known_value(known, value, name);
+  solution_value(solution, value, name);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const size_t n = scene->body_count;
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  const size_t n = scene->particle_count;
   if (n < 2 || scene->wall_count != 2)
     return nb_error_set(error, NB_BAD_USE, "force_chain wants a row of discs between two walls");
-  const struct nb_body *first = &scene->bodies[0], *last = &scene->bodies[n - 1];
+  const struct nb_particle *first = &scene->particles[0], *last = &scene->particles[n - 1];
   const double length = hypot(last->x - first->x, last->y - first->y), R = first->radius;
   const double ux = (last->x - first->x) / length, uy = (last->y - first->y) / length;
   const double overlap = 2 * R - length / (double)(n - 1);
@@ -37,40 +38,40 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const double across = length + 2 * (R - overlap); /* from wall to wall, if they press as the discs do */
   for (int w = 0; w < 2; w++) {
     const struct nb_wall *wall = &scene->walls[w];
-    const struct nb_body *end = hypot(wall->x - first->x, wall->y - first->y) < length / 2 ? first : last;
+    const struct nb_particle *end = hypot(wall->x - first->x, wall->y - first->y) < length / 2 ? first : last;
     const double away = fabs((end->x - wall->x) * wall->ey - (end->y - wall->y) * wall->ex);
     if (fabs(R - away - overlap) > 1e-9 * overlap || fabs(wall->ex * ux + wall->ey * uy) > 1e-12)
       return nb_error_set(error, NB_BAD_USE, "force_chain wants walls across the row that press as the discs do");
   }
   const double u[] = {ux * ux, ux * uy, uy * uy};
-  for (size_t k = 0; k < scene->watch_count; k++) {
-    const struct nb_watch *watch = &scene->watches[k];
-    if (watch->kind != NB_WATCH_REGION || scene->regions[watch->a].kind != NB_REGION_BOX)
+  for (size_t k = 0; k < scene->monitor_count; k++) {
+    const struct nb_monitor *monitor = &scene->monitors[k];
+    if (monitor->kind != NB_MONITOR_REGION || scene->regions[monitor->a].kind != NB_REGION_BOX)
       continue;
-    const struct nb_region *region = &scene->regions[watch->a];
+    const struct nb_region *region = &scene->regions[monitor->a];
     const double s = force * across / (4 * region->half_x * region->half_y);
     static const char *const stresses[] = {"stress.", "stress.contacts.", "stress.fabric."};
     for (int t = 0; t < 3; t++) {
-      tell(known, watch->name, stresses[t], "xx", s * u[0]);
-      tell(known, watch->name, stresses[t], "xy", s * u[1]);
-      tell(known, watch->name, stresses[t], "yy", s * u[2]);
-      tell(known, watch->name, stresses[t], "mean", s / 2);
-      tell(known, watch->name, stresses[t], "angle", atan(uy / ux));
+      add_value(solution, monitor->name, stresses[t], "xx", s * u[0]);
+      add_value(solution, monitor->name, stresses[t], "xy", s * u[1]);
+      add_value(solution, monitor->name, stresses[t], "yy", s * u[2]);
+      add_value(solution, monitor->name, stresses[t], "mean", s / 2);
+      add_value(solution, monitor->name, stresses[t], "angle", atan(uy / ux));
     }
-    tell(known, watch->name, "stress.", "sinphi", 1);
-    tell(known, watch->name, "stress.", "fabric.fraction", 1);
-    tell(known, watch->name, "stress.", "variation.fraction", 0);
-    tell(known, watch->name, "stress.", "shear.fraction", 0);
-    tell(known, watch->name, "fabric.", "xx", u[0]);
-    tell(known, watch->name, "fabric.", "xy", u[1]);
-    tell(known, watch->name, "fabric.", "yy", u[2]);
-    tell(known, watch->name, "fabric.", "anisotropy", 1);
-    tell(known, watch->name, "fabric.", "fourth.xxxx", u[0] * u[0]);
-    tell(known, watch->name, "", "coordination", 2);
-    tell(known, watch->name, "", "contacts", (double)n + 1);
-    tell(known, watch->name, "normal.", "mean", force);
+    add_value(solution, monitor->name, "stress.", "sinphi", 1);
+    add_value(solution, monitor->name, "stress.", "fabric.fraction", 1);
+    add_value(solution, monitor->name, "stress.", "variation.fraction", 0);
+    add_value(solution, monitor->name, "stress.", "shear.fraction", 0);
+    add_value(solution, monitor->name, "fabric.", "xx", u[0]);
+    add_value(solution, monitor->name, "fabric.", "xy", u[1]);
+    add_value(solution, monitor->name, "fabric.", "yy", u[2]);
+    add_value(solution, monitor->name, "fabric.", "anisotropy", 1);
+    add_value(solution, monitor->name, "fabric.", "fourth.xxxx", u[0] * u[0]);
+    add_value(solution, monitor->name, "", "coordination", 2);
+    add_value(solution, monitor->name, "", "contacts", (double)n + 1);
+    add_value(solution, monitor->name, "normal.", "mean", force);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_force_chain = {
@@ -81,5 +82,5 @@ const struct nb_reference reference_force_chain = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

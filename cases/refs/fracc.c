@@ -30,10 +30,10 @@ static double fracc(double h, struct place before, struct place now) {
   return way > 0 ? h * sqrt(fabs(hypot(now.x, now.y) - hypot(before.x, before.y)) / way) : 0;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stage = &scene->stages[0];
-  const struct nb_body *disc = &scene->bodies[0];
-  if (scene->body_count != 1 || scene->wall_count != 4 || stage->step.kind != NB_STEP_CRITICAL ||
+  const struct nb_particle *disc = &scene->particles[0];
+  if (scene->particle_count != 1 || scene->wall_count != 4 || stage->step.kind != NB_STEP_CRITICAL ||
       scene->stage_count != 1 || disc->y != 0 || disc->vx != 0)
     return nb_error_set(error, NB_BAD_USE,
                         "reference fracc is for one disc between four walls, `step F of single-contact`");
@@ -50,9 +50,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     before = now, now = next;
     far = fmax(far, now.x), most = fmax(most, fracc(h, before, now));
   }
-  known_value(known, most, "step.fracc max");
-  known_value(known, far, "D.x max");
-  return known_full(known, error);
+  solution_value(solution, most, "step.fracc max");
+  solution_value(solution, far, "D.x max");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_fracc = {
@@ -63,5 +63,5 @@ const struct nb_reference reference_fracc = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -14,9 +14,9 @@
 
 #include "reference.h"
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *a = &scene->bodies[0], *b = &scene->bodies[1];
-  if (scene->body_count != 2 || a->vx <= 0 || b->vx != 0 || a->material != b->material || a->radius < b->radius ||
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_particle *a = &scene->particles[0], *b = &scene->particles[1];
+  if (scene->particle_count != 2 || a->vx <= 0 || b->vx != 0 || a->material != b->material || a->radius < b->radius ||
       a->radius > b->radius || a->vy != 0 || scene->step.kind != NB_STEP_CRITICAL)
     return nb_error_set(error, NB_BAD_USE,
                         "reference fracc_touch is for two like discs, the first of which strikes the second along x");
@@ -24,8 +24,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const double step = scene->step.value * 2 * sqrt(mass / k), gap = b->x - a->x - a->radius - b->radius;
   const double first = (floor(gap / (a->vx * step)) + 1) * a->vx * step - gap;
   const double growth = (a->vx - 2 * k * first * step / mass) * step;
-  known_value(known, sqrt(fabs(growth) / first) / 2, "step.fracc max");
-  return known_full(known, error);
+  solution_value(solution, sqrt(fabs(growth) / first) / 2, "step.fracc max");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_fracc_touch = {
@@ -35,5 +35,5 @@ const struct nb_reference reference_fracc_touch = {
     .accepts = {HAS_DISCS, HAS_VELOCITIES},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -104,26 +104,27 @@ static double vy_at(const void *data, double t) {
   return v;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  struct single body;
-  if (single_of(&body, scene, error))
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  struct single particle;
+  if (single_of(&particle, scene, error))
     return error->status;
-  if (scene->gravity.x != 0 || body.height < body.radius)
+  if (scene->gravity.x != 0 || particle.height < particle.radius)
     return nb_error_set(error, NB_BAD_USE, "free_fall is for a body dropped straight down, from rest, above the wall");
-  const double w = sqrt(body.pair.kn / body.m), b = body.cn / (2 * body.m);
+  const double w = sqrt(particle.pair.kn / particle.m), b = particle.cn / (2 * particle.m);
   if (!(b < w))
     return nb_error_set(error, NB_BAD_USE, "free_fall is for less than critical damping");
-  struct fall fall = {.g = body.gravity_n, .w = w, .b = b, .damped = sqrt(w * w - b * b), .radius = body.radius};
+  struct fall fall = {
+      .g = particle.gravity_n, .w = w, .b = b, .damped = sqrt(w * w - b * b), .radius = particle.radius};
   fall.floor = scene->walls[0].y;
-  fall_on(&fall, body.height - body.radius);
-  single_curve(known, body.body, "y", y_at, &fall, sizeof fall);
-  single_curve(known, body.body, "vy", vy_at, &fall, sizeof fall);
+  fall_on(&fall, particle.height - particle.radius);
+  single_curve(solution, particle.particle, "y", y_at, &fall, sizeof fall);
+  single_curve(solution, particle.particle, "vy", vy_at, &fall, sizeof fall);
   if (fall.count > 1) {
     double u, v;
     move(&fall, &fall.pieces[1], lowest(&fall, &fall.pieces[1]), &u, &v);
-    single_tell(known, body.contact, "overlap max", NULL, -u);
+    single_add(solution, particle.contact, "overlap max", NULL, -u);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_free_fall = {
@@ -134,5 +135,5 @@ const struct nb_reference reference_free_fall = {
     .needs = {HAS_WALLS, HAS_GRAVITY},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -43,7 +43,7 @@ static bool steady(const struct nb_scene *scene) {
 
 /* From the first to what it meets: m_2, R_2, and the distance at which they touch; false when they do not meet head-on. */
 static bool meet(struct hertz *hertz, const struct nb_wall *wall) {
-  const struct nb_body *a = hertz->bodies[0], *b = hertz->bodies[1];
+  const struct nb_particle *a = hertz->particles[0], *b = hertz->particles[1];
   double x = b ? b->x - a->x : wall->x - a->x, y = b ? b->y - a->y : wall->y - a->y;
   if (wall) { /* the foot of the perpendicular, which must be on the wall */
     const double s = -(x * wall->ex + y * wall->ey);
@@ -62,7 +62,7 @@ static bool meet(struct hertz *hertz, const struct nb_wall *wall) {
 }
 
 /* What is left to work out when masses, moduli and speed are known. */
-static void solve(struct hertz *hertz) {
+static void solve_equations(struct hertz *hertz) {
   hertz->k = 4. / 3 * hertz->young * sqrt(hertz->radius);
   hertz->depth = pow(5 * hertz->mass * hertz->speed * hertz->speed / (4 * hertz->k), 0.4);
   hertz->unit = hertz->depth / hertz->speed;
@@ -70,14 +70,14 @@ static void solve(struct hertz *hertz) {
 }
 
 enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const char *who, struct nb_error *error) {
-  if (scene->body_count + scene->wall_count != 2 || scene->body_count < 1 || scene->bodies[0].fixed ||
-      scene->bodies[0].shape != NB_SPHERE)
+  if (scene->particle_count + scene->wall_count != 2 || scene->particle_count < 1 || scene->particles[0].fixed ||
+      scene->particles[0].shape != NB_SPHERE)
     return refuse(who, "a free sphere and what it strikes: another sphere or a wall", error);
   if (!steady(scene))
     return refuse(who, "a wall whose velocity no stage changes", error);
-  const struct nb_body *a = &scene->bodies[0], *b = scene->body_count == 2 ? &scene->bodies[1] : NULL;
+  const struct nb_particle *a = &scene->particles[0], *b = scene->particle_count == 2 ? &scene->particles[1] : NULL;
   const struct nb_wall *wall = b ? NULL : &scene->walls[0];
-  *hertz = (struct hertz){.bodies = {a, b}, .scene = scene};
+  *hertz = (struct hertz){.particles = {a, b}, .scene = scene};
   hertz->mass = 1 / (1 / matter_mass(scene, a) + (b && !b->fixed ? 1 / matter_mass(scene, b) : 0));
   hertz->radius = matter_radius(a->radius, b ? b->radius : INFINITY);
   hertz->young = matter_pair(scene, a->material, b ? b->material : wall->material).young;
@@ -85,7 +85,7 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
     return refuse(who, "elastic spheres, whose materials say `young`", error);
   if (!meet(hertz, wall))
     return refuse(who, "bodies without spin that meet head-on and do not overlap at first", error);
-  solve(hertz);
+  solve_equations(hertz);
   hertz->step = scene->step.kind == NB_STEP_CONTACT ? scene->step.value * hertz->duration : scene->step.value;
   if (scene->step.kind != NB_STEP_TIME && scene->step.kind != NB_STEP_CONTACT)
     return refuse(who, "a step that is a time or a share of the contact's duration", error);
@@ -96,23 +96,23 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
 }
 
 static const char *contact_of(const struct hertz *hertz) {
-  for (size_t w = 0; w < hertz->scene->watch_count; w++) {
-    const struct nb_watch *watch = &hertz->scene->watches[w];
-    if (watch->kind == NB_WATCH_BODY_BODY || watch->kind == NB_WATCH_BODY_WALL)
-      return watch->name;
+  for (size_t w = 0; w < hertz->scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &hertz->scene->monitors[w];
+    if (monitor->kind == NB_MONITOR_PARTICLE_PARTICLE || monitor->kind == NB_MONITOR_PARTICLE_WALL)
+      return monitor->name;
   }
   return NULL;
 }
 
-void hertz_tell(struct nb_known *known, const struct hertz *hertz, const char *what, double value) {
+void hertz_add(struct nb_solution *solution, const struct hertz *hertz, const char *what, double value) {
   const char *contact = contact_of(hertz);
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.%s", contact ? contact : "", what);
   if (contact)
-    known_value(known, value, name);
+    solution_value(solution, value, name);
 }
 
-void hertz_curve(struct nb_known *known, const struct hertz *hertz, const char *what, const char *along,
+void hertz_curve(struct nb_solution *solution, const struct hertz *hertz, const char *what, const char *along,
                  double (*at)(const void *data, double x), const void *data, size_t size) {
   const char *contact = contact_of(hertz);
   const bool timely = strcmp(along, "time") == 0;
@@ -128,33 +128,32 @@ void hertz_curve(struct nb_known *known, const struct hertz *hertz, const char *
   void *copy = malloc(size);
   if (copy)
     memcpy(copy, data, size);
-  known_curve(known, name, column, at, copy);
+  solution_curve(solution, name, column, at, copy);
 }
 
 /* Overlap and elastic force, with what stands behind them. */
-static void tell_both(struct nb_known *known, const struct hertz *hertz, const char *behind, const char *stage,
-                      double overlap) {
+static void add_both(struct nb_solution *solution, const struct hertz *hertz, const char *behind, const char *stage,
+                     double overlap) {
   char what[2 * NB_NAME_SIZE];
   snprintf(what, sizeof what, "overlap%s%s%s", behind, stage ? " in " : "", stage ? stage : "");
-  hertz_tell(known, hertz, what, overlap);
+  hertz_add(solution, hertz, what, overlap);
   snprintf(what, sizeof what, "normal%s%s%s", behind, stage ? " in " : "", stage ? stage : "");
-  hertz_tell(known, hertz, what, hertz_force(hertz, overlap));
+  hertz_add(solution, hertz, what, hertz_force(hertz, overlap));
 }
 
-void hertz_tell_stages(struct nb_known *known, const struct hertz *hertz,
-                       double (*overlap_at)(const void *data, double t), const void *data, double deepest,
-                       double when) {
+void hertz_add_stages(struct nb_solution *solution, const struct hertz *hertz,
+                      double (*overlap_at)(const void *data, double t), const void *data, double deepest, double when) {
   const struct nb_scene *scene = hertz->scene;
   double begin = 0;
-  tell_both(known, hertz, " max", NULL, deepest);
+  add_both(solution, hertz, " max", NULL, deepest);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     if (stage->condition_count || stage->step.kind != scene->step.kind || stage->step.value != scene->step.value)
       return;
     const double end = begin + (double)stage->cycles * hertz->step;
     if (begin <= when && when < end)
-      tell_both(known, hertz, " max", stage->name, deepest);
-    tell_both(known, hertz, "", stage->name, overlap_at(data, end));
+      add_both(solution, hertz, " max", stage->name, deepest);
+    add_both(solution, hertz, "", stage->name, overlap_at(data, end));
     begin = end;
   }
 }

@@ -16,9 +16,9 @@ static double zeta(double a) {
   return sum - pow(x, 2.5) / 2.5 + pow(x, 1.5) / 2 - sqrt(x) / 8 - pow(x, -1.5) / 1920;
 }
 
-double hertz_sooner(double share) { return 11. / 96 * share * gsl_sf_beta(1.6, 0.5); }
+double hertz_sooner(double fraction) { return 11. / 96 * fraction * gsl_sf_beta(1.6, 0.5); }
 
-double hertz_gain(double share, double in, double steps) {
-  const double out = in + steps - hertz_sooner(share);
-  return 1.25 * pow(share, 2.5) * (zeta(out - floor(out)) - zeta(ceil(in) - in));
+double hertz_gain(double fraction, double in, double steps) {
+  const double out = in + steps - hertz_sooner(fraction);
+  return 1.25 * pow(fraction, 2.5) * (zeta(out - floor(out)) - zeta(ceil(in) - in));
 }

@@ -23,8 +23,8 @@
 #define NB_HERTZ_CORNER_H
 
 /* Of steps dt = share alpha* / V_N: by how many of them the impact is sooner over than T_c. */
-double hertz_sooner(double share);
+double hertz_sooner(double fraction);
 /* e - 1, when first touch is `in` steps after the run began and T_c is as many steps as said. */
-double hertz_gain(double share, double in, double steps);
+double hertz_gain(double fraction, double in, double steps);
 
 #endif

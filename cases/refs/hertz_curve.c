@@ -31,7 +31,7 @@ enum { POINTS = 16, CONTACTS = 8 };
 
 struct press {
   double radius, young; /* R*, m; E*, Pa */
-  double share;         /* of s that is this contact's overlap, 1 */
+  double fraction;      /* of s that is this contact's overlap, 1 */
   double touch;         /* y of the upper wall where all just touch, and how much s grows as it sinks, m, 1 */
   double pull;
 };
@@ -66,16 +66,16 @@ static double force_at(const void *data, double overlap) {
 
 static double overlap_under(const void *data, double y) {
   const struct press *press = data;
-  return fmax(press->share * press->pull * (press->touch - y), 0);
+  return fmax(press->fraction * press->pull * (press->touch - y), 0);
 }
 static double force_under(const void *data, double y) { return force_at(data, overlap_under(data, y)); }
 
-static void tell(struct nb_known *known, const char *name, const char *along, double (*at)(const void *data, double x),
-                 const struct press *press) {
+static void add_value(struct nb_solution *solution, const char *name, const char *along,
+                      double (*at)(const void *data, double x), const struct press *press) {
   struct press *copy = malloc(sizeof *copy);
   if (copy)
     *copy = *press;
-  known_curve(known, name, along, at, copy);
+  solution_curve(solution, name, along, at, copy);
 }
 
 /* Whether each wall moves as fast as the other, against it, in every stage. */
@@ -100,69 +100,72 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
 
 /* The contacts from the lower wall to the upper one. */
 static enum nb_status column(struct press *press, const struct nb_scene *scene, struct nb_error *error) {
-  const size_t n = scene->body_count;
+  const size_t n = scene->particle_count;
   double soft = 0, top = scene->walls[0].y;
   for (size_t c = 0; c <= n; c++) {
-    const struct nb_body *below = c ? &scene->bodies[c - 1] : NULL, *above = c < n ? &scene->bodies[c] : NULL;
+    const struct nb_particle *below = c ? &scene->particles[c - 1] : NULL, *above = c < n ? &scene->particles[c] : NULL;
     const int a = below ? below->material : scene->walls[0].material,
               b = above ? above->material : scene->walls[1].material;
     press[c].radius = matter_radius(below ? below->radius : INFINITY, above ? above->radius : INFINITY);
     press[c].young = matter_pair(scene, a, b).young;
-    press[c].share = pow(press[c].young * sqrt(press[c].radius), -2. / 3); /* of one over another, to be scaled */
-    soft += press[c].share;
+    press[c].fraction = pow(press[c].young * sqrt(press[c].radius), -2. / 3); /* of one over another, to be scaled */
+    soft += press[c].fraction;
     top += above ? 2 * above->radius : 0;
-    if (!(press[c].young > 0) || (above && (above->x != scene->bodies[0].x || above->shape != NB_SPHERE)))
+    if (!(press[c].young > 0) || (above && (above->x != scene->particles[0].x || above->shape != NB_SPHERE)))
       return refuse(error, "elastic spheres one above the other, in the order of the page");
   }
   for (size_t c = 0; c <= n; c++)
-    press[c].share /= soft, press[c].touch = top, press[c].pull = 2;
+    press[c].fraction /= soft, press[c].touch = top, press[c].pull = 2;
   if (fabs(top - scene->walls[1].y) > 1e-12 * top)
     return refuse(error, "walls and spheres that just touch at first");
   return NB_OK;
 }
 
 /* Body 1 with body 2, or with the wall. */
-static enum nb_status know_bench(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *a = &scene->bodies[0], *b = scene->body_count > 1 ? &scene->bodies[1] : NULL;
+static enum nb_status know_contact_test(struct nb_solution *solution, const struct nb_scene *scene,
+                                        struct nb_error *error) {
+  const struct nb_particle *a = &scene->particles[0], *b = scene->particle_count > 1 ? &scene->particles[1] : NULL;
   struct press press = {.radius = matter_radius(a->radius, b ? b->radius : INFINITY),
                         .young = matter_pair(scene, a->material, b ? b->material : scene->walls[0].material).young};
   if (!(press.young > 0) || strcmp(scene->normal, "hertz") != 0)
     return refuse(error, "elastic spheres with `normal hertz`");
-  tell(known, "normal", "overlap", force_at, &press);
-  return known_full(known, error);
+  add_value(solution, "normal", "overlap", force_at, &press);
+  return solution_full(solution, error);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct press press[CONTACTS];
   const char *upper = NULL;
   if (scene->path)
-    return know_bench(known, scene, error);
-  if (scene->wall_count != 2 || scene->body_count < 1 || scene->body_count >= CONTACTS || !squeezes(scene) ||
+    return know_contact_test(solution, scene, error);
+  if (scene->wall_count != 2 || scene->particle_count < 1 || scene->particle_count >= CONTACTS || !squeezes(scene) ||
       scene->gravity.line)
     return refuse(error,
                   "up to seven spheres between two walls, lower and upper, that come nearer alike, without gravity");
   if (column(press, scene, error))
     return error->status;
-  for (size_t w = 0; w < scene->watch_count; w++)
-    if (scene->watches[w].kind == NB_WATCH_WALL && scene->watches[w].a == 1)
-      upper = scene->watches[w].name;
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    const bool wall = watch->kind == NB_WATCH_BODY_WALL;
+  for (size_t w = 0; w < scene->monitor_count; w++)
+    if (scene->monitors[w].kind == NB_MONITOR_WALL && scene->monitors[w].a == 1)
+      upper = scene->monitors[w].name;
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    const bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
     char along[2 * NB_NAME_SIZE], normal[2 * NB_NAME_SIZE], overlap[2 * NB_NAME_SIZE];
-    if (!wall && watch->kind != NB_WATCH_BODY_BODY)
+    if (!wall && monitor->kind != NB_MONITOR_PARTICLE_PARTICLE)
       continue;
-    const int c = !wall ? (watch->a > watch->b ? watch->a : watch->b) : watch->b == 0 ? 0 : (int)scene->body_count;
-    snprintf(normal, sizeof normal, "%s.normal", watch->name);
-    snprintf(overlap, sizeof overlap, "%s.overlap", watch->name);
-    tell(known, normal, overlap, force_at, &press[c]);
+    const int c = !wall             ? (monitor->a > monitor->b ? monitor->a : monitor->b)
+                  : monitor->b == 0 ? 0
+                                    : (int)scene->particle_count;
+    snprintf(normal, sizeof normal, "%s.normal", monitor->name);
+    snprintf(overlap, sizeof overlap, "%s.overlap", monitor->name);
+    add_value(solution, normal, overlap, force_at, &press[c]);
     if (!upper)
       continue;
     snprintf(along, sizeof along, "%s.y", upper);
-    tell(known, normal, along, force_under, &press[c]);
-    tell(known, overlap, along, overlap_under, &press[c]);
+    add_value(solution, normal, along, force_under, &press[c]);
+    add_value(solution, overlap, along, overlap_under, &press[c]);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_hertz_curve = {
@@ -172,5 +175,5 @@ const struct nb_reference reference_hertz_curve = {
     .accepts = {HAS_SPHERES, HAS_WALLS, HAS_MOVING_WALLS, HAS_CONTACT_TEST, HAS_CONTACT_RATIO, HAS_RAMP},
     .normal = "hertz",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

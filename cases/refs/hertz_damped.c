@@ -30,7 +30,7 @@ struct impact {
 };
 
 /* Down to the deepest point, and out until the outlines part; above critical damping they do not. */
-static bool solve(struct impact *impact, double beta) {
+static bool solve_equations(struct impact *impact, double beta) {
   const double far = 20, tick = 0.05;
   double y[HERTZ_UNKNOWNS] = HERTZ_TOUCH, before[HERTZ_UNKNOWNS], lowest[HERTZ_UNKNOWNS] = {0};
   impact->end = INFINITY, impact->rebound = 0, impact->reach = far;
@@ -90,31 +90,31 @@ static double dashpot_at(const void *data, double t) {
   return 2 * hertz->damping * sqrt(hertz->mass * 2 * hertz->young * a) * hertz->speed * y[HERTZ_SPEED];
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct impact impact;
   struct hertz *hertz = &impact.hertz;
   if (hertz_of(hertz, scene, "hertz_damped", error))
     return error->status;
-  if (!solve(&impact, hertz->damping))
+  if (!solve_equations(&impact, hertz->damping))
     return nb_error_set(error, NB_BROKEN, "hertz_damped: the equation of motion could not be solved");
-  hertz_curve(known, hertz, "overlap", "time", overlap_at, &impact, sizeof impact);
-  hertz_curve(known, hertz, "normal", "time", normal_at, &impact, sizeof impact);
-  hertz_curve(known, hertz, "dashpot.normal", "time", dashpot_at, &impact, sizeof impact);
-  hertz_tell_stages(known, hertz, overlap_at, &impact, hertz->depth * impact.deepest,
-                    hertz->begin + hertz->unit * impact.stopped);
+  hertz_curve(solution, hertz, "overlap", "time", overlap_at, &impact, sizeof impact);
+  hertz_curve(solution, hertz, "normal", "time", normal_at, &impact, sizeof impact);
+  hertz_curve(solution, hertz, "dashpot.normal", "time", dashpot_at, &impact, sizeof impact);
+  hertz_add_stages(solution, hertz, overlap_at, &impact, hertz->depth * impact.deepest,
+                   hertz->begin + hertz->unit * impact.stopped);
   if (isfinite(impact.end))
-    known_value(known, impact.end * hertz->unit, "impact.duration");
-  known_value(known, impact.rebound, "impact.restitution");
-  return known_full(known, error);
+    solution_value(solution, impact.end * hertz->unit, "impact.duration");
+  solution_value(solution, impact.rebound, "impact.restitution");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_hertz_damped = {
     .name = "hertz_damped",
     .title = "Hertz's impact with a dashpot of constant share of critical damping: ODE by GSL at 1e-13",
     .source = "[R89 4.13, 5.6]",
-    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL,
+    .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL,
                 HAS_CONTACT_RATIO, HAS_WALL_DAMPING},
     .normal = "hertz",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

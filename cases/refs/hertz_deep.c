@@ -29,11 +29,11 @@ static bool turn(double y[], double beta, double end, double lowest[]) {
   return false;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct hertz hertz;
   if (hertz_of(&hertz, scene, "hertz_deep", error))
     return error->status;
-  const struct nb_body *a = hertz.bodies[0], *b = hertz.bodies[1];
+  const struct nb_particle *a = hertz.particles[0], *b = hertz.particles[1];
   const double smaller = b && b->radius < a->radius ? b->radius : a->radius;
   const double limit = scene->damping.deep * 2 * smaller / hertz.depth, beta = hertz.damping;
   double y[HERTZ_UNKNOWNS] = HERTZ_TOUCH, lowest[HERTZ_UNKNOWNS] = {0};
@@ -47,20 +47,20 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     memcpy(y, trial, sizeof y);
   if (!solved)
     return nb_error_set(error, NB_BROKEN, "hertz_deep: the equation of motion could not be solved");
-  hertz_tell(known, &hertz, "overlap max", lowest[HERTZ_WAY] * hertz.depth);
-  known_value(known, y[HERTZ_TIME] * hertz.unit, "impact.duration");
-  known_value(known, -y[HERTZ_SPEED], "impact.restitution");
-  return known_full(known, error);
+  hertz_add(solution, &hertz, "overlap max", lowest[HERTZ_WAY] * hertz.depth);
+  solution_value(solution, y[HERTZ_TIME] * hertz.unit, "impact.duration");
+  solution_value(solution, -y[HERTZ_SPEED], "impact.restitution");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_hertz_deep = {
     .name = "hertz_deep",
     .title = "Hertz's impact, damped critically where it is deep: ODE by GSL at 1e-13",
     .source = "[R89 4.13, 6.4.3]",
-    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL,
+    .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL,
                 HAS_CONTACT_RATIO, HAS_WALL_DAMPING},
     .needs = {HAS_DEEP_DAMPING},
     .normal = "hertz",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

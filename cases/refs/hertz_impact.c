@@ -84,25 +84,25 @@ static double normal_at(const void *data, double t) { return hertz_force(data, o
 
 static double normal_on(const void *data, double overlap) { return hertz_force(data, overlap); }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct hertz hertz;
   if (hertz_of(&hertz, scene, "hertz_impact", error))
     return error->status;
-  hertz_curve(known, &hertz, "overlap", "time", overlap_at, &hertz, sizeof hertz);
-  hertz_curve(known, &hertz, "normal", "time", normal_at, &hertz, sizeof hertz);
-  hertz_curve(known, &hertz, "normal", "overlap", normal_on, &hertz, sizeof hertz);
-  hertz_tell_stages(known, &hertz, overlap_at, &hertz, hertz.depth, hertz.begin + hertz.duration / 2);
-  known_value(known, hertz.duration, "impact.duration");
-  known_value(known, 1, "impact.restitution");
-  return known_full(known, error);
+  hertz_curve(solution, &hertz, "overlap", "time", overlap_at, &hertz, sizeof hertz);
+  hertz_curve(solution, &hertz, "normal", "time", normal_at, &hertz, sizeof hertz);
+  hertz_curve(solution, &hertz, "normal", "overlap", normal_on, &hertz, sizeof hertz);
+  hertz_add_stages(solution, &hertz, overlap_at, &hertz, hertz.depth, hertz.begin + hertz.duration / 2);
+  solution_value(solution, hertz.duration, "impact.duration");
+  solution_value(solution, 1, "impact.restitution");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_hertz_impact = {
     .name = "hertz_impact",
     .title = "two elastic spheres, or a sphere and a wall, head-on: alpha(t) by quadrature and its inverse",
     .source = "[R89 5.5-5.12]",
-    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
+    .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
     .normal = "hertz hertz_increment", /* R89's sum of increments, which is meant to miss */
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

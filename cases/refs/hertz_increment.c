@@ -31,24 +31,24 @@
 
 #include "hertz.h"
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct hertz hertz;
   if (hertz_of(&hertz, scene, "hertz_increment", error))
     return error->status;
-  const double share = gsl_sf_beta(0.6, 1.5) * hertz.step / hertz.unit;
+  const double fraction = gsl_sf_beta(0.6, 1.5) * hertz.step / hertz.unit;
   char what[2 * NB_NAME_SIZE];
   snprintf(what, sizeof what, "normal max in %s", scene->stages[0].name);
-  hertz_tell(known, &hertz, what, hertz_force(&hertz, hertz.depth) * (1 - 0.15 * share));
-  known_value(known, 1 - share / 4, "impact.restitution");
-  return known_full(known, error);
+  hertz_add(solution, &hertz, what, hertz_force(&hertz, hertz.depth) * (1 - 0.15 * fraction));
+  solution_value(solution, 1 - fraction / 4, "impact.restitution");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_hertz_increment = {
     .name = "hertz_increment",
     .title = "what R89's increments of Hertz's force lose in an impact, to first order in the step",
     .source = "[R89 4.11-4.14]",
-    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
+    .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
     .normal = "hertz_increment",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -31,18 +31,18 @@ bool hertz_go(double y[], double beta, int along, double to) {
     return true;
   gsl_odeiv2_driver *driver =
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, copysign(1e-6, to - x), 1e-13, 0);
-  const bool gone = driver && !gsl_odeiv2_driver_set_nmax(driver, 100000) &&
-                    gsl_odeiv2_driver_apply(driver, &x, to, y) == GSL_SUCCESS;
+  const bool removed = driver && !gsl_odeiv2_driver_set_nmax(driver, 100000) &&
+                       gsl_odeiv2_driver_apply(driver, &x, to, y) == GSL_SUCCESS;
   if (driver)
     gsl_odeiv2_driver_free(driver);
   y[along] = to;
-  return gone;
+  return removed;
 }
 
-bool hertz_tick(double y[], double beta, double share, double lowest[]) {
+bool hertz_tick(double y[], double beta, double fraction, double lowest[]) {
   double before[HERTZ_UNKNOWNS];
   memcpy(before, y, sizeof before);
-  if (!hertz_go(y, beta, HERTZ_TIME, y[HERTZ_TIME] + share))
+  if (!hertz_go(y, beta, HERTZ_TIME, y[HERTZ_TIME] + fraction))
     return false;
   if (!(before[HERTZ_SPEED] > 0) || y[HERTZ_SPEED] > 0)
     return true;

@@ -22,6 +22,6 @@ enum { HERTZ_TIME, HERTZ_WAY, HERTZ_SPEED, HERTZ_UNKNOWNS }; /* t, s, s' */
 /* From y along one of its own unknowns to a value of that. False: GSL gave up. */
 bool hertz_go(double y[], double beta, int along, double to);
 /* On from y by a share of time. Where the way in ends on it, *lowest is the state there; untouched elsewhere. */
-bool hertz_tick(double y[], double beta, double share, double lowest[]);
+bool hertz_tick(double y[], double beta, double fraction, double lowest[]);
 
 #endif

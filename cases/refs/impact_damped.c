@@ -68,10 +68,10 @@ double impact_damped(double chi, double kappa, double beta, double psi1, int ste
   for (int i = 0; u && depth && i < springs; i++)
     depth[i] = (i + 0.5) / springs * ((i + 0.5) / springs);
   for (int k = 0; u && depth && dt > 0 && k < steps; k++) {
-    const double xi = y[WAY] > 0 ? y[WAY] : 0, share = k ? dt : dt / 2;
-    const double half = slides ? 0 : 1.25 * chi * brake * sqrt(sqrt(xi)) * share; /* g with psi in the middle */
+    const double xi = y[WAY] > 0 ? y[WAY] : 0, fraction = k ? dt : dt / 2;
+    const double half = slides ? 0 : 1.25 * chi * brake * sqrt(sqrt(xi)) * fraction; /* g with psi in the middle */
     double slipped;
-    psi = (psi * (1 - half) - 2.5 * chi * f * share) / (1 + half);
+    psi = (psi * (1 - half) - 2.5 * chi * f * fraction) / (1 + half);
     go(y, (struct motion){drag, TIME}, (k + 1) * dt);
     const double to = y[WAY] > 0 && k + 1 < steps ? y[WAY] : 0;
     f = impact_press(u, depth, springs, xi, to, psi * dt, &slipped);

@@ -57,8 +57,11 @@ static double randall(struct step s, struct memory *m) {
     m->deficit = 0;
     slip = -slip;
   }
-  const double share = m->unloading ? m->sense * (m->star - s.f) / (2 * s.n) : m->sense * s.f / s.n;
-  const double theta = slip > s.dxi + m->deficit ? cbrt(share < 0 ? 1 : share > 1 ? 0 : 1 - share) : 1; /* 3.95, 3.96 */
+  const double fraction = m->unloading ? m->sense * (m->star - s.f) / (2 * s.n) : m->sense * s.f / s.n;
+  const double theta = slip > s.dxi + m->deficit ? cbrt(fraction < 0   ? 1
+                                                        : fraction > 1 ? 0
+                                                                       : 1 - fraction)
+                                                 : 1; /* 3.95, 3.96 */
   m->deficit = fmax(m->deficit + s.dxi - slip, 0);
   return s.f + 1.5 * s.root * theta * s.dd + (m->unloading ? -1 : 1) * m->sense * (1 - theta) * s.dn;
 }

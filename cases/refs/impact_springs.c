@@ -30,8 +30,8 @@ double *impact_approach(int steps) {
   gsl_odeiv2_system system = {accelerate, NULL, 2, NULL};
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14, 1e-13);
   for (int k = 1; xi && driver && 2 * k <= steps; k++) { /* the way out is the way in, backwards */
-    const bool gone = gsl_odeiv2_driver_apply(driver, &t, IMPACT_DURATION * k / steps, y) == GSL_SUCCESS;
-    xi[k] = xi[steps - k] = gone ? y[0] : NAN;
+    const bool removed = gsl_odeiv2_driver_apply(driver, &t, IMPACT_DURATION * k / steps, y) == GSL_SUCCESS;
+    xi[k] = xi[steps - k] = removed ? y[0] : NAN;
   }
   if (driver)
     gsl_odeiv2_driver_free(driver);

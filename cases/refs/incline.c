@@ -29,7 +29,9 @@ struct plane {
 };
 
 /* Area under p and n from the begin of a stage to `share` of it, as times of its length. */
-static double area(const double ends[2], double share) { return share * (ends[0] + (ends[1] - ends[0]) * share / 2); }
+static double area(const double ends[2], double fraction) {
+  return fraction * (ends[0] + (ends[1] - ends[0]) * fraction / 2);
+}
 
 /* Where in a stage p exceeds (1 + q) mu n: share of its length; 1: nowhere. */
 static double slides_from(const struct plane *f, int s) {
@@ -45,10 +47,10 @@ static void velocities(const struct plane *f, double t, double *v, double *spin)
   *v = 0;
   for (int s = 0; s < f->count && t > f->begin[s]; s++) {
     const double length = f->begin[s + 1] - f->begin[s];
-    const double share = t < f->begin[s + 1] ? (t - f->begin[s]) / length : 1, slides = slides_from(f, s);
-    const double rolls = share < slides ? share : slides;
-    const double down = length * (area(f->p[s], share) - area(f->p[s], rolls));
-    const double grip = f->mu * length * (area(f->n[s], share) - area(f->n[s], rolls));
+    const double fraction = t < f->begin[s + 1] ? (t - f->begin[s]) / length : 1, slides = slides_from(f, s);
+    const double rolls = fraction < slides ? fraction : slides;
+    const double down = length * (area(f->p[s], fraction) - area(f->p[s], rolls));
+    const double grip = f->mu * length * (area(f->n[s], fraction) - area(f->n[s], rolls));
     const double rolled = length * area(f->p[s], rolls) * f->q / (1 + f->q);
     *v += rolled + down - grip;
     w -= (rolled + f->q * grip) / f->radius;
@@ -96,20 +98,20 @@ static bool read_stages(struct plane *f, const struct nb_scene *scene, double st
   return true;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  struct single body;
-  if (single_of(&body, scene, error))
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  struct single particle;
+  if (single_of(&particle, scene, error))
     return error->status;
-  struct plane plane = {.q = body.q, .mu = body.pair.friction, .radius = body.radius};
-  if (!read_stages(&plane, scene, body.step) || !goes_on(&plane))
+  struct plane plane = {.q = particle.q, .mu = particle.pair.friction, .radius = particle.radius};
+  if (!read_stages(&plane, scene, particle.step) || !goes_on(&plane))
     return nb_error_set(error, NB_BAD_USE, "incline is for stages that tilt the plane one way");
   for (int s = 0; s < plane.count; s++) {
-    single_tell(known, body.body, "vx", scene->stages[s].name, vx_at(&plane, plane.begin[s + 1]));
-    single_tell(known, body.body, "spin", scene->stages[s].name, spin_at(&plane, plane.begin[s + 1]));
+    single_add(solution, particle.particle, "vx", scene->stages[s].name, vx_at(&plane, plane.begin[s + 1]));
+    single_add(solution, particle.particle, "spin", scene->stages[s].name, spin_at(&plane, plane.begin[s + 1]));
   }
-  single_curve(known, body.body, "vx", vx_at, &plane, sizeof plane);
-  single_curve(known, body.body, "spin", spin_at, &plane, sizeof plane);
-  return known_full(known, error);
+  single_curve(solution, particle.particle, "vx", vx_at, &plane, sizeof plane);
+  single_curve(solution, particle.particle, "spin", spin_at, &plane, sizeof plane);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_incline = {
@@ -120,5 +122,5 @@ const struct nb_reference reference_incline = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "linear",
-    .know = know,
+    .solve = solve,
 };

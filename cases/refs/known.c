@@ -20,60 +20,61 @@ static void copy_text(char *to, const char *from, size_t size) {
   to[size - 1] = '\0';
 }
 
-void known_value(struct nb_known *known, double value, const char *name) {
-  struct nb_known_value *values = one_more(known->values, known->value_count, sizeof *values);
+void solution_value(struct nb_solution *solution, double value, const char *name) {
+  struct nb_solution_value *values = one_more(solution->values, solution->value_count, sizeof *values);
   if (!values) {
-    known->lacking = true;
+    solution->lacking = true;
     return;
   }
-  known->values = values;
-  values += known->value_count++;
+  solution->values = values;
+  values += solution->value_count++;
   copy_text(values->name, name, sizeof values->name);
   values->value = value;
 }
 
-void known_curve(struct nb_known *known, const char *name, const char *along, double (*at)(const void *data, double x),
-                 void *data) {
-  struct nb_known_curve *curves = data ? one_more(known->curves, known->curve_count, sizeof *curves) : NULL;
+void solution_curve(struct nb_solution *solution, const char *name, const char *along,
+                    double (*at)(const void *data, double x), void *data) {
+  struct nb_solution_curve *curves = data ? one_more(solution->curves, solution->curve_count, sizeof *curves) : NULL;
   if (!curves) {
-    known->lacking = true;
+    solution->lacking = true;
     free(data);
     return;
   }
-  known->curves = curves;
-  curves += known->curve_count++;
+  solution->curves = curves;
+  curves += solution->curve_count++;
   copy_text(curves->name, name, sizeof curves->name);
   copy_text(curves->along, along, sizeof curves->along);
   curves->at = at;
   curves->data = data;
 }
 
-enum nb_status known_full(const struct nb_known *known, struct nb_error *error) {
-  if (known->lacking)
+enum nb_status solution_full(const struct nb_solution *solution, struct nb_error *error) {
+  if (solution->lacking)
     return nb_error_memory(error);
   return NB_OK;
 }
 
-const double *known_find(const struct nb_known *known, const char *name) {
-  for (size_t i = 0; i < known->value_count; i++)
-    if (!strcmp(known->values[i].name, name))
-      return &known->values[i].value;
+const double *solution_find(const struct nb_solution *solution, const char *name) {
+  for (size_t i = 0; i < solution->value_count; i++)
+    if (!strcmp(solution->values[i].name, name))
+      return &solution->values[i].value;
   return NULL;
 }
 
-const struct nb_known_curve *known_find_curve(const struct nb_known *known, const char *name, const char *along) {
-  for (size_t i = 0; i < known->curve_count; i++)
-    if (!strcmp(known->curves[i].name, name) && !strcmp(known->curves[i].along, along))
-      return &known->curves[i];
+const struct nb_solution_curve *solution_find_curve(const struct nb_solution *solution, const char *name,
+                                                    const char *along) {
+  for (size_t i = 0; i < solution->curve_count; i++)
+    if (!strcmp(solution->curves[i].name, name) && !strcmp(solution->curves[i].along, along))
+      return &solution->curves[i];
   return NULL;
 }
 
-void known_free(struct nb_known *known) {
-  for (size_t i = 0; i < known->curve_count; i++)
-    free(known->curves[i].data);
-  free(known->curves);
-  free(known->values);
-  *known = (struct nb_known){0};
+void solution_free(struct nb_solution *solution) {
+  for (size_t i = 0; i < solution->curve_count; i++)
+    free(solution->curves[i].data);
+  free(solution->curves);
+  free(solution->values);
+  *solution = (struct nb_solution){0};
 }
 
 /* references-register.h is made by make: a line NB_REFERENCE(nine_discs) for each file of REFERENCES in Makefile.am. */
@@ -109,8 +110,8 @@ static void handle(const char *reason, const char *file, int line, int status) {
 
 void nb_references_prepare(void) { gsl_set_error_handler(handle); }
 
-enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_known *known,
+enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_solution *solution,
                                 const struct nb_scene *scene, struct nb_error *error) {
   const enum nb_status status = nb_reference_covers(reference, scene, error);
-  return status ? status : reference->know(known, scene, error);
+  return status ? status : reference->solve(solution, scene, error);
 }

@@ -13,13 +13,13 @@
 static const double touch = 1e-9;
 
 /* Where a body's centre stands against a wall: the unit vector to the wall and the gap to it. */
-static struct nb_vec toward_wall(const struct nb_body *body, const struct nb_wall *wall, double *gap) {
+static struct nb_vec toward_wall(const struct nb_particle *particle, const struct nb_wall *wall, double *gap) {
   struct nb_vec e = vec(wall->ex, wall->ey), left = vec(-wall->ey, wall->ex);
-  struct nb_vec p = vec_sub(vec(body->x - wall->x, body->y - wall->y), vec_scale(wall->h0, left));
+  struct nb_vec p = vec_sub(vec(particle->x - wall->x, particle->y - wall->y), vec_scale(wall->h0, left));
   double along = fmin(fmax(vec_dot(p, e), wall->h1), wall->h2);
   struct nb_vec way = vec_sub(vec_scale(along, e), p);
   double length = vec_length(way);
-  *gap = length - body->radius;
+  *gap = length - particle->radius;
   return vec_scale(1 / length, way);
 }
 
@@ -39,28 +39,28 @@ static int touches(double gap, double radius, double reach) {
 
 /* The contact that body a and body or wall b would have, and the gap between them. */
 static struct lattice_contact meeting(const struct nb_scene *scene, int a, int b, bool wall, double *gap) {
-  const struct nb_body *body = &scene->bodies[a];
+  const struct nb_particle *particle = &scene->particles[a];
   struct nb_vec e;
   int other;
   if (wall) {
-    e = toward_wall(body, &scene->walls[b], gap);
+    e = toward_wall(particle, &scene->walls[b], gap);
     other = scene->walls[b].material;
   } else {
-    struct nb_vec way = vec(scene->bodies[b].x - body->x, scene->bodies[b].y - body->y);
+    struct nb_vec way = vec(scene->particles[b].x - particle->x, scene->particles[b].y - particle->y);
     double distance = vec_length(way);
     e = vec_scale(1 / distance, way);
-    *gap = distance - body->radius - scene->bodies[b].radius;
-    other = scene->bodies[b].material;
+    *gap = distance - particle->radius - scene->particles[b].radius;
+    other = scene->particles[b].material;
   }
   return (struct lattice_contact){
-      .a = a, .b = b, .wall = wall, .ex = e.x, .ey = e.y, .pair = springs_of(scene, body->material, other)};
+      .a = a, .b = b, .wall = wall, .ex = e.x, .ey = e.y, .pair = springs_of(scene, particle->material, other)};
 }
 
 static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene *scene, int a, int b, bool wall,
                                   struct nb_error *error) {
   double gap;
   struct lattice_contact contact = meeting(scene, a, b, wall, &gap);
-  int answer = touches(gap, scene->bodies[a].radius, lattice->reach);
+  int answer = touches(gap, scene->particles[a].radius, lattice->reach);
   if (answer == 0)
     return NB_OK;
   if (answer < 0)
@@ -73,13 +73,13 @@ static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene
 }
 
 static enum nb_status find_contacts(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
-  size_t most = scene->body_count * (scene->body_count + scene->wall_count);
+  size_t most = scene->particle_count * (scene->particle_count + scene->wall_count);
   lattice->contacts = calloc(most + 1, sizeof *lattice->contacts);
   if (!lattice->contacts)
     return nb_error_memory(error);
   enum nb_status status = NB_OK;
-  for (size_t a = 0; a < scene->body_count; a++) {
-    for (size_t b = a + 1; b < scene->body_count && status == NB_OK; b++)
+  for (size_t a = 0; a < scene->particle_count; a++) {
+    for (size_t b = a + 1; b < scene->particle_count && status == NB_OK; b++)
       status = add_contact(lattice, scene, (int)a, (int)b, false, error);
     for (size_t b = 0; b < scene->wall_count && status == NB_OK; b++)
       status = add_contact(lattice, scene, (int)a, (int)b, true, error);
@@ -91,26 +91,27 @@ static enum nb_status find_contacts(struct lattice *lattice, const struct nb_sce
 
 /* What freedoms x, y, theta of body a (sign 1) or b (sign -1) do to contact c [CS79 12, 13]. */
 static void fill_stretch(struct lattice *lattice, const struct nb_scene *scene, size_t c, int index, double sign) {
-  const struct nb_body *body = &scene->bodies[index];
-  if (body->fixed)
+  const struct nb_particle *particle = &scene->particles[index];
+  if (particle->fixed)
     return;
   const struct lattice_contact *contact = &lattice->contacts[c];
   struct nb_vec e = vec(contact->ex, contact->ey), t = vec_clockwise(e);
-  double heavy = sqrt(matter_mass(scene, body)), lazy = sqrt(matter_inertia(scene, body));
+  double heavy = sqrt(matter_mass(scene, particle)), lazy = sqrt(matter_inertia(scene, particle));
   size_t x = 3 * (size_t)index;
   gsl_matrix_set(lattice->stretch, 2 * c, x, sign * e.x / heavy);
   gsl_matrix_set(lattice->stretch, 2 * c, x + 1, sign * e.y / heavy);
   gsl_matrix_set(lattice->stretch, 2 * c + 1, x, sign * t.x / heavy);
   gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 1, sign * t.y / heavy);
-  gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 2, -body->radius / lazy);
+  gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 2, -particle->radius / lazy);
 }
 
 static void fill_push(struct lattice *lattice, const struct nb_scene *scene, size_t c) {
   const struct lattice_contact *contact = &lattice->contacts[c];
   const struct nb_wall *wall = &scene->walls[contact->b];
-  const struct nb_body *body = &scene->bodies[contact->a];
+  const struct nb_particle *particle = &scene->particles[contact->a];
   struct nb_vec e = vec(contact->ex, contact->ey), t = vec_clockwise(e);
-  struct nb_vec arm = vec(body->x + body->radius * e.x - wall->x, body->y + body->radius * e.y - wall->y);
+  struct nb_vec arm =
+      vec(particle->x + particle->radius * e.x - wall->x, particle->y + particle->radius * e.y - wall->y);
   struct nb_vec turn = vec(-arm.y, arm.x);
   size_t x = LATTICE_WALL * (size_t)contact->b;
   gsl_matrix_set(lattice->push, 2 * c, x, -e.x);
@@ -142,14 +143,14 @@ static void fill(struct lattice *lattice, const struct nb_scene *scene) {
 /* The matrices are full: 1000 bodies take some 100 MB, and minutes. */
 static enum nb_status is_small(const struct nb_scene *scene, struct nb_error *error) {
   enum { MOST = 1000 };
-  return scene->body_count <= MOST
+  return scene->particle_count <= MOST
              ? NB_OK
              : nb_error_set(error, NB_BAD_USE, "this reference is for up to %d bodies, not for %zu", MOST,
-                            scene->body_count);
+                            scene->particle_count);
 }
 
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
-  *lattice = (struct lattice){.freedom_count = 3 * scene->body_count};
+  *lattice = (struct lattice){.freedom_count = 3 * scene->particle_count};
   enum nb_status status = is_small(scene, error);
   if (status == NB_OK && scene->wall_count == 0)
     status = nb_error_set(error, NB_BAD_USE, "this reference is for walls that move");
@@ -167,7 +168,7 @@ enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *sce
 
 enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scene, double reach,
                             struct nb_error *error) {
-  size_t n = scene->body_count, most = n * (n + scene->wall_count);
+  size_t n = scene->particle_count, most = n * (n + scene->wall_count);
   *lattice = (struct lattice){.freedom_count = 3 * n};
   if (is_small(scene, error))
     return error->status;
@@ -179,7 +180,7 @@ enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scen
       bool wall = b >= n;
       double gap;
       struct lattice_contact contact = meeting(scene, (int)a, (int)(wall ? b - n : b), wall, &gap);
-      bool held = scene->bodies[a].fixed && (wall || scene->bodies[b].fixed);
+      bool held = scene->particles[a].fixed && (wall || scene->particles[b].fixed);
       if (gap < reach && !held)
         lattice->contacts[lattice->contact_count++] = contact;
     }
@@ -191,17 +192,17 @@ enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scen
   return NB_OK;
 }
 
-int lattice_watched(const struct lattice *lattice, const struct nb_watch *watch) {
-  if (watch->kind != NB_WATCH_BODY_BODY && watch->kind != NB_WATCH_BODY_WALL)
+int lattice_watched(const struct lattice *lattice, const struct nb_monitor *monitor) {
+  if (monitor->kind != NB_MONITOR_PARTICLE_PARTICLE && monitor->kind != NB_MONITOR_PARTICLE_WALL)
     return -1;
-  bool wall = watch->kind == NB_WATCH_BODY_WALL;
+  bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
   for (size_t c = 0; c < lattice->contact_count; c++) {
     const struct lattice_contact *contact = &lattice->contacts[c];
     if (contact->wall != wall)
       continue;
-    if (contact->a == watch->a && contact->b == watch->b)
+    if (contact->a == monitor->a && contact->b == monitor->b)
       return (int)c;
-    if (!wall && contact->a == watch->b && contact->b == watch->a)
+    if (!wall && contact->a == monitor->b && contact->b == monitor->a)
       return (int)c;
   }
   return -1;

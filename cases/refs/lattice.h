@@ -66,7 +66,7 @@ enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scen
 void lattice_free(struct lattice *lattice);
 
 /* The contact that a watch looks at; -1 when the watch is none of a contact, or nothing touches there. */
-int lattice_watched(const struct lattice *lattice, const struct nb_watch *watch);
+int lattice_watched(const struct lattice *lattice, const struct nb_monitor *monitor);
 
 /* ---- lattice_walls.c: what the stages do to the walls ---- */
 
@@ -90,10 +90,10 @@ enum nb_status lattice_holds(const struct lattice *lattice, const gsl_vector *fo
 
 /* A force in time, a sum of straight lines and waves that begin where the walls' velocities change.
  * One allocation, so that it can be the data of a curve. */
-struct swing {
+struct oscillation {
   double unit; /* what one cycle is on the axis: 1, or the step in s */
   size_t count;
-  struct swing_term {
+  struct oscillation_term {
     double start; /* cycle */
     double size;  /* N per cycle */
     double phase; /* per cycle; 0: a straight line and no wave */
@@ -101,24 +101,25 @@ struct swing {
   } terms[];
 };
 
-enum swing_time { SWING_STEPS, SWING_CONTINUOUS };
+enum oscillation_time { OSCILLATION_STEPS, OSCILLATION_CONTINUOUS };
 
 /* Normal modes of the network: u'' = -A u with A = stretch' S stretch. */
-struct swing_modes {
+struct oscillation_modes {
   gsl_vector *square; /* omega^2, 1/s2, ascending; below `still` of the largest: no restoring force at all */
   gsl_matrix *shape;  /* columns */
 };
-struct swing_modes swing_modes_create(const struct lattice *lattice);
-void swing_modes_free(struct swing_modes *modes);
+struct oscillation_modes oscillation_modes_create(const struct lattice *lattice);
+void oscillation_modes_free(struct oscillation_modes *modes);
 
 /* Force `row` (2c: normal, 2c + 1: shear of contact c) from rest. NULL and a filled error when memory runs out or the
  * step is too long. Free with free(). */
-struct swing *swing_create(const struct lattice *lattice, const struct swing_modes *modes, size_t row,
-                           enum swing_time time, double unit, struct nb_error *error);
-double swing_at(const void *swing, double x);      /* x in cycles times unit */
-double swing_mean(const struct swing *swing);      /* about which it swings once the walls stand */
-double swing_amplitude(const struct swing *swing); /* the sum of the waves' amplitudes once the walls stand */
+struct oscillation *oscillation_create(const struct lattice *lattice, const struct oscillation_modes *modes, size_t row,
+                                       enum oscillation_time time, double unit, struct nb_error *error);
+double oscillation_at(const void *oscillation, double x);       /* x in cycles times unit */
+double oscillation_mean(const struct oscillation *oscillation); /* about which it swings once the walls stand */
+double oscillation_amplitude(
+    const struct oscillation *oscillation); /* the sum of the waves' amplitudes once the walls stand */
 /* Waves per cycle of the mode that decides how often the mean is crossed; 0 when no mode does. */
-double swing_beat(const struct swing *swing);
+double oscillation_beat(const struct oscillation *oscillation);
 
 #endif

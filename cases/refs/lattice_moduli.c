@@ -53,7 +53,7 @@ static void strain(struct lattice *it, double exx, double eyy, double exy) {
   it->yy -= c12 * exx + c11 * eyy;
 }
 
-static void tell(struct nb_known *known, const struct lattice *it, const char *stage) {
+static void add_value(struct nb_solution *solution, const struct lattice *it, const char *stage) {
   const struct {
     const char *name;
     double value;
@@ -61,7 +61,7 @@ static void tell(struct nb_known *known, const struct lattice *it, const char *s
   for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "cell.stress.%s%s%s", all[k].name, stage ? " in " : "", stage ? stage : "");
-    known_value(known, all[k].value, name);
+    solution_value(solution, all[k].value, name);
   }
 }
 
@@ -73,26 +73,26 @@ static enum nb_status unfit(struct nb_error *error, const char *what) {
 static int neighbours(const struct nb_scene *scene, double *spacing) {
   int count = 0;
   *spacing = INFINITY;
-  for (size_t j = 1; j < scene->body_count; j++) {
-    double x = scene->bodies[j].x - scene->bodies[0].x, y = scene->bodies[j].y - scene->bodies[0].y;
+  for (size_t j = 1; j < scene->particle_count; j++) {
+    double x = scene->particles[j].x - scene->particles[0].x, y = scene->particles[j].y - scene->particles[0].y;
     x -= scene->cell.h[0] * round(x / scene->cell.h[0]), y -= scene->cell.h[3] * round(y / scene->cell.h[3]);
     const double apart = hypot(x, y);
-    count += apart < 2 * scene->bodies[0].radius * (1 + 1e-9); /* those that just touch will */
+    count += apart < 2 * scene->particles[0].radius * (1 + 1e-9); /* those that just touch will */
     *spacing = fmin(*spacing, apart);
   }
   return count;
 }
 
 static enum nb_status fit(struct lattice *it, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *first = &scene->bodies[0];
+  const struct nb_particle *first = &scene->particles[0];
   *it = (struct lattice){.radius = first->radius, .hertz = strcmp(scene->normal, "hertz") == 0};
   it->thickness = first->shape == NB_SPHERE ? 2 * first->radius : 1;
   it->pair = matter_pair(scene, first->material, first->material);
   if (!scene->cell.line || scene->cell.h[1] != 0 || scene->cell.h[2] != 0)
     return unfit(error, "an upright periodic cell");
-  for (size_t k = 0; k < scene->body_count; k++)
-    if (scene->bodies[k].radius != first->radius || scene->bodies[k].material != first->material ||
-        scene->bodies[k].shape != first->shape || scene->bodies[k].vx != 0 || scene->bodies[k].vy != 0)
+  for (size_t k = 0; k < scene->particle_count; k++)
+    if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
+        scene->particles[k].shape != first->shape || scene->particles[k].vx != 0 || scene->particles[k].vy != 0)
       return unfit(error, "equal bodies at rest");
   if (it->hertz ? strcmp(scene->shear, "none") != 0
                 : strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0)
@@ -102,16 +102,16 @@ static enum nb_status fit(struct lattice *it, const struct nb_scene *scene, stru
     return unfit(error, "a lattice in which every body touches four others, or six");
   it->hexagonal = count == 6;
   const double place = it->hexagonal ? sqrt(0.75) : 1;
-  const double area = (double)scene->body_count * place * it->spacing * it->spacing;
+  const double area = (double)scene->particle_count * place * it->spacing * it->spacing;
   if (fabs(scene->cell.h[0] * scene->cell.h[3] / area - 1) > 1e-9)
     return unfit(error, "a lattice that fills the cell");
   it->xx = it->yy = pressure(it);
   return NB_OK;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
-  if (scene->body_count == 0 || fit(&lattice, scene, error))
+  if (scene->particle_count == 0 || fit(&lattice, scene, error))
     return error->status;
   struct nb_strain_rate rate = {0};
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -121,10 +121,10 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       return unfit(error, "steps that are times, stages of so many cycles, and strain rates without rotation");
     const double time = rate.per_cycle ? (double)stage->cycles : (double)stage->cycles * stage->step.value;
     strain(&lattice, time * rate.xx, time * rate.yy, time * rate.xy);
-    tell(known, &lattice, stage->name);
+    add_value(solution, &lattice, stage->name);
   }
-  tell(known, &lattice, NULL);
-  return known_full(known, error);
+  add_value(solution, &lattice, NULL);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_lattice_moduli = {
@@ -135,5 +135,5 @@ const struct nb_reference reference_lattice_moduli = {
     .needs = {HAS_CELL},
     .normal = "linear hertz",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

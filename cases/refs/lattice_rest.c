@@ -23,8 +23,8 @@ static const double unheld = 1e-11;
 static const double missing = 1e-9, rounding = 1e-9;
 
 /* stretches = stretch u + push w and forces = law stretches, with u such that stretch' forces = 0. */
-static enum nb_status solve(const struct lattice *lattice, const gsl_matrix *law, const gsl_vector *travel,
-                            gsl_vector *stretches, gsl_vector *forces, struct nb_error *error) {
+static enum nb_status solve_equations(const struct lattice *lattice, const gsl_matrix *law, const gsl_vector *travel,
+                                      gsl_vector *stretches, gsl_vector *forces, struct nb_error *error) {
   size_t rows = lattice->stretch->size1, n = lattice->freedom_count;
   gsl_matrix *pulled = gsl_matrix_alloc(rows, n), *a = gsl_matrix_alloc(n, n), *v = gsl_matrix_alloc(n, n);
   gsl_vector *load = gsl_vector_alloc(n), *u = gsl_vector_alloc(n);
@@ -76,7 +76,7 @@ enum nb_status lattice_rest(const struct lattice *lattice, const gsl_vector *tra
                             struct nb_error *error) {
   gsl_matrix *law = law_of(lattice, NULL);
   gsl_vector *stretches = gsl_vector_alloc(forces->size);
-  enum nb_status status = solve(lattice, law, travel, stretches, forces, error);
+  enum nb_status status = solve_equations(lattice, law, travel, stretches, forces, error);
   gsl_vector_free(stretches);
   gsl_matrix_free(law);
   return status;
@@ -144,7 +144,7 @@ enum nb_status lattice_rest_slipping(const struct lattice *lattice, const gsl_ve
   enum nb_status status;
   do {
     gsl_matrix *law = law_of(lattice, slides);
-    status = solve(lattice, law, travel, stretches, forces, error);
+    status = solve_equations(lattice, law, travel, stretches, forces, error);
     gsl_matrix_free(law);
   } while (status == NB_OK && let_slide(lattice, forces, slides));
   if (status == NB_OK)

@@ -38,7 +38,7 @@ static bool sort_contacts(struct lattice_row *row) {
 }
 
 /* How far a wall's way w, x and y of each wall in turn, leads toward the bodies at contact A or C. */
-static double inward(const struct lattice_row *row, size_t place, const gsl_vector *way) {
+static double central(const struct lattice_row *row, size_t place, const gsl_vector *way) {
   const struct lattice_contact *contact = &row->lattice.contacts[row->contact[place]];
   size_t x = LATTICE_WALL * (size_t)contact->b;
   return -contact->ex * gsl_vector_get(way, x) - contact->ey * gsl_vector_get(way, x + 1);
@@ -48,8 +48,8 @@ static bool find_motion(struct lattice_row *row, const struct nb_scene *scene) {
   const struct lattice *lattice = &row->lattice;
   if (lattice->turn_count == 0 || lattice->turns[0].cycle != 0)
     return false;
-  row->v = inward(row, 0, lattice->turns[0].change);
-  if (!(row->v > 0) || fabs(inward(row, 2, lattice->turns[0].change) - row->v) > straight * row->v)
+  row->v = central(row, 0, lattice->turns[0].change);
+  if (!(row->v > 0) || fabs(central(row, 2, lattice->turns[0].change) - row->v) > straight * row->v)
     return false;
   row->even = lattice->undamped;
   if (lattice->turn_count > 1 && lattice->turns[1].cycle < row->even)
@@ -57,13 +57,13 @@ static bool find_motion(struct lattice_row *row, const struct nb_scene *scene) {
   if (!lattice->one_step && scene->stages[0].cycles < row->even)
     row->even = scene->stages[0].cycles;
   const gsl_vector *end = lattice->travel[lattice->stage_count - 1];
-  row->squeeze = inward(row, 0, end) + inward(row, 2, end);
+  row->squeeze = central(row, 0, end) + central(row, 2, end);
   return true;
 }
 
 enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene *scene, struct nb_error *error) {
   *row = (struct lattice_row){0};
-  if (scene->body_count != 2 || scene->bodies[0].fixed || scene->bodies[1].fixed)
+  if (scene->particle_count != 2 || scene->particles[0].fixed || scene->particles[1].fixed)
     return nb_error_set(error, NB_BAD_USE, "this reference is for two free bodies in a row");
   enum nb_status status = lattice_build(&row->lattice, scene, error);
   if (status != NB_OK)
@@ -79,7 +79,7 @@ enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene 
   for (size_t i = 0; i < 3; i++)
     row->k[i] = row->lattice.contacts[row->contact[i]].pair.kn;
   for (size_t i = 0; i < 2; i++)
-    row->m[i] = matter_mass(scene, &scene->bodies[i]);
+    row->m[i] = matter_mass(scene, &scene->particles[i]);
   return NB_OK;
 }
 

@@ -27,20 +27,20 @@ struct lattice {
 };
 
 static bool find(struct lattice *lattice, const struct nb_scene *scene) {
-  const struct nb_body *b = scene->bodies;
+  const struct nb_particle *b = scene->particles;
   double nearest = INFINITY;
-  if (scene->body_count < 4)
+  if (scene->particle_count < 4)
     return false;
   *lattice = (struct lattice){.x1 = b[1].x - b[0].x, .y1 = b[1].y - b[0].y};
   const double length = hypot(lattice->x1, lattice->y1);
-  for (size_t k = 2; k < scene->body_count; k++) {
+  for (size_t k = 2; k < scene->particle_count; k++) {
     const double x = b[k].x - b[0].x, y = b[k].y - b[0].y, area = lattice->x1 * y - lattice->y1 * x;
     if (fabs(area) > 1e-6 * length * length && hypot(x, y) < nearest)
       nearest = hypot(x, y), lattice->x2 = x, lattice->y2 = y, lattice->area = area;
   }
   if (!(nearest < INFINITY))
     return false;
-  for (size_t k = 0; k < scene->body_count; k++) { /* all are on it */
+  for (size_t k = 0; k < scene->particle_count; k++) { /* all are on it */
     const double x = b[k].x - b[0].x, y = b[k].y - b[0].y;
     const double i = (x * lattice->y2 - y * lattice->x2) / lattice->area;
     const double j = (lattice->x1 * y - lattice->y1 * x) / lattice->area;
@@ -52,13 +52,14 @@ static bool find(struct lattice *lattice, const struct nb_scene *scene) {
   return true;
 }
 
-static void tell(struct nb_known *known, const char *region, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *region, const char *what, double value) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.%s at 0 cycles", region, what);
-  known_value(known, value, name);
+  solution_value(solution, value, name);
 }
 
-static void know_region(struct nb_known *known, const char *name, const struct lattice *a, double radius, double kn) {
+static void know_region(struct nb_solution *solution, const char *name, const struct lattice *a, double radius,
+                        double kn) {
   double sigma[3] = {0}, phi[3] = {0}, fourth[3] = {0}, z = 0;
   for (int i = -4; i <= 4; i++)
     for (int j = -4; j <= 4; j++) {
@@ -73,37 +74,37 @@ static void know_region(struct nb_known *known, const char *name, const struct l
       z++;
     }
   const double mean = (sigma[0] + sigma[2]) / 2;
-  tell(known, name, "stress.xx", sigma[0]);
-  tell(known, name, "stress.xy", sigma[1]);
-  tell(known, name, "stress.yy", sigma[2]);
-  tell(known, name, "stress.mean", mean);
-  tell(known, name, "stress.sinphi", hypot((sigma[0] - sigma[2]) / 2, sigma[1]) / mean);
-  tell(known, name, "fabric.xx", phi[0] / z);
-  tell(known, name, "fabric.xy", phi[1] / z);
-  tell(known, name, "fabric.yy", phi[2] / z);
-  tell(known, name, "fabric.fourth.xxxx", fourth[0] / z);
-  tell(known, name, "fabric.fourth.xxyy", fourth[1] / z);
-  tell(known, name, "fabric.fourth.yyyy", fourth[2] / z);
-  tell(known, name, "fabric.kk", z * radius / a->area);
-  tell(known, name, "coordination", z);
-  tell(known, name, "porosity", 1 - pi * radius * radius / a->area);
+  add_value(solution, name, "stress.xx", sigma[0]);
+  add_value(solution, name, "stress.xy", sigma[1]);
+  add_value(solution, name, "stress.yy", sigma[2]);
+  add_value(solution, name, "stress.mean", mean);
+  add_value(solution, name, "stress.sinphi", hypot((sigma[0] - sigma[2]) / 2, sigma[1]) / mean);
+  add_value(solution, name, "fabric.xx", phi[0] / z);
+  add_value(solution, name, "fabric.xy", phi[1] / z);
+  add_value(solution, name, "fabric.yy", phi[2] / z);
+  add_value(solution, name, "fabric.fourth.xxxx", fourth[0] / z);
+  add_value(solution, name, "fabric.fourth.xxyy", fourth[1] / z);
+  add_value(solution, name, "fabric.fourth.yyyy", fourth[2] / z);
+  add_value(solution, name, "fabric.kk", z * radius / a->area);
+  add_value(solution, name, "coordination", z);
+  add_value(solution, name, "porosity", 1 - pi * radius * radius / a->area);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
   if (!find(&lattice, scene) || scene->wall_count > 0 || strcmp(scene->normal, "linear") != 0)
     return nb_error_set(error, NB_BAD_USE, "lattice_stress wants equal discs on linear springs in a lattice, no walls");
-  const int m = scene->bodies[0].material;
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    if (scene->watches[w].kind != NB_WATCH_REGION)
+  const int m = scene->particles[0].material;
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    if (scene->monitors[w].kind != NB_MONITOR_REGION)
       continue;
-    const struct nb_region *region = &scene->regions[scene->watches[w].a];
+    const struct nb_region *region = &scene->regions[scene->monitors[w].a];
     const double cells = 4 * region->half_x * region->half_y / lattice.area;
     if (region->kind != NB_REGION_BOX || fabs(cells - round(cells)) > 1e-9)
       return nb_error_set(error, NB_BAD_USE, "lattice_stress wants regions that are boxes of whole cells");
-    know_region(known, scene->watches[w].name, &lattice, scene->bodies[0].radius, matter_pair(scene, m, m).kn);
+    know_region(solution, scene->monitors[w].name, &lattice, scene->particles[0].radius, matter_pair(scene, m, m).kn);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_lattice_stress = {
@@ -113,5 +114,5 @@ const struct nb_reference reference_lattice_stress = {
     .accepts = {HAS_DISCS},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

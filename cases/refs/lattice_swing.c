@@ -37,9 +37,9 @@ static void scale_rows(gsl_matrix *matrix, const gsl_vector *springs) {
   }
 }
 
-struct swing_modes swing_modes_create(const struct lattice *lattice) {
+struct oscillation_modes oscillation_modes_create(const struct lattice *lattice) {
   size_t n = lattice->freedom_count;
-  struct swing_modes modes = {.square = gsl_vector_alloc(n), .shape = gsl_matrix_alloc(n, n)};
+  struct oscillation_modes modes = {.square = gsl_vector_alloc(n), .shape = gsl_matrix_alloc(n, n)};
   gsl_matrix *pulled = gsl_matrix_alloc(lattice->stretch->size1, n), *a = gsl_matrix_alloc(n, n);
   gsl_matrix_memcpy(pulled, lattice->stretch);
   scale_rows(pulled, lattice->springs);
@@ -54,15 +54,15 @@ struct swing_modes swing_modes_create(const struct lattice *lattice) {
   return modes;
 }
 
-void swing_modes_free(struct swing_modes *modes) {
+void oscillation_modes_free(struct oscillation_modes *modes) {
   gsl_vector_free(modes->square);
   gsl_matrix_free(modes->shape);
-  *modes = (struct swing_modes){0};
+  *modes = (struct oscillation_modes){0};
 }
 
 /* What one cycle of the walls' change of velocity does: straight, the wall's own part of each force, N per cycle, and
  * load, on each mode, as b dt of the comment above. */
-static void drive(const struct lattice *lattice, const struct swing_modes *modes, const gsl_vector *change,
+static void drive(const struct lattice *lattice, const struct oscillation_modes *modes, const gsl_vector *change,
                   gsl_vector *straight, gsl_vector *load) {
   gsl_vector *force = gsl_vector_alloc(lattice->freedom_count);
   gsl_blas_dgemv(CblasNoTrans, lattice->step, lattice->push, change, 0, straight);
@@ -73,12 +73,12 @@ static void drive(const struct lattice *lattice, const struct swing_modes *modes
 }
 
 /* The wave of a mode of the frequency `omega`. */
-static struct swing_term wave_of(double omega, double step, enum swing_time time) {
+static struct oscillation_term wave_of(double omega, double step, enum oscillation_time time) {
   double turn = omega * step;
-  if (time == SWING_CONTINUOUS)
-    return (struct swing_term){.phase = turn, .sine = turn};
+  if (time == OSCILLATION_CONTINUOUS)
+    return (struct oscillation_term){.phase = turn, .sine = turn};
   double phase = 2 * asin(turn / 2);
-  return (struct swing_term){.phase = phase, .sine = sin(phase)};
+  return (struct oscillation_term){.phase = phase, .sine = sin(phase)};
 }
 
 /* The fastest mode limits the step, even one that by symmetry does not move: rounding is enough to start it. */
@@ -94,50 +94,50 @@ static bool step_is_stable(const struct lattice *lattice, double top, struct nb_
   return false;
 }
 
-struct swing *swing_create(const struct lattice *lattice, const struct swing_modes *modes, size_t row,
-                           enum swing_time time, double unit, struct nb_error *error) {
+struct oscillation *oscillation_create(const struct lattice *lattice, const struct oscillation_modes *modes, size_t row,
+                                       enum oscillation_time time, double unit, struct nb_error *error) {
   size_t n = lattice->freedom_count, most = lattice->turn_count * (n + 1);
   double top = gsl_vector_get(modes->square, n - 1);
-  if (time == SWING_STEPS && !step_is_stable(lattice, top, error))
+  if (time == OSCILLATION_STEPS && !step_is_stable(lattice, top, error))
     return NULL;
-  struct swing *swing = calloc(1, sizeof *swing + most * sizeof swing->terms[0]);
-  if (!swing) {
+  struct oscillation *oscillation = calloc(1, sizeof *oscillation + most * sizeof oscillation->terms[0]);
+  if (!oscillation) {
     nb_error_memory(error);
     return NULL;
   }
-  swing->unit = unit;
+  oscillation->unit = unit;
   gsl_vector *straight = gsl_vector_alloc(lattice->stretch->size1), *load = gsl_vector_alloc(n);
-  gsl_vector *share = gsl_vector_alloc(n); /* the force when a mode's q is 1 */
+  gsl_vector *fraction = gsl_vector_alloc(n); /* the force when a mode's q is 1 */
   gsl_vector_const_view stretch = gsl_matrix_const_row(lattice->stretch, row);
-  gsl_blas_dgemv(CblasTrans, gsl_vector_get(lattice->springs, row), modes->shape, &stretch.vector, 0, share);
+  gsl_blas_dgemv(CblasTrans, gsl_vector_get(lattice->springs, row), modes->shape, &stretch.vector, 0, fraction);
   for (size_t k = 0; k < lattice->turn_count; k++) {
     drive(lattice, modes, lattice->turns[k].change, straight, load);
     double start = (double)lattice->turns[k].cycle, own = gsl_vector_get(straight, row);
-    double least = silent * (fabs(own) + gsl_blas_dnrm2(load) * gsl_blas_dnrm2(share) / top);
-    swing->terms[swing->count++] = (struct swing_term){.start = start, .size = own};
+    double least = silent * (fabs(own) + gsl_blas_dnrm2(load) * gsl_blas_dnrm2(fraction) / top);
+    oscillation->terms[oscillation->count++] = (struct oscillation_term){.start = start, .size = own};
     for (size_t i = 0; i < n; i++) {
       double square = gsl_vector_get(modes->square, i);
       if (square < still * top)
         continue;
-      struct swing_term term = wave_of(sqrt(square), lattice->step, time);
+      struct oscillation_term term = wave_of(sqrt(square), lattice->step, time);
       term.start = start;
-      term.size = gsl_vector_get(share, i) * gsl_vector_get(load, i) / square;
+      term.size = gsl_vector_get(fraction, i) * gsl_vector_get(load, i) / square;
       if (fabs(term.size) > least)
-        swing->terms[swing->count++] = term;
+        oscillation->terms[oscillation->count++] = term;
     }
   }
   gsl_vector_free(straight);
   gsl_vector_free(load);
-  gsl_vector_free(share);
-  return swing;
+  gsl_vector_free(fraction);
+  return oscillation;
 }
 
-double swing_at(const void *data, double x) {
-  const struct swing *swing = data;
+double oscillation_at(const void *data, double x) {
+  const struct oscillation *oscillation = data;
   double force = 0;
-  for (size_t i = 0; i < swing->count; i++) {
-    const struct swing_term *term = &swing->terms[i];
-    double n = x / swing->unit - term->start;
+  for (size_t i = 0; i < oscillation->count; i++) {
+    const struct oscillation_term *term = &oscillation->terms[i];
+    double n = x / oscillation->unit - term->start;
     if (n <= 0)
       continue;
     force += term->size * (term->phase > 0 ? n - sin(n * term->phase) / term->sine : n);
@@ -146,21 +146,21 @@ double swing_at(const void *data, double x) {
 }
 
 /* The lines n - start add up to a constant when the walls stand. */
-double swing_mean(const struct swing *swing) {
+double oscillation_mean(const struct oscillation *oscillation) {
   double mean = 0;
-  for (size_t i = 0; i < swing->count; i++)
-    mean -= swing->terms[i].size * swing->terms[i].start;
+  for (size_t i = 0; i < oscillation->count; i++)
+    mean -= oscillation->terms[i].size * oscillation->terms[i].start;
   return mean;
 }
 
 /* The amplitude of all waves of the phase of term i, or 0 when an earlier term has that phase: waves that started at
  * different cycles add as arrows do. */
-static double wave(const struct swing *swing, size_t i) {
-  double phase = swing->terms[i].phase, along = 0, across = 0;
+static double wave(const struct oscillation *oscillation, size_t i) {
+  double phase = oscillation->terms[i].phase, along = 0, across = 0;
   if (phase <= 0)
     return 0;
-  for (size_t j = 0; j < swing->count; j++) {
-    const struct swing_term *term = &swing->terms[j];
+  for (size_t j = 0; j < oscillation->count; j++) {
+    const struct oscillation_term *term = &oscillation->terms[j];
     if (term->phase <= 0 || fabs(term->phase - phase) > alike * phase)
       continue;
     if (j < i)
@@ -171,24 +171,24 @@ static double wave(const struct swing *swing, size_t i) {
   return hypot(along, across);
 }
 
-double swing_amplitude(const struct swing *swing) {
+double oscillation_amplitude(const struct oscillation *oscillation) {
   double sum = 0;
-  for (size_t i = 0; i < swing->count; i++)
-    sum += wave(swing, i);
+  for (size_t i = 0; i < oscillation->count; i++)
+    sum += wave(oscillation, i);
   return sum;
 }
 
 /* One wave decides when it is higher than all others together and steeper than all others together: then the sum
  * crosses its mean as often as that wave alone does, in the long run. */
-double swing_beat(const struct swing *swing) {
+double oscillation_beat(const struct oscillation *oscillation) {
   double height = 0, slope = 0;
-  for (size_t i = 0; i < swing->count; i++) {
-    height += wave(swing, i);
-    slope += wave(swing, i) * swing->terms[i].phase;
+  for (size_t i = 0; i < oscillation->count; i++) {
+    height += wave(oscillation, i);
+    slope += wave(oscillation, i) * oscillation->terms[i].phase;
   }
-  for (size_t i = 0; i < swing->count; i++) {
-    double own = wave(swing, i);
-    double phase = swing->terms[i].phase;
+  for (size_t i = 0; i < oscillation->count; i++) {
+    double own = wave(oscillation, i);
+    double phase = oscillation->terms[i].phase;
     if (2 * own > height && 2 * own * phase > slope)
       return phase / (2 * M_PI);
   }

@@ -8,23 +8,23 @@
 enum { TEXT = 3 * NB_NAME_SIZE };
 
 /* `C.normal` and, with a suffix, `C.normal mean`. */
-static void tell(struct nb_known *known, const struct nb_scene *scene, const struct lattice *lattice,
-                 const gsl_vector *forces, const char *suffix) {
+static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct lattice *lattice,
+                      const gsl_vector *forces, const char *suffix) {
   static const char *const kinds[2] = {"normal", "shear"};
   char text[TEXT];
-  for (size_t i = 0; i < scene->watch_count; i++) {
-    int contact = lattice_watched(lattice, &scene->watches[i]);
+  for (size_t i = 0; i < scene->monitor_count; i++) {
+    int contact = lattice_watched(lattice, &scene->monitors[i]);
     for (size_t k = 0; k < 2 && contact >= 0; k++) {
-      snprintf(text, sizeof text, "%s.%s%s", scene->watches[i].name, kinds[k], suffix);
-      known_value(known, gsl_vector_get(forces, 2 * (size_t)contact + k), text);
+      snprintf(text, sizeof text, "%s.%s%s", scene->monitors[i].name, kinds[k], suffix);
+      solution_value(solution, gsl_vector_get(forces, 2 * (size_t)contact + k), text);
     }
   }
 }
 
-enum nb_status lattice_tell_rest(struct nb_known *known, const struct nb_scene *scene,
-                                 enum nb_status (*rest)(const struct lattice *lattice, const gsl_vector *travel,
-                                                        gsl_vector *forces, struct nb_error *error),
-                                 struct nb_error *error) {
+enum nb_status lattice_add_rest(struct nb_solution *solution, const struct nb_scene *scene,
+                                enum nb_status (*rest)(const struct lattice *lattice, const gsl_vector *travel,
+                                                       gsl_vector *forces, struct nb_error *error),
+                                struct nb_error *error) {
   struct lattice lattice;
   enum nb_status status = lattice_build(&lattice, scene, error);
   if (status != NB_OK)
@@ -37,55 +37,56 @@ enum nb_status lattice_tell_rest(struct nb_known *known, const struct nb_scene *
     if (status != NB_OK)
       break;
     snprintf(suffix, sizeof suffix, " in %s", scene->stages[i].name);
-    tell(known, scene, &lattice, forces, suffix);
+    add_value(solution, scene, &lattice, forces, suffix);
     snprintf(suffix, sizeof suffix, " mean in %s", scene->stages[i].name);
     if (i >= standing)
-      tell(known, scene, &lattice, forces, suffix);
+      add_value(solution, scene, &lattice, forces, suffix);
     if (i + 1 < scene->stage_count)
       continue;
-    tell(known, scene, &lattice, forces, "");
+    add_value(solution, scene, &lattice, forces, "");
     if (i >= standing)
-      tell(known, scene, &lattice, forces, " mean");
+      add_value(solution, scene, &lattice, forces, " mean");
   }
   gsl_vector_free(forces);
   lattice_free(&lattice);
-  return status == NB_OK ? known_full(known, error) : status;
+  return status == NB_OK ? solution_full(solution, error) : status;
 }
 
-enum nb_status lattice_tell_curves(struct nb_known *known, const struct lattice *lattice,
-                                   const struct swing_modes *modes, const char *quantity, size_t row,
-                                   struct nb_error *error) {
+enum nb_status lattice_add_curves(struct nb_solution *solution, const struct lattice *lattice,
+                                  const struct oscillation_modes *modes, const char *quantity, size_t row,
+                                  struct nb_error *error) {
   static const char *const along[2] = {"cycle", "time"};
   const double unit[2] = {1, lattice->step};
   for (size_t i = 0; i < 2; i++) {
-    struct swing *swing = swing_create(lattice, modes, row, SWING_STEPS, unit[i], error);
-    if (!swing)
+    struct oscillation *oscillation = oscillation_create(lattice, modes, row, OSCILLATION_STEPS, unit[i], error);
+    if (!oscillation)
       return error->status;
-    known_curve(known, quantity, along[i], swing_at, swing);
+    solution_curve(solution, quantity, along[i], oscillation_at, oscillation);
   }
   return NB_OK;
 }
 
-enum nb_status lattice_stays(const struct lattice *lattice, const struct swing_modes *modes, struct nb_error *error) {
+enum nb_status lattice_stays(const struct lattice *lattice, const struct oscillation_modes *modes,
+                             struct nb_error *error) {
   size_t rows = 2 * lattice->contact_count;
-  struct swing **swings = calloc(rows, sizeof *swings);
-  if (!swings)
+  struct oscillation **uses_damping_ratio = calloc(rows, sizeof *uses_damping_ratio);
+  if (!uses_damping_ratio)
     return nb_error_memory(error);
   gsl_vector *forces = gsl_vector_alloc(rows);
   enum nb_status status = NB_OK;
   for (size_t i = 0; i < rows && status == NB_OK; i++) {
-    swings[i] = swing_create(lattice, modes, i, SWING_STEPS, 1, error);
-    if (!swings[i])
+    uses_damping_ratio[i] = oscillation_create(lattice, modes, i, OSCILLATION_STEPS, 1, error);
+    if (!uses_damping_ratio[i])
       status = error->status;
   }
   for (unsigned long n = 1; n <= lattice->cycles && status == NB_OK; n++) {
     for (size_t i = 0; i < rows; i++)
-      gsl_vector_set(forces, i, swing_at(swings[i], (double)n));
+      gsl_vector_set(forces, i, oscillation_at(uses_damping_ratio[i], (double)n));
     status = lattice_holds(lattice, forces, (double)n, error);
   }
   for (size_t i = 0; i < rows; i++)
-    free(swings[i]);
-  free(swings);
+    free(uses_damping_ratio[i]);
+  free(uses_damping_ratio);
   gsl_vector_free(forces);
   return status;
 }

@@ -7,17 +7,18 @@
 #include "lattice.h"
 
 /* Normal and shear force of every watch, as `rest` finds them after each stage. */
-enum nb_status lattice_tell_rest(struct nb_known *known, const struct nb_scene *scene,
-                                 enum nb_status (*rest)(const struct lattice *lattice, const gsl_vector *travel,
-                                                        gsl_vector *forces, struct nb_error *error),
-                                 struct nb_error *error);
+enum nb_status lattice_add_rest(struct nb_solution *solution, const struct nb_scene *scene,
+                                enum nb_status (*rest)(const struct lattice *lattice, const gsl_vector *travel,
+                                                       gsl_vector *forces, struct nb_error *error),
+                                struct nb_error *error);
 
 /* Force `row` as a curve along cycle and along time, named `quantity`. */
-enum nb_status lattice_tell_curves(struct nb_known *known, const struct lattice *lattice,
-                                   const struct swing_modes *modes, const char *quantity, size_t row,
-                                   struct nb_error *error);
+enum nb_status lattice_add_curves(struct nb_solution *solution, const struct lattice *lattice,
+                                  const struct oscillation_modes *modes, const char *quantity, size_t row,
+                                  struct nb_error *error);
 
 /* Goes through all cycles of an undamped run: NB_BAD_USE when a contact would open or slip. */
-enum nb_status lattice_stays(const struct lattice *lattice, const struct swing_modes *modes, struct nb_error *error);
+enum nb_status lattice_stays(const struct lattice *lattice, const struct oscillation_modes *modes,
+                             struct nb_error *error);
 
 #endif

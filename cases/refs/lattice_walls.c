@@ -15,13 +15,14 @@ static double step_length(const struct nb_scene *scene, const struct nb_step *st
   if (step->kind != NB_STEP_CRITICAL)
     return NAN; /* what the program finds out as it runs no reference is told */
   double lightest = INFINITY, stiffest = 0;
-  for (size_t i = 0; i < scene->body_count; i++) {
-    const struct nb_body *body = &scene->bodies[i];
-    if (!body->fixed)
-      lightest = fmin(lightest, matter_mass(scene, body));
-    for (size_t j = 0; j < scene->body_count + scene->wall_count; j++) {
-      int other = j < scene->body_count ? scene->bodies[j].material : scene->walls[j - scene->body_count].material;
-      stiffest = fmax(stiffest, matter_pair(scene, body->material, other).kn);
+  for (size_t i = 0; i < scene->particle_count; i++) {
+    const struct nb_particle *particle = &scene->particles[i];
+    if (!particle->fixed)
+      lightest = fmin(lightest, matter_mass(scene, particle));
+    for (size_t j = 0; j < scene->particle_count + scene->wall_count; j++) {
+      int other =
+          j < scene->particle_count ? scene->particles[j].material : scene->walls[j - scene->particle_count].material;
+      stiffest = fmax(stiffest, matter_pair(scene, particle->material, other).kn);
     }
   }
   return step->value * 2 * sqrt(lightest / stiffest);

@@ -84,28 +84,28 @@ static enum nb_status unfit(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "reference lattice_waves is for %s", what);
 }
 
-static double phase(const struct nb_scene *scene, const struct nb_body *body, double qx, double qy) {
-  return qx * (body->x - scene->cell.x) + qy * (body->y - scene->cell.y);
+static double phase(const struct nb_scene *scene, const struct nb_particle *particle, double qx, double qy) {
+  return qx * (particle->x - scene->cell.x) + qy * (particle->y - scene->cell.y);
 }
 
 /* The only wave vector of which the velocities at the start are a sine; true when there is one. */
 static bool find_wave(struct wave *it, const struct nb_scene *scene) {
-  const int most = (int)sqrt((double)scene->body_count) / 2;
+  const int most = (int)sqrt((double)scene->particle_count) / 2;
   for (int nx = 0; nx <= most; nx++)
     for (int ny = nx > 0 ? -most : 1; ny <= most; ny++) {
       double vx = 0, vy = 0, squares = 0, off = 0, all = 0;
       it->qx = 2 * M_PI * nx / scene->cell.h[0], it->qy = 2 * M_PI * ny / scene->cell.h[3];
-      for (size_t k = 0; k < scene->body_count; k++) {
-        const struct nb_body *body = &scene->bodies[k];
-        const double wave = sin(phase(scene, body, it->qx, it->qy));
-        vx += wave * body->vx, vy += wave * body->vy, squares += wave * wave;
+      for (size_t k = 0; k < scene->particle_count; k++) {
+        const struct nb_particle *particle = &scene->particles[k];
+        const double wave = sin(phase(scene, particle, it->qx, it->qy));
+        vx += wave * particle->vx, vy += wave * particle->vy, squares += wave * wave;
       }
       it->start[0] = vx / squares, it->start[1] = vy / squares;
-      for (size_t k = 0; k < scene->body_count; k++) {
-        const struct nb_body *body = &scene->bodies[k];
-        const double wave = sin(phase(scene, body, it->qx, it->qy));
-        off = fmax(off, hypot(body->vx - wave * it->start[0], body->vy - wave * it->start[1]));
-        all = fmax(all, hypot(body->vx, body->vy));
+      for (size_t k = 0; k < scene->particle_count; k++) {
+        const struct nb_particle *particle = &scene->particles[k];
+        const double wave = sin(phase(scene, particle, it->qx, it->qy));
+        off = fmax(off, hypot(particle->vx - wave * it->start[0], particle->vy - wave * it->start[1]));
+        all = fmax(all, hypot(particle->vx, particle->vy));
       }
       if (off < 1e-9 * all)
         return true;
@@ -118,8 +118,8 @@ static int neighbours(const struct nb_scene *scene, double *spacing) {
   int count = 0;
   *spacing = INFINITY;
   for (int again = 0; again < 2; again++)
-    for (size_t j = 1; j < scene->body_count; j++) {
-      double x = scene->bodies[j].x - scene->bodies[0].x, y = scene->bodies[j].y - scene->bodies[0].y;
+    for (size_t j = 1; j < scene->particle_count; j++) {
+      double x = scene->particles[j].x - scene->particles[0].x, y = scene->particles[j].y - scene->particles[0].y;
       x -= scene->cell.h[0] * round(x / scene->cell.h[0]), y -= scene->cell.h[3] * round(y / scene->cell.h[3]);
       *spacing = again ? *spacing : fmin(*spacing, hypot(x, y));
       count += again && hypot(x, y) < *spacing * (1 + 1e-9);
@@ -128,15 +128,15 @@ static int neighbours(const struct nb_scene *scene, double *spacing) {
 }
 
 static enum nb_status fit(struct wave *it, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *first = &scene->bodies[0];
+  const struct nb_particle *first = &scene->particles[0];
   const struct nb_stage *stage = &scene->stages[0];
   double spacing;
   if (!scene->cell.line || scene->stage_count != 1 || stage->cell_line || stage->damping.contact_kind ||
       stage->damping.global_kind || scene->gravity.line || stage->gravity.line)
     return unfit(error, "a periodic cell at rest, one stage, no damping and no gravity");
-  for (size_t k = 0; k < scene->body_count; k++)
-    if (scene->bodies[k].radius != first->radius || scene->bodies[k].material != first->material ||
-        scene->bodies[k].shape != first->shape || scene->bodies[k].fixed || scene->bodies[k].spin != 0)
+  for (size_t k = 0; k < scene->particle_count; k++)
+    if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
+        scene->particles[k].shape != first->shape || scene->particles[k].fixed || scene->particles[k].spin != 0)
       return unfit(error, "equal bodies that are free and do not turn at first");
   const struct matter_pair pair = matter_pair(scene, first->material, first->material);
   if (strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0 || pair.friction < 1e6)
@@ -158,49 +158,49 @@ static enum nb_status fit(struct wave *it, const struct nb_scene *scene, struct 
 
 /* ---- what is known ---- */
 
-struct swing {
+struct oscillation {
   int count;
-  double omega[WAVES_MODES], share[WAVES_MODES];
+  double omega[WAVES_MODES], fraction[WAVES_MODES];
 };
 
-static double swing_at(const void *data, double time) {
-  const struct swing *it = data;
+static double oscillation_at(const void *data, double time) {
+  const struct oscillation *it = data;
   double sum = 0;
   for (int k = 0; k < it->count; k++)
-    sum += it->share[k] * cos(it->omega[k] * time);
+    sum += it->fraction[k] * cos(it->omega[k] * time);
   return sum;
 }
 
-static void tell(struct nb_known *known, const struct wave *it, const struct waves_modes *modes, const char *watch,
-                 double at) {
+static void add_value(struct nb_solution *solution, const struct wave *it, const struct waves_modes *modes,
+                      const char *monitor, double at) {
   static const char *const names[WAVES_MODES] = {"vx", "vy", "spin"};
   for (int i = 0; i < WAVES_MODES; i++) {
-    struct swing *swing = calloc(1, sizeof *swing);
+    struct oscillation *oscillation = calloc(1, sizeof *oscillation);
     char name[3 * NB_NAME_SIZE];
-    snprintf(name, sizeof name, "%s.%s", watch, names[i]);
-    for (int k = 0; swing && k < modes->count; k++) {
+    snprintf(name, sizeof name, "%s.%s", monitor, names[i]);
+    for (int k = 0; oscillation && k < modes->count; k++) {
       const double mode = it->start[0] * modes->weight[k][0] + it->start[1] * modes->weight[k][1];
-      swing->omega[k] = modes->omega[k];
-      swing->share[k] = mode * modes->shape[k][i] * (i < 2 ? sin(at) : cos(at));
-      swing->count = modes->count;
+      oscillation->omega[k] = modes->omega[k];
+      oscillation->fraction[k] = mode * modes->shape[k][i] * (i < 2 ? sin(at) : cos(at));
+      oscillation->count = modes->count;
     }
-    known_curve(known, name, "time", swing_at, swing);
+    solution_curve(solution, name, "time", oscillation_at, oscillation);
   }
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct wave wave;
-  if (scene->body_count == 0)
+  if (scene->particle_count == 0)
     return unfit(error, "bodies");
   if (fit(&wave, scene, error))
     return error->status;
   const struct waves_modes modes = waves_modes(&wave.lattice, wave.qx, wave.qy);
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind == NB_WATCH_BODY)
-      tell(known, &wave, &modes, watch->name, phase(scene, &scene->bodies[watch->a], wave.qx, wave.qy));
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind == NB_MONITOR_PARTICLE)
+      add_value(solution, &wave, &modes, monitor->name, phase(scene, &scene->particles[monitor->a], wave.qx, wave.qy));
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_lattice_waves = {
@@ -211,5 +211,5 @@ const struct nb_reference reference_lattice_waves = {
     .needs = {HAS_CELL},
     .normal = "linear",
     .shear = "linear",
-    .know = know,
+    .solve = solve,
 };

@@ -22,23 +22,23 @@
 static const double grows = 1e-6;
 
 static double reduced_mass(const struct nb_scene *scene, const struct lattice_contact *contact) {
-  const struct nb_body *a = &scene->bodies[contact->a];
+  const struct nb_particle *a = &scene->particles[contact->a];
   double inverse = a->fixed ? 0 : 1 / matter_mass(scene, a);
-  if (!contact->wall && !scene->bodies[contact->b].fixed)
-    inverse += 1 / matter_mass(scene, &scene->bodies[contact->b]);
+  if (!contact->wall && !scene->particles[contact->b].fixed)
+    inverse += 1 / matter_mass(scene, &scene->particles[contact->b]);
   return 1 / inverse;
 }
 
 static double critical_step(const struct nb_scene *scene) {
   double lightest = INFINITY, stiffest = 0;
-  for (size_t i = 0; i < scene->body_count; i++) {
-    const struct nb_body *body = &scene->bodies[i];
-    if (!body->fixed)
-      lightest = fmin(lightest, matter_mass(scene, body));
-    for (size_t j = 0; j < scene->body_count; j++)
-      stiffest = fmax(stiffest, matter_pair(scene, body->material, scene->bodies[j].material).kn);
+  for (size_t i = 0; i < scene->particle_count; i++) {
+    const struct nb_particle *particle = &scene->particles[i];
+    if (!particle->fixed)
+      lightest = fmin(lightest, matter_mass(scene, particle));
+    for (size_t j = 0; j < scene->particle_count; j++)
+      stiffest = fmax(stiffest, matter_pair(scene, particle->material, scene->particles[j].material).kn);
     for (size_t j = 0; j < scene->wall_count; j++)
-      stiffest = fmax(stiffest, matter_pair(scene, body->material, scene->walls[j].material).kn);
+      stiffest = fmax(stiffest, matter_pair(scene, particle->material, scene->walls[j].material).kn);
   }
   return 2 * sqrt(lightest / stiffest);
 }
@@ -184,7 +184,7 @@ double limit_of_modes(const struct limit *limit) { return halve(limit, modes_sta
 /* Sum over the contacts of body `index` of what row `2c + which` does in a step, times R^2 for the tangential one. */
 static double load(const struct limit *limit, const struct nb_scene *scene, int index, int which, double step) {
   const struct lattice *lattice = &limit->lattice;
-  double sum = 0, radius = scene->bodies[index].radius;
+  double sum = 0, radius = scene->particles[index].radius;
   for (size_t c = 0; c < lattice->contact_count; c++) {
     const struct lattice_contact *contact = &lattice->contacts[c];
     size_t row = 2 * c + (size_t)which;
@@ -199,21 +199,21 @@ static double part_eigenvalue(const struct limit *limit, const struct nb_scene *
   const struct lattice *lattice = &limit->lattice;
   const struct lattice_contact *contact = &lattice->contacts[c];
   gsl_matrix *part = gsl_matrix_calloc(6, 6);
-  int bodies[2] = {contact->a, contact->wall ? -1 : contact->b};
+  int particles[2] = {contact->a, contact->wall ? -1 : contact->b};
   double row[2][6] = {{0}}, hard[2];
   for (int which = 0; which < 2; which++) {
     size_t r = 2 * c + (size_t)which;
     hard[which] = step * (gsl_vector_get(lattice->springs, r) * step + 2 * gsl_vector_get(limit->dashpots, r));
   }
   for (int side = 0; side < 2; side++)
-    for (int freedom = 0; freedom < 3 && bodies[side] >= 0; freedom++) {
-      double radius = scene->bodies[bodies[side]].radius;
+    for (int freedom = 0; freedom < 3 && particles[side] >= 0; freedom++) {
+      double radius = scene->particles[particles[side]].radius;
       double own = freedom < 2 ? hard[0] : hard[1] * radius * radius;
-      double share = own / load(limit, scene, bodies[side], freedom < 2 ? 0 : 1, step);
+      double fraction = own / load(limit, scene, particles[side], freedom < 2 ? 0 : 1, step);
       for (int which = 0; which < 2 && own > 0; which++)
         row[which][3 * side + freedom] =
-            gsl_matrix_get(lattice->stretch, 2 * c + (size_t)which, 3 * (size_t)bodies[side] + (size_t)freedom) /
-            sqrt(share);
+            gsl_matrix_get(lattice->stretch, 2 * c + (size_t)which, 3 * (size_t)particles[side] + (size_t)freedom) /
+            sqrt(fraction);
     }
   for (size_t i = 0; i < 6; i++)
     for (size_t j = 0; j < 6; j++)

@@ -15,7 +15,7 @@
 
 #include "reference.h"
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *last = scene->stage_count ? &scene->stages[scene->stage_count - 1] : NULL;
   const struct nb_strain_rate *strain = last ? &last->continuum.strain : NULL;
   if (!last || !last->continuum.line || !last->continuum.literal || !strain->per_cycle || strain->xx != -strain->yy ||
@@ -24,22 +24,22 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
                         "literal_field wants a last stage with `affine strain E -E accumulated` per cycle, a step that "
                         "is a share of rayleigh-fit-mean, and no damping but at contacts");
   double mass = 0, radius = 0;
-  for (size_t k = 0; k < scene->body_count; k++)
-    mass += matter_mass(scene, &scene->bodies[k]), radius += scene->bodies[k].radius;
-  mass /= (double)scene->body_count, radius /= (double)scene->body_count;
-  const struct nb_material *glass = &scene->materials[scene->bodies[0].material];
+  for (size_t k = 0; k < scene->particle_count; k++)
+    mass += matter_mass(scene, &scene->particles[k]), radius += scene->particles[k].radius;
+  mass /= (double)scene->particle_count, radius /= (double)scene->particle_count;
+  const struct nb_material *glass = &scene->materials[scene->particles[0].material];
   const double shear = glass->young / (2 * (1 + glass->poisson));
   const double step = last->step.value * 3.14159265358979323846 * radius * sqrt(glass->density / shear) /
                       (0.1631 * glass->poisson + 0.876605);
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind != NB_WATCH_REGION || scene->regions[watch->a].kind != NB_REGION_CIRCLE)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind != NB_MONITOR_REGION || scene->regions[monitor->a].kind != NB_REGION_CIRCLE)
       continue;
     char name[3 * NB_NAME_SIZE];
-    snprintf(name, sizeof name, "%s.unbalanced.force in %s", watch->name, last->name);
-    known_value(known, mass * 2 / 3 * scene->regions[watch->a].radius * fabs(strain->xx) / (step * step), name);
+    snprintf(name, sizeof name, "%s.unbalanced.force in %s", monitor->name, last->name);
+    solution_value(solution, mass * 2 / 3 * scene->regions[monitor->a].radius * fabs(strain->xx) / (step * step), name);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_literal_field = {
@@ -51,5 +51,5 @@ const struct nb_reference reference_literal_field = {
     .needs = {HAS_CONTINUUM_LITERAL},
     .normal = "hertz",
     .shear = "mindlin",
-    .know = know,
+    .solve = solve,
 };

@@ -36,16 +36,16 @@ static double restitution(double b, double eps) {
   return NAN;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  struct single body;
-  if (single_of(&body, scene, error))
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  struct single particle;
+  if (single_of(&particle, scene, error))
     return error->status;
-  if (scene->gravity.x != 0 || !(body.height > body.radius) || !(body.gravity_n > 0) ||
-      !(body.cn < 2 * sqrt(body.pair.kn * body.m)))
+  if (scene->gravity.x != 0 || !(particle.height > particle.radius) || !(particle.gravity_n > 0) ||
+      !(particle.cn < 2 * sqrt(particle.pair.kn * particle.m)))
     return nb_error_set(error, NB_BAD_USE,
                         "many_bounces is for a body dropped straight down, from rest, on a dashpot below critical");
-  const double w = sqrt(body.pair.kn / body.m), b = body.cn / (2 * body.m * w), g = body.gravity_n;
-  double rise = body.height - body.radius; /* of the centre above where it touches */
+  const double w = sqrt(particle.pair.kn / particle.m), b = particle.cn / (2 * particle.m * w), g = particle.gravity_n;
+  double rise = particle.height - particle.radius; /* of the centre above where it touches */
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     if (stage->condition_count != 1 || stage->conditions[0].relation != NB_BELOW)
@@ -54,9 +54,9 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     if (!isfinite(e))
       return nb_error_set(error, NB_BAD_USE, "many_bounces is for a wall that the body leaves again");
     rise *= e * e;
-    single_tell(known, body.body, "y", stage->name, scene->walls[0].y + body.radius + rise);
+    single_add(solution, particle.particle, "y", stage->name, scene->walls[0].y + particle.radius + rise);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_many_bounces = {
@@ -67,5 +67,5 @@ const struct nb_reference reference_many_bounces = {
     .needs = {HAS_WALLS, HAS_GRAVITY},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -7,15 +7,15 @@
 
 static const double pi = 3.14159265358979323846;
 
-double matter_mass(const struct nb_scene *scene, const struct nb_body *body) {
-  const double section = pi * pow(body->radius, 2);                          /* m2 */
-  const double length = body->shape == NB_SPHERE ? body->radius * 4 / 3 : 1; /* m: volume over section */
-  return scene->materials[body->material].density * section * length;
+double matter_mass(const struct nb_scene *scene, const struct nb_particle *particle) {
+  const double section = pi * pow(particle->radius, 2);                              /* m2 */
+  const double length = particle->shape == NB_SPHERE ? particle->radius * 4 / 3 : 1; /* m: volume over section */
+  return scene->materials[particle->material].density * section * length;
 }
 
-double matter_inertia(const struct nb_scene *scene, const struct nb_body *body) {
-  const double gyration = body->radius * sqrt(body->shape == NB_SPHERE ? 2. / 5 : 1. / 2); /* m */
-  return matter_mass(scene, body) * gyration * gyration;
+double matter_inertia(const struct nb_scene *scene, const struct nb_particle *particle) {
+  const double gyration = particle->radius * sqrt(particle->shape == NB_SPHERE ? 2. / 5 : 1. / 2); /* m */
+  return matter_mass(scene, particle) * gyration * gyration;
 }
 
 double matter_radius(double a, double b) { return 1 / (1 / a + 1 / b); }

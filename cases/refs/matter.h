@@ -20,8 +20,8 @@
 
 #include "nineball.h"
 
-double matter_mass(const struct nb_scene *scene, const struct nb_body *body);    /* kg */
-double matter_inertia(const struct nb_scene *scene, const struct nb_body *body); /* kg m2 */
+double matter_mass(const struct nb_scene *scene, const struct nb_particle *particle);    /* kg */
+double matter_inertia(const struct nb_scene *scene, const struct nb_particle *particle); /* kg m2 */
 
 struct matter_pair {
   double kn, ks;   /* N/m */

@@ -26,15 +26,15 @@
 
 static const double pi = 3.14159265358979323846;
 
-static bool inside(const struct nb_region *region, const struct nb_body *body) {
-  const double x = body->x - region->x, y = body->y - region->y;
+static bool inside(const struct nb_region *region, const struct nb_particle *particle) {
+  const double x = particle->x - region->x, y = particle->y - region->y;
   if (region->kind == NB_REGION_CIRCLE)
     return hypot(x, y) <= region->radius;
   return fabs(x * region->ex + y * region->ey) <= region->half_x &&
          fabs(y * region->ex - x * region->ey) <= region->half_y;
 }
 
-static double overlap(const struct nb_body *a, const struct nb_body *b) {
+static double overlap(const struct nb_particle *a, const struct nb_particle *b) {
   return a->radius + b->radius - hypot(a->x - b->x, a->y - b->y);
 }
 
@@ -54,23 +54,23 @@ static double common(double y, void *data) {
   return fmax(0, fmin(cut->x + a, b) - fmax(cut->x - a, -b));
 }
 
-static double area_inside(const struct nb_region *region, const struct nb_body *body) {
-  const double x = body->x - region->x, y = body->y - region->y, R = region->radius;
-  struct cut cut = {region, x, y, body->radius};
+static double area_inside(const struct nb_region *region, const struct nb_particle *particle) {
+  const double x = particle->x - region->x, y = particle->y - region->y, R = region->radius;
+  struct cut cut = {region, x, y, particle->radius};
   const bool box = region->kind == NB_REGION_BOX;
   if (box)
     cut.x = x * region->ex + y * region->ey, cut.y = y * region->ex - x * region->ey;
   else
     cut.x = hypot(x, y), cut.y = 0; /* turned so that the body lies to the east */
   const double half = box ? region->half_y : R;
-  const double low = fmax(-half, cut.y - body->radius), high = fmin(half, cut.y + body->radius);
-  if (!(high > low) || (!box && cut.x >= R + body->radius))
+  const double low = fmax(-half, cut.y - particle->radius), high = fmin(half, cut.y + particle->radius);
+  if (!(high > low) || (!box && cut.x >= R + particle->radius))
     return 0;
   gsl_integration_cquad_workspace *room = gsl_integration_cquad_workspace_alloc(200);
   gsl_function f = {common, &cut};
   double sum = 0, error = 0;
-  if (!room || gsl_integration_cquad(&f, low, high, 1e-13 * pi * body->radius * body->radius, 1e-12, room, &sum, &error,
-                                     NULL) != GSL_SUCCESS)
+  if (!room || gsl_integration_cquad(&f, low, high, 1e-13 * pi * particle->radius * particle->radius, 1e-12, room, &sum,
+                                     &error, NULL) != GSL_SUCCESS)
     sum = NAN;
   gsl_integration_cquad_workspace_free(room);
   return sum;
@@ -78,14 +78,14 @@ static double area_inside(const struct nb_region *region, const struct nb_body *
 
 /* ---- what is told ---- */
 
-static void tell(struct nb_known *known, const char *region, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *region, const char *what, double value) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.%s at 0 cycles", region, what);
-  known_value(known, value, name);
+  solution_value(solution, value, name);
 }
 
-static void tell_tensor(struct nb_known *known, const char *region, const char *what, const double t[3],
-                        const char *deviator) {
+static void add_tensor(struct nb_solution *solution, const char *region, const char *what, const double t[3],
+                       const char *deviator) {
   double both[] = {t[0], t[1], t[1], t[2]}, major = 0, minor = 0, x = 1, y = 0;
   gsl_matrix_view matrix = gsl_matrix_view_array(both, 2, 2);
   gsl_eigen_symmv_workspace *room = gsl_eigen_symmv_alloc(2);
@@ -113,7 +113,7 @@ static void tell_tensor(struct nb_known *known, const char *region, const char *
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     char name[2 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "%s.%s", what, rows[k].name);
-    tell(known, region, name, rows[k].value);
+    add_value(solution, region, name, rows[k].value);
   }
 }
 
@@ -121,7 +121,7 @@ static void tell_tensor(struct nb_known *known, const char *region, const char *
 
 struct sums {
   double stress[3], fabric[3], weighted[3]; /* xx, xy, yy */
-  double bodies, ends, contacts, force, radius, covered, volume;
+  double particles, ends, contacts, force, radius, covered, volume;
   double mean, most, least; /* of the contacts' forces */
 };
 
@@ -131,7 +131,7 @@ static void add(double t[3], double weight, double x, double y) {
 
 static void add_pair(struct sums *sums, const struct nb_scene *scene, const struct nb_region *region, size_t i,
                      size_t j) {
-  const struct nb_body *a = &scene->bodies[i], *b = &scene->bodies[j];
+  const struct nb_particle *a = &scene->particles[i], *b = &scene->particles[j];
   const double deep = overlap(a, b), apart = hypot(b->x - a->x, b->y - a->y);
   if (!(deep > 0))
     return;
@@ -150,11 +150,11 @@ static void add_pair(struct sums *sums, const struct nb_scene *scene, const stru
 static void find_rattlers(const struct nb_scene *scene, bool rattles[], int touching[]) {
   for (bool more = true; more;) {
     more = false;
-    for (size_t i = 0; i < scene->body_count; i++) {
+    for (size_t i = 0; i < scene->particle_count; i++) {
       touching[i] = 0;
-      for (size_t j = 0; j < scene->body_count; j++)
-        touching[i] += i != j && !rattles[j] && overlap(&scene->bodies[i], &scene->bodies[j]) > 0;
-      if (!rattles[i] && touching[i] < 2 && !scene->bodies[i].fixed)
+      for (size_t j = 0; j < scene->particle_count; j++)
+        touching[i] += i != j && !rattles[j] && overlap(&scene->particles[i], &scene->particles[j]) > 0;
+      if (!rattles[i] && touching[i] < 2 && !scene->particles[i].fixed)
         rattles[i] = more = true;
     }
   }
@@ -162,25 +162,25 @@ static void find_rattlers(const struct nb_scene *scene, bool rattles[], int touc
 
 static double thickness_of(const struct nb_scene *scene) {
   double sum = 0;
-  for (size_t i = 0; i < scene->body_count; i++)
-    sum += scene->bodies[i].shape == NB_SPHERE ? 2 * scene->bodies[i].radius : 1;
-  return sum / (double)scene->body_count;
+  for (size_t i = 0; i < scene->particle_count; i++)
+    sum += scene->particles[i].shape == NB_SPHERE ? 2 * scene->particles[i].radius : 1;
+  return sum / (double)scene->particle_count;
 }
 
-static void know_region(struct nb_known *known, const struct nb_scene *scene, const char *name,
+static void know_region(struct nb_solution *solution, const struct nb_scene *scene, const char *name,
                         const struct nb_region *region, const bool rattles[], const int touching[]) {
   struct sums sums = {.least = INFINITY};
   double rattlers = 0, loaded = 0;
-  for (size_t i = 0; i < scene->body_count; i++) {
-    const struct nb_body *body = &scene->bodies[i];
-    const double part = area_inside(region, body);
+  for (size_t i = 0; i < scene->particle_count; i++) {
+    const struct nb_particle *particle = &scene->particles[i];
+    const double part = area_inside(region, particle);
     sums.covered += part;
-    sums.volume += part * (body->shape == NB_SPHERE ? 4. / 3 * body->radius : 1);
-    if (!inside(region, body))
+    sums.volume += part * (particle->shape == NB_SPHERE ? 4. / 3 * particle->radius : 1);
+    if (!inside(region, particle))
       continue;
-    sums.bodies++, sums.radius += body->radius;
+    sums.particles++, sums.radius += particle->radius;
     rattlers += rattles[i], loaded += rattles[i] ? 0 : touching[i];
-    for (size_t j = 0; j < scene->body_count; j++)
+    for (size_t j = 0; j < scene->particle_count; j++)
       if (j != i)
         add_pair(&sums, scene, region, i, j);
   }
@@ -189,43 +189,43 @@ static void know_region(struct nb_known *known, const struct nb_scene *scene, co
   const double thickness = thickness_of(scene), volume = area * thickness;
   for (int k = 0; k < 3; k++)
     sums.stress[k] /= volume, sums.fabric[k] /= sums.ends, sums.weighted[k] /= sums.force;
-  tell_tensor(known, name, "stress", sums.stress, "deviator");
-  tell_tensor(known, name, "stress.contacts", sums.stress, "deviator");
-  tell_tensor(known, name, "fabric", sums.fabric, "anisotropy");
-  tell_tensor(known, name, "fabric.normal", sums.weighted, "anisotropy");
-  tell(known, name, "fabric.kk", sums.ends * sums.radius / sums.bodies / volume);
-  tell(known, name, "particles", sums.bodies);
-  tell(known, name, "contacts", sums.contacts);
-  tell(known, name, "coordination", sums.ends / sums.bodies);
-  tell(known, name, "coordination.mechanical", loaded / (sums.bodies - rattlers));
-  tell(known, name, "rattlers", rattlers);
-  tell(known, name, "normal.mean", sums.mean / sums.contacts);
-  tell(known, name, "normal.max", sums.most);
-  tell(known, name, "normal.min", sums.least);
-  tell(known, name, "porosity", 1 - sums.covered / area);
-  tell(known, name, "porosity.volume", 1 - sums.volume / volume);
-  tell(known, name, "thickness", thickness);
+  add_tensor(solution, name, "stress", sums.stress, "deviator");
+  add_tensor(solution, name, "stress.contacts", sums.stress, "deviator");
+  add_tensor(solution, name, "fabric", sums.fabric, "anisotropy");
+  add_tensor(solution, name, "fabric.normal", sums.weighted, "anisotropy");
+  add_value(solution, name, "fabric.kk", sums.ends * sums.radius / sums.particles / volume);
+  add_value(solution, name, "particles", sums.particles);
+  add_value(solution, name, "contacts", sums.contacts);
+  add_value(solution, name, "coordination", sums.ends / sums.particles);
+  add_value(solution, name, "coordination.mechanical", loaded / (sums.particles - rattlers));
+  add_value(solution, name, "rattlers", rattlers);
+  add_value(solution, name, "normal.mean", sums.mean / sums.contacts);
+  add_value(solution, name, "normal.max", sums.most);
+  add_value(solution, name, "normal.min", sums.least);
+  add_value(solution, name, "porosity", 1 - sums.covered / area);
+  add_value(solution, name, "porosity.volume", 1 - sums.volume / volume);
+  add_value(solution, name, "thickness", thickness);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  bool *rattles = calloc(scene->body_count, sizeof *rattles);
-  int *touching = calloc(scene->body_count, sizeof *touching);
-  known->lacking = known->lacking || !rattles || !touching;
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  bool *rattles = calloc(scene->particle_count, sizeof *rattles);
+  int *touching = calloc(scene->particle_count, sizeof *touching);
+  solution->lacking = solution->lacking || !rattles || !touching;
   if (rattles && touching)
     find_rattlers(scene, rattles, touching);
-  for (size_t w = 0; w < scene->watch_count && rattles && touching; w++)
-    if (scene->watches[w].kind == NB_WATCH_REGION && scene->regions[scene->watches[w].a].kind <= NB_REGION_BOX)
-      know_region(known, scene, scene->watches[w].name, &scene->regions[scene->watches[w].a], rattles, touching);
+  for (size_t w = 0; w < scene->monitor_count && rattles && touching; w++)
+    if (scene->monitors[w].kind == NB_MONITOR_REGION && scene->regions[scene->monitors[w].a].kind <= NB_REGION_BOX)
+      know_region(solution, scene, scene->monitors[w].name, &scene->regions[scene->monitors[w].a], rattles, touching);
   free(rattles), free(touching);
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_measures = {
     .name = "measures",
     .title = "stress, fabric, coordination and porosity of regions at time 0, by their definitions, pair by pair",
     .source = "[R89 4.45-4.54]",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES},
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -174,7 +174,7 @@ static bool walk_path(struct loops *loops, const struct path_contact *contact, c
   return true;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct path_contact contact;
   struct path_column *columns[COLUMNS];
   if (path_contact(&contact, scene, "mindlin_loops", error))
@@ -189,14 +189,14 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const bool constant = made && walk_path(loops, &contact, scene, columns);
   for (int c = 0; c < COLUMNS; c++)
     if (constant)
-      path_tell(known, scene, names[c], columns[c]);
+      path_add(solution, scene, names[c], columns[c]);
     else
       free(columns[c]);
   free(loops);
   if (made && !constant)
     return nb_error_set(error, NB_BAD_USE,
                         "mindlin_loops wants a normal force that stays what it is once there is shear");
-  return made ? known_full(known, error) : nb_error_memory(error);
+  return made ? solution_full(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_mindlin_loops = {
@@ -207,5 +207,5 @@ const struct nb_reference reference_mindlin_loops = {
     .needs = {HAS_CONTACT_TEST},
     .normal = "hertz",
     .shear = "mindlin mindlin_scaled mindlin_deresiewicz randall",
-    .know = know,
+    .solve = solve,
 };

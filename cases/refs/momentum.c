@@ -11,27 +11,28 @@
 
 #include "reference.h"
 
-static void tell(struct nb_known *known, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *what, double value) {
   static const char *const reducers[] = {"", " max", " min", " mean"};
   for (size_t k = 0; k < sizeof reducers / sizeof *reducers; k++) {
     char text[3 * NB_NAME_SIZE];
     snprintf(text, sizeof text, "momentum.%s%s", what, reducers[k]);
-    known_value(known, value, text);
+    solution_value(solution, value, text);
   }
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   double x = 0, y = 0, angular = 0;
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    const double m = matter_mass(scene, body);
-    x += m * body->vx, y += m * body->vy;
-    angular += m * (body->x * body->vy - body->y * body->vx) + matter_inertia(scene, body) * body->spin;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
+    const double m = matter_mass(scene, particle);
+    x += m * particle->vx, y += m * particle->vy;
+    angular += m * (particle->x * particle->vy - particle->y * particle->vx) +
+               matter_inertia(scene, particle) * particle->spin;
   }
-  tell(known, "x", x), tell(known, "y", y);
+  add_value(solution, "x", x), add_value(solution, "y", y);
   if (strcmp(scene->shear, "none") == 0 && !scene->cell.line) /* a step across the cell's edge moves m x x v */
-    tell(known, "angular", angular);
-  return known_full(known, error);
+    add_value(solution, "angular", angular);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_momentum = {
@@ -43,5 +44,5 @@ const struct nb_reference reference_momentum = {
                 HAS_UNTIL, HAS_STEP_CHANGE, HAS_DAMPING_CHANGE, HAS_MATERIAL_CHANGE},
     .normal = NB_ANY_LAW,
     .shear = NB_ANY_LAW,
-    .know = know,
+    .solve = solve,
 };

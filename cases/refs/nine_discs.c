@@ -22,61 +22,61 @@
 enum { TEXT = 3 * NB_NAME_SIZE };
 
 /* ` mean` of `C.normal`, for the scene and for every stage in which the walls stand. */
-static void tell(struct nb_known *known, const struct nb_scene *scene, size_t standing, const char *quantity,
-                 const char *reducer, double value) {
+static void add_value(struct nb_solution *solution, const struct nb_scene *scene, size_t standing, const char *quantity,
+                      const char *reducer, double value) {
   char text[TEXT];
   if (standing >= scene->stage_count)
     return;
   snprintf(text, sizeof text, "%s %s", quantity, reducer);
-  known_value(known, value, text);
+  solution_value(solution, value, text);
   for (size_t i = standing; i < scene->stage_count; i++) {
     snprintf(text, sizeof text, "%s %s in %s", quantity, reducer, scene->stages[i].name);
-    known_value(known, value, text);
+    solution_value(solution, value, text);
   }
 }
 
 /* All that is known of one force; `row` as in struct lattice. */
-static enum nb_status tell_force(struct nb_known *known, const struct nb_scene *scene, const struct lattice *lattice,
-                                 const struct swing_modes *modes, const char *quantity, size_t row,
-                                 struct nb_error *error) {
-  struct swing *swing = swing_create(lattice, modes, row, SWING_STEPS, 1, error);
-  if (!swing)
+static enum nb_status add_force(struct nb_solution *solution, const struct nb_scene *scene,
+                                const struct lattice *lattice, const struct oscillation_modes *modes,
+                                const char *quantity, size_t row, struct nb_error *error) {
+  struct oscillation *oscillation = oscillation_create(lattice, modes, row, OSCILLATION_STEPS, 1, error);
+  if (!oscillation)
     return error->status;
   size_t standing = lattice_standing(lattice, scene);
-  double beat = swing_beat(swing) / lattice->step;
-  tell(known, scene, standing, quantity, "mean", swing_mean(swing));
-  tell(known, scene, standing, quantity, "amplitude", swing_amplitude(swing));
+  double beat = oscillation_beat(oscillation) / lattice->step;
+  add_value(solution, scene, standing, quantity, "mean", oscillation_mean(oscillation));
+  add_value(solution, scene, standing, quantity, "amplitude", oscillation_amplitude(oscillation));
   if (beat > 0)
-    tell(known, scene, standing, quantity, "frequency", beat);
-  free(swing);
-  return lattice_tell_curves(known, lattice, modes, quantity, row, error);
+    add_value(solution, scene, standing, quantity, "frequency", beat);
+  free(oscillation);
+  return lattice_add_curves(solution, lattice, modes, quantity, row, error);
 }
 
-static enum nb_status know_network(struct nb_known *known, const struct nb_scene *scene, const struct lattice *lattice,
-                                   struct nb_error *error) {
-  struct swing_modes modes = swing_modes_create(lattice);
+static enum nb_status know_network(struct nb_solution *solution, const struct nb_scene *scene,
+                                   const struct lattice *lattice, struct nb_error *error) {
+  struct oscillation_modes modes = oscillation_modes_create(lattice);
   enum nb_status status = lattice_stays(lattice, &modes, error);
-  for (size_t i = 0; i < scene->watch_count && status == NB_OK; i++) {
-    int contact = lattice_watched(lattice, &scene->watches[i]);
+  for (size_t i = 0; i < scene->monitor_count && status == NB_OK; i++) {
+    int contact = lattice_watched(lattice, &scene->monitors[i]);
     char quantity[TEXT];
     if (contact < 0)
       continue;
-    snprintf(quantity, sizeof quantity, "%s.normal", scene->watches[i].name);
-    status = tell_force(known, scene, lattice, &modes, quantity, 2 * (size_t)contact, error);
-    snprintf(quantity, sizeof quantity, "%s.shear", scene->watches[i].name);
+    snprintf(quantity, sizeof quantity, "%s.normal", scene->monitors[i].name);
+    status = add_force(solution, scene, lattice, &modes, quantity, 2 * (size_t)contact, error);
+    snprintf(quantity, sizeof quantity, "%s.shear", scene->monitors[i].name);
     if (status == NB_OK)
-      status = tell_force(known, scene, lattice, &modes, quantity, 2 * (size_t)contact + 1, error);
+      status = add_force(solution, scene, lattice, &modes, quantity, 2 * (size_t)contact + 1, error);
   }
-  swing_modes_free(&modes);
-  return status == NB_OK ? known_full(known, error) : status;
+  oscillation_modes_free(&modes);
+  return status == NB_OK ? solution_full(solution, error) : status;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
   enum nb_status status = lattice_build(&lattice, scene, error);
   if (status != NB_OK)
     return status;
-  status = know_network(known, scene, &lattice, error);
+  status = know_network(solution, scene, &lattice, error);
   lattice_free(&lattice);
   return status;
 }
@@ -85,10 +85,10 @@ const struct nb_reference reference_nine_discs = {
     .name = "nine_discs",
     .title = "touching discs between walls, undamped: sum over the normal modes, in the steps of the calculation cycle",
     .source = "[CS79 22, 22a, figures 6, 7]",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
                 HAS_COHESION, HAS_START},
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

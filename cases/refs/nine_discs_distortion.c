@@ -30,13 +30,13 @@ struct looked {
   double *begin; /* of each stage, cycles */
 };
 
-static void see(void *data, size_t stage, double share, const gsl_vector *forces) {
+static void see(void *data, size_t stage, double fraction, const gsl_vector *forces) {
   const struct looked *looked = data;
   for (size_t k = 0; k < looked->count; k++) {
     struct trace *trace = looked->traces[k];
     if (trace->count == trace->room)
       continue;
-    trace->points[trace->count].cycle = looked->begin[stage] + share * (double)looked->scene->stages[stage].cycles;
+    trace->points[trace->count].cycle = looked->begin[stage] + fraction * (double)looked->scene->stages[stage].cycles;
     trace->points[trace->count++].force = gsl_vector_get(forces, looked->rows[k]);
   }
 }
@@ -52,21 +52,21 @@ static double at(const void *data, double x) {
       high = middle;
   }
   const double from = trace->points[low].cycle, to = trace->points[high].cycle;
-  const double share = to > from ? (x - from) / (to - from) : 0;
-  return trace->points[low].force + share * (trace->points[high].force - trace->points[low].force);
+  const double fraction = to > from ? (x - from) / (to - from) : 0;
+  return trace->points[low].force + fraction * (trace->points[high].force - trace->points[low].force);
 }
 
 static enum nb_status look(struct looked *looked, const struct lattice *lattice, struct nb_error *error) {
   const struct nb_scene *scene = looked->scene;
   const size_t room = 1001 * scene->stage_count;
-  looked->traces = calloc(2 * scene->watch_count + 1, sizeof *looked->traces);
-  looked->rows = calloc(2 * scene->watch_count + 1, sizeof *looked->rows);
+  looked->traces = calloc(2 * scene->monitor_count + 1, sizeof *looked->traces);
+  looked->rows = calloc(2 * scene->monitor_count + 1, sizeof *looked->rows);
   looked->begin = calloc(scene->stage_count + 1, sizeof *looked->begin);
   bool made = looked->traces && looked->rows && looked->begin;
   for (size_t s = 0; s < scene->stage_count && made; s++)
     looked->begin[s + 1] = looked->begin[s] + (double)scene->stages[s].cycles;
-  for (size_t w = 0; w < scene->watch_count && made; w++) {
-    const int contact = lattice_watched(lattice, &scene->watches[w]);
+  for (size_t w = 0; w < scene->monitor_count && made; w++) {
+    const int contact = lattice_watched(lattice, &scene->monitors[w]);
     for (size_t k = 0; k < 2 && contact >= 0 && made; k++) {
       struct trace *trace = malloc(sizeof *trace + room * sizeof trace->points[0]);
       made = trace != NULL;
@@ -79,25 +79,25 @@ static enum nb_status look(struct looked *looked, const struct lattice *lattice,
 }
 
 /* Hands the traces over to what is known, in the order of `look`. */
-static void tell(struct nb_known *known, struct looked *looked, const struct lattice *lattice) {
+static void add_value(struct nb_solution *solution, struct looked *looked, const struct lattice *lattice) {
   static const char *const kinds[2] = {"normal", "shear"};
   const struct nb_scene *scene = looked->scene;
   char name[2 * NB_NAME_SIZE], ends[4 * NB_NAME_SIZE];
   size_t trace = 0;
-  for (size_t w = 0; w < scene->watch_count; w++)
-    for (size_t k = 0; k < 2 && lattice_watched(lattice, &scene->watches[w]) >= 0; k++) {
-      snprintf(name, sizeof name, "%s.%s", scene->watches[w].name, kinds[k]);
+  for (size_t w = 0; w < scene->monitor_count; w++)
+    for (size_t k = 0; k < 2 && lattice_watched(lattice, &scene->monitors[w]) >= 0; k++) {
+      snprintf(name, sizeof name, "%s.%s", scene->monitors[w].name, kinds[k]);
       for (size_t s = 0; s < scene->stage_count; s++) {
         snprintf(ends, sizeof ends, "%s in %s", name, scene->stages[s].name);
-        known_value(known, at(looked->traces[trace], looked->begin[s + 1]), ends);
+        solution_value(solution, at(looked->traces[trace], looked->begin[s + 1]), ends);
       }
-      known_value(known, at(looked->traces[trace], looked->begin[scene->stage_count]), name);
-      known_curve(known, name, "cycle", at, looked->traces[trace++]);
+      solution_value(solution, at(looked->traces[trace], looked->begin[scene->stage_count]), name);
+      solution_curve(solution, name, "cycle", at, looked->traces[trace++]);
     }
   looked->count = 0; /* they are not ours any more */
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
   struct looked looked = {.scene = scene};
   enum nb_status status = lattice_build(&lattice, scene, error);
@@ -111,22 +111,22 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (status == NB_OK)
     status = lattice_path(&lattice, see, &looked, error);
   if (status == NB_OK)
-    tell(known, &looked, &lattice);
+    add_value(solution, &looked, &lattice);
   for (size_t k = 0; k < looked.count; k++)
     free(looked.traces[k]);
   free(looked.traces), free(looked.rows), free(looked.begin);
   lattice_free(&lattice);
-  return status == NB_OK ? known_full(known, error) : status;
+  return status == NB_OK ? solution_full(solution, error) : status;
 }
 
 const struct nb_reference reference_nine_discs_distortion = {
     .name = "nine_discs_distortion",
     .title = "touching discs between walls that close in and turn slowly: the network followed along its path",
     .source = "[CS79 16-19]",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
                 HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_STEP_CHANGE, HAS_UNTIL},
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

@@ -12,18 +12,18 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_tell.h"
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  return lattice_tell_rest(known, scene, lattice_rest_slipping, error);
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  return lattice_add_rest(solution, scene, lattice_rest_slipping, error);
 }
 
 const struct nb_reference reference_nine_discs_slip = {
     .name = "nine_discs_slip",
     .title = "touching discs between walls, slowly loaded with friction: the network solved with sliding contacts",
     .source = "[CS79 16, 17, 19]",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
                 HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_STEP_CHANGE, HAS_UNTIL},
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

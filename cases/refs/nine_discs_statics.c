@@ -21,18 +21,18 @@ static enum nb_status rest(const struct lattice *lattice, const gsl_vector *trav
   return status == NB_OK ? lattice_holds(lattice, forces, (double)lattice->cycles, error) : status;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  return lattice_tell_rest(known, scene, rest, error);
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  return lattice_add_rest(solution, scene, rest, error);
 }
 
 const struct nb_reference reference_nine_discs_statics = {
     .name = "nine_discs_statics",
     .title = "touching discs between walls, at rest without slip: the linear network solved",
     .source = "[CS79 16, 17, figures 5, 6]",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
                 HAS_COHESION, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_STEP_CHANGE, HAS_UNTIL},
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

@@ -41,35 +41,35 @@ struct pair {
   double rotation;           /* at first, J */
 };
 
-static double share(const struct nb_scene *scene, const struct nb_body *body) {
-  return body->fixed ? 0 : 1 / matter_mass(scene, body);
+static double fraction(const struct nb_scene *scene, const struct nb_particle *particle) {
+  return particle->fixed ? 0 : 1 / matter_mass(scene, particle);
 }
-static double turning(const struct nb_scene *scene, const struct nb_body *body) {
-  return body->fixed ? 0 : body->radius * body->radius / matter_inertia(scene, body);
+static double turning(const struct nb_scene *scene, const struct nb_particle *particle) {
+  return particle->fixed ? 0 : particle->radius * particle->radius / matter_inertia(scene, particle);
 }
 
 static void read_pair(struct pair *p, const struct nb_scene *scene) {
-  const struct nb_watch *watch = &scene->watches[scene->impact.watch];
-  const struct nb_body *a = &scene->bodies[watch->a];
-  const struct nb_body *b = watch->kind == NB_WATCH_BODY_BODY ? &scene->bodies[watch->b] : NULL;
-  const struct nb_wall *wall = b ? NULL : &scene->walls[watch->b];
+  const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
+  const struct nb_particle *a = &scene->particles[monitor->a];
+  const struct nb_particle *b = monitor->kind == NB_MONITOR_PARTICLE_PARTICLE ? &scene->particles[monitor->b] : NULL;
+  const struct nb_wall *wall = b ? NULL : &scene->walls[monitor->b];
   const struct matter_pair pair = matter_pair(scene, a->material, b ? b->material : wall->material);
   const double vx = a->vx - (b ? b->vx : wall->vx), vy = a->vy - (b ? b->vy : wall->vy);
   /* from what is struck to the sphere: the other's centre, or square to the wall on the sphere's side */
   double nx = b ? a->x - b->x : -wall->ey, ny = b ? a->y - b->y : wall->ex;
   const double side = b || (a->x - wall->x) * nx + (a->y - wall->y) * ny > 0 ? 1 / hypot(nx, ny) : -1;
   nx *= side, ny *= side;
-  const double centre = vx * ny - vy * nx, rim = a->spin * a->radius + (b ? b->spin * b->radius : 0);
+  const double centre = vx * ny - vy * nx, surface = a->spin * a->radius + (b ? b->spin * b->radius : 0);
   const double radius = matter_radius(a->radius, b ? b->radius : INFINITY);
   *p = (struct pair){
-      .mass = 1 / (share(scene, a) + (b ? share(scene, b) : 0)),
-      .inverse = share(scene, a) + turning(scene, a) + (b ? share(scene, b) + turning(scene, b) : 0),
+      .mass = 1 / (fraction(scene, a) + (b ? fraction(scene, b) : 0)),
+      .inverse = fraction(scene, a) + turning(scene, a) + (b ? fraction(scene, b) + turning(scene, b) : 0),
       .friction = pair.friction,
       .kappa = pair.young / pair.shear / 4,
       .spring = pair.ks,
       .vn = -(vx * nx + vy * ny),
-      .vt = fabs(centre + rim),
-      .centre = centre + rim < 0 ? -centre : centre,
+      .vt = fabs(centre + surface),
+      .centre = centre + surface < 0 ? -centre : centre,
       .rotation =
           (matter_inertia(scene, a) * a->spin * a->spin + (b ? matter_inertia(scene, b) * b->spin * b->spin : 0)) / 2,
   };
@@ -105,15 +105,15 @@ static double at(const void *data, double x) {
   return c->values[k] + (x * c->steps - k) * (c->values[k + 1] - c->values[k]);
 }
 
-static void tell_curve(struct nb_known *known, const char *name, const double *values, int steps, double scale,
-                       double rate) {
+static void add_curve(struct nb_solution *solution, const char *name, const double *values, int steps, double scale,
+                      double rate) {
   struct curve *c = malloc(sizeof *c + ((size_t)steps + 1) * sizeof(double));
   if (c) {
     *c = (struct curve){.steps = steps, .rate = rate};
     for (int k = 0; k <= steps; k++)
       c->values[k] = scale * values[k];
   }
-  known_curve(known, name, "impact.time", at, c);
+  solution_curve(solution, name, "impact.time", at, c);
 }
 
 /* The condition `until` of a stage at entry k of the path; those that it cannot tell never hold. */
@@ -132,8 +132,8 @@ static bool holds(const struct nb_condition *condition, const struct impact_path
 }
 
 /* When the stages end that last until the contact begins to slide, or no longer does, or its force turns round. */
-static void tell_stages(struct nb_known *known, const struct nb_scene *scene, const struct impact_path *path,
-                        double scale) {
+static void add_stages(struct nb_solution *solution, const struct nb_scene *scene, const struct impact_path *path,
+                       double scale) {
   int k = 0;
   for (size_t s = 0; s < scene->stage_count && k < path->steps; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -145,44 +145,44 @@ static void tell_stages(struct nb_known *known, const struct nb_scene *scene, co
       return;
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "impact.time in %s", stage->name);
-    known_value(known, (k - 0.5) / path->steps, name);
+    solution_value(solution, (k - 0.5) / path->steps, name);
     snprintf(name, sizeof name, "impact.slip in %s", stage->name);
-    known_value(known, scale * (path->d[k - 1] + path->d[k]) / 2, name);
+    solution_value(solution, scale * (path->d[k - 1] + path->d[k]) / 2, name);
   }
 }
 
-static void tell(struct nb_known *known, const struct nb_scene *scene, const struct pair *p, struct impact_path *path,
-                 double chi) {
+static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct pair *p,
+                      struct impact_path *path, double chi) {
   const double slope = p->friction * p->kappa, psi1 = p->vt / (slope * p->vn);
   const double impulse = (p->vt - path->psi2 * slope * p->vn) / p->inverse; /* of T, N s */
   const double after = p->centre - impulse / p->mass;
   const double lost = p->force * p->friction * slope * p->depth,
                all = (psi1 * psi1 - path->psi2 * path->psi2) / (5 * chi);
-  known_value(known, psi1, "impact.psi1");
-  known_value(known, path->psi2, "impact.psi2");
-  known_value(known, atan2(fabs(p->centre), p->vn), "impact.angle");
-  known_value(known, hypot(p->vn, after) / hypot(p->vn, p->centre), "impact.restitution");
-  known_value(known, p->time, "impact.duration");
-  known_value(known, p->mass * p->vn * p->vn / 2, "impact.energy.normal");
-  known_value(known, p->mass * after * after / 2, "impact.energy.tangential");
+  solution_value(solution, psi1, "impact.psi1");
+  solution_value(solution, path->psi2, "impact.psi2");
+  solution_value(solution, atan2(fabs(p->centre), p->vn), "impact.angle");
+  solution_value(solution, hypot(p->vn, after) / hypot(p->vn, p->centre), "impact.restitution");
+  solution_value(solution, p->time, "impact.duration");
+  solution_value(solution, p->mass * p->vn * p->vn / 2, "impact.energy.normal");
+  solution_value(solution, p->mass * after * after / 2, "impact.energy.tangential");
   const double turned = p->rotation + p->mass * (p->centre * p->centre - after * after) / 2 - lost * all;
-  known_value(known, turned, "impact.energy.rotational");
-  known_value(known, lost * all, "energy.frictional");
-  known_value(known, lost * path->slid, "energy.sliding");
-  tell_curve(known, "impact.shear", path->f, path->steps, 1, 0);
-  tell_curve(known, "impact.slip", path->d, path->steps, slope * p->depth, path->psi2 * slope * p->vn * p->time);
+  solution_value(solution, turned, "impact.energy.rotational");
+  solution_value(solution, lost * all, "energy.frictional");
+  solution_value(solution, lost * path->slid, "energy.sliding");
+  add_curve(solution, "impact.shear", path->f, path->steps, 1, 0);
+  add_curve(solution, "impact.slip", path->d, path->steps, slope * p->depth, path->psi2 * slope * p->vn * p->time);
   for (int k = 0; k <= path->steps; k++)
     path->xi[k] *= sqrt(path->xi[k]); /* N/N_max from here on */
-  tell_curve(known, "impact.normal", path->xi, path->steps, 1, 0);
+  add_curve(solution, "impact.normal", path->xi, path->steps, 1, 0);
   char name[3 * NB_NAME_SIZE];
-  const char *contact = scene->watches[scene->impact.watch].name;
+  const char *contact = scene->monitors[scene->impact.monitor].name;
   snprintf(name, sizeof name, "%s.normal max", contact);
-  known_value(known, p->force, name);
+  solution_value(solution, p->force, name);
   snprintf(name, sizeof name, "%s.overlap max", contact);
-  known_value(known, p->depth, name);
+  solution_value(solution, p->depth, name);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (refuse(scene, error))
     return error->status;
   struct pair p;
@@ -196,19 +196,19 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const bool made =
       exact ? impact_exact(&path, chi, psi1, STEPS) : impact_law(&path, scene->shear, spring, chi, psi1, LAW_STEPS);
   if (made)
-    tell_stages(known, scene, &path, p.friction * p.kappa * p.depth), tell(known, scene, &p, &path, chi);
+    add_stages(solution, scene, &path, p.friction * p.kappa * p.depth), add_value(solution, scene, &p, &path, chi);
   impact_path_free(&path);
-  return made ? known_full(known, error) : nb_error_memory(error);
+  return made ? solution_full(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_oblique_impact = {
     .name = "oblique_impact",
     .title = "an oblique impact: exact contact as independent springs, simplified laws as differential equations",
     .source = "[R89 5.5, 5.6, 5.9, 5.12, 5.14, 5.15]",
-    .accepts = {HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS, HAS_FRICTION,
+    .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS, HAS_FRICTION,
                 HAS_PIECES, HAS_UNTIL},
     .needs = {HAS_IMPACT},
     .normal = "hertz",
     .shear = "none linear mindlin mindlin_scaled mindlin_deresiewicz randall",
-    .know = know,
+    .solve = solve,
 };

@@ -38,7 +38,7 @@ struct pair {
 /* Of the contact in a state. */
 struct touch {
   double ex, ey, tx, ty, distance, overlap; /* m */
-  double closing, along, slip;              /* v.e, v.t, s', m/s */
+  double dn, along, slip;                   /* v.e, v.t, s', m/s */
 };
 
 static struct touch touch(const struct pair *pair, const double y[]) {
@@ -51,7 +51,7 @@ static struct touch touch(const struct pair *pair, const double y[]) {
   at.ex = ax / at.distance, at.ey = ay / at.distance, at.tx = at.ey, at.ty = -at.ex;
   at.overlap = pair->radius[0] + pair->radius[1] - at.distance;
   const double vx = y[VX] - y[SECOND + VX], vy = y[VY] - y[SECOND + VY];
-  at.closing = vx * at.ex + vy * at.ey, at.along = vx * at.tx + vy * at.ty;
+  at.dn = vx * at.ex + vy * at.ey, at.along = vx * at.tx + vy * at.ty;
   at.slip = at.along - pair->radius[0] * y[SPIN] - pair->radius[1] * y[SECOND + SPIN];
   return at;
 }
@@ -60,7 +60,7 @@ static int slope(double time, const double y[], double dydt[], void *data) {
   const struct pair *pair = data;
   const struct touch at = touch(pair, y);
   const bool touching = at.overlap > 0;
-  const double push = touching ? pair->values.kn * at.overlap + pair->cn * at.closing : 0;
+  const double push = touching ? pair->values.kn * at.overlap + pair->cn * at.dn : 0;
   const double drag = touching && pair->shears ? y[SHEAR] + pair->cs * at.slip : 0;
   (void)time;
   for (int k = 0; k < 2; k++) {
@@ -72,7 +72,7 @@ static int slope(double time, const double y[], double dydt[], void *data) {
     d[SPIN] = drag * pair->radius[k] / pair->inertia[k];
   }
   dydt[SHEAR] = touching && pair->shears ? pair->values.ks * at.slip : 0;
-  dydt[TURNED] = touching && !pair->wall ? y[SHEAR] * at.along * at.closing / at.distance : 0;
+  dydt[TURNED] = touching && !pair->wall ? y[SHEAR] * at.along * at.dn / at.distance : 0;
   return GSL_SUCCESS;
 }
 
@@ -80,13 +80,13 @@ static enum nb_status refuse(struct nb_error *error, const char *why) {
   return nb_error_set(error, NB_BAD_USE, "one_contact %s", why);
 }
 
-static void put_body(struct pair *pair, double y[], const struct nb_scene *scene, int k) {
-  const struct nb_body *body = &scene->bodies[k];
+static void put_particle(struct pair *pair, double y[], const struct nb_scene *scene, int k) {
+  const struct nb_particle *particle = &scene->particles[k];
   y += k * SECOND;
-  y[X] = body->x, y[Y] = body->y, y[VX] = body->vx, y[VY] = body->vy, y[SPIN] = body->spin;
-  pair->mass[k] = body->fixed ? INFINITY : matter_mass(scene, body);
-  pair->inertia[k] = body->fixed ? INFINITY : matter_inertia(scene, body);
-  pair->radius[k] = body->radius;
+  y[X] = particle->x, y[Y] = particle->y, y[VX] = particle->vx, y[VY] = particle->vy, y[SPIN] = particle->spin;
+  pair->mass[k] = particle->fixed ? INFINITY : matter_mass(scene, particle);
+  pair->inertia[k] = particle->fixed ? INFINITY : matter_inertia(scene, particle);
+  pair->radius[k] = particle->radius;
 }
 
 /* How long all stages last, s; 0 when that cannot be said. */
@@ -107,7 +107,7 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   const struct nb_damping *damping = &scene->damping;
   memset(y, 0, UNKNOWNS * sizeof *y);
   *pair = (struct pair){.mass = {0, INFINITY}, .inertia = {0, INFINITY}};
-  if (scene->body_count + scene->wall_count != 2 || scene->body_count < 1)
+  if (scene->particle_count + scene->wall_count != 2 || scene->particle_count < 1)
     return refuse(error, "wants two bodies, or a body and a wall");
   if (strcmp(scene->normal, "linear") != 0)
     return refuse(error, "wants `normal linear`");
@@ -115,16 +115,16 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
     return refuse(error,
                   "wants one step, a time, stages of so many cycles that change nothing, no gravity and no global "
                   "damping");
-  for (int k = 0; k < (int)scene->body_count; k++)
-    put_body(pair, y, scene, k);
-  const int a = scene->bodies[0].material;
+  for (int k = 0; k < (int)scene->particle_count; k++)
+    put_particle(pair, y, scene, k);
+  const int a = scene->particles[0].material;
   if (scene->wall_count) {
     const struct nb_wall *wall = pair->wall = &scene->walls[0];
     y[SECOND + X] = wall->x, y[SECOND + Y] = wall->y, y[SECOND + VX] = wall->vx, y[SECOND + VY] = wall->vy;
     if (wall->spin != 0 || wall->h0 != 0)
       return refuse(error, "wants a wall that does not turn, given by its ends");
   }
-  pair->values = matter_pair(scene, a, pair->wall ? pair->wall->material : scene->bodies[1].material);
+  pair->values = matter_pair(scene, a, pair->wall ? pair->wall->material : scene->particles[1].material);
   pair->shears = strcmp(scene->shear, "none") != 0 && (pair->values.friction > 0 || pair->values.cohesion > 0);
   const double reduced = 1 / (1 / pair->mass[0] + 1 / pair->mass[1]);
   double value;
@@ -158,7 +158,7 @@ static enum nb_status look(const struct pair *pair, const double y[], struct nb_
   return NB_OK;
 }
 
-static enum nb_status solve(struct pair *pair, double y[], double end, struct nb_error *error) {
+static enum nb_status solve_equations(struct pair *pair, double y[], double end, struct nb_error *error) {
   const double mass = pair->mass[0] < pair->mass[1] ? pair->mass[0] : pair->mass[1];
   const double beat = sqrt(mass / (pair->values.kn + pair->values.ks)), radius = pair->radius[0];
   double fastest = radius / beat * 1e-6, scale[UNKNOWNS];
@@ -189,13 +189,13 @@ static enum nb_status solve(struct pair *pair, double y[], double end, struct nb
   return status;
 }
 
-static void tell(struct nb_known *known, const char *watch, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *monitor, const char *what, double value) {
   char text[3 * NB_NAME_SIZE];
-  snprintf(text, sizeof text, "%s.%s", watch, what);
-  known_value(known, value, text);
+  snprintf(text, sizeof text, "%s.%s", monitor, what);
+  solution_value(solution, value, text);
 }
 
-static void tell_sums(struct nb_known *known, const struct pair *pair, const double y[], double step) {
+static void add_sums(struct nb_solution *solution, const struct pair *pair, const double y[], double step) {
   const struct touch at = touch(pair, y);
   double kinetic = 0, px = 0, py = 0, angular = 0;
   for (int k = 0; k < 2; k++) {
@@ -207,45 +207,46 @@ static void tell_sums(struct nb_known *known, const struct pair *pair, const dou
     angular += m * (b[X] * b[VY] - b[Y] * b[VX]) + pair->inertia[k] * b[SPIN];
   }
   const double normal = at.overlap > 0 ? pair->values.kn * at.overlap * at.overlap / 2 : 0;
-  known_value(known, kinetic, "energy.kinetic");
-  known_value(known, normal + (pair->values.ks > 0 ? y[SHEAR] * y[SHEAR] / (2 * pair->values.ks) : 0), "energy.stored");
-  known_value(known, step / 2 * y[TURNED], "energy.residual");
-  known_value(known, px, "momentum.x"), known_value(known, py, "momentum.y");
-  known_value(known, angular, "momentum.angular");
+  solution_value(solution, kinetic, "energy.kinetic");
+  solution_value(solution, normal + (pair->values.ks > 0 ? y[SHEAR] * y[SHEAR] / (2 * pair->values.ks) : 0),
+                 "energy.stored");
+  solution_value(solution, step / 2 * y[TURNED], "energy.residual");
+  solution_value(solution, px, "momentum.x"), solution_value(solution, py, "momentum.y");
+  solution_value(solution, angular, "momentum.angular");
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  static const char *const of_body[] = {"x", "y", "vx", "vy", "angle", "spin"}; /* in the order of the unknowns */
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  static const char *const of_particle[] = {"x", "y", "vx", "vy", "angle", "spin"}; /* in the order of the unknowns */
   struct pair pair;
   double y[UNKNOWNS];
   enum nb_status status = build(&pair, y, scene, error);
   if (!status)
-    status = solve(&pair, y, duration(scene), error);
+    status = solve_equations(&pair, y, duration(scene), error);
   if (status)
     return status;
   const struct touch at = touch(&pair, y);
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind == NB_WATCH_BODY)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind == NB_MONITOR_PARTICLE)
       for (int k = 0; k < SECOND; k++)
-        tell(known, watch->name, of_body[k], y[watch->a * SECOND + k]);
-    if (watch->kind != NB_WATCH_BODY_BODY && watch->kind != NB_WATCH_BODY_WALL)
+        add_value(solution, monitor->name, of_particle[k], y[monitor->a * SECOND + k]);
+    if (monitor->kind != NB_MONITOR_PARTICLE_PARTICLE && monitor->kind != NB_MONITOR_PARTICLE_WALL)
       continue;
-    tell(known, watch->name, "overlap", fmax(at.overlap, 0));
-    tell(known, watch->name, "normal", pair.values.kn * fmax(at.overlap, 0));
-    tell(known, watch->name, "shear", y[SHEAR]);
+    add_value(solution, monitor->name, "overlap", fmax(at.overlap, 0));
+    add_value(solution, monitor->name, "normal", pair.values.kn * fmax(at.overlap, 0));
+    add_value(solution, monitor->name, "shear", y[SHEAR]);
   }
-  tell_sums(known, &pair, y, scene->step.value);
-  return known_full(known, error);
+  add_sums(solution, &pair, y, scene->step.value);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_one_contact = {
     .name = "one_contact",
     .title = "one contact that does not slide: the equations of motion in continuous time, by GSL at 1e-13",
     .source = "[CS79 8-23, 26-28] [R89 4.13]",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
                 HAS_FRICTION, HAS_COHESION, HAS_CONTACT_BETA, HAS_CONTACT_RATIO, HAS_WALL_DAMPING},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

@@ -37,10 +37,10 @@ static const char *field(const char *line, int index) {
 
 static bool begins(const char *line, const char *words) { return strncmp(line, words, strlen(words)) == 0; }
 
-static void tell(struct nb_known *known, const char *of, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *of, const char *what, double value) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.%s at 0 cycles", of, what);
-  known_value(known, value, name);
+  solution_value(solution, value, name);
 }
 
 /* Where `fields` has the name, counted from the first number behind the force. */
@@ -52,38 +52,38 @@ static int place_of(const char *fields, const char *name) {
   return -1;
 }
 
-static void tell_contact(struct nb_known *known, const struct nb_scene *scene, const char *line, int normal) {
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
+static void add_contact(struct nb_solution *solution, const struct nb_scene *scene, const char *line, int normal) {
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
     char begin[3 * NB_NAME_SIZE];
-    if (watch->kind == NB_WATCH_BODY_BODY)
-      snprintf(begin, sizeof begin, "contact %d body %d ", watch->a < watch->b ? watch->a + 1 : watch->b + 1,
-               watch->a < watch->b ? watch->b + 1 : watch->a + 1);
-    else if (watch->kind == NB_WATCH_BODY_WALL)
-      snprintf(begin, sizeof begin, "contact %d wall %s ", watch->a + 1, scene->walls[watch->b].name);
+    if (monitor->kind == NB_MONITOR_PARTICLE_PARTICLE)
+      snprintf(begin, sizeof begin, "contact %d body %d ", monitor->a < monitor->b ? monitor->a + 1 : monitor->b + 1,
+               monitor->a < monitor->b ? monitor->b + 1 : monitor->a + 1);
+    else if (monitor->kind == NB_MONITOR_PARTICLE_WALL)
+      snprintf(begin, sizeof begin, "contact %d wall %s ", monitor->a + 1, scene->walls[monitor->b].name);
     else
       continue;
     if (!begins(line, begin))
       continue;
-    tell(known, watch->name, "normal", strtod(field(line, 7 + normal), NULL));
-    tell(known, watch->name, "shear", 0);
+    add_value(solution, monitor->name, "normal", strtod(field(line, 7 + normal), NULL));
+    add_value(solution, monitor->name, "shear", 0);
   }
 }
 
-static void tell_body(struct nb_known *known, const struct nb_scene *scene, const char *line) {
+static void add_body(struct nb_solution *solution, const struct nb_scene *scene, const char *line) {
   const int number = atoi(field(line, 1));
-  for (size_t w = 0; w < scene->watch_count; w++)
-    if (scene->watches[w].kind == NB_WATCH_BODY && scene->watches[w].a == number - 1) {
-      tell(known, scene->watches[w].name, "x", strtod(field(line, 6), NULL));
-      tell(known, scene->watches[w].name, "y", strtod(field(line, 7), NULL));
+  for (size_t w = 0; w < scene->monitor_count; w++)
+    if (scene->monitors[w].kind == NB_MONITOR_PARTICLE && scene->monitors[w].a == number - 1) {
+      add_value(solution, scene->monitors[w].name, "x", strtod(field(line, 6), NULL));
+      add_value(solution, scene->monitors[w].name, "y", strtod(field(line, 7), NULL));
     }
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   char line[LINE];
   int normal = -1;
   double contacts = 0;
-  if (scene->packing_count != 1 || scene->packings[0].count != scene->body_count ||
+  if (scene->packing_count != 1 || scene->packings[0].count != scene->particle_count ||
       strcmp(scene->normal, "linear") != 0)
     return nb_error_set(error, NB_BAD_USE, "packing wants one `packing`, no other bodies, and `normal linear`");
   FILE *file = open_state(scene);
@@ -92,15 +92,15 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
                         scene->packings[0].path);
   while (fgets(line, sizeof line, file)) {
     if (begins(line, "body "))
-      tell_body(known, scene, line);
+      add_body(solution, scene, line);
     if (begins(line, "fields "))
       normal = place_of(line, "normal");
     if (begins(line, "contact ") && normal >= 0)
-      contacts++, tell_contact(known, scene, line, normal);
+      contacts++, add_contact(solution, scene, line, normal);
   }
   fclose(file);
-  known_value(known, contacts, "contacts at 0 cycles");
-  return known_full(known, error);
+  solution_value(solution, contacts, "contacts at 0 cycles");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_packing = {
@@ -110,5 +110,5 @@ const struct nb_reference reference_packing = {
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

@@ -11,12 +11,12 @@ enum nb_status path_contact(struct path_contact *contact, const struct nb_scene 
                             struct nb_error *error) {
   if (!scene->path || strcmp(scene->normal, "hertz") != 0)
     return nb_error_set(error, NB_BAD_USE, "%s wants a path, with `normal hertz`", reference);
-  const struct nb_body *bodies = scene->bodies;
-  const bool wall = scene->body_count == 1;
+  const struct nb_particle *particles = scene->particles;
+  const bool wall = scene->particle_count == 1;
   const struct matter_pair pair =
-      matter_pair(scene, bodies[0].material, wall ? scene->walls[0].material : bodies[1].material);
+      matter_pair(scene, particles[0].material, wall ? scene->walls[0].material : particles[1].material);
   *contact = (struct path_contact){
-      .radius = matter_radius(bodies[0].radius, wall ? INFINITY : bodies[1].radius),
+      .radius = matter_radius(particles[0].radius, wall ? INFINITY : particles[1].radius),
       .young = pair.young,
       .shear = pair.shear,
       .friction = pair.friction,
@@ -37,28 +37,29 @@ struct path_walk path_walk(const struct nb_scene *scene) {
   return (struct path_walk){.scene = scene, .step = 1};
 }
 
-static double on_the_way(const struct nb_aim *aim, double from, double share) {
+static double on_the_way(const struct nb_aim *aim, double from, double fraction) {
   const double to = aim->by ? from + aim->value : aim->value;
-  return share == 1 ? to : from + (to - from) * share;
+  return fraction == 1 ? to : from + (to - from) * fraction;
 }
 
 bool path_next(struct path_walk *walk, struct path_place now, struct path_aim *aim) {
-  if ((size_t)walk->leg == walk->scene->stage_count)
+  if ((size_t)walk->segment == walk->scene->stage_count)
     return false;
-  const struct nb_stage *stage = &walk->scene->stages[walk->leg];
-  const struct nb_leg *leg = &stage->leg;
+  const struct nb_stage *stage = &walk->scene->stages[walk->segment];
+  const struct nb_segment *segment = &stage->segment;
   if (walk->step == 1)
     walk->begin = now;
-  const double share = (double)walk->step / (double)stage->cycles;
-  *aim = (struct path_aim){walk->leg, leg->normal.force, leg->shear.force, 0, 0};
-  if (leg->points) {
-    aim->normal = leg->points[walk->step - 1].approach, aim->shear = leg->points[walk->step - 1].slip;
+  const double fraction = (double)walk->step / (double)stage->cycles;
+  *aim = (struct path_aim){walk->segment, segment->normal.force, segment->shear.force, 0, 0};
+  if (segment->points) {
+    aim->normal = segment->points[walk->step - 1].approach, aim->shear = segment->points[walk->step - 1].slip;
   } else {
-    aim->normal = on_the_way(&leg->normal, leg->normal.force ? walk->begin.normal : walk->begin.approach, share);
-    aim->shear = on_the_way(&leg->shear, leg->shear.force ? walk->begin.shear : walk->begin.slip, share);
+    aim->normal =
+        on_the_way(&segment->normal, segment->normal.force ? walk->begin.normal : walk->begin.approach, fraction);
+    aim->shear = on_the_way(&segment->shear, segment->shear.force ? walk->begin.shear : walk->begin.slip, fraction);
   }
   if (walk->step++ == stage->cycles)
-    walk->leg++, walk->step = 1;
+    walk->segment++, walk->step = 1;
   return true;
 }
 
@@ -83,7 +84,8 @@ static double at(const void *data, double x) {
   return row >= 0 && row < (double)column->count ? column->values[(size_t)row] : NAN;
 }
 
-void path_tell(struct nb_known *known, const struct nb_scene *scene, const char *name, struct path_column *column) {
+void path_add(struct nb_solution *solution, const struct nb_scene *scene, const char *name,
+              struct path_column *column) {
   size_t row = 0;
   bool curve = true;
   for (size_t s = 0; s < scene->stage_count && column; s++) {
@@ -91,14 +93,14 @@ void path_tell(struct nb_known *known, const struct nb_scene *scene, const char 
     row += scene->stages[s].cycles;
     snprintf(label, sizeof label, "%s in %s", name, scene->stages[s].name);
     if (!isnan(column->values[row]))
-      known_value(known, column->values[row], label);
+      solution_value(solution, column->values[row], label);
     if (s + 1 == scene->stage_count && !isnan(column->values[row]))
-      known_value(known, column->values[row], name);
+      solution_value(solution, column->values[row], name);
   }
   for (size_t k = 0; column && k < column->count; k++)
     curve = curve && !isnan(column->values[k]);
   if (curve)
-    known_curve(known, name, "step", at, column);
+    solution_curve(solution, name, "step", at, column);
   else
     free(column);
 }

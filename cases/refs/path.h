@@ -22,7 +22,7 @@ double path_overlap(const struct path_contact *contact, double normal); /* and b
 
 /* What a step of a leg goes to: places or forces, as the leg says. */
 struct path_aim {
-  int leg;
+  int segment;
   bool normal_force, shear_force;
   double normal, shear; /* m or N */
 };
@@ -34,7 +34,7 @@ struct path_place {
 /* The aims of a path one after the other, asked for with the place that the steps so far have led to. */
 struct path_walk {
   const struct nb_scene *scene;
-  int leg;
+  int segment;
   unsigned long step;      /* of the leg, the next one, from 1 */
   struct path_place begin; /* of the leg */
 };
@@ -49,6 +49,6 @@ struct path_column {
 };
 struct path_column *path_column(const struct nb_scene *scene); /* of zeros; NULL: no memory */
 /* A curve along `step`, and the value at the end of each leg, `NAME in LEG`. Takes the column; NAN is not known. */
-void path_tell(struct nb_known *known, const struct nb_scene *scene, const char *name, struct path_column *column);
+void path_add(struct nb_solution *solution, const struct nb_scene *scene, const char *name, struct path_column *column);
 
 #endif

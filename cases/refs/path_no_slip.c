@@ -27,15 +27,15 @@ struct contact {
 };
 
 /* T after the share `share` of a step from a place to another. */
-static double force(const struct contact *contact, struct path_place from, double approach, double slip, double share) {
-  const double way = share * (slip - from.slip), alpha = from.approach + share * (approach - from.approach);
-  const double stiffness = 8 * contact->elastic.shear * sqrt(contact->elastic.radius), closing = alpha - from.approach;
+static double force(const struct contact *contact, struct path_place from, double approach, double slip,
+                    double fraction) {
+  const double way = fraction * (slip - from.slip), alpha = from.approach + fraction * (approach - from.approach);
+  const double stiffness = 8 * contact->elastic.shear * sqrt(contact->elastic.radius), dn = alpha - from.approach;
   if (contact->linear)
     return from.shear + contact->ks * way;
-  if (contact->scaled && closing < 0)
+  if (contact->scaled && dn < 0)
     return sqrt(alpha) * (from.shear / sqrt(from.approach) + stiffness * way);
-  const double mean =
-      fabs(closing) > 1e-9 * alpha ? 2. / 3 * (pow(alpha, 1.5) - pow(from.approach, 1.5)) / closing : sqrt(alpha);
+  const double mean = fabs(dn) > 1e-9 * alpha ? 2. / 3 * (pow(alpha, 1.5) - pow(from.approach, 1.5)) / dn : sqrt(alpha);
   return from.shear + stiffness * mean * way;
 }
 
@@ -75,31 +75,32 @@ static bool walk_path(const struct contact *contact, const struct nb_scene *scen
   return true;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct contact contact = {.linear = strcmp(scene->shear, "linear") == 0,
                             .scaled = strcmp(scene->shear, "mindlin_scaled") == 0};
   struct path_column *columns[COLUMNS];
   if (strcmp(scene->shear, "mindlin_deresiewicz") == 0)
-    return reference_path_springs.know(known, scene, error);
+    return reference_path_springs.solve(solution, scene, error);
   if (path_contact(&contact.elastic, scene, "path_no_slip", error))
     return error->status;
   if (!contact.linear && !contact.scaled && strcmp(scene->shear, "mindlin") != 0)
     return nb_error_set(error, NB_BAD_USE, "path_no_slip knows no equation of `shear %s`", scene->shear);
-  const struct nb_body *bodies = scene->bodies;
-  contact.ks =
-      matter_pair(scene, bodies[0].material, scene->body_count == 1 ? scene->walls[0].material : bodies[1].material).ks;
+  const struct nb_particle *particles = scene->particles;
+  contact.ks = matter_pair(scene, particles[0].material,
+                           scene->particle_count == 1 ? scene->walls[0].material : particles[1].material)
+                   .ks;
   bool made = true;
   for (int c = 0; c < COLUMNS; c++)
     made = (columns[c] = path_column(scene)) != NULL && made;
   const bool sticks = made && walk_path(&contact, scene, columns);
   for (int c = 0; c < COLUMNS; c++)
     if (sticks)
-      path_tell(known, scene, names[c], columns[c]);
+      path_add(solution, scene, names[c], columns[c]);
     else
       free(columns[c]);
   if (made && !sticks)
     return nb_error_set(error, NB_BAD_USE, "path_no_slip wants a path on which nothing slides");
-  return made ? known_full(known, error) : nb_error_memory(error);
+  return made ? solution_full(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_path_no_slip = {
@@ -110,5 +111,5 @@ const struct nb_reference reference_path_no_slip = {
     .needs = {HAS_CONTACT_TEST},
     .normal = "hertz",
     .shear = "linear mindlin mindlin_scaled mindlin_deresiewicz",
-    .know = know,
+    .solve = solve,
 };

@@ -167,7 +167,7 @@ static bool walk_path(struct contact *it, const struct nb_scene *scene, struct p
   return true;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct contact contact = {.literal = strcmp(scene->shear, "randall_literal") == 0};
   struct path_column *columns[COLUMNS];
   if (path_contact(&contact.elastic, scene, "path_randall", error))
@@ -181,7 +181,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   const bool right = made && walk_path(&contact, scene, columns);
   for (int c = 0; c < COLUMNS; c++)
     if (right)
-      path_tell(known, scene, names[c], columns[c]);
+      path_add(solution, scene, names[c], columns[c]);
     else
       free(columns[c]);
   if (made && !right)
@@ -189,7 +189,7 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
         error, NB_BAD_USE,
         "path_randall wants overlap and slip, or the normal force and slip, to move by turns, first out, "
         "and nothing that slides or is rubbed back beyond the loading");
-  return made ? known_full(known, error) : nb_error_memory(error);
+  return made ? solution_full(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_path_randall = {
@@ -200,5 +200,5 @@ const struct nb_reference reference_path_randall = {
     .needs = {HAS_CONTACT_TEST},
     .normal = "hertz",
     .shear = "randall randall_literal",
-    .know = know,
+    .solve = solve,
 };

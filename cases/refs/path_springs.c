@@ -125,7 +125,7 @@ static void walk_path(struct row *row, double room[], const struct nb_scene *sce
   }
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct path_contact contact;
   struct path_column *columns[COLUMNS];
   if (path_contact(&contact, scene, "path_springs", error))
@@ -144,11 +144,11 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   }
   for (int c = 0; c < COLUMNS; c++)
     if (made)
-      path_tell(known, scene, names[c], columns[c]);
+      path_add(solution, scene, names[c], columns[c]);
     else
       free(columns[c]);
   free(row), free(room);
-  return made ? known_full(known, error) : nb_error_memory(error);
+  return made ? solution_full(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_path_springs = {
@@ -159,5 +159,5 @@ const struct nb_reference reference_path_springs = {
     .needs = {HAS_CONTACT_TEST},
     .normal = "hertz",
     .shear = "mindlin_deresiewicz",
-    .know = know,
+    .solve = solve,
 };

@@ -66,9 +66,9 @@ static bool leave(struct pinch *p, double y, double *speed, double *deepest) {
   return good;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *left = &scene->bodies[0], *right = &scene->bodies[1], *small = &scene->bodies[2];
-  if (scene->body_count != 3 || !left->fixed || !right->fixed || small->fixed || left->radius != right->radius ||
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_particle *left = &scene->particles[0], *right = &scene->particles[1], *small = &scene->particles[2];
+  if (scene->particle_count != 3 || !left->fixed || !right->fixed || small->fixed || left->radius != right->radius ||
       left->x != -right->x || left->vx != -right->vx || !(left->vx > 0) || small->x != 0 || small->vx != 0 ||
       small->vy != 0 || left->y != 0 || right->y != 0 || small->y <= 0 || left->vy != 0 || right->vy != 0)
     return nb_error_set(error, NB_BAD_USE,
@@ -85,14 +85,14 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   double speed, deepest;
   if (!leave(&pinch, small->y, &speed, &deepest))
     return nb_error_set(error, NB_BROKEN, "pinched: the equation of motion could not be integrated");
-  for (size_t w = 0; w < scene->watch_count; w++) {
+  for (size_t w = 0; w < scene->monitor_count; w++) {
     char name[3 * NB_NAME_SIZE];
-    const bool body = scene->watches[w].kind == NB_WATCH_BODY;
-    snprintf(name, sizeof name, "%s.%s", scene->watches[w].name, body ? "vy" : "overlap max");
-    known_value(known, body ? speed : deepest, name);
+    const bool particle = scene->monitors[w].kind == NB_MONITOR_PARTICLE;
+    snprintf(name, sizeof name, "%s.%s", scene->monitors[w].name, particle ? "vy" : "overlap max");
+    solution_value(solution, particle ? speed : deepest, name);
   }
-  known_value(known, pinch.mass * speed * speed / 2, "energy.walls");
-  return known_full(known, error);
+  solution_value(solution, pinch.mass * speed * speed / 2, "energy.walls");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_pinched = {
@@ -100,8 +100,8 @@ const struct nb_reference reference_pinched = {
     .title = "a sphere pinched between two that come towards each other, Hertz: its equation of motion",
     .source = "[R89 6.4.2]",
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
-    .needs = {HAS_FIXED_BODIES},
+    .needs = {HAS_FIXED_PARTICLES},
     .normal = "hertz",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -20,16 +20,16 @@
 static const double pi = 3.14159265358979323846;
 
 static double step_of(const struct nb_scene *scene) {
-  const struct nb_material *of = &scene->materials[scene->bodies[0].material];
+  const struct nb_material *of = &scene->materials[scene->particles[0].material];
   const double shear = of->young / (2 * (1 + of->poisson));
   double radius = 0;
-  for (size_t k = 0; k < scene->body_count; k++)
-    radius += scene->bodies[k].radius / (double)scene->body_count;
+  for (size_t k = 0; k < scene->particle_count; k++)
+    radius += scene->particles[k].radius / (double)scene->particle_count;
   return scene->step.value * pi * radius * sqrt(of->density / shear) / (0.1631 * of->poisson + 0.876605);
 }
 
 /* The rate at which the two part; NAN: not within so many cycles. */
-static double parting(const struct nb_body *x, const struct nb_body *y, double young, double mass, double dt,
+static double parting(const struct nb_particle *x, const struct nb_particle *y, double young, double mass, double dt,
                       unsigned long most) {
   const double touch = x->radius + y->radius, radius = x->radius * y->radius / touch;
   double s = y->x - x->x, u = y->vx - x->vx;
@@ -43,9 +43,9 @@ static double parting(const struct nb_body *x, const struct nb_body *y, double y
   return u;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *x = &scene->bodies[0], *y = &scene->bodies[1];
-  if (scene->body_count < 2 || scene->material_count != 1 || scene->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN ||
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_particle *x = &scene->particles[0], *y = &scene->particles[1];
+  if (scene->particle_count < 2 || scene->material_count != 1 || scene->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN ||
       !(x->vx > y->vx) || !(y->x - x->x > x->radius + y->radius) || x->y < y->y || x->y > y->y)
     return nb_error_set(error, NB_BAD_USE,
                         "reference rayleigh_cycle is for two bodies of one material that meet along x, and `step F of "
@@ -59,15 +59,15 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   if (!isfinite(apart))
     return nb_error_set(error, NB_BAD_USE, "the two have not met and parted in the %lu cycles of the scene", cycles);
   const double centre = (m[0] * x->vx + m[1] * y->vx) / sum;
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
     char name[3 * NB_NAME_SIZE];
-    if (watch->kind != NB_WATCH_BODY || watch->a > 1)
+    if (monitor->kind != NB_MONITOR_PARTICLE || monitor->a > 1)
       continue;
-    snprintf(name, sizeof name, "%s.vx", watch->name);
-    known_value(known, centre + apart * (watch->a ? m[0] : -m[1]) / sum, name);
+    snprintf(name, sizeof name, "%s.vx", monitor->name);
+    solution_value(solution, centre + apart * (monitor->a ? m[0] : -m[1]) / sum, name);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_rayleigh_cycle = {
@@ -77,5 +77,5 @@ const struct nb_reference reference_rayleigh_cycle = {
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
     .normal = "hertz",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

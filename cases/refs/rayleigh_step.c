@@ -48,7 +48,8 @@ static double half_round(struct grain grain, bool fit) {
 }
 
 /* e of two like spheres that meet head-on after flying through the gap between them, in steps of dt. */
-static double rebound(const struct nb_scene *scene, const struct nb_body *a, const struct nb_body *b, double dt) {
+static double rebound(const struct nb_scene *scene, const struct nb_particle *a, const struct nb_particle *b,
+                      double dt) {
   const double young = matter_pair(scene, a->material, b->material).young;
   const double mass = matter_mass(scene, a) / 2, speed = hypot(a->vx - b->vx, a->vy - b->vy);
   const double gap = hypot(a->x - b->x, a->y - b->y) - a->radius - b->radius;
@@ -67,40 +68,40 @@ static double step_of(const struct nb_scene *scene, const double shortest[2], st
   return 0;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct grain mean = {0};
   double shortest[2] = {INFINITY, INFINITY};
-  const double share = 1 / (double)scene->body_count;
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    const struct nb_material *of = &scene->materials[body->material];
-    if (body->fixed || !(of->young > 0) || isinf(of->young))
+  const double fraction = 1 / (double)scene->particle_count;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
+    const struct nb_material *of = &scene->materials[particle->material];
+    if (particle->fixed || !(of->young > 0) || isinf(of->young))
       return nb_error_set(error, NB_BAD_USE, "reference rayleigh_step is for elastic bodies that are free");
-    const struct grain grain = {body->radius, of->density, of->young / (2 + 2 * of->poisson), of->poisson};
+    const struct grain grain = {particle->radius, of->density, of->young / (2 + 2 * of->poisson), of->poisson};
     for (int fit = 0; fit < 2; fit++)
       shortest[fit] = fmin(shortest[fit], half_round(grain, fit));
-    mean.radius += share * grain.radius, mean.density += share * grain.density;
-    mean.shear += share * grain.shear, mean.poisson += share * grain.poisson;
+    mean.radius += fraction * grain.radius, mean.density += fraction * grain.density;
+    mean.shear += fraction * grain.shear, mean.poisson += fraction * grain.poisson;
   }
-  known_value(known, shortest[0], "step.rayleigh");
-  known_value(known, shortest[1], "step.rayleigh-fit");
-  known_value(known, half_round(mean, false), "step.rayleigh-mean");
-  known_value(known, half_round(mean, true), "step.rayleigh-fit-mean");
+  solution_value(solution, shortest[0], "step.rayleigh");
+  solution_value(solution, shortest[1], "step.rayleigh-fit");
+  solution_value(solution, half_round(mean, false), "step.rayleigh-mean");
+  solution_value(solution, half_round(mean, true), "step.rayleigh-fit-mean");
   const double dt = step_of(scene, shortest, mean);
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    const size_t other = (size_t)watch->a ^ 1u;
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    const size_t other = (size_t)monitor->a ^ 1u;
     char name[3 * NB_NAME_SIZE];
-    if (watch->kind != NB_WATCH_BODY || other >= scene->body_count)
+    if (monitor->kind != NB_MONITOR_PARTICLE || other >= scene->particle_count)
       continue;
-    const struct nb_body *self = &scene->bodies[watch->a], *it = &scene->bodies[other];
+    const struct nb_particle *self = &scene->particles[monitor->a], *it = &scene->particles[other];
     const double e = dt > 0 ? rebound(scene, self, it, dt) : 1;
-    snprintf(name, sizeof name, "%s.vx", watch->name);
-    known_value(known, (self->vx + it->vx + e * (it->vx - self->vx)) / 2, name);
-    snprintf(name, sizeof name, "%s.vy", watch->name);
-    known_value(known, (self->vy + it->vy + e * (it->vy - self->vy)) / 2, name);
+    snprintf(name, sizeof name, "%s.vx", monitor->name);
+    solution_value(solution, (self->vx + it->vx + e * (it->vx - self->vx)) / 2, name);
+    snprintf(name, sizeof name, "%s.vy", monitor->name);
+    solution_value(solution, (self->vy + it->vy + e * (it->vy - self->vy)) / 2, name);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_rayleigh_step = {
@@ -110,5 +111,5 @@ const struct nb_reference reference_rayleigh_step = {
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
     .normal = "hertz",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

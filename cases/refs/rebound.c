@@ -32,11 +32,11 @@ enum { STEPS = 2000, DAMPED_STEPS = 8000 };
 static const double no_slip = 1e-12; /* rounding, in psi1 */
 
 struct meeting {
-  const struct nb_body *body[2]; /* the second NULL: a wall */
-  double m[2], i[2], r[2];       /* kg, kg m2, m; 0: does not move */
-  double nx, ny;                 /* from what is struck to the first body; t is that turned clockwise */
-  double vx, vy;                 /* of the first body, relative, m/s */
-  double vn, vt, mass, yield;    /* V_N, V_T signed along t, m/s; M, kg; B, 1/kg */
+  const struct nb_particle *particle[2]; /* the second NULL: a wall */
+  double m[2], i[2], r[2];               /* kg, kg m2, m; 0: does not move */
+  double nx, ny;                         /* from what is struck to the first body; t is that turned clockwise */
+  double vx, vy;                         /* of the first body, relative, m/s */
+  double vn, vt, mass, yield;            /* V_N, V_T signed along t, m/s; M, kg; B, 1/kg */
   double mu, kappa, chi, e, beta;
 };
 
@@ -46,18 +46,18 @@ static double over(double a, double b) { return b > 0 ? a / b : 0; }
 
 /* What the pair is; NULL, or what it should have been. */
 static const char *meet(struct meeting *it, const struct nb_scene *scene) {
-  const struct nb_watch *watch = &scene->watches[scene->impact.watch];
+  const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
   const bool hertz = strcmp(scene->normal, "hertz") == 0;
-  const struct nb_wall *wall = watch->kind == NB_WATCH_BODY_WALL ? &scene->walls[watch->b] : NULL;
-  *it = (struct meeting){.body = {&scene->bodies[watch->a], wall ? NULL : &scene->bodies[watch->b]}};
-  const struct nb_body *a = it->body[0], *b = it->body[1];
+  const struct nb_wall *wall = monitor->kind == NB_MONITOR_PARTICLE_WALL ? &scene->walls[monitor->b] : NULL;
+  *it = (struct meeting){.particle = {&scene->particles[monitor->a], wall ? NULL : &scene->particles[monitor->b]}};
+  const struct nb_particle *a = it->particle[0], *b = it->particle[1];
   const struct matter_pair pair = matter_pair(scene, a->material, wall ? wall->material : b->material);
   if (!(pair.friction > 0) || (!hertz && !(pair.ks > 0)))
     return "a contact with friction";
   for (int k = 0; k < 2; k++)
-    if (it->body[k] && !it->body[k]->fixed) {
-      it->m[k] = matter_mass(scene, it->body[k]), it->i[k] = matter_inertia(scene, it->body[k]);
-      it->r[k] = it->body[k]->radius, it->mass += 1 / it->m[k];
+    if (it->particle[k] && !it->particle[k]->fixed) {
+      it->m[k] = matter_mass(scene, it->particle[k]), it->i[k] = matter_inertia(scene, it->particle[k]);
+      it->r[k] = it->particle[k]->radius, it->mass += 1 / it->m[k];
       it->yield += 1 / it->m[k] + it->r[k] * it->r[k] / it->i[k];
     }
   it->mass = 1 / it->mass;
@@ -96,24 +96,26 @@ static double psi_after(const struct meeting *it, double psi1) {
   return psi2;
 }
 
-static void tell(struct nb_known *known, const struct nb_scene *scene, const struct meeting *it, double psi1,
-                 double psi2) {
+static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct meeting *it, double psi1,
+                      double psi2) {
   const double jn = (1 + it->e) * it->mass * it->vn;
   const double jt = copysign((psi1 - psi2) * it->mu * it->kappa * it->vn / it->yield, it->vt);
   const double jx = jn * it->nx - jt * it->ny, jy = jn * it->ny + jt * it->nx; /* on the first body; t = (ny, -nx) */
   double first = 0, energy = 0;
   for (int k = 0; k < 2; k++) {
-    const struct nb_body *body = it->body[k];
-    if (!body)
+    const struct nb_particle *particle = it->particle[k];
+    if (!particle)
       continue;
     const double sign = k ? -1 : 1;
-    const double vx = body->vx + sign * over(jx, it->m[k]), vy = body->vy + sign * over(jy, it->m[k]);
-    const double spin = body->spin - over(it->r[k] * jt, it->i[k]);
-    first += (it->m[k] * (body->vx * body->vx + body->vy * body->vy) + it->i[k] * body->spin * body->spin) / 2;
+    const double vx = particle->vx + sign * over(jx, it->m[k]), vy = particle->vy + sign * over(jy, it->m[k]);
+    const double spin = particle->spin - over(it->r[k] * jt, it->i[k]);
+    first += (it->m[k] * (particle->vx * particle->vx + particle->vy * particle->vy) +
+              it->i[k] * particle->spin * particle->spin) /
+             2;
     energy += (it->m[k] * (vx * vx + vy * vy) + it->i[k] * spin * spin) / 2;
-    for (size_t w = 0; w < scene->watch_count; w++) {
-      const struct nb_watch *watch = &scene->watches[w];
-      if (watch->kind != NB_WATCH_BODY || &scene->bodies[watch->a] != body)
+    for (size_t w = 0; w < scene->monitor_count; w++) {
+      const struct nb_monitor *monitor = &scene->monitors[w];
+      if (monitor->kind != NB_MONITOR_PARTICLE || &scene->particles[monitor->a] != particle)
         continue;
       const struct {
         const char *what;
@@ -121,20 +123,20 @@ static void tell(struct nb_known *known, const struct nb_scene *scene, const str
       } now[] = {{"vx", vx}, {"vy", vy}, {"spin", spin}};
       for (int q = 0; q < 3; q++) {
         char name[3 * NB_NAME_SIZE];
-        snprintf(name, sizeof name, "%s.%s", watch->name, now[q].what);
-        known_value(known, now[q].value, name);
+        snprintf(name, sizeof name, "%s.%s", monitor->name, now[q].what);
+        solution_value(solution, now[q].value, name);
       }
     }
   }
   const double vx = it->vx + jx / it->mass, vy = it->vy + jy / it->mass;
-  known_value(known, psi1, "impact.psi1");
-  known_value(known, psi2, "impact.psi2");
-  known_value(known, hypot(vx, vy) / hypot(it->vx, it->vy), "impact.restitution");
-  known_value(known, energy, "energy.kinetic");
-  known_value(known, first, "energy.kinetic max");
+  solution_value(solution, psi1, "impact.psi1");
+  solution_value(solution, psi2, "impact.psi2");
+  solution_value(solution, hypot(vx, vy) / hypot(it->vx, it->vy), "impact.restitution");
+  solution_value(solution, energy, "energy.kinetic");
+  solution_value(solution, first, "energy.kinetic max");
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct meeting it;
   const char *wants = refuse(scene);
   if (!wants)
@@ -150,18 +152,18 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_memory(error);
   if (isinf(psi2))
     return nb_error_set(error, NB_BAD_USE, "rebound is for %s", parts);
-  tell(known, scene, &it, psi1, psi2);
-  return known_full(known, error);
+  add_value(solution, scene, &it, psi1, psi2);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_rebound = {
     .name = "rebound",
     .title = "velocities and spins after an impact: impulses in gross sliding, else the exact contact as springs",
     .source = "[R89 5.14, 5.15]",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
                 HAS_PIECES, HAS_CONTACT_RATIO, HAS_UNTIL},
     .needs = {HAS_IMPACT, HAS_FRICTION},
     .normal = "linear hertz",
     .shear = "linear mindlin mindlin_scaled mindlin_deresiewicz randall randall_literal",
-    .know = know,
+    .solve = solve,
 };

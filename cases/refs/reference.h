@@ -14,7 +14,7 @@
 #include "matter.h"
 
 /* A curve: the known value at x; `data` is what the reference computed once. */
-struct nb_known_curve {
+struct nb_solution_curve {
   char name[2 * NB_NAME_SIZE];  /* `C.normal` */
   char along[2 * NB_NAME_SIZE]; /* `time`, `cycle`: the quantity that x is, SI */
   double (*at)(const void *data, double x);
@@ -22,25 +22,27 @@ struct nb_known_curve {
 };
 
 /* Everything a reference knows of one run. */
-struct nb_known {
-  struct nb_known_value {
+struct nb_solution {
+  struct nb_solution_value {
     char name[4 * NB_NAME_SIZE]; /* quantity, reducer, stage as on the page: `C.normal mean`, `C.normal mean in rest` */
     double value;                /* SI */
   } * values;
   size_t value_count;
-  struct nb_known_curve *curves;
+  struct nb_solution_curve *curves;
   size_t curve_count;
   bool lacking; /* memory ran out: not all that was told is here */
 };
 
 /* Both copy their texts and may run out of memory, which known_full tells at the end: the last line of `know`. */
-void known_value(struct nb_known *known, double value, const char *name);
-void known_curve(struct nb_known *known, const char *name, const char *along, double (*at)(const void *data, double x),
-                 void *data);
-enum nb_status known_full(const struct nb_known *known, struct nb_error *error); /* NB_OK or NB_NO_MEMORY */
-const double *known_find(const struct nb_known *known, const char *name); /* NULL: this reference does not know it */
-const struct nb_known_curve *known_find_curve(const struct nb_known *known, const char *name, const char *along);
-void known_free(struct nb_known *known);
+void solution_value(struct nb_solution *solution, double value, const char *name);
+void solution_curve(struct nb_solution *solution, const char *name, const char *along,
+                    double (*at)(const void *data, double x), void *data);
+enum nb_status solution_full(const struct nb_solution *solution, struct nb_error *error); /* NB_OK or NB_NO_MEMORY */
+const double *solution_find(const struct nb_solution *solution,
+                            const char *name); /* NULL: this reference does not know it */
+const struct nb_solution_curve *solution_find_curve(const struct nb_solution *solution, const char *name,
+                                                    const char *along);
+void solution_free(struct nb_solution *solution);
 
 #define NB_ANY_LAW "*"
 
@@ -54,14 +56,14 @@ struct nb_reference {
   const char *normal, *shear; /* names of laws, separated by blanks, or NB_ANY_LAW */
   /* NB_OK, or NB_BAD_USE with an error in words when the numbers of the scene are none this reference can judge. It is asked
    * about scenes that it covers alone. */
-  enum nb_status (*know)(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error);
+  enum nb_status (*solve)(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error);
 };
 
 /* GSL answers with a status from then on; as it comes it aborts the program. Where it finds no memory, which its functions tell by
  * a NULL, it ends the program, with NB_NO_MEMORY: so no reference asks for that. Before any reference is asked; may be said again. */
 void nb_references_prepare(void);
 /* What the reference knows of the scene, after comparing what it covers with what the scene has. known_free it in any case. */
-enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_known *known,
+enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_solution *solution,
                                 const struct nb_scene *scene, struct nb_error *error);
 const struct nb_reference *nb_reference_find(const char *name); /* NULL: there is none of that name */
 const struct nb_reference *const *nb_references(void);          /* NULL-terminated */

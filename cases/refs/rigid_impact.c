@@ -19,20 +19,20 @@
 
 #include "reference.h"
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  if (scene->body_count != 1 || scene->wall_count != 1)
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  if (scene->particle_count != 1 || scene->wall_count != 1)
     return nb_error_set(error, NB_BAD_USE, "rigid_impact is for a body that strikes a wall");
-  const struct nb_body *body = &scene->bodies[0];
+  const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
-  const struct matter_pair pair = matter_pair(scene, body->material, wall->material);
-  const double q = matter_mass(scene, body) * body->radius * body->radius / matter_inertia(scene, body);
-  const double vx = body->vx - wall->vx, vy = body->vy - wall->vy;
+  const struct matter_pair pair = matter_pair(scene, particle->material, wall->material);
+  const double q = matter_mass(scene, particle) * particle->radius * particle->radius / matter_inertia(scene, particle);
+  const double vx = particle->vx - wall->vx, vy = particle->vy - wall->vy;
   const double vt = fabs(vx * wall->ex + vy * wall->ey), vn = fabs(vx * wall->ey - vy * wall->ex);
   const double slides = vt - 2 * pair.friction * (1 + q) * vn, after = slides > 0 ? slides : 0;
   const double centre = vt - (vt - after) / (1 + q);
-  known_value(known, after / (pair.friction * pair.young / (4 * pair.shear) * vn), "impact.psi2");
-  known_value(known, hypot(vn, centre) / hypot(vn, vt), "impact.restitution");
-  return known_full(known, error);
+  solution_value(solution, after / (pair.friction * pair.young / (4 * pair.shear) * vn), "impact.psi2");
+  solution_value(solution, hypot(vn, centre) / hypot(vn, vt), "impact.restitution");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_rigid_impact = {
@@ -43,5 +43,5 @@ const struct nb_reference reference_rigid_impact = {
     .needs = {HAS_IMPACT, HAS_WALLS, HAS_FRICTION},
     .normal = "hertz",
     .shear = "mindlin_deresiewicz",
-    .know = know,
+    .solve = solve,
 };

@@ -61,11 +61,11 @@ static double at(const void *data, double n) {
   return it->wanted == X ? it->centre[0] + x : it->centre[1] + y;
 }
 
-static void tell(struct nb_known *known, const struct strained *it, const char *name) {
+static void add_value(struct nb_solution *solution, const struct strained *it, const char *name) {
   struct strained *copy = malloc(sizeof *copy);
   if (copy)
     *copy = *it;
-  known_curve(known, name, "cycle", at, copy);
+  solution_curve(solution, name, "cycle", at, copy);
 }
 
 static void find_axes(struct strained *it, const struct nb_strain_rate *rate) {
@@ -98,27 +98,27 @@ static bool same(const struct nb_strain_rate *a, const struct nb_strain_rate *b)
   return a->xx == b->xx && a->xy == b->xy && a->yx == b->yx && a->yy == b->yy && a->per_cycle == b->per_cycle;
 }
 
-static bool on_boundary(const struct nb_scene *scene, const struct nb_body *body) {
+static bool on_boundary(const struct nb_scene *scene, const struct nb_particle *particle) {
   const struct nb_circle *circle = &scene->circle;
-  return circle->line && hypot(body->x - circle->x, body->y - circle->y) >= circle->radius * (1 - 1e-12);
+  return circle->line && hypot(particle->x - circle->x, particle->y - circle->y) >= circle->radius * (1 - 1e-12);
 }
 
 /* Of the polygon through the boundary's bodies: they are given counterclockwise. */
 static double area(const struct nb_scene *scene) {
-  const struct nb_body *first = NULL, *last = NULL;
+  const struct nb_particle *first = NULL, *last = NULL;
   double twice = 0;
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    if (!on_boundary(scene, body))
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
+    if (!on_boundary(scene, particle))
       continue;
     if (last)
-      twice += last->x * body->y - body->x * last->y;
-    first = first ? first : body, last = body;
+      twice += last->x * particle->y - particle->x * last->y;
+    first = first ? first : particle, last = particle;
   }
   return first ? (twice + last->x * first->y - first->x * last->y) / 2 : 0;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stage = scene->stages;
   const struct nb_strain_rate *rate = &stage->continuum.strain;
   struct strained it = {.centre = {scene->circle.x, scene->circle.y}, .literal = stage->continuum.literal};
@@ -129,38 +129,38 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   it.keep = kept(&stage->damping);
   find_axes(&it, rate);
   double energy = 0;
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    if (!on_boundary(scene, body))
-      energy += matter_mass(scene, body) * (body->vx * body->vx + body->vy * body->vy) / 2;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
+    if (!on_boundary(scene, particle))
+      energy += matter_mass(scene, particle) * (particle->vx * particle->vx + particle->vy * particle->vy) / 2;
   }
   if (!(it.keep < 1 || energy == 0) || (it.literal && (energy > 0 || it.keep < 1)))
     return nb_error_set(error, NB_BAD_USE,
                         "ring_strain wants CON1 where something has a velocity, and `accumulated` undamped from rest");
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind != NB_WATCH_BODY)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind != NB_MONITOR_PARTICLE)
       continue;
-    const struct nb_body *body = &scene->bodies[watch->a];
-    const double x = body->x - it.centre[0], y = body->y - it.centre[1];
-    const double dt = on_boundary(scene, body) ? 0 : scene->step.value;
+    const struct nb_particle *particle = &scene->particles[monitor->a];
+    const double x = particle->x - it.centre[0], y = particle->y - it.centre[1];
+    const double dt = on_boundary(scene, particle) ? 0 : scene->step.value;
     it.literal = stage->continuum.literal && dt > 0;
     char name[2 * NB_NAME_SIZE];
     for (int k = 0; k < 2; k++) {
       it.x[k] = x * it.axis[k][0] + y * it.axis[k][1];
-      it.way[k] = dt * (body->vx * it.axis[k][0] + body->vy * it.axis[k][1]);
+      it.way[k] = dt * (particle->vx * it.axis[k][0] + particle->vy * it.axis[k][1]);
     }
     it.wanted = X;
-    snprintf(name, sizeof name, "%s.x", watch->name), tell(known, &it, name);
+    snprintf(name, sizeof name, "%s.x", monitor->name), add_value(solution, &it, name);
     it.wanted = Y;
-    snprintf(name, sizeof name, "%s.y", watch->name), tell(known, &it, name);
+    snprintf(name, sizeof name, "%s.y", monitor->name), add_value(solution, &it, name);
   }
   it.wanted = AREA, it.level = area(scene);
-  tell(known, &it, "boundary.area");
+  add_value(solution, &it, "boundary.area");
   it.wanted = KINETIC, it.level = energy;
   if (!stage->continuum.literal)
-    tell(known, &it, "energy.kinetic");
-  return known_full(known, error);
+    add_value(solution, &it, "energy.kinetic");
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_ring_strain = {
@@ -173,5 +173,5 @@ const struct nb_reference reference_ring_strain = {
     .needs = {HAS_BOUNDARY, HAS_CONTINUUM},
     .normal = NB_ANY_LAW,
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

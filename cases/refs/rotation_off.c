@@ -54,26 +54,27 @@ static bool begin(struct motion *m, const struct nb_stage *stage) {
          stage->condition_count <= 1;
 }
 
-static void tell(struct nb_known *known, const struct nb_scene *scene, const char *stage, const char *what,
-                 double value) {
-  for (size_t w = 0; w < scene->watch_count; w++)
-    if (scene->watches[w].kind == NB_WATCH_BODY) {
+static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const char *stage, const char *what,
+                      double value) {
+  for (size_t w = 0; w < scene->monitor_count; w++)
+    if (scene->monitors[w].kind == NB_MONITOR_PARTICLE) {
       char name[3 * NB_NAME_SIZE];
-      snprintf(name, sizeof name, "%s.%s in %s", scene->watches[w].name, what, stage);
-      known_value(known, value, name);
+      snprintf(name, sizeof name, "%s.%s in %s", scene->monitors[w].name, what, stage);
+      solution_value(solution, value, name);
     }
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *body = scene->bodies;
-  if (scene->body_count != 1 || scene->wall_count != 1 || scene->walls[0].ey != 0 || scene->walls[0].y > body->y ||
-      scene->gravity.x != 0 || !(scene->gravity.y < 0) || !(body->vx > 0) || body->vy != 0)
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  const struct nb_particle *particle = scene->particles;
+  if (scene->particle_count != 1 || scene->wall_count != 1 || scene->walls[0].ey != 0 ||
+      scene->walls[0].y > particle->y || scene->gravity.x != 0 || !(scene->gravity.y < 0) || !(particle->vx > 0) ||
+      particle->vy != 0)
     return nb_error_set(error, NB_BAD_USE,
                         "rotation_off wants one body that moves east on a level floor, under gravity");
-  const struct matter_pair pair = matter_pair(scene, body->material, scene->walls[0].material);
-  struct motion m = {.v = body->vx, .w = body->spin, .r = body->radius, .mu = pair.friction, .turns = true};
-  m.g = -scene->gravity.y, m.inertia = matter_inertia(scene, body);
-  m.q = matter_mass(scene, body) * m.r * m.r / m.inertia;
+  const struct matter_pair pair = matter_pair(scene, particle->material, scene->walls[0].material);
+  struct motion m = {.v = particle->vx, .w = particle->spin, .r = particle->radius, .mu = pair.friction, .turns = true};
+  m.g = -scene->gravity.y, m.inertia = matter_inertia(scene, particle);
+  m.q = matter_mass(scene, particle) * m.r * m.r / m.inertia;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     char name[2 * NB_NAME_SIZE];
@@ -82,14 +83,14 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
                           "rotation_off wants stages of a step that is a time, which change rotation and the friction "
                           "of the pair alone, and slip to the east");
     go(&m, stage->condition_count ? m.slip / ((1 + m.q) * m.mu * m.g) : (double)stage->cycles * stage->step.value);
-    tell(known, scene, stage->name, "vx", m.v), tell(known, scene, stage->name, "spin", m.w);
+    add_value(solution, scene, stage->name, "vx", m.v), add_value(solution, scene, stage->name, "spin", m.w);
     snprintf(name, sizeof name, "time in %s", stage->name);
     if (stage->condition_count)
-      known_value(known, m.time, name);
+      solution_value(solution, m.time, name);
     snprintf(name, sizeof name, "energy.changed in %s", stage->name);
-    known_value(known, -m.stopped, name);
+    solution_value(solution, -m.stopped, name);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_rotation_off = {
@@ -101,5 +102,5 @@ const struct nb_reference reference_rotation_off = {
     .needs = {HAS_WALLS, HAS_GRAVITY},
     .normal = "linear",
     .shear = "linear",
-    .know = know,
+    .solve = solve,
 };

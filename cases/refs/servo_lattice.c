@@ -64,7 +64,8 @@ static double at(const void *data, double time) {
 }
 
 /* What is off goes from `far`; `most` is the largest rate of the servo. */
-static void solve(struct piece *it, const struct lattice *lattice, double f, double far, double c, double most) {
+static void solve_equations(struct piece *it, const struct lattice *lattice, double f, double far, double c,
+                            double most) {
   const double t = lattice->wave, g = (1 - sqrt(0.75)) / 2, reach = copysign(lattice->kn * t * most, far);
   const double complex root = csqrt(1 - 1 / (4 * f));
   it->held = true, it->far = far;
@@ -91,21 +92,21 @@ static void go(struct piece *const now[3], const struct lattice *lattice, const 
     const double change = servo->mean ? (l[0] + l[1]) / 2 : l[k], begun = servo->mean ? (s[0] + s[1]) / 2 : s[k];
     const double wanted = servo->stress[k], q = servo->ramp ? (wanted - begun) / length : 0;
     const double from = servo->ramp ? begun : wanted;
-    solve(it, lattice, f, begun - from, f * lattice->kn * change + q, servo->most);
+    solve_equations(it, lattice, f, begun - from, f * lattice->kn * change + q, servo->most);
     it->from = from + s[k] - begun, it->rate = q - f * lattice->kn * (l[k] - change);
   }
 }
 
 /* A square lattice of equal discs in a cell, and stages that it can judge. */
 static bool fits(const struct nb_scene *scene) {
-  bool right = scene->cell.line && scene->wall_count == 0 && scene->body_count > 0 && scene->stage_count > 0 &&
+  bool right = scene->cell.line && scene->wall_count == 0 && scene->particle_count > 0 && scene->stage_count > 0 &&
                strcmp(scene->normal, "linear") == 0 && strcmp(scene->shear, "linear") == 0 &&
                scene->step.kind == NB_STEP_TIME && scene->cell.h[1] == 0 && scene->cell.h[2] == 0;
-  for (size_t b = 0; b < scene->body_count && right; b++) {
-    const struct nb_body *body = &scene->bodies[b], *first = &scene->bodies[0];
-    const double spacing = sqrt(scene->cell.h[0] * scene->cell.h[3] / (double)scene->body_count);
-    right = body->radius == first->radius && fabs(remainder(body->x - first->x, spacing)) < 1e-9 * spacing &&
-            fabs(remainder(body->y - first->y, spacing)) < 1e-9 * spacing;
+  for (size_t b = 0; b < scene->particle_count && right; b++) {
+    const struct nb_particle *particle = &scene->particles[b], *first = &scene->particles[0];
+    const double spacing = sqrt(scene->cell.h[0] * scene->cell.h[3] / (double)scene->particle_count);
+    right = particle->radius == first->radius && fabs(remainder(particle->x - first->x, spacing)) < 1e-9 * spacing &&
+            fabs(remainder(particle->y - first->y, spacing)) < 1e-9 * spacing;
   }
   for (size_t s = 0; s < scene->stage_count && right; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -116,17 +117,18 @@ static bool fits(const struct nb_scene *scene) {
   return right;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (!fits(scene))
     return nb_error_set(error, NB_BAD_USE,
                         "servo_lattice wants a square lattice of equal discs in an upright cell, `normal linear`, no "
                         "shear, a step in seconds, "
                         "and stages of so many "
                         "cycles that strain, without turning it, or servo the cell at rates in 1/s");
-  const struct nb_body *body = &scene->bodies[0];
-  const double area = scene->cell.h[0] * scene->cell.h[3], n = (double)scene->body_count;
-  const struct matter_pair pair = matter_pair(scene, body->material, body->material);
-  const double density = n * matter_mass(scene, body) / area, first = pair.kn * (2 * body->radius / sqrt(area / n) - 1);
+  const struct nb_particle *particle = &scene->particles[0];
+  const double area = scene->cell.h[0] * scene->cell.h[3], n = (double)scene->particle_count;
+  const struct matter_pair pair = matter_pair(scene, particle->material, particle->material);
+  const double density = n * matter_mass(scene, particle) / area,
+               first = pair.kn * (2 * particle->radius / sqrt(area / n) - 1);
   const struct lattice lattice = {pair.kn, pair.ks, sqrt(area * density / (pair.kn / 2)), scene->step.value};
   static const char *const names[] = {"cell.stress.xx", "cell.stress.yy", "cell.stress.xy"};
   double s[3] = {first, first, 0}, begin = 0;
@@ -148,8 +150,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
       s[c] = value(now[c], begin), course[c]->count++;
   }
   for (int c = 0; c < 3; c++)
-    known_curve(known, names[c], "time", at, course[c]);
-  return known_full(known, error);
+    solution_curve(solution, names[c], "time", at, course[c]);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_servo_lattice = {
@@ -160,5 +162,5 @@ const struct nb_reference reference_servo_lattice = {
     .needs = {HAS_CELL},
     .normal = "linear",
     .shear = "linear",
-    .know = know,
+    .solve = solve,
 };

@@ -28,21 +28,21 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
 }
 
 enum nb_status single_of(struct single *single, const struct nb_scene *scene, struct nb_error *error) {
-  if (scene->body_count != 1 || scene->wall_count != 1)
+  if (scene->particle_count != 1 || scene->wall_count != 1)
     return refuse(error, "one body and one wall");
-  const struct nb_body *body = &scene->bodies[0];
+  const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
-  if (fabs(wall->ey) > 0 || !(body->y > wall->y))
+  if (fabs(wall->ey) > 0 || !(particle->y > wall->y))
     return refuse(error, "a wall along x, below the body");
-  const double m = matter_mass(scene, body);
-  const struct matter_pair pair = matter_pair(scene, body->material, wall->material);
+  const double m = matter_mass(scene, particle);
+  const struct matter_pair pair = matter_pair(scene, particle->material, wall->material);
   const double critical = 2 * sqrt(m / pair.kn);
   *single = (struct single){
       .m = m,
-      .q = m * body->radius * body->radius / matter_inertia(scene, body),
-      .radius = body->radius,
+      .q = m * particle->radius * particle->radius / matter_inertia(scene, particle),
+      .radius = particle->radius,
       .pair = pair,
-      .height = body->y - wall->y,
+      .height = particle->y - wall->y,
       .gravity_n = -scene->gravity.y,
       .cn = dashpot(&scene->damping, pair.kn, m, critical),
       .cs = dashpot(&scene->damping, pair.ks, m, critical),
@@ -53,31 +53,31 @@ enum nb_status single_of(struct single *single, const struct nb_scene *scene, st
     single->step = scene->step.value * critical;
   else
     return refuse(error, "a step that is a time or a share of the critical one");
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    if (scene->watches[w].kind == NB_WATCH_BODY)
-      single->body = scene->watches[w].name;
-    if (scene->watches[w].kind == NB_WATCH_BODY_WALL)
-      single->contact = scene->watches[w].name;
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    if (scene->monitors[w].kind == NB_MONITOR_PARTICLE)
+      single->particle = scene->monitors[w].name;
+    if (scene->monitors[w].kind == NB_MONITOR_PARTICLE_WALL)
+      single->contact = scene->monitors[w].name;
   }
   return NB_OK;
 }
 
-void single_tell(struct nb_known *known, const char *watch, const char *what, const char *stage, double value) {
+void single_add(struct nb_solution *solution, const char *monitor, const char *what, const char *stage, double value) {
   char name[3 * NB_NAME_SIZE];
-  if (!watch)
+  if (!monitor)
     return;
-  snprintf(name, sizeof name, "%s.%s%s%s", watch, what, stage ? " in " : "", stage ? stage : "");
-  known_value(known, value, name);
+  snprintf(name, sizeof name, "%s.%s%s%s", monitor, what, stage ? " in " : "", stage ? stage : "");
+  solution_value(solution, value, name);
 }
 
-void single_curve(struct nb_known *known, const char *watch, const char *what, double (*at)(const void *data, double t),
-                  const void *data, size_t size) {
+void single_curve(struct nb_solution *solution, const char *monitor, const char *what,
+                  double (*at)(const void *data, double t), const void *data, size_t size) {
   char name[2 * NB_NAME_SIZE];
-  if (!watch)
+  if (!monitor)
     return;
-  snprintf(name, sizeof name, "%s.%s", watch, what);
+  snprintf(name, sizeof name, "%s.%s", monitor, what);
   void *copy = malloc(size);
   if (copy)
     memcpy(copy, data, size);
-  known_curve(known, name, "time", at, copy);
+  solution_curve(solution, name, "time", at, copy);
 }

@@ -14,15 +14,15 @@ struct single {
   double gravity_n;        /* toward the wall, m/s2 */
   double cn, cs;           /* of the dashpots, N s/m */
   double step;             /* of the scene, s */
-  const char *body;        /* names of the watches; NULL: not watched */
+  const char *particle;    /* names of the watches; NULL: not watched */
   const char *contact;
 };
 
 /* The wall must lie along x, below the body. */
 enum nb_status single_of(struct single *single, const struct nb_scene *scene, struct nb_error *error);
 /* `WATCH.WHAT` {` in STAGE`}; nothing when it is not watched. */
-void single_tell(struct nb_known *known, const char *watch, const char *what, const char *stage, double value);
-void single_curve(struct nb_known *known, const char *watch, const char *what, double (*at)(const void *data, double t),
-                  const void *data, size_t size);
+void single_add(struct nb_solution *solution, const char *monitor, const char *what, const char *stage, double value);
+void single_curve(struct nb_solution *solution, const char *monitor, const char *what,
+                  double (*at)(const void *data, double t), const void *data, size_t size);
 
 #endif

@@ -85,52 +85,53 @@ static bool find_grip(struct slide *f) {
   return true;
 }
 
-static void tell(struct nb_known *known, const struct nb_scene *scene, const struct single *body,
-                 const struct slide *f) {
+static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct single *particle,
+                      const struct slide *f) {
   bool slid = false;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     char name[3 * NB_NAME_SIZE];
     if (slid)
-      single_tell(known, body->body, "vx", stage->name, f->q * f->u0 / (1 + f->q));
+      single_add(solution, particle->particle, "vx", stage->name, f->q * f->u0 / (1 + f->q));
     if (slid || stage->condition_count != 1 || stage->conditions[0].relation != NB_BELOW)
       continue;
     slid = true;
     snprintf(name, sizeof name, "time in %s", stage->name);
-    known_value(known, f->slide, name);
-    single_tell(known, body->body, "x", stage->name, x_at(f, f->slide));
+    solution_value(solution, f->slide, name);
+    single_add(solution, particle->particle, "x", stage->name, x_at(f, f->slide));
   }
-  single_curve(known, body->body, "vx", vx_at, f, sizeof *f);
-  single_curve(known, body->body, "spin", spin_at, f, sizeof *f);
-  single_curve(known, body->body, "x", x_at, f, sizeof *f);
+  single_curve(solution, particle->particle, "vx", vx_at, f, sizeof *f);
+  single_curve(solution, particle->particle, "spin", spin_at, f, sizeof *f);
+  single_curve(solution, particle->particle, "x", x_at, f, sizeof *f);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  struct single body;
-  if (single_of(&body, scene, error))
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  struct single particle;
+  if (single_of(&particle, scene, error))
     return error->status;
-  const double weight = body.m * body.gravity_n, push = body.pair.kn * (body.radius - body.height);
-  const double u0 = scene->bodies[0].vx;
-  if (scene->gravity.x != 0 || scene->bodies[0].vy != 0 || !(u0 > 0) || !(fabs(push - weight) < 1e-4 * weight))
+  const double weight = particle.m * particle.gravity_n, push = particle.pair.kn * (particle.radius - particle.height);
+  const double u0 = scene->particles[0].vx;
+  if (scene->gravity.x != 0 || scene->particles[0].vy != 0 || !(u0 > 0) || !(fabs(push - weight) < 1e-4 * weight))
     return nb_error_set(error, NB_BAD_USE,
                         "slide_to_roll is for a body that lies on the floor with its weight, %g, and moves along it "
                         "without spin; the floor pushes %g",
                         weight, push);
-  const double b = (1 + body.q) * body.cs / (2 * body.m), square = (1 + body.q) * body.pair.ks / body.m - b * b;
+  const double b = (1 + particle.q) * particle.cs / (2 * particle.m),
+               square = (1 + particle.q) * particle.pair.ks / particle.m - b * b;
   struct slide slide = {
       .u0 = u0,
-      .q = body.q,
-      .radius = body.radius,
-      .x0 = scene->bodies[0].x,
+      .q = particle.q,
+      .radius = particle.radius,
+      .x0 = scene->particles[0].x,
       .b = b,
       .damped = sqrt(square),
-      .limit = (weight * body.pair.friction + body.pair.cohesion) / body.pair.ks,
-      .brake = (1 + body.q) * (body.pair.friction * body.gravity_n + body.pair.cohesion / body.m),
+      .limit = (weight * particle.pair.friction + particle.pair.cohesion) / particle.pair.ks,
+      .brake = (1 + particle.q) * (particle.pair.friction * particle.gravity_n + particle.pair.cohesion / particle.m),
   };
   if (!(square > 0) || !find_grip(&slide))
     return nb_error_set(error, NB_BAD_USE, "slide_to_roll is for a body that swings and slides; this one does not");
-  tell(known, scene, &body, &slide);
-  return known_full(known, error);
+  add_value(solution, scene, &particle, &slide);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_slide_to_roll = {
@@ -141,5 +142,5 @@ const struct nb_reference reference_slide_to_roll = {
     .needs = {HAS_WALLS, HAS_GRAVITY},
     .normal = "linear",
     .shear = "linear",
-    .know = know,
+    .solve = solve,
 };

@@ -32,11 +32,11 @@ static enum nb_status refuse(struct nb_error *error) {
       "evenly from the first stage on, with `damping mass` only");
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  if (scene->body_count != 9 || scene->wall_count != 4 || scene->stages[0].motion_count != 4)
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  if (scene->particle_count != 9 || scene->wall_count != 4 || scene->stages[0].motion_count != 4)
     return refuse(error);
-  const struct matter_pair pair = matter_pair(scene, scene->bodies[0].material, scene->walls[0].material);
-  const double m = matter_mass(scene, &scene->bodies[0]), critical = 2 * sqrt(m / pair.kn);
+  const struct matter_pair pair = matter_pair(scene, scene->particles[0].material, scene->walls[0].material);
+  const double m = matter_mass(scene, &scene->particles[0]), critical = 2 * sqrt(m / pair.kn);
   const double v = hypot(scene->stages[0].motions[0].vx, scene->stages[0].motions[0].vy);
   for (int k = 0; k < 4; k++)
     if (hypot(scene->stages[0].motions[k].vx, scene->stages[0].motions[k].vy) != v)
@@ -47,8 +47,8 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_set(error, NB_BAD_USE, "speed_of_loading is for alpha t above 20; here it is %g", alpha * t);
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "unbalanced.max in %s", scene->stages[0].name);
-  known_value(known, sqrt(2) * alpha * m * v / (pair.kn * v * t + alpha * m * v / 2), name);
-  return known_full(known, error);
+  solution_value(solution, sqrt(2) * alpha * m * v / (pair.kn * v * t + alpha * m * v / 2), name);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_speed_of_loading = {
@@ -59,5 +59,5 @@ const struct nb_reference reference_speed_of_loading = {
     .needs = {HAS_WALLS, HAS_GLOBAL_DAMPING},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

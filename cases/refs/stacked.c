@@ -28,8 +28,8 @@ struct stack {
   double start[UNKNOWNS], beat;                       /* m, m/s; s */
 };
 
-static double push(const struct stack *stack, int contact, double overlap, double closing) {
-  return overlap > 0 ? stack->k[contact] * overlap + stack->c[contact] * closing : 0;
+static double push(const struct stack *stack, int contact, double overlap, double dn) {
+  return overlap > 0 ? stack->k[contact] * overlap + stack->c[contact] * dn : 0;
 }
 
 static int slope(double t, const double y[], double dydt[], void *data) {
@@ -75,14 +75,14 @@ static double overlap(const void *data, double t) {
   return fmax(stack->radius[0] + stack->radius[1] - (y[Y2] - y[Y1]), 0);
 }
 
-static void tell(struct nb_known *known, const char *watch, const char *what, double (*at)(const void *data, double t),
-                 const struct stack *stack) {
+static void add_value(struct nb_solution *solution, const char *monitor, const char *what,
+                      double (*at)(const void *data, double t), const struct stack *stack) {
   char name[2 * NB_NAME_SIZE];
-  snprintf(name, sizeof name, "%.*s.%s", NB_NAME_SIZE, watch, what);
+  snprintf(name, sizeof name, "%.*s.%s", NB_NAME_SIZE, monitor, what);
   struct stack *copy = malloc(sizeof *copy);
   if (copy)
     *copy = *stack;
-  known_curve(known, name, "time", at, copy);
+  solution_curve(solution, name, "time", at, copy);
 }
 
 static enum nb_status refuse(struct nb_error *error, const char *what) {
@@ -90,9 +90,9 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
 }
 
 static enum nb_status build(struct stack *stack, const struct nb_scene *scene, struct nb_error *error) {
-  const struct nb_body *b = scene->bodies;
+  const struct nb_particle *b = scene->particles;
   const struct nb_wall *w = scene->walls;
-  if (scene->body_count != 2 || scene->wall_count != 2 || b[0].x != b[1].x || b[0].vx != 0 || b[1].vx != 0 ||
+  if (scene->particle_count != 2 || scene->wall_count != 2 || b[0].x != b[1].x || b[0].vx != 0 || b[1].vx != 0 ||
       !(w[0].y < b[0].y && b[0].y < b[1].y && b[1].y < w[1].y) || w[0].ey != 0 || w[1].ey != 0)
     return refuse(error, "sphere 1 under sphere 2 between a floor and a ceiling, in this order");
   if (scene->gravity.x != 0)
@@ -112,20 +112,20 @@ static enum nb_status build(struct stack *stack, const struct nb_scene *scene, s
   return NB_OK;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct stack stack;
   if (build(&stack, scene, error))
     return error->status;
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind == NB_WATCH_BODY) {
-      tell(known, watch->name, "y", watch->a ? upper_y : lower_y, &stack);
-      tell(known, watch->name, "vy", watch->a ? upper_v : lower_v, &stack);
-    } else if (watch->kind == NB_WATCH_BODY_BODY) {
-      tell(known, watch->name, "overlap", overlap, &stack);
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind == NB_MONITOR_PARTICLE) {
+      add_value(solution, monitor->name, "y", monitor->a ? upper_y : lower_y, &stack);
+      add_value(solution, monitor->name, "vy", monitor->a ? upper_v : lower_v, &stack);
+    } else if (monitor->kind == NB_MONITOR_PARTICLE_PARTICLE) {
+      add_value(solution, monitor->name, "overlap", overlap, &stack);
     }
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_stacked = {
@@ -136,5 +136,5 @@ const struct nb_reference reference_stacked = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

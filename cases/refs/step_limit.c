@@ -17,27 +17,27 @@
 /* Outlines closer than this share of the radius touch: a page writes centres in decimals. */
 static const double touch = 1e-9;
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct limit limit;
-  if (limit_build(&limit, scene, &scene->damping, touch * scene->bodies[0].radius, error))
+  if (limit_build(&limit, scene, &scene->damping, touch * scene->particles[0].radius, error))
     return error->status;
-  known_value(known, limit.critical, "step.single-contact");
+  solution_value(solution, limit.critical, "step.single-contact");
   const double safe = limit_of_parts(&limit, scene), longest = limit_of_cycle(&limit);
-  known_value(known, safe, "step.stable");
-  known_value(known, longest, "step max");
+  solution_value(solution, safe, "step.stable");
+  solution_value(solution, longest, "step max");
   limit_free(&limit);
   if (isnan(safe) || isnan(longest))
     return nb_error_set(error, NB_BAD_USE, "step_limit finds no step at which these springs and dashpots are stable");
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_step_limit = {
     .name = "step_limit",
     .title = "the longest step that touching bodies stand: eigenvalues of the calculation cycle",
     .source = "[CS79 20-23a, 26-28]",
-    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_BODIES, HAS_WALLS, HAS_MOVING_WALLS, HAS_FRICTION,
+    .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_WALLS, HAS_MOVING_WALLS, HAS_FRICTION,
                 HAS_CONTACT_DAMPING, HAS_GLOBAL_DAMPING, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

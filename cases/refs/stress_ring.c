@@ -44,7 +44,7 @@ static int left_over(const gsl_vector *at, void *data, gsl_vector *left) {
   return GSL_SUCCESS;
 }
 
-static bool solve(struct ring *ring, double *d1, double *d2) {
+static bool solve_equations(struct ring *ring, double *d1, double *d2) {
   gsl_multiroot_fsolver *solver = gsl_multiroot_fsolver_alloc(gsl_multiroot_fsolver_hybrids, 2);
   gsl_multiroot_function function = {left_over, 2, ring};
   gsl_vector *at = gsl_vector_alloc(2);
@@ -62,25 +62,25 @@ static bool solve(struct ring *ring, double *d1, double *d2) {
 }
 
 /* 0: the middle one, 1 and 2 in turn. */
-static int kind(size_t body) { return body == 0 ? 0 : body % 2 ? 1 : 2; }
+static int kind(size_t particle) { return particle == 0 ? 0 : particle % 2 ? 1 : 2; }
 
 static bool is_ring(const struct nb_scene *scene) {
-  if (scene->body_count != 7 || scene->wall_count > 0 || !scene->circle.line || scene->stage_count == 0)
+  if (scene->particle_count != 7 || scene->wall_count > 0 || !scene->circle.line || scene->stage_count == 0)
     return false;
   for (size_t k = 0; k < 7; k++)
-    if (scene->bodies[k].radius != scene->bodies[k < 3 ? k : 2 - k % 2].radius ||
-        scene->bodies[k].material != scene->bodies[0].material || scene->bodies[k].shape != NB_SPHERE)
+    if (scene->particles[k].radius != scene->particles[k < 3 ? k : 2 - k % 2].radius ||
+        scene->particles[k].material != scene->particles[0].material || scene->particles[k].shape != NB_SPHERE)
       return false;
   return true;
 }
 
-static void tell(struct nb_known *known, const struct nb_scene *scene, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const char *what, double value) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%.100s in %.63s", what, scene->stages[scene->stage_count - 1].name);
-  known_value(known, value, name);
+  solution_value(solution, value, name);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_boundary *load = scene->stage_count ? &scene->stages[scene->stage_count - 1].boundary : NULL;
   if (!is_ring(scene) || !load->line || load->control != NB_CONTROL_STRESS || load->sxx != load->syy || load->sxy != 0)
     return nb_error_set(error, NB_BAD_USE,
@@ -89,28 +89,28 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   struct ring ring;
   double h = 0, d1, d2;
   for (size_t k = 0; k < 7; k++)
-    h += 2 * scene->bodies[k].radius / 7;
+    h += 2 * scene->particles[k].radius / 7;
   for (size_t k = 0; k < 3; k++)
-    ring.radius[k] = scene->bodies[k].radius;
-  ring.young = matter_pair(scene, scene->bodies[0].material, scene->bodies[0].material).young;
+    ring.radius[k] = scene->particles[k].radius;
+  ring.young = matter_pair(scene, scene->particles[0].material, scene->particles[0].material).young;
   ring.load = load->sxx * h * sqrt(3) / 2;
-  if (!solve(&ring, &d1, &d2))
+  if (!solve_equations(&ring, &d1, &d2))
     return nb_error_set(error, NB_BAD_USE, "stress_ring finds no rest of these spheres under this stress");
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
     char name[2 * NB_NAME_SIZE + 1];
-    if (watch->kind != NB_WATCH_BODY_BODY)
+    if (monitor->kind != NB_MONITOR_PARTICLE_PARTICLE)
       continue;
-    const int a = kind((size_t)watch->a), b = kind((size_t)watch->b);
+    const int a = kind((size_t)monitor->a), b = kind((size_t)monitor->b);
     const double distance = a && b ? between(d1, d2) : a + b == 1 ? d1 : d2;
-    snprintf(name, sizeof name, "%.63s.normal", watch->name);
-    tell(known, scene, name, normal(&ring, a, b, distance));
+    snprintf(name, sizeof name, "%.63s.normal", monitor->name);
+    add_value(solution, scene, name, normal(&ring, a, b, distance));
   }
-  tell(known, scene, "boundary.radius", (d1 + d2) / 2);
-  tell(known, scene, "boundary.roughness", fabs(d1 - d2) / (d1 + d2));
-  tell(known, scene, "boundary.area", 1.5 * sqrt(3) * d1 * d2);
-  tell(known, scene, "boundary.stress.mean", load->sxx);
-  return known_full(known, error);
+  add_value(solution, scene, "boundary.radius", (d1 + d2) / 2);
+  add_value(solution, scene, "boundary.roughness", fabs(d1 - d2) / (d1 + d2));
+  add_value(solution, scene, "boundary.area", 1.5 * sqrt(3) * d1 * d2);
+  add_value(solution, scene, "boundary.stress.mean", load->sxx);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_stress_ring = {
@@ -121,5 +121,5 @@ const struct nb_reference reference_stress_ring = {
     .needs = {HAS_BOUNDARY, HAS_BOUNDARY_STRESS},
     .normal = "hertz",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

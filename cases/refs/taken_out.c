@@ -25,40 +25,41 @@
 
 static const double pi = 3.14159265358979323846;
 
-static double between(const struct nb_body *a, const struct nb_body *b) {
+static double between(const struct nb_particle *a, const struct nb_particle *b) {
   return a->radius + b->radius - hypot(a->x - b->x, a->y - b->y);
 }
 
 /* How far the wall is pressed into the body; the unit normal from the wall to it. */
-static double at_wall(const struct nb_body *body, const struct nb_wall *wall, double normal[2]) {
-  const double dx = body->x - wall->x, dy = body->y - wall->y;
+static double at_wall(const struct nb_particle *particle, const struct nb_wall *wall, double normal[2]) {
+  const double dx = particle->x - wall->x, dy = particle->y - wall->y;
   const double along = fmin(fmax(dx * wall->ex + dy * wall->ey, wall->h1), wall->h2);
   const double nx = dx - along * wall->ex, ny = dy - along * wall->ey, away = hypot(nx, ny);
   normal[0] = nx / away, normal[1] = ny / away;
-  return body->radius - away;
+  return particle->radius - away;
 }
 
 /* The stage that takes a body out; the number of stages when none does. */
-static size_t stage_of(const struct nb_scene *scene, size_t body) {
+static size_t stage_of(const struct nb_scene *scene, size_t particle) {
   size_t s = 0;
   for (; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].removal_count; k++)
-      if (scene->stages[s].removals[k].from <= body && body <= scene->stages[s].removals[k].to)
+      if (scene->stages[s].removals[k].from <= particle && particle <= scene->stages[s].removals[k].to)
         return s;
   return s;
 }
 
 static double spring(double k, double overlap) { return overlap > 0 ? k * overlap * overlap / 2 : 0; }
 
-static double carried_away(const struct nb_scene *scene) {
+static double imposed_away(const struct nb_scene *scene) {
   double sum = 0, normal[2];
-  for (size_t i = 0; i < scene->body_count; i++) {
-    const struct nb_body *a = &scene->bodies[i];
-    const bool gone = stage_of(scene, i) < scene->stage_count;
-    for (size_t j = i + 1; j < scene->body_count; j++)
-      if (gone || stage_of(scene, j) < scene->stage_count)
-        sum += spring(matter_pair(scene, a->material, scene->bodies[j].material).kn, between(a, &scene->bodies[j]));
-    if (!gone)
+  for (size_t i = 0; i < scene->particle_count; i++) {
+    const struct nb_particle *a = &scene->particles[i];
+    const bool removed = stage_of(scene, i) < scene->stage_count;
+    for (size_t j = i + 1; j < scene->particle_count; j++)
+      if (removed || stage_of(scene, j) < scene->stage_count)
+        sum +=
+            spring(matter_pair(scene, a->material, scene->particles[j].material).kn, between(a, &scene->particles[j]));
+    if (!removed)
       continue;
     sum += (matter_mass(scene, a) * (a->vx * a->vx + a->vy * a->vy) + matter_inertia(scene, a) * a->spin * a->spin) / 2;
     for (size_t w = 0; w < scene->wall_count; w++)
@@ -67,12 +68,12 @@ static double carried_away(const struct nb_scene *scene) {
   return sum;
 }
 
-struct swing {
+struct oscillation {
   double from, along, overlap, q, begin; /* m, component of the normal, m, 1/s, s */
 };
 
 static double place(const void *data, double time) {
-  const struct swing *it = data;
+  const struct oscillation *it = data;
   const double t = time - it->begin, angle = it->q * t;
   if (!(t > 0))
     return it->from;
@@ -80,54 +81,56 @@ static double place(const void *data, double time) {
 }
 
 /* Between one wall and one body that goes, if it is; then how it swings. */
-static bool pressed(struct swing *swing, double normal[2], const struct nb_scene *scene, const struct nb_body *body,
-                    double end) {
-  size_t walls = 0, bodies = 0;
-  *swing = (struct swing){0};
-  for (size_t j = 0; j < scene->body_count; j++)
-    if (&scene->bodies[j] != body && between(body, &scene->bodies[j]) > 0)
-      bodies += stage_of(scene, j) == 1 ? 1 : 2;
+static bool pressed(struct oscillation *oscillation, double normal[2], const struct nb_scene *scene,
+                    const struct nb_particle *particle, double end) {
+  size_t walls = 0, particles = 0;
+  *oscillation = (struct oscillation){0};
+  for (size_t j = 0; j < scene->particle_count; j++)
+    if (&scene->particles[j] != particle && between(particle, &scene->particles[j]) > 0)
+      particles += stage_of(scene, j) == 1 ? 1 : 2;
   for (size_t w = 0; w < scene->wall_count; w++) {
     double away[2];
-    const double overlap = at_wall(body, &scene->walls[w], away);
+    const double overlap = at_wall(particle, &scene->walls[w], away);
     if (!(overlap > 0))
       continue;
-    walls++, swing->overlap = overlap, normal[0] = away[0], normal[1] = away[1];
-    swing->q = sqrt(matter_pair(scene, body->material, scene->walls[w].material).kn / matter_mass(scene, body));
+    walls++, oscillation->overlap = overlap, normal[0] = away[0], normal[1] = away[1];
+    oscillation->q =
+        sqrt(matter_pair(scene, particle->material, scene->walls[w].material).kn / matter_mass(scene, particle));
   }
-  swing->begin = (double)scene->stages[0].cycles * scene->stages[0].step.value;
-  return walls == 1 && bodies == 1 && swing->q * (end - swing->begin) > pi / 2;
+  oscillation->begin = (double)scene->stages[0].cycles * scene->stages[0].step.value;
+  return walls == 1 && particles == 1 && oscillation->q * (end - oscillation->begin) > pi / 2;
 }
 
-static void tell_place(struct nb_known *known, const struct swing *swing, const char *watch, double from, double along,
-                       const char *axis) {
+static void add_place(struct nb_solution *solution, const struct oscillation *oscillation, const char *monitor,
+                      double from, double along, const char *axis) {
   char name[2 * NB_NAME_SIZE];
-  struct swing *mine = malloc(sizeof *mine);
+  struct oscillation *mine = malloc(sizeof *mine);
   if (mine)
-    *mine = *swing, mine->from = from, mine->along = along;
-  snprintf(name, sizeof name, "%s.%s", watch, axis);
-  known_curve(known, name, "time", place, mine);
-  snprintf(name, sizeof name, "%s.v%s", watch, axis);
-  known_value(known, along * swing->overlap * swing->q, name);
+    *mine = *oscillation, mine->from = from, mine->along = along;
+  snprintf(name, sizeof name, "%s.%s", monitor, axis);
+  solution_curve(solution, name, "time", place, mine);
+  snprintf(name, sizeof name, "%s.v%s", monitor, axis);
+  solution_value(solution, along * oscillation->overlap * oscillation->q, name);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stages = scene->stages;
   if (scene->stage_count != 2 || stages[0].removal_count || stages[0].step.kind != NB_STEP_TIME)
     return nb_error_set(error, NB_BAD_USE,
                         "taken_out wants two stages of which the second takes bodies out, and a step that is a time");
   const double end = (double)stages[0].cycles * stages[0].step.value + (double)stages[1].cycles * stages[1].step.value;
-  known_value(known, carried_away(scene), "energy.removed");
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    struct swing swing;
+  solution_value(solution, imposed_away(scene), "energy.removed");
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    struct oscillation oscillation;
     double normal[2] = {0, 0};
-    if (watch->kind != NB_WATCH_BODY || !pressed(&swing, normal, scene, &scene->bodies[watch->a], end))
+    if (monitor->kind != NB_MONITOR_PARTICLE ||
+        !pressed(&oscillation, normal, scene, &scene->particles[monitor->a], end))
       continue;
-    tell_place(known, &swing, watch->name, scene->bodies[watch->a].x, normal[0], "x");
-    tell_place(known, &swing, watch->name, scene->bodies[watch->a].y, normal[1], "y");
+    add_place(solution, &oscillation, monitor->name, scene->particles[monitor->a].x, normal[0], "x");
+    add_place(solution, &oscillation, monitor->name, scene->particles[monitor->a].y, normal[1], "y");
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_taken_out = {
@@ -138,5 +141,5 @@ const struct nb_reference reference_taken_out = {
     .needs = {HAS_REMOVE},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

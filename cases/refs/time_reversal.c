@@ -11,10 +11,10 @@
 
 #include "reference.h"
 
-static void tell(struct nb_known *known, const char *watch, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *monitor, const char *what, double value) {
   char text[3 * NB_NAME_SIZE];
-  snprintf(text, sizeof text, "%s.%s", watch, what);
-  known_value(known, value, text);
+  snprintf(text, sizeof text, "%s.%s", monitor, what);
+  solution_value(solution, value, text);
 }
 
 static bool goes_back(const struct nb_scene *scene) {
@@ -30,23 +30,23 @@ static bool goes_back(const struct nb_scene *scene) {
   return plain && turns == 1 && cycles[0] == cycles[1];
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (!goes_back(scene))
     return nb_error_set(error, NB_BAD_USE,
                         "time_reversal wants one `reverse velocities`, as many cycles before it as after it, and walls "
                         "whose motion no stage "
                         "changes but the first");
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind != NB_WATCH_BODY)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind != NB_MONITOR_PARTICLE)
       continue;
-    const struct nb_body *body = &scene->bodies[watch->a];
-    tell(known, watch->name, "x", body->x), tell(known, watch->name, "y", body->y);
-    tell(known, watch->name, "angle", 0);
-    tell(known, watch->name, "vx", -body->vx), tell(known, watch->name, "vy", -body->vy);
-    tell(known, watch->name, "spin", -body->spin);
+    const struct nb_particle *particle = &scene->particles[monitor->a];
+    add_value(solution, monitor->name, "x", particle->x), add_value(solution, monitor->name, "y", particle->y);
+    add_value(solution, monitor->name, "angle", 0);
+    add_value(solution, monitor->name, "vx", -particle->vx), add_value(solution, monitor->name, "vy", -particle->vy);
+    add_value(solution, monitor->name, "spin", -particle->spin);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_time_reversal = {
@@ -58,5 +58,5 @@ const struct nb_reference reference_time_reversal = {
     .needs = {HAS_REVERSE},
     .normal = "linear hertz",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -46,13 +46,14 @@ static double at(const void *data, double t) {
 
 /* Whether the body starts as a point of the turning wall would move, and nothing disturbs it. */
 static const char *wrong(const struct nb_scene *scene, const struct rolling *it) {
-  const struct nb_body *body = &scene->bodies[0];
+  const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
-  const double speed = fabs(it->w) * hypot(body->x - it->px, body->y - it->py);
-  const double off = hypot(body->vx + it->w * (body->y - it->py), body->vy - it->w * (body->x - it->px));
+  const double speed = fabs(it->w) * hypot(particle->x - it->px, particle->y - it->py);
+  const double off =
+      hypot(particle->vx + it->w * (particle->y - it->py), particle->vy - it->w * (particle->x - it->px));
   if (wall->vx != 0 || wall->vy != 0 || !(fabs(it->w) > 0))
     return "a wall that turns about a fixed point";
-  if (!(off <= 1e-9 * speed) || body->spin != it->w)
+  if (!(off <= 1e-9 * speed) || particle->spin != it->w)
     return "a body that turns with the wall at first";
   if (!(fabs(fabs(it->n - wall->h0) - it->radius) <= 1e-9 * it->radius))
     return "a body that just touches the wall";
@@ -82,44 +83,45 @@ static const char *ends(const struct nb_scene *scene, const struct rolling *it, 
   return NULL;
 }
 
-static void tell(struct nb_known *known, const struct rolling *it, const char *watch, const char *what,
-                 enum wanted wanted) {
+static void add_value(struct nb_solution *solution, const struct rolling *it, const char *monitor, const char *what,
+                      enum wanted wanted) {
   char name[2 * NB_NAME_SIZE];
   struct rolling *data = malloc(sizeof *data);
   if (data) {
     *data = *it;
     data->wanted = wanted;
   }
-  snprintf(name, sizeof name, "%.60s.%s", watch, what);
-  known_curve(known, name, "time", at, data);
+  snprintf(name, sizeof name, "%.60s.%s", monitor, what);
+  solution_curve(solution, name, "time", at, data);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
-  if (scene->body_count != 1 || scene->wall_count != 1)
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
+  if (scene->particle_count != 1 || scene->wall_count != 1)
     return nb_error_set(error, NB_BAD_USE, "turning_wall wants one body and one wall");
-  const struct nb_body *body = &scene->bodies[0];
+  const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
-  const double dx = body->x - wall->x, dy = body->y - wall->y;
+  const double dx = particle->x - wall->x, dy = particle->y - wall->y;
   struct rolling it = {
-      .px = wall->x, .py = wall->y, .ex = wall->ex, .ey = wall->ey, .w = wall->spin, .radius = body->radius};
-  it.mass = matter_mass(scene, body), it.inertia = matter_inertia(scene, body);
+      .px = wall->x, .py = wall->y, .ex = wall->ex, .ey = wall->ey, .w = wall->spin, .radius = particle->radius};
+  it.mass = matter_mass(scene, particle), it.inertia = matter_inertia(scene, particle);
   it.s0 = dx * wall->ex + dy * wall->ey, it.n = dy * wall->ex - dx * wall->ey;
   it.sigma = it.n > wall->h0 ? 1 : -1;
   it.q = it.w / sqrt(1 + it.inertia / (it.mass * it.radius * it.radius));
   const char *why = wrong(scene, &it);
   if (!why)
-    why = ends(scene, &it, matter_pair(scene, body->material, wall->material).friction);
+    why = ends(scene, &it, matter_pair(scene, particle->material, wall->material).friction);
   if (why)
     return nb_error_set(error, NB_BAD_USE, "turning_wall wants %s", why);
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind == NB_WATCH_BODY)
-      tell(known, &it, watch->name, "x", X), tell(known, &it, watch->name, "y", Y),
-          tell(known, &it, watch->name, "spin", SPIN);
-    if (watch->kind == NB_WATCH_BODY_WALL)
-      tell(known, &it, watch->name, "normal", NORMAL), tell(known, &it, watch->name, "shear", SHEAR);
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind == NB_MONITOR_PARTICLE)
+      add_value(solution, &it, monitor->name, "x", X), add_value(solution, &it, monitor->name, "y", Y),
+          add_value(solution, &it, monitor->name, "spin", SPIN);
+    if (monitor->kind == NB_MONITOR_PARTICLE_WALL)
+      add_value(solution, &it, monitor->name, "normal", NORMAL),
+          add_value(solution, &it, monitor->name, "shear", SHEAR);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_turning_wall = {
@@ -130,5 +132,5 @@ const struct nb_reference reference_turning_wall = {
     .needs = {HAS_WALLS, HAS_TURNING_WALLS, HAS_FRICTION},
     .normal = "linear",
     .shear = "linear",
-    .know = know,
+    .solve = solve,
 };

@@ -95,15 +95,16 @@ static struct numbers numbers_of(const struct lattice_row *row) {
                           .way = (long double)row->v * row->lattice.step};
 }
 
-static void tell(struct nb_known *known, const char *watch, const char *quantity, unsigned long n, long double value) {
+static void add_value(struct nb_solution *solution, const char *monitor, const char *quantity, unsigned long n,
+                      long double value) {
   char text[3 * NB_NAME_SIZE];
-  snprintf(text, sizeof text, "%s.%s at %lu cycles", watch, quantity, n);
-  known_value(known, (double)value, text);
+  snprintf(text, sizeof text, "%s.%s at %lu cycles", monitor, quantity, n);
+  solution_value(solution, (double)value, text);
 }
 
 /* Of disc x (0) or y (1), along the row: the sum of forces at t_n, and the velocity over the step before. */
-static void tell_disc(struct nb_known *known, const char *watch, const struct lattice_row *row, const struct hand *hand,
-                      int disc, unsigned long n) {
+static void add_disc(struct nb_solution *solution, const char *monitor, const struct lattice_row *row,
+                     const struct hand *hand, int disc, unsigned long n) {
   struct numbers numbers = numbers_of(row);
   const struct lattice_contact *between = &row->lattice.contacts[row->contact[1]];
   long double before = evaluate(&hand->overlap[disc][n], numbers.at) * row->k[disc];
@@ -113,60 +114,60 @@ static void tell_disc(struct nb_known *known, const char *watch, const struct la
   add(&step, 1, ONE, &hand->displacement[disc][n]);
   add(&step, -1, ONE, &hand->displacement[disc][n - 1]);
   long double speed = evaluate(&step, numbers.at) * row->v;
-  tell(known, watch, "fx", n, force * between->ex);
-  tell(known, watch, "fy", n, force * between->ey);
-  tell(known, watch, "vx.half", n, speed * between->ex);
-  tell(known, watch, "vy.half", n, speed * between->ey);
+  add_value(solution, monitor, "fx", n, force * between->ex);
+  add_value(solution, monitor, "fy", n, force * between->ey);
+  add_value(solution, monitor, "vx.half", n, speed * between->ex);
+  add_value(solution, monitor, "vy.half", n, speed * between->ey);
 }
 
-static enum nb_status tell_contact(struct nb_known *known, const char *watch, const struct lattice_row *row,
-                                   const struct hand *hand, int place, unsigned long n, struct nb_error *error) {
+static enum nb_status add_contact(struct nb_solution *solution, const char *monitor, const struct lattice_row *row,
+                                  const struct hand *hand, int place, unsigned long n, struct nb_error *error) {
   struct numbers numbers = numbers_of(row);
   long double overlap = numbers.way * evaluate(&hand->overlap[place][n], numbers.at);
   if (overlap < 0)
-    return nb_error_set(error, NB_BAD_USE, "the contact of monitor %s opens at cycle %lu: the step is too long", watch,
-                        n);
-  tell(known, watch, "overlap", n, overlap);
-  tell(known, watch, "normal", n, overlap * row->k[place]);
+    return nb_error_set(error, NB_BAD_USE, "the contact of monitor %s opens at cycle %lu: the step is too long",
+                        monitor, n);
+  add_value(solution, monitor, "overlap", n, overlap);
+  add_value(solution, monitor, "normal", n, overlap * row->k[place]);
   return NB_OK;
 }
 
-static enum nb_status tell_cycles(struct nb_known *known, const struct nb_scene *scene, const struct lattice_row *row,
-                                  const struct hand *hand, struct nb_error *error) {
+static enum nb_status add_cycles(struct nb_solution *solution, const struct nb_scene *scene,
+                                 const struct lattice_row *row, const struct hand *hand, struct nb_error *error) {
   enum nb_status status = NB_OK;
-  for (size_t i = 0; i < scene->watch_count; i++) {
-    const struct nb_watch *watch = &scene->watches[i];
-    int place = lattice_row_place(row, lattice_watched(&row->lattice, watch));
+  for (size_t i = 0; i < scene->monitor_count; i++) {
+    const struct nb_monitor *monitor = &scene->monitors[i];
+    int place = lattice_row_place(row, lattice_watched(&row->lattice, monitor));
     for (unsigned long n = 1; n <= LAST && n <= row->even && status == NB_OK; n++) {
       if (place >= 0)
-        status = tell_contact(known, watch->name, row, hand, place, n, error);
-      if (watch->kind == NB_WATCH_BODY)
-        tell_disc(known, watch->name, row, hand, watch->a, n);
+        status = add_contact(solution, monitor->name, row, hand, place, n, error);
+      if (monitor->kind == NB_MONITOR_PARTICLE)
+        add_disc(solution, monitor->name, row, hand, monitor->a, n);
     }
   }
   return status;
 }
 
-static enum nb_status tell_curves(struct nb_known *known, const struct nb_scene *scene, const struct lattice *lattice,
-                                  struct nb_error *error) {
+static enum nb_status add_curves(struct nb_solution *solution, const struct nb_scene *scene,
+                                 const struct lattice *lattice, struct nb_error *error) {
   if (lattice->undamped < lattice->cycles || !lattice->one_step)
     return NB_OK;
-  struct swing_modes modes = swing_modes_create(lattice);
+  struct oscillation_modes modes = oscillation_modes_create(lattice);
   enum nb_status status = NB_OK;
   struct nb_error open;
   bool known_for_ever = lattice_stays(lattice, &modes, &open) == NB_OK;
-  for (size_t i = 0; i < scene->watch_count && known_for_ever && status == NB_OK; i++) {
-    int contact = lattice_watched(lattice, &scene->watches[i]);
+  for (size_t i = 0; i < scene->monitor_count && known_for_ever && status == NB_OK; i++) {
+    int contact = lattice_watched(lattice, &scene->monitors[i]);
     char quantity[2 * NB_NAME_SIZE];
-    snprintf(quantity, sizeof quantity, "%s.normal", scene->watches[i].name);
+    snprintf(quantity, sizeof quantity, "%s.normal", scene->monitors[i].name);
     if (contact >= 0)
-      status = lattice_tell_curves(known, lattice, &modes, quantity, 2 * (size_t)contact, error);
+      status = lattice_add_curves(solution, lattice, &modes, quantity, 2 * (size_t)contact, error);
   }
-  swing_modes_free(&modes);
+  oscillation_modes_free(&modes);
   return status;
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice_row row;
   enum nb_status status = lattice_row_build(&row, scene, error);
   if (status != NB_OK)
@@ -177,12 +178,12 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
     return nb_error_memory(error);
   }
   calculate(hand);
-  status = tell_cycles(known, scene, &row, hand, error);
+  status = add_cycles(solution, scene, &row, hand, error);
   if (status == NB_OK)
-    status = tell_curves(known, scene, &row.lattice, error);
+    status = add_curves(solution, scene, &row.lattice, error);
   free(hand);
   lattice_row_free(&row);
-  return status == NB_OK ? known_full(known, error) : status;
+  return status == NB_OK ? solution_full(solution, error) : status;
 }
 
 const struct nb_reference reference_two_wall_compression = {
@@ -194,5 +195,5 @@ const struct nb_reference reference_two_wall_compression = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

@@ -9,13 +9,13 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_row.h"
 
-static void tell(struct nb_known *known, const char *watch, const char *quantity, double value) {
+static void add_value(struct nb_solution *solution, const char *monitor, const char *quantity, double value) {
   char text[3 * NB_NAME_SIZE];
-  snprintf(text, sizeof text, "%s.%s", watch, quantity);
-  known_value(known, value, text);
+  snprintf(text, sizeof text, "%s.%s", monitor, quantity);
+  solution_value(solution, value, text);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice_row row;
   enum nb_status status = lattice_row_build(&row, scene, error);
   if (status != NB_OK)
@@ -23,17 +23,17 @@ static enum nb_status know(struct nb_known *known, const struct nb_scene *scene,
   double force = row.squeeze / (1 / row.k[0] + 1 / row.k[1] + 1 / row.k[2]);
   if (lattice_standing(&row.lattice, scene) == scene->stage_count)
     status = nb_error_set(error, NB_BAD_USE, "reference two_wall_statics is for walls that stop");
-  for (size_t i = 0; i < scene->watch_count && status == NB_OK; i++) {
-    int place = lattice_row_place(&row, lattice_watched(&row.lattice, &scene->watches[i]));
+  for (size_t i = 0; i < scene->monitor_count && status == NB_OK; i++) {
+    int place = lattice_row_place(&row, lattice_watched(&row.lattice, &scene->monitors[i]));
     if (place < 0)
       continue;
-    tell(known, scene->watches[i].name, "normal", force);
-    tell(known, scene->watches[i].name, "normal mean", force);
-    tell(known, scene->watches[i].name, "overlap", force / row.k[place]);
-    tell(known, scene->watches[i].name, "shear", 0);
+    add_value(solution, scene->monitors[i].name, "normal", force);
+    add_value(solution, scene->monitors[i].name, "normal mean", force);
+    add_value(solution, scene->monitors[i].name, "overlap", force / row.k[place]);
+    add_value(solution, scene->monitors[i].name, "shear", 0);
   }
   lattice_row_free(&row);
-  return status == NB_OK ? known_full(known, error) : status;
+  return status == NB_OK ? solution_full(solution, error) : status;
 }
 
 const struct nb_reference reference_two_wall_statics = {
@@ -45,5 +45,5 @@ const struct nb_reference reference_two_wall_statics = {
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none linear",
-    .know = know,
+    .solve = solve,
 };

@@ -18,7 +18,7 @@
 
 #include "reference.h"
 
-static bool touch(const struct nb_body *a, const struct nb_body *b) {
+static bool touch(const struct nb_particle *a, const struct nb_particle *b) {
   return hypot(a->x - b->x, a->y - b->y) < a->radius + b->radius;
 }
 
@@ -26,46 +26,46 @@ static bool touch(const struct nb_body *a, const struct nb_body *b) {
 static bool links_alike(const struct nb_scene *scene, double *phi, double *linked) {
   double least = INFINITY, most = 0;
   *linked = 0;
-  for (size_t i = 0; i < scene->body_count; i++) {
+  for (size_t i = 0; i < scene->particle_count; i++) {
     bool has = false;
-    for (size_t j = 0; j < scene->body_count; j++) {
-      const struct nb_body *a = &scene->bodies[i], *b = &scene->bodies[j];
+    for (size_t j = 0; j < scene->particle_count; j++) {
+      const struct nb_particle *a = &scene->particles[i], *b = &scene->particles[j];
       if (i == j || !touch(a, b))
         continue;
       const double angle = atan2(fabs(a->x - b->x), fabs(a->y - b->y));
       has = true, least = fmin(least, angle), most = fmax(most, angle);
     }
-    *linked += has && !scene->bodies[i].fixed;
+    *linked += has && !scene->particles[i].fixed;
   }
   *phi = most;
   return *linked > 2 && most - least < 1e-9;
 }
 
-static void tell(struct nb_known *known, const char *region, const char *what, double value) {
+static void add_value(struct nb_solution *solution, const char *region, const char *what, double value) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.%s", region, what);
-  known_value(known, value, name);
+  solution_value(solution, value, name);
 }
 
-static enum nb_status know(struct nb_known *known, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   double phi, linked;
   if (scene->region_count == 0 || !links_alike(scene, &phi, &linked))
     return nb_error_set(error, NB_BAD_USE,
                         "zigzag wants a region, and discs of which all that touch make one angle with y");
-  double free_bodies = 0;
-  for (size_t k = 0; k < scene->body_count; k++)
-    free_bodies += !scene->bodies[k].fixed;
+  double free_particles = 0;
+  for (size_t k = 0; k < scene->particle_count; k++)
+    free_particles += !scene->particles[k].fixed;
   const bool chain = cos(2 * phi) > sin(phi);
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind != NB_WATCH_REGION || scene->regions[watch->a].kind != NB_REGION_ALL)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind != NB_MONITOR_REGION || scene->regions[monitor->a].kind != NB_REGION_ALL)
       continue;
-    tell(known, watch->name, "chains", chain);
-    tell(known, watch->name, "chains.length", chain ? linked : 0);
-    tell(known, watch->name, "chains.fraction", chain ? linked / free_bodies : 0);
-    tell(known, watch->name, "chains.bend", chain ? 2 * phi : 0);
+    add_value(solution, monitor->name, "chains", chain);
+    add_value(solution, monitor->name, "chains.length", chain ? linked : 0);
+    add_value(solution, monitor->name, "chains.fraction", chain ? linked / free_particles : 0);
+    add_value(solution, monitor->name, "chains.bend", chain ? 2 * phi : 0);
   }
-  return known_full(known, error);
+  return solution_full(solution, error);
 }
 
 const struct nb_reference reference_zigzag = {
@@ -73,8 +73,8 @@ const struct nb_reference reference_zigzag = {
     .title = "force chains of a zigzag between two walls, from the balance of each disc",
     .source = "-",
     .accepts = {HAS_DISCS},
-    .needs = {HAS_WALLS, HAS_FIXED_BODIES},
+    .needs = {HAS_WALLS, HAS_FIXED_PARTICLES},
     .normal = "linear",
     .shear = "none",
-    .know = know,
+    .solve = solve,
 };

@@ -12,7 +12,7 @@
 #include "error.h"
 #include "vec.h"
 
-enum { NB_BLOCK = 64 };
+enum { NB_BLOCK_SIZE = 64 };
 
 /* What two materials make of a contact at time 0: the harmonic mean 2ab/(a+b) of the stiffnesses (which is k between like
  * ones), the smaller friction and cohesion [CS79 19], and what the page's `pair` says over both. */
@@ -25,9 +25,9 @@ struct nb_pair {
 };
 
 enum nb_field {
-  NB_OVERLAP, /* alpha >= 0, m */
-  NB_CLOSING, /* dn, approach over the last step, m [CS79 14] */
-  NB_SLIP,    /* ds, tangential displacement over the last step, m [CS79 15] */
+  NB_OVERLAP,              /* alpha >= 0, m */
+  NB_NORMAL_INCREMENT,     /* dn, approach over the last step, m [CS79 14] */
+  NB_TANGENTIAL_INCREMENT, /* ds, tangential displacement over the last step, m [CS79 15] */
   NB_EX,
   NB_EY,                     /* e, unit vector from the first body to the second [CS79 9] */
   NB_NORMAL,                 /* F_n >= 0, elastic, N */
@@ -36,14 +36,14 @@ enum nb_field {
   NB_SHEAR,                  /* F_s, elastic, on the first body along -t, N */
   NB_SHEAR_STIFFNESS,        /* dF_s/ds, N/m; 0 where nothing touches */
   NB_SLIDING,                /* 1 where F_s is at its limit [CS79 19], else 0 */
-  NB_LOST,                   /* lost in the step behind to micro-slip and sliding, by a law that says it, J */
-  NB_PUSH,                   /* F_n + D_n, N: what is felt; may pull while damped */
-  NB_DRAG,                   /* F_s + D_s, N */
-  NB_REACH,                  /* R_x + R_y, m; these three stay what they are while a pair is listed */
+  NB_DISSIPATED,             /* lost in the step behind to micro-slip and sliding, by a law that says it, J */
+  NB_TOTAL_NORMAL,           /* F_n + D_n, N: what is felt; may pull while damped */
+  NB_TOTAL_SHEAR,            /* F_s + D_s, N */
+  NB_RADIUS_SUM,             /* R_x + R_y, m; these three stay what they are while a pair is listed */
   NB_MASS,                   /* M*, reduced mass, kg [R89 4.6] */
   NB_REDUCED,                /* R*, reduced radius, m [R89 4.5] */
   NB_DEEP,                   /* 1 where the overlap is more than a Hertz contact is good for, else 0 */
-  NB_SURE,                   /* overlap up to which the step is sure to be stable, m: watch.c */
+  NB_STABLE_OVERLAP,         /* overlap up to which the step is sure to be stable, m: stability.c */
   NB_SHEAR_BEFORE,           /* F_s a step ago, N, for the energy balance alone; */
   NB_SHEAR_STIFFNESS_BEFORE, /* its stiffness then, N/m */
   NB_FIELDS
@@ -55,13 +55,13 @@ enum nb_field {
 /* What a law remembers of its contacts. Up to four doubles are an array each, so that its loop is wide; a law that remembers
  * more has a row for each contact, of which the first double is 0 as long as there is nothing to remember: the rest is then
  * whatever it was. */
-#define NB_MEMORY 4 /* no enum: the preprocessor asks */
-enum { NB_PIECES_MAX = 256, NB_MEMORY_MAX = 12 + 5 * NB_PIECES_MAX };
+#define NB_HISTORY 4 /* no enum: the preprocessor asks */
+enum { NB_PIECES_MAX = 256, NB_HISTORY_MAX = 12 + 5 * NB_PIECES_MAX };
 enum { NB_AHEAD = 6 }; /* contacts between fetching what is remembered of one and its turn */
-struct nb_memory {
-  int doubles;              /* for each contact */
-  double *field[NB_MEMORY]; /* of up to four doubles; else NULL */
-  double *rows;             /* of more; else NULL */
+struct nb_history {
+  int doubles;               /* for each contact */
+  double *field[NB_HISTORY]; /* of up to four doubles; else NULL */
+  double *rows;              /* of more; else NULL */
 };
 
 /* Before a loop over a block: its arrays do not overlap, so it can be made wide. */
@@ -77,13 +77,13 @@ struct nb_memory {
  * function of it for each: NAME_plain, NAME_avx2, NAME_avx512. The values are the same, only the loops are wider. */
 enum nb_isa { NB_PLAIN, NB_AVX2, NB_AVX512, NB_ISAS };
 struct nb_model;
-struct nb_view;
-typedef void nb_run_pass(const struct nb_model *model, const struct nb_view *view); /* C has no other word for it */
+struct nb_block;
+typedef void nb_run_pass(const struct nb_model *model, const struct nb_block *block); /* C has no other word for it */
 
 #define NB_FORM __attribute__((always_inline))
 #define NB_SELDOM __attribute__((noinline)) /* out of the way of a loop that seldom wants it */
 #define NB_FORM_OF(name, isa, target)                                                                                  \
-  target static void name##_##isa(const struct nb_model *model, const struct nb_view *view) { name(model, view); }
+  target static void name##_##isa(const struct nb_model *model, const struct nb_block *block) { name(model, block); }
 #if defined __x86_64__ && defined __GNUC__
 #define NB_X86 1
 #define NB_TARGET_AVX2 __attribute__((target("avx2")))
@@ -102,43 +102,42 @@ typedef void nb_run_pass(const struct nb_model *model, const struct nb_view *vie
 
 /* Whether a pair has met in the step behind: it was apart a step ago when it has overlapped by less than it has closed. And the
  * share of that step in which it touched. Slip counts while they touch, or the first step would be of first order in a law's slip. */
-static inline bool nb_met(double overlap, double closing) { return overlap > 0 && overlap < closing; }
-static inline double nb_touched(double overlap, double closing) {
-  return nb_met(overlap, closing) ? overlap / closing : 1;
-}
+static inline bool nb_met(double overlap, double dn) { return overlap > 0 && overlap < dn; }
+static inline double nb_touched(double overlap, double dn) { return nb_met(overlap, dn) ? overlap / dn : 1; }
 
 /* ---- memory.c ---- */
 /* Nothing remembered of so many contacts; the owner knows whether memory was out. */
-struct nb_memory nb_memory_create(struct nb_owner *owner, int doubles, size_t contacts);
-struct nb_memory nb_memory_from(const struct nb_memory *memory,
-                                size_t first); /* that of the contacts from `first` on */
-void nb_memory_copy(struct nb_memory *to, size_t there, const struct nb_memory *from, size_t here); /* of one contact */
-void nb_memory_forget(struct nb_memory *memory, size_t contact);
+struct nb_history nb_history_create(struct nb_owner *owner, int doubles, size_t contacts);
+struct nb_history nb_history_from(const struct nb_history *memory,
+                                  size_t first); /* that of the contacts from `first` on */
+void nb_history_copy(struct nb_history *to, size_t there, const struct nb_history *from,
+                     size_t here); /* of one contact */
+void nb_history_forget(struct nb_history *memory, size_t contact);
 /* What a contact's law would be given, in `room` or where it is. */
-const double *nb_memory_read(const struct nb_memory *memory, size_t contact, double room[NB_MEMORY]);
+const double *nb_history_read(const struct nb_history *memory, size_t contact, double room[NB_HISTORY]);
 
-struct nb_pairing;
+struct nb_material_pair;
 
 /* What a pass is given. All arrays have n entries, except where the plan has no use for a field: then NULL. */
-struct nb_view {
+struct nb_block {
   size_t n;
   const int *a, *b; /* slots of the two bodies; b is a wall's index where the pairing is with walls */
   double *f[NB_FIELDS];
   const struct nb_vec *image; /* of struct nb_contacts */
   struct nb_vec *force;       /* on the first body, N */
-  struct nb_memory normal_memory, shear_memory;
-  unsigned long *deep;  /* how often an overlap was too deep, to be added to */
-  struct nb_sure *sure; /* watch.c */
-  const struct nb_pairing *pairing;
+  struct nb_history normal_history, shear_history;
+  unsigned long *deep;                      /* how often an overlap was too deep, to be added to */
+  struct nb_stable_overlap *stable_overlap; /* stability.c */
+  const struct nb_material_pair *material_pair;
 };
 
 /* Of pairs that have met in the step behind slip is what there was of it since then. Few have, so it is no part of a wide loop. */
-static inline void nb_slip_since_met(const struct nb_view *view) {
-  const double *overlap = view->f[NB_OVERLAP], *closing = view->f[NB_CLOSING];
-  double *slip = view->f[NB_SLIP];
-  for (size_t c = 0; c < view->n; c++)
-    if (nb_met(overlap[c], closing[c]))
-      slip[c] *= overlap[c] / closing[c];
+static inline void nb_tangential_since_touch(const struct nb_block *block) {
+  const double *overlap = block->f[NB_OVERLAP], *dn = block->f[NB_NORMAL_INCREMENT];
+  double *slip = block->f[NB_TANGENTIAL_INCREMENT];
+  for (size_t c = 0; c < block->n; c++)
+    if (nb_met(overlap[c], dn[c]))
+      slip[c] *= overlap[c] / dn[c];
 }
 
 #endif

@@ -5,7 +5,7 @@
 #ifndef NB_BOUNDARY_H
 #define NB_BOUNDARY_H
 
-#include "carry.h"
+#include "affine.h"
 
 struct nb_ring {
   bool begun, held;         /* there is one; its bodies follow the strain rate */
@@ -13,8 +13,8 @@ struct nb_ring {
   struct nb_tensor shape;   /* what the circle has been carried to: x = centre + shape X, |X| = radius; 1 */
   int *member;              /* slots of its bodies, counterclockwise; room for all */
   size_t count;             /* how many */
-  int *rim;                 /* slots of bodies that may come to cross it before they are looked for again, by number */
-  size_t rim_count;         /* room for all */
+  int *edge;                /* slots of bodies that may come to cross it before they are looked for again, by number */
+  size_t edge_count;        /* room for all */
   struct nb_tensor looked;  /* its shape then, */
   unsigned long long after; /* and after which search that was; 0: never */
 };
@@ -23,7 +23,7 @@ struct nb_drive {
   struct nb_vec *pressed;  /* per slot: force of a stress on the boundary, N, in force where model->bodies.pressed
                             is this; NULL: no stage has one */
   struct nb_tensor stress; /* and which, Pa */
-  bool turns;              /* `rotation on` */
+  bool rotates;            /* `rotation on` */
   struct nb_ring ring;
 };
 

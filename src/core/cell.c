@@ -1,7 +1,7 @@
 /* The periodic cell.                                                      [R89 2.3, 4.5.2]
  *
  *   H <- (1 + L dt) H                    L = c_ij, the strain rate tensor                    [R89 4.43, 4.44]
- *   c_i = L (x_i - x_0)                  imposed velocity of a particle, besides its own velocity v_i (carry.c)
+ *   c_i = L (x_i - x_0)                  imposed velocity of a particle, besides its own velocity v_i (affine.c)
  *   x_i <- x_i + (v_i + c_i) dt          so x_i - x_0 = H s keeps its s when v = 0: a uniform strain
  *   x_j + H m,   v_j + c_j + L H m       place and velocity of the copy of j that i meets
  *
@@ -19,7 +19,7 @@
  * carried by F. So straining alone costs a search only when ||F - 1|| (D + skin) comes to the skin.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "carry.h"
+#include "affine.h"
 
 static const struct nb_tensor one = {1, 0, 0, 1};
 
@@ -32,31 +32,31 @@ bool nb_cell_create(struct nb_model *model) {
     return false;
   cell->centre = vec(from->x, from->y);
   cell->h = cell->first = tensor(from->h[0], from->h[1], from->h[2], from->h[3]);
-  for (size_t i = 0; i < model->bodies.count; i++)
-    cell->largest = fmax(cell->largest, model->bodies.rim[i].x);
+  for (size_t i = 0; i < model->particles.count; i++)
+    cell->largest = fmax(cell->largest, model->particles.surface[i].radius);
   nb_cell_searched(cell, model->search.skin);
   return true;
 }
 
 void nb_cell_searched(struct nb_cell *cell, double skin) {
-  cell->since = one;
-  cell->reach = skin / 2;
+  cell->configuration = one;
+  cell->travel_limit = skin / 2;
 }
 
 int nb_cell_move(struct nb_model *model) {
   struct nb_cell *cell = model->cell;
   if (!(model->search.skin < INFINITY))
-    cell->since = one; /* nothing is searched for */
-  const struct nb_tensor rate = model->carry->rate[NB_CARRIER_CELL], step = tensor_scale(model->step, rate);
+    cell->configuration = one; /* nothing is searched for */
+  const struct nb_tensor rate = model->affine->rate[NB_CARRIER_CELL], step = tensor_scale(model->step, rate);
   cell->parting = tensor_product(rate, cell->h);
   cell->h = tensor_add(cell->h, tensor_product(step, cell->h));
-  cell->since = tensor_add(cell->since, tensor_product(step, cell->since));
-  const struct nb_tensor change = tensor_sub(cell->since, one);
+  cell->configuration = tensor_add(cell->configuration, tensor_product(step, cell->configuration));
+  const struct nb_tensor change = tensor_sub(cell->configuration, one);
   const double strained =
       sqrt(change.xx * change.xx + change.xy * change.xy + change.yx * change.yx + change.yy * change.yy);
   const double left =
       strained > 0 ? model->search.skin - strained * (2 * cell->largest + model->search.skin) : model->search.skin;
-  cell->reach = left > 0 ? left / 2 : 0;
+  cell->travel_limit = left > 0 ? left / 2 : 0;
   return left <= 0;
 }
 
@@ -107,9 +107,9 @@ struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart) {
 
 struct nb_vec nb_cell_place(const struct nb_model *model, size_t slot) {
   if (!model->cell)
-    return model->bodies.position[slot];
+    return model->particles.position[slot];
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
-  return nb_wrapped(&wrap, model->bodies.position[slot]);
+  return nb_wrapped(&wrap, model->particles.position[slot]);
 }
 
 enum nb_status nb_cell_wide(const struct nb_model *model, struct nb_error *error) {

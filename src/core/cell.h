@@ -13,9 +13,9 @@ struct nb_cell {
   struct nb_vec centre;      /* the point that straining leaves where it is, m */
   struct nb_tensor h, first; /* H now, and at time 0, m */
   struct nb_tensor
-      parting;            /* L H over the step behind: a copy m sides on is faster than its body by this times m, m/s */
-  struct nb_tensor since; /* F since the last search, 1 */
-  double reach, largest;  /* how far a body may go from where that carries it, and the largest radius, m */
+      parting; /* L H over the step behind: a copy m sides on is faster than its body by this times m, m/s */
+  struct nb_tensor configuration; /* F since the last search, 1 */
+  double travel_limit, largest;   /* how far a body may go from where that carries it, and the largest radius, m */
 };
 
 struct nb_model;

@@ -7,18 +7,19 @@
 #include "hertz_impact.h"
 #include "model.h"
 
-int nb_partner(const struct nb_model *model, struct nb_near_pair pair) {
-  return model->pairings[pair.pairing].wall ? INT_MAX / 2 + pair.b : model->bodies.number[pair.b];
+int nb_partner(const struct nb_model *model, struct nb_neighbour_pair pair) {
+  return model->material_pairs[pair.material_pair].wall ? INT_MAX / 2 + pair.b : model->particles.number[pair.b];
 }
 
-int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q) {
-  const int *number = model->bodies.number;
-  const int by[] = {p.pairing - q.pairing, number[p.a] - number[q.a], nb_partner(model, p) - nb_partner(model, q)};
+int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q) {
+  const int *number = model->particles.number;
+  const int by[] = {p.material_pair - q.material_pair, number[p.a] - number[q.a],
+                    nb_partner(model, p) - nb_partner(model, q)};
   return by[0] ? by[0] : by[1] ? by[1] : by[2];
 }
 
 /* What the energy balance compares with the step before. */
-static void carry_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+static void affine_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
   for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
     if (now->kept[fields[f]] && old->kept[fields[f]])
@@ -26,7 +27,7 @@ static void carry_fields(struct nb_contacts *now, size_t c, const struct nb_cont
 }
 
 /* But M*: a body may have become a boundary's. */
-static void carry_all(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+static void affine_all(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   now->force[c] = old->force[o];
   for (int f = 0; f < NB_FIELDS; f++)
     if (now->kept[f] && f != NB_MASS)
@@ -34,47 +35,47 @@ static void carry_all(struct nb_contacts *now, size_t c, const struct nb_contact
 }
 
 /* The old and the new list are in the same order: one walk along both finds what stays. */
-static void carry_memory(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
+static void affine_history(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
   size_t o = 0;
   for (size_t c = 0; c < now->count; c++) {
-    const struct nb_near_pair here = {now->a[c], now->b[c], now->pairing[c]};
+    const struct nb_neighbour_pair here = {now->a[c], now->b[c], now->material_pair[c]};
     for (; o < old->count; o++) {
-      const struct nb_near_pair there = {old->a[o], old->b[o], old->pairing[o]};
+      const struct nb_neighbour_pair there = {old->a[o], old->b[o], old->material_pair[o]};
       const int order = nb_contacts_order(model, there, here);
       if (order > 0)
         break;
       if (order < 0)
         continue;
-      if (now->muted && old->muted)
-        now->muted[c] = old->muted[o];
+      if (now->suppressed && old->suppressed)
+        now->suppressed[c] = old->suppressed[o];
       if (model->search.keeping)
-        carry_all(now, c, old, o);
-      else if (model->plan.asked & NB_ASKS_ENERGY)
-        carry_fields(now, c, old, o);
-      nb_memory_copy(&now->normal_memory, c, &old->normal_memory, o);
-      nb_memory_copy(&now->shear_memory, c, &old->shear_memory, o);
-      nb_memory_copy(&now->slid, c, &old->slid, o);
+        affine_all(now, c, old, o);
+      else if (model->plan.requested & NB_REQUEST_ENERGY)
+        affine_fields(now, c, old, o);
+      nb_history_copy(&now->normal_history, c, &old->normal_history, o);
+      nb_history_copy(&now->shear_history, c, &old->shear_history, o);
+      nb_history_copy(&now->slid, c, &old->slid, o);
     }
   }
 }
 
 /* Fixed bodies and walls count as of infinite mass, walls as of infinite radius too. One of a pair is free. */
 static void find_constants(struct nb_contacts *contacts, size_t c, const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   const int a = contacts->a[c], b = contacts->b[c];
-  const bool wall = model->pairings[contacts->pairing[c]].wall;
-  const double radius = bodies->rim[a].x;
-  contacts->kept[NB_REACH][c] = radius + (wall ? 0 : bodies->rim[b].x);
+  const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+  const double radius = particles->surface[a].radius;
+  contacts->kept[NB_RADIUS_SUM][c] = radius + (wall ? 0 : particles->surface[b].radius);
   if (contacts->kept[NB_MASS])
-    contacts->kept[NB_MASS][c] = 1 / (bodies->inverse_mass[a] + (wall ? 0 : bodies->inverse_mass[b]));
+    contacts->kept[NB_MASS][c] = 1 / (particles->inverse_mass[a] + (wall ? 0 : particles->inverse_mass[b]));
   if (contacts->kept[NB_REDUCED])
-    contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, bodies->rim[b].x);
+    contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, particles->surface[b].radius);
 }
 
 /* Of a pair that is near one copy is, and it is the nearest. */
 static void find_images(struct nb_contacts *contacts, const struct nb_model *model) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
-  const struct nb_vec *x = model->bodies.position;
+  const struct nb_vec *x = model->particles.position;
   for (size_t c = 0; c < contacts->count; c++)
     contacts->image[c] = nb_wrap_image(&wrap, vec_sub(x[contacts->b[c]], x[contacts->a[c]]));
 }
@@ -83,33 +84,33 @@ static void make_arrays(struct nb_contacts *contacts, const struct nb_model *mod
   const size_t n = contacts->count;
   struct nb_owner *owner = &contacts->owner;
   contacts->a = nb_own(owner, n, sizeof(int)), contacts->b = nb_own(owner, n, sizeof(int));
-  contacts->pairing = nb_own(owner, n, sizeof(int)), contacts->force = nb_own(owner, n, sizeof *contacts->force);
+  contacts->material_pair = nb_own(owner, n, sizeof(int)), contacts->force = nb_own(owner, n, sizeof *contacts->force);
   if (model->cell)
     contacts->image = nb_own(owner, n, sizeof *contacts->image);
-  if (model->joints.any)
-    contacts->muted = nb_own(owner, n, sizeof(int));
+  if (model->vertices.any)
+    contacts->suppressed = nb_own(owner, n, sizeof(int));
   for (int f = 0; f < NB_FIELDS; f++)
     if (model->plan.kept & NB_BIT(f))
       contacts->kept[f] = nb_own(owner, n, sizeof(double));
-  contacts->normal_memory = nb_memory_create(owner, model->plan.memory.normal, n);
-  contacts->shear_memory = nb_memory_create(owner, model->plan.memory.shear, n);
-  contacts->slid = nb_memory_create(owner, model->plan.memory.slid, n);
-  contacts->of.first = nb_own(owner, model->bodies.count + 1, sizeof(int));
-  contacts->of.middle = nb_own(owner, model->bodies.count + 1, sizeof(int));
+  contacts->normal_history = nb_history_create(owner, model->plan.memory.normal, n);
+  contacts->shear_history = nb_history_create(owner, model->plan.memory.shear, n);
+  contacts->slid = nb_history_create(owner, model->plan.memory.slid, n);
+  contacts->of.first = nb_own(owner, model->particles.count + 1, sizeof(int));
+  contacts->of.middle = nb_own(owner, model->particles.count + 1, sizeof(int));
   contacts->of.entry = nb_own(owner, 2 * n, sizeof(int));
 }
 
 /* Which of the pairs becomes which contact: as they come, but pairing by pairing. */
-static bool number_contacts(int contact[], const struct nb_near_pairs *pairs, const struct nb_model *model) {
-  int *next = nb_array(model->pairing_count + 1, sizeof *next);
+static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pairs, const struct nb_model *model) {
+  int *next = nb_array(model->material_pair_count + 1, sizeof *next);
   if (!next)
     return false;
   for (size_t p = 0; p < pairs->count; p++)
-    next[pairs->list[p].pairing + 1]++;
-  for (size_t k = 0; k < model->pairing_count; k++)
+    next[pairs->list[p].material_pair + 1]++;
+  for (size_t k = 0; k < model->material_pair_count; k++)
     next[k + 1] += next[k];
   for (size_t p = 0; p < pairs->count; p++)
-    contact[p] = next[pairs->list[p].pairing]++;
+    contact[p] = next[pairs->list[p].material_pair]++;
   free(next);
   return true;
 }
@@ -117,17 +118,17 @@ static bool number_contacts(int contact[], const struct nb_near_pairs *pairs, co
 /* The contacts of each body in the order of its partners' numbers, walls last: the order in which forces are summed. Partners
  * with smaller numbers come first, so the contacts in which the body is the second one are the first of its entries. That is the
  * order of the pairs. */
-static void fill_incidence(struct nb_incidence *of, const struct nb_near_pairs *pairs, const int contact[],
+static void fill_incidence(struct nb_incidence *of, const struct nb_neighbour_pairs *pairs, const int contact[],
                            const struct nb_model *model) {
   for (size_t p = 0; p < pairs->count; p++) {
     of->first[pairs->list[p].a + 1]++;
-    if (!model->pairings[pairs->list[p].pairing].wall)
+    if (!model->material_pairs[pairs->list[p].material_pair].wall)
       of->first[pairs->list[p].b + 1]++;
   }
-  for (size_t i = 0; i < model->bodies.count; i++)
+  for (size_t i = 0; i < model->particles.count; i++)
     of->first[i + 1] += of->first[i], of->middle[i] = of->first[i];
   for (size_t p = 0; p < pairs->count; p++)
-    if (!model->pairings[pairs->list[p].pairing].wall)
+    if (!model->material_pairs[pairs->list[p].material_pair].wall)
       of->entry[of->middle[pairs->list[p].b]++] = contact[p];
   for (size_t p = 0, at = 0; p < pairs->count; p++) {
     const int a = pairs->list[p].a;
@@ -137,7 +138,7 @@ static void fill_incidence(struct nb_incidence *of, const struct nb_near_pairs *
 }
 
 static bool contacts_create(struct nb_contacts *contacts, const struct nb_model *model,
-                            const struct nb_near_pairs *pairs) {
+                            const struct nb_neighbour_pairs *pairs) {
   *contacts = (struct nb_contacts){.count = pairs->count};
   int *contact = nb_array(pairs->count, sizeof *contact);
   make_arrays(contacts, model);
@@ -145,10 +146,10 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
   if (made)
     fill_incidence(&contacts->of, pairs, contact, model);
   for (size_t p = 0; p < pairs->count && made; p++) {
-    const struct nb_near_pair *pair = &pairs->list[p];
+    const struct nb_neighbour_pair *pair = &pairs->list[p];
     const int c = contact[p];
-    contacts->a[c] = pair->a, contacts->b[c] = pair->b, contacts->pairing[c] = pair->pairing;
-    contacts->wall_from += !model->pairings[pair->pairing].wall;
+    contacts->a[c] = pair->a, contacts->b[c] = pair->b, contacts->material_pair[c] = pair->material_pair;
+    contacts->wall_from += !model->material_pairs[pair->material_pair].wall;
     find_constants(contacts, (size_t)c, model);
   }
   free(contact);
@@ -157,11 +158,11 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
   return made;
 }
 
-bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs) {
+bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *pairs) {
   struct nb_contacts now;
   const bool made = contacts_create(&now, model, pairs);
   if (made)
-    carry_memory(model, &model->contacts, &now);
+    affine_history(model, &model->contacts, &now);
   nb_owner_free(made ? &model->contacts.owner : &now.owner);
   if (made)
     model->contacts = now;
@@ -170,7 +171,7 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs
 
 struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_vec *x = model->bodies.position;
+  const struct nb_vec *x = model->particles.position;
   const struct nb_vec apart = vec_sub(x[contacts->b[contact]], x[contacts->a[contact]]);
   return model->cell ? vec_add(apart, tensor_times(model->cell->h, contacts->image[contact])) : apart;
 }
@@ -193,7 +194,7 @@ long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
   const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, (size_t)a);
   for (const int *entry = its.first; entry < its.end; entry++) {
     const int c = *entry;
-    if (model->pairings[contacts->pairing[c]].wall != wall)
+    if (model->material_pairs[contacts->material_pair[c]].wall != wall)
       continue;
     if (contacts->b[c] == b || (!wall && contacts->a[c] == b))
       return c;
@@ -202,10 +203,10 @@ long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
 }
 
 double nb_overlap(const struct nb_model *model, size_t c) {
-  const bool wall = model->pairings[model->contacts.pairing[c]].wall;
-  const struct nb_bodies *bodies = &model->bodies;
+  const bool wall = model->material_pairs[model->contacts.material_pair[c]].wall;
+  const struct nb_particles *particles = &model->particles;
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   if (!wall)
-    return bodies->rim[i].x + bodies->rim[j].x - vec_length(nb_contacts_branch(model, c));
-  return bodies->rim[i].x - vec_length(nb_wall_apart(&model->walls, j, bodies->position[i]));
+    return particles->surface[i].radius + particles->surface[j].radius - vec_length(nb_contacts_branch(model, c));
+  return particles->surface[i].radius - vec_length(nb_wall_apart(&model->walls, j, particles->position[i]));
 }

@@ -18,15 +18,16 @@ struct nb_incidence {
 struct nb_contacts {
   struct nb_owner owner; /* of the arrays, and of the blocks that they are cut into */
   size_t count;
-  int *a, *b;              /* slots; a has the smaller number; b a wall's index where the pairing is with walls */
-  int *pairing;            /* index */
-  int *muted;              /* 1 where another wall's contact with this body stands for it (joints.c); NULL: nowhere */
+  int *a, *b;         /* slots; a has the smaller number; b a wall's index where the pairing is with walls */
+  int *material_pair; /* index */
+  int *suppressed;    /* 1 where another wall's contact with this body stands for it (wall_vertices.c); NULL: nowhere */
   struct nb_vec *image;    /* m: the second body is met at x + H m, H the cell's sides; NULL without a cell */
   struct nb_vec *force;    /* on the first body, dashpots included, N */
   double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
   size_t wall_from;        /* the first contact with a wall: they are the last ones */
   struct nb_incidence of;  /* which of them a body has */
-  struct nb_memory normal_memory, shear_memory, slid; /* slid: m, since each stage that a snapshot is from, since.c */
+  struct nb_history normal_history, shear_history,
+      slid; /* slid: m, since each stage that a snapshot is from, configuration.c */
 };
 
 /* Those of one body, in the order in which forces are summed: of its partners' numbers, walls last. */
@@ -39,20 +40,20 @@ static inline struct nb_contacts_of nb_contacts_of(const struct nb_incidence *al
 }
 
 /* Two bodies, or a body and a wall, that are near; before they are contacts. */
-struct nb_near_pair {
-  int a, b, pairing; /* as in struct nb_contacts */
+struct nb_neighbour_pair {
+  int a, b, material_pair; /* as in struct nb_contacts */
 };
-struct nb_near_pairs {
-  struct nb_near_pair *list; /* owned by who searches */
+struct nb_neighbour_pairs {
+  struct nb_neighbour_pair *list; /* owned by who searches */
   size_t count;
 };
 /* The place of b among the partners of a: its number, walls last. */
-int nb_partner(const struct nb_model *model, struct nb_near_pair pair);
+int nb_partner(const struct nb_model *model, struct nb_neighbour_pair pair);
 /* The order of the list; < 0, 0, > 0: by pairing, then number of a, then of b. */
-int nb_contacts_order(const struct nb_model *model, struct nb_near_pair p, struct nb_near_pair q);
+int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q);
 /* Takes over a new list, sorted by the number of a, then by partners; contacts that were there before keep their memory. False: out of
  * memory, nothing changed. */
-bool nb_contacts_renew(struct nb_model *model, const struct nb_near_pairs *pairs);
+bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *pairs);
 static inline bool nb_touches(const struct nb_contacts *contacts, size_t contact) {
   return contacts->kept[NB_OVERLAP][contact] > 0;
 }

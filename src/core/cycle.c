@@ -11,22 +11,22 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
 
-static void forces_of_block(const struct nb_model *model, const struct nb_view *view) {
-  const struct nb_pairing *pairing = view->pairing;
-  for (int p = 0; p < pairing->pass_count; p++)
-    pairing->passes[p].run(model, view);
+static void forces_of_block(const struct nb_model *model, const struct nb_block *block) {
+  const struct nb_material_pair *material_pair = block->material_pair;
+  for (int p = 0; p < material_pair->pass_count; p++)
+    material_pair->passes[p].run(model, block);
 }
 
 static void forces_part(const struct nb_model *model, int part, int parts) {
   const size_t n = model->blocks.count;
   for (size_t v = n * (size_t)part / (size_t)parts; v < n * ((size_t)part + 1) / (size_t)parts; v++)
-    forces_of_block(model, &model->blocks.views[v]);
+    forces_of_block(model, &model->blocks.list[v]);
 }
 
 void nb_forces(struct nb_model *model) {
   const int threads = model->machine.busy;
-  if (model->joints.count)
-    nb_joints_settle(model);
+  if (model->vertices.count)
+    nb_vertices_settle(model);
   if (threads == 1)
     forces_part(model, 0, 1);
   else {
@@ -62,7 +62,7 @@ static enum nb_status hooks(struct nb_model *model, enum nb_when when, struct nb
 /* A hook may have searched already. */
 static enum nb_status search(struct nb_model *model, bool out, struct nb_error *error) {
   if (out && model->search.made != model->cycle)
-    return nb_near(model, error);
+    return nb_neighbours_search(model, error);
   return nb_guard_cycle(model, error);
 }
 

@@ -12,7 +12,9 @@
 /* Of the smaller diameter, 1: where R89 takes plastic flow to begin [R89 6.4.3]. */
 static const double deepest = 0.07;
 
-double nb_deep_share(const struct nb_model *model) { return model->damping.deep > 0 ? model->damping.deep : deepest; }
+double nb_deep_fraction(const struct nb_model *model) {
+  return model->damping.deep > 0 ? model->damping.deep : deepest;
+}
 
 static unsigned long long counted(const struct nb_model *model) {
   unsigned long long sum = 0;
@@ -39,9 +41,10 @@ void nb_deep_end(struct nb_model *model) {
 /* As the pass does it. */
 bool nb_deep_is(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
-  const double a = model->bodies.rim[contacts->a[c]].x;
-  const double b = model->pairings[contacts->pairing[c]].wall ? a : model->bodies.rim[contacts->b[c]].x;
-  return nb_overlap(model, c) > 2 * nb_deep_share(model) * (a < b ? a : b);
+  const double a = model->particles.surface[contacts->a[c]].radius;
+  const double b =
+      model->material_pairs[contacts->material_pair[c]].wall ? a : model->particles.surface[contacts->b[c]].radius;
+  return nb_overlap(model, c) > 2 * nb_deep_fraction(model) * (a < b ? a : b);
 }
 
 void nb_deep_look(struct nb_model *model) {
@@ -52,13 +55,14 @@ void nb_deep_look(struct nb_model *model) {
   size_t c = 0;
   while (c + 1 < contacts->count && !nb_deep_is(model, c))
     c++;
-  const bool wall = model->pairings[contacts->pairing[c]].wall;
-  const int n = snprintf(deep->first, sizeof deep->first, "body %d at ", model->bodies.number[contacts->a[c]]);
+  const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+  const int n = snprintf(deep->first, sizeof deep->first, "body %d at ", model->particles.number[contacts->a[c]]);
   char *rest = deep->first + n;
   const size_t room = sizeof deep->first - (size_t)n;
   if (wall)
     snprintf(rest, room, "wall %s, cycle %lu, %g s", model->scene->walls[contacts->b[c]].name, model->cycle,
              model->time);
   else
-    snprintf(rest, room, "body %d, cycle %lu, %g s", model->bodies.number[contacts->b[c]], model->cycle, model->time);
+    snprintf(rest, room, "body %d, cycle %lu, %g s", model->particles.number[contacts->b[c]], model->cycle,
+             model->time);
 }

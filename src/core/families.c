@@ -48,11 +48,11 @@ const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k) {
 
 double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model) {
   const struct nb_quantity_kind *kind = quantity.kind;
-  const struct nb_watch *watch = quantity.watch < 0 ? NULL : &model->scene->watches[quantity.watch];
+  const struct nb_monitor *monitor = quantity.monitor < 0 ? NULL : &model->scene->monitors[quantity.monitor];
   double parts[NB_PARTS];
   if (kind->value)
-    return kind->value(model, watch);
-  kind->parts(parts, kind, model, watch);
+    return kind->value(model, monitor);
+  kind->parts(parts, kind, model, monitor);
   if (!quantity.suffix)
     return parts[0];
   const struct nb_tensor t = tensor(parts[0], parts[1], parts[2], parts[3]);

@@ -24,17 +24,17 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
 
-static int line_of(const struct nb_model *model, int number) { return model->scene->bodies[number - 1].line; }
+static int line_of(const struct nb_model *model, int number) { return model->scene->particles[number - 1].line; }
 
 /* Without what a periodic cell carries along: its copies are carried with it. */
 static double way_of(const struct nb_model *model, int i) {
-  const struct nb_vec v = model->bodies.velocity[i];
-  return model->previous_step * vec_length(model->cell ? vec_sub(v, model->bodies.carried[i]) : v);
+  const struct nb_vec v = model->particles.velocity[i];
+  return model->previous_step * vec_length(model->cell ? vec_sub(v, model->particles.imposed[i]) : v);
 }
 
 enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error) {
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const struct nb_vec x = model->bodies.position[model->bodies.slot[k]];
+  for (size_t k = 0; k < model->particles.count; k++) {
+    const struct nb_vec x = model->particles.position[model->particles.slot[k]];
     if (!(x.x - x.x == 0 && x.y - x.y == 0)) /* infinity less itself is NaN too */
       return nb_error_set(error, NB_BROKEN,
                           "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at %g s; the step "
@@ -45,9 +45,9 @@ enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error 
 }
 
 static enum nb_status particle_moved(const struct nb_model *model, int i, struct nb_error *error) {
-  const int number = model->bodies.number[i];
-  const double way = way_of(model, i), radius = model->bodies.rim[i].x;
-  if (!(way > radius) || nb_gone(model, (size_t)i))
+  const int number = model->particles.number[i];
+  const double way = way_of(model, i), radius = model->particles.surface[i].radius;
+  if (!(way > radius) || nb_removed(model, (size_t)i))
     return NB_OK;
   return nb_error_set(
       error, NB_BROKEN,
@@ -73,21 +73,22 @@ enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *er
   enum nb_status status = NB_OK;
   if (!(model->search.skin < INFINITY))
     return NB_OK; /* nothing can touch */
-  for (size_t k = 0; k < model->bodies.count && !status; k++)
-    status = particle_moved(model, model->bodies.slot[k], error);
+  for (size_t k = 0; k < model->particles.count && !status; k++)
+    status = particle_moved(model, model->particles.slot[k], error);
   for (size_t w = 0; w < model->walls.count && !status; w++)
     status = wall_turned(model, w, error);
   return status;
 }
 
 enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *error) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   for (size_t c = 0; c < model->contacts.wall_from; c++) {
     const int i = model->contacts.a[c], j = model->contacts.b[c];
-    const double overlap = nb_overlap(model, c), radius = fmin(bodies->rim[i].x, bodies->rim[j].x);
+    const double overlap = nb_overlap(model, c),
+                 radius = fmin(particles->surface[i].radius, particles->surface[j].radius);
     if (!(overlap > radius))
       continue;
-    const int a = bodies->number[i], b = bodies->number[j];
+    const int a = particles->number[i], b = particles->number[j];
     if (model->cycle == 0)
       return nb_error_set(error, NB_BAD_USE,
                           "line %d: particle %d overlaps particle %d (line %d) by %g m. Expected at most the smaller "
@@ -112,7 +113,7 @@ enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *err
 }
 
 static double coordinate(const struct nb_model *model, int i) {
-  const struct nb_vec x = model->bodies.position[i];
+  const struct nb_vec x = model->particles.position[i];
   return fmax(fabs(x.x), fabs(x.y));
 }
 
@@ -120,34 +121,34 @@ static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
 /* The coarsest that a coordinate may be, as a share of the mean overlap, 1: a force is then off by 0.1 %. Overlaps below the second
  * one's share of a radius, 1, are those of particles that just touch: rounding put them there. */
-static const double share = 1e-3, touch = 1e-9;
+static const double fraction = 1e-3, touch = 1e-9;
 
 void nb_guard_digits(struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   int farthest = 0, pressed = -1;
-  for (int i = 0; i < (int)bodies->count; i++)
+  for (int i = 0; i < (int)particles->count; i++)
     farthest = coordinate(model, i) > coordinate(model, farthest) ? i : farthest;
   if (model->search.coarse || !(model->search.skin < INFINITY) ||
-      ulp(coordinate(model, farthest)) <= share * touch * model->search.smallest)
+      ulp(coordinate(model, farthest)) <= fraction * touch * model->search.smallest)
     return;
   double sum = 0, count = 0;
   for (size_t c = 0; c < model->contacts.count; c++) {
     const int i = model->contacts.a[c];
     const double overlap = nb_overlap(model, c);
-    if (!(overlap > touch * bodies->rim[i].x))
+    if (!(overlap > touch * particles->surface[i].radius))
       continue;
     sum += overlap, count++;
     pressed = pressed < 0 || coordinate(model, i) > coordinate(model, pressed) ? i : pressed;
   }
   const int i = count > 0 ? pressed : farthest;
   const double overlap = count > 0 ? sum / count : model->search.smallest / 1000, x = coordinate(model, i);
-  model->search.coarse = ulp(x) > share * overlap;
+  model->search.coarse = ulp(x) > fraction * overlap;
   if (!model->search.coarse)
     return;
   nb_warn(
-      &model->warnings, line_of(model, bodies->number[i]),
+      &model->warnings, line_of(model, particles->number[i]),
       "particle %d: its coordinate %g m has a resolution (ulp) of %g m, that is %.2g %% of the overlap of %g m%s at "
       "cycle %lu. Forces are no better than that (limit: 0.1 %%): put the scene nearer to the origin",
-      bodies->number[i], x, ulp(x), 100 * ulp(x) / overlap, overlap,
+      particles->number[i], x, ulp(x), 100 * ulp(x) / overlap, overlap,
       count > 0 ? " (the mean of all contacts)" : " to come (a thousandth of the smallest radius)", model->cycle);
 }

@@ -17,22 +17,28 @@
 #include "vec.h"
 #include "walls.h"
 
-struct nb_bodies {
+/* What a contact reads of a particle besides position and velocity. */
+struct nb_surface {
+  double radius, speed; /* R, m; w R, m/s: w as old as the velocity, 0 without rotation */
+};
+static inline struct nb_surface nb_surface(double radius, double speed) { return (struct nb_surface){radius, speed}; }
+
+struct nb_particles {
   size_t count;
-  int *number;             /* slot -> number */
-  int *slot;               /* number - 1 -> slot */
-  struct nb_vec *position; /* m */
-  struct nb_vec *velocity; /* at the half step behind, t_(N-1/2), m/s */
-  struct nb_vec *rim; /* R and w R, since every contact reads both: m, m/s; w as old as the velocity, 0 without spin */
+  int *number;                            /* slot -> number */
+  int *slot;                              /* number - 1 -> slot */
+  struct nb_vec *position;                /* m */
+  struct nb_vec *velocity;                /* at the half step behind, t_(N-1/2), m/s */
+  struct nb_surface *surface;             /* radius and surface speed */
   double *spin, *angle;                   /* rad/s, as old as the velocity; rad. NULL in a scene without spin */
   double *mass, *inertia;                 /* kg, kg m2 */
   double *inverse_mass, *inverse_inertia; /* 0 for what is fixed */
   int *material;
   struct nb_vec *searched; /* where they were at the last search */
-  struct nb_vec *carried;  /* c, the part of the velocity that carries it along, m/s; NULL: nothing does (carry.h) */
+  struct nb_vec *imposed;  /* c, the part of the velocity that carries it along, m/s; NULL: nothing does (affine.h) */
   const struct nb_vec
-      *pressed; /* per slot: force of a stress on the boundary, N; NULL: there is none (loading/boundary.c) */
-  bool *gone;   /* taken out of the scene (remove.c); NULL where no stage takes any out */
+      *pressed;  /* per slot: force of a stress on the boundary, N; NULL: there is none (loading/boundary.c) */
+  bool *removed; /* taken out of the scene (remove.c); NULL where no stage takes any out */
 };
 
 /* How a body or a wall moves. */
@@ -49,7 +55,7 @@ struct nb_pass {
 enum { NB_PASSES = 7, NB_THREADS = 256, NB_THREAD_SHARE = 128 };
 
 /* Contacts between two materials, or between a material and a wall's: their constants and the passes they need. */
-struct nb_pairing {
+struct nb_material_pair {
   struct nb_pair values;               /* first: what laws are given */
   int a, b;                            /* materials; */
   bool wall;                           /* b belongs to walls */
@@ -60,8 +66,8 @@ struct nb_pairing {
     int line; /* of the page that asked for it; 0: it follows from the rest */
   } passes[NB_PASSES];
   int pass_count;
-  struct nb_pair coming;             /* values at the next forces, */
-  const struct nb_law *coming_shear; /* and the law that they ask for: for stable_step.c */
+  struct nb_pair next;             /* values at the next forces, */
+  const struct nb_law *next_shear; /* and the law that they ask for: for stable_step.c */
 };
 
 /* Materials and pairs as they are now; stages change them. */
@@ -88,16 +94,16 @@ struct nb_machine {
 
 /* What contacts need now, as run/plan.c finds it. */
 struct nb_plan {
-  unsigned asked;     /* set of fields, and of NB_ASKS_, that columns and conditions read */
-  unsigned kept;      /* set of fields that are kept */
-  enum nb_field drag; /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
+  unsigned requested;        /* set of fields, and of NB_ASKS_, that columns and conditions read */
+  unsigned kept;             /* set of fields that are kept */
+  enum nb_field total_shear; /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
   struct {
     int normal, shear, slid;
-  } memory;      /* doubles that a contact remembers: for its laws, and for since.c */
-  bool whole;    /* all is kept that a saved state holds */
-  bool elastic;  /* the normal law is one of elastic spheres */
-  bool rubs;     /* some pairing has a shear law now */
-  bool dashpots; /* some stage has contact damping */
+  } memory;          /* doubles that a contact remembers: for its laws, and for configuration.c */
+  bool whole;        /* all is kept that a saved state holds */
+  bool elastic;      /* the normal law is one of elastic spheres */
+  bool has_friction; /* some pairing has a shear law now */
+  bool dashpots;     /* some stage has contact damping */
 };
 
 /* A contact's springs, N/m, and dashpots, N s/m. */
@@ -107,14 +113,14 @@ struct nb_stiff {
 
 /* What the force calculation goes through: blocks.c. */
 struct nb_blocks {
-  struct nb_view *views; /* one per block */
+  struct nb_block *list; /* one per block */
   size_t count;
   double *scratch; /* per thread NB_FIELDS * NB_BLOCK doubles */
-  struct nb_sure {
+  struct nb_stable_overlap {
     double overlap;       /* the smallest of a block's NB_SURE, m */
     unsigned long above;  /* its contacts that are deeper than theirs */
     double apart[6];      /* those of two threads lie in lines of their own */
-  } * sure;               /* per block; NULL: nothing that is watched gets stiffer */
+  } * stable_overlap;     /* per block; NULL: nothing that is watched gets stiffer */
   struct nb_stiff *stiff; /* per contact: room for measure/stable_step.c */
 };
 
@@ -131,13 +137,13 @@ struct nb_search {
 };
 
 /* Where a disc may touch a common end of two walls. */
-struct nb_joint {
+struct nb_vertex {
   int c, d;       /* contacts of one body with two walls */
   int at_c, at_d; /* which end of each wall is their common one, 0 or 1 */
 };
-struct nb_joints {
-  bool any;              /* two walls have a common end */
-  struct nb_joint *list; /* where a disc may touch one before the next search */
+struct nb_vertices {
+  bool any;               /* two walls have a common end */
+  struct nb_vertex *list; /* where a disc may touch one before the next search */
   size_t count;
 };
 
@@ -164,14 +170,14 @@ struct nb_model {
   const struct nb_scene *scene;
   struct nb_owner owner; /* of all that is made once and lives as long as the model */
   struct nb_machine machine;
-  struct nb_bodies bodies;         /* motion.c */
+  struct nb_particles particles;   /* motion.c */
   struct nb_walls walls;           /* walls.c */
   struct nb_cell *cell;            /* cell.c; NULL: the plane has no copies */
-  struct nb_joints joints;         /* joints.c */
+  struct nb_vertices vertices;     /* wall_vertices.c */
   struct nb_properties properties; /* properties.c */
-  struct nb_in_force laws, coming; /* of the forces behind, and of those ahead: a stage may change them (laws_now.c) */
-  struct nb_pairing *pairings;     /* plan.c */
-  size_t pairing_count;
+  struct nb_in_force laws, next;   /* of the forces behind, and of those ahead: a stage may change them (laws_now.c) */
+  struct nb_material_pair *material_pairs; /* plan.c */
+  size_t material_pair_count;
   struct nb_plan plan;
   struct nb_search search;
   struct nb_contacts contacts; /* contacts.c */
@@ -189,19 +195,19 @@ struct nb_model {
   struct nb_changes *changes;                /* what it changes little by little */
   struct nb_damping damping, damping_before; /* of this stage; of the one before */
   struct nb_vec gravity;                     /* over the kick to come, m/s2 */
-  struct nb_inward {
+  struct nb_central {
     double strength;  /* m/s2; 0: none */
     struct nb_vec to; /* the point, m */
-  } inward;           /* likewise; to here */
+  } central;          /* likewise; to here */
 
-  struct nb_carry *carry;         /* carry.h; NULL: nothing is carried along */
+  struct nb_affine *affine;       /* affine.h; NULL: nothing is carried along */
   struct nb_drive *drive;         /* boundary.h; NULL: there is no boundary, and bodies turn */
   struct nb_stability *stability; /* measure/step.h */
   struct nb_sum *terms;           /* core/energy_terms.h, NB_TERMS of them; NULL: no column and no condition asks */
   struct nb_balance *balance;     /* measure/energy.h; NULL: no column and no condition asks for one */
   struct nb_regions *regions;     /* measure/region.h; NULL: the scene has none */
-  struct nb_since *since;         /* measure/since.h; NULL: no snapshot asks what has changed */
-  struct nb_fracc *fracc;         /* measure/fracc.c; NULL: nobody asks */
+  struct nb_configuration *configuration; /* measure/configuration.h; NULL: no snapshot asks what has changed */
+  struct nb_fracc *fracc;                 /* measure/fracc.c; NULL: nobody asks */
   struct nb_deep {
     unsigned long *counts;        /* per block since the last search, NB_DEEP_APART apart; NULL: nothing is elastic */
     unsigned long long count;     /* contact updates too deep until then */
@@ -219,20 +225,20 @@ enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options
 enum nb_status nb_blocks_cut(struct nb_model *model, struct nb_error *error);
 
 /* What columns and conditions ask for besides fields, in model->plan.asked: */
-#define NB_ASKS_FRACC (1u << 27)  /* fracc.c */
-#define NB_ASKS_STRAIN (1u << 28) /* strain.c */
-#define NB_ASKS_WORK (1u << 29)   /* the work balance, energy.h */
-#define NB_ASKS_ENERGY (1u << 30) /* the energy balance */
-#define NB_ASKS_STORED (1u << 31) /* energies that only a law with stored energy has */
+#define NB_REQUEST_FRACC (1u << 27)  /* fracc.c */
+#define NB_REQUEST_STRAIN (1u << 28) /* strain.c */
+#define NB_REQUEST_WORK (1u << 29)   /* the work balance, energy.h */
+#define NB_REQUEST_ENERGY (1u << 30) /* the energy balance */
+#define NB_REQUEST_STORED (1u << 31) /* energies that only a law with stored energy has */
 
 /* Whether a stage has taken it out of the scene (loading/remove.c). */
-static inline bool nb_gone(const struct nb_model *model, size_t slot) {
-  return model->bodies.gone && model->bodies.gone[slot];
+static inline bool nb_removed(const struct nb_model *model, size_t slot) {
+  return model->particles.removed && model->particles.removed[slot];
 }
 
 /* materials.c */
-double nb_body_mass(const struct nb_scene *scene, const struct nb_body *body);    /* kg */
-double nb_body_inertia(const struct nb_scene *scene, const struct nb_body *body); /* kg m2 */
+double nb_particle_mass(const struct nb_scene *scene, const struct nb_particle *particle);    /* kg */
+double nb_particle_inertia(const struct nb_scene *scene, const struct nb_particle *particle); /* kg m2 */
 double nb_thickness(const struct nb_model *model); /* of discs 1 m, of spheres the mean diameter, m */
 
 /* guard.c: particles do not pass through each other, or through walls */
@@ -249,7 +255,7 @@ enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *err
 void nb_guard_digits(struct nb_model *model);
 
 /* neighbours.c: makes the list of contacts anew, if no guard objects */
-enum nb_status nb_near(struct nb_model *model, struct nb_error *error);
+enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
 
 /* motion.c */
 /* Both answer how many bodies or walls are farther from where the last search found them than half the skin, or nowhere. */
@@ -264,7 +270,7 @@ struct nb_force nb_force_on(const struct nb_model *model, size_t slot);      /* 
 struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot); /* at the half step behind, likewise */
 struct nb_state nb_velocity_now(const struct nb_model *model,
                                 size_t slot); /* at t_N: mean of the half steps [CS79 31]; without what carries it */
-struct nb_vec nb_carried_now(const struct nb_model *model, size_t slot);    /* what carries it, likewise, m/s */
+struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot);    /* what carries it, likewise, m/s */
 struct nb_vec nb_velocity_whole(const struct nb_model *model, size_t slot); /* with what carries it, likewise, m/s */
 
 struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* m g, were the body at x, N */
@@ -280,14 +286,14 @@ void nb_walls_searched(struct nb_walls *walls);                               /*
 /* NB_BROKEN when the centre of a body has crossed a wall in the step behind: of the pairs listed, or of all there are. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
 
-/* joints.c */
-bool nb_joints_meet(const struct nb_scene *scene); /* two walls have a common end */
-bool nb_joints_find(struct nb_model *model);       /* after a search; false: no memory */
-void nb_joints_settle(struct nb_model *model);     /* before the forces: which contacts are muted now */
+/* wall_vertices.c */
+bool nb_vertices_meet(const struct nb_scene *scene); /* two walls have a common end */
+bool nb_vertices_find(struct nb_model *model);       /* after a search; false: no memory */
+void nb_vertices_settle(struct nb_model *model);     /* before the forces: which contacts are muted now */
 
 /* deep.c: overlaps that are too deep for elastic spheres */
 enum { NB_DEEP_APART = 8 };                                /* counts of two threads lie in lines of their own */
-double nb_deep_share(const struct nb_model *model);        /* of the smaller diameter: the page's, or 7 % [R89 6.4.3] */
+double nb_deep_fraction(const struct nb_model *model);     /* of the smaller diameter: the page's, or 7 % [R89 6.4.3] */
 bool nb_deep_begin(struct nb_model *model, size_t blocks); /* counts anew, after a search; false: no memory */
 void nb_deep_end(struct nb_model *model);                  /* nothing is elastic any more */
 void nb_deep_look(struct nb_model *model);                 /* after the forces: which is the first */

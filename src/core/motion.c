@@ -25,22 +25,22 @@
 #include "motion.h"
 
 /* What there is of a bunch of bodies while they are moved: it stays in the first-level cache. */
-enum { BODIES = 128 };
+enum { PARTICLES = 128 };
 struct sums {
-  struct nb_vec force[BODIES], c[BODIES];                     /* N, m/s */
-  double moment[BODIES];                                      /* N: over the radius */
-  double keep[2 * BODIES], kick[2 * BODIES], way[2 * BODIES]; /* for each component */
+  struct nb_vec force[PARTICLES], c[PARTICLES];                        /* N, m/s */
+  double moment[PARTICLES];                                            /* N: over the radius */
+  double keep[2 * PARTICLES], kick[2 * PARTICLES], way[2 * PARTICLES]; /* for each component */
 };
 
-static inline NB_FORM void sum_up(struct sums *sums, const struct nb_felt *by, const struct nb_incidence *all,
+static inline NB_FORM void sum_up(struct sums *sums, const struct nb_contact_forces *by, const struct nb_incidence *all,
                                   size_t from, size_t n, bool turned) {
-  const struct nb_felt felt = *by;
+  const struct nb_contact_forces contact_forces = *by;
   const struct nb_incidence incidence = *all;
   const int *middle = incidence.middle + from, *end = incidence.first + from + 1;
   struct nb_contacts_of its = {.end = incidence.entry + incidence.first[from]};
   for (size_t k = 0; k < n; k++) {
     its = (struct nb_contacts_of){its.end, incidence.entry + middle[k], incidence.entry + end[k]};
-    const struct nb_force sum = nb_sum_of(felt, its, turned);
+    const struct nb_force sum = nb_sum_of(contact_forces, its, turned);
     sums->force[k] = sum.force;
     sums->moment[k] = sum.moment;
   }
@@ -51,8 +51,8 @@ static void add_weight(struct sums *sums, const double *mass, struct nb_vec grav
   for (size_t k = 0; k < n; k++)
     sums->force[k] = vec_add(sums->force[k], vec_scale(mass[k], gravity));
 }
-static void add_inward(struct sums *sums, const double *mass, const struct nb_vec *x, const struct nb_inward *gravity,
-                       size_t n) {
+static void add_central(struct sums *sums, const double *mass, const struct nb_vec *x, const struct nb_central *gravity,
+                        size_t n) {
   for (size_t k = 0; k < n; k++)
     sums->force[k] = vec_add(sums->force[k], nb_pull(gravity, mass[k], x[k]));
 }
@@ -64,31 +64,31 @@ static void add_pressed(struct sums *sums, const struct nb_vec *pressed, size_t 
 
 /* What one thread needs for its bodies. */
 struct part {
-  struct nb_bodies bodies; /* a copy: no store through one pointer can be thought to change another */
+  struct nb_particles particles; /* a copy: no store through one pointer can be thought to change another */
   const struct nb_incidence *incidence;
   struct nb_factors factors;
   struct nb_vec gravity; /* m/s2 */
-  struct nb_inward inward;
-  const struct nb_vec *pressed; /* NULL: no stress on a boundary */
-  const struct nb_carry *carry; /* NULL: nothing is carried along */
-  bool along;                   /* the step carries all bodies */
-  bool cell;                    /* there is one */
-  double time, step, reach;     /* of the kick and of the drift, s; how far a body may go without a new search, m */
+  struct nb_central central;
+  const struct nb_vec *pressed;    /* NULL: no stress on a boundary */
+  const struct nb_affine *affine;  /* NULL: nothing is carried along */
+  bool along;                      /* the step carries all bodies */
+  bool cell;                       /* there is one */
+  double time, step, travel_limit; /* of the kick and of the drift, s; how far a body may go without a new search, m */
 };
 
 /* v, without what carries the body, and c over the step to come, of which with `accumulated` nothing is remembered: it stays in v.
  * `alike`: one rate is that of all. */
-static inline NB_FORM void carry(const struct part *part, struct sums *sums, size_t from, size_t n, bool alike) {
-  struct nb_vec *velocity = part->bodies.velocity + from, *carried = part->bodies.carried + from;
-  const struct nb_vec *position = part->bodies.position + from;
-  const struct nb_carry it = *part->carry;
+static inline NB_FORM void affine(const struct part *part, struct sums *sums, size_t from, size_t n, bool alike) {
+  struct nb_vec *velocity = part->particles.velocity + from, *imposed = part->particles.imposed + from;
+  const struct nb_vec *position = part->particles.position + from;
+  const struct nb_affine it = *part->affine;
   const unsigned char *by = it.by + from, first = by[0];
   NB_WIDE
   for (size_t k = 0; k < n; k++) {
     const int which = alike ? first : by[k];
     sums->c[k] = tensor_times(it.rate[which], vec_sub(position[k], it.centre));
-    velocity[k] = vec_sub(velocity[k], carried[k]);
-    carried[k] = vec_scale(it.remembered[which], sums->c[k]);
+    velocity[k] = vec_sub(velocity[k], imposed[k]);
+    imposed[k] = vec_scale(it.remembered[which], sums->c[k]);
   }
 }
 
@@ -96,16 +96,16 @@ static inline NB_FORM void carry(const struct part *part, struct sums *sums, siz
  * bodies that are carried along. Answers how many are out of reach of the last search, or nowhere: what is not a number is
  * within no reach. Components are taken one after the other, the loops are wide. */
 static inline NB_FORM int drift(const struct part *part, struct sums *sums, size_t from, size_t n, bool along) {
-  const double *mass = part->bodies.inverse_mass + from, *searched = vec_flat(part->bodies.searched + from);
-  double *velocity = vec_flat(part->bodies.velocity + from), *position = vec_flat(part->bodies.position + from);
+  const double *mass = part->particles.inverse_mass + from, *searched = vec_flat(part->particles.searched + from);
+  double *velocity = vec_flat(part->particles.velocity + from), *position = vec_flat(part->particles.position + from);
   double *keep = sums->keep, *kick = sums->kick, *way = sums->way;
   const double *force = vec_flat(sums->force), *c = vec_flat(sums->c);
-  const double dt = part->step, push = part->factors.push * part->time, damped = part->factors.keep;
-  const double reach = part->reach * part->reach;
+  const double dt = part->step, total_normal = part->factors.total_normal * part->time, damped = part->factors.keep;
+  const double travel_limit = part->travel_limit * part->travel_limit;
   NB_WIDE
   for (size_t k = 0; k < n; k++) {
     keep[2 * k] = keep[2 * k + 1] = mass[k] > 0 ? damped : 1;
-    kick[2 * k] = kick[2 * k + 1] = push * mass[k];
+    kick[2 * k] = kick[2 * k + 1] = total_normal * mass[k];
   }
   NB_WIDE
   for (size_t k = 0; k < 2 * n; k++) {
@@ -118,7 +118,7 @@ static inline NB_FORM int drift(const struct part *part, struct sums *sums, size
   int out = 0;
   NB_WIDE
   for (size_t k = 0; k < n; k++) {
-    out += !(way[2 * k] + way[2 * k + 1] <= reach);
+    out += !(way[2 * k] + way[2 * k + 1] <= travel_limit);
   }
   return out;
 }
@@ -135,89 +135,92 @@ static inline NB_FORM bool spins(const double *spin, size_t n) {
 
 /* The same for turning, 23, 23a. */
 static inline NB_FORM void turn(const struct part *part, const struct sums *sums, size_t from, size_t n) {
-  const double *inertia = part->bodies.inverse_inertia + from;
-  double *spin = part->bodies.spin + from, *angle = part->bodies.angle + from;
-  struct nb_vec *rim = part->bodies.rim + from;
-  const double dt = part->step, push = part->factors.push * part->time, damped = part->factors.keep;
+  const double *inertia = part->particles.inverse_inertia + from;
+  double *spin = part->particles.spin + from, *angle = part->particles.angle + from;
+  struct nb_surface *surface = part->particles.surface + from;
+  const double dt = part->step, total_normal = part->factors.total_normal * part->time, damped = part->factors.keep;
   NB_WIDE
   for (size_t k = 0; k < n; k++) {
     const double keep = inertia[k] > 0 ? damped : 1;
-    const double w = keep * spin[k] + push * inertia[k] * (sums->moment[k] * rim[k].x);
+    const double w = keep * spin[k] + total_normal * inertia[k] * (sums->moment[k] * surface[k].radius);
     spin[k] = w;
     angle[k] += w * dt;
   }
   for (size_t k = 0; k < n; k++)
-    rim[k].y = spin[k] * rim[k].x;
+    surface[k].speed = spin[k] * surface[k].radius;
 }
 
 /* A cell carries the whole list of contacts: so the places of the last search, and the reach is for what bodies do besides. */
-static inline NB_FORM void carry_list(const struct part *part, size_t from, size_t n) {
-  struct nb_vec *searched = part->bodies.searched;
+static inline NB_FORM void affine_list(const struct part *part, size_t from, size_t n) {
+  struct nb_vec *searched = part->particles.searched;
   for (size_t k = from; k < from + n; k++)
-    searched[k] = vec_add(searched[k], vec_scale(part->step, nb_carried_at(part->carry, k, searched[k])));
+    searched[k] = vec_add(searched[k], vec_scale(part->step, nb_imposed_at(part->affine, k, searched[k])));
 }
 
-static inline NB_FORM int move(const struct part *part, const struct nb_felt *felt, size_t from, size_t to) {
+static inline NB_FORM int move(const struct part *part, const struct nb_contact_forces *contact_forces, size_t from,
+                               size_t to) {
   int out = 0;
-  for (; from < to; from += BODIES) {
-    const size_t n = to - from < BODIES ? to - from : BODIES;
+  for (; from < to; from += PARTICLES) {
+    const size_t n = to - from < PARTICLES ? to - from : PARTICLES;
     struct sums sums;
-    if (felt->drag)
-      sum_up(&sums, felt, part->incidence, from, n, true);
+    if (contact_forces->total_shear)
+      sum_up(&sums, contact_forces, part->incidence, from, n, true);
     else
-      sum_up(&sums, felt, part->incidence, from, n, false);
+      sum_up(&sums, contact_forces, part->incidence, from, n, false);
     if (nb_pulls(part->gravity))
-      add_weight(&sums, part->bodies.mass + from, part->gravity, n);
-    if (part->inward.strength != 0)
-      add_inward(&sums, part->bodies.mass + from, part->bodies.position + from, &part->inward, n);
+      add_weight(&sums, part->particles.mass + from, part->gravity, n);
+    if (part->central.strength != 0)
+      add_central(&sums, part->particles.mass + from, part->particles.position + from, &part->central, n);
     if (part->pressed)
       add_pressed(&sums, part->pressed + from, n);
     if (part->cell)
-      carry_list(part, from, n);
-    if (part->along && part->carry->alike)
-      carry(part, &sums, from, n, true);
+      affine_list(part, from, n);
+    if (part->along && part->affine->alike)
+      affine(part, &sums, from, n, true);
     else if (part->along)
-      carry(part, &sums, from, n, false);
+      affine(part, &sums, from, n, false);
     out += part->along ? drift(part, &sums, from, n, true) : drift(part, &sums, from, n, false);
-    if (part->bodies.spin && (felt->drag || spins(part->bodies.spin + from, n)))
+    if (part->particles.spin && (contact_forces->total_shear || spins(part->particles.spin + from, n)))
       turn(part, &sums, from, n);
   }
   return out;
 }
 
-static int move_plain(const struct part *part, const struct nb_felt *felt, size_t from, size_t to) {
-  return move(part, felt, from, to);
+static int move_plain(const struct part *part, const struct nb_contact_forces *contact_forces, size_t from, size_t to) {
+  return move(part, contact_forces, from, to);
 }
 #ifdef NB_X86
-NB_TARGET_AVX2 static int move_avx2(const struct part *part, const struct nb_felt *felt, size_t from, size_t to) {
-  return move(part, felt, from, to);
+NB_TARGET_AVX2 static int move_avx2(const struct part *part, const struct nb_contact_forces *contact_forces,
+                                    size_t from, size_t to) {
+  return move(part, contact_forces, from, to);
 }
-NB_TARGET_AVX512 static int move_avx512(const struct part *part, const struct nb_felt *felt, size_t from, size_t to) {
-  return move(part, felt, from, to);
+NB_TARGET_AVX512 static int move_avx512(const struct part *part, const struct nb_contact_forces *contact_forces,
+                                        size_t from, size_t to) {
+  return move(part, contact_forces, from, to);
 }
-static int (*const moves[NB_ISAS])(const struct part *, const struct nb_felt *, size_t,
+static int (*const moves[NB_ISAS])(const struct part *, const struct nb_contact_forces *, size_t,
                                    size_t) = {move_plain, move_avx2, move_avx512};
 #else
-static int (*const moves[NB_ISAS])(const struct part *, const struct nb_felt *, size_t,
+static int (*const moves[NB_ISAS])(const struct part *, const struct nb_contact_forces *, size_t,
                                    size_t) = {move_plain, move_plain, move_plain};
 #endif
 
 int nb_motion_part(struct nb_model *model, int part, int parts) {
-  const size_t n = model->bodies.count;
-  const struct nb_felt felt = nb_felt_by(model);
+  const size_t n = model->particles.count;
+  const struct nb_contact_forces contact_forces = nb_contact_forces_of(model);
   const double time = nb_kick_time(model);
-  const struct part mine = {.bodies = model->bodies,
+  const struct part mine = {.particles = model->particles,
                             .incidence = &model->contacts.of,
                             .factors = nb_factors(model, time, nb_kick_before(model)),
                             .gravity = model->gravity,
-                            .inward = model->inward,
-                            .pressed = model->bodies.pressed,
-                            .carry = model->carry,
-                            .along = model->carry && model->carry->all,
+                            .central = model->central,
+                            .pressed = model->particles.pressed,
+                            .affine = model->affine,
+                            .along = model->affine && model->affine->all,
                             .cell = model->cell != NULL,
                             .time = time,
                             .step = model->step,
-                            .reach = model->cell ? model->cell->reach : model->search.skin / 2};
-  return moves[model->machine.isa](&mine, &felt, n * (size_t)part / (size_t)parts,
+                            .travel_limit = model->cell ? model->cell->travel_limit : model->search.skin / 2};
+  return moves[model->machine.isa](&mine, &contact_forces, n * (size_t)part / (size_t)parts,
                                    n * ((size_t)part + 1) / (size_t)parts);
 }

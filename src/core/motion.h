@@ -4,7 +4,7 @@
 #ifndef NB_MOTION_H
 #define NB_MOTION_H
 
-#include "carry.h"
+#include "affine.h"
 
 static inline double nb_kick_time(const struct nb_model *model) { return (model->previous_step + model->step) / 2; }
 
@@ -47,7 +47,7 @@ static inline double nb_kick_before(const struct nb_model *model) {
 }
 
 struct nb_factors {
-  double keep, push;
+  double keep, total_normal;
 };
 
 static inline struct nb_factors nb_factors(const struct nb_model *model, double dt, double before) {
@@ -56,28 +56,30 @@ static inline struct nb_factors nb_factors(const struct nb_model *model, double 
 }
 
 /* Where the forces on bodies are found. */
-struct nb_felt {
+struct nb_contact_forces {
   const struct nb_vec *force;
-  const double *drag; /* NULL: no shear */
+  const double *total_shear; /* NULL: no shear */
 };
 
-static inline struct nb_felt nb_felt_by(const struct nb_model *model) {
-  return (struct nb_felt){model->contacts.force, model->plan.rubs ? model->contacts.kept[model->plan.drag] : NULL};
+static inline struct nb_contact_forces nb_contact_forces_of(const struct nb_model *model) {
+  return (struct nb_contact_forces){model->contacts.force,
+                                    model->plan.has_friction ? model->contacts.kept[model->plan.total_shear] : NULL};
 }
 
 /* The force stored is the one on the contact's first body, so where a body is second it feels the opposite. The shear forces
  * F_s are counterclockwise on both [CS79, The force-displacement law]: their sum is left in `moment`, without the radius. */
-static inline NB_FORM struct nb_force nb_sum_of(struct nb_felt felt, struct nb_contacts_of its, bool turned) {
+static inline NB_FORM struct nb_force nb_sum_of(struct nb_contact_forces contact_forces, struct nb_contacts_of its,
+                                                bool turned) {
   struct nb_force sum = {.moment = 0};
   nb_both both = {0, 0};
   const int *c = its.first;
   for (; c < its.middle; c++) {
-    both -= vec_both(&felt.force[*c]);
-    sum.moment += turned ? felt.drag[*c] : 0;
+    both -= vec_both(&contact_forces.force[*c]);
+    sum.moment += turned ? contact_forces.total_shear[*c] : 0;
   }
   for (; c < its.end; c++) {
-    both += vec_both(&felt.force[*c]);
-    sum.moment += turned ? felt.drag[*c] : 0;
+    both += vec_both(&contact_forces.force[*c]);
+    sum.moment += turned ? contact_forces.total_shear[*c] : 0;
   }
   vec_put(&sum.force, both);
   return sum;
@@ -86,7 +88,7 @@ static inline NB_FORM struct nb_force nb_sum_of(struct nb_felt felt, struct nb_c
 static inline bool nb_pulls(struct nb_vec gravity) { return gravity.x != 0 || gravity.y != 0; }
 
 /* m G towards the point; nothing at the point itself. */
-static inline struct nb_vec nb_pull(const struct nb_inward *gravity, double mass, struct nb_vec x) {
+static inline struct nb_vec nb_pull(const struct nb_central *gravity, double mass, struct nb_vec x) {
   const struct nb_vec way = vec_sub(gravity->to, x);
   const double distance = vec_length(way);
   return vec_scale(distance > 0 ? mass * gravity->strength / distance : 0, way);

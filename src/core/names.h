@@ -22,33 +22,33 @@ enum { NB_PARTS = 5 }; /* numbers that a family is made of, at most */
 struct nb_quantity_kind {
   const char *name;
   unsigned
-      watches; /* set of watch kinds it belongs to; 0: the whole scene; NB_OF_IMPACT: one with an impact; NB_OF_CELL, NB_OF_BOX, or NB_OF_BENCH */
+      monitors; /* set of watch kinds it belongs to; 0: the whole scene; NB_OF_IMPACT: one with an impact; NB_OF_CELL, NB_OF_BOX, or NB_OF_BENCH */
   const char *unit;
   unsigned fields; /* contact fields it reads, to be kept; on the bench what it asks of the laws */
-  double (*value)(const struct nb_model *model, const struct nb_watch *watch);
+  double (*value)(const struct nb_model *model, const struct nb_monitor *monitor);
   const char *help;
 
   enum nb_quantity_family family; /* of a family, and of a region: value is NULL, and */
   void (*parts)(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,
-                const struct nb_watch *watch);
+                const struct nb_monitor *monitor);
   int measure; /* of a region: measure/region.h; */
   size_t at;   /* and where in struct nb_region_now it is */
 };
 #define NB_OF_IMPACT (1u << 31)
-#define NB_OF_CELL (1u << 29)  /* of a periodic cell */
-#define NB_OF_BOX (1u << 28)   /* of a box of walls */
-#define NB_OF_BENCH (1u << 30) /* of a path's contact */
-enum { NB_OF_REGION = 1 << NB_WATCH_REGION };
+#define NB_OF_CELL (1u << 29)         /* of a periodic cell */
+#define NB_OF_BOX (1u << 28)          /* of a box of walls */
+#define NB_OF_CONTACT_TEST (1u << 30) /* of a path's contact */
+enum { NB_OF_REGION = 1 << NB_MONITOR_REGION };
 
 /* What energies in springs, and the terms of the energy balance, are made of. */
 enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNESS) | NB_BIT(NB_RADIUS) };
 #define NB_OF_BALANCE                                                                                                  \
-  (NB_OF_STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_PUSH) | NB_BIT(NB_SLIP) | NB_BIT(NB_SHEAR) |               \
-   NB_BIT(NB_DRAG) | NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) | NB_BIT(NB_LOST) | NB_BIT(NB_SHEAR_BEFORE) |     \
-   NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_ASKS_ENERGY)
+  (NB_OF_STORED | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_TOTAL_NORMAL) | NB_BIT(NB_TANGENTIAL_INCREMENT) |          \
+   NB_BIT(NB_SHEAR) | NB_BIT(NB_TOTAL_SHEAR) | NB_BIT(NB_SHEAR_STIFFNESS) | NB_BIT(NB_SLIDING) |                       \
+   NB_BIT(NB_DISSIPATED) | NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE) | NB_REQUEST_ENERGY)
 
-/* Of the contact on the bench, which works out their values (run/bench_quantities.c); the last one has no name. */
-extern const struct nb_quantity_kind nb_bench_kinds[];
+/* Of the contact on the bench, which works out their values (run/contact_test_quantities.c); the last one has no name. */
+extern const struct nb_quantity_kind nb_contact_test_kinds[];
 
 /* input/names.c */
 bool nb_quantity_vanishes(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
@@ -72,14 +72,14 @@ double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model
 
 /* A function of one quantity, and one of a tensor. */
 #define NB_QUANTITY(function, expression)                                                                              \
-  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
-    (void)model, (void)watch;                                                                                          \
+  static double function(const struct nb_model *model, const struct nb_monitor *monitor) {                             \
+    (void)model, (void)monitor;                                                                                        \
     return expression;                                                                                                 \
   }
 #define NB_TENSOR_QUANTITY(function, expression)                                                                       \
   static void function(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,              \
-                       const struct nb_watch *watch) {                                                                 \
-    (void)kind, (void)watch;                                                                                           \
+                       const struct nb_monitor *monitor) {                                                             \
+    (void)kind, (void)monitor;                                                                                         \
     const struct nb_tensor t = expression;                                                                             \
     parts[0] = t.xx, parts[1] = t.xy, parts[2] = t.yx, parts[3] = t.yy;                                                \
   }

@@ -28,41 +28,41 @@ struct search {
 };
 
 static bool wrap_places(struct search *search, const struct nb_model *model) {
-  const size_t n = model->bodies.count;
+  const size_t n = model->particles.count;
   search->place = nb_array(n, sizeof *search->place);
   search->wrap = nb_cell_wrap(model->cell);
   for (size_t i = 0; i < n && search->place; i++)
-    search->place[i] = nb_wrapped(&search->wrap, model->bodies.position[i]);
+    search->place[i] = nb_wrapped(&search->wrap, model->particles.position[i]);
   return search->place != NULL;
 }
 
 static inline struct nb_vec place_of(const struct search *search, const struct nb_model *model, int i) {
-  return search->place ? search->place[i] : model->bodies.position[i];
+  return search->place ? search->place[i] : model->particles.position[i];
 }
 
 static bool search_begin(struct search *search, const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   double largest = 0;
-  for (size_t i = 0; i < bodies->count; i++)
-    largest = bodies->rim[i].x > largest ? bodies->rim[i].x : largest;
-  if (!nb_grid_create(&search->grid, bodies->count, 2 * largest + model->search.skin) ||
+  for (size_t i = 0; i < particles->count; i++)
+    largest = particles->surface[i].radius > largest ? particles->surface[i].radius : largest;
+  if (!nb_grid_create(&search->grid, particles->count, 2 * largest + model->search.skin) ||
       (model->cell && !wrap_places(search, model)))
     return false;
-  for (int i = 0; i < (int)bodies->count; i++)
-    nb_grid_add(&search->grid, i, place_of(search, model, i), 2 * bodies->rim[i].x + model->search.skin);
+  for (int i = 0; i < (int)particles->count; i++)
+    nb_grid_add(&search->grid, i, place_of(search, model, i), 2 * particles->surface[i].radius + model->search.skin);
   return true;
 }
 
-static bool pairs_add(struct nb_near_pairs *pairs, int a, int b, int pairing) {
-  struct nb_near_pair *pair = NB_MORE(pairs->list, pairs->count);
+static bool pairs_add(struct nb_neighbour_pairs *pairs, int a, int b, int material_pair) {
+  struct nb_neighbour_pair *pair = NB_MORE(pairs->list, pairs->count);
   if (pair)
-    *pair = (struct nb_near_pair){a, b, pairing};
+    *pair = (struct nb_neighbour_pair){a, b, material_pair};
   return pair != NULL;
 }
 
-static int pairing_of(const struct nb_model *model, int material_a, int material_b, bool wall) {
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    const struct nb_pairing *q = &model->pairings[p];
+static int material_pair_of(const struct nb_model *model, int material_a, int material_b, bool wall) {
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    const struct nb_material_pair *q = &model->material_pairs[p];
     if (q->wall == wall &&
         ((q->a == material_a && q->b == material_b) || (!wall && q->a == material_b && q->b == material_a)))
       return (int)p;
@@ -71,19 +71,20 @@ static int pairing_of(const struct nb_model *model, int material_a, int material
 }
 
 /* Bodies i and j, `apart` from each other, are listed when they are near, the one with the smaller number first. */
-static bool near_pair(struct nb_near_pairs *pairs, struct nb_model *model, int i, int j, struct nb_vec apart) {
-  const struct nb_bodies *bodies = &model->bodies;
+static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j,
+                           struct nb_vec apart) {
+  const struct nb_particles *particles = &model->particles;
   model->search.candidates++;
-  const double distance = vec_length(apart), larger = fmax(bodies->rim[i].x, bodies->rim[j].x);
-  if (!(distance < bodies->rim[i].x + bodies->rim[j].x + model->search.skin))
+  const double distance = vec_length(apart), larger = fmax(particles->surface[i].radius, particles->surface[j].radius);
+  if (!(distance < particles->surface[i].radius + particles->surface[j].radius + model->search.skin))
     return true;
-  if (!(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
+  if (!(particles->inverse_mass[i] > 0 || particles->inverse_mass[j] > 0))
     return true; /* both are fixed */
-  if (nb_gone(model, (size_t)i) || nb_gone(model, (size_t)j))
+  if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j))
     return true;
-  const int a = bodies->number[i] < bodies->number[j] ? i : j, b = a == i ? j : i;
+  const int a = particles->number[i] < particles->number[j] ? i : j, b = a == i ? j : i;
   model->search.squeezed = model->search.squeezed || !(distance > larger + model->search.skin);
-  return pairs_add(pairs, a, b, pairing_of(model, bodies->material[a], bodies->material[b], false));
+  return pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));
 }
 
 /* Who looks around, and from where: it is at `from`, or a copy of it is. */
@@ -93,21 +94,21 @@ struct looking {
 };
 
 /* The bodies of one box: all of them when they are larger than i, those with larger numbers on its own level. */
-static bool near_in_box(struct nb_near_pairs *pairs, struct nb_model *model, const struct search *search,
-                        struct looking who, struct nb_box box) {
-  const int *number = model->bodies.number;
+static bool neighbours_in_box(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
+                              struct looking who, struct nb_box box) {
+  const int *number = model->particles.number;
   const bool own = box.level == search->grid.in[who.i].box.level;
   NB_IN_BOX(&search->grid, j, box) {
     if (own && number[j] <= number[who.i])
       continue;
-    if (!near_pair(pairs, model, who.i, j, vec_sub(place_of(search, model, j), who.from)))
+    if (!neighbour_pair(pairs, model, who.i, j, vec_sub(place_of(search, model, j), who.from)))
       return false;
   }
   return true;
 }
 
-static bool near_around(struct nb_near_pairs *pairs, struct nb_model *model, const struct search *search,
-                        struct looking who) {
+static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
+                              struct looking who) {
   const struct nb_grid *grid = &search->grid;
   for (int level = grid->in [who.i].box.level; level >= 0; level--) {
     if (!grid->count[level])
@@ -115,7 +116,7 @@ static bool near_around(struct nb_near_pairs *pairs, struct nb_model *model, con
     const int64_t x = nb_grid_place(grid, level, who.from.x), y = nb_grid_place(grid, level, who.from.y);
     for (int64_t dy = -1; dy <= 1; dy++)
       for (int64_t dx = -1; dx <= 1; dx++)
-        if (!near_in_box(pairs, model, search, who, (struct nb_box){level, x + dx, y + dy}))
+        if (!neighbours_in_box(pairs, model, search, who, (struct nb_box){level, x + dx, y + dy}))
           return false;
   }
   return true;
@@ -126,49 +127,51 @@ static bool near_around(struct nb_near_pairs *pairs, struct nb_model *model, con
 static const double rounding = 1e-12;
 
 /* From each of the nine copies of i that lies in the cell, or no farther outside than a contact reaches. */
-static bool near_copies(struct nb_near_pairs *pairs, struct nb_model *model, const struct search *search, int i) {
+static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
+                             int i) {
   const struct nb_wrap *wrap = &search->wrap;
   const double edge = (0.5 + search->grid.width[0] / nb_wrap_width(wrap)) * (1 + rounding);
   for (int m = 0; m < 9; m++) {
     const struct nb_vec from = vec_add(search->place[i], tensor_times(wrap->h, vec(m % 3 - 1, m / 3 - 1)));
     const struct nb_vec at = tensor_times(wrap->inverse, vec_sub(from, wrap->centre));
-    if (fabs(at.x) <= edge && fabs(at.y) <= edge && !near_around(pairs, model, search, (struct looking){i, from}))
+    if (fabs(at.x) <= edge && fabs(at.y) <= edge && !neighbours_around(pairs, model, search, (struct looking){i, from}))
       return false;
   }
   return true;
 }
 
-static bool near_walls(struct nb_near_pairs *pairs, struct nb_model *model, int i) {
+static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i) {
   const struct nb_walls *walls = &model->walls;
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   for (size_t w = 0; w < walls->count; w++) {
-    const double apart = vec_length(nb_wall_apart(walls, (int)w, bodies->position[i]));
-    if (!(apart < bodies->rim[i].x + model->search.skin) || !(bodies->inverse_mass[i] > 0))
+    const double apart = vec_length(nb_wall_apart(walls, (int)w, particles->position[i]));
+    if (!(apart < particles->surface[i].radius + model->search.skin) || !(particles->inverse_mass[i] > 0))
       continue;
     model->search.pressed = model->search.pressed || !(apart > model->search.skin);
-    if (!pairs_add(pairs, i, (int)w, pairing_of(model, bodies->material[i], model->scene->walls[w].material, true)))
+    if (!pairs_add(pairs, i, (int)w,
+                   material_pair_of(model, particles->material[i], model->scene->walls[w].material, true)))
       return false;
   }
   return true;
 }
 
 /* Adds every pair that is near, once, in no order; false: no memory. */
-static bool find_pairs(struct nb_near_pairs *found, struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
-  const struct nb_vec *x = bodies->position;
-  const int n = (int)bodies->count;
+static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model) {
+  const struct nb_particles *particles = &model->particles;
+  const struct nb_vec *x = particles->position;
+  const int n = (int)particles->count;
   const bool all = n <= FEW && !model->cell;
   struct search search = {0};
   bool room = all || search_begin(&search, model);
   for (int k = 0; k < n && room; k++) {
-    const int i = bodies->slot[k];
+    const int i = particles->slot[k];
     if (model->cell)
-      room = near_copies(found, model, &search, i);
+      room = neighbour_copies(found, model, &search, i);
     else if (!all)
-      room = near_around(found, model, &search, (struct looking){i, x[i]});
+      room = neighbours_around(found, model, &search, (struct looking){i, x[i]});
     for (int l = k + 1; l < n && all && room; l++)
-      room = near_pair(found, model, i, bodies->slot[l], vec_sub(x[bodies->slot[l]], x[i]));
-    room = room && near_walls(found, model, i);
+      room = neighbour_pair(found, model, i, particles->slot[l], vec_sub(x[particles->slot[l]], x[i]));
+    room = room && neighbour_walls(found, model, i);
   }
   nb_grid_free(&search.grid);
   free(search.place);
@@ -176,23 +179,23 @@ static bool find_pairs(struct nb_near_pairs *found, struct nb_model *model) {
 }
 
 /* By the number of the first body: counted out. Those of one body, a few, by insertion in the order in which it sums forces. */
-static bool sort_pairs(struct nb_near_pairs *pairs, const struct nb_model *model) {
-  const size_t n = pairs->count, bodies = model->bodies.count;
-  const int *number = model->bodies.number;
-  struct nb_near_pair *found = pairs->list, *sorted = nb_array(n, sizeof *sorted);
-  size_t *first = nb_array(bodies + 2, sizeof *first);
+static bool sort_pairs(struct nb_neighbour_pairs *pairs, const struct nb_model *model) {
+  const size_t n = pairs->count, particles = model->particles.count;
+  const int *number = model->particles.number;
+  struct nb_neighbour_pair *found = pairs->list, *sorted = nb_array(n, sizeof *sorted);
+  size_t *first = nb_array(particles + 2, sizeof *first);
   if (!sorted || !first) {
     free(sorted), free(first);
     return false;
   }
   for (size_t p = 0; p < n; p++)
     first[number[found[p].a] + 1]++;
-  for (size_t k = 1; k < bodies + 2; k++)
+  for (size_t k = 1; k < particles + 2; k++)
     first[k] += first[k - 1];
   for (size_t p = 0; p < n; p++)
     sorted[first[number[found[p].a]]++] = found[p];
   for (size_t p = 1; p < n; p++) {
-    const struct nb_near_pair it = sorted[p];
+    const struct nb_neighbour_pair it = sorted[p];
     size_t q = p;
     for (; q > 0 && sorted[q - 1].a == it.a && nb_partner(model, it) < nb_partner(model, sorted[q - 1]); q--)
       sorted[q] = sorted[q - 1];
@@ -203,20 +206,20 @@ static bool sort_pairs(struct nb_near_pairs *pairs, const struct nb_model *model
   return true;
 }
 
-enum nb_status nb_near(struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error) {
   if (nb_guard_positions(model, error) || nb_walls_crossed(model, true, error) || nb_guard_motion(model, error))
     return error->status;
-  struct nb_near_pairs pairs = {0};
+  struct nb_neighbour_pairs pairs = {0};
   const bool searching = model->search.skin < INFINITY;
   if (model->cell && searching && nb_cell_wide(model, error))
     return error->status;
   model->search.pressed = model->search.squeezed = false;
   const bool found = !searching || (find_pairs(&pairs, model) && sort_pairs(&pairs, model));
-  const bool made = found && nb_contacts_renew(model, &pairs) && nb_joints_find(model);
+  const bool made = found && nb_contacts_renew(model, &pairs) && nb_vertices_find(model);
   free(pairs.list);
   if (!made)
     return nb_error_memory(error);
-  memcpy(model->bodies.searched, model->bodies.position, model->bodies.count * sizeof(struct nb_vec));
+  memcpy(model->particles.searched, model->particles.position, model->particles.count * sizeof(struct nb_vec));
   nb_walls_searched(&model->walls);
   if (model->cell)
     nb_cell_searched(model->cell, model->search.skin);

@@ -69,7 +69,7 @@ static struct nb_vec seen_from(struct nb_vec x, struct nb_vec pivot, struct nb_v
 /* False when body i is farther from the line of wall w than it and the wall can have come in a step: nearly always. */
 static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
   const struct nb_walls *walls = &model->walls;
-  const struct nb_vec x = model->bodies.position[i], v = vec_sub(model->bodies.velocity[i], walls->velocity[w]);
+  const struct nb_vec x = model->particles.position[i], v = vec_sub(model->particles.velocity[i], walls->velocity[w]);
   const struct nb_vec from_p = vec_sub(x, walls->pivot[w]);
   const double away = fabs(-vec_dot(from_p, vec_clockwise(walls->along[w])) - walls->h0[w]);
   const double turn = fabs(walls->spin[w]) * (fabs(from_p.x) + fabs(from_p.y));
@@ -84,40 +84,41 @@ static const double beyond_end = 1e-12;
 static bool crossed(const struct nb_model *model, size_t i, size_t w, double *way) {
   const struct nb_walls *walls = &model->walls;
   const double dt = model->previous_step, h0 = walls->h0[w];
-  const struct nb_vec x = model->bodies.position[i];
+  const struct nb_vec x = model->particles.position[i];
   const struct nb_vec now = seen_from(x, walls->pivot[w], walls->along[w], h0);
-  const struct nb_vec before = seen_from(
-      vec_sub(x, vec_scale(dt, model->bodies.velocity[i])), vec_sub(walls->pivot[w], vec_scale(dt, walls->velocity[w])),
-      walls->spin[w] != 0 ? turned(walls->along[w], vec(cos(walls->spin[w] * dt), -sin(walls->spin[w] * dt)))
-                          : walls->along[w],
-      h0);
+  const struct nb_vec before =
+      seen_from(vec_sub(x, vec_scale(dt, model->particles.velocity[i])),
+                vec_sub(walls->pivot[w], vec_scale(dt, walls->velocity[w])),
+                walls->spin[w] != 0 ? turned(walls->along[w], vec(cos(walls->spin[w] * dt), -sin(walls->spin[w] * dt)))
+                                    : walls->along[w],
+                h0);
   *way = vec_length(vec_sub(now, before));
   if ((before.y > 0 && now.y > 0) || (before.y < 0 && now.y < 0) || (now.y != 0 && before.y == 0))
     return false;
-  const double share = now.y == 0 ? 1 : before.y / (before.y - now.y);
-  const double at = before.x + share * (now.x - before.x), slack = beyond_end * (walls->h2[w] - walls->h1[w]);
+  const double fraction = now.y == 0 ? 1 : before.y / (before.y - now.y);
+  const double at = before.x + fraction * (now.x - before.x), slack = beyond_end * (walls->h2[w] - walls->h1[w]);
   return at >= walls->h1[w] - slack && at <= walls->h2[w] + slack;
 }
 
 static enum nb_status lost(const struct nb_model *model, size_t i, size_t w, double way, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  const int number = model->bodies.number[i];
-  const double radius = model->bodies.rim[i].x;
+  const int number = model->particles.number[i];
+  const double radius = model->particles.surface[i].radius;
   if (model->cycle == 0)
     return nb_error_set(error, NB_BROKEN, "body %d (line %d) has its centre on wall `%s` (line %d): on neither side",
-                        number, scene->bodies[number - 1].line, scene->walls[w].name, scene->walls[w].line);
+                        number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line);
   return nb_error_set(error, NB_BROKEN,
                       "body %d (line %d) has gone through wall `%s` (line %d) in cycle %lu, at %g s: its centre came "
                       "to the other side. The limit is its radius, %g m; in this step of %g s it moved %g m against "
                       "the wall: try %s",
-                      number, scene->bodies[number - 1].line, scene->walls[w].name, scene->walls[w].line, model->cycle,
-                      model->time, radius, model->previous_step, way,
+                      number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line,
+                      model->cycle, model->time, radius, model->previous_step, way,
                       way > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");
 }
 
 static enum nb_status check(const struct nb_model *model, size_t i, size_t w, struct nb_error *error) {
   double way;
-  if (!may_cross(model, i, w) || !(model->bodies.inverse_mass[i] > 0) || !crossed(model, i, w, &way))
+  if (!may_cross(model, i, w) || !(model->particles.inverse_mass[i] > 0) || !crossed(model, i, w, &way))
     return NB_OK; /* what is fixed goes through whatever is in its way */
   return lost(model, i, w, way, error);
 }
@@ -126,9 +127,9 @@ enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct n
   const struct nb_contacts *contacts = &model->contacts;
   enum nb_status status = NB_OK;
   if (all)
-    for (size_t k = 0; k < model->bodies.count && !status; k++)
+    for (size_t k = 0; k < model->particles.count && !status; k++)
       for (size_t w = 0; w < model->walls.count && !status; w++)
-        status = check(model, (size_t)model->bodies.slot[k], w, error);
+        status = check(model, (size_t)model->particles.slot[k], w, error);
   else
     for (size_t c = model->contacts.wall_from; c < contacts->count && !status; c++)
       status = check(model, (size_t)contacts->a[c], (size_t)contacts->b[c], error);

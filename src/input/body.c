@@ -10,7 +10,7 @@ enum { AT_X, AT_Y, AT_RADIUS, AT_MATERIAL, AT_VX, AT_VY, AT_SPIN, AT_FIXED };
 enum { AT_SHAPE = AT_VX, AT_NX, AT_NY, AT_SPACING, AT_SQUARE, AT_HEXAGONAL };
 
 /* clang-format off */
-static const struct nb_argument body_fields[] = {
+static const struct nb_argument particle_fields[] = {
   VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
   VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
   RADIUS(AT_RADIUS),
@@ -34,42 +34,42 @@ static const struct nb_argument lattice_fields[] = {
 };
 /* clang-format on */
 
-bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, size_t more) {
-  if (more > NB_BODIES_MAX || scene->body_count + more > NB_BODIES_MAX)
+bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more) {
+  if (more > NB_PARTICLES_MAX || scene->particle_count + more > NB_PARTICLES_MAX)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d bodies, with these there are %zu",
-                     NB_BODIES_MAX, scene->body_count + more);
+                     NB_PARTICLES_MAX, scene->particle_count + more);
   return reader->bad;
 }
 
-bool nb_bodies_unsure(const struct nb_scene_reading *reading) {
+bool nb_particles_incomplete(const struct nb_scene_reading *reading) {
   static const char *const words[] = {"disc", "sphere", "lattice", "fill", "packing", "start"};
-  bool unsure = false;
+  bool incomplete = false;
   for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-    unsure = unsure || nb_excused(reading->reader.mistakes, words[k]);
-  return unsure;
+    incomplete = incomplete || nb_excused(reading->reader.mistakes, words[k]);
+  return incomplete;
 }
 
-struct nb_body nb_body_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
-                          const struct nb_token *material, bool fixed, size_t count) {
-  struct nb_body body = {.shape = shape, .fixed = fixed, .line = (int)reader->line};
-  body.material = nb_material_of(scene, reader, material);
-  if (!reader->bad && scene->materials[body.material].density == 0 && !fixed)
+struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
+                                  const struct nb_token *material, bool fixed, size_t count) {
+  struct nb_particle particle = {.shape = shape, .fixed = fixed, .line = (int)reader->line};
+  particle.material = nb_material_of(scene, reader, material);
+  if (!reader->bad && scene->materials[particle.material].density == 0 && !fixed)
     nb_expected_at(reader, material, "give the material a `density`, or hold the body with `fixed`",
                    "a material with mass for a free body");
-  nb_too_many_bodies(reader, scene, count);
-  return body;
+  nb_too_many_particles(reader, scene, count);
+  return particle;
 }
 
 /* variant: enum nb_shape */
-NB_APPLY(apply_body) {
+NB_APPLY(apply_particle) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
-  struct nb_body one = nb_body_of(reader, scene, (enum nb_shape)record->keyword->variant, value[AT_MATERIAL].token,
-                                  value[AT_FIXED].token != NULL, 1);
+  struct nb_particle one = nb_particle_of(reader, scene, (enum nb_shape)record->keyword->variant,
+                                          value[AT_MATERIAL].token, value[AT_FIXED].token != NULL, 1);
   one.x = value[AT_X].number, one.y = value[AT_Y].number, one.radius = value[AT_RADIUS].number;
   one.vx = value[AT_VX].number, one.vy = value[AT_VY].number, one.spin = value[AT_SPIN].number;
   if (!reader->bad)
-    NB_APPEND(reader, scene->bodies, scene->body_count, one);
+    NB_APPEND(reader, scene->particles, scene->particle_count, one);
 }
 
 NB_APPLY(apply_lattice) {
@@ -85,8 +85,8 @@ NB_APPLY(apply_lattice) {
       .spacing = spaced ? value[AT_SPACING].number : 2 * radius,
       .hexagonal = value[AT_HEXAGONAL].token != NULL,
   };
-  struct nb_body one = nb_body_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number, value[AT_MATERIAL].token, false,
-                                  like.nx * like.ny);
+  struct nb_particle one = nb_particle_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number,
+                                          value[AT_MATERIAL].token, false, like.nx * like.ny);
   const double far_x = like.x + like.spacing * (double)like.nx, far_y = like.y + like.spacing * (double)like.ny;
   one.radius = radius;
   if (value[AT_HEXAGONAL].token && value[AT_SQUARE].token)
@@ -100,10 +100,10 @@ NB_APPLY(apply_lattice) {
 
 /* clang-format off */
 NB_STATEMENTS(body) = {
-  {"disc", NB_IN_SCENE, body_fields, NULL, NB_DISC, false, apply_body,
+  {"disc", NB_IN_SCENE, particle_fields, NULL, NB_DISC, false, apply_particle,
    "One disc, a cylinder 1 m thick; it gets the next number.",
    "disc      35.02 mm 60 mm  radius 5 mm  steel  velocity -$speed 0 m/s  spin -3 rad/s"},
-  {"sphere", NB_IN_SCENE, body_fields, NULL, NB_SPHERE, false, apply_body,
+  {"sphere", NB_IN_SCENE, particle_fields, NULL, NB_SPHERE, false, apply_particle,
    "One sphere, which moves in the plane; it gets the next number.",
    "sphere    25 mm 60 mm  radius 5 mm  glass"},
   {"lattice", NB_IN_SCENE, lattice_fields, NULL, 0, false, apply_lattice,

@@ -68,7 +68,7 @@ NB_APPLY(apply_circle) {
   struct nb_stage *stage = nb_stage_now(scene);
   const struct nb_value *value = record->value;
   struct nb_circle *it = stage ? &stage->circle : &scene->circle;
-  if (!nb_said_twice(reader, it->line))
+  if (!nb_given_twice(reader, it->line))
     *it = (struct nb_circle){value[AT_X].number, value[AT_Y].number, value[AT_RADIUS].number, (int)reader->line};
 }
 
@@ -99,7 +99,7 @@ NB_APPLY(apply_boundary) {
     boundary.strain = nb_strain_of(reader, value);
   if (variant == 1)
     boundary.sxx = value[AT_SXX].number, boundary.syy = value[AT_SYY].number, boundary.sxy = value[AT_SXY].number;
-  if (!nb_said_twice(reader, stage->boundary.line) && !nb_lacks_boundary(scene, reader))
+  if (!nb_given_twice(reader, stage->boundary.line) && !nb_lacks_boundary(scene, reader))
     stage->boundary = boundary;
 }
 
@@ -114,14 +114,14 @@ NB_APPLY(apply_continuum) {
     continuum.strain = nb_strain_of(reader, value);
   if (continuum.literal && value[AT_APART].token)
     nb_token_mistake(reader, value[AT_LITERAL].token, NULL, "expected `apart` or `accumulated`, not both");
-  if (!nb_said_twice(reader, stage->continuum.line))
+  if (!nb_given_twice(reader, stage->continuum.line))
     stage->continuum = continuum;
 }
 
 NB_APPLY(apply_box_strain) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_stage *stage = nb_stage_now(scene);
-  if (nb_lacks_box(scene, reader) || nb_said_twice(reader, stage->box_line))
+  if (nb_lacks_box(scene, reader) || nb_given_twice(reader, stage->box_line))
     return;
   stage->box = nb_strain_of(reader, record->value);
   stage->box_line = (int)reader->line;

@@ -23,7 +23,7 @@ NB_APPLY(apply_cell) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
   const double x = value[AT_X].number, y = value[AT_Y].number, x1 = value[AT_X1].number, y1 = value[AT_Y1].number;
-  if (!nb_said_twice(reader, scene->cell.line) && !nb_inside_out(reader, x, y, x1, y1))
+  if (!nb_given_twice(reader, scene->cell.line) && !nb_inside_out(reader, x, y, x1, y1))
     scene->cell = (struct nb_scene_cell){
         .x = x + (x1 - x) / 2, .y = y + (y1 - y) / 2, .h = {x1 - x, 0, 0, y1 - y}, .line = (int)reader->line};
 }
@@ -57,15 +57,15 @@ NB_APPLY(apply_wave) {
   if (nx != round(nx) || ny != round(ny) || fabs(nx) > most || fabs(ny) > most)
     nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL,
                      "expected whole numbers of periods, at most 1e6, or the wave would not fit the cell");
-  for (size_t i = 0; i < scene->body_count && !reader->bad; i++) {
-    struct nb_body *body = &scene->bodies[i];
-    const double sine =
-        sin(2 * NB_PI *
-            (nx * (body->x - scene->cell.x) / scene->cell.h[0] + ny * (body->y - scene->cell.y) / scene->cell.h[3]));
-    if (body->fixed)
+  for (size_t i = 0; i < scene->particle_count && !reader->bad; i++) {
+    struct nb_particle *particle = &scene->particles[i];
+    const double sine = sin(2 * NB_PI *
+                            (nx * (particle->x - scene->cell.x) / scene->cell.h[0] +
+                             ny * (particle->y - scene->cell.y) / scene->cell.h[3]));
+    if (particle->fixed)
       continue;
-    body->vx += sine * value[AT_VX].number;
-    body->vy += sine * value[AT_VY].number;
+    particle->vx += sine * value[AT_VX].number;
+    particle->vy += sine * value[AT_VY].number;
   }
 }
 
@@ -83,12 +83,12 @@ void nb_cell_check(struct nb_scene_reading *reading) {
   if (scene->wall_count > 0)
     say(reading, "what a wall would be in every copy of the cell is not worked out",
         "expected a cell or walls, found both");
-  for (size_t i = 0; i < scene->body_count; i++)
-    largest = fmax(largest, scene->bodies[i].radius), sum += scene->bodies[i].radius;
-  const double skin = scene->skin > 0 ? scene->skin : 0.1 * sum / (double)scene->body_count;
+  for (size_t i = 0; i < scene->particle_count; i++)
+    largest = fmax(largest, scene->particles[i].radius), sum += scene->particles[i].radius;
+  const double skin = scene->skin > 0 ? scene->skin : 0.1 * sum / (double)scene->particle_count;
   const double least = 2 * (2 * largest + skin), width = fmin(scene->cell.h[0], scene->cell.h[3]);
   const char *unit = reading->reader.unitless ? "" : " m";
-  if (nb_bodies_unsure(reading) || scene->body_count < 2 || width >= least)
+  if (nb_particles_incomplete(reading) || scene->particle_count < 2 || width >= least)
     return;
   snprintf(what, sizeof what, "expected a cell twice as wide as the largest diameter and the skin, %g%s, found %g%s",
            least, unit, width, unit);

@@ -15,43 +15,43 @@ static const struct damping_word {
     {NB_CONTACT_FRACTION, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
     {NB_CONTACT_RATIO, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
     {NB_CONTACT_UNDAMPED, NB_GLOBAL_ALPHA, NB_UNIT_RATE, NB_NOT_NEGATIVE},
-    {NB_CONTACT_UNDAMPED, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_SHARE},
+    {NB_CONTACT_UNDAMPED, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_FRACTION},
 };
 #define CONTACT_WORDS "stiffness|r89-fraction|ratio"
 enum { WALLS = 3, CRITICAL, GLOBAL, CON1, NONE }; /* the words behind them */
 
 /* What one statement says. */
-struct said {
+struct given {
   bool all, walls; /* of all contacts; of those with walls alone */
   bool global, deep;
   struct damping_word of;
   double value;
 };
 
-static void take_damping(struct nb_reader *reader, struct said *said) {
+static void take_damping(struct nb_reader *reader, struct given *given) {
   static const enum nb_global_damping readings[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
   int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|none");
   if (word == WALLS) {
-    said->walls = true;
+    given->walls = true;
     word = nb_take_choice(reader, CONTACT_WORDS "|none");
     word = word == WALLS ? NONE : word;
   }
   if (word == NONE)
-    said->all = said->global = said->deep = !said->walls;
+    given->all = given->global = given->deep = !given->walls;
   if (word == CRITICAL) { /* `beyond overlap 7 %`: of the smaller diameter */
-    said->deep = nb_take_word(reader, "beyond") && nb_take_word(reader, "overlap");
-    nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &said->value);
+    given->deep = nb_take_word(reader, "beyond") && nb_take_word(reader, "overlap");
+    nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &given->value);
   }
   if (word < 0 || word == NONE || word == CRITICAL)
     return;
-  said->of = words[word < WALLS ? word : WALLS + word - GLOBAL];
-  said->global = word >= GLOBAL, said->all = !said->global && !said->walls;
-  nb_take_number(reader, said->of.unit, said->of.range, &said->value);
+  given->of = words[word < WALLS ? word : WALLS + word - GLOBAL];
+  given->global = word >= GLOBAL, given->all = !given->global && !given->walls;
+  nb_take_number(reader, given->of.unit, given->of.range, &given->value);
   if (word == CON1 && !nb_token_skip(reader, "as"))
     nb_expected(reader, NULL, "`as cs79`, `as velocity` or `as all`");
   if (word == CON1) {
     const int reading = nb_take_choice(reader, "cs79|velocity|all");
-    said->of.global_kind = readings[reading < 0 ? 0 : reading];
+    given->of.global_kind = readings[reading < 0 ? 0 : reading];
   }
 }
 
@@ -62,34 +62,34 @@ NB_APPLY(apply_damping) {
   struct nb_stage *stage = nb_stage_now(scene);
   struct nb_damping *damping = stage ? &stage->damping : &scene->damping;
   const int line = (int)reader->line, since = stage ? stage->line : 0;
-  struct said said = {0};
+  struct given given = {0};
   (void)record;
-  take_damping(reader, &said);
+  take_damping(reader, &given);
   const struct {
-    bool said;
+    bool given;
     int *line;
-  } parts[] = {{said.all, &damping->contact_line},
-               {said.walls, &damping->walls_line},
-               {said.global, &damping->global_line},
-               {said.deep, &damping->deep_line}};
+  } parts[] = {{given.all, &damping->contact_line},
+               {given.walls, &damping->walls_line},
+               {given.global, &damping->global_line},
+               {given.deep, &damping->deep_line}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-    if (parts[k].said && *parts[k].line > since && *parts[k].line < line)
-      nb_said_twice(reader, *parts[k].line);
+    if (parts[k].given && *parts[k].line > since && *parts[k].line < line)
+      nb_given_twice(reader, *parts[k].line);
   if (reader->bad)
     return;
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-    if (parts[k].said)
+    if (parts[k].given)
       *parts[k].line = line;
-  if (said.all)
-    damping->contact_kind = said.of.contact_kind, damping->contact = said.value;
-  if (said.walls)
-    damping->walls_apart = true, damping->walls_kind = said.of.contact_kind, damping->walls = said.value;
-  if (said.all && said.global)
+  if (given.all)
+    damping->contact_kind = given.of.contact_kind, damping->contact = given.value;
+  if (given.walls)
+    damping->walls_apart = true, damping->walls_kind = given.of.contact_kind, damping->walls = given.value;
+  if (given.all && given.global)
     damping->walls_apart = false;
-  if (said.global)
-    damping->global_kind = said.of.global_kind, damping->global = said.value;
-  if (said.deep)
-    damping->deep = said.value;
+  if (given.global)
+    damping->global_kind = given.of.global_kind, damping->global = given.value;
+  if (given.deep)
+    damping->deep = given.value;
 }
 
 /* clang-format off */

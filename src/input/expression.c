@@ -229,9 +229,9 @@ static struct quantity call(struct parser *p, const struct function *f, const ch
   snprintf(what, sizeof what, "within `%s()`", f->name);
   if (f->rule == OF_NUMBERS ? !is_number(p, from, length, what, a) : !alike(p, from, length, a, b))
     return a;
-  const double share = f->rule == OF_ROOT ? 0.5 : f->rule == OF_RATIO ? 0 : 1;
-  return checked(p, from, length, f->two ? f->two(a.value, b.value) : f->one(a.value), share * a.of.m, share * a.of.kg,
-                 share * a.of.s);
+  const double fraction = f->rule == OF_ROOT ? 0.5 : f->rule == OF_RATIO ? 0 : 1;
+  return checked(p, from, length, f->two ? f->two(a.value, b.value) : f->one(a.value), fraction * a.of.m,
+                 fraction * a.of.kg, fraction * a.of.s);
 }
 
 /* A function, pi, or what `let` and `sweep` name. */

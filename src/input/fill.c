@@ -62,7 +62,7 @@ static void take_size(struct nb_grading *it, struct nb_reader *reader) {
   struct nb_size size = {0};
   size_t s = 0;
   nb_take_number(reader, NB_UNIT_LENGTH, NB_POSITIVE, &size.radius);
-  nb_take_count(reader, 1, NB_BODIES_MAX, &size.count);
+  nb_take_count(reader, 1, NB_PARTICLES_MAX, &size.count);
   while (s < it->size_count && it->sizes[s].radius > size.radius)
     s++;
   if (s < it->size_count && it->sizes[s].radius == size.radius)
@@ -100,8 +100,8 @@ static double area(const struct nb_fill *fill) {
 /* Bodies of that radius among those of the filling. */
 static size_t placed(const struct nb_scene *scene, const struct nb_fill *fill, double radius) {
   size_t count = 0;
-  for (size_t k = fill->first; k < scene->body_count; k++)
-    count += scene->bodies[k].radius == radius;
+  for (size_t k = fill->first; k < scene->particle_count; k++)
+    count += scene->particles[k].radius == radius;
   return count;
 }
 
@@ -153,19 +153,20 @@ NB_APPLY(apply_fill) {
       .seed = (unsigned long)value[AT_SEED].number,
       .tries = (unsigned long)value[AT_ATTEMPTS].number,
       .skip = value[AT_ELSE].number == 1,
-      .first = scene->body_count,
+      .first = scene->particle_count,
       .line = (int)reader->line,
   };
   if (fill.tries > ATTEMPTS_MAX)
     nb_token_mistake(reader, value[AT_ATTEMPTS].token, NULL, "expected at most %d attempts for each particle",
                      ATTEMPTS_MAX);
   check_place(reader, value, &fill);
-  const struct nb_body like = nb_body_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number, value[AT_MATERIAL].token,
-                                         false, reader->bad ? 0 : scene->gradings[fill.grading].count);
+  const struct nb_particle like =
+      nb_particle_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number, value[AT_MATERIAL].token, false,
+                     reader->bad ? 0 : scene->gradings[fill.grading].count);
   if (reader->bad)
     return;
   const enum nb_filled filled = nb_fill_random(scene, &fill, like);
-  fill.count = scene->body_count - fill.first;
+  fill.count = scene->particle_count - fill.first;
   NB_APPEND(reader, scene->fills, scene->fill_count, fill);
   if (filled == NB_FILL_NO_MEMORY)
     nb_no_memory(reader);

@@ -24,11 +24,11 @@ NB_APPLY(apply_gravity) {
   struct nb_stage *stage = nb_stage_now(scene);
   struct nb_gravity *gravity = stage ? &stage->gravity : &scene->gravity;
   const struct nb_value *value = record->value;
-  if (nb_said_twice(reader, gravity->line))
+  if (nb_given_twice(reader, gravity->line))
     return;
   if (record->keyword->variant)
-    *gravity =
-        (struct nb_gravity){.inward = value[AT_G].number, .about_x = value[AT_X].number, .about_y = value[AT_Y].number};
+    *gravity = (struct nb_gravity){
+        .central = value[AT_G].number, .about_x = value[AT_X].number, .about_y = value[AT_Y].number};
   else
     *gravity = (struct nb_gravity){.x = value[AT_G].number, .y = value[AT_GY].number};
   gravity->line = (int)reader->line;

@@ -25,7 +25,7 @@ static const struct nb_argument impact_fields[] = {
   CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "from `angle`",
          "The same as a pure number, V_T/(mu kappa V_N) of the point that will touch, spin included [R89 5.15]: kappa = "
          "E*/(4 G*), or k_n/k_s of linear springs."),
-  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_SHARE, AT_PHASE, 1, "0", "It first touches when this much of the first step is over."),
+  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_FRACTION, AT_PHASE, 1, "0", "It first touches when this much of the first step is over."),
   END
 };
 /* clang-format on */
@@ -34,11 +34,11 @@ NB_APPLY(apply_impact) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
   const struct nb_token *name = value[AT_NAME].token, *angle = value[AT_ANGLE].token, *psi1 = value[AT_PSI1].token;
-  const int watch = NB_FIND(scene->watches, scene->watch_count, name->text);
-  const enum nb_watch_kind kind = watch < 0 ? NB_WATCH_BODY : scene->watches[watch].kind;
-  if (nb_said_twice(reader, scene->impact.line))
+  const int monitor = NB_FIND(scene->monitors, scene->monitor_count, name->text);
+  const enum nb_monitor_kind kind = monitor < 0 ? NB_MONITOR_PARTICLE : scene->monitors[monitor].kind;
+  if (nb_given_twice(reader, scene->impact.line))
     return;
-  if (kind != NB_WATCH_BODY_BODY && kind != NB_WATCH_BODY_WALL)
+  if (kind != NB_MONITOR_PARTICLE_PARTICLE && kind != NB_MONITOR_PARTICLE_WALL)
     nb_not_known(reader, name, "name it above: `monitor NAME sphere N with wall NAME`",
                  "the name of a monitored contact");
   if (!angle == !psi1)
@@ -49,7 +49,7 @@ NB_APPLY(apply_impact) {
   if (reader->bad)
     return;
   scene->impact = (struct nb_impact){
-      .watch = watch,
+      .monitor = monitor,
       .speed = value[AT_SPEED].number,
       .angle = angle ? value[AT_ANGLE].number : NAN,
       .psi1 = psi1 ? value[AT_PSI1].number : NAN,
@@ -60,13 +60,14 @@ NB_APPLY(apply_impact) {
 
 static const char *aim(struct nb_scene *scene) {
   struct nb_impact *it = &scene->impact;
-  const struct nb_watch *watch = &scene->watches[it->watch];
-  struct nb_body *body = &scene->bodies[watch->a];
-  const struct nb_body *other = watch->kind == NB_WATCH_BODY_BODY ? &scene->bodies[watch->b] : NULL;
+  const struct nb_monitor *monitor = &scene->monitors[it->monitor];
+  struct nb_particle *particle = &scene->particles[monitor->a];
+  const struct nb_particle *other =
+      monitor->kind == NB_MONITOR_PARTICLE_PARTICLE ? &scene->particles[monitor->b] : NULL;
   const struct nb_strike strike = nb_impact_strike(scene);
-  if (body->fixed)
+  if (particle->fixed)
     return "expected a contact whose first body is free, this one is fixed";
-  if (body->vx != 0 || body->vy != 0)
+  if (particle->vx != 0 || particle->vy != 0)
     return "expected a particle without `velocity`: `impact` gives it one";
   if (!isfinite(strike.normal.x))
     return "expected a body beside what it strikes, this one is in its middle";
@@ -74,15 +75,15 @@ static const char *aim(struct nb_scene *scene) {
   if (it->psi1 > 0 && !(slope > 0))
     return "expected friction and a shear stiffness in the contact of `psi1`, there is none";
   if (isnan(it->angle))
-    it->angle = atan(slope) - asin(strike.rim / (it->speed * sqrt(1 + slope * slope)));
+    it->angle = atan(slope) - asin(strike.surface / (it->speed * sqrt(1 + slope * slope)));
   if (!(cos(it->angle) > 0))
     return "expected a speed that makes this `psi1`, the spin is too fast for it";
-  const double distance = body->radius + (other ? other->radius : 0);
+  const double distance = particle->radius + (other ? other->radius : 0);
   const double down = -it->speed * cos(it->angle), along = it->speed * sin(it->angle);
-  body->x = strike.point.x + distance * strike.normal.x;
-  body->y = strike.point.y + distance * strike.normal.y;
-  body->vx += down * strike.normal.x + along * strike.tangent.x - strike.arrival.x;
-  body->vy += down * strike.normal.y + along * strike.tangent.y - strike.arrival.y;
+  particle->x = strike.point.x + distance * strike.normal.x;
+  particle->y = strike.point.y + distance * strike.normal.y;
+  particle->vx += down * strike.normal.x + along * strike.tangent.x - strike.arrival.x;
+  particle->vy += down * strike.normal.y + along * strike.tangent.y - strike.arrival.y;
   return NULL;
 }
 

@@ -49,7 +49,7 @@ NB_APPLY(apply_law) {
   else if (pieces->token && (pieces->number < 2 || pieces->number > NB_PIECES_MAX))
     nb_token_mistake(reader, pieces->token, NULL, "expected `memory` from 2 to %d, found %g", NB_PIECES_MAX,
                      pieces->number);
-  if (reader->bad || (!setting && (nb_said_twice(reader, *line) || *set)))
+  if (reader->bad || (!setting && (nb_given_twice(reader, *line) || *set)))
     return;
   *set = setting;
   if (shear)
@@ -65,22 +65,23 @@ static void say(struct nb_scene_reading *reading, int line, const char *hint, co
   nb_line_mistake(&reading->reader, (size_t)line, hint, what, name);
 }
 
-static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *said) {
+static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *given) {
   const struct nb_material *material = &reading->scene->materials[index];
-  if (material->young == 0 && !said[index])
+  if (material->young == 0 && !given[index])
     say(reading, material->line, "add `young E  poisson NU`, or `rigid`",
         "expected a material with `young` for `normal %s`", law);
-  said[index] = true;
+  given[index] = true;
 }
 
 /* Of two that may touch one must give. */
-static void check_rigid(struct nb_scene_reading *reading, const int *on_body, const int *on_wall) {
+static void check_rigid(struct nb_scene_reading *reading, const int *on_particle, const int *on_wall) {
   const struct nb_scene *scene = reading->scene;
   for (size_t i = 0; i < scene->material_count; i++) {
-    if (!isinf(scene->materials[i].young) || !on_body[i])
+    if (!isinf(scene->materials[i].young) || !on_particle[i])
       continue;
     for (size_t k = 0; k < scene->material_count; k++)
-      if (isinf(scene->materials[k].young) && (k == i ? on_body[i] > 1 || on_wall[i] : on_body[k] || on_wall[k])) {
+      if (isinf(scene->materials[k].young) &&
+          (k == i ? on_particle[i] > 1 || on_wall[i] : on_particle[k] || on_wall[k])) {
         say(reading, scene->materials[i].line, "give one of them `young E  poisson NU`",
             "expected of two materials that may touch at most one that is rigid, both are: `%s`",
             scene->materials[k].name);
@@ -91,21 +92,21 @@ static void check_rigid(struct nb_scene_reading *reading, const int *on_body, co
 
 static void check_elastic(struct nb_scene_reading *reading, const char *law) {
   const struct nb_scene *scene = reading->scene;
-  bool said[NB_MATERIALS_MAX] = {false};
-  int on_body[NB_MATERIALS_MAX] = {0}, on_wall[NB_MATERIALS_MAX] = {0};
-  const struct nb_body *disc = NULL;
-  for (size_t k = 0; k < scene->body_count; k++) {
-    check_material(reading, scene->bodies[k].material, law, said);
-    on_body[scene->bodies[k].material]++;
-    if (!disc && scene->bodies[k].shape == NB_DISC)
-      disc = &scene->bodies[k];
+  bool given[NB_MATERIALS_MAX] = {false};
+  int on_particle[NB_MATERIALS_MAX] = {0}, on_wall[NB_MATERIALS_MAX] = {0};
+  const struct nb_particle *disc = NULL;
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    check_material(reading, scene->particles[k].material, law, given);
+    on_particle[scene->particles[k].material]++;
+    if (!disc && scene->particles[k].shape == NB_DISC)
+      disc = &scene->particles[k];
   }
   for (size_t w = 0; w < scene->wall_count; w++)
-    check_material(reading, scene->walls[w].material, law, said), on_wall[scene->walls[w].material]++;
+    check_material(reading, scene->walls[w].material, law, given), on_wall[scene->walls[w].material]++;
   if (disc)
     say(reading, disc->line, "`sphere` or `spheres`, or `normal linear`",
         "expected spheres for `normal %s`, found a disc", law);
-  check_rigid(reading, on_body, on_wall);
+  check_rigid(reading, on_particle, on_wall);
 }
 
 /* The first line that gives something cohesion; 0: none does. */
@@ -155,23 +156,23 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_in_forc
 
 /* ---- friction that nothing carries ---- */
 
-enum { FRICTION = 1, CARRIED = 2 }; /* a pair of materials has friction in some stage; and something carries it then */
+enum { FRICTION = 1, IMPOSED = 2 }; /* a pair of materials has friction in some stage; and something carries it then */
 
 static void look_at_friction(unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,
                              const struct nb_properties *now, const struct nb_law *shear) {
   for (int a = 0; a < (int)scene->material_count; a++)
     for (int b = 0; b < (int)scene->material_count; b++) {
       const struct nb_pair pair = nb_properties_pair(now, a, b);
-      const bool carried = strcmp(shear->name, "none") != 0 && (shear->elastic || pair.ks > 0);
-      seen[a][b] |= (unsigned char)(pair.friction > 0 ? FRICTION | (carried ? CARRIED : 0) : 0);
+      const bool imposed = strcmp(shear->name, "none") != 0 && (shear->elastic || pair.ks > 0);
+      seen[a][b] |= (unsigned char)(pair.friction > 0 ? FRICTION | (imposed ? IMPOSED : 0) : 0);
     }
 }
 
 /* Whether a particle of material a may touch one of material b, or a wall of it. */
 static bool may_touch(const struct nb_scene *scene, int a, int b) {
   size_t of_a = 0, of_b = 0;
-  for (size_t k = 0; k < scene->body_count; k++)
-    of_a += scene->bodies[k].material == a, of_b += scene->bodies[k].material == b;
+  for (size_t k = 0; k < scene->particle_count; k++)
+    of_a += scene->particles[k].material == a, of_b += scene->particles[k].material == b;
   for (size_t w = 0; w < scene->wall_count; w++)
     of_b += scene->walls[w].material == b;
   return of_a > 0 && of_b > (a == b ? 1 : 0);

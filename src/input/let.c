@@ -19,7 +19,7 @@ static const struct nb_argument value_fields[] = {NAME(AT_NAME, "a name for the 
 
 NB_APPLY(apply_units) {
   struct nb_scene_reading *reading = subject;
-  if (nb_said_twice(reader, reading->units_line))
+  if (nb_given_twice(reader, reading->units_line))
     return;
   reading->units_line = (int)reader->line;
   reading->reader.unitless = reading->setting.unitless = record->value[AT_NAME].number == 0;

@@ -79,7 +79,7 @@ NB_APPLY(apply_material) {
     NB_APPEND(reader, scene->materials, scene->material_count, one);
 }
 
-static double said(const struct nb_value *value) { return value->token ? value->number : NAN; }
+static double given(const struct nb_value *value) { return value->token ? value->number : NAN; }
 
 NB_APPLY(apply_pair) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
@@ -87,7 +87,7 @@ NB_APPLY(apply_pair) {
   struct nb_pair_rule rule = {
       .a = nb_material_of(scene, reader, value[AT_NAME].token),
       .b = nb_material_of(scene, reader, value[AT_OTHER].token),
-#define ROW(name, ...) .name = said(&value[AT_##name]),
+#define ROW(name, ...) .name = given(&value[AT_##name]),
       NB_PAIR_ROWS(ROW)
 #undef ROW
           .line = (int)reader->line,
@@ -132,7 +132,7 @@ NB_APPLY(apply_change) {
   struct nb_change change = {
       .a = nb_material_of(scene, reader, value[AT_NAME].token),
       .b = record->keyword->variant ? nb_material_of(scene, reader, value[AT_OTHER].token) : -1,
-#define ROW(name, ...) .name = said(&value[AT_##name]),
+#define ROW(name, ...) .name = given(&value[AT_##name]),
       NB_PAIR_ROWS(ROW)
 #undef ROW
           .line = (int)reader->line,

@@ -240,14 +240,14 @@ struct nb_guess nb_guess_begin(const char *word) {
   return (struct nb_guess){.word = word, .distance = 2 * NB_NAME_SIZE};
 }
 
-void nb_guess_offer(struct nb_guess *guess, const char *known) {
+void nb_guess_offer(struct nb_guess *guess, const char *solution) {
   const size_t length = strlen(guess->word);
-  const bool begins = length > 2 && strncmp(known, guess->word, length) == 0 && known[length] == '.';
-  const int d = begins ? 1 : distance(guess->word, known); /* `energy` is near to `energy.kinetic` */
-  if (d >= guess->distance || strlen(known) >= sizeof guess->best)
+  const bool begins = length > 2 && strncmp(solution, guess->word, length) == 0 && solution[length] == '.';
+  const int d = begins ? 1 : distance(guess->word, solution); /* `energy` is near to `energy.kinetic` */
+  if (d >= guess->distance || strlen(solution) >= sizeof guess->best)
     return;
   guess->distance = d;
-  strcpy(guess->best, known);
+  strcpy(guess->best, solution);
 }
 
 /* Near: one slip of the finger in three letters or so. One or two letters are near only to themselves in the other

@@ -24,15 +24,15 @@ extern const struct nb_quantity_kind nb_region_kinds[];  /* region_quantities.c 
 /* ---- the whole scene ---- */
 
 #define OF_SCENE(function, expression)                                                                                 \
-  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
-    (void)watch;                                                                                                       \
+  static double function(const struct nb_model *model, const struct nb_monitor *monitor) {                             \
+    (void)monitor;                                                                                                     \
     return expression;                                                                                                 \
   }
 OF_SCENE(cycle, (double)model->cycle)
 OF_SCENE(time_, model->time)
 
-static double touching(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
+static double touching(const struct nb_model *model, const struct nb_monitor *monitor) {
+  (void)monitor;
   double count = 0;
   for (size_t c = 0; c < model->contacts.count; c++)
     count += model->contacts.kept[NB_OVERLAP][c] > 0;
@@ -59,28 +59,28 @@ OF_SCENE(momentum_angular, nb_momentum_angular(model))
 
 /* ---- a body ---- */
 
-static size_t slot(const struct nb_model *model, const struct nb_watch *watch) {
-  return (size_t)model->bodies.slot[watch->a];
+static size_t slot(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return (size_t)model->particles.slot[monitor->a];
 }
-#define OF_BODY(function, expression)                                                                                  \
-  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
-    const struct nb_bodies *bodies = &model->bodies;                                                                   \
-    const size_t i = slot(model, watch);                                                                               \
-    (void)bodies;                                                                                                      \
+#define OF_PARTICLE(function, expression)                                                                              \
+  static double function(const struct nb_model *model, const struct nb_monitor *monitor) {                             \
+    const struct nb_particles *particles = &model->particles;                                                          \
+    const size_t i = slot(model, monitor);                                                                             \
+    (void)particles;                                                                                                   \
     return expression;                                                                                                 \
   }
-OF_BODY(body_x, bodies->position[i].x)
-OF_BODY(body_y, bodies->position[i].y)
-OF_BODY(body_angle, bodies->angle ? bodies->angle[i] : 0)
-OF_BODY(body_vx, nb_velocity_whole(model, i).x)
-OF_BODY(body_vy, nb_velocity_whole(model, i).y)
-OF_BODY(body_spin, nb_velocity_now(model, i).spin)
-OF_BODY(body_vx_half, bodies->velocity[i].x)
-OF_BODY(body_vy_half, bodies->velocity[i].y)
-OF_BODY(body_spin_half, bodies->spin ? bodies->spin[i] : 0)
-OF_BODY(body_fx, nb_force_on(model, i).force.x)
-OF_BODY(body_fy, nb_force_on(model, i).force.y)
-OF_BODY(body_moment, nb_force_on(model, i).moment)
+OF_PARTICLE(particle_x, particles->position[i].x)
+OF_PARTICLE(particle_y, particles->position[i].y)
+OF_PARTICLE(particle_angle, particles->angle ? particles->angle[i] : 0)
+OF_PARTICLE(particle_vx, nb_velocity_whole(model, i).x)
+OF_PARTICLE(particle_vy, nb_velocity_whole(model, i).y)
+OF_PARTICLE(particle_spin, nb_velocity_now(model, i).spin)
+OF_PARTICLE(particle_vx_half, particles->velocity[i].x)
+OF_PARTICLE(particle_vy_half, particles->velocity[i].y)
+OF_PARTICLE(particle_spin_half, particles->spin ? particles->spin[i] : 0)
+OF_PARTICLE(particle_fx, nb_force_on(model, i).force.x)
+OF_PARTICLE(particle_fy, nb_force_on(model, i).force.y)
+OF_PARTICLE(particle_moment, nb_force_on(model, i).moment)
 
 /* ---- a wall ---- */
 
@@ -88,51 +88,53 @@ static struct nb_vec force_on_wall(const struct nb_model *model, int wall) {
   struct nb_vec sum = vec(0, 0);
   const struct nb_contacts *contacts = &model->contacts;
   for (size_t c = 0; c < contacts->count; c++)
-    if (model->pairings[contacts->pairing[c]].wall && contacts->b[c] == wall)
+    if (model->material_pairs[contacts->material_pair[c]].wall && contacts->b[c] == wall)
       sum = vec_sub(sum, contacts->force[c]);
   return sum;
 }
-static double wall_fx(const struct nb_model *model, const struct nb_watch *watch) {
-  return force_on_wall(model, watch->a).x;
+static double wall_fx(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return force_on_wall(model, monitor->a).x;
 }
-static double wall_fy(const struct nb_model *model, const struct nb_watch *watch) {
-  return force_on_wall(model, watch->a).y;
+static double wall_fy(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return force_on_wall(model, monitor->a).y;
 }
-static double wall_x(const struct nb_model *model, const struct nb_watch *watch) {
-  return model->walls.pivot[watch->a].x;
+static double wall_x(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return model->walls.pivot[monitor->a].x;
 }
-static double wall_y(const struct nb_model *model, const struct nb_watch *watch) {
-  return model->walls.pivot[watch->a].y;
+static double wall_y(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return model->walls.pivot[monitor->a].y;
 }
-static double wall_angle(const struct nb_model *model, const struct nb_watch *watch) {
-  return model->walls.angle[watch->a];
+static double wall_angle(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return model->walls.angle[monitor->a];
 }
-static double wall_spin(const struct nb_model *model, const struct nb_watch *watch) {
-  return model->walls.spin[watch->a];
+static double wall_spin(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return model->walls.spin[monitor->a];
 }
 
 /* ---- a pair: 0 while it is not near ---- */
 
-static double field(const struct nb_model *model, const struct nb_watch *watch, enum nb_field which) {
-  const bool wall = watch->kind == NB_WATCH_BODY_WALL;
-  const int a = model->bodies.slot[watch->a], b = wall ? watch->b : model->bodies.slot[watch->b];
+static double field(const struct nb_model *model, const struct nb_monitor *monitor, enum nb_field which) {
+  const bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
+  const int a = model->particles.slot[monitor->a], b = wall ? monitor->b : model->particles.slot[monitor->b];
   const long c = nb_contacts_find(model, a, b, wall);
   return c < 0 || !model->contacts.kept[which] ? 0 : model->contacts.kept[which][c];
 }
 #define OF_PAIR(function, expression)                                                                                  \
-  static double function(const struct nb_model *model, const struct nb_watch *watch) { return expression; }
-OF_PAIR(pair_overlap, field(model, watch, NB_OVERLAP))
-OF_PAIR(pair_normal, field(model, watch, NB_NORMAL))
-OF_PAIR(pair_shear, field(model, watch, NB_SHEAR))
-OF_PAIR(pair_sliding, field(model, watch, NB_SLIDING))
-OF_PAIR(pair_dashpot_normal, model->plan.dashpots ? field(model, watch, NB_PUSH) - field(model, watch, NB_NORMAL) : 0)
-OF_PAIR(pair_dashpot_shear, model->plan.dashpots ? field(model, watch, NB_DRAG) - field(model, watch, NB_SHEAR) : 0)
+  static double function(const struct nb_model *model, const struct nb_monitor *monitor) { return expression; }
+OF_PAIR(pair_overlap, field(model, monitor, NB_OVERLAP))
+OF_PAIR(pair_normal, field(model, monitor, NB_NORMAL))
+OF_PAIR(pair_shear, field(model, monitor, NB_SHEAR))
+OF_PAIR(pair_sliding, field(model, monitor, NB_SLIDING))
+OF_PAIR(pair_dashpot_normal,
+        model->plan.dashpots ? field(model, monitor, NB_TOTAL_NORMAL) - field(model, monitor, NB_NORMAL) : 0)
+OF_PAIR(pair_dashpot_shear,
+        model->plan.dashpots ? field(model, monitor, NB_TOTAL_SHEAR) - field(model, monitor, NB_SHEAR) : 0)
 
 enum {
-  BODY = 1 << NB_WATCH_BODY,
-  WALL = 1 << NB_WATCH_WALL,
-  GRADING = 1 << NB_WATCH_GRADING,
-  PAIR = 1 << NB_WATCH_BODY_BODY | 1 << NB_WATCH_BODY_WALL
+  PARTICLE = 1 << NB_MONITOR_PARTICLE,
+  WALL = 1 << NB_MONITOR_WALL,
+  GRADING = 1 << NB_MONITOR_GRADING,
+  PAIR = 1 << NB_MONITOR_PARTICLE_PARTICLE | 1 << NB_MONITOR_PARTICLE_WALL
 };
 
 static const struct nb_quantity_kind kinds[] = {
@@ -145,10 +147,11 @@ static const struct nb_quantity_kind kinds[] = {
     {"unbalanced.max", 0, "1", 0, unbalance,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; 0 without contacts"},
     {"energy.kinetic", 0, "J", 0, kinetic, "of all free particles, rotation included"},
-    {"energy.stored", 0, "J", NB_OF_STORED | NB_ASKS_STORED, stored, "in all springs, from the laws' state functions"},
-    {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, frictional,
+    {"energy.stored", 0, "J", NB_OF_STORED | NB_REQUEST_STORED, stored,
+     "in all springs, from the laws' state functions"},
+    {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, frictional,
      "dissipated by friction since the start: shear force times sliding displacement; micro-slip included"},
-    {"energy.sliding", 0, "J", NB_OF_BALANCE | NB_ASKS_STORED, slid,
+    {"energy.sliding", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, slid,
      "the part of it dissipated while a contact slides as a whole; the rest is micro-slip"},
     {"energy.shear", 0, "J", NB_OF_BALANCE, sheared,
      "work done against shear forces since the start; for laws without stored energy"},
@@ -166,24 +169,24 @@ static const struct nb_quantity_kind kinds[] = {
     {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
      "kinetic, stored, frictional, damped and removed energy less what there was at first and was supplied: "
      "the error of the step"},
-    {"work.residual", 0, "J", NB_ASKS_WORK, work_residual,
+    {"work.residual", 0, "J", NB_REQUEST_WORK, work_residual,
      "kinetic energy at the half step less what there was at first and the work of all forces: rounding"},
     {"momentum.x", 0, "kg.m/s", 0, momentum_x, "of all free particles"},
     {"momentum.y", 0, "kg.m/s", 0, momentum_y, "of all free particles"},
     {"momentum.angular", 0, "kg.m2/s", 0, momentum_angular,
      "of all free particles, about the origin, counterclockwise"},
-    {"x", BODY, "m", 0, body_x, "position of the centre"},
-    {"y", BODY, "m", 0, body_y, "position of the centre"},
-    {"angle", BODY, "rad", 0, body_angle, "rotation since the start, counterclockwise"},
-    {"vx", BODY, "m/s", 0, body_vx, "velocity now, mean of the two half steps [CS79 31]"},
-    {"vy", BODY, "m/s", 0, body_vy, "velocity now"},
-    {"spin", BODY, "rad/s", 0, body_spin, "angular velocity now, counterclockwise"},
-    {"vx.half", BODY, "m/s", 0, body_vx_half, "velocity over the last step [CS79 22]"},
-    {"vy.half", BODY, "m/s", 0, body_vy_half, "velocity over the last step"},
-    {"spin.half", BODY, "rad/s", 0, body_spin_half, "angular velocity over the last step [CS79 23]"},
-    {"fx", BODY, "N", 0, body_fx, "sum of the contact forces, dashpots included"},
-    {"fy", BODY, "N", 0, body_fy, "sum of the contact forces"},
-    {"moment", BODY, "N.m", 0, body_moment, "sum of the moments of the contact forces, counterclockwise"},
+    {"x", PARTICLE, "m", 0, particle_x, "position of the centre"},
+    {"y", PARTICLE, "m", 0, particle_y, "position of the centre"},
+    {"angle", PARTICLE, "rad", 0, particle_angle, "rotation since the start, counterclockwise"},
+    {"vx", PARTICLE, "m/s", 0, particle_vx, "velocity now, mean of the two half steps [CS79 31]"},
+    {"vy", PARTICLE, "m/s", 0, particle_vy, "velocity now"},
+    {"spin", PARTICLE, "rad/s", 0, particle_spin, "angular velocity now, counterclockwise"},
+    {"vx.half", PARTICLE, "m/s", 0, particle_vx_half, "velocity over the last step [CS79 22]"},
+    {"vy.half", PARTICLE, "m/s", 0, particle_vy_half, "velocity over the last step"},
+    {"spin.half", PARTICLE, "rad/s", 0, particle_spin_half, "angular velocity over the last step [CS79 23]"},
+    {"fx", PARTICLE, "N", 0, particle_fx, "sum of the contact forces, dashpots included"},
+    {"fy", PARTICLE, "N", 0, particle_fy, "sum of the contact forces"},
+    {"moment", PARTICLE, "N.m", 0, particle_moment, "sum of the moments of the contact forces, counterclockwise"},
     {"x", WALL, "m", 0, wall_x, "position of the wall's point P"},
     {"y", WALL, "m", 0, wall_y, "position of the wall's point P"},
     {"angle", WALL, "rad", 0, wall_angle, "rotation since the start, counterclockwise"},
@@ -194,15 +197,15 @@ static const struct nb_quantity_kind kinds[] = {
     {"normal", PAIR, "N", NB_BIT(NB_NORMAL), pair_normal, "elastic normal force F_n, dashpot not included"},
     {"shear", PAIR, "N", NB_BIT(NB_SHEAR), pair_shear, "elastic shear force F_s, on the first particle along -t"},
     {"sliding", PAIR, "1", NB_BIT(NB_SLIDING), pair_sliding, "1 while F_s is at its limit, else 0"},
-    {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_PUSH), pair_dashpot_normal, "D_n [CS79 26]"},
-    {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_DRAG), pair_dashpot_shear, "D_s [CS79 27]"},
+    {"dashpot.normal", PAIR, "N", NB_BIT(NB_NORMAL) | NB_BIT(NB_TOTAL_NORMAL), pair_dashpot_normal, "D_n [CS79 26]"},
+    {"dashpot.shear", PAIR, "N", NB_BIT(NB_SHEAR) | NB_BIT(NB_TOTAL_SHEAR), pair_dashpot_shear, "D_s [CS79 27]"},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* The rows one after the other, those of other files behind these; NULL past the last one. */
 static const struct nb_quantity_kind *row(size_t k) {
   static const struct nb_quantity_kind *const others[] = {nb_step_kinds,   nb_loading_kinds, nb_fill_kinds,
-                                                          nb_impact_kinds, nb_region_kinds,  nb_bench_kinds};
+                                                          nb_impact_kinds, nb_region_kinds,  nb_contact_test_kinds};
   if (k < KINDS)
     return &kinds[k];
   k -= KINDS;
@@ -216,11 +219,11 @@ static const struct nb_quantity_kind *row(size_t k) {
 /* Whether such a quantity is one of watch w, -1: of the whole scene. */
 static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
   if (scene->path)
-    return kind->watches == NB_OF_BENCH;
+    return kind->monitors == NB_OF_CONTACT_TEST;
   if (w >= 0)
-    return kind->watches & 1u << scene->watches[w].kind;
-  return !kind->watches || (kind->watches == NB_OF_IMPACT && scene->impact.line) ||
-         (kind->watches == NB_OF_CELL && scene->cell.line) || (kind->watches == NB_OF_BOX && nb_box_of(scene) >= 0);
+    return kind->monitors & 1u << scene->monitors[w].kind;
+  return !kind->monitors || (kind->monitors == NB_OF_IMPACT && scene->impact.line) ||
+         (kind->monitors == NB_OF_CELL && scene->cell.line) || (kind->monitors == NB_OF_BOX && nb_box_of(scene) >= 0);
 }
 
 /* The s-th quantity of a row, `suffix` NULL where it is one alone; false past the last one. */
@@ -263,24 +266,24 @@ static void offer(struct nb_guess *guess, const struct nb_scene *scene, int w) {
   for (size_t k = 0; row(k); k++)
     for (size_t s = 0; belongs(row(k), scene, w) && nth(row(k), s, &suffix); s++) {
       name_of(name, sizeof name, row(k), suffix);
-      snprintf(whole, sizeof whole, "%s%s%s", w < 0 ? "" : scene->watches[w].name, w < 0 ? "" : ".", name);
+      snprintf(whole, sizeof whole, "%s%s%s", w < 0 ? "" : scene->monitors[w].name, w < 0 ? "" : ".", name);
       nb_guess_offer(guess, whole);
     }
 }
 
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint) {
-  *quantity = (struct nb_quantity){.watch = -1};
+  *quantity = (struct nb_quantity){.monitor = -1};
   if (find(quantity, scene, -1, text))
     return true;
   const size_t length = strcspn(text, "."); /* a watch's name has no dot */
-  for (int w = 0; w < (int)scene->watch_count && text[length]; w++)
-    if (strncmp(scene->watches[w].name, text, length) == 0 && !scene->watches[w].name[length] &&
+  for (int w = 0; w < (int)scene->monitor_count && text[length]; w++)
+    if (strncmp(scene->monitors[w].name, text, length) == 0 && !scene->monitors[w].name[length] &&
         find(quantity, scene, w, text + length + 1))
       return true;
   if (!hint)
     return false;
   struct nb_guess guess = nb_guess_begin(text);
-  for (int w = -1; w < (int)scene->watch_count; w++)
+  for (int w = -1; w < (int)scene->monitor_count; w++)
     offer(&guess, scene, w);
   snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return false;
@@ -301,17 +304,17 @@ bool nb_quantity_vanishes(struct nb_quantity quantity) {
   return end && strcmp(end, ".residual") == 0;
 }
 
-static const char *owner_of(unsigned watches) {
-  return watches == BODY           ? "a particle"
-         : watches == WALL         ? "a wall"
-         : watches == PAIR         ? "a pair"
-         : watches == NB_OF_REGION ? "a region"
-         : watches & GRADING       ? "a grading"
-         : watches == NB_OF_IMPACT ? "an impact"
-         : watches == NB_OF_CELL   ? "a periodic cell"
-         : watches == NB_OF_BOX    ? "a box of walls"
-         : watches == NB_OF_BENCH  ? "a contact test"
-                                   : "the scene";
+static const char *owner_of(unsigned monitors) {
+  return monitors == PARTICLE             ? "a particle"
+         : monitors == WALL               ? "a wall"
+         : monitors == PAIR               ? "a pair"
+         : monitors == NB_OF_REGION       ? "a region"
+         : monitors & GRADING             ? "a grading"
+         : monitors == NB_OF_IMPACT       ? "an impact"
+         : monitors == NB_OF_CELL         ? "a periodic cell"
+         : monitors == NB_OF_BOX          ? "a box of walls"
+         : monitors == NB_OF_CONTACT_TEST ? "a contact test"
+                                          : "the scene";
 }
 
 bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
@@ -321,7 +324,7 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
       if (k-- == 0) {
         name_of(it->name, sizeof it->name, row(r), suffix);
         snprintf(it->help, sizeof it->help, "%s%s%s", row(r)->help, suffix ? ", " : "", suffix ? suffix->help : "");
-        it->unit = unit_of(row(r), suffix), it->of = owner_of(row(r)->watches);
+        it->unit = unit_of(row(r), suffix), it->of = owner_of(row(r)->monitors);
         return true;
       }
   return false;

@@ -44,7 +44,7 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
 
 /* Those that are not gone; with `all` of its shape and material, and free. */
 static void from_state(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file, const char *path,
-                       const struct nb_body *all) {
+                       const struct nb_particle *all) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
   if (nb_saved_read(&saved, path, &error) == NB_NO_MEMORY)
@@ -53,25 +53,26 @@ static void from_state(struct nb_scene *scene, struct nb_reader *reader, const s
     nb_token_mistake(reader, file, NULL, "no bodies can be taken from the file: %s", error.text);
   else if (saved.unitless != reader->unitless)
     nb_token_mistake(reader, file, NULL, "expected a file from a page with the same `units`");
-  else if (!nb_too_many_bodies(reader, scene, saved.body_count))
-    for (size_t k = 0; k < saved.body_count && !reader->bad; k++) {
-      const struct nb_saved_body *it = &saved.bodies[k];
-      struct nb_body body = {.shape = it->shape, .fixed = it->mobility == NB_FIXED};
-      if (it->mobility == NB_GONE)
+  else if (!nb_too_many_particles(reader, scene, saved.particle_count))
+    for (size_t k = 0; k < saved.particle_count && !reader->bad; k++) {
+      const struct nb_saved_particle *it = &saved.particles[k];
+      struct nb_particle particle = {.shape = it->shape, .fixed = it->mobility == NB_FIXED};
+      if (it->mobility == NB_REMOVED)
         continue;
       if (all)
-        body = *all;
+        particle = *all;
       else
-        body.material = material_named(scene, reader, file, saved.materials[it->material].name, body.fixed);
-      body.x = it->position.x, body.y = it->position.y, body.radius = it->radius, body.line = (int)reader->line;
+        particle.material = material_named(scene, reader, file, saved.materials[it->material].name, particle.fixed);
+      particle.x = it->position.x, particle.y = it->position.y, particle.radius = it->radius,
+      particle.line = (int)reader->line;
       if (!reader->bad)
-        NB_APPEND(reader, scene->bodies, scene->body_count, body);
+        NB_APPEND(reader, scene->particles, scene->particle_count, particle);
     }
   nb_saved_free(&saved);
 }
 
 static void from_list(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file, const char *path,
-                      const struct nb_body *all) {
+                      const struct nb_particle *all) {
   static const struct nb_wanted wanted[] = {{"x", NULL, false}, {"y", NULL, false}, {"radius", NULL, true}};
   double *lengths;
   size_t rows;
@@ -82,21 +83,21 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
   }
   if (!nb_columns_read(&lengths, &rows, path, wanted, 3, reader->unitless, reader->mistakes))
     nb_silent(reader);
-  nb_too_many_bodies(reader, scene, rows);
+  nb_too_many_particles(reader, scene, rows);
   for (size_t k = 0; k < rows && !reader->bad; k++) {
-    struct nb_body body = *all;
-    body.x = lengths[3 * k], body.y = lengths[3 * k + 1], body.radius = lengths[3 * k + 2];
-    NB_APPEND(reader, scene->bodies, scene->body_count, body);
+    struct nb_particle particle = *all;
+    particle.x = lengths[3 * k], particle.y = lengths[3 * k + 1], particle.radius = lengths[3 * k + 2];
+    NB_APPEND(reader, scene->particles, scene->particle_count, particle);
   }
   free(lengths);
 }
 
 /* What a state of this page depends on: not the name of the file but what has come from it. */
-static void hash_bodies(struct nb_scene_reading *reading, size_t first) {
-  for (size_t k = first; k < reading->scene->body_count; k++) {
-    const struct nb_body *body = &reading->scene->bodies[k];
-    const double numbers[] = {body->x, body->y, body->radius};
-    const int words[] = {(int)body->shape, body->material, body->fixed};
+static void hash_particles(struct nb_scene_reading *reading, size_t first) {
+  for (size_t k = first; k < reading->scene->particle_count; k++) {
+    const struct nb_particle *particle = &reading->scene->particles[k];
+    const double numbers[] = {particle->x, particle->y, particle->radius};
+    const int words[] = {(int)particle->shape, particle->material, particle->fixed};
     reading->hash = nb_hash(nb_hash(reading->hash, numbers, sizeof numbers), words, sizeof words);
   }
 }
@@ -104,10 +105,10 @@ static void hash_bodies(struct nb_scene_reading *reading, size_t first) {
 NB_APPLY(apply_packing) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
-  struct nb_packing one = {.first = scene->body_count, .line = (int)reader->line};
+  struct nb_packing one = {.first = scene->particle_count, .line = (int)reader->line};
   const struct nb_token *file = record->value[AT_FILE].token, *of = NULL;
   char path[NB_PATH_SIZE];
-  struct nb_body all = {0};
+  struct nb_particle all = {0};
   nb_file_named(reader, file, path);
   for (enum nb_shape shape = NB_DISC; shape <= NB_SPHERE; shape++) {
     const struct nb_token *material = record->value[AT_OF + shape].token;
@@ -115,7 +116,7 @@ NB_APPLY(apply_packing) {
       nb_token_mistake(reader, material - 1, NULL,
                        "expected all particles of a packing to be `discs` or `spheres`, not both");
     else if (material)
-      of = material, all = nb_body_of(reader, scene, shape, material, false, 0);
+      of = material, all = nb_particle_of(reader, scene, shape, material, false, 0);
   }
   if (!reader->bad)
     (is_state(path) ? from_state : from_list)(scene, reader, file, path, of ? &all : NULL);
@@ -126,10 +127,10 @@ NB_APPLY(apply_packing) {
     return;
   }
   strcpy(one.path, path);
-  one.count = scene->body_count - one.first;
+  one.count = scene->particle_count - one.first;
   if (!NB_APPEND(reader, scene->packings, scene->packing_count, one))
     free(one.path);
-  hash_bodies(reading, one.first);
+  hash_particles(reading, one.first);
 }
 
 /* clang-format off */

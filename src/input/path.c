@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench_quantities.h"
 #include "columns.h"
+#include "contact_test_quantities.h"
 #include "core/names.h"
 #include "laws/law.h"
 #include "statement.h"
@@ -16,7 +16,7 @@ enum { STEPS_DEFAULT = 100 };
 
 enum { AT_NAME };
 static const struct nb_argument nothing[] = {END};
-static const struct nb_argument leg_fields[] = {NAME(AT_NAME, "a name for the segment"), END};
+static const struct nb_argument segment_fields[] = {NAME(AT_NAME, "a name for the segment"), END};
 
 /* ---- contact ---- */
 
@@ -25,22 +25,22 @@ static int take_material(const struct nb_scene *scene, struct nb_reader *reader)
 }
 
 /* `sphere R MATERIAL`: a body that touches the plane x = 0, the first one from the left. */
-static void take_body(struct nb_scene *scene, struct nb_reader *reader) {
+static void take_particle(struct nb_scene *scene, struct nb_reader *reader) {
   const bool sphere = nb_token_skip(reader, "sphere");
   if (!sphere && !nb_token_skip(reader, "disc"))
     nb_expected(reader, NULL,
-                scene->body_count ? "`sphere R MATERIAL`, `disc R MATERIAL` or `wall MATERIAL`"
-                                  : "`sphere R MATERIAL` or `disc R MATERIAL`");
-  struct nb_body one = {.shape = sphere ? NB_SPHERE : NB_DISC, .line = (int)reader->line};
+                scene->particle_count ? "`sphere R MATERIAL`, `disc R MATERIAL` or `wall MATERIAL`"
+                                      : "`sphere R MATERIAL` or `disc R MATERIAL`");
+  struct nb_particle one = {.shape = sphere ? NB_SPHERE : NB_DISC, .line = (int)reader->line};
   nb_take_number(reader, NB_UNIT_LENGTH, NB_POSITIVE, &one.radius);
   one.material = take_material(scene, reader);
-  one.x = scene->body_count ? one.radius : -one.radius;
+  one.x = scene->particle_count ? one.radius : -one.radius;
   if (!reader->bad)
-    NB_APPEND(reader, scene->bodies, scene->body_count, one);
+    NB_APPEND(reader, scene->particles, scene->particle_count, one);
 }
 
 static void take_wall(struct nb_scene *scene, struct nb_reader *reader) {
-  const double half = scene->bodies[0].radius;
+  const double half = scene->particles[0].radius;
   const struct nb_wall one = {.name = "wall",
                               .ey = 1,
                               .h1 = -half,
@@ -55,21 +55,21 @@ NB_APPLY(apply_contact) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   (void)record;
-  if (nb_said_twice(reader, reading->contact_line))
+  if (nb_given_twice(reader, reading->contact_line))
     return;
   reading->contact_line = (int)reader->line;
-  take_body(scene, reader);
+  take_particle(scene, reader);
   if (!nb_take_word(reader, "with"))
     return;
   if (nb_token_skip(reader, "wall"))
     take_wall(scene, reader);
   else
-    take_body(scene, reader);
+    take_particle(scene, reader);
 }
 
 /* ---- segments ---- */
 
-static bool read_points(struct nb_leg *it, const char *path, bool unitless, struct nb_mistakes *mistakes) {
+static bool read_points(struct nb_segment *it, const char *path, bool unitless, struct nb_mistakes *mistakes) {
   static const struct nb_wanted wanted[] = {{"approach", "overlap", false}, {"slip", NULL, false}};
   double *lengths;
   size_t rows;
@@ -93,7 +93,7 @@ static bool take_aim(struct nb_reader *reader, struct nb_aim *aim, bool force, b
 enum word { OVERLAP, NORMAL, SLIP, SHEAR, HOLD, IN, FOLLOW, WORDS };
 enum part { PART_NORMAL, PART_SHEAR, PART_STEPS, PARTS }; /* of a segment, each said once */
 
-static enum word take_leg_word(struct nb_reader *reader) {
+static enum word take_segment_word(struct nb_reader *reader) {
   static const char *const words[] = {"overlap", "normal", "slip", "shear", "hold", "in", "follow"};
   enum word word = OVERLAP;
   while (word < WORDS && !nb_token_skip(reader, words[word]))
@@ -106,7 +106,7 @@ static enum part part_of(const struct nb_reader *reader, enum word word) {
   return word == IN ? PART_STEPS : normal ? PART_NORMAL : PART_SHEAR;
 }
 
-static bool take_points(struct nb_reader *reader, struct nb_leg *it) {
+static bool take_points(struct nb_reader *reader, struct nb_segment *it) {
   char path[NB_PATH_SIZE];
   return (nb_file_named(reader, nb_take(reader, "the name of a file"), path) &&
           read_points(it, path, reader->unitless, reader->mistakes)) ||
@@ -114,7 +114,7 @@ static bool take_points(struct nb_reader *reader, struct nb_leg *it) {
 }
 
 static void take_part(struct nb_reader *reader, struct nb_stage *stage, enum word word, enum part part) {
-  struct nb_aim *aim = part == PART_NORMAL ? &stage->leg.normal : &stage->leg.shear;
+  struct nb_aim *aim = part == PART_NORMAL ? &stage->segment.normal : &stage->segment.shear;
   if (word == IN)
     nb_take_counted(reader, "step", &stage->cycles);
   else if (word == HOLD)
@@ -124,59 +124,59 @@ static void take_part(struct nb_reader *reader, struct nb_stage *stage, enum wor
 }
 
 /* What a segment says, in any order, each part once. */
-static bool take_leg(struct nb_reader *reader, struct nb_stage *stage) {
+static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
   static const char *const once[] = {[PART_NORMAL] = "one of `overlap`, `normal` and `hold normal`",
                                      [PART_SHEAR] = "one of `slip`, `shear` and `hold shear`",
                                      [PART_STEPS] = "`in N steps` once"};
-  bool said[PARTS] = {false}, any = false;
+  bool given[PARTS] = {false}, any = false;
   for (; nb_token_peek(reader); any = true) {
-    const enum word word = take_leg_word(reader);
+    const enum word word = take_segment_word(reader);
     if (word == HOLD && !nb_token_is(reader, "normal") && !nb_token_is(reader, "shear"))
       return nb_expected(reader, "overlap and slip stay where they are without a word", "`normal` or `shear`");
     if (word == WORDS || (word == FOLLOW && any))
       return nb_expected(reader, NULL,
                          "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line");
     if (word == FOLLOW)
-      return take_points(reader, &stage->leg);
+      return take_points(reader, &stage->segment);
     const enum part part = part_of(reader, word);
-    if (said[part]) {
+    if (given[part]) {
       reader->next--;
       return nb_expected(reader, NULL, "%s", once[part]);
     }
-    said[part] = true;
+    given[part] = true;
     take_part(reader, stage, word, part);
   }
-  return said[PART_NORMAL] || said[PART_SHEAR] ||
+  return given[PART_NORMAL] || given[PART_SHEAR] ||
          nb_expected(reader, NULL, "`overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`");
 }
 
 /* A wrong line begins a segment too: the lines below belong to it. */
-NB_APPLY(apply_leg) {
+NB_APPLY(apply_segment) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
   struct nb_stage one = {.record = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
-  one.leg.normal.by = one.leg.shear.by = true;
+  one.segment.normal.by = one.segment.shear.by = true;
   if (!scene->path) /* in a scene it is a mistake */
     return;
-  reading->here = NB_IN_LEG;
+  reading->here = NB_IN_SEGMENT;
   if (name)
     nb_stage_name(&one, reading, name);
   const int same = NB_FIND(scene->stages, scene->stage_count, one.name);
   if (name)
     nb_exists(reader, name, "segment", same < 0 ? 0 : scene->stages[same].line);
-  if (!reader->bad && take_leg(reader, &one) && one.leg.points)
-    one.cycles = one.leg.point_count;
+  if (!reader->bad && take_segment(reader, &one) && one.segment.points)
+    one.cycles = one.segment.point_count;
   nb_too_many(reader, scene->stage_count, NB_NAMED_MAX, "segments");
   if (scene->stage_count >= NB_NAMED_MAX || !NB_APPEND(reader, scene->stages, scene->stage_count, one))
-    free(one.leg.points);
+    free(one.segment.points);
 }
 
 /* ---- quantities ---- */
 
-const struct nb_quantity_kind nb_bench_kinds[] = {
-#define ROW(function, name, unit, asks, help) {name, NB_OF_BENCH, unit, asks, NULL, help},
-    NB_BENCH_QUANTITIES(ROW)
+const struct nb_quantity_kind nb_contact_test_kinds[] = {
+#define ROW(function, name, unit, asks, help) {name, NB_OF_CONTACT_TEST, unit, asks, NULL, help},
+    NB_CONTACT_TEST_QUANTITIES(ROW)
 #undef ROW
         {NULL, 0, NULL, 0, NULL, NULL}};
 
@@ -190,10 +190,10 @@ static void follow(struct nb_scene_reading *reading) {
     one.snapshot = one.snapshot || scene->stages[s].snapshot;
   nb_stages_free(scene, 0);
   scene->followed = true;
-  const bool whole = read_points(&one.leg, reading->follow, reading->reader.unitless, reading->reader.mistakes);
-  one.cycles = one.leg.point_count;
+  const bool whole = read_points(&one.segment, reading->follow, reading->reader.unitless, reading->reader.mistakes);
+  one.cycles = one.segment.point_count;
   if (!whole || !NB_APPEND(&reading->reader, scene->stages, scene->stage_count, one))
-    free(one.leg.points);
+    free(one.segment.points);
 }
 
 void nb_path_check(struct nb_scene_reading *reading) {
@@ -207,7 +207,7 @@ void nb_path_check(struct nb_scene_reading *reading) {
                     "expected a contact test with a `segment`, found none");
   if (reading->follow)
     follow(reading);
-  for (size_t k = 0; k < sizeof usual / sizeof *usual && reading->asked_count == 0; k++) {
+  for (size_t k = 0; k < sizeof usual / sizeof *usual && reading->requested_count == 0; k++) {
     struct nb_column column = {.quantity = {NULL, -1}};
     strcpy(column.name, usual[k]);
     nb_quantity_find(&column.quantity, scene, usual[k], NULL);
@@ -218,22 +218,23 @@ void nb_path_check(struct nb_scene_reading *reading) {
 /* ---- what quantities and snapshots ask of the laws ---- */
 
 /* At the name of the column. */
-static void say_of_law(struct nb_scene_reading *reading, const struct nb_asked *asked, const struct nb_law *law) {
-  nb_mistake(reading->reader.mistakes, reading->reader.page, asked->line, asked->column, asked->length,
-             "`nineball laws` tells what each law knows", "expected laws that know `%s`, `%s %s` does not", asked->name,
-             law->kind, law->name);
+static void say_of_law(struct nb_scene_reading *reading, const struct nb_requested *requested,
+                       const struct nb_law *law) {
+  nb_mistake(reading->reader.mistakes, reading->reader.page, requested->line, requested->column, requested->length,
+             "`nineball laws` tells what each law knows", "expected laws that know `%s`, `%s %s` does not",
+             requested->name, law->kind, law->name);
 }
 
 void nb_path_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
-  for (size_t k = 0; k < reading->asked_count; k++) {
+  for (size_t k = 0; k < reading->requested_count; k++) {
     const unsigned asks = scene->columns[k].quantity.kind->fields;
-    if (asks & NB_ASKS_STORE && !normal->stored)
-      say_of_law(reading, &reading->asked[k], normal);
-    if ((asks & NB_ASKS_STORE && !shear->stored) || (asks & NB_ASKS_LOSS && !shear->loses) ||
-        (asks & NB_ASKS_PIECES && !shear->pieces_of))
-      say_of_law(reading, &reading->asked[k], shear);
+    if (asks & NB_REQUEST_STORE && !normal->stored)
+      say_of_law(reading, &reading->requested[k], normal);
+    if ((asks & NB_REQUEST_STORE && !shear->stored) || (asks & NB_REQUEST_LOSS && !shear->dissipative) ||
+        (asks & NB_REQUEST_PIECES && !shear->pieces_of))
+      say_of_law(reading, &reading->requested[k], shear);
   }
 }
 
@@ -242,8 +243,8 @@ NB_STATEMENTS(path) = {
   {"contact", NB_IN_PATH, nothing, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, false, apply_contact,
    "The contact that is tested: of two particles, or of one with a wall. They just touch at first.",
    "contact   disc 10 mm steel  with wall steel"},
-  {"segment", NB_IN_PATH | NB_IN_LEG, leg_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
-   0, true, apply_leg,
+  {"segment", NB_IN_PATH | NB_IN_SEGMENT, segment_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
+   0, true, apply_segment,
    "Takes the contact on: the overlap or the normal force, and the slip or the shear force, each along a straight line to "
    "a value or by a difference; default 100 steps. Overlap and slip stay where they are unless something is said; `hold` "
    "holds a force instead. `follow` takes it from point to point of a file of tab-separated columns `approach/m` and "

@@ -44,7 +44,7 @@ NB_APPLY(apply_place) {
   static const double cosines[] = {1, 0, -1, 0}, sines[] = {0, 1, 0, -1};
   bool exact;
   const int quarters = quarters_of(angle, &exact);
-  if (nb_said_twice(reader, reading->place.line))
+  if (nb_given_twice(reader, reading->place.line))
     return;
   reading->place = (struct nb_place){
       .flip_x = mirror == MIRROR_X ? -1 : 1,
@@ -107,10 +107,10 @@ static bool turn_gravity(const struct nb_place *to, struct nb_gravity *gravity) 
 /* -1: what turned left turns right. */
 static void turn_spin(const struct nb_place *to, double *spin) { *spin = to->flip_x * to->flip_y * *spin + 0.0; }
 
-static bool move_body(const struct nb_place *to, struct nb_body *body) {
-  turn_spin(to, &body->spin);
-  const bool held = move(to, &body->x, &body->y);
-  return turn(to, &body->vx, &body->vy) && held;
+static bool move_particle(const struct nb_place *to, struct nb_particle *particle) {
+  turn_spin(to, &particle->spin);
+  const bool held = move(to, &particle->x, &particle->y);
+  return turn(to, &particle->vx, &particle->vy) && held;
 }
 
 static bool move_wall(const struct nb_place *to, struct nb_wall *wall) {
@@ -144,8 +144,8 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *to) {
   if (!to->line)
     return true;
   bool held = true;
-  for (size_t i = 0; i < scene->body_count; i++)
-    held = move_body(to, &scene->bodies[i]) && held;
+  for (size_t i = 0; i < scene->particle_count; i++)
+    held = move_particle(to, &scene->particles[i]) && held;
   for (size_t i = 0; i < scene->wall_count; i++)
     held = move_wall(to, &scene->walls[i]) && held;
   for (size_t i = 0; i < scene->region_count; i++) {

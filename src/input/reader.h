@@ -16,15 +16,15 @@
 #include "units.h"
 
 enum {
-  NB_LINE_MAX = 4096,        /* bytes in a line */
-  NB_TOKENS_MAX = 256,       /* tokens in a line */
-  NB_RUNS_MAX = 10000,       /* of a page */
-  NB_BODIES_MAX = 10000000,  /* of a scene */
-  NB_NAMED_MAX = 2000,       /* of each sort of thing with a name: they are looked up one by one */
-  NB_MATERIALS_MAX = 200,    /* as every one may meet every other */
-  NB_SLOTS = 24,             /* values that a row of a table may ask for */
-  NB_COUNT_MAX = 1000000000, /* of anything that is counted: 1e9 cycles of 1 us are a day of computing */
-  NB_PAGE_MAX = 4 << 20      /* bytes in a page */
+  NB_LINE_MAX = 4096,          /* bytes in a line */
+  NB_TOKENS_MAX = 256,         /* tokens in a line */
+  NB_RUNS_MAX = 10000,         /* of a page */
+  NB_PARTICLES_MAX = 10000000, /* of a scene */
+  NB_NAMED_MAX = 2000,         /* of each sort of thing with a name: they are looked up one by one */
+  NB_MATERIALS_MAX = 200,      /* as every one may meet every other */
+  NB_SLOTS = 24,               /* values that a row of a table may ask for */
+  NB_COUNT_MAX = 1000000000,   /* of anything that is counted: 1e9 cycles of 1 us are a day of computing */
+  NB_PAGE_MAX = 4 << 20        /* bytes in a page */
 };
 
 /* ---- mistakes.c ---- */
@@ -129,7 +129,7 @@ bool nb_no_memory(struct nb_reader *reader);
 
 /* ---- value.c: values one by one. Each takes what it names from the line, or says what it expected and answers false. ---- */
 
-enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_SHARE, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
+enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_FRACTION, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
 
 /* " above 0", ", 0 or more", " from 0 to 1", or nothing. */
 const char *nb_range_words(enum nb_range range);
@@ -158,7 +158,7 @@ enum {
   NB_IN_EXPECT = 4,
   NB_IN_RAMP = 8, /* behind the word `ramp` */
   NB_IN_PATH = 16,
-  NB_IN_LEG = 32,
+  NB_IN_SEGMENT = 32,
   NB_IN_CELL =
       64, /* with one of the first two: of a scene without walls, so its example is none of the manual's page */
   NB_IN_START = 128, /* behind `start`, before the first stage */

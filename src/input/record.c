@@ -8,29 +8,30 @@
 
 static const struct nb_argument nothing[] = {END};
 
-bool nb_take_asked(struct nb_reader *reader, struct nb_asked *asked) {
+bool nb_take_requested(struct nb_reader *reader, struct nb_requested *requested) {
   const struct nb_token *token = nb_take(reader, "a quantity, such as `C.normal`");
-  if (token && strlen(token->text) >= sizeof asked->name)
-    nb_token_mistake(reader, token, NULL, "expected a name shorter than %zu bytes", sizeof asked->name);
+  if (token && strlen(token->text) >= sizeof requested->name)
+    nb_token_mistake(reader, token, NULL, "expected a name shorter than %zu bytes", sizeof requested->name);
   if (reader->bad)
     return false;
-  *asked = (struct nb_asked){.line = reader->line, .column = token->column, .length = token->length};
-  snprintf(asked->name, sizeof asked->name, "%s", token->text);
+  *requested = (struct nb_requested){.line = reader->line, .column = token->column, .length = token->length};
+  snprintf(requested->name, sizeof requested->name, "%s", token->text);
   return true;
 }
 
-bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked) {
+bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
+                       const struct nb_requested *requested) {
   char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE] = "";
   struct nb_mistakes *mistakes = reading->reader.mistakes;
-  if (nb_quantity_find(quantity, reading->scene, asked->name, nearest))
+  if (nb_quantity_find(quantity, reading->scene, requested->name, nearest))
     return true;
-  if (nb_excused(mistakes, asked->name))
+  if (nb_excused(mistakes, requested->name))
     return false;
-  nb_excuse(mistakes, asked->name);
-  if (!nb_old_name(hint, asked->name) && nearest[0])
+  nb_excuse(mistakes, requested->name);
+  if (!nb_old_name(hint, requested->name) && nearest[0])
     snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
-  nb_mistake(mistakes, reading->reader.page, asked->line, asked->column, asked->length, hint,
-             "expected a quantity, found `%s`", asked->name);
+  nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length, hint,
+             "expected a quantity, found `%s`", requested->name);
   return false;
 }
 
@@ -44,15 +45,15 @@ NB_APPLY(apply_columns) {
                                      : "`record every N cycles` belongs in a stage: below a line `stage NAME`",
                 "a quantity, such as `C.normal`");
   do {
-    struct nb_asked one;
-    if (!nb_take_asked(reader, &one) || nb_too_many(reader, reading->asked_count, NB_NAMED_MAX, "columns"))
+    struct nb_requested one;
+    if (!nb_take_requested(reader, &one) || nb_too_many(reader, reading->requested_count, NB_NAMED_MAX, "columns"))
       return;
-    const int same = NB_FIND(reading->asked, reading->asked_count, one.name);
+    const int same = NB_FIND(reading->requested, reading->requested_count, one.name);
     if (same >= 0)
       nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL, "`%s` is recorded already, by line %zu",
-                       one.name, reading->asked[same].line);
+                       one.name, reading->requested[same].line);
     else
-      NB_APPEND(reader, reading->asked, reading->asked_count, one);
+      NB_APPEND(reader, reading->requested, reading->requested_count, one);
   } while (nb_token_peek(reader));
 }
 
@@ -102,10 +103,10 @@ NB_STATEMENTS(record) = {
   {"record", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, nothing, "QUANTITY …", 0, false, apply_columns,
    "The columns of the table, in this order; on the bench default step, overlap, slip, normal and shear.",
    "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
-  {"record", NB_IN_STAGE | NB_IN_LEG, nothing, "every N cycles | none", 0, false, apply_record,
+  {"record", NB_IN_STAGE | NB_IN_SEGMENT, nothing, "every N cycles | none", 0, false, apply_record,
    "How often a row is added to the table; default every 1 cycle.",
    "  record  every 10 cycles"},
-  {"snapshot", NB_IN_STAGE | NB_IN_LEG, nothing, "{from STAGE}", 0, false, apply_snapshot,
+  {"snapshot", NB_IN_STAGE | NB_IN_SEGMENT, nothing, "{from STAGE}", 0, false, apply_snapshot,
    "Keeps bodies, walls and contacts as they are at the end of the stage; on the bench the traction over the contact and "
    "the pieces of its history, which a shear law must keep. With `from` also what has changed since that stage began, which is this one or "
    "an earlier one: how bodies have moved and turned, which contacts are new and which are lost, how far contacts have slid.",

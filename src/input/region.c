@@ -40,7 +40,7 @@ static bool take_region(struct nb_reader *reader, struct nb_region *it) {
     return take_box(reader, it);
   if (nb_token_skip(reader, "inside")) {
     it->kind = NB_REGION_INSIDE;
-    return nb_take_number(reader, NB_UNIT_NUMBER, NB_SHARE, &it->radius);
+    return nb_take_number(reader, NB_UNIT_NUMBER, NB_FRACTION, &it->radius);
   }
   if (!nb_token_skip(reader, "all"))
     return nb_expected(reader, NULL, "`circle X Y radius R`, `box X1 Y1 to X2 Y2`, `inside F` or `all`");
@@ -64,10 +64,10 @@ static void take_clauses(struct nb_reader *reader, struct nb_region *it) {
 NB_APPLY(apply_region) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   struct nb_region one = {.stage = -1, .line = (int)reader->line};
-  const struct nb_watch watch = {.kind = NB_WATCH_REGION, .a = (int)scene->region_count, .b = -1};
+  const struct nb_monitor monitor = {.kind = NB_MONITOR_REGION, .a = (int)scene->region_count, .b = -1};
   if (take_region(reader, &one))
     take_clauses(reader, &one);
-  if (!reader->bad && nb_watch_add(scene, reader, record->value[AT_NAME].token, watch))
+  if (!reader->bad && nb_monitor_add(scene, reader, record->value[AT_NAME].token, monitor))
     NB_APPEND(reader, scene->regions, scene->region_count, one);
 }
 

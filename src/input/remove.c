@@ -22,7 +22,7 @@ static int removed_already(const struct nb_scene *scene, struct nb_removal remov
 /* The first body of that range that is of another shape; past its end: none. */
 static size_t misnamed(const struct nb_scene *scene, struct nb_removal removal, enum nb_shape shape) {
   size_t k = removal.from;
-  while (k <= removal.to && scene->bodies[k].shape == shape)
+  while (k <= removal.to && scene->particles[k].shape == shape)
     k++;
   return k;
 }
@@ -31,9 +31,9 @@ static size_t misnamed(const struct nb_scene *scene, struct nb_removal removal, 
 static struct nb_removal take_range(const struct nb_scene_reading *reading, struct nb_reader *reader,
                                     enum nb_shape *shape) {
   static const char *const words[] = {"disc", "discs", "sphere", "spheres"};
-  const size_t count = reading->scene->body_count;
-  const bool unsure = nb_bodies_unsure(reading);
-  const unsigned long most = unsure || !count ? NB_BODIES_MAX : count;
+  const size_t count = reading->scene->particle_count;
+  const bool incomplete = nb_particles_incomplete(reading);
+  const unsigned long most = incomplete || !count ? NB_PARTICLES_MAX : count;
   unsigned long from, to;
   int word = 0;
   while (word < 4 && !nb_token_skip(reader, words[word]))
@@ -44,7 +44,7 @@ static struct nb_removal take_range(const struct nb_scene_reading *reading, stru
   to = from;
   if (word % 2 && nb_take_word(reader, "to"))
     nb_take_count(reader, from, most, &to);
-  if (unsure || count == 0)
+  if (incomplete || count == 0)
     nb_silent(reader);
   *shape = word < 2 ? NB_DISC : NB_SPHERE;
   return (struct nb_removal){from - 1, to - 1, (int)reader->line};
@@ -67,7 +67,7 @@ NB_APPLY(apply_remove) {
   const size_t other = misnamed(scene, removal, shape);
   if (other <= removal.to)
     nb_token_mistake(reader, &reader->tokens[1], NULL, "expected a %s of each number, but body %zu is a %s",
-                     names[shape], other + 1, names[scene->bodies[other].shape]);
+                     names[shape], other + 1, names[scene->particles[other].shape]);
   else if (line)
     nb_token_mistake(reader, &reader->tokens[1], NULL, "body %zu is taken out already, by line %d", which + 1, line);
   else

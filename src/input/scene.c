@@ -28,7 +28,7 @@ const struct nb_family *nb_keywords(void) {
 
 /* ---- mistakes that several statements may make ---- */
 
-bool nb_said_twice(struct nb_reader *reader, int line) {
+bool nb_given_twice(struct nb_reader *reader, int line) {
   if (line)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is said twice: first on line %d", reader->tokens[0].text,
                      line);
@@ -140,10 +140,10 @@ static bool keep_settings(struct nb_scene_reading *reading, nb_settings settings
 
 static void find_columns(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
-  for (size_t i = 0; i < reading->asked_count; i++) {
+  for (size_t i = 0; i < reading->requested_count; i++) {
     struct nb_column column;
-    memcpy(column.name, reading->asked[i].name, sizeof column.name);
-    if (nb_asked_find(reading, &column.quantity, &reading->asked[i]))
+    memcpy(column.name, reading->requested[i].name, sizeof column.name);
+    if (nb_requested_find(reading, &column.quantity, &reading->requested[i]))
       NB_APPEND(&reading->reader, scene->columns, scene->column_count, column);
   }
 }
@@ -173,7 +173,7 @@ static void check_whole(struct nb_scene_reading *reading) {
   nb_cell_check(reading);
   nb_drives_check(reading);
   nb_boxes_check(reading);
-  if (scene->body_count == 0 && !nb_bodies_unsure(reading))
+  if (scene->particle_count == 0 && !nb_particles_incomplete(reading))
     nb_say_of_scene(reading, "body", "`disc`, `sphere`, `lattice`, `fill` and `packing` make them",
                     "expected a scene with bodies, found none");
   if (scene->stage_count == scene->start.stages)
@@ -240,7 +240,7 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
       free(reading->settings.lines[i]);
     free(reading->settings.lines);
     free(reading->rows);
-    free(reading->asked);
+    free(reading->requested);
     free(reading);
   }
   return nb_mistakes_status(mistakes, before);
@@ -278,7 +278,7 @@ void nb_stages_free(struct nb_scene *scene, size_t from) {
     free(scene->stages[i].changes);
     free(scene->stages[i].removals);
     free(scene->stages[i].conditions);
-    free(scene->stages[i].leg.points);
+    free(scene->stages[i].segment.points);
   }
   scene->stage_count = from < scene->stage_count ? from : scene->stage_count;
 }
@@ -295,9 +295,9 @@ void nb_scene_free(struct nb_scene *scene) {
   free(scene->fills);
   free(scene->materials);
   free(scene->pair_rules);
-  free(scene->bodies);
+  free(scene->particles);
   free(scene->walls);
-  free(scene->watches);
+  free(scene->monitors);
   free(scene->regions);
   free(scene->columns);
   free(scene->stages);

@@ -13,7 +13,7 @@
 /* ---- a scene while it is read ---- */
 
 /* A column asked for by `record`, until all watches are known. */
-struct nb_asked {
+struct nb_requested {
   char name[2 * NB_NAME_SIZE];
   size_t line;
   int column, length;
@@ -47,8 +47,8 @@ struct nb_scene_reading {
   unsigned long long hash; /* of what has been read so far */
   int units_line;
   struct nb_place place;
-  struct nb_asked *asked; /* owned */
-  size_t asked_count;
+  struct nb_requested *requested; /* owned */
+  size_t requested_count;
   struct nb_repeat {
     size_t from;         /* line of the first stage or leg that is read again */
     unsigned long times; /* how often; 0: nothing is */
@@ -63,14 +63,14 @@ struct nb_stage *nb_stage_now(const struct nb_scene *scene); /* the stage that s
 
 /* ---- mistakes that several statements may make: true when the statement is bad, now or before ---- */
 
-bool nb_said_twice(struct nb_reader *reader, int line); /* line: of the first one, 0: there is none */
+bool nb_given_twice(struct nb_reader *reader, int line); /* line: of the first one, 0: there is none */
 bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what); /* as many as there may be */
-bool nb_too_many_bodies(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
+bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
 bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line); /* 0: no */
 /* The corners of a box are not south-west and north-east. */
 bool nb_inside_out(struct nb_reader *reader, double x, double y, double x1, double y1);
 /* A statement about bodies was wrong: numbers of bodies cannot be checked. */
-bool nb_bodies_unsure(const struct nb_scene_reading *reading);
+bool nb_particles_incomplete(const struct nb_scene_reading *reading);
 /* The scene has no cell; no box of walls; the stage that is being read no boundary. */
 bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader);
@@ -90,16 +90,18 @@ int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const str
 /* `grading NAME {radius R}`, behind the word: index of the grading, and of its size or -1; -1 with a message. */
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
 /* A quantity's name, with its place; and the quantity of that name: false with a message in place when there is none. */
-bool nb_take_asked(struct nb_reader *reader, struct nb_asked *asked);
-bool nb_asked_find(struct nb_scene_reading *reading, struct nb_quantity *quantity, const struct nb_asked *asked);
+bool nb_take_requested(struct nb_reader *reader, struct nb_requested *requested);
+bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
+                       const struct nb_requested *requested);
 enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_BEHIND_STRAIN }; /* their slots */
 /* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`: all of them per cycle, or none. */
 struct nb_strain_rate nb_strain_of(struct nb_reader *reader, const struct nb_value value[]);
 /* A body of that shape and material, at (0, 0), of which there will be `count`: it is free, or fixed, and the material has mass then. */
-struct nb_body nb_body_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
-                          const struct nb_token *material, bool fixed, size_t count);
+struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
+                                  const struct nb_token *material, bool fixed, size_t count);
 /* Adds something watched under that name; not where there is one already, or too many. */
-bool nb_watch_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name, struct nb_watch watch);
+bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name,
+                    struct nb_monitor monitor);
 /* Names a stage or a leg; one that is read again NAME-2, NAME-3, … */
 void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *reading, const struct nb_token *name);
 

@@ -78,7 +78,7 @@ NB_APPLY(apply_servo) {
   if (servo.continuum && through != 0)
     nb_token_mistake(reader, value[AT_AFFINE].token, NULL, "expected `affine` with `through boundary` alone");
   take_limit(reader, &servo);
-  nb_said_twice(reader, stage->servo.line);
+  nb_given_twice(reader, stage->servo.line);
   if (servo.box && value[AT_XY].token)
     nb_token_mistake(reader, value[AT_XY].token, NULL, "expected `xx` or `yy` of a box: its walls do not turn");
   servo.held[2] = servo.held[2] && !servo.box;

@@ -67,13 +67,13 @@ NB_APPLY(apply_cycles) {
 
 /* QUANTITY above|below VALUE */
 static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_condition *condition) {
-  struct nb_asked asked;
+  struct nb_requested requested;
   condition->line = (int)reader->line;
-  if (!nb_take_asked(reader, &asked))
+  if (!nb_take_requested(reader, &requested))
     return false;
-  if (!nb_asked_find(reading, &condition->quantity, &asked))
+  if (!nb_requested_find(reading, &condition->quantity, &requested))
     return nb_silent(reader);
-  snprintf(condition->name, sizeof condition->name, "%s", asked.name);
+  snprintf(condition->name, sizeof condition->name, "%s", requested.name);
   condition->relation = nb_take_choice(reader, "above|below") == 0 ? NB_ABOVE : NB_BELOW;
   return nb_take_in(reader, nb_quantity_unit(condition->quantity), &condition->value);
 }
@@ -150,7 +150,7 @@ NB_APPLY(apply_still) {
 /* variant 1: off */
 NB_APPLY(apply_rotation) {
   struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
-  if (nb_said_twice(reader, it->rotation_line))
+  if (nb_given_twice(reader, it->rotation_line))
     return;
   it->rotation = record->keyword->variant ? NB_ROTATION_OFF : NB_ROTATION_ON;
   it->rotation_line = (int)reader->line;
@@ -222,7 +222,7 @@ NB_STATEMENTS(stage) = {
   {"repeat", NB_IN_STAGE, nothing, "from STAGE N times", 1, false, apply_repeat,
    "The lines from STAGE down to here once more, so often; those stages are called STAGE-2, STAGE-3 and so on.",
    "stage     again\n  cycles  10\nrepeat    from again 2 times"},
-  {"repeat", NB_IN_LEG, nothing, "from SEGMENT N times", 0, false, apply_repeat,
+  {"repeat", NB_IN_SEGMENT, nothing, "from SEGMENT N times", 0, false, apply_repeat,
    "The lines from SEGMENT down to here once more, so often; those segments are called SEGMENT-2, SEGMENT-3 and so on.",
    "repeat    from load 2 times"},
   {0},

@@ -48,14 +48,14 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   COPY(to, from, changes, change_count);
   COPY(to, from, removals, removal_count);
   COPY(to, from, conditions, condition_count);
-  to->leg = (struct nb_leg){.points = NULL};
+  to->segment = (struct nb_segment){.points = NULL};
   if (!*made)
     return;
   LINES(motions, motion_count);
   LINES(changes, change_count);
   LINES(removals, removal_count);
   for (size_t k = 0; k < to->condition_count; k++)
-    to->conditions[k].line = line, to->conditions[k].quantity.watch = -1; /* its watches are not taken over */
+    to->conditions[k].line = line, to->conditions[k].quantity.monitor = -1; /* its watches are not taken over */
   int *const lines[] = {&to->gravity.line,
                         &to->damping.contact_line,
                         &to->damping.walls_line,
@@ -80,7 +80,7 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
   bool whole = true, *made = &whole;
   COPY(to, from, materials, material_count);
   COPY(to, from, pair_rules, pair_rule_count);
-  COPY(to, from, bodies, body_count);
+  COPY(to, from, particles, particle_count);
   COPY(to, from, walls, wall_count);
   COPY(to, from, gradings, grading_count);
   COPY(to, from, fills, fill_count);
@@ -98,7 +98,7 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
     return false;
   LINES(materials, material_count);
   LINES(pair_rules, pair_rule_count);
-  LINES(bodies, body_count);
+  LINES(particles, particle_count);
   LINES(walls, wall_count);
   const bool normal_set = to->normal[0], shear_set = to->shear[0]; /* by --set, which is for what comes */
   struct nb_laws set = {.pieces = to->pieces};

@@ -36,8 +36,8 @@ struct stream {
 };
 
 void nb_saved_free(struct nb_saved *saved) {
-  free(saved->settings), free(saved->materials), free(saved->rules), free(saved->bodies), free(saved->walls);
-  free(saved->contacts), free(saved->memory), free(saved->carried), free(saved->ring.members);
+  free(saved->settings), free(saved->materials), free(saved->rules), free(saved->particles), free(saved->walls);
+  free(saved->contacts), free(saved->memory), free(saved->imposed), free(saved->ring.members);
   *saved = (struct nb_saved){0};
 }
 
@@ -104,9 +104,9 @@ static void number(struct stream *stream, double *value, enum range range) {
     nb_text_add(stream->out, " %a", *value);
   } else {
     take(stream, field, "a number");
-    const bool said = strcmp(field, "-") != 0;
-    *value = said ? strtod(field, &end) : NAN;
-    if (said && (*end || isnan(*value)))
+    const bool given = strcmp(field, "-") != 0;
+    *value = given ? strtod(field, &end) : NAN;
+    if (given && (*end || isnan(*value)))
       expected(stream, "a number");
     if (range != FROM_0_IF_SAID && !isfinite(*value))
       expected(stream, "a finite number");
@@ -283,8 +283,8 @@ static void law(struct stream *stream) {
     saved->pieces = (int)whole(stream, (unsigned long)saved->pieces, 0, NB_PIECES_MAX);
 }
 
-static void inward(struct stream *stream) {
-  number(stream, &stream->saved->inward.strength, FINITE), vector(stream, &stream->saved->inward.to);
+static void central(struct stream *stream) {
+  number(stream, &stream->saved->central.strength, FINITE), vector(stream, &stream->saved->central.to);
 }
 
 static void impact(struct stream *stream) {
@@ -293,7 +293,7 @@ static void impact(struct stream *stream) {
 }
 
 static void rotation(struct stream *stream) {
-  stream->saved->turns = either(stream, stream->saved->turns, "off", "on");
+  stream->saved->rotates = either(stream, stream->saved->rotates, "off", "on");
 }
 
 static void cell(struct stream *stream) {
@@ -322,8 +322,8 @@ static void carrier(struct stream *stream) {
   stream->carriers |= 1U << which;
   it->literal = either(stream, it->literal, "apart", "literal");
   tensor_of(stream, &it->rate);
-  it->asked.per_cycle = either(stream, it->asked.per_cycle, "time", "cycle");
-  four(stream, &it->asked.xx, &it->asked.xy, &it->asked.yx, &it->asked.yy);
+  it->requested.per_cycle = either(stream, it->requested.per_cycle, "time", "cycle");
+  four(stream, &it->requested.xx, &it->requested.xy, &it->requested.yx, &it->requested.yy);
 }
 
 static int material_of(struct stream *stream, int now) {
@@ -360,11 +360,11 @@ static void pair(struct stream *stream) {
 #undef ROW
 }
 
-static void body(struct stream *stream) {
-  struct nb_saved_body *it = ELEMENT(stream, bodies, body_count, NB_BODIES_MAX);
+static void particle(struct stream *stream) {
+  struct nb_saved_particle *it = ELEMENT(stream, particles, particle_count, NB_PARTICLES_MAX);
   if (!it)
     return;
-  const size_t own = (size_t)(it - stream->saved->bodies) + 1;
+  const size_t own = (size_t)(it - stream->saved->particles) + 1;
   whole(stream, own, own, own);
   it->shape = either(stream, it->shape == NB_SPHERE, "disc", "sphere") ? NB_SPHERE : NB_DISC;
   it->material = material_of(stream, it->material);
@@ -374,12 +374,12 @@ static void body(struct stream *stream) {
   number(stream, &it->spin, FINITE), number(stream, &it->angle, FINITE);
 }
 
-static void carried(struct stream *stream) {
-  struct nb_saved_carried *it = ELEMENT(stream, carried, carried_count, NB_BODIES_MAX);
+static void imposed(struct stream *stream) {
+  struct nb_saved_imposed *it = ELEMENT(stream, imposed, imposed_count, NB_PARTICLES_MAX);
   if (!it)
     return;
-  const size_t own = (size_t)(it - stream->saved->carried) + 1;
-  if (own > stream->saved->body_count)
+  const size_t own = (size_t)(it - stream->saved->imposed) + 1;
+  if (own > stream->saved->particle_count)
     expected(stream, "such a record once for each body above");
   whole(stream, own, own, own);
   it->by = carrier_of(stream, it->by);
@@ -400,12 +400,12 @@ static void members(struct stream *stream) {
   for (size_t k = 0; stream->out && k < saved->ring.member_count; k++)
     nb_text_add(stream->out, " %d", saved->ring.members[k] + 1);
   while (!ended(stream) && !stream->bad) {
-    const int member = (int)whole(stream, 0, 1, saved->body_count) - 1;
-    if (saved->body_count == 0 || saved->bodies[member].member)
+    const int member = (int)whole(stream, 0, 1, saved->particle_count) - 1;
+    if (saved->particle_count == 0 || saved->particles[member].member)
       expected(stream, "each body once");
     else
-      saved->bodies[member].member = true;
-    int *it = ELEMENT(stream, ring.members, ring.member_count, NB_BODIES_MAX);
+      saved->particles[member].member = true;
+    int *it = ELEMENT(stream, ring.members, ring.member_count, NB_PARTICLES_MAX);
     if (it)
       *it = member;
   }
@@ -435,7 +435,7 @@ static void fields(struct stream *stream) {
   stream->fields = true;
 }
 
-static void write_memory(struct stream *stream, const char *word, struct nb_saved_memory it) {
+static void write_history(struct stream *stream, const char *word, struct nb_saved_history it) {
   if (it.count > 0)
     nb_text_add(stream->out, "\n%s", word);
   for (int m = 0; m < it.count; m++)
@@ -449,51 +449,51 @@ static void contact(struct stream *stream) {
     return;
   if (!stream->fields)
     expected(stream, "a record `fields` before the first contact");
-  it->a = (int)whole(stream, (unsigned long)it->a + 1, 1, saved->body_count) - 1;
+  it->a = (int)whole(stream, (unsigned long)it->a + 1, 1, saved->particle_count) - 1;
   it->wall = either(stream, it->wall, "body", "wall");
   if (it->wall)
     it->b = known_name(stream, it->b, saved->walls, saved->wall_count, sizeof *saved->walls, "the name of a wall");
   else
-    it->b = (int)whole(stream, (unsigned long)it->b + 1, (unsigned long)it->a + 2, saved->body_count) - 1;
-  it->muted = either(stream, it->muted, "heard", "muted");
+    it->b = (int)whole(stream, (unsigned long)it->b + 1, (unsigned long)it->a + 2, saved->particle_count) - 1;
+  it->suppressed = either(stream, it->suppressed, "heard", "muted");
   vector(stream, &it->force);
 #define ROW(which, name, range) number(stream, &it->field[which], range);
   NB_SAVED_FIELDS(ROW)
 #undef ROW
   if (stream->out)
-    write_memory(stream, "normal", it->normal), write_memory(stream, "shear", it->shear);
+    write_history(stream, "normal", it->normal), write_history(stream, "shear", it->shear);
 }
 
-static bool can_be(const struct nb_saved *saved, const struct nb_law *law, struct nb_saved_memory it) {
+static bool can_be(const struct nb_saved *saved, const struct nb_law *law, struct nb_saved_history it) {
   return law->valid ? law->valid(saved->memory + it.at, it.count, saved->pieces) : it.count == law->memory;
 }
 
 /* What a law remembers of the contact above. */
-static void read_memory(struct stream *stream, bool shear) {
+static void read_history(struct stream *stream, bool shear) {
   struct nb_saved *saved = stream->saved;
   struct nb_saved_contact *above = saved->contact_count ? &saved->contacts[saved->contact_count - 1] : NULL;
-  struct nb_saved_memory *it = !above ? NULL : shear ? &above->shear : &above->normal;
+  struct nb_saved_history *it = !above ? NULL : shear ? &above->shear : &above->normal;
   const struct nb_law *remembers = nb_law_find(shear ? "shear" : "normal", shear ? saved->shear : saved->normal);
   if (!it || !remembers || it->count > 0) {
     stream->taken = stream->line;
     expected(stream, "such a record once, below its contact");
     return;
   }
-  it->at = saved->memory_count;
+  it->at = saved->history_count;
   while (!ended(stream) && !stream->bad) {
-    double *value = ELEMENT(stream, memory, memory_count, MANY);
+    double *value = ELEMENT(stream, memory, history_count, MANY);
     if (value)
       number(stream, value, FINITE);
-    if (++it->count > NB_MEMORY_MAX)
-      expected(stream, "at most %d numbers", NB_MEMORY_MAX);
+    if (++it->count > NB_HISTORY_MAX)
+      expected(stream, "at most %d numbers", NB_HISTORY_MAX);
   }
   if (!stream->bad && !can_be(saved, remembers, *it)) {
     stream->taken = stream->line;
     expected(stream, "numbers that the law can have remembered");
   }
 }
-static void normal(struct stream *stream) { read_memory(stream, false); }
-static void shear(struct stream *stream) { read_memory(stream, true); }
+static void normal(struct stream *stream) { read_history(stream, false); }
+static void shear(struct stream *stream) { read_history(stream, true); }
 
 /* ---- the whole ---- */
 
@@ -510,16 +510,16 @@ static void shear(struct stream *stream) { read_memory(stream, true); }
   X("units", units, ONCE, 1)                                                                                           \
   X("gravity", gravity, ONCE, 1)                                                                                       \
   X("law", law, ONCE_OR_MORE, 2)                                                                                       \
-  X("inward", inward, AT_MOST_ONCE, saved->inward.strength != 0)                                                       \
+  X("inward", central, AT_MOST_ONCE, saved->central.strength != 0)                                                     \
   X("impact", impact, AT_MOST_ONCE, saved->impact.is)                                                                  \
-  X("rotation", rotation, AT_MOST_ONCE, !saved->turns)                                                                 \
+  X("rotation", rotation, AT_MOST_ONCE, !saved->rotates)                                                               \
   X("cell", cell, AT_MOST_ONCE, saved->cell.is)                                                                        \
-  X("centre", centre, AT_MOST_ONCE, saved->carried_count > 0)                                                          \
-  X("carrier", carrier, ANY_TIMES, saved->carried_count > 0 ? NB_CARRIERS - 1 : 0)                                     \
+  X("centre", centre, AT_MOST_ONCE, saved->imposed_count > 0)                                                          \
+  X("carrier", carrier, ANY_TIMES, saved->imposed_count > 0 ? NB_CARRIERS - 1 : 0)                                     \
   X("material", material, ANY_TIMES, saved->material_count)                                                            \
   X("pair", pair, ANY_TIMES, saved->rule_count)                                                                        \
-  X("body", body, ONCE_OR_MORE, saved->body_count)                                                                     \
-  X("carried", carried, ANY_TIMES, saved->carried_count)                                                               \
+  X("body", particle, ONCE_OR_MORE, saved->particle_count)                                                             \
+  X("carried", imposed, ANY_TIMES, saved->imposed_count)                                                               \
   X("boundary", boundary, AT_MOST_ONCE, saved->ring.is)                                                                \
   X("members", members, AT_MOST_ONCE, saved->ring.is)                                                                  \
   X("wall", wall, ANY_TIMES, saved->wall_count)                                                                        \
@@ -588,9 +588,9 @@ static void read_record(struct stream *stream) {
 }
 
 /* Whether what carries a body is there. */
-static bool has_carrier(const struct nb_saved *saved, size_t body) {
-  const enum nb_carrier by = saved->carried[body].by;
-  return by == NB_CARRIER_CELL ? saved->cell.is : by != NB_CARRIER_BOUNDARY || saved->bodies[body].member;
+static bool has_carrier(const struct nb_saved *saved, size_t particle) {
+  const enum nb_carrier by = saved->imposed[particle].by;
+  return by == NB_CARRIER_CELL ? saved->cell.is : by != NB_CARRIER_BOUNDARY || saved->particles[particle].member;
 }
 
 /* At the last line, when all records have been read: what must be there is, and goes together. */
@@ -602,9 +602,9 @@ static void check_whole(struct stream *stream) {
       expected(stream, "a record `%s` above", records[r].word);
   if (!saved->normal[0] || !saved->shear[0])
     expected(stream, "records `law normal` and `law shear` above");
-  if (saved->carried_count != 0 && saved->carried_count != saved->body_count)
+  if (saved->imposed_count != 0 && saved->imposed_count != saved->particle_count)
     expected(stream, "a record `carried` for each body, or for none");
-  for (size_t k = 0; k < saved->carried_count; k++)
+  for (size_t k = 0; k < saved->imposed_count; k++)
     if (!has_carrier(saved, k))
       expected(stream, "body %zu to be carried by a cell or a boundary that there is", k + 1);
   if (saved->ring.is != (saved->ring.member_count > 0))
@@ -622,7 +622,7 @@ static enum nb_status damaged(const char *path, const char *text, size_t size, s
 enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, const char *text, size_t size,
                                   struct nb_error *error) {
   char end[NB_STATE_END + 1];
-  *saved = (struct nb_saved){.turns = true};
+  *saved = (struct nb_saved){.rotates = true};
   if (size < sizeof head - 1 || memcmp(text, head, sizeof head - 1) != 0)
     return damaged(path, text, 0, 0, "expected `nineball state 1`: this is no saved state, or one of another version",
                    error);

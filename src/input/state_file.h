@@ -5,8 +5,8 @@
 #ifndef NB_STATE_FILE_H
 #define NB_STATE_FILE_H
 
+#include "core/affine.h"
 #include "core/block.h"
-#include "core/carry.h"
 #include "hash.h"
 
 /* Fields of a contact that a state holds, with the names that they have in the file and the values that they may have. The
@@ -14,8 +14,8 @@
  * step behind is done. */
 #define NB_SAVED_FIELDS(X)                                                                                             \
   X(NB_OVERLAP, "overlap", FROM_0)                                                                                     \
-  X(NB_CLOSING, "closing", FINITE)                                                                                     \
-  X(NB_SLIP, "slip", FINITE)                                                                                           \
+  X(NB_NORMAL_INCREMENT, "closing", FINITE)                                                                            \
+  X(NB_TANGENTIAL_INCREMENT, "slip", FINITE)                                                                           \
   X(NB_EX, "ex", FINITE)                                                                                               \
   X(NB_EY, "ey", FINITE)                                                                                               \
   X(NB_NORMAL, "normal", FROM_0)                                                                                       \
@@ -24,14 +24,14 @@
   X(NB_SHEAR, "shear", FINITE)                                                                                         \
   X(NB_SHEAR_STIFFNESS, "shear_stiffness", FROM_0)                                                                     \
   X(NB_SLIDING, "sliding", FROM_0)                                                                                     \
-  X(NB_PUSH, "push", FINITE)                                                                                           \
-  X(NB_DRAG, "drag", FINITE)
+  X(NB_TOTAL_NORMAL, "push", FINITE)                                                                                   \
+  X(NB_TOTAL_SHEAR, "drag", FINITE)
 #define NB_SAVED_BIT(field, name, range) NB_BIT(field) |
 enum { NB_SAVED_MASK = NB_SAVED_FIELDS(NB_SAVED_BIT) 0 };
 
-enum nb_mobility { NB_FREE, NB_FIXED, NB_GONE };
+enum nb_mobility { NB_FREE, NB_FIXED, NB_REMOVED };
 
-struct nb_saved_body {
+struct nb_saved_particle {
   enum nb_shape shape;
   enum nb_mobility mobility;
   int material;                     /* index; */
@@ -50,10 +50,10 @@ struct nb_saved_wall {
 
 struct nb_saved_contact {
   int a, b; /* index of the body with the smaller number; of the other, or of the wall */
-  bool wall, muted;
+  bool wall, suppressed;
   struct nb_vec force;     /* on the first body, N */
   double field[NB_FIELDS]; /* those of NB_SAVED_FIELDS */
-  struct nb_saved_memory {
+  struct nb_saved_history {
     int count; /* doubles that a law remembers; 0: nothing */
     size_t at; /* where in `memory` they begin */
   } normal, shear;
@@ -61,13 +61,13 @@ struct nb_saved_contact {
 
 /* One of enum nb_carrier: what the page asks of it, and its strain rate over the step behind. */
 struct nb_saved_carrier {
-  struct nb_strain_rate asked;
+  struct nb_strain_rate requested;
   struct nb_tensor rate; /* 1/s */
   bool literal;          /* what it carries bodies along with stays in their own velocity */
 };
 
 /* Of a body: what carries it, and c, the part of its velocity that is so. */
-struct nb_saved_carried {
+struct nb_saved_imposed {
   enum nb_carrier by;
   struct nb_vec along; /* m/s */
 };
@@ -94,12 +94,12 @@ struct nb_saved {
   double time, step; /* s; of the step behind */
   bool unitless;
   struct nb_vec gravity; /* m/s2 */
-  struct nb_inward inward;
+  struct nb_central central;
   struct {
     bool is;
     double touch; /* when what flies first touches, s */
   } impact;
-  bool turns;           /* `rotation on` */
+  bool rotates;         /* `rotation on` */
   struct nb_vec centre; /* what strain rates are about, m */
   struct nb_saved_carrier carriers[NB_CARRIERS];
   struct nb_saved_cell cell;
@@ -110,16 +110,16 @@ struct nb_saved {
   size_t material_count;
   struct nb_pair_rule *rules;
   size_t rule_count;
-  struct nb_saved_body *bodies;
-  size_t body_count;
-  struct nb_saved_carried *carried; /* of each body; */
-  size_t carried_count;             /* 0: nothing is carried along */
+  struct nb_saved_particle *particles;
+  size_t particle_count;
+  struct nb_saved_imposed *imposed; /* of each body; */
+  size_t imposed_count;             /* 0: nothing is carried along */
   struct nb_saved_wall *walls;
   size_t wall_count;
   struct nb_saved_contact *contacts;
   size_t contact_count;
   double *memory;
-  size_t memory_count;
+  size_t history_count;
 };
 
 /* Bytes of a field that is one word, with its end; and of the last line: "end ", 16 digits and the line's end. */

@@ -37,7 +37,7 @@ bool nb_first_word(char *first, const char *words) {
   return words[length] != 0;
 }
 
-enum { CONTACT_TEST = NB_IN_PATH | NB_IN_LEG };
+enum { CONTACT_TEST = NB_IN_PATH | NB_IN_SEGMENT };
 
 /* Where a row belongs that does not belong here: in the same kind of block if it may be there at all. */
 static const char *where_words(unsigned where, unsigned here) {
@@ -144,7 +144,7 @@ static const char *place_of(unsigned here) {
     return "something that can ramp";
   case NB_IN_PATH:
     return "a statement of a contact test";
-  case NB_IN_LEG:
+  case NB_IN_SEGMENT:
     return "a statement of a segment";
   case NB_IN_START:
     return "a statement of a page that starts from another";

@@ -28,11 +28,11 @@ NB_APPLY(apply_step) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_stage_now(reading->scene);
   struct nb_step *here = stage ? &stage->step : &reading->scene->step;
-  const bool share = follows(reader, "of"), per = follows(reader, "per"), setting = reader == &reading->setting;
+  const bool fraction = follows(reader, "of"), per = follows(reader, "per"), setting = reader == &reading->setting;
   struct nb_step step = {.kind = NB_STEP_TIME, .line = setting ? 0 : (int)reader->line, .set = setting};
   (void)record;
-  nb_take_number(reader, share || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value);
-  if (share && nb_take_word(reader, "of")) {
+  nb_take_number(reader, fraction || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value);
+  if (fraction && nb_take_word(reader, "of")) {
     const int kind = nb_take_choice(reader, SHARES);
     step.kind = kind < 0 ? NB_STEP_TIME : kinds[kind];
   } else if (per && nb_take_word(reader, "per") && nb_take_word(reader, "collision")) {
@@ -42,7 +42,7 @@ NB_APPLY(apply_step) {
     return;
   /* one that is inherited stands above the stage, or below when it is read again */
   if (!setting && here->line > (stage ? stage->line : 0) && here->line < (int)reader->line &&
-      nb_said_twice(reader, here->line))
+      nb_given_twice(reader, here->line))
     return;
   if (setting)
     reading->step_set = true;

@@ -12,14 +12,14 @@ const char *nb_range_words(enum nb_range range) {
   static const char *const words[] = {[NB_ANY] = "",
                                       [NB_POSITIVE] = " above 0",
                                       [NB_NOT_NEGATIVE] = ", 0 or more",
-                                      [NB_SHARE] = " from 0 to 1",
+                                      [NB_FRACTION] = " from 0 to 1",
                                       [NB_HALF] = " from 0 to 0.5"};
   return words[range];
 }
 
 static bool within(double value, enum nb_range range) {
   return range == NB_ANY || (range == NB_POSITIVE && value > 0) || (range == NB_NOT_NEGATIVE && value >= 0) ||
-         (range == NB_SHARE && value >= 0 && value <= 1) || (range == NB_HALF && value >= 0 && value <= 0.5);
+         (range == NB_FRACTION && value >= 0 && value <= 1) || (range == NB_HALF && value >= 0 && value <= 0.5);
 }
 
 /* What a number must be: its dimension, the power of an angle in it, what it is called, and units for the messages. */

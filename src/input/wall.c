@@ -8,7 +8,7 @@
 #include "statement.h"
 
 enum { AT_NAME, AT_X, AT_Y, AT_X1, AT_Y1, AT_MATERIAL, AT_ABOUT_X, AT_ABOUT_Y, AT_VX, AT_VY, AT_SPIN };
-enum { AT_INWARD, AT_STOP };
+enum { AT_CENTRAL, AT_STOP };
 
 /* clang-format off */
 static const struct nb_argument box_fields[] = {CORNERS(AT_X, AT_X1), MATERIAL(AT_MATERIAL), END};
@@ -25,7 +25,7 @@ static const struct nb_argument wall_fields[] = {
   END
 };
 static const struct nb_argument walls_fields[] = {
-  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "none",
+  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_CENTRAL, 1, "none",
          "Each wall of the box along its normal to the inside."),
   FLAG("stop", AT_STOP, "none", "All walls stand still."),
   END
@@ -39,8 +39,8 @@ static const struct nb_argument wall_motion_fields[] = {
 /* clang-format on */
 
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
-  const bool known = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
-  if (!known && nb_excused(reader->mistakes, "box")) /* whose walls have names */
+  const bool solution = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
+  if (!solution && nb_excused(reader->mistakes, "box")) /* whose walls have names */
     nb_silent(reader);
   return NB_NAMED(reader, token, scene->walls, scene->wall_count, "the name of a wall",
                   "define it above with `wall NAME …` or `box …`");
@@ -163,10 +163,10 @@ static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct n
 
 NB_APPLY(apply_walls) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  const struct nb_value *inward = &record->value[AT_INWARD], *stop = &record->value[AT_STOP];
+  const struct nb_value *central = &record->value[AT_CENTRAL], *stop = &record->value[AT_STOP];
   size_t moved = 0;
-  if (!inward->token == !stop->token) {
-    if (inward->token)
+  if (!central->token == !stop->token) {
+    if (central->token)
       nb_token_mistake(reader, &reader->tokens[0], NULL, "expected one of `inward V` and `stop`, found both");
     else
       nb_expected(reader, NULL, "`inward V` or `stop`");
@@ -175,11 +175,11 @@ NB_APPLY(apply_walls) {
   for (size_t i = 0; i < scene->wall_count; i++) {
     const struct nb_wall *wall = &scene->walls[i];
     bool of_box = wall->inx != 0 || wall->iny != 0;
-    if (inward->token && !of_box)
+    if (central->token && !of_box)
       continue;
     struct nb_wall_motion motion = wall_so_far(scene, i);
-    motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* which makes the -0 of a product a plain 0 */
-    motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
+    motion.vx = stop->token ? 0 : wall->inx * central->number + 0.0; /* which makes the -0 of a product a plain 0 */
+    motion.vy = stop->token ? 0 : wall->iny * central->number + 0.0;
     motion.spin = stop->token ? 0 : motion.spin;
     move_wall(scene, reader, motion);
     moved++;
@@ -187,8 +187,8 @@ NB_APPLY(apply_walls) {
   if (moved == 0 && (nb_excused(reader->mistakes, "box") || (stop->token && nb_excused(reader->mistakes, "wall"))))
     nb_silent(reader);
   if (moved == 0)
-    nb_token_mistake(reader, &reader->tokens[0], inward->token ? "define it before the stages with `box …`" : NULL,
-                     "expected a scene with %s, found none", inward->token ? "a box" : "walls");
+    nb_token_mistake(reader, &reader->tokens[0], central->token ? "define it before the stages with `box …`" : NULL,
+                     "expected a scene with %s, found none", central->token ? "a box" : "walls");
 }
 
 NB_APPLY(apply_wall_motion) {

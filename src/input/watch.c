@@ -6,22 +6,22 @@
 #include "statement.h"
 
 enum { AT_NAME };
-static const struct nb_argument watch_fields[] = {NAME(AT_NAME, "a name for what is monitored"), END};
+static const struct nb_argument monitor_fields[] = {NAME(AT_NAME, "a name for what is monitored"), END};
 
 /* `disc N`: index of the body; -1 with a message. */
 static int take_numbered(const struct nb_scene_reading *reading, struct nb_reader *reader, const char *what) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_token *word = nb_token_peek(reader);
-  const bool disc = nb_token_skip(reader, "disc"), unsure = nb_bodies_unsure(reading);
+  const bool disc = nb_token_skip(reader, "disc"), incomplete = nb_particles_incomplete(reading);
   unsigned long number = 0;
   if (!disc && !nb_token_skip(reader, "sphere"))
     nb_expected(reader, NULL, "%s", what);
-  nb_take_count(reader, 1, unsure || !scene->body_count ? NB_BODIES_MAX : scene->body_count, &number);
-  if (scene->body_count == 0 && !unsure)
+  nb_take_count(reader, 1, incomplete || !scene->particle_count ? NB_PARTICLES_MAX : scene->particle_count, &number);
+  if (scene->particle_count == 0 && !incomplete)
     nb_token_mistake(reader, word, NULL, "expected a body that is defined above, found none yet");
-  if (reader->bad || unsure)
+  if (reader->bad || incomplete)
     return -1;
-  const bool is_disc = scene->bodies[number - 1].shape == NB_DISC;
+  const bool is_disc = scene->particles[number - 1].shape == NB_DISC;
   if (is_disc != disc)
     nb_token_mistake(reader, word, NULL, "expected `%s`, as body %lu is one, found `%s`", is_disc ? "disc" : "sphere",
                      number, word->text);
@@ -32,31 +32,32 @@ static int take_wall(const struct nb_scene *scene, struct nb_reader *reader) {
   return nb_wall_of(scene, reader, nb_take(reader, "the name of a wall"));
 }
 
-bool nb_watch_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name, struct nb_watch one) {
-  const int same = NB_FIND(scene->watches, scene->watch_count, name->text);
+bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name,
+                    struct nb_monitor one) {
+  const int same = NB_FIND(scene->monitors, scene->monitor_count, name->text);
   one.line = (int)reader->line;
-  if (nb_exists(reader, name, "monitor", same < 0 ? 0 : scene->watches[same].line) ||
-      nb_too_many(reader, scene->watch_count, NB_NAMED_MAX, "monitors"))
+  if (nb_exists(reader, name, "monitor", same < 0 ? 0 : scene->monitors[same].line) ||
+      nb_too_many(reader, scene->monitor_count, NB_NAMED_MAX, "monitors"))
     return false;
   snprintf(one.name, sizeof one.name, "%s", name->text);
-  return NB_APPEND(reader, scene->watches, scene->watch_count, one);
+  return NB_APPEND(reader, scene->monitors, scene->monitor_count, one);
 }
 
-NB_APPLY(apply_watch) {
+NB_APPLY(apply_monitor) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
-  struct nb_watch one = {.a = -1, .b = -1};
+  struct nb_monitor one = {.a = -1, .b = -1};
   if (nb_token_skip(reader, "grading")) {
     one.a = nb_take_grading(scene, reader, &one.b);
-    one.kind = one.b < 0 ? NB_WATCH_GRADING : NB_WATCH_SIZE;
+    one.kind = one.b < 0 ? NB_MONITOR_GRADING : NB_MONITOR_SIZE;
   } else if (nb_token_skip(reader, "wall")) {
-    one.kind = NB_WATCH_WALL;
+    one.kind = NB_MONITOR_WALL;
     one.a = take_wall(scene, reader);
   } else {
     one.a = take_numbered(reading, reader, "`disc N`, `sphere N`, `wall NAME` or `grading NAME`");
     if (nb_token_peek(reader) && nb_take_word(reader, "with")) {
       const bool wall = nb_token_skip(reader, "wall");
-      one.kind = wall ? NB_WATCH_BODY_WALL : NB_WATCH_BODY_BODY;
+      one.kind = wall ? NB_MONITOR_PARTICLE_WALL : NB_MONITOR_PARTICLE_PARTICLE;
       one.b = wall ? take_wall(scene, reader) : take_numbered(reading, reader, "`disc N`, `sphere N` or `wall NAME`");
       if (!wall && one.a == one.b && one.a >= 0)
         nb_token_mistake(reader, &reader->tokens[reader->count - 1], NULL,
@@ -68,13 +69,13 @@ NB_APPLY(apply_watch) {
   if (one.a < 0)
     nb_silent(reader);
   if (!reader->bad)
-    nb_watch_add(scene, reader, record->value[AT_NAME].token, one);
+    nb_monitor_add(scene, reader, record->value[AT_NAME].token, one);
 }
 
 /* clang-format off */
 NB_STATEMENTS(watch) = {
-  {"monitor", NB_IN_SCENE | NB_IN_START, watch_fields,
-   "disc N | disc N with disc M | disc N with wall NAME | wall NAME | grading NAME {radius R}", 0, false, apply_watch,
+  {"monitor", NB_IN_SCENE | NB_IN_START, monitor_fields,
+   "disc N | disc N with disc M | disc N with wall NAME | wall NAME | grading NAME {radius R}", 0, false, apply_monitor,
    "Names a body, a contact, a wall, or a grading or one size of it, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`.",
    "monitor   A  disc 1\nmonitor   C  disc 1 with sphere 2\nmonitor   F  sphere 9 with wall shelf\nmonitor   S  wall shelf\nmonitor   G  grading mixed\nmonitor   H  grading mixed radius 5 mm"},
   {0},

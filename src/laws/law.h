@@ -29,10 +29,10 @@ struct nb_normal {
 };
 
 struct nb_shear {
-  double force;     /* F_s, in the sense of the slip that made it, N */
-  double stiffness; /* dF_s/d(slip) while sticking, N/m; 0 where nothing touches */
-  double sliding;   /* 1 when the force is at its limit, else 0 */
-  double lost;      /* in this step to micro-slip, gross sliding included, J; of a law that declares LOSES */
+  double force;      /* F_s, in the sense of the slip that made it, N */
+  double stiffness;  /* dF_s/d(slip) while sticking, N/m; 0 where nothing touches */
+  double sliding;    /* 1 when the force is at its limit, else 0 */
+  double dissipated; /* in this step to micro-slip, gross sliding included, J; of a law that declares LOSES */
 };
 
 /* One row of the register; law_batch.h writes it. */
@@ -44,17 +44,16 @@ struct nb_law {
   const char *parameters; /* of the materials, on which its force depends: "ks, friction, cohesion" */
   int memory, piece,
       pieces; /* doubles per contact: `memory`, and `piece` more for each of `pieces`, or of as many as a page says */
-  unsigned needs;    /* set of fields, besides overlap, normal and its stiffness, that it reads */
-  bool elastic;      /* of elastic spheres: works with E*, G* and R*, not with k_n and k_s */
-  bool branching;    /* has loops or calls: its loop is not asked to be wide */
-  bool cohesionless; /* knows no cohesion: a page that gives it some is wrong */
-  bool loses;        /* loses energy before it slides as a whole, and says how much */
-  bool gains;        /* may create energy over a closed path, and says so in its file */
-  bool incremental;  /* adds to the force before: its stiffness is the slope to come; parts before overlap does */
-  nb_run_pass *run[NB_ISAS]; /* over a block */
-  struct nb_normal (*normal)(struct nb_pair, double overlap, double closing,
-                             double m[]); /* for the bench and the tests */
-  struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double slip, double m[]);
+  unsigned needs;        /* set of fields, besides overlap, normal and its stiffness, that it reads */
+  bool elastic;          /* of elastic spheres: works with E*, G* and R*, not with k_n and k_s */
+  bool branching;        /* has loops or calls: its loop is not asked to be wide */
+  bool cohesionless;     /* knows no cohesion: a page that gives it some is wrong */
+  bool dissipative;      /* loses energy before it slides as a whole, and says how much */
+  bool non_conservative; /* may create energy over a closed path, and says so in its file */
+  bool incremental;      /* adds to the force before: its stiffness is the slope to come; parts before overlap does */
+  nb_run_pass *run[NB_ISAS];                                                         /* over a block */
+  struct nb_normal (*normal)(struct nb_pair, double overlap, double dn, double m[]); /* for the bench and the tests */
+  struct nb_shear (*shear)(struct nb_pair, struct nb_normal, double ds, double m[]);
   double (*stored)(struct nb_pair, struct nb_normal, const double m[]); /* elastic energy, J; NULL: the law has none */
   int (*used)(const double m[]); /* how many doubles of a contact's row mean something; NULL: all */
   /* Whether so many doubles can be such a row, with at most so many pieces: asked of what a file says. NULL: as many as it declares. */
@@ -70,11 +69,11 @@ static inline double nb_normal_stiffest(struct nb_normal n) {
 }
 
 /* Pieces of a contact's history that it keeps: as many as a page says, or, where that is 0, as it likes best. */
-static inline double nb_law_pieces(const struct nb_law *law, double said) {
-  return !law || law->piece == 0 ? 0 : said > 0 ? said : law->pieces;
+static inline double nb_law_pieces(const struct nb_law *law, double given) {
+  return !law || law->piece == 0 ? 0 : given > 0 ? given : law->pieces;
 }
 /* Doubles that it remembers of a contact of such a pair; 0 for no law. */
-static inline int nb_law_memory(const struct nb_law *law, struct nb_pair p) {
+static inline int nb_law_history(const struct nb_law *law, struct nb_pair p) {
   return law ? law->memory + law->piece * (int)p.pieces : 0;
 }
 

@@ -41,45 +41,46 @@
 #define PIECE 0
 #define PIECES 0
 #endif
-#define LAW_ROWS (MEMORY + PIECE * PIECES > NB_MEMORY)
+#define LAW_ROWS (MEMORY + PIECE * PIECES > NB_HISTORY)
 
 #ifdef NORMAL
-#define LAW_MEMORY view->normal_memory
+#define LAW_HISTORY block->normal_history
 #else
-#define LAW_MEMORY view->shear_memory
+#define LAW_HISTORY block->shear_history
 #endif
 
 #ifdef STAGED
 #include "law_stages.h"
 #else
 /* `counts`: what is lost is told. Two loops, since few ask for it, and a law may have to work for it. */
-static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
+static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
   (void)counts;
-  const struct nb_pair pair = *(const struct nb_pair *)view->pairing; /* a pairing begins with its constants */
-  const double *overlap = view->f[NB_OVERLAP];
+  const struct nb_pair pair = *(const struct nb_pair *)block->material_pair; /* a pairing begins with its constants */
+  const double *overlap = block->f[NB_OVERLAP];
 #ifdef ELASTIC
-  const double *reduced = view->f[NB_REDUCED];
+  const double *reduced = block->f[NB_REDUCED];
 #endif
 #ifdef NORMAL
-  const double *closing = view->f[NEEDS & NB_BIT(NB_CLOSING) ? NB_CLOSING : NB_OVERLAP];
-  double *force = view->f[NB_NORMAL], *stiffness = view->f[NB_STIFFNESS], *radius = view->f[NB_RADIUS];
+  const double *dn = block->f[NEEDS & NB_BIT(NB_NORMAL_INCREMENT) ? NB_NORMAL_INCREMENT : NB_OVERLAP];
+  double *force = block->f[NB_NORMAL], *stiffness = block->f[NB_STIFFNESS], *radius = block->f[NB_RADIUS];
 #else
-  const double *slip = view->f[NB_SLIP], *normal = view->f[NB_NORMAL], *hardness = view->f[NB_STIFFNESS];
-  const double *radius = view->f[NB_RADIUS];
-  double *force = view->f[NB_SHEAR], *stiffness = view->f[NB_SHEAR_STIFFNESS], *sliding = view->f[NB_SLIDING];
-  double *lost = view->f[NB_LOST];
+  const double *ds = block->f[NB_TANGENTIAL_INCREMENT], *normal = block->f[NB_NORMAL],
+               *hardness = block->f[NB_STIFFNESS];
+  const double *radius = block->f[NB_RADIUS];
+  double *force = block->f[NB_SHEAR], *stiffness = block->f[NB_SHEAR_STIFFNESS], *sliding = block->f[NB_SLIDING];
+  double *dissipated = block->f[NB_DISSIPATED];
 #endif
 #if LAW_ROWS
-  double *rows = LAW_MEMORY.rows;
-  const size_t row = (size_t)LAW_MEMORY.doubles;
+  double *rows = LAW_HISTORY.rows;
+  const size_t row = (size_t)LAW_HISTORY.doubles;
 #else
-  double *const m0 = LAW_MEMORY.field[0], *const m1 = LAW_MEMORY.field[1];
-  double *const m2 = LAW_MEMORY.field[2], *const m3 = LAW_MEMORY.field[3];
+  double *const m0 = LAW_HISTORY.field[0], *const m1 = LAW_HISTORY.field[1];
+  double *const m2 = LAW_HISTORY.field[2], *const m3 = LAW_HISTORY.field[3];
 #endif
 #ifndef BRANCHING
   NB_WIDE
 #endif
-  for (size_t c = 0; c < view->n; c++) {
+  for (size_t c = 0; c < block->n; c++) {
     struct nb_pair p = pair;
 #ifdef ELASTIC
     p.radius = reduced[c];
@@ -87,13 +88,13 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
 #if LAW_ROWS
     double *m = rows + c * row;
 #ifdef AHEAD
-    if (c + 2 * NB_AHEAD < view->n)
+    if (c + 2 * NB_AHEAD < block->n)
       __builtin_prefetch(rows + (c + 2 * NB_AHEAD) * row, 1);
-    if (c + NB_AHEAD < view->n)
+    if (c + NB_AHEAD < block->n)
       AHEAD(rows + (c + NB_AHEAD) * row);
 #endif
 #else
-    double m[NB_MEMORY];
+    double m[NB_HISTORY];
     m[0] = MEMORY > 0 ? m0[c] : 0, m[1] = MEMORY > 1 ? m1[c] : 0, m[2] = MEMORY > 2 ? m2[c] : 0,
     m[3] = MEMORY > 3 ? m3[c] : 0;
 #endif
@@ -103,19 +104,19 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
       m[0] = 0;
 #endif
 #ifdef NORMAL
-    const struct nb_normal out = LAW(p, overlap[c], closing[c], m);
+    const struct nb_normal out = LAW(p, overlap[c], dn[c], m);
     radius[c] = out.radius;
 #else
     const struct nb_normal n = {
         .force = normal[c], .stiffness = hardness[c], .radius = radius[c], .overlap = overlap[c]};
 #if LAW_ROWS
-    const struct nb_shear out = touching ? LAW(p, n, slip[c], m) : (struct nb_shear){0};
+    const struct nb_shear out = touching ? LAW(p, n, ds[c], m) : (struct nb_shear){0};
 #else
-    const struct nb_shear out = LAW(p, n, slip[c], m);
+    const struct nb_shear out = LAW(p, n, ds[c], m);
 #endif
     sliding[c] = out.sliding;
     if (counts)
-      lost[c] = out.lost;
+      dissipated[c] = out.dissipated;
 #endif
     force[c] = out.force;
     stiffness[c] = out.stiffness;
@@ -133,15 +134,15 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
 }
 #endif
 
-static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct nb_view *view) {
+static inline NB_FORM void LAW_BLOCK(const struct nb_model *model, const struct nb_block *block) {
   (void)model;
-#ifdef LOSES
-  if (view->f[NB_LOST]) {
-    LAW_LOOP(view, true);
+#ifdef DISSIPATIVE
+  if (block->f[NB_DISSIPATED]) {
+    LAW_LOOP(block, true);
     return;
   }
 #endif
-  LAW_LOOP(view, false);
+  LAW_LOOP(block, false);
 }
 
 LAW_FORMS(LAW_BLOCK)
@@ -175,11 +176,11 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
 #ifdef PIECES_OF
     .pieces_of = PIECES_OF,
 #endif
-#ifdef LOSES
-    .loses = true,
+#ifdef DISSIPATIVE
+    .dissipative = true,
 #endif
-#ifdef GAINS
-    .gains = true,
+#ifdef NON_CONSERVATIVE
+    .non_conservative = true,
 #endif
 #ifdef INCREMENTAL
     .incremental = true,

@@ -18,10 +18,10 @@
 #define LAW_SOLVE LAW_JOIN(LAW, _solve)
 #define LAW_SETTLE LAW_JOIN(LAW, _settle)
 
-static struct nb_shear LAW(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+static struct nb_shear LAW(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   SOLVED solved;
-  struct nb_shear out = LAW_SOLVE(p, n, slip, LAW_LOOK(p, n, m), &solved);
-  LAW_SETTLE(p, n, slip, m, solved, &out, true);
+  struct nb_shear out = LAW_SOLVE(p, n, ds, LAW_LOOK(p, n, m), &solved);
+  LAW_SETTLE(p, n, ds, m, solved, &out, true);
   return out;
 }
 
@@ -40,27 +40,28 @@ union law_solved {
   double v[LAW_SOLVED];
 };
 
-static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
-  const struct nb_pair pair = *(const struct nb_pair *)view->pairing; /* a pairing begins with its constants */
-  const double *overlap = view->f[NB_OVERLAP], *reduced = view->f[NB_REDUCED], *slip = view->f[NB_SLIP];
-  const double *normal = view->f[NB_NORMAL], *hardness = view->f[NB_STIFFNESS], *radius = view->f[NB_RADIUS];
-  double *force = view->f[NB_SHEAR], *stiffness = view->f[NB_SHEAR_STIFFNESS], *sliding = view->f[NB_SLIDING];
-  double *lost = view->f[NB_LOST], *rows = LAW_MEMORY.rows;
-  const size_t row = (size_t)LAW_MEMORY.doubles;
+static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
+  const struct nb_pair pair = *(const struct nb_pair *)block->material_pair; /* a pairing begins with its constants */
+  const double *overlap = block->f[NB_OVERLAP], *reduced = block->f[NB_REDUCED],
+               *ds = block->f[NB_TANGENTIAL_INCREMENT];
+  const double *normal = block->f[NB_NORMAL], *hardness = block->f[NB_STIFFNESS], *radius = block->f[NB_RADIUS];
+  double *force = block->f[NB_SHEAR], *stiffness = block->f[NB_SHEAR_STIFFNESS], *sliding = block->f[NB_SLIDING];
+  double *dissipated = block->f[NB_DISSIPATED], *rows = LAW_HISTORY.rows;
+  const size_t row = (size_t)LAW_HISTORY.doubles;
   _Alignas(64) double found[LAW_FOUND][LAW_STAGE], solved[LAW_SOLVED][LAW_STAGE];
 #define LAW_GIVEN(c)                                                                                                   \
   struct nb_pair p = pair;                                                                                             \
   p.radius = reduced[c];                                                                                               \
   const struct nb_normal n = {.force = normal[c], .stiffness = hardness[c], .radius = radius[c], .overlap = overlap[c] }
-  for (size_t first = 0; first < view->n; first += LAW_STAGE) {
-    const size_t end = first + LAW_STAGE < view->n ? first + LAW_STAGE : view->n;
+  for (size_t first = 0; first < block->n; first += LAW_STAGE) {
+    const size_t end = first + LAW_STAGE < block->n ? first + LAW_STAGE : block->n;
     for (size_t c = first; c < end; c++) {
       LAW_GIVEN(c);
       double *m = &rows[c * row];
       const size_t soon = c + NB_AHEAD, later = soon + NB_AHEAD;
-      if (later < view->n)
+      if (later < block->n)
         __builtin_prefetch(&rows[later * row], 1);
-      if (soon < view->n)
+      if (soon < block->n)
         AHEAD(&rows[soon * row]);
       union law_found f;
       if (overlap[c] > 0)
@@ -79,7 +80,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
       for (int k = 0; k < LAW_FOUND; k++)
         f.v[k] = found[k][c - first];
       union law_solved s;
-      const struct nb_shear out = LAW_SOLVE(p, n, slip[c], f.it, &s.it);
+      const struct nb_shear out = LAW_SOLVE(p, n, ds[c], f.it, &s.it);
       NB_UNROLLED
       for (int k = 0; k < LAW_SOLVED; k++)
         solved[k][c - first] = s.v[k];
@@ -89,18 +90,18 @@ static inline NB_FORM void LAW_LOOP(const struct nb_view *view, bool counts) {
     }
     for (size_t c = first; c < end; c++) {
       LAW_GIVEN(c);
-      struct nb_shear out = {.force = force[c], .lost = 0};
+      struct nb_shear out = {.force = force[c], .dissipated = 0};
       if (overlap[c] > 0) {
         union law_solved s;
         NB_UNROLLED
         for (int k = 0; k < LAW_SOLVED; k++)
           s.v[k] = solved[k][c - first];
-        LAW_SETTLE(p, n, slip[c], &rows[c * row], s.it, &out, counts);
+        LAW_SETTLE(p, n, ds[c], &rows[c * row], s.it, &out, counts);
         force[c] = out.force;
       }
       sliding[c] = out.sliding;
       if (counts)
-        lost[c] = out.lost;
+        dissipated[c] = out.dissipated;
     }
   }
 #undef LAW_GIVEN

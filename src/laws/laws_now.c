@@ -15,13 +15,13 @@ struct nb_in_force nb_laws_at_start(const struct nb_scene *scene) {
 }
 
 struct nb_in_force nb_laws_of(const struct nb_stage *stage, struct nb_in_force before) {
-  const struct nb_laws *said = &stage->laws;
+  const struct nb_laws *given = &stage->laws;
   struct nb_in_force now = before;
-  if (said->normal[0])
-    now.normal = nb_law_find("normal", said->normal), now.normal_line = said->normal_line;
-  if (said->shear[0]) {
-    now.shear = nb_law_find("shear", said->shear), now.shear_line = said->shear_line;
-    now.pieces = nb_law_pieces(now.shear, said->pieces);
+  if (given->normal[0])
+    now.normal = nb_law_find("normal", given->normal), now.normal_line = given->normal_line;
+  if (given->shear[0]) {
+    now.shear = nb_law_find("shear", given->shear), now.shear_line = given->shear_line;
+    now.pieces = nb_law_pieces(now.shear, given->pieces);
   }
   return now;
 }
@@ -41,7 +41,7 @@ bool nb_laws_shear(const struct nb_scene *scene) {
 }
 
 /* Contacts that had no friction and no cohesion may get them from a stage. */
-static bool rubs_later(const struct nb_scene *scene) {
+static bool has_friction_later(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].change_count; k++)
       if (scene->stages[s].changes[k].friction > 0 || scene->stages[s].changes[k].cohesion > 0)
@@ -53,30 +53,30 @@ static bool is_unstored(const struct nb_law *law) { return law && !law->stored &
 
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal) {
   const struct nb_law *first = nb_laws_at_start(scene).shear;
-  if (!normal && rubs_later(scene) && is_unstored(first))
+  if (!normal && has_friction_later(scene) && is_unstored(first))
     return first;
   for (size_t s = 0; s < scene->stage_count; s++) {
-    const struct nb_laws *said = &scene->stages[s].laws;
-    const struct nb_law *law = nb_law_find(normal ? "normal" : "shear", normal ? said->normal : said->shear);
+    const struct nb_laws *given = &scene->stages[s].laws;
+    const struct nb_law *law = nb_law_find(normal ? "normal" : "shear", normal ? given->normal : given->shear);
     if (is_unstored(law))
       return law;
   }
   return NULL;
 }
 
-bool nb_laws_normal_changes(const struct nb_model *model) { return model->coming.normal != model->laws.normal; }
+bool nb_laws_normal_changes(const struct nb_model *model) { return model->next.normal != model->laws.normal; }
 
 bool nb_laws_shear_changes(const struct nb_model *model) {
-  return model->coming.shear != model->laws.shear || model->coming.pieces != model->laws.pieces;
+  return model->next.shear != model->laws.shear || model->next.pieces != model->laws.pieces;
 }
 
 void nb_laws_change(struct nb_model *model) {
   const bool normal = nb_laws_normal_changes(model), shear = nb_laws_shear_changes(model);
   for (size_t c = 0; c < model->contacts.count; c++) {
     if (normal)
-      nb_memory_forget(&model->contacts.normal_memory, c);
+      nb_history_forget(&model->contacts.normal_history, c);
     if (shear)
-      nb_memory_forget(&model->contacts.shear_memory, c);
+      nb_history_forget(&model->contacts.shear_history, c);
   }
-  model->laws = model->coming;
+  model->laws = model->next;
 }

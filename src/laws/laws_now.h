@@ -24,6 +24,7 @@ struct nb_pair nb_properties_pair(const struct nb_properties *now, int material_
 /* What is now of the material or the pair that a change is about. */
 struct nb_pair nb_properties_before(const struct nb_properties *now, const struct nb_change *change);
 /* Makes what the change is about `share` (0 to 1) of its way from `from`. */
-void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from, double share);
+void nb_properties_change(struct nb_properties *now, const struct nb_change *change, struct nb_pair from,
+                          double fraction);
 
 #endif

@@ -13,8 +13,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
 
-static inline struct nb_normal normal_hertz(struct nb_pair p, double overlap, double closing, double m[]) {
-  (void)closing, (void)m;
+static inline struct nb_normal normal_hertz(struct nb_pair p, double overlap, double dn, double m[]) {
+  (void)dn, (void)m;
   const double a = sqrt(p.radius * overlap), stiffness = 2 * p.young * a;
   return (struct nb_normal){.force = 2.0 / 3.0 * (stiffness * overlap), .stiffness = stiffness, .radius = a};
 }

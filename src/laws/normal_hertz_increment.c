@@ -27,13 +27,13 @@ static inline double normal_hertz_increment_radius(struct nb_pair p, double forc
   return cbrt(0.75 * force * p.radius / p.young);
 }
 
-static inline struct nb_normal normal_hertz_increment(struct nb_pair p, double overlap, double closing, double m[]) {
-  const double dn = nb_touched(overlap, closing) * closing;
+static inline struct nb_normal normal_hertz_increment(struct nb_pair p, double overlap, double dn, double m[]) {
+  const double since_touch = nb_touched(overlap, dn) * dn;
   double force = 0;
   if (m[0] > 0)
-    force = m[0] + 2 * p.young * normal_hertz_increment_radius(p, m[0]) * dn;
-  else if (dn > 0)
-    force = 4.0 / 3.0 * p.young * (sqrt(p.radius * dn) * dn);
+    force = m[0] + 2 * p.young * normal_hertz_increment_radius(p, m[0]) * since_touch;
+  else if (since_touch > 0)
+    force = 4.0 / 3.0 * p.young * (sqrt(p.radius * since_touch) * since_touch);
   m[0] = overlap > 0 && force > 0 ? force : 0;
   const double a = normal_hertz_increment_radius(p, m[0]);
   return (struct nb_normal){.force = m[0], .stiffness = 2 * p.young * a, .radius = a};
@@ -51,7 +51,7 @@ static double normal_hertz_increment_stored(struct nb_pair p, struct nb_normal n
 #define SOURCE "[R89 4.11, 4.12, 4.14]"
 #define PARAMETERS "young, poisson"
 #define MEMORY 1
-#define NEEDS NB_BIT(NB_CLOSING)
+#define NEEDS NB_BIT(NB_NORMAL_INCREMENT)
 #define BRANCHING
 #define INCREMENTAL
 #define STORED normal_hertz_increment_stored

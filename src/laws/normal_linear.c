@@ -13,8 +13,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
 
-static inline struct nb_normal normal_linear(struct nb_pair p, double overlap, double closing, double m[]) {
-  (void)closing, (void)m;
+static inline struct nb_normal normal_linear(struct nb_pair p, double overlap, double dn, double m[]) {
+  (void)dn, (void)m;
   return (struct nb_normal){.force = p.kn * overlap, .stiffness = overlap > 0 ? p.kn : 0};
 }
 

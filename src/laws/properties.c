@@ -19,7 +19,7 @@ static bool is_of(const struct nb_pair_rule *rule, int a, int b) {
 }
 
 /* The number of `rule` where it says one, else that of the rule for all pairs. */
-static double said(double number, double otherwise) { return isnan(number) ? otherwise : number; }
+static double given(double number, double otherwise) { return isnan(number) ? otherwise : number; }
 
 static struct nb_pair pair_of(const struct nb_material *materials, const struct nb_pair_rule *rules, size_t rule_count,
                               int material_a, int material_b) {
@@ -37,7 +37,7 @@ static struct nb_pair pair_of(const struct nb_material *materials, const struct 
     const struct nb_pair_rule *rule = &rules[i];
     if (!is_of(rule, material_a, material_b))
       continue;
-#define ROW(name, ...) pair.name = said(rule->name, pair.name);
+#define ROW(name, ...) pair.name = given(rule->name, pair.name);
     NB_PAIR_ROWS(ROW)
 #undef ROW
   }
@@ -100,15 +100,15 @@ static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
 }
 
 /* `share` of the way; all of it is the very number that the page says. */
-static void go(double *value, double from, double to, double share) {
+static void go(double *value, double from, double to, double fraction) {
   if (!isnan(to))
-    *value = share < 1 ? from + (to - from) * share : to;
+    *value = fraction < 1 ? from + (to - from) * fraction : to;
 }
 
-void nb_properties_change(struct nb_properties *now, const struct nb_change *to, struct nb_pair from, double share) {
+void nb_properties_change(struct nb_properties *now, const struct nb_change *to, struct nb_pair from, double fraction) {
   struct nb_material *material = &now->materials[to->a];
   struct nb_pair_rule *rule = to->b >= 0 ? rule_of(now, to->a, to->b) : NULL;
-#define ROW(name, ...) go(rule ? &rule->name : &material->name, from.name, to->name, share);
+#define ROW(name, ...) go(rule ? &rule->name : &material->name, from.name, to->name, fraction);
   NB_PAIR_ROWS(ROW)
 #undef ROW
 }

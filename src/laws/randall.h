@@ -29,7 +29,7 @@ static inline double turned(bool back, double x) { return back ? -x : x; }
 
 /* theta = c/a, c the front of slip, for which T has changed by `force` since it began to go this way: [R89 4.22] from T = 0,
  * times 1; [R89 4.23, 4.24] from a reversal, times 2. Forces are those before the step, limit = mu N the one after it. */
-static inline double stuck_share(double force, double times, double rise, double limit) {
+static inline double stuck_fraction(double force, double times, double rise, double limit) {
   return cube_root(1 - (force + times * rise) / (times * limit));
 }
 

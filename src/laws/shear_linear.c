@@ -14,10 +14,10 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
 
-static inline struct nb_shear shear_linear(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+static inline struct nb_shear shear_linear(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   const bool touching = n.stiffness > 0;
   const double limit = n.force * p.friction + p.cohesion;
-  const double trial = touching ? m[0] + p.ks * slip : 0; /* what does not touch does not slide either */
+  const double trial = touching ? m[0] + p.ks * ds : 0; /* what does not touch does not slide either */
   const double size = fabs(trial);
   m[0] = copysign(size > limit ? limit : size, trial);
   return (struct nb_shear){

@@ -18,10 +18,10 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
 
-static inline struct nb_shear shear_mindlin(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+static inline struct nb_shear shear_mindlin(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   const double stiffness = 8 * p.shear * n.radius;
   const double limit = n.force * p.friction + p.cohesion;
-  const double trial = n.radius > 0 ? m[0] + stiffness * slip : 0;
+  const double trial = n.radius > 0 ? m[0] + stiffness * ds : 0;
   const double size = fabs(trial);
   m[0] = copysign(size > limit ? limit : size, trial);
   return (struct nb_shear){.force = m[0], .stiffness = stiffness, .sliding = size > limit ? 1 : 0};
@@ -34,5 +34,5 @@ static inline struct nb_shear shear_mindlin(struct nb_pair p, struct nb_normal n
 #define SOURCE "[R89 3.27]"
 #define PARAMETERS "young, poisson, friction, cohesion"
 #define MEMORY 1
-#define GAINS
+#define NON_CONSERVATIVE
 #include "law_batch.h"

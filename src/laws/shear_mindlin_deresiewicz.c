@@ -44,16 +44,16 @@
 
 static const double little = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
 /* The largest ratio of the old friction to the new one: with a larger one all slides as well, and its square is finite. */
-static const double most_share = 1e150;
+static const double most_fraction = 1e150;
 
 static inline double unit_of(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
-static inline double u_of(struct nb_pair p, double slip) { return slip * p.radius * (1 / unit_of(p)); }
+static inline double u_of(struct nb_pair p, double ds) { return ds * p.radius * (1 / unit_of(p)); }
 
 /* A friction whose inverse a double cannot hold counts as none. */
 static inline bool has_friction(struct nb_pair p) { return unit_of(p) >= DBL_MIN; }
 
 /* Nothing rubs without friction, nor where a normal law lets go before the outlines part. */
-static inline bool rubs(struct nb_pair p, struct nb_normal n) {
+static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
   return has_friction(p) && n.radius * n.radius * n.radius > 0;
 }
 
@@ -65,19 +65,19 @@ struct met {
 };
 
 /* The piece that comes to be, and u at its end. */
-struct leg {
+struct segment {
   double k; /* below 0: by rounding there may be none, or it may join the one before it */
   double x, u, d, b, end;
 };
 
-static inline NB_FORM struct leg makes(struct met at, bool ring, double x, double u) {
+static inline NB_FORM struct segment makes(struct met at, bool ring, double x, double u) {
   const double h = x - at.x, wanted = u - at.u, s = copysign(1, wanted - at.d * h);
   const double v = fabs(wanted) > h ? s * h : wanted; /* more: it slides */
   const double part = (ring ? v : h - s * v) / (ring ? h : 1 - s * at.d), in = at.x + part;
   const double d = ring ? part : s, c = ring ? at.x : in < x ? in : x;
   const double x1 = c - at.from, x2 = x - c, end = at.u + v;
   const double k = bend(at.d, d, x1, x2) > little * x * (x1 + x2) ? at.k : -1;
-  return (struct leg){k, c, end - d * x2, d, at.b + (at.d - d) * n_of(c), end};
+  return (struct segment){k, c, end - d * x2, d, at.b + (at.d - d) * n_of(c), end};
 }
 
 /* Of all corners; if none stays, all slides from the one at 0. */
@@ -89,49 +89,51 @@ static inline struct met seek(const struct corner at[], int pieces, double x, do
   return (struct met){piece, at[k].x, at[k].u, at[k].d, at[k].b, at[piece > 0 ? piece - 1 : 0].x};
 }
 
-static inline NB_FORM void lay(struct corner at[], int k, double x, const struct leg *leg) {
-  at[k] = (struct corner){leg->x, leg->u, leg->d, leg->b, 0};
-  at[k + 1] = (struct corner){x, leg->end, leg->d, leg->b, 0};
+static inline NB_FORM void lay(struct corner at[], int k, double x, const struct segment *segment) {
+  at[k] = (struct corner){segment->x, segment->u, segment->d, segment->b, 0};
+  at[k + 1] = (struct corner){x, segment->end, segment->d, segment->b, 0};
 }
 
 /* A piece that is little enough joins the last; so does one that there is no room for. Answers how many there are then. */
-static int lay_or_join(struct corner at[], int k, double x, const struct leg *leg, int most, double *lost) {
-  if (!(leg->x < x)) { /* nothing new */
-    at[k] = (struct corner){x, leg->end, at[k - 1].d, at[k - 1].b, 0};
+static int lay_or_join(struct corner at[], int k, double x, const struct segment *segment, int most,
+                       double *dissipated) {
+  if (!(segment->x < x)) { /* nothing new */
+    at[k] = (struct corner){x, segment->end, at[k - 1].d, at[k - 1].b, 0};
     return k;
   }
-  if (k > 0 && !(leg->x > at[k - 1].x)) /* nothing left of the one before */
+  if (k > 0 && !(segment->x > at[k - 1].x)) /* nothing left of the one before */
     k--;
-  lay(at, k, x, leg);
+  lay(at, k, x, segment);
   const int pieces = k + 1;
   if (k == 0)
     return pieces;
   const double x1 = at[k].x - at[k - 1].x, x2 = x - at[k].x;
-  const bool joins = bend(at[k - 1].d, leg->d, x1, x2) < little * x * (x1 + x2) - at[k - 1].e;
+  const bool joins = bend(at[k - 1].d, segment->d, x1, x2) < little * x * (x1 + x2) - at[k - 1].e;
   if (!joins && k < most)
     return pieces;
-  if (lost)
-    *lost += held_by(at, pieces);
+  if (dissipated)
+    *dissipated += held_by(at, pieces);
   if (joins)
     join(at, k, pieces);
   else
     make_room(at, pieces);
-  if (lost)
-    *lost -= held_by(at, k);
+  if (dissipated)
+    *dissipated -= held_by(at, k);
   at[k].d = at[k - 1].d, at[k].b = at[k - 1].b;
   return k;
 }
 
 /* What a leg loses, to the front, through the end of the piece before the new one and all behind it, and to a slide; as Int t du. With
  * slip in the sense s the front is where y - s u(y) is as much as x - s u at the edge, g, which falls along the leg; below 0 all slides. */
-static double loses(const struct corner at[], int pieces, double x, double u, int piece, const struct leg *leg) {
-  const double s = at[piece].x < x ? copysign(1, u - at[piece].u) : leg->d; /* at a corner leg->d may be rounding */
+static double dissipative(const struct corner at[], int pieces, double x, double u, int piece,
+                          const struct segment *segment) {
+  const double s = at[piece].x < x ? copysign(1, u - at[piece].u) : segment->d; /* at a corner leg->d may be rounding */
   const double x0 = at[pieces].x, g0 = x0 - s * at[pieces].u, g1 = x - s * u, fall = g0 - g1;
   if (!(fall > 0))
     return 0;
   double g = g1 > 0 ? g1 : 0,
-         y = leg->x < at[piece].x ? leg->x : at[piece].x;      /* with D = s there the front may be anywhere */
-  double now = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0; /* the overlap as the front is at y */
+         y = segment->x < at[piece].x ? segment->x : at[piece].x; /* with D = s there the front may be anywhere */
+  double now = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0;    /* the overlap as the front is at y */
   double sum = g1 < 0 ? -g1 * mean_n(x, now) : 0;
   for (int k = piece > 0 ? piece - 1 : 0; k < pieces; k++) {
     const double to = at[k + 1].x;
@@ -146,24 +148,24 @@ static double loses(const struct corner at[], int pieces, double x, double u, in
 }
 
 /* Any leg, one by one; answers how many pieces there are then. */
-static NB_SELDOM int go(struct corner at[], int pieces, double x, double u, int most, double *lost) {
+static NB_SELDOM int go(struct corner at[], int pieces, double x, double u, int most, double *dissipated) {
   const struct met met = seek(at, pieces, x, u);
   const int piece = (int)met.k;
-  const struct leg leg = makes(met, stays(at[pieces].x, at[pieces].u, x, u), x, u);
-  if (lost)
-    *lost += loses(at, pieces, x, u, piece, &leg);
-  return lay_or_join(at, piece, x, &leg, most, lost);
+  const struct segment segment = makes(met, stays(at[pieces].x, at[pieces].u, x, u), x, u);
+  if (dissipated)
+    *dissipated += dissipative(at, pieces, x, u, piece, &segment);
+  return lay_or_join(at, piece, x, &segment, most, dissipated);
 }
 
 /* With another friction the path goes anew, in the same memory: a leg makes at most one piece. Returns the loss. */
-static NB_SELDOM double go_anew(struct corner at[], double *count, double share, int most) {
+static NB_SELDOM double go_anew(struct corner at[], double *count, double fraction, int most) {
   const int pieces = (int)*count;
-  const double held = share * share * held_by(at, pieces);
+  const double held = fraction * fraction * held_by(at, pieces);
   double from = 0;
   int k = 0;
   at[0] = (struct corner){0};
   for (int i = 1; i <= pieces; i++) {
-    const double u = at[k].u + share * (at[i].u - from);
+    const double u = at[k].u + fraction * (at[i].u - from);
     from = at[i].u;
     k = go(at, k, at[i].x, u, most, NULL);
   }
@@ -186,13 +188,13 @@ static inline struct seen seen(const struct corner *at) { return (struct seen){a
 
 static inline NB_FORM struct found shear_mindlin_deresiewicz_look(struct nb_pair p, struct nb_normal n, double m[]) {
   struct corner *at = (struct corner *)(m + HEAD);
-  if (!rubs(p, n))
+  if (!can_slide(p, n))
     m[0] = 0;
   if (m[0] == 0) {
     at[0] = (struct corner){0};
   } else if (m[1] != unit_of(p)) {
-    const double lost = go_anew(at, &m[0], fmin(m[1] / unit_of(p), most_share), (int)p.pieces);
-    at[(int)m[0]].e = lost; /* until it is told */
+    const double dissipated = go_anew(at, &m[0], fmin(m[1] / unit_of(p), most_fraction), (int)p.pieces);
+    at[(int)m[0]].e = dissipated; /* until it is told */
   }
   m[1] = unit_of(p);
   const int k = (int)m[0];
@@ -214,9 +216,9 @@ static inline NB_FORM double force_of(struct nb_pair p, struct nb_normal n, doub
   return p.friction * n.force * (d + b / (n.radius * n.radius * n.radius));
 }
 
-static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_pair p, struct nb_normal n, double slip,
-                                                                      struct found at, struct leg *leg) {
-  const double x = n.radius * n.radius, u = at.end.u + u_of(p, slip);
+static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_pair p, struct nb_normal n, double ds,
+                                                                      struct found at, struct segment *segment) {
+  const double x = n.radius * n.radius, u = at.end.u + u_of(p, ds);
   struct met met = {.k = -1};
   met = meets(at.third, at.pieces - 2, x, u, met);
   met = meets(at.next, at.pieces - 1, x, u, met);
@@ -224,41 +226,40 @@ static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_
   met = meets(at.end, at.pieces, x, u, met);
   const bool ring = stays(at.end.x, at.end.u, x, u);
   met.from = ring ? at.last.x : met.x;
-  *leg = makes(met, ring, x, u);
-  return (struct nb_shear){.force = force_of(p, n, leg->d, leg->b), .stiffness = 8 * p.shear * n.radius};
+  *segment = makes(met, ring, x, u);
+  return (struct nb_shear){.force = force_of(p, n, segment->d, segment->b), .stiffness = 8 * p.shear * n.radius};
 }
 
-static NB_SELDOM void go_seldom(struct nb_pair p, struct nb_normal n, double slip, double m[], struct nb_shear *out,
-                                double *lost) {
+static NB_SELDOM void go_seldom(struct nb_pair p, struct nb_normal n, double ds, double m[], struct nb_shear *out,
+                                double *dissipated) {
   struct corner *at = (struct corner *)(m + HEAD);
-  if (!rubs(p, n)) {
+  if (!can_slide(p, n)) {
     out->force = 0, out->sliding = has_friction(p) ? 0 : 1;
     return;
   }
-  const double x = n.radius * n.radius, u = at[(int)m[0]].u + u_of(p, slip);
-  const int pieces = go(at, (int)m[0], x, u, (int)p.pieces, lost);
+  const double x = n.radius * n.radius, u = at[(int)m[0]].u + u_of(p, ds);
+  const int pieces = go(at, (int)m[0], x, u, (int)p.pieces, dissipated);
   m[0] = pieces;
   out->sliding = fabs(u) > x ? 1 : 0;
   out->force = force_of(p, n, at[pieces].d, at[pieces].b);
 }
 
 /* A leg that has not met its corner, or is no more than rounding or the piece too much, goes one by one. */
-static inline NB_FORM void shear_mindlin_deresiewicz_settle(struct nb_pair p, struct nb_normal n, double slip,
-                                                            double m[], struct leg leg, struct nb_shear *out,
-                                                            bool counts) {
+static inline NB_FORM void shear_mindlin_deresiewicz_settle(struct nb_pair p, struct nb_normal n, double ds, double m[],
+                                                            struct segment segment, struct nb_shear *out, bool counts) {
   struct corner *at = (struct corner *)(m + HEAD);
   const double x = n.radius * n.radius;
-  double lost = at[(int)m[0]].e; /* before, with another friction */
-  if (leg.k >= 0 && leg.k < p.pieces) {
+  double dissipated = at[(int)m[0]].e; /* before, with another friction */
+  if (segment.k >= 0 && segment.k < p.pieces) {
     if (counts)
-      lost += loses(at, (int)m[0], x, leg.end, (int)leg.k, &leg);
-    lay(at, (int)leg.k, x, &leg);
-    m[0] = leg.k + 1;
+      dissipated += dissipative(at, (int)m[0], x, segment.end, (int)segment.k, &segment);
+    lay(at, (int)segment.k, x, &segment);
+    m[0] = segment.k + 1;
   } else {
-    go_seldom(p, n, slip, m, out, counts ? &lost : NULL);
+    go_seldom(p, n, ds, m, out, counts ? &dissipated : NULL);
   }
   if (counts && m[0] > 0)
-    out->lost = unit_of(p) / p.radius * (p.friction * n.force / (x * n.radius)) * lost;
+    out->dissipated = unit_of(p) / p.radius * (p.friction * n.force / (x * n.radius)) * dissipated;
 }
 
 static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_normal n, const double m[]) {
@@ -289,8 +290,8 @@ static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
 #define ELASTIC
 #define STAGED
 #define FOUND struct found
-#define SOLVED struct leg
-#define LOSES
+#define SOLVED struct segment
+#define DISSIPATIVE
 #define COHESIONLESS
 #define TITLE "exact law of elastic spheres, Cattaneo and Mindlin's, under any history"
 #define SOURCE "[R89 3.2-3.5]"

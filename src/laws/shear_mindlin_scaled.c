@@ -15,11 +15,11 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
 
-static inline struct nb_shear shear_mindlin_scaled(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+static inline struct nb_shear shear_mindlin_scaled(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   const double stiffness = 8 * p.shear * n.radius;
   const double limit = n.force * p.friction + p.cohesion;
   const double kept = n.radius < m[1] ? n.radius / m[1] : 1;
-  const double trial = kept * m[0] + stiffness * slip; /* 0 where the radius is */
+  const double trial = kept * m[0] + stiffness * ds; /* 0 where the radius is */
   const double size = fabs(trial);
   m[0] = copysign(size > limit ? limit : size, trial);
   m[1] = n.radius;

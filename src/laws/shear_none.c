@@ -6,8 +6,8 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
 
-static inline struct nb_shear shear_none(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
-  (void)p, (void)n, (void)slip, (void)m;
+static inline struct nb_shear shear_none(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
+  (void)p, (void)n, (void)ds, (void)m;
   return (struct nb_shear){0};
 }
 

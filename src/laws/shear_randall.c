@@ -54,10 +54,11 @@ static inline void turn(struct history *h) {
 }
 
 static inline double theta(const struct history *h, double rise, double limit) {
-  const double share = h->branch == LOADING     ? stuck_share(forth(h, h->t), 1, rise, limit)             /* 3.95 */
-                       : h->branch == UNLOADING ? stuck_share(forth(h, h->star - h->t), 2, rise, limit)   /* 3.96 */
-                                                : stuck_share(forth(h, h->t - h->star2), 2, rise, limit); /* 3.97 */
-  return share < 0 ? 0 : share > 1 ? 1 : share;
+  const double fraction = h->branch == LOADING ? stuck_fraction(forth(h, h->t), 1, rise, limit) /* 3.95 */
+                          : h->branch == UNLOADING
+                              ? stuck_fraction(forth(h, h->star - h->t), 2, rise, limit)   /* 3.96 */
+                              : stuck_fraction(forth(h, h->t - h->star2), 2, rise, limit); /* 3.97 */
+  return fraction < 0 ? 0 : fraction > 1 ? 1 : fraction;
 }
 
 /* What has been undone: reloading reaches T*, unloading T** or -T*, or N has fallen so that T* and T** come to T. */
@@ -71,36 +72,36 @@ static inline void forget(struct history *h) {
     h->cdf = -h->cdf, h->deficit = 0;
 }
 
-static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   struct history h = {0};
   if (m[0] > 0)
     memcpy(&h, m, sizeof h);
   const double stiffness = 8 * p.shear * n.radius, limit = p.friction * n.force, rise = p.friction * (n.force - h.n);
   const double critical = rise / stiffness; /* 4.16 */
-  double share = 1;
+  double fraction = 1;
   bool slides = false;
   h.n = n.force;
   if (!(limit > 0)) /* no friction */
-    h = (struct history){.n = n.force}, slides = slip != 0;
+    h = (struct history){.n = n.force}, slides = ds != 0;
   else if (h.cdf == 0)
-    h.cdf = slip > 0 ? 1 : slip < 0 ? -1 : 0;
+    h.cdf = ds > 0 ? 1 : ds < 0 ? -1 : 0;
   if (h.cdf != 0) {
-    double along = forth(&h, h.branch == UNLOADING || h.branch == REUNLOADING ? -slip : slip); /* on in its sense */
+    double along = forth(&h, h.branch == UNLOADING || h.branch == REUNLOADING ? -ds : ds); /* on in its sense */
     if (along < 0 && -along > -critical)
       turn(&h), along = -along;
-    share = along > critical + h.deficit ? theta(&h, rise, limit) : 1;
+    fraction = along > critical + h.deficit ? theta(&h, rise, limit) : 1;
     const double deficit = h.deficit + critical - along; /* 4.17 */
     h.deficit = deficit > 0 ? deficit : 0;
-    h.t += increment(share, stiffness * slip, unloading(&h, forth(&h, rise)));
+    h.t += increment(fraction, stiffness * ds, unloading(&h, forth(&h, rise)));
     h.star += forth(&h, rise), h.star2 -= forth(&h, rise); /* 4.20, 4.21 */
-    slides = !(fabs(h.t) <= limit && share > 0);
+    slides = !(fabs(h.t) <= limit && fraction > 0);
     if (slides)
       h = (struct history){.n = h.n, .t = copysign(limit, h.t), .cdf = copysign(1, h.t)};
     else
       forget(&h);
   }
   memcpy(m, &h, sizeof h);
-  return (struct nb_shear){.force = h.t, .stiffness = share * stiffness, .sliding = slides};
+  return (struct nb_shear){.force = h.t, .stiffness = fraction * stiffness, .sliding = slides};
 }
 
 #define LAW shear_randall
@@ -108,7 +109,7 @@ static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n
 #define ELASTIC
 #define BRANCHING
 #define COHESIONLESS
-#define GAINS
+#define NON_CONSERVATIVE
 #define TITLE "elastic spheres with micro-slip in increments, two reversals remembered, best reading"
 #define SOURCE "[R89 3.94-3.98, 4.15-4.25]"
 #define PARAMETERS "young, poisson, friction"

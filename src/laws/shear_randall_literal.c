@@ -44,11 +44,11 @@ static inline enum the1 the1_of(const struct history *h, bool back, double along
 static inline double theta(const struct history *h, enum the1 the1, bool back, double rise, double limit) {
   switch (the1) {
   case VIRGIN:
-    return stuck_share(turned(back, h->t), 1, rise, limit); /* 4.22 */
+    return stuck_fraction(turned(back, h->t), 1, rise, limit); /* 4.22 */
   case UNLOADING:
-    return stuck_share(turned(back, h->star - h->t), 2, rise, limit); /* 4.23 */
+    return stuck_fraction(turned(back, h->star - h->t), 2, rise, limit); /* 4.23 */
   case RELOADING:
-    return stuck_share(turned(back, h->t - h->star), 2, rise, limit); /* 4.24 */
+    return stuck_fraction(turned(back, h->t - h->star), 2, rise, limit); /* 4.24 */
   case STICKING:
     break;
   }
@@ -56,15 +56,15 @@ static inline double theta(const struct history *h, enum the1 the1, bool back, d
 }
 
 /* FORD, from the direction of loading to the test for load reversals; answers the stiffness. */
-static inline double move(struct history *h, double slip, double stiffness, double rise, double limit, double mu,
+static inline double move(struct history *h, double ds, double stiffness, double rise, double limit, double mu,
                           bool *reversed) {
-  const bool back = h->star != 0 ? h->star < 0 : h->t != 0 ? h->t < 0 : slip < 0; /* CDF = -1 */
-  const double along = turned(back, slip), critical = rise / stiffness;           /* 4.16 */
+  const bool back = h->star != 0 ? h->star < 0 : h->t != 0 ? h->t < 0 : ds < 0; /* CDF = -1 */
+  const double along = turned(back, ds), critical = rise / stiffness;           /* 4.16 */
   enum the1 the1 = the1_of(h, back, along);
   if (rise > 0 && along < mu * critical + h->deficit)
     the1 = STICKING;
-  const double share = theta(h, the1, back, rise, limit), before = h->t;
-  const double dt = increment(share, stiffness * slip, turned(slip < 0, rise)); /* CDF UFL has the sense of ds */
+  const double fraction = theta(h, the1, back, rise, limit), before = h->t;
+  const double dt = increment(fraction, stiffness * ds, turned(ds < 0, rise)); /* CDF UFL has the sense of ds */
   if (rise < 0)
     h->deficit += critical; /* 4.18 */
   else if (turned(back, dt) < rise || h->deficit > 0)
@@ -77,19 +77,19 @@ static inline double move(struct history *h, double slip, double stiffness, doub
     h->star2 = before;
   h->t += dt;
   *reversed = unloads || reloads;
-  return share > 0 ? share * stiffness : 0;
+  return fraction > 0 ? fraction * stiffness : 0;
 }
 
-static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_normal n, double slip, double m[]) {
+static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   struct history h = {0};
   if (m[0] > 0)
     memcpy(&h, m, sizeof h);
   const double limit = p.friction * n.force, rise = p.friction * (n.force - h.n);
   double stiffness = 8 * p.shear * n.radius;
   bool reversed = false;
-  if (slip != 0 && limit > 0)
-    stiffness = move(&h, slip, stiffness, rise, limit, p.friction, &reversed);
-  const bool slides = limit > 0 ? !(fabs(h.t) <= limit) : slip != 0;
+  if (ds != 0 && limit > 0)
+    stiffness = move(&h, ds, stiffness, rise, limit, p.friction, &reversed);
+  const bool slides = limit > 0 ? !(fabs(h.t) <= limit) : ds != 0;
   if (slides)
     h.t = copysign(limit, h.t);
   const bool back = h.star < 0;
@@ -111,7 +111,7 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
 #define ELASTIC
 #define BRANCHING
 #define COHESIONLESS
-#define GAINS
+#define NON_CONSERVATIVE
 #define TITLE "elastic spheres, R89's FORD and THETA as the text stands, for comparison"
 #define SOURCE "[R89 4.15-4.25]"
 #define PARAMETERS "young, poisson, friction"

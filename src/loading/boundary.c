@@ -1,7 +1,7 @@
 /* The boundary of an assembly: a ring of its own bodies; and rotation.             [R89 6.4.1, 6.5.1]
  *
  * A circle is drawn when the boundary begins. Bodies whose centres are on it or beyond belong to it. While they are held they have the
- * boundary's strain rate (carry.c) and no velocity of their own: their mass counts as infinite, they do not turn, and there is no
+ * boundary's strain rate (affine.c) and no velocity of their own: their mass counts as infinite, they do not turn, and there is no
  * force between two of them. With x at the step's begin their centres go as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), and the circle is
  * carried along with them: then it is the ellipse x = x_0 + S X, |X| = R, with S_(N+1) = (1 + L dt) S_N. A body whose centre comes
  * to lie on it or beyond, which so has more than half crossed it, belongs to the boundary from then on.
@@ -31,7 +31,7 @@ static const double on_circle = 1e-12;
 
 static bool beyond(const struct nb_model *model, struct nb_vec x, double inside) {
   const struct nb_ring *ring = &model->drive->ring;
-  const struct nb_vec home = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->carry->centre));
+  const struct nb_vec home = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->affine->centre));
   return vec_length(home) >= ring->radius * (1 - on_circle) - inside;
 }
 
@@ -39,35 +39,35 @@ static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy +
 
 /* Whether the body in that slot may belong to it: what a page holds, and what is gone, does not. */
 static bool may_join(const struct nb_model *model, size_t i) {
-  return model->bodies.inverse_mass[i] > 0 && model->carry->by[i] == NB_CARRIER_CONTINUUM;
+  return model->particles.inverse_mass[i] > 0 && model->affine->by[i] == NB_CARRIER_CONTINUUM;
 }
 
 /* ---- one body ---- */
 
-static void set_spin(struct nb_bodies *bodies, size_t i, double spin) {
-  if (bodies->spin)
-    bodies->spin[i] = spin;
-  bodies->rim[i].y = spin * bodies->rim[i].x;
+static void set_spin(struct nb_particles *particles, size_t i, double spin) {
+  if (particles->spin)
+    particles->spin[i] = spin;
+  particles->surface[i].speed = spin * particles->surface[i].radius;
 }
 
 static void hold(struct nb_model *model, int slot) {
-  struct nb_bodies *bodies = &model->bodies;
+  struct nb_particles *particles = &model->particles;
   const size_t i = (size_t)slot;
   if (model->terms) /* what is held has no kinetic energy in the account */
     nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_motion(model, i));
-  nb_carry_by(model->carry, i, NB_CARRIER_BOUNDARY);
-  bodies->carried[i] = bodies->velocity[i] = nb_carried_at(model->carry, i, bodies->position[i]);
-  bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
-  set_spin(bodies, i, 0);
+  nb_affine_by(model->affine, i, NB_CARRIER_BOUNDARY);
+  particles->imposed[i] = particles->velocity[i] = nb_imposed_at(model->affine, i, particles->position[i]);
+  particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
+  set_spin(particles, i, 0);
 }
 
 static void let_go(struct nb_model *model, int slot) {
-  struct nb_bodies *bodies = &model->bodies;
+  struct nb_particles *particles = &model->particles;
   const size_t i = (size_t)slot;
-  nb_carry_by(model->carry, i, NB_CARRIER_CONTINUUM);
-  bodies->carried[i] = nb_carry_remembered(model->carry, i, bodies->position[i]);
-  bodies->inverse_mass[i] = 1 / bodies->mass[i];
-  bodies->inverse_inertia[i] = model->drive->turns ? 1 / bodies->inertia[i] : 0;
+  nb_affine_by(model->affine, i, NB_CARRIER_CONTINUUM);
+  particles->imposed[i] = nb_affine_remembered(model->affine, i, particles->position[i]);
+  particles->inverse_mass[i] = 1 / particles->mass[i];
+  particles->inverse_inertia[i] = model->drive->rotates ? 1 / particles->inertia[i] : 0;
   nb_motion_begin(model, i, nb_velocity_half(model, i));
   if (model->terms)
     nb_sum_add(&model->terms[NB_TERM_REMOVED], -nb_energy_of_motion(model, i));
@@ -79,12 +79,12 @@ static bool lower(struct nb_vec a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
 
 /* Whether slot i comes before slot j, counterclockwise from the east. */
 static bool precedes(const struct nb_model *model, int i, int j) {
-  const struct nb_vec a = vec_sub(model->bodies.position[i], model->carry->centre);
-  const struct nb_vec b = vec_sub(model->bodies.position[j], model->carry->centre);
+  const struct nb_vec a = vec_sub(model->particles.position[i], model->affine->centre);
+  const struct nb_vec b = vec_sub(model->particles.position[j], model->affine->centre);
   const double turn = a.x * b.y - a.y * b.x;
   if (lower(a) != lower(b))
     return lower(b);
-  return turn != 0 ? turn > 0 : model->bodies.number[i] < model->bodies.number[j];
+  return turn != 0 ? turn > 0 : model->particles.number[i] < model->particles.number[j];
 }
 
 static void add(struct nb_model *model, int slot) {
@@ -107,12 +107,12 @@ static void ring_free(struct nb_model *model, bool dissolve) {
 static void ring_begin(struct nb_model *model, const struct nb_circle *circle) {
   struct nb_ring *ring = &model->drive->ring;
   ring_free(model, true);
-  model->carry->centre = vec(circle->x, circle->y);
+  model->affine->centre = vec(circle->x, circle->y);
   ring->begun = ring->held = true;
   ring->radius = circle->radius, ring->shape = tensor(1, 0, 0, 1), ring->after = 0;
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const int i = model->bodies.slot[k];
-    if (!may_join(model, (size_t)i) || !beyond(model, model->bodies.position[i], 0))
+  for (size_t k = 0; k < model->particles.count; k++) {
+    const int i = model->particles.slot[k];
+    if (!may_join(model, (size_t)i) || !beyond(model, model->particles.position[i], 0))
       continue;
     hold(model, i);
     add(model, i);
@@ -145,7 +145,7 @@ void nb_ring_press(struct nb_model *model) {
   struct nb_drive *drive = model->drive;
   const size_t count = drive->ring.count;
   const double thickness = nb_thickness(model);
-  memset(drive->pressed, 0, model->bodies.count * sizeof *drive->pressed);
+  memset(drive->pressed, 0, model->particles.count * sizeof *drive->pressed);
   for (size_t k = 0; k < count; k++) {
     const struct nb_vec along = vec_sub(nb_ring_place(model, k + 1), nb_ring_place(model, k + count - 1));
     drive->pressed[drive->ring.member[k]] =
@@ -175,15 +175,15 @@ static bool presses(const struct nb_scene *scene) {
 
 enum nb_status nb_drive_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   if (!wanted(scene))
     return NB_OK;
   struct nb_drive *drive = model->drive = nb_own(&model->owner, 1, sizeof *drive);
   if (drive) {
-    drive->turns = true;
-    drive->pressed = presses(scene) ? nb_own(&model->owner, bodies->count, sizeof *drive->pressed) : NULL;
-    drive->ring.member = nb_own(&model->owner, bodies->count, sizeof *drive->ring.member);
-    drive->ring.rim = nb_own(&model->owner, bodies->count, sizeof *drive->ring.rim);
+    drive->rotates = true;
+    drive->pressed = presses(scene) ? nb_own(&model->owner, particles->count, sizeof *drive->pressed) : NULL;
+    drive->ring.member = nb_own(&model->owner, particles->count, sizeof *drive->ring.member);
+    drive->ring.edge = nb_own(&model->owner, particles->count, sizeof *drive->ring.edge);
   }
   if (model->owner.failed)
     return nb_error_memory(error);
@@ -197,9 +197,10 @@ enum nb_status nb_drive_create(struct nb_model *model, struct nb_error *error) {
 /* Pairs of bodies that are both held are about to leave the list, with what their springs hold. */
 static void drop_held(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  const double *inverse = model->bodies.inverse_mass;
+  const double *inverse = model->particles.inverse_mass;
   for (size_t c = 0; c < contacts->count; c++)
-    if (!model->pairings[contacts->pairing[c]].wall && inverse[contacts->a[c]] == 0 && inverse[contacts->b[c]] == 0)
+    if (!model->material_pairs[contacts->material_pair[c]].wall && inverse[contacts->a[c]] == 0 &&
+        inverse[contacts->b[c]] == 0)
       nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_contact(model, c));
 }
 
@@ -207,25 +208,25 @@ static enum nb_status search_anew(struct nb_model *model, struct nb_error *error
   if (model->terms)
     drop_held(model);
   model->search.keeping = true;
-  const enum nb_status status = nb_near(model, error);
+  const enum nb_status status = nb_neighbours_search(model, error);
   model->search.keeping = false;
   return status ? status : nb_balance_entered(model, error);
 }
 
 /* All free bodies stop turning and stay so, or turn again. */
-static void rotation_begin(struct nb_model *model, bool turns) {
-  struct nb_bodies *bodies = &model->bodies;
-  model->drive->turns = turns;
+static void rotation_begin(struct nb_model *model, bool rotates) {
+  struct nb_particles *particles = &model->particles;
+  model->drive->rotates = rotates;
   nb_balance_jump(model, NB_TERM_CHANGED, true);
-  for (size_t i = 0; i < bodies->count; i++) {
-    if (!(bodies->inverse_mass[i] > 0))
+  for (size_t i = 0; i < particles->count; i++) {
+    if (!(particles->inverse_mass[i] > 0))
       continue;
     const struct nb_state now = nb_velocity_now(model, i);
-    bodies->inverse_inertia[i] = turns ? 1 / bodies->inertia[i] : 0;
-    if (turns)
+    particles->inverse_inertia[i] = rotates ? 1 / particles->inertia[i] : 0;
+    if (rotates)
       nb_motion_begin(model, i, now);
     else
-      set_spin(bodies, i, 0);
+      set_spin(particles, i, 0);
   }
   nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
@@ -236,9 +237,9 @@ static void pressing(struct nb_model *model, bool on) {
   struct nb_drive *drive = model->drive;
   if (on)
     nb_ring_press(model);
-  for (size_t i = 0; i < model->bodies.count && (on || model->bodies.pressed); i++)
+  for (size_t i = 0; i < model->particles.count && (on || model->particles.pressed); i++)
     nb_motion_release(model, i, (struct nb_force){vec_scale(on ? -1 : 1, drive->pressed[i]), 0});
-  model->bodies.pressed = on ? drive->pressed : NULL;
+  model->particles.pressed = on ? drive->pressed : NULL;
 }
 
 static void ring_begins(struct nb_model *model, const struct nb_stage *stage) {
@@ -276,11 +277,11 @@ enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *sta
 static void look(struct nb_model *model) {
   struct nb_ring *ring = &model->drive->ring;
   const double inside = model->search.skin * size(tensor_inverse(ring->shape));
-  ring->rim_count = 0;
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const int i = model->bodies.slot[k];
-    if (may_join(model, (size_t)i) && beyond(model, model->bodies.position[i], inside))
-      ring->rim[ring->rim_count++] = i;
+  ring->edge_count = 0;
+  for (size_t k = 0; k < model->particles.count; k++) {
+    const int i = model->particles.slot[k];
+    if (may_join(model, (size_t)i) && beyond(model, model->particles.position[i], inside))
+      ring->edge[ring->edge_count++] = i;
   }
   ring->looked = ring->shape;
   ring->after = model->search.count;
@@ -295,16 +296,16 @@ enum nb_status nb_drive_before(struct nb_model *model, struct nb_error *error) {
       !(size(tensor_sub(ring->shape, ring->looked)) * ring->radius <= model->search.skin / 2))
     look(model);
   bool crossed = false;
-  for (size_t k = 0; k < ring->rim_count && !crossed; k++)
-    crossed = beyond(model, model->bodies.position[ring->rim[k]], 0);
+  for (size_t k = 0; k < ring->edge_count && !crossed; k++)
+    crossed = beyond(model, model->particles.position[ring->edge[k]], 0);
   if (!crossed)
     return NB_OK;
   nb_balance_remove(model, true);
-  for (size_t k = 0; k < ring->rim_count; k++) {
-    if (!beyond(model, model->bodies.position[ring->rim[k]], 0))
+  for (size_t k = 0; k < ring->edge_count; k++) {
+    if (!beyond(model, model->particles.position[ring->edge[k]], 0))
       continue;
-    hold(model, ring->rim[k]);
-    add(model, ring->rim[k]);
+    hold(model, ring->edge[k]);
+    add(model, ring->edge[k]);
   }
   ring->after = 0; /* they are on the list no more */
   const enum nb_status status = search_anew(model, error);
@@ -314,14 +315,14 @@ enum nb_status nb_drive_before(struct nb_model *model, struct nb_error *error) {
 }
 
 /* u - c_(N-1/2) + c_(N+1/2) is all that happens to the velocity of what it holds (motion.c). */
-void nb_ring_carry(struct nb_model *model) {
+void nb_ring_affine(struct nb_model *model) {
   const struct nb_ring *ring = &model->drive->ring;
-  struct nb_bodies *bodies = &model->bodies;
+  struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < ring->count && ring->held; k++) {
     const size_t i = (size_t)ring->member[k];
-    const struct nb_vec c = nb_carried_at(model->carry, i, bodies->position[i]);
-    bodies->velocity[i] = vec_add(vec_sub(bodies->velocity[i], bodies->carried[i]), c);
-    bodies->carried[i] = nb_carry_remembered(model->carry, i, bodies->position[i]);
+    const struct nb_vec c = nb_imposed_at(model->affine, i, particles->position[i]);
+    particles->velocity[i] = vec_add(vec_sub(particles->velocity[i], particles->imposed[i]), c);
+    particles->imposed[i] = nb_affine_remembered(model->affine, i, particles->position[i]);
   }
 }
 
@@ -329,9 +330,9 @@ void nb_drive_after(struct nb_model *model) {
   struct nb_drive *drive = model->drive;
   struct nb_ring *ring = &drive->ring;
   if (ring->held) {
-    const struct nb_tensor step = tensor_scale(model->step, model->carry->rate[NB_CARRIER_BOUNDARY]);
+    const struct nb_tensor step = tensor_scale(model->step, model->affine->rate[NB_CARRIER_BOUNDARY]);
     ring->shape = tensor_add(ring->shape, tensor_product(step, ring->shape));
   }
-  if (model->bodies.pressed)
+  if (model->particles.pressed)
     nb_ring_press(model);
 }

@@ -18,7 +18,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "loading.h"
 
-#include "core/carry.h"
+#include "core/affine.h"
 #include "measure/region.h"
 
 enum { SIDES = 4 }; /* opposite ones are two apart */
@@ -44,7 +44,7 @@ bool nb_box_follows(const struct nb_scene *scene, size_t stage) {
 }
 
 bool nb_box_is_strained(const struct nb_model *model) {
-  return model->carry && model->stage && nb_box_follows(model->scene, (size_t)(model->stage - model->scene->stages));
+  return model->affine && model->stage && nb_box_follows(model->scene, (size_t)(model->stage - model->scene->stages));
 }
 
 /* The middle between opposite walls. */
@@ -60,7 +60,7 @@ static struct nb_vec centre(const struct nb_walls *walls, int first) {
 void nb_box_drive(struct nb_model *model) {
   struct nb_walls *walls = &model->walls;
   const int first = nb_box_of(model->scene);
-  const struct nb_tensor rate = model->carry->rate[NB_CARRIER_BOX];
+  const struct nb_tensor rate = model->affine->rate[NB_CARRIER_BOX];
   const struct nb_vec middle = centre(walls, first);
   for (int w = first; w < first + SIDES; w++) {
     const struct nb_vec e = walls->along[w], n = vec_clockwise(e);
@@ -94,7 +94,7 @@ struct nb_tensor nb_box_stress(const struct nb_model *model) {
   for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {
     if (contacts->b[c] < first || contacts->b[c] >= first + SIDES)
       continue;
-    const struct nb_vec at = nb_wall_nearest(&model->walls, contacts->b[c], model->bodies.position[contacts->a[c]]);
+    const struct nb_vec at = nb_wall_nearest(&model->walls, contacts->b[c], model->particles.position[contacts->a[c]]);
     sum = tensor_sub(sum, tensor_outer(contacts->force[c], vec_sub(at, middle)));
   }
   return tensor_scale(1 / (sides.x * sides.y * nb_thickness(model)), sum);

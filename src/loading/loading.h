@@ -13,17 +13,17 @@ enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *sta
 enum nb_status nb_drive_before(struct nb_model *model, struct nb_error *error);
 void nb_drive_after(struct nb_model *model);
 void nb_ring_drop(struct nb_model *model, size_t slot); /* that is taken out of the scene */
-void nb_ring_carry(struct nb_model *model);             /* before the motion, where nothing else is carried */
+void nb_ring_affine(struct nb_model *model);            /* before the motion, where nothing else is carried */
 void nb_ring_press(struct nb_model *model);             /* sets drive->pressed for where the bodies are now */
 
-/* ---- carry.c: imposed affine motion ---- */
+/* ---- affine.c: imposed affine motion ---- */
 /* model->carry stays NULL: nothing is. */
-enum nb_status nb_carry_create(struct nb_model *model, struct nb_error *error);
-void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage); /* once the stage's step is known */
+enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error);
+void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage); /* once the stage's step is known */
 /* Before the motion: whether it carries all bodies; else only a boundary's are carried. */
-bool nb_carry_step(struct nb_model *model);
-void nb_carry_still(struct nb_model *model);             /* no imposed motion so far */
-void nb_carry_drop(struct nb_model *model, size_t slot); /* that is taken out of the scene */
+bool nb_affine_step(struct nb_model *model);
+void nb_affine_still(struct nb_model *model);             /* no imposed motion so far */
+void nb_affine_drop(struct nb_model *model, size_t slot); /* that is taken out of the scene */
 
 /* ---- box.c: four walls that follow a strain rate, and the stress on them ---- */
 /* Index of its first wall, of south, east, north, west; -1: there is none. */

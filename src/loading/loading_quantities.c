@@ -6,7 +6,7 @@
 #include "measure/boundary.h"
 
 #define OF_RING(function, expression) NB_QUANTITY(function, nb_ring_begun(model) ? expression : 0)
-OF_RING(ring_bodies, (double)model->drive->ring.count)
+OF_RING(ring_particles, (double)model->drive->ring.count)
 OF_RING(ring_radius, nb_ring_radius(model))
 OF_RING(ring_area, nb_ring_area(model))
 OF_RING(ring_roughness, nb_ring_roughness(model))
@@ -35,10 +35,10 @@ NB_QUANTITY(box_strain_height, nb_box_sides(model).y / nb_box_first(model->scene
 NB_TENSOR_QUANTITY(box_stress, nb_box_stress(model))
 
 #define TENSOR(called, of, in, kind, tensor, what)                                                                     \
-  { .name = called, .family = kind, .watches = of, .unit = in, .parts = tensor, .help = what }
+  { .name = called, .family = kind, .monitors = of, .unit = in, .parts = tensor, .help = what }
 
 const struct nb_quantity_kind nb_loading_kinds[] = {
-    {"boundary.particles", 0, "1", 0, ring_bodies, "number of particles of the boundary"},
+    {"boundary.particles", 0, "1", 0, ring_particles, "number of particles of the boundary"},
     {"boundary.radius", 0, "m", 0, ring_radius, "mean distance of their centres from the centre of the circle"},
     {"boundary.area", 0, "m2", 0, ring_area, "of the polygon through their centres"},
     {"boundary.roughness", 0, "1", 0, ring_roughness,

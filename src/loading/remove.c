@@ -17,13 +17,16 @@
 /* Contact c ends: what it did until now is done, and it reads as if it did not touch. */
 static void let_go(struct nb_model *model, size_t c) {
   struct nb_contacts *contacts = &model->contacts;
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
-  const double *drag = contacts->kept[model->plan.drag];
+  const double *total_shear = contacts->kept[model->plan.total_shear];
   const struct nb_vec force = contacts->force[c];
-  nb_motion_release(model, a, (struct nb_force){force, drag ? drag[c] * bodies->rim[a].x : 0});
-  if (!model->pairings[contacts->pairing[c]].wall)
-    nb_motion_release(model, b, (struct nb_force){vec_scale(-1, force), drag ? drag[c] * bodies->rim[b].x : 0});
+  nb_motion_release(model, a,
+                    (struct nb_force){force, total_shear ? total_shear[c] * particles->surface[a].radius : 0});
+  if (!model->material_pairs[contacts->material_pair[c]].wall)
+    nb_motion_release(
+        model, b,
+        (struct nb_force){vec_scale(-1, force), total_shear ? total_shear[c] * particles->surface[b].radius : 0});
   contacts->force[c] = vec(0, 0);
   for (int f = 0; f < NB_FIELDS; f++)
     if (contacts->kept[f])
@@ -31,30 +34,30 @@ static void let_go(struct nb_model *model, size_t c) {
 }
 
 static void take_out(struct nb_model *model, size_t i) {
-  struct nb_bodies *bodies = &model->bodies;
+  struct nb_particles *particles = &model->particles;
   if (model->terms)
-    nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_body(model, i));
+    nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_particle(model, i));
   const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
   for (const int *c = its.first; c < its.end; c++)
     let_go(model, (size_t)*c);
   if (model->drive)
     nb_ring_drop(model, i);
-  if (model->carry)
-    nb_carry_drop(model, i);
-  bodies->gone[i] = true;
-  bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
-  bodies->velocity[i] = vec(0, 0);
-  if (bodies->spin)
-    bodies->spin[i] = 0;
+  if (model->affine)
+    nb_affine_drop(model, i);
+  particles->removed[i] = true;
+  particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
+  particles->velocity[i] = vec(0, 0);
+  if (particles->spin)
+    particles->spin[i] = 0;
 }
 
 enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   nb_balance_remove(model, true);
   for (size_t r = 0; r < stage->removal_count; r++)
     for (size_t k = stage->removals[r].from; k <= stage->removals[r].to; k++)
-      take_out(model, (size_t)model->bodies.slot[k]);
+      take_out(model, (size_t)model->particles.slot[k]);
   model->search.keeping = true;
-  const enum nb_status status = nb_near(model, error);
+  const enum nb_status status = nb_neighbours_search(model, error);
   model->search.keeping = false;
   if (!status)
     nb_balance_remove(model, false);

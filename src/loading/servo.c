@@ -35,11 +35,12 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
   const struct nb_contacts *contacts = &model->contacts;
   double sum = 0;
   for (size_t c = 0; c < contacts->count; c++) {
-    const bool wall = model->pairings[contacts->pairing[c]].wall;
+    const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
     if ((wall && !servo->box) || !nb_touches(contacts, c))
       continue;
-    const struct nb_vec l = wall ? nb_wall_apart(&model->walls, contacts->b[c], model->bodies.position[contacts->a[c]])
-                                 : nb_contacts_branch(model, c);
+    const struct nb_vec l =
+        wall ? nb_wall_apart(&model->walls, contacts->b[c], model->particles.position[contacts->a[c]])
+             : nb_contacts_branch(model, c);
     sum += contacts->kept[NB_STIFFNESS][c] * vec_dot(l, l);
   }
   return sum / (4 * volume);
@@ -47,9 +48,9 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
 
 static double density(const struct nb_model *model, double volume) {
   double sum = 0;
-  for (size_t k = 0; k < model->bodies.count; k++)
-    if (!nb_gone(model, (size_t)model->bodies.slot[k]))
-      sum += model->bodies.mass[model->bodies.slot[k]];
+  for (size_t k = 0; k < model->particles.count; k++)
+    if (!nb_removed(model, (size_t)model->particles.slot[k]))
+      sum += model->particles.mass[model->particles.slot[k]];
   return sum / volume;
 }
 
@@ -67,12 +68,12 @@ static struct nb_tensor stress(const struct nb_model *model, const struct nb_ser
 }
 
 /* What is off, in the axes of the servo, Pa, and 0 where nothing is held. */
-static struct nb_tensor off_by(const struct nb_model *model, const struct nb_servo *servo, double share) {
-  const struct nb_servo_from *from = &model->carry->servo_from;
+static struct nb_tensor off_by(const struct nb_model *model, const struct nb_servo *servo, double fraction) {
+  const struct nb_servo_from *from = &model->affine->servo_from;
   const struct nb_tensor seen = stress(model, servo);
   double off[3] = {seen.xx, seen.yy, seen.xy};
   for (int k = 0; k < 3; k++)
-    off[k] -= from->stress[k] + share * (servo->stress[k] - from->stress[k]);
+    off[k] -= from->stress[k] + fraction * (servo->stress[k] - from->stress[k]);
   if (servo->mean)
     return tensor((off[0] + off[1]) / 2, 0, 0, (off[0] + off[1]) / 2);
   const double shear = servo->held[2] ? off[2] : 0;
@@ -93,12 +94,12 @@ bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo,
 }
 
 /* What is to be added to the strain rates now, in the axes of the servo, 1/s. */
-static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double share) {
+static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double fraction) {
   const double most = servo->per_cycle ? servo->most / model->step : servo->most;
   double b, t;
   nb_servo_scales(model, servo, &b, &t);
-  struct nb_servo_from *from = &model->carry->servo_from;
-  const struct nb_tensor off = off_by(model, servo, share);
+  struct nb_servo_from *from = &model->affine->servo_from;
+  const struct nb_tensor off = off_by(model, servo, fraction);
   /* b may be 0, and then t has no end: what is left is the direction */
   const double far = tensor_largest(off), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
   const bool too_fast = far > 0 && rate * far > most;
@@ -115,7 +116,7 @@ static struct nb_tensor correction(struct nb_model *model, const struct nb_servo
 
 void nb_servo_begin(struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
-  struct nb_servo_from *from = &model->carry->servo_from;
+  struct nb_servo_from *from = &model->affine->servo_from;
   *from = (struct nb_servo_from){.begun = false};
   const struct nb_tensor now = stress(model, servo);
   const double first[3] = {now.xx, now.yy, now.xy};
@@ -124,12 +125,12 @@ void nb_servo_begin(struct nb_model *model) {
 }
 
 void nb_servo_set(struct nb_model *model) {
-  struct nb_carry *carry = model->carry;
+  struct nb_affine *affine = model->affine;
   const struct nb_servo *servo = &model->stage->servo;
   if (model->stage_cycle % servo->every != 0 || !(servo->cell || servo->box || model->drive->ring.held))
     return;
-  const double share = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
-  const struct nb_tensor more = tensor_turned(axes(servo), correction(model, servo, share));
+  const double fraction = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
+  const struct nb_tensor more = tensor_turned(axes(servo), correction(model, servo, fraction));
   const bool moved[NB_CARRIERS] = {
       [NB_CARRIER_CONTINUUM] = servo->continuum,
       [NB_CARRIER_BOUNDARY] = !servo->cell && !servo->box,
@@ -137,5 +138,5 @@ void nb_servo_set(struct nb_model *model) {
       [NB_CARRIER_BOX] = servo->box,
   };
   for (int c = 0; c < NB_CARRIERS; c++)
-    carry->rate[c] = moved[c] ? tensor_add(carry->level[c], more) : carry->level[c];
+    affine->rate[c] = moved[c] ? tensor_add(affine->level[c], more) : affine->level[c];
 }

@@ -23,7 +23,7 @@
  *
  * What carries bodies along works with -sum over bodies of (F + m g).c + sum over contacts of f.(L H m):
  *
- *   F   sum of a body's contact forces, N        c     what carries it along, m/s (carry.h)
+ *   F   sum of a body's contact forces, N        c     what carries it along, m/s (affine.h)
  *   f   force on the first body of a contact, N  L H m what a copy of the second is faster by in a cell, m/s (cell.h)
  *
  * K is that of the bodies' own velocities v: what carries them bears what forces do along c. So it works on bodies that a
@@ -40,15 +40,15 @@
 #include <string.h>
 
 #include "balance.h"
-#include "core/carry.h"
+#include "core/affine.h"
 #include "core/motion.h"
 
 /* ---- set up ---- */
 
 /* The first law of the scene that stores no energy; NULL: all do. */
 static const struct nb_law *not_stored(const struct nb_model *model, bool normal) {
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    const struct nb_law *law = normal ? model->pairings[p].normal : model->pairings[p].shear;
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    const struct nb_law *law = normal ? model->material_pairs[p].normal : model->material_pairs[p].shear;
     if (law && !law->stored)
       return law;
   }
@@ -57,16 +57,16 @@ static const struct nb_law *not_stored(const struct nb_model *model, bool normal
 
 /* An error where an energy is asked for that a law of the scene does not know. */
 static enum nb_status refuse(const struct nb_model *model, struct nb_error *error) {
-  const unsigned asked = model->plan.asked;
+  const unsigned requested = model->plan.requested;
   const struct nb_law *normal = not_stored(model, true), *shear = not_stored(model, false);
   normal = normal ? normal : nb_laws_unstored(model->scene, true);
   shear = shear ? shear : nb_laws_unstored(model->scene, false);
-  if (asked & NB_ASKS_STORED && (normal || shear))
+  if (requested & NB_REQUEST_STORED && (normal || shear))
     return nb_error_set(error, NB_BAD_USE,
                         "`%s %s` has no stored energy: record `energy.shear`, not `energy.stored` and "
                         "`energy.frictional`",
                         normal ? "normal" : "shear", normal ? normal->name : shear->name);
-  if (asked & NB_ASKS_ENERGY && normal)
+  if (requested & NB_REQUEST_ENERGY && normal)
     return nb_error_set(error, NB_BAD_USE, "`normal %s` has no stored energy, so energies do not balance",
                         normal->name);
   return NB_OK;
@@ -77,12 +77,12 @@ static bool allocate(struct nb_model *model) {
   struct nb_balance *b = model->balance = calloc(1, sizeof *b);
   if (!b)
     return false;
-  b->bodies = nb_array(model->bodies.count, sizeof *b->bodies);
+  b->particles = nb_array(model->particles.count, sizeof *b->particles);
   b->walls = nb_array(model->walls.count, sizeof *b->walls);
-  b->values = nb_array(model->pairing_count, sizeof *b->values);
-  const bool energy = model->plan.asked & NB_ASKS_ENERGY;
+  b->values = nb_array(model->material_pair_count, sizeof *b->values);
+  const bool energy = model->plan.requested & NB_REQUEST_ENERGY;
   model->terms = energy ? nb_array(NB_TERMS, sizeof *model->terms) : NULL;
-  return b->bodies && b->walls && b->values && (model->terms || !energy);
+  return b->particles && b->walls && b->values && (model->terms || !energy);
 }
 
 /* The walls' velocities over the step that ends at t_N. */
@@ -94,7 +94,7 @@ static void remember_walls(const struct nb_model *model) {
 enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
   if (refuse(model, error))
     return error->status;
-  if (!(model->plan.asked & (NB_ASKS_WORK | NB_ASKS_ENERGY)))
+  if (!(model->plan.requested & (NB_REQUEST_WORK | NB_REQUEST_ENERGY)))
     return NB_OK;
   if (!allocate(model))
     return nb_error_memory(error);
@@ -115,7 +115,7 @@ void nb_balance_free(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   if (!b)
     return;
-  free(b->bodies), free(b->walls), free(b->values), free(b->entered), free(b);
+  free(b->particles), free(b->walls), free(b->values), free(b->entered), free(b);
   free(model->terms);
   model->balance = NULL, model->terms = NULL;
 }
@@ -123,9 +123,9 @@ void nb_balance_free(struct nb_model *model) {
 /* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */
 
 struct kick {
-  double behind, ahead; /* before t_N and after it, s: what is counted */
-  double time, share;   /* of the whole kick, s; how much of it that is */
-  double before;        /* the share of it that is damped as before the stage */
+  double behind, ahead;  /* before t_N and after it, s: what is counted */
+  double time, fraction; /* of the whole kick, s; how much of it that is */
+  double before;         /* the share of it that is damped as before the stage */
 };
 
 static struct kick whole_kick(const struct nb_model *model) {
@@ -139,16 +139,16 @@ static struct kick half_kick(const struct nb_model *model) {
 }
 
 /* How far bodies are carried along over a kick. */
-static void carry(const struct nb_model *model, struct kick kick) {
+static void affine(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   const struct nb_cell *cell = model->cell;
-  for (size_t i = 0; i < model->bodies.count && model->carry; i++)
-    b->bodies[i].along =
-        vec_add(vec_scale(kick.behind, model->bodies.carried[i]),
-                vec_scale(kick.ahead, nb_carry_remembered(model->carry, i, model->bodies.position[i])));
+  for (size_t i = 0; i < model->particles.count && model->affine; i++)
+    b->particles[i].along =
+        vec_add(vec_scale(kick.behind, model->particles.imposed[i]),
+                vec_scale(kick.ahead, nb_affine_remembered(model->affine, i, model->particles.position[i])));
   if (cell)
     b->parted = tensor_add(tensor_scale(kick.behind, cell->parting),
-                           tensor_scale(kick.ahead, tensor_product(model->carry->rate[NB_CARRIER_CELL], cell->h)));
+                           tensor_scale(kick.ahead, tensor_product(model->affine->rate[NB_CARRIER_CELL], cell->h)));
 }
 
 /* The copy that a contact is with is carried so much more. */
@@ -159,19 +159,19 @@ static struct nb_vec parted(const struct nb_model *model, size_t c) {
 /* Where all is at t_N, and how fast. */
 static void stand(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
-  for (size_t i = 0; i < model->bodies.count; i++) {
-    b->bodies[i].before = nb_velocity_half(model, i), b->bodies[i].position = model->bodies.position[i];
+  for (size_t i = 0; i < model->particles.count; i++) {
+    b->particles[i].before = nb_velocity_half(model, i), b->particles[i].position = model->particles.position[i];
     if (model->terms)
-      b->bodies[i].now = nb_velocity_now(model, i);
+      b->particles[i].now = nb_velocity_now(model, i);
   }
   for (size_t w = 0; w < model->walls.count; w++)
     b->walls[w].pivot = model->walls.pivot[w];
-  carry(model, kick);
+  affine(model, kick);
 }
 
-/* What stays in a body's own velocity of what carries it along (carry.h), m/s. */
+/* What stays in a body's own velocity of what carries it along (affine.h), m/s. */
 static struct nb_vec left(const struct nb_model *model, size_t i) {
-  return model->carry ? nb_carry_left(model->carry, i, model->balance->bodies[i].position) : vec(0, 0);
+  return model->affine ? nb_affine_left(model->affine, i, model->balance->particles[i].position) : vec(0, 0);
 }
 
 /* What global damping takes from a body in a kick with that mean velocity: its impulse, against the motion, times that. */
@@ -182,57 +182,57 @@ static double damped(const struct nb_model *model, size_t i, struct nb_state was
   const struct nb_shares by = nb_shares(model, kick.time, kick.before);
   const struct nb_vec kept = vec_add(vec_scale(by.old, was.velocity), vec_scale(by.new, is.velocity));
   const struct nb_vec linear =
-      vec_add(vec_scale(model->bodies.mass[i], kept), vec_scale(by.pushed * kick.time, force.force));
+      vec_add(vec_scale(model->particles.mass[i], kept), vec_scale(by.pushed * kick.time, force.force));
   const double angular =
-      model->bodies.inertia[i] * (by.old * was.spin + by.new *is.spin) + by.pushed * kick.time * force.moment;
+      model->particles.inertia[i] * (by.old * was.spin + by.new *is.spin) + by.pushed * kick.time * force.moment;
   return vec_dot(linear, mean.velocity) + angular * mean.spin;
 }
 
 /* What that, and stress on a boundary, give a body in such a kick. */
 static double driven(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
-  struct nb_vec impulse = vec_scale(model->bodies.mass[i], left(model, i));
-  if (model->bodies.pressed)
-    impulse = vec_add(impulse, vec_scale(time, model->bodies.pressed[i]));
+  struct nb_vec impulse = vec_scale(model->particles.mass[i], left(model, i));
+  if (model->particles.pressed)
+    impulse = vec_add(impulse, vec_scale(time, model->particles.pressed[i]));
   return vec_dot(impulse, mean);
 }
 
-static void add_bodies(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    const struct nb_state was = model->balance->bodies[i].before, now = model->balance->bodies[i].now;
+static void add_particles(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
+  const struct nb_particles *particles = &model->particles;
+  for (size_t k = 0; k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    const struct nb_state was = model->balance->particles[i].before, now = model->balance->particles[i].now;
     struct nb_force force = nb_force_on(model, i);
-    if (!(bodies->inverse_mass[i] > 0)) {
+    if (!(particles->inverse_mass[i] > 0)) {
       const double held = vec_dot(force.force, now.velocity) + force.moment * now.spin;
-      nb_sum_add(&terms[NB_TERM_WALLS], -kick.share * kick.time * held);
+      nb_sum_add(&terms[NB_TERM_WALLS], -kick.fraction * kick.time * held);
       continue;
     }
-    const struct nb_vec weight = nb_weight(model, i, model->balance->bodies[i].position);
-    force.force = vec_add(force.force, bodies->pressed ? vec_add(weight, bodies->pressed[i]) : weight);
-    nb_sum_add(&terms[NB_TERM_GRAVITY], kick.share * kick.time * vec_dot(weight, now.velocity) +
-                                            vec_dot(weight, model->balance->bodies[i].along));
-    if (model->carry)
-      nb_sum_add(&terms[NB_TERM_DRIVEN], kick.share * driven(model, i, now.velocity, kick.time));
-    nb_sum_add(&terms[NB_TERM_DAMPED], kick.share * damped(model, i, was, now, force, kick));
+    const struct nb_vec weight = nb_weight(model, i, model->balance->particles[i].position);
+    force.force = vec_add(force.force, particles->pressed ? vec_add(weight, particles->pressed[i]) : weight);
+    nb_sum_add(&terms[NB_TERM_GRAVITY], kick.fraction * kick.time * vec_dot(weight, now.velocity) +
+                                            vec_dot(weight, model->balance->particles[i].along));
+    if (model->affine)
+      nb_sum_add(&terms[NB_TERM_DRIVEN], kick.fraction * driven(model, i, now.velocity, kick.time));
+    nb_sum_add(&terms[NB_TERM_DAMPED], kick.fraction * damped(model, i, was, now, force, kick));
   }
 }
 
 /* All forces on free bodies, at the mean of the velocities before and after the kick. */
 static void add_work(struct nb_sum *work, const struct nb_model *model, struct kick kick) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (!(bodies->inverse_mass[i] > 0))
+  const struct nb_particles *particles = &model->particles;
+  for (size_t k = 0; k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    if (!(particles->inverse_mass[i] > 0))
       continue;
-    const struct nb_state was = model->balance->bodies[i].before, is = nb_velocity_half(model, i);
+    const struct nb_state was = model->balance->particles[i].before, is = nb_velocity_half(model, i);
     const struct nb_state mean = {vec_scale(0.5, vec_add(was.velocity, is.velocity)), (was.spin + is.spin) / 2};
     struct nb_force force = nb_force_on(model, i);
-    force.force = vec_add(force.force, nb_weight(model, i, model->balance->bodies[i].position));
-    if (model->carry)
+    force.force = vec_add(force.force, nb_weight(model, i, model->balance->particles[i].position));
+    if (model->affine)
       nb_sum_add(work, driven(model, i, mean.velocity, kick.time));
     nb_sum_add(work, kick.time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
-    if (model->bodies.pressed)
-      force.force = vec_add(force.force, model->bodies.pressed[i]);
+    if (model->particles.pressed)
+      force.force = vec_add(force.force, model->particles.pressed[i]);
     nb_sum_add(work, -damped(model, i, was, mean, force, kick));
   }
 }
@@ -251,49 +251,50 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
   const struct nb_balance *b = model->balance;
   const double time = kick.behind + kick.ahead;
   for (size_t c = 0; c < contacts->count; c++) {
-    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    if ((!model->plan.dashpots && !pairing->wall) || !nb_touches(contacts, c))
+    const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
+    if ((!model->plan.dashpots && !material_pair->wall) || !nb_touches(contacts, c))
       continue;
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
-    const double radius = model->bodies.rim[i].x;
-    struct nb_vec way = vec_add(vec_scale(time, b->bodies[i].now.velocity), b->bodies[i].along);
-    double rolled = time * b->bodies[i].now.spin * radius;
-    if (pairing->wall) {
+    const double radius = model->particles.surface[i].radius;
+    struct nb_vec way = vec_add(vec_scale(time, b->particles[i].now.velocity), b->particles[i].along);
+    double rolled = time * b->particles[i].now.spin * radius;
+    if (material_pair->wall) {
       const double reach = radius - contacts->kept[NB_OVERLAP][c];
-      const struct nb_vec wall = wall_way(model, kick, j, vec_add(b->bodies[i].position, vec_scale(reach, e)));
+      const struct nb_vec wall = wall_way(model, kick, j, vec_add(b->particles[i].position, vec_scale(reach, e)));
       nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(contacts->force[c], wall));
       way = vec_sub(way, wall);
     } else {
-      const struct nb_vec along = vec_add(b->bodies[j].along, parted(model, c));
-      way = vec_sub(way, vec_add(vec_scale(time, b->bodies[j].now.velocity), along));
-      rolled += time * b->bodies[j].now.spin * model->bodies.rim[j].x;
+      const struct nb_vec along = vec_add(b->particles[j].along, parted(model, c));
+      way = vec_sub(way, vec_add(vec_scale(time, b->particles[j].now.velocity), along));
+      rolled += time * b->particles[j].now.spin * model->particles.surface[j].radius;
     }
     if (!model->plan.dashpots)
       continue;
-    nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_PUSH][c] - contacts->kept[NB_NORMAL][c]) * vec_dot(way, e));
-    if (pairing->shear)
-      nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_DRAG][c] - contacts->kept[NB_SHEAR][c]) *
+    nb_sum_add(&terms[NB_TERM_DAMPED],
+               (contacts->kept[NB_TOTAL_NORMAL][c] - contacts->kept[NB_NORMAL][c]) * vec_dot(way, e));
+    if (material_pair->shear)
+      nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_TOTAL_SHEAR][c] - contacts->kept[NB_SHEAR][c]) *
                                              (vec_dot(way, vec_clockwise(e)) - rolled));
   }
 }
 
 /* What carries bodies along. */
 static void add_carrying(struct nb_sum terms[], const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (size_t k = 0; k < bodies->count && model->carry; k++) {
-    const size_t i = (size_t)bodies->slot[k];
+  const struct nb_particles *particles = &model->particles;
+  for (size_t k = 0; k < particles->count && model->affine; k++) {
+    const size_t i = (size_t)particles->slot[k];
     struct nb_vec force = nb_force_on(model, i).force;
-    if (bodies->inverse_mass[i] > 0)
-      force = vec_add(force, nb_weight(model, i, model->balance->bodies[i].position));
-    nb_sum_add(&terms[NB_TERM_DRIVEN], -vec_dot(force, model->balance->bodies[i].along));
+    if (particles->inverse_mass[i] > 0)
+      force = vec_add(force, nb_weight(model, i, model->balance->particles[i].position));
+    nb_sum_add(&terms[NB_TERM_DRIVEN], -vec_dot(force, model->balance->particles[i].along));
   }
   for (size_t c = 0; c < model->contacts.count && model->cell; c++)
     nb_sum_add(&terms[NB_TERM_DRIVEN], vec_dot(model->contacts.force[c], parted(model, c)));
 }
 
 static void add_terms(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
-  add_bodies(terms, model, kick);
+  add_particles(terms, model, kick);
   add_carrying(terms, model);
   add_contacts(terms, model, kick);
 }

@@ -10,7 +10,7 @@ struct nb_balance {
   struct {
     struct nb_state before, now;   /* velocities before the kick; those of t_N */
     struct nb_vec position, along; /* at t_N, m; how far it is carried along over the kick, m */
-  } * bodies;                      /* per slot */
+  } * particles;                   /* per slot */
   struct nb_tensor parted;         /* how far the copy a side on is carried besides, m */
   struct {
     struct nb_vec pivot;   /* P at t_N, m */

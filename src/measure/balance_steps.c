@@ -40,24 +40,24 @@ static void leave(struct nb_model *model, double was, double slip) {
 }
 
 static void slide(struct nb_model *model, size_t c) {
-  const struct nb_law *law = model->pairings[model->contacts.pairing[c]].shear;
+  const struct nb_law *law = model->material_pairs[model->contacts.material_pair[c]].shear;
   double was = field(model, NB_SHEAR_BEFORE, c), stiff_was = field(model, NB_SHEAR_STIFFNESS_BEFORE, c);
   const double is = law ? field(model, NB_SHEAR, c) : 0, stiff = law ? field(model, NB_SHEAR_STIFFNESS, c) : 0;
   model->contacts.kept[NB_SHEAR_BEFORE][c] = is, model->contacts.kept[NB_SHEAR_STIFFNESS_BEFORE][c] = stiff;
   if (model->balance->another && law) {
-    leave(model, was, field(model, NB_SLIP, c));
+    leave(model, was, field(model, NB_TANGENTIAL_INCREMENT, c));
     was = stiff_was = 0;
   }
-  if (!law || (was == 0 && is == 0 && !law->loses))
+  if (!law || (was == 0 && is == 0 && !law->dissipative))
     return;
-  const double slip = field(model, NB_SLIP, c), mean = (was + is) / 2;
+  const double slip = field(model, NB_TANGENTIAL_INCREMENT, c), mean = (was + is) / 2;
   const bool sliding = field(model, NB_SLIDING, c) > 0;
   double lost = 0;
   nb_sum_add(&model->terms[NB_TERM_SHEAR], mean * slip);
   if (!law->stored)
     nb_sum_add(&model->terms[NB_TERM_UNSTORED], mean * slip);
-  else if (law->loses)
-    lost = field(model, NB_LOST, c);
+  else if (law->dissipative)
+    lost = field(model, NB_DISSIPATED, c);
   else if (!(stiff > 0)) /* parted */
     lost = mean * (slip + was / stiff_was);
   else if (sliding)
@@ -77,9 +77,9 @@ static double held(const struct nb_law *law, struct nb_pair values, double overl
 }
 
 /* What contact c remembers for its normal law, copied. */
-static void memory_of(double memory[], const struct nb_model *model, size_t c) {
-  double room[NB_MEMORY];
-  memcpy(memory, nb_memory_read(&model->contacts.normal_memory, c, room), NB_MEMORY * sizeof *memory);
+static void history_of(double memory[], const struct nb_model *model, size_t c) {
+  double room[NB_HISTORY];
+  memcpy(memory, nb_history_read(&model->contacts.normal_history, c, room), NB_HISTORY * sizeof *memory);
 }
 
 static bool same(struct nb_pair a, struct nb_pair b) {
@@ -94,14 +94,14 @@ static bool same(struct nb_pair a, struct nb_pair b) {
 static double gained(const struct nb_model *model) {
   struct nb_sum sum = {0};
   for (size_t c = 0; c < model->contacts.count; c++) {
-    const int p = model->contacts.pairing[c];
-    const struct nb_pair old = model->balance->values[p], new = model->pairings[p].values;
+    const int p = model->contacts.material_pair[c];
+    const struct nb_pair old = model->balance->values[p], new = model->material_pairs[p].values;
     const struct nb_law *before = model->balance->laws.normal, *after = model->laws.normal;
     if (before == after && same(old, new))
       continue;
     const double overlap = model->contacts.kept[NB_OVERLAP][c];
-    double is[NB_MEMORY], was[NB_MEMORY];
-    memory_of(is, model, c), memory_of(was, model, c);
+    double is[NB_HISTORY], was[NB_HISTORY];
+    history_of(is, model, c), history_of(was, model, c);
     nb_sum_add(&sum, held(after, nb_contacts_values(model, c, new), overlap, is) -
                          held(before, nb_contacts_values(model, c, old), overlap, was));
   }
@@ -113,15 +113,15 @@ static double bent(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_sum sum = {0};
   for (size_t c = 0; c < contacts->count; c++) {
-    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-    if (!nb_touches(contacts, c) || !pairing->shear || !pairing->shear->stored)
+    const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
+    if (!nb_touches(contacts, c) || !material_pair->shear || !material_pair->shear->stored)
       continue;
-    const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
-    double memory[NB_MEMORY], room[NB_MEMORY];
-    memory_of(memory, model, c);
+    const struct nb_pair values = nb_contacts_values(model, c, material_pair->values);
+    double memory[NB_HISTORY], room[NB_HISTORY];
+    history_of(memory, model, c);
     struct nb_normal n = model->laws.normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, memory);
     n.overlap = contacts->kept[NB_OVERLAP][c];
-    nb_sum_add(&sum, pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room)));
+    nb_sum_add(&sum, material_pair->shear->stored(values, n, nb_history_read(&contacts->shear_history, c, room)));
   }
   return sum.sum + sum.rest;
 }
@@ -132,8 +132,8 @@ void nb_balance_change(struct nb_model *model, bool before) {
     return;
   nb_sum_add(&model->terms[NB_TERM_CHANGED], before ? -bent(model) : bent(model));
   if (before)
-    for (size_t p = 0; p < model->pairing_count; p++)
-      b->values[p] = model->pairings[p].values;
+    for (size_t p = 0; p < model->material_pair_count; p++)
+      b->values[p] = model->material_pairs[p].values;
   if (before)
     b->laws = model->laws;
   else
@@ -146,15 +146,15 @@ void nb_balance_change(struct nb_model *model, bool before) {
 
 /* U_n of contact c at an overlap, of a law that remembers nothing yet. */
 static double held_at(const struct nb_model *model, size_t c, double overlap) {
-  const struct nb_pairing *pairing = &model->pairings[model->contacts.pairing[c]];
-  double memory[NB_MEMORY] = {0};
-  return held(pairing->normal, nb_contacts_values(model, c, pairing->values), overlap, memory);
+  const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
+  double memory[NB_HISTORY] = {0};
+  return held(material_pair->normal, nb_contacts_values(model, c, material_pair->values), overlap, memory);
 }
 
 static double overlap_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_vec *rim = model->bodies.rim;
-  return rim[contacts->a[c]].x + rim[contacts->b[c]].x - vec_length(nb_contacts_branch(model, c));
+  const struct nb_surface *surface = model->particles.surface;
+  return surface[contacts->a[c]].radius + surface[contacts->b[c]].radius - vec_length(nb_contacts_branch(model, c));
 }
 
 enum nb_status nb_balance_entered(struct nb_model *model, struct nb_error *error) {
@@ -168,7 +168,7 @@ enum nb_status nb_balance_entered(struct nb_model *model, struct nb_error *error
   if (!b->entered)
     return nb_error_memory(error);
   for (size_t c = 0; c < contacts->count; c++) {
-    if (model->pairings[contacts->pairing[c]].wall || nb_touches(contacts, c))
+    if (model->material_pairs[contacts->material_pair[c]].wall || nb_touches(contacts, c))
       continue;
     const double overlap = overlap_of(model, c);
     if (!(overlap > 0))

@@ -10,7 +10,7 @@ static inline bool nb_ring_begun(const struct nb_model *model) { return model->d
 /* From the boundary's centre to that of its k-th particle, counterclockwise and round again, m. */
 static inline struct nb_vec nb_ring_place(const struct nb_model *model, size_t k) {
   const struct nb_ring *ring = &model->drive->ring;
-  return vec_sub(model->bodies.position[ring->member[k % ring->count]], model->carry->centre);
+  return vec_sub(model->particles.position[ring->member[k % ring->count]], model->affine->centre);
 }
 double nb_ring_area(const struct nb_model *model);      /* of the polygon through the centres of its bodies, m2 */
 double nb_ring_radius(const struct nb_model *model);    /* mean distance of their centres from the circle's, m */

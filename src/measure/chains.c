@@ -20,24 +20,24 @@
 
 #include "region.h"
 
-struct nb_chain_body {
+struct nb_chain_particle {
   struct nb_tensor stress; /* Pa */
   bool strong;
-  int root, bodies; /* slot of the body that stands for its chain; there: how many there are */
+  int root, particles; /* slot of the body that stands for its chain; there: how many there are */
 };
 
 bool nb_chains_create(struct nb_model *model) {
-  model->regions->chained = nb_array(model->bodies.count, sizeof *model->regions->chained);
+  model->regions->chained = nb_array(model->particles.count, sizeof *model->regions->chained);
   return model->regions->chained != NULL;
 }
 
 /* Answers how many bodies there are. */
 static double find_strong(const struct nb_model *model, const struct nb_region_now *region) {
-  struct nb_chain_body *chained = model->regions->chained;
-  const struct nb_bodies *bodies = &model->bodies;
+  struct nb_chain_particle *chained = model->regions->chained;
+  const struct nb_particles *particles = &model->particles;
   struct nb_end end;
-  for (size_t i = 0; i < bodies->count; i++)
-    chained[i] = (struct nb_chain_body){.root = (int)i, .bodies = 1};
+  for (size_t i = 0; i < particles->count; i++)
+    chained[i] = (struct nb_chain_particle){.root = (int)i, .particles = 1};
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
     const struct nb_tensor part =
         tensor_outer(nb_end_force(&end), vec_scale(end.arm / nb_region_volume(model, end.slot), end.e));
@@ -45,10 +45,10 @@ static double find_strong(const struct nb_model *model, const struct nb_region_n
   }
   double sum = 0, count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
-    if (bodies->inverse_mass[i] > 0)
+    if (particles->inverse_mass[i] > 0)
       sum += tensor_major(chained[i].stress), count++;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
-    chained[i].strong = bodies->inverse_mass[i] > 0 && tensor_major(chained[i].stress) * count > sum;
+    chained[i].strong = particles->inverse_mass[i] > 0 && tensor_major(chained[i].stress) * count > sum;
   return count;
 }
 
@@ -57,23 +57,23 @@ static bool is_along(struct nb_vec e, struct nb_tensor stress) {
 }
 
 static bool is_link(const struct nb_model *model, const struct nb_end *end) {
-  const struct nb_chain_body *chained = model->regions->chained;
+  const struct nb_chain_particle *chained = model->regions->chained;
   return end->partner >= 0 && chained[end->slot].strong && chained[end->partner].strong &&
          is_along(end->e, chained[end->slot].stress) && is_along(end->e, chained[end->partner].stress);
 }
 
-static int root_of(struct nb_chain_body *chained, int i) {
+static int root_of(struct nb_chain_particle *chained, int i) {
   while (chained[i].root != i)
     i = chained[i].root = chained[chained[i].root].root;
   return i;
 }
 
-static void join(struct nb_chain_body *chained, int i, int j) {
+static void join(struct nb_chain_particle *chained, int i, int j) {
   const int a = root_of(chained, i), b = root_of(chained, j);
   if (a == b)
     return;
   chained[b].root = a;
-  chained[a].bodies += chained[b].bodies;
+  chained[a].particles += chained[b].particles;
 }
 
 /* The links of the body that come behind this one, each as a pair with it. */
@@ -90,8 +90,8 @@ static void add_turns(const struct nb_model *model, struct nb_ends ends, const s
 }
 
 void nb_measure_chains(const struct nb_model *model, struct nb_region_now *region) {
-  struct nb_chain_body *chained = model->regions->chained;
-  const double bodies = find_strong(model, region);
+  struct nb_chain_particle *chained = model->regions->chained;
+  const double particles = find_strong(model, region);
   double turns = 0, pairs = 0, in_chains = 0, count = 0;
   struct nb_end end;
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
@@ -100,13 +100,13 @@ void nb_measure_chains(const struct nb_model *model, struct nb_region_now *regio
     join(chained, (int)end.slot, end.partner);
     add_turns(model, ends, &end, &turns, &pairs);
   }
-  for (size_t i = 0; i < model->bodies.count; i++)
-    if (chained[i].root == (int)i && chained[i].bodies > 2)
-      in_chains += chained[i].bodies, count++;
+  for (size_t i = 0; i < model->particles.count; i++)
+    if (chained[i].root == (int)i && chained[i].particles > 2)
+      in_chains += chained[i].particles, count++;
   region->chains = (struct nb_chains){
       .count = count,
       .length = count > 0 ? in_chains / count : 0,
-      .share = bodies > 0 ? in_chains / bodies : 0,
+      .fraction = particles > 0 ? in_chains / particles : 0,
       .turn = pairs > 0 ? turns / pairs : 0,
   };
 }

@@ -27,18 +27,18 @@ static struct meeting never(void) { return (struct meeting){0, INFINITY}; }
 static double cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
 
 /* Two circles whose radii sum up to `reach`, `apart` from one centre to the other. */
-static struct meeting meet(struct nb_vec apart, struct nb_vec closing, double reach) {
-  const double distance = vec_length(apart), along = vec_dot(closing, apart);
+static struct meeting meet(struct nb_vec apart, struct nb_vec dn, double radius_sum) {
+  const double distance = vec_length(apart), along = vec_dot(dn, apart);
   if (!(along > 0))
     return never();
-  if (distance <= reach)
+  if (distance <= radius_sum)
     return (struct meeting){along / distance, 0};
-  const double size = vec_length(closing), aside = cross(closing, apart) / reach;
+  const double size = vec_length(dn), aside = cross(dn, apart) / radius_sum;
   const double square = (size - aside) * (size + aside);
   if (!(square > 0))
     return never();
   const double speed = sqrt(square); /* the way left is what is between the centres' foot and the point of touch */
-  return (struct meeting){speed, (along / size - speed * reach / size) / size};
+  return (struct meeting){speed, (along / size - speed * radius_sum / size) / size};
 }
 
 /* The velocities that walls have in the first stage, before it has begun. */
@@ -59,15 +59,15 @@ static struct meeting meet_wall(const struct nb_model *model, struct nb_vec posi
   const struct nb_state state = wall_state(model, w);
   const struct nb_vec nearest = nb_wall_nearest(walls, w, position);
   const struct nb_vec arm = vec_sub(nearest, walls->pivot[w]);
-  const struct nb_vec closing = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
+  const struct nb_vec dn = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
   /* Its face: the foot of the centre is on the wall when they touch. */
-  const double side = cross(along, from), height = fabs(side), speed = -copysign(1, side) * cross(along, closing);
-  const double time = height > radius ? (height - radius) / speed : 0, foot = s + vec_dot(closing, along) * time;
+  const double side = cross(along, from), height = fabs(side), speed = -copysign(1, side) * cross(along, dn);
+  const double time = height > radius ? (height - radius) / speed : 0, foot = s + vec_dot(dn, along) * time;
   if (speed > 0 && foot >= walls->h1[w] && foot <= walls->h2[w])
     return (struct meeting){speed, time};
   struct meeting first = never();
   for (int end = 0; end < 2; end++) {
-    const struct meeting there = meet(vec_sub(nb_wall_end(walls, w, end), position), closing, radius);
+    const struct meeting there = meet(vec_sub(nb_wall_end(walls, w, end), position), dn, radius);
     first = there.time < first.time ? there : first;
   }
   return first;
@@ -90,38 +90,41 @@ static double young_of(const struct nb_model *model, int a, int b) {
   return nb_properties_pair(&model->properties, a, b).young;
 }
 
-static void try_bodies(struct nb_meeting *shortest, const struct nb_model *model, const struct nb_vec *velocity,
-                       size_t i) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (size_t j = 0; j < bodies->count; j++) {
-    const double inverse = bodies->inverse_mass[i] + bodies->inverse_mass[j];
-    if (j == i || nb_gone(model, j) || !(inverse > 0) || (moving(velocity[j]) && bodies->number[j] < bodies->number[i]))
+static void try_particles(struct nb_meeting *shortest, const struct nb_model *model, const struct nb_vec *velocity,
+                          size_t i) {
+  const struct nb_particles *particles = &model->particles;
+  for (size_t j = 0; j < particles->count; j++) {
+    const double inverse = particles->inverse_mass[i] + particles->inverse_mass[j];
+    if (j == i || nb_removed(model, j) || !(inverse > 0) ||
+        (moving(velocity[j]) && particles->number[j] < particles->number[i]))
       continue;
-    const double reach = bodies->rim[i].x + bodies->rim[j].x;
+    const double radius_sum = particles->surface[i].radius + particles->surface[j].radius;
     const double speed =
-        meet(vec_sub(bodies->position[j], bodies->position[i]), vec_sub(velocity[i], velocity[j]), reach).speed;
+        meet(vec_sub(particles->position[j], particles->position[i]), vec_sub(velocity[i], velocity[j]), radius_sum)
+            .speed;
     if (speed > 0)
-      shorter(shortest,
-              (struct nb_meeting){duration(young_of(model, bodies->material[i], bodies->material[j]),
-                                           nb_reduced_radius(bodies->rim[i].x, bodies->rim[j].x), 1 / inverse, speed),
-                                  speed, (int)i, (int)j, false});
+      shorter(shortest, (struct nb_meeting){
+                            duration(young_of(model, particles->material[i], particles->material[j]),
+                                     nb_reduced_radius(particles->surface[i].radius, particles->surface[j].radius),
+                                     1 / inverse, speed),
+                            speed, (int)i, (int)j, false});
   }
 }
 
 static void try_walls(struct nb_meeting *shortest, const struct nb_model *model, struct nb_vec velocity, size_t i) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (int w = 0; w < (int)model->walls.count && bodies->inverse_mass[i] > 0; w++) {
-    const double speed = meet_wall(model, bodies->position[i], velocity, bodies->rim[i].x, w).speed;
+  const struct nb_particles *particles = &model->particles;
+  for (int w = 0; w < (int)model->walls.count && particles->inverse_mass[i] > 0; w++) {
+    const double speed = meet_wall(model, particles->position[i], velocity, particles->surface[i].radius, w).speed;
     if (speed > 0)
       shorter(shortest,
-              (struct nb_meeting){duration(young_of(model, bodies->material[i], model->scene->walls[w].material),
-                                           bodies->rim[i].x, bodies->mass[i], speed),
+              (struct nb_meeting){duration(young_of(model, particles->material[i], model->scene->walls[w].material),
+                                           particles->surface[i].radius, particles->mass[i], speed),
                                   speed, (int)i, w, true});
   }
 }
 
 struct nb_meeting nb_meeting_shortest(const struct nb_model *model) {
-  const size_t n = model->bodies.count;
+  const size_t n = model->particles.count;
   struct nb_meeting shortest = {INFINITY, 0, -1, -1, false};
   struct nb_vec *velocity = nb_array(n, sizeof *velocity);
   if (!velocity)
@@ -129,9 +132,9 @@ struct nb_meeting nb_meeting_shortest(const struct nb_model *model) {
   for (size_t i = 0; i < n; i++)
     velocity[i] = nb_velocity_whole(model, i);
   for (size_t k = 0; k < n; k++) { /* in the order of numbers: of two that last as long the first one counts */
-    const size_t i = (size_t)model->bodies.slot[k];
+    const size_t i = (size_t)model->particles.slot[k];
     if (moving(velocity[i]))
-      try_bodies(&shortest, model, velocity, i);
+      try_particles(&shortest, model, velocity, i);
     try_walls(&shortest, model, velocity[i], i);
   }
   free(velocity);

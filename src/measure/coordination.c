@@ -13,22 +13,22 @@
 /* The body at the other end; -1: a wall. */
 static int partner(const struct nb_model *model, size_t contact, size_t slot) {
   const struct nb_contacts *contacts = &model->contacts;
-  if (model->pairings[contacts->pairing[contact]].wall)
+  if (model->material_pairs[contacts->material_pair[contact]].wall)
     return -1;
   return (size_t)contacts->a[contact] == slot ? contacts->b[contact] : contacts->a[contact];
 }
 
 static bool may_rattle(const struct nb_model *model, size_t slot) {
-  return model->bodies.inverse_mass[slot] > 0 && model->regions->touching[slot] < 2;
+  return model->particles.inverse_mass[slot] > 0 && model->regions->touching[slot] < 2;
 }
 
 /* Leaves in `touching` how many contacts each body has with others that are no rattlers, -1 for a rattler. */
 static void find_rattlers(const struct nb_model *model) {
   int *touching = model->regions->touching, *idle = model->regions->idle;
   size_t waiting = 0;
-  for (size_t i = 0; i < model->bodies.count; i++)
+  for (size_t i = 0; i < model->particles.count; i++)
     touching[i] = nb_touching(&model->contacts, i);
-  for (size_t i = 0; i < model->bodies.count; i++)
+  for (size_t i = 0; i < model->particles.count; i++)
     if (may_rattle(model, i))
       idle[waiting++] = (int)i;
   for (size_t k = 0; k < waiting; k++)
@@ -55,7 +55,7 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_now 
   const int *touching = model->regions->touching;
   double loaded = 0; /* bodies */
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
-    it->bodies++;
+    it->particles++;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
     it->loaded += touching[i] >= 0 ? touching[i] : 0;
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
@@ -68,6 +68,6 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_now 
       it->contacts += other < 0 || !nb_region_holds(model, region, (size_t)other) || i == (size_t)model->contacts.a[c];
     }
   }
-  it->all /= it->bodies > 0 ? it->bodies : 1;
+  it->all /= it->particles > 0 ? it->particles : 1;
   it->loaded /= loaded > 0 ? loaded : 1;
 }

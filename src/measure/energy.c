@@ -4,20 +4,20 @@
  *   U = sum (U_n + U_s)                         the laws' state functions: F_n^2/2k_n and F_s^2/2k_s for springs
  *   p = sum m v,   L = sum (m x x v + I w)      about the origin
  *
- * Velocities are those without the imposed motion (carry.c). Sums run in the order of numbers, over bodies that are free.
+ * Velocities are those without the imposed motion (affine.c). Sums run in the order of numbers, over bodies that are free.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
 
-static double kinetic_of(const struct nb_bodies *bodies, size_t i, struct nb_state v) {
-  return (bodies->mass[i] * vec_dot(v.velocity, v.velocity) + bodies->inertia[i] * (v.spin * v.spin)) / 2;
+static double kinetic_of(const struct nb_particles *particles, size_t i, struct nb_state v) {
+  return (particles->mass[i] * vec_dot(v.velocity, v.velocity) + particles->inertia[i] * (v.spin * v.spin)) / 2;
 }
 
 /* for (size_t k = 0, i; next_free(bodies, &k, &i);): slot i of each body that is free, in the order of numbers. */
-static bool next_free(const struct nb_bodies *bodies, size_t *k, size_t *slot) {
-  while (*k < bodies->count) {
-    *slot = (size_t)bodies->slot[(*k)++];
-    if (bodies->inverse_mass[*slot] > 0)
+static bool next_free(const struct nb_particles *particles, size_t *k, size_t *slot) {
+  while (*k < particles->count) {
+    *slot = (size_t)particles->slot[(*k)++];
+    if (particles->inverse_mass[*slot] > 0)
       return true;
   }
   return false;
@@ -25,10 +25,10 @@ static bool next_free(const struct nb_bodies *bodies, size_t *k, size_t *slot) {
 
 static double kinetic(const struct nb_model *model,
                       struct nb_state (*velocity)(const struct nb_model *model, size_t slot)) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   double sum = 0;
-  for (size_t k = 0, i; next_free(bodies, &k, &i);)
-    sum += kinetic_of(bodies, i, velocity(model, i));
+  for (size_t k = 0, i; next_free(particles, &k, &i);)
+    sum += kinetic_of(particles, i, velocity(model, i));
   return sum;
 }
 
@@ -36,7 +36,8 @@ double nb_energy_kinetic(const struct nb_model *model) { return kinetic(model, n
 double nb_energy_kinetic_half(const struct nb_model *model) { return kinetic(model, nb_velocity_half); }
 
 double nb_energy_of_motion(const struct nb_model *model, size_t slot) {
-  return model->bodies.inverse_mass[slot] > 0 ? kinetic_of(&model->bodies, slot, nb_velocity_now(model, slot)) : 0;
+  return model->particles.inverse_mass[slot] > 0 ? kinetic_of(&model->particles, slot, nb_velocity_now(model, slot))
+                                                 : 0;
 }
 
 /* Adds to a sum what the springs of contact c hold. */
@@ -44,17 +45,17 @@ static void add_stored(double *sum, const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   if (!nb_touches(contacts, c))
     return;
-  const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+  const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
   const struct nb_normal n = {.force = contacts->kept[NB_NORMAL][c],
                               .stiffness = contacts->kept[NB_STIFFNESS][c],
                               .radius = contacts->kept[NB_RADIUS][c],
                               .overlap = contacts->kept[NB_OVERLAP][c]};
-  const struct nb_pair values = nb_contacts_values(model, c, pairing->values);
-  double room[NB_MEMORY];
-  if (pairing->normal->stored)
-    *sum += pairing->normal->stored(values, n, nb_memory_read(&contacts->normal_memory, c, room));
-  if (pairing->shear && pairing->shear->stored)
-    *sum += pairing->shear->stored(values, n, nb_memory_read(&contacts->shear_memory, c, room));
+  const struct nb_pair values = nb_contacts_values(model, c, material_pair->values);
+  double room[NB_HISTORY];
+  if (material_pair->normal->stored)
+    *sum += material_pair->normal->stored(values, n, nb_history_read(&contacts->normal_history, c, room));
+  if (material_pair->shear && material_pair->shear->stored)
+    *sum += material_pair->shear->stored(values, n, nb_history_read(&contacts->shear_history, c, room));
 }
 
 double nb_energy_stored(const struct nb_model *model) {
@@ -70,7 +71,7 @@ double nb_energy_of_contact(const struct nb_model *model, size_t c) {
   return sum;
 }
 
-double nb_energy_of_body(const struct nb_model *model, size_t slot) {
+double nb_energy_of_particle(const struct nb_model *model, size_t slot) {
   const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, slot);
   double sum = nb_energy_of_motion(model, slot);
   for (const int *c = its.first; c < its.end; c++)
@@ -79,28 +80,28 @@ double nb_energy_of_body(const struct nb_model *model, size_t slot) {
 }
 
 struct nb_vec nb_momentum(const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   struct nb_vec sum = vec(0, 0);
-  for (size_t k = 0, i; next_free(bodies, &k, &i);)
-    sum = vec_add(sum, vec_scale(bodies->mass[i], nb_velocity_now(model, i).velocity));
+  for (size_t k = 0, i; next_free(particles, &k, &i);)
+    sum = vec_add(sum, vec_scale(particles->mass[i], nb_velocity_now(model, i).velocity));
   return sum;
 }
 
 double nb_momentum_angular(const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   double sum = 0;
-  for (size_t k = 0, i; next_free(bodies, &k, &i);) {
+  for (size_t k = 0, i; next_free(particles, &k, &i);) {
     const struct nb_state v = nb_velocity_now(model, i);
-    const struct nb_vec x = bodies->position[i];
-    sum += bodies->mass[i] * (x.x * v.velocity.y - x.y * v.velocity.x) + bodies->inertia[i] * v.spin;
+    const struct nb_vec x = particles->position[i];
+    sum += particles->mass[i] * (x.x * v.velocity.y - x.y * v.velocity.x) + particles->inertia[i] * v.spin;
   }
   return sum;
 }
 
 double nb_unbalance(const struct nb_model *model) {
   double sum = 0, contact = 0;
-  for (size_t i = 0; i < model->bodies.count; i++) {
-    const double size = model->bodies.inverse_mass[i] > 0 ? vec_length(nb_force_left(model, i)) : 0;
+  for (size_t i = 0; i < model->particles.count; i++) {
+    const double size = model->particles.inverse_mass[i] > 0 ? vec_length(nb_force_left(model, i)) : 0;
     sum = size > sum ? size : sum;
   }
   for (size_t c = 0; c < model->contacts.count; c++) {

@@ -15,8 +15,9 @@ double nb_energy_kinetic_half(const struct nb_model *model); /* the same with th
 double nb_energy_stored(const struct nb_model *model);
 double nb_energy_of_contact(const struct nb_model *model, size_t contact); /* what its springs hold, J */
 double nb_energy_of_motion(const struct nb_model *model, size_t slot);     /* kinetic energy of a free body, J */
-double nb_energy_of_body(const struct nb_model *model, size_t slot); /* its kinetic energy and that of its springs, J */
-struct nb_vec nb_momentum(const struct nb_model *model);             /* of free bodies, kg m/s */
+double nb_energy_of_particle(const struct nb_model *model,
+                             size_t slot);               /* its kinetic energy and that of its springs, J */
+struct nb_vec nb_momentum(const struct nb_model *model); /* of free bodies, kg m/s */
 double
 nb_momentum_angular(const struct nb_model *model); /* of free bodies about the origin, counterclockwise, kg m2/s */
 

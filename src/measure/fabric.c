@@ -20,8 +20,8 @@
  *   n      unit vector between the centres of now, or to the nearest point of the wall
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "configuration.h"
 #include "region.h"
-#include "since.h"
 
 /* Adds an end with a weight. */
 static void add(struct nb_anisotropy *phi, double *sum, double weight, struct nb_vec n) {
@@ -43,7 +43,7 @@ static void divide(struct nb_anisotropy *phi, double sum) {
 static double mean_radius(const struct nb_model *model, const struct nb_region_now *region) {
   double sum = 0, count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i); count++)
-    sum += model->bodies.rim[i].x;
+    sum += model->particles.surface[i].radius;
   return count > 0 ? sum / count : 0;
 }
 
@@ -67,34 +67,39 @@ void nb_measure_fabric(const struct nb_model *model, struct nb_region_now *regio
 
 /* ---- contacts lost and new ---- */
 
-enum nb_status nb_parted_begin(struct nb_model *model, int stage, struct nb_error *error) {
+enum nb_status nb_changed_contacts_begin(struct nb_model *model, int stage, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  if (!(model->plan.asked & NB_ASKS_PARTED))
+  if (!(model->plan.requested & NB_REQUEST_PARTED))
     return NB_OK;
   for (size_t r = 0; r < scene->region_count; r++)
-    if ((stage < 0 || scene->regions[r].stage == stage) && !nb_since_touching(&model->regions->list[r].touched, model))
+    if ((stage < 0 || scene->regions[r].stage == stage) &&
+        !nb_configuration_touching(&model->regions->list[r].touched, model))
       return nb_error_memory(error);
   return NB_OK;
 }
 
-static double ends_inside(const struct nb_model *model, const struct nb_region_now *region, struct nb_near_pair pair) {
-  const bool wall = model->pairings[pair.pairing].wall;
+static double ends_inside(const struct nb_model *model, const struct nb_region_now *region,
+                          struct nb_neighbour_pair pair) {
+  const bool wall = model->material_pairs[pair.material_pair].wall;
   return nb_region_holds(model, region, (size_t)pair.a) + (!wall && nb_region_holds(model, region, (size_t)pair.b));
 }
 
-static void count(struct nb_parted *it, double ends, struct nb_vec line) {
+static void count(struct nb_changed_contacts *it, double ends, struct nb_vec line) {
   const double square = vec_dot(line, line); /* 0: a centre on a wall */
   it->count += ends > 0, it->ends += ends;
   it->phi = tensor_add(it->phi, tensor_scale(square > 0 ? ends / square : 0, tensor_outer(line, line)));
 }
-static void average(struct nb_parted *it) { it->phi = tensor_scale(it->ends > 0 ? 1 / it->ends : 0, it->phi); }
+static void average(struct nb_changed_contacts *it) {
+  it->phi = tensor_scale(it->ends > 0 ? 1 / it->ends : 0, it->phi);
+}
 
-void nb_measure_parted(const struct nb_model *model, struct nb_region_now *region) {
-  region->lost = region->made = (struct nb_parted){0};
-  struct nb_since_walk walk = {.model = model, .then = &region->touched};
-  struct nb_near_pair pair;
-  for (int kind; nb_since_next(&walk, &pair, &kind);)
+void nb_measure_changed_contacts(const struct nb_model *model, struct nb_region_now *region) {
+  region->lost = region->made = (struct nb_changed_contacts){0};
+  struct nb_configuration_walk walk = {.model = model, .then = &region->touched};
+  struct nb_neighbour_pair pair;
+  for (int kind; nb_configuration_next(&walk, &pair, &kind);)
     if (kind)
-      count(kind < 0 ? &region->lost : &region->made, ends_inside(model, region, pair), nb_since_line(model, pair));
+      count(kind < 0 ? &region->lost : &region->made, ends_inside(model, region, pair),
+            nb_configuration_line(model, pair));
   average(&region->lost), average(&region->made);
 }

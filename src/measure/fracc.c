@@ -16,27 +16,27 @@
 
 bool nb_fracc_begin(struct nb_model *model) {
   model->fracc = nb_own(&model->owner, 1, sizeof *model->fracc);
-  double *before = nb_own(&model->owner, model->bodies.count, sizeof *before);
+  double *before = nb_own(&model->owner, model->particles.count, sizeof *before);
   if (model->owner.failed)
     return false;
   model->fracc->before = before;
-  for (size_t i = 0; i < model->bodies.count; i++)
+  for (size_t i = 0; i < model->particles.count; i++)
     model->fracc->before[i] = vec_length(nb_force_on(model, i).force);
   return true;
 }
 
 void nb_fracc_forces(struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;
   double largest = 0;
-  for (size_t i = 0; i < bodies->count; i++) {
+  for (size_t i = 0; i < particles->count; i++) {
     const double is = vec_length(nb_force_on(model, i).force), change = fabs(is - model->fracc->before[i]);
-    const double way = vec_length(bodies->velocity[i]) * dt;
+    const double way = vec_length(particles->velocity[i]) * dt;
     model->fracc->before[i] = is;
-    if (!(bodies->inverse_mass[i] > 0 && way > 0))
+    if (!(particles->inverse_mass[i] > 0 && way > 0))
       continue;
-    const double share = dt / 2 * sqrt(change * bodies->inverse_mass[i] / way);
-    largest = share > largest ? share : largest;
+    const double fraction = dt / 2 * sqrt(change * particles->inverse_mass[i] / way);
+    largest = fraction > largest ? fraction : largest;
   }
   model->fracc->largest = largest;
 }

@@ -34,30 +34,31 @@ static struct nb_vec nearest(const struct nb_wall *wall, struct nb_vec x) {
   return vec_add(point, vec_scale(nb_wall_within(vec_dot(vec_sub(x, point), along), wall->h1, wall->h2), along));
 }
 
-static double inverse_mass(const struct nb_scene *scene, const struct nb_body *body) {
-  return body->fixed ? 0 : 1 / nb_body_mass(scene, body);
+static double inverse_mass(const struct nb_scene *scene, const struct nb_particle *particle) {
+  return particle->fixed ? 0 : 1 / nb_particle_mass(scene, particle);
 }
 
 struct nb_strike nb_impact_strike(const struct nb_scene *scene) {
-  const struct nb_watch *watch = &scene->watches[scene->impact.watch];
-  const struct nb_body *body = &scene->bodies[watch->a];
-  const struct nb_body *other = watch->kind == NB_WATCH_BODY_BODY ? &scene->bodies[watch->b] : NULL;
-  const struct nb_wall *wall = other ? NULL : &scene->walls[watch->b];
+  const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
+  const struct nb_particle *particle = &scene->particles[monitor->a];
+  const struct nb_particle *other =
+      monitor->kind == NB_MONITOR_PARTICLE_PARTICLE ? &scene->particles[monitor->b] : NULL;
+  const struct nb_wall *wall = other ? NULL : &scene->walls[monitor->b];
   const struct nb_law *law = nb_law_find("normal", scene->normal);
-  struct nb_pair pair = nb_scene_pair(scene, body->material, other ? other->material : wall->material);
-  pair.radius = other ? nb_reduced_radius(body->radius, other->radius) : body->radius;
+  struct nb_pair pair = nb_scene_pair(scene, particle->material, other ? other->material : wall->material);
+  pair.radius = other ? nb_reduced_radius(particle->radius, other->radius) : particle->radius;
   pair.young = law->elastic ? pair.young : 0;
 
   struct nb_strike strike = {.friction = pair.friction};
-  const struct nb_vec x = vec(body->x, body->y), v = vec(body->vx, body->vy);
+  const struct nb_vec x = vec(particle->x, particle->y), v = vec(particle->vx, particle->vy);
   strike.point = other ? vec(other->x, other->y) : nearest(wall, x);
   strike.normal = vec_scale(1 / vec_length(vec_sub(x, strike.point)), vec_sub(x, strike.point));
   strike.tangent = vec_clockwise(strike.normal);
   strike.arrival = vec_sub(v, other ? vec(other->vx, other->vy) : vec(wall->vx, wall->vy));
-  strike.rim = body->spin * body->radius + (other ? other->spin * other->radius : 0);
+  strike.surface = particle->spin * particle->radius + (other ? other->spin * other->radius : 0);
   strike.normal_v = -vec_dot(strike.arrival, strike.normal);
-  strike.tangent_v = vec_dot(strike.arrival, strike.tangent) + strike.rim;
-  strike.mass = 1 / (inverse_mass(scene, body) + (other ? inverse_mass(scene, other) : 0));
+  strike.tangent_v = vec_dot(strike.arrival, strike.tangent) + strike.surface;
+  strike.mass = 1 / (inverse_mass(scene, particle) + (other ? inverse_mass(scene, other) : 0));
   elastic(&strike, pair);
   return strike;
 }
@@ -69,7 +70,7 @@ struct now {
   double sense;             /* 1, or -1 where the contact arrives against the tangent */
   double ago;               /* since first touch, s */
   struct nb_vec way, v;     /* of the body since then, and its velocity now, relative to what is struck; m, m/s */
-  double turned, rim;       /* sum of R theta since then, m; and of R w now, m/s */
+  double turned, surface;   /* sum of R theta since then, m; and of R w now, m/s */
   double normal_f, shear_f; /* N; T against the motion at incidence */
   double turning;           /* energy of rotation, J */
 };
@@ -80,40 +81,41 @@ static double field(const struct nb_model *model, long contact, enum nb_field wh
 
 static struct now now(const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
-  const struct nb_bodies *bodies = &model->bodies;
-  const struct nb_watch *watch = &scene->watches[scene->impact.watch];
-  const bool wall = watch->kind == NB_WATCH_BODY_WALL;
-  const int i = bodies->slot[watch->a], j = wall ? watch->b : bodies->slot[watch->b];
+  const struct nb_particles *particles = &model->particles;
+  const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
+  const bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
+  const int i = particles->slot[monitor->a], j = wall ? monitor->b : particles->slot[monitor->b];
   const long contact = nb_contacts_find(model, i, j, wall);
   const struct nb_state a = nb_velocity_now(model, (size_t)i);
   const struct nb_state b =
       wall ? (struct nb_state){.velocity = model->walls.velocity[j]} : nb_velocity_now(model, (size_t)j);
-  const struct nb_body *body = &scene->bodies[watch->a], *other = wall ? NULL : &scene->bodies[watch->b];
+  const struct nb_particle *particle = &scene->particles[monitor->a],
+                           *other = wall ? NULL : &scene->particles[monitor->b];
   struct now it = {.strike = nb_impact_strike(scene), .ago = model->time - model->touch};
-  const struct nb_vec at = wall ? model->walls.pivot[j] : bodies->position[j];
+  const struct nb_vec at = wall ? model->walls.pivot[j] : particles->position[j];
   const struct nb_vec began = wall ? vec(scene->walls[j].x, scene->walls[j].y) : vec(other->x, other->y);
   it.sense = it.strike.tangent_v < 0 ? -1 : 1;
   it.v = vec_sub(a.velocity, b.velocity);
-  it.rim = a.spin * body->radius + (wall ? 0 : b.spin * other->radius);
-  it.way = vec_sub(vec_sub(bodies->position[i], at), vec_sub(vec(body->x, body->y), began));
-  if (bodies->angle)
-    it.turned = bodies->angle[i] * body->radius + (wall ? 0 : bodies->angle[j] * other->radius);
-  it.turned -= model->touch * it.strike.rim;
+  it.surface = a.spin * particle->radius + (wall ? 0 : b.spin * other->radius);
+  it.way = vec_sub(vec_sub(particles->position[i], at), vec_sub(vec(particle->x, particle->y), began));
+  if (particles->angle)
+    it.turned = particles->angle[i] * particle->radius + (wall ? 0 : particles->angle[j] * other->radius);
+  it.turned -= model->touch * it.strike.surface;
   it.normal_f = field(model, contact, NB_NORMAL), it.shear_f = field(model, contact, NB_SHEAR);
-  it.turning = (bodies->inertia[i] * a.spin * a.spin + (wall ? 0 : bodies->inertia[j] * b.spin * b.spin)) / 2;
+  it.turning = (particles->inertia[i] * a.spin * a.spin + (wall ? 0 : particles->inertia[j] * b.spin * b.spin)) / 2;
   return it;
 }
 
 #define QUANTITY(function, expression)                                                                                 \
-  static double function(const struct nb_model *model, const struct nb_watch *watch) {                                 \
+  static double function(const struct nb_model *model, const struct nb_monitor *monitor) {                             \
     const struct now it = now(model);                                                                                  \
     const struct nb_strike *s = &it.strike;                                                                            \
-    (void)watch, (void)s;                                                                                              \
+    (void)monitor, (void)s;                                                                                            \
     return expression;                                                                                                 \
   }
 static double psi(const struct nb_strike *s, double v) { return v / (s->friction * s->kappa * s->normal_v); }
 /* The contact's velocity along the tangent of first touch, in the sense of incidence. */
-static double along(const struct now *it) { return it->sense * (vec_dot(it->v, it->strike.tangent) + it->rim); }
+static double along(const struct now *it) { return it->sense * (vec_dot(it->v, it->strike.tangent) + it->surface); }
 /* Free flight after parting tells when that was: the gap by the speed. */
 static double lasted(const struct now *it) {
   const double gap = vec_dot(it->way, it->strike.normal), v = vec_dot(it->v, it->strike.normal);

@@ -11,7 +11,7 @@ struct nb_strike {
   struct nb_vec point;           /* of what is struck: a body's centre, or the point of a wall that is nearest, m */
   struct nb_vec normal, tangent; /* unit vectors at first touch: from there to the body; clockwise of it */
   struct nb_vec arrival;         /* velocity of the body's centre relative to that point, m/s */
-  double rim;                    /* sum of R w, m/s */
+  double surface;                /* sum of R w, m/s */
   double normal_v, tangent_v;    /* V_N, and V_T of the contact along the tangent, m/s [R89 5.15] */
   double mass;                   /* M, reduced, kg */
   double friction, kappa;        /* mu, and kappa: psi = V_T/(mu kappa V_N), 1 */

@@ -35,7 +35,7 @@ static struct nb_spread spread(struct gathered g) {
 
 static bool belongs(const struct nb_model *model, const struct nb_region_now *region, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
-  const bool wall = model->pairings[contacts->pairing[c]].wall;
+  const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
   return nb_region_holds(model, region, (size_t)contacts->a[c]) ||
          (!wall && nb_region_holds(model, region, (size_t)contacts->b[c]));
 }
@@ -43,7 +43,7 @@ static bool belongs(const struct nb_model *model, const struct nb_region_now *re
 static double mean_force_sum(const struct nb_model *model, const struct nb_region_now *region) {
   double sum = 0, count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
-    if (model->bodies.inverse_mass[i] > 0)
+    if (model->particles.inverse_mass[i] > 0)
       sum += vec_length(nb_force_left(model, i)), count++;
   return count > 0 ? sum / count : 0;
 }
@@ -80,15 +80,15 @@ static const double near_limit = 0.99;
 
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_pairing *pairing = &model->pairings[contacts->pairing[contact]];
-  const bool rubs = pairing->shear;
-  const double first = model->bodies.rim[contacts->a[contact]].x;
-  const double second = pairing->wall ? first : model->bodies.rim[contacts->b[contact]].x;
+  const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[contact]];
+  const bool has_friction = material_pair->shear;
+  const double first = model->particles.surface[contacts->a[contact]].radius;
+  const double second = material_pair->wall ? first : model->particles.surface[contacts->b[contact]].radius;
   const double a = contacts->kept[NB_RADIUS][contact], area = NB_PI * a * a;
   struct nb_contact_load load = {.normal = contacts->kept[NB_NORMAL][contact], .radius = a};
-  load.shear = rubs ? fabs(contacts->kept[NB_SHEAR][contact]) : 0;
-  load.sliding = rubs ? contacts->kept[NB_SLIDING][contact] : 0;
-  load.limit = rubs ? pairing->values.friction * load.normal + pairing->values.cohesion : 0;
+  load.shear = has_friction ? fabs(contacts->kept[NB_SHEAR][contact]) : 0;
+  load.sliding = has_friction ? contacts->kept[NB_SLIDING][contact] : 0;
+  load.limit = has_friction ? material_pair->values.friction * load.normal + material_pair->values.cohesion : 0;
   load.near = load.limit > 0 && load.shear >= near_limit * load.limit;
   load.obliquity = load.limit > 0 ? load.shear / load.limit : 0;
   load.pressure = a > 0 ? load.normal / area : 0;

@@ -45,16 +45,16 @@ static double time_of(struct grain grain, bool fit) {
 }
 
 double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   struct grain sum = {0};
   double shortest = INFINITY, count = 0;
-  for (size_t k = 0; k < bodies->count; k++) { /* in the order of numbers: so are the sums */
-    const int i = bodies->slot[k];
-    const struct nb_material *material = &model->scene->materials[bodies->material[i]];
-    if (!(bodies->inverse_mass[i] > 0 && material->young > 0 && material->young < INFINITY))
+  for (size_t k = 0; k < particles->count; k++) { /* in the order of numbers: so are the sums */
+    const int i = particles->slot[k];
+    const struct nb_material *material = &model->scene->materials[particles->material[i]];
+    if (!(particles->inverse_mass[i] > 0 && material->young > 0 && material->young < INFINITY))
       continue;
     const double nu = material->poisson;
-    const struct grain grain = {bodies->rim[i].x, material->density, material->young / (2 * (1 + nu)), nu};
+    const struct grain grain = {particles->surface[i].radius, material->density, material->young / (2 * (1 + nu)), nu};
     if (!mean) {
       const double time = time_of(grain, fit);
       shortest = time < shortest ? time : shortest;

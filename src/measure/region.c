@@ -29,10 +29,10 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
   struct nb_regions *regions = model->regions = calloc(1, sizeof *regions);
   if (regions) {
     regions->list = nb_array(scene->region_count, sizeof *regions->list);
-    regions->touching = nb_array(model->bodies.count, sizeof(int));
-    regions->idle = nb_array(model->bodies.count, sizeof(int));
+    regions->touching = nb_array(model->particles.count, sizeof(int));
+    regions->idle = nb_array(model->particles.count, sizeof(int));
   }
-  const bool chains = model->plan.asked & NB_ASKS_CHAINS;
+  const bool chains = model->plan.requested & NB_REQUEST_CHAINS;
   if (!regions || !regions->list || !regions->touching || !regions->idle || (chains && !nb_chains_create(model)))
     return nb_error_memory(error);
   for (size_t r = 0; r < scene->region_count; r++)
@@ -58,7 +58,7 @@ enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_err
   }
   if (!model->regions || nb_strain_begin(model, stage, error))
     return model->regions ? error->status : NB_OK;
-  return nb_parted_begin(model, stage, error);
+  return nb_changed_contacts_begin(model, stage, error);
 }
 
 /* ---- where it is ---- */
@@ -75,14 +75,14 @@ static void box(struct nb_region_now *now, struct nb_vec centre, struct nb_vec a
 }
 
 static void round_all(struct nb_region_now *now, const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   const struct nb_vec along = vec(now->it->ex, now->it->ey), left = vec(-along.y, along.x);
   struct nb_vec low = vec(INFINITY, INFINITY), high = vec(-INFINITY, -INFINITY);
-  for (size_t i = 0; i < bodies->count; i++) {
-    if (nb_gone(model, i))
+  for (size_t i = 0; i < particles->count; i++) {
+    if (nb_removed(model, i))
       continue;
-    const struct nb_vec x = vec(vec_dot(bodies->position[i], along), vec_dot(bodies->position[i], left));
-    const double r = bodies->rim[i].x;
+    const struct nb_vec x = vec(vec_dot(particles->position[i], along), vec_dot(particles->position[i], left));
+    const double r = particles->surface[i].radius;
     low = vec(x.x - r < low.x ? x.x - r : low.x, x.y - r < low.y ? x.y - r : low.y);
     high = vec(x.x + r > high.x ? x.x + r : high.x, x.y + r > high.y ? x.y + r : high.y);
   }
@@ -107,7 +107,7 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
     break;
   case NB_REGION_INSIDE: /* nothing, while there is no boundary */
     if (nb_ring_begun(model))
-      now->centre = model->carry->centre, now->radius = it->radius * nb_ring_radius(model);
+      now->centre = model->affine->centre, now->radius = it->radius * nb_ring_radius(model);
     else
       now->centre = vec(0, 0), now->radius = 0;
     now->area = nb_area_of_disc(now->radius);
@@ -129,14 +129,14 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
 /* In a periodic cell the copy that is nearest to the region's middle. */
 static struct nb_vec place_of(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
   if (!model->cell)
-    return model->bodies.position[slot];
+    return model->particles.position[slot];
   struct nb_wrap wrap = nb_cell_wrap(model->cell);
   wrap.centre = region->centre;
-  return nb_wrapped(&wrap, model->bodies.position[slot]);
+  return nb_wrapped(&wrap, model->particles.position[slot]);
 }
 
 bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
-  if (nb_gone(model, slot))
+  if (nb_removed(model, slot))
     return false;
   const struct nb_vec x = vec_sub(place_of(model, region, slot), region->centre);
   if (region->it->kind == NB_REGION_ALL)
@@ -148,8 +148,8 @@ bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *r
 }
 
 bool nb_region_next(const struct nb_model *model, const struct nb_region_now *region, size_t *k, size_t *slot) {
-  while (*k < model->bodies.count) {
-    *slot = (size_t)model->bodies.slot[(*k)++];
+  while (*k < model->particles.count) {
+    *slot = (size_t)model->particles.slot[(*k)++];
     if (nb_region_holds(model, region, *slot))
       return true;
   }
@@ -158,9 +158,9 @@ bool nb_region_next(const struct nb_model *model, const struct nb_region_now *re
 
 /* Of the body's outline what is inside, m2. */
 static double part_of(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
-  const double radius = model->bodies.rim[slot].x;
+  const double radius = model->particles.surface[slot].radius;
   const struct nb_vec x = place_of(model, region, slot);
-  if (nb_gone(model, slot))
+  if (nb_removed(model, slot))
     return 0;
   if (region->it->kind == NB_REGION_ALL)
     return nb_area_of_disc(radius);
@@ -175,9 +175,9 @@ struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_n
   return (struct nb_ends){.model = model, .region = region};
 }
 
-bool nb_ends_body(struct nb_ends *ends) {
+bool nb_ends_particle(struct nb_ends *ends) {
   const struct nb_model *model = ends->model;
-  while (nb_region_next(model, ends->region, &ends->body, &ends->slot)) {
+  while (nb_region_next(model, ends->region, &ends->particle, &ends->slot)) {
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, ends->slot);
     ends->next = its.first, ends->end = its.end;
     if (ends->next < ends->end)
@@ -189,17 +189,17 @@ bool nb_ends_body(struct nb_ends *ends) {
 /* ---- porosity ---- */
 
 double nb_region_volume(const struct nb_model *model, size_t slot) {
-  const double r = model->bodies.rim[slot].x, area = nb_area_of_disc(r);
-  return model->scene->bodies[model->bodies.number[slot] - 1].shape == NB_SPHERE ? 4 * area * r / 3 : area;
+  const double r = model->particles.surface[slot].radius, area = nb_area_of_disc(r);
+  return model->scene->particles[model->particles.number[slot] - 1].shape == NB_SPHERE ? 4 * area * r / 3 : area;
 }
 
 void nb_measure_porosity(const struct nb_model *model, struct nb_region_now *region) {
   double area = 0, volume = 0;
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const size_t i = (size_t)model->bodies.slot[k];
+  for (size_t k = 0; k < model->particles.count; k++) {
+    const size_t i = (size_t)model->particles.slot[k];
     const double part = part_of(model, region, i);
     area += part;
-    volume += part > 0 ? nb_region_volume(model, i) * (part / nb_area_of_disc(model->bodies.rim[i].x)) : 0;
+    volume += part > 0 ? nb_region_volume(model, i) * (part / nb_area_of_disc(model->particles.surface[i].radius)) : 0;
   }
   region->porosity.areal = region->area > 0 ? 1 - area / region->area : 0;
   region->porosity.volume = region->area > 0 ? 1 - volume / (region->area * region->thickness) : 0;

@@ -26,7 +26,7 @@ struct nb_stress {
   double sinphi, residual;          /* of the whole, 1; Pa */
   struct {
     struct nb_tensor stress; /* by particles, Pa */
-    double share;            /* of the whole deviator */
+    double fraction;         /* of the whole deviator */
   } part[NB_STRESS_PARTS_COUNT];
 };
 struct nb_anisotropy {
@@ -37,7 +37,7 @@ struct nb_fabric {
   struct nb_anisotropy plain, normal, shear, sliding; /* all contacts alike; weighted by F_n; by |F_s|; near sliding */
   double kk;                                          /* F_kk, 1/m2 */
 };
-struct nb_parted {
+struct nb_changed_contacts {
   double count, ends;   /* contacts; their ends on bodies inside */
   struct nb_tensor phi; /* of trace 1, or 0 of none */
 };
@@ -45,9 +45,9 @@ struct nb_porosity {
   double areal, volume, voids;
 };
 struct nb_coordination {
-  double bodies, contacts; /* inside; theirs, each once */
-  double all, loaded;      /* contacts of a body: of all, of those that are no rattlers */
-  double rattlers;         /* bodies */
+  double particles, contacts; /* inside; theirs, each once */
+  double all, loaded;         /* contacts of a body: of all, of those that are no rattlers */
+  double rattlers;            /* bodies */
 };
 struct nb_spread {
   double mean, max, min, std; /* 0 of nothing; std: root of the mean square of what is off the mean */
@@ -65,11 +65,11 @@ struct nb_strain {
   double volume, turn; /* 1, rad */
 };
 struct nb_speeds {
-  double mean, max, carried, ratio; /* m/s, m/s, m/s, 1 */
+  double mean, max, imposed, ratio; /* m/s, m/s, m/s, 1 */
 };
 struct nb_chains {
-  double count, length, share; /* chains; bodies of one; of the free bodies, those in chains */
-  double turn;                 /* mean angle between successive links, rad */
+  double count, length, fraction; /* chains; bodies of one; of the free bodies, those in chains */
+  double turn;                    /* mean angle between successive links, rad */
 };
 /* The measures: each has a function nb_measure_NAME, called by nb_region_measured alone. */
 #define NB_MEASURE_ROWS(ROW)                                                                                           \
@@ -81,7 +81,7 @@ struct nb_chains {
   ROW(NB_LOADS, loads)                                                                                                 \
   ROW(NB_STRAIN, strain)                                                                                               \
   ROW(NB_SPEEDS, speeds)                                                                                               \
-  ROW(NB_PARTED, parted)                                                                                               \
+  ROW(NB_CHANGED_CONTACTS, changed_contacts)                                                                           \
   ROW(NB_CHAINS, chains)
 #define NB_MEASURE_NUMBER(number, name) number,
 enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
@@ -103,20 +103,20 @@ struct nb_region_now {
   struct nb_speeds speeds;
   struct nb_strain strain;
   struct nb_chains chains;
-  struct nb_parted lost, made;
-  struct nb_near_pairs touched; /* then; none: nobody asks */
+  struct nb_changed_contacts lost, made;
+  struct nb_neighbour_pairs touched; /* then; none: nobody asks */
   struct nb_vec *from; /* per body number, less 1: where it was when strain began, NAN: outside, m; NULL: nobody asks */
 };
 struct nb_regions {
-  struct nb_region_now *list;    /* as many as the scene has */
-  int *touching, *idle;          /* coordination.c: room, per slot */
-  struct nb_chain_body *chained; /* chains.c: likewise; NULL: nobody asks */
+  struct nb_region_now *list;        /* as many as the scene has */
+  int *touching, *idle;              /* coordination.c: room, per slot */
+  struct nb_chain_particle *chained; /* chains.c: likewise; NULL: nobody asks */
 };
 
 /* strain.c: strain begins with this stage for the regions that say so; -1: the start, for all of them. */
 enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_error *error);
 /* fabric.c: likewise, what contacts are counted from. */
-enum nb_status nb_parted_begin(struct nb_model *model, int stage, struct nb_error *error);
+enum nb_status nb_changed_contacts_begin(struct nb_model *model, int stage, struct nb_error *error);
 
 enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error);
 /* A stage begins, and may have changed what was measured in this cycle; -1: the run does. */
@@ -134,48 +134,48 @@ double nb_region_volume(const struct nb_model *model, size_t slot); /* of a body
 /* Contacts end by end: on each body inside, in the order of their numbers, its contacts in that of its partners'. */
 struct nb_end {
   size_t slot, contact;
-  int partner;       /* slot; -1: a wall */
-  struct nb_vec e;   /* unit vector from the body to what it touches */
-  double arm;        /* from its centre to where they touch, m */
-  double push, drag; /* N: the body feels -(push e + drag t), t = (e2, -e1), dashpots included */
+  int partner;                      /* slot; -1: a wall */
+  struct nb_vec e;                  /* unit vector from the body to what it touches */
+  double arm;                       /* from its centre to where they touch, m */
+  double total_normal, total_shear; /* N: the body feels -(push e + drag t), t = (e2, -e1), dashpots included */
 };
 static inline struct nb_vec nb_end_force(const struct nb_end *end) { /* from the body on what it touches, N */
-  return vec_add(vec_scale(end->push, end->e), vec_scale(end->drag, vec_clockwise(end->e)));
+  return vec_add(vec_scale(end->total_normal, end->e), vec_scale(end->total_shear, vec_clockwise(end->e)));
 }
 struct nb_ends {
   const struct nb_model *model;
   const struct nb_region_now *region; /* NULL: everywhere */
-  size_t body, slot;
+  size_t particle, slot;
   const int *next, *end;
 };
 /* From the centre of a body to where the contact is: half-way between two outlines, on the face of a wall; m. */
 static inline double nb_contact_arm(const struct nb_model *model, size_t contact, size_t slot) {
-  const bool wall = model->pairings[model->contacts.pairing[contact]].wall;
+  const bool wall = model->material_pairs[model->contacts.material_pair[contact]].wall;
   const double overlap = model->contacts.kept[NB_OVERLAP][contact];
-  return model->bodies.rim[slot].x - (wall ? overlap : overlap / 2);
+  return model->particles.surface[slot].radius - (wall ? overlap : overlap / 2);
 }
 struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_now *region);
-bool nb_ends_body(
+bool nb_ends_particle(
     struct nb_ends *ends); /* goes on to the next body inside that has contacts listed; false: there is none */
 static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
   const struct nb_model *model = ends->model;
   const struct nb_contacts *contacts = &model->contacts;
   for (;; ends->next++) {
-    if (ends->next == ends->end && !nb_ends_body(ends))
+    if (ends->next == ends->end && !nb_ends_particle(ends))
       return false;
     const size_t c = (size_t)*ends->next;
     if (!nb_touches(contacts, c))
       continue;
-    const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
+    const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
     const bool first = (size_t)contacts->a[c] == ends->slot;
     const double sign = first ? 1 : -1;
-    const enum nb_field push = model->plan.dashpots ? NB_PUSH : NB_NORMAL;
+    const enum nb_field total_normal = model->plan.dashpots ? NB_TOTAL_NORMAL : NB_NORMAL;
     end->slot = ends->slot, end->contact = c;
-    end->partner = pairing->wall ? -1 : first ? contacts->b[c] : contacts->a[c];
+    end->partner = material_pair->wall ? -1 : first ? contacts->b[c] : contacts->a[c];
     end->e = vec(sign * contacts->kept[NB_EX][c], sign * contacts->kept[NB_EY][c]);
     end->arm = nb_contact_arm(model, c, ends->slot);
-    end->push = contacts->kept[push][c];
-    end->drag = pairing->shear ? contacts->kept[model->plan.drag][c] : 0;
+    end->total_normal = contacts->kept[total_normal][c];
+    end->total_shear = material_pair->shear ? contacts->kept[model->plan.total_shear][c] : 0;
     ends->next++;
     return true;
   }
@@ -184,7 +184,7 @@ static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
 /* Fields of contacts that ends are made of. */
 enum {
   NB_READS_TOUCH = NB_BIT(NB_OVERLAP),
-  NB_READS_ENDS = NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_PUSH) | NB_BIT(NB_DRAG),
+  NB_READS_ENDS = NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_TOTAL_NORMAL) | NB_BIT(NB_TOTAL_SHEAR),
   NB_READS_LOADS = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) | NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS)
 };
 
@@ -199,8 +199,8 @@ struct nb_contact_load {
 };
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact);
 
-#define NB_ASKS_CHAINS (1u << 26)              /* beside what model.h has: chains.c, */
-#define NB_ASKS_PARTED (1u << 25)              /* contacts lost and new, fabric.c */
+#define NB_REQUEST_CHAINS (1u << 26)           /* beside what model.h has: chains.c, */
+#define NB_REQUEST_PARTED (1u << 25)           /* contacts lost and new, fabric.c */
 bool nb_chains_create(struct nb_model *model); /* room; false: no memory */
 
 #define NB_MEASURE_FUNCTION(number, name)                                                                              \

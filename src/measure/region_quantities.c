@@ -6,15 +6,15 @@
 #include "region.h"
 
 static void parts_of(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,
-                     const struct nb_watch *watch) {
+                     const struct nb_monitor *monitor) {
   const size_t count = kind->family == NB_ALONE ? 1 : kind->family == NB_FOURTH ? 5 : 4;
-  memcpy(parts, (const char *)nb_region_measured(model, watch->a, (enum nb_measure)kind->measure) + kind->at,
+  memcpy(parts, (const char *)nb_region_measured(model, monitor->a, (enum nb_measure)kind->measure) + kind->at,
          count * sizeof *parts);
 }
 
 #define OF(called, of, in, reads, by, member, what)                                                                    \
   {                                                                                                                    \
-    .name = called, .family = of, .watches = NB_OF_REGION, .unit = in, .fields = reads, .parts = parts_of,             \
+    .name = called, .family = of, .monitors = NB_OF_REGION, .unit = in, .fields = reads, .parts = parts_of,            \
     .measure = by, .at = offsetof(struct nb_region_now, member), .help = what                                          \
   }
 #define ENDS(called, of, in, by, member, what) OF(called, of, in, NB_READS_ENDS, by, member, what)
@@ -22,16 +22,17 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
   OF(called, of, in, NB_READS_ENDS | NB_READS_LOADS, NB_FABRIC, fabric.member, what)
 #define PART(called, which, of_what)                                                                                   \
   ENDS(called, NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.part[which].stress, "stress carried by " of_what),           \
-      ENDS(called ".fraction", NB_ALONE, "1", NB_STRESS_PARTS, stress.part[which].share,                               \
+      ENDS(called ".fraction", NB_ALONE, "1", NB_STRESS_PARTS, stress.part[which].fraction,                            \
            "fraction of the deviator carried by " of_what)
 #define COUNT(called, member, what)                                                                                    \
   OF(called, NB_ALONE, "1", NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
 #define LOAD(called, of, in, member, what) OF(called, of, in, NB_READS_LOADS, NB_LOADS, loads.member, what)
-#define STRAIN(called, of, in, member, what) OF(called, of, in, NB_ASKS_STRAIN, NB_STRAIN, strain.member, what)
+#define STRAIN(called, of, in, member, what) OF(called, of, in, NB_REQUEST_STRAIN, NB_STRAIN, strain.member, what)
 #define SPEED(called, in, member, what) OF(called, NB_ALONE, in, 0, NB_SPEEDS, speeds.member, what)
 #define CHAIN(called, in, member, what)                                                                                \
-  OF(called, NB_ALONE, in, NB_READS_ENDS | NB_ASKS_CHAINS, NB_CHAINS, chains.member, what)
-#define PARTED(called, of, member, what) OF(called, of, "1", NB_READS_TOUCH | NB_ASKS_PARTED, NB_PARTED, member, what)
+  OF(called, NB_ALONE, in, NB_READS_ENDS | NB_REQUEST_CHAINS, NB_CHAINS, chains.member, what)
+#define PARTED(called, of, member, what)                                                                               \
+  OF(called, of, "1", NB_READS_TOUCH | NB_REQUEST_PARTED, NB_CHANGED_CONTACTS, member, what)
 
 const struct nb_quantity_kind nb_region_kinds[] = {
     ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.whole, "stress by particles, compression positive"),
@@ -61,7 +62,7 @@ const struct nb_quantity_kind nb_region_kinds[] = {
        "porosity by volume, area times thickness: mean diameter of all spheres, 1 m of discs [R89 4.4]"),
     OF("void_ratio", NB_ALONE, "1", 0, NB_POROSITY, porosity.voids, "void ratio e = n/(1 - n), n the areal porosity"),
 
-    COUNT("particles", bodies, "number of particles whose centre is inside"),
+    COUNT("particles", particles, "number of particles whose centre is inside"),
     COUNT("contacts", contacts, "number of contacts of those particles, each counted once"),
     COUNT("coordination", all, "coordination number: mean number of contacts of a particle inside"),
     COUNT("coordination.mechanical", loaded, "mechanical coordination number: without rattlers and their contacts"),
@@ -89,14 +90,14 @@ const struct nb_quantity_kind nb_region_kinds[] = {
 
     SPEED("speed.mean", "m/s", mean, "mean speed of the free particles inside, relative to the imposed motion"),
     SPEED("speed.max", "m/s", max, "the largest of these speeds"),
-    SPEED("speed.imposed", "m/s", carried, "mean speed of the imposed motion of these particles"),
+    SPEED("speed.imposed", "m/s", imposed, "mean speed of the imposed motion of these particles"),
     SPEED("speed.ratio", "1", ratio, "speed.mean over speed.imposed [R89 6.5.1]; 0 without imposed motion"),
 
     CHAIN("chains", "1", count,
           "number of force chains: three particles or more, of major stress above the mean, in contact along their "
           "major axes"),
     CHAIN("chains.length", "1", length, "mean number of particles of a force chain"),
-    CHAIN("chains.fraction", "1", share, "fraction of the free particles inside that are in force chains"),
+    CHAIN("chains.fraction", "1", fraction, "fraction of the free particles inside that are in force chains"),
     CHAIN("chains.bend", "rad", turn, "mean angle between successive links of force chains: 0 is straight"),
 
     PARTED("contacts.lost", NB_ALONE, lost.count,

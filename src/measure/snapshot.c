@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "areas.h"
+#include "configuration.h"
 #include "region.h"
-#include "since.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -34,12 +34,12 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
 }
 
 /* The last three of `from`. */
-#define BODY(COLUMN)                                                                                                   \
+#define PARTICLE(COLUMN)                                                                                               \
   COLUMN("particle", "1", (double)k + 1)                                                                               \
   COLUMN("x", "m", x.x)                                                                                                \
   COLUMN("y", "m", x.y)                                                                                                \
-  COLUMN("radius", "m", bodies->rim[i].x)                                                                              \
-  COLUMN("angle", "rad", bodies->angle ? bodies->angle[i] : 0)                                                         \
+  COLUMN("radius", "m", particles->surface[i].radius)                                                                  \
+  COLUMN("angle", "rad", particles->angle ? particles->angle[i] : 0)                                                   \
   COLUMN("vx", "m/s", v.x)                                                                                             \
   COLUMN("vy", "m/s", v.y)                                                                                             \
   COLUMN("fx", "N", force.force.x)                                                                                     \
@@ -47,24 +47,24 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
   COLUMN("moment", "N.m", force.moment)                                                                                \
   COLUMN("spin", "rad/s", nb_velocity_now(model, i).spin)                                                              \
   COLUMN("contacts", "1", nb_touching(&model->contacts, i))                                                            \
-  COLUMN("fixed", "1", !(bodies->inverse_mass[i] > 0))                                                                 \
+  COLUMN("fixed", "1", !(particles->inverse_mass[i] > 0))                                                              \
   COLUMN("moved_x", "m", moved.x)                                                                                      \
   COLUMN("moved_y", "m", moved.y)                                                                                      \
-  COLUMN("turned", "rad", from < 0 ? 0 : nb_since_turned(model, from, i))
+  COLUMN("turned", "rad", from < 0 ? 0 : nb_configuration_rotated(model, from, i))
 
-static bool see_bodies(struct nb_table *table, const struct nb_model *model, int stage) {
-  static const struct nb_head columns[] = {BODY(NB_HEAD)};
+static bool see_particles(struct nb_table *table, const struct nb_model *model, int stage) {
+  static const struct nb_head columns[] = {PARTICLE(NB_HEAD)};
   const int from = model->scene->stages[stage].snapshot_from;
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   bool whole = nb_snapshot_table(table, model->scene, columns, COUNT(columns) - (from < 0 ? 3 : 0));
-  for (size_t k = 0; whole && k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (nb_gone(model, i))
+  for (size_t k = 0; whole && k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    if (nb_removed(model, i))
       continue;
     const struct nb_vec x = nb_cell_place(model, i), v = nb_velocity_whole(model, i);
     const struct nb_force force = nb_force_on(model, i);
-    const struct nb_vec moved = from < 0 ? vec(0, 0) : nb_since_moved(model, from, i);
-    whole = nb_snapshot_row(table, model, stage, (const double[]){BODY(NB_VALUE)});
+    const struct nb_vec moved = from < 0 ? vec(0, 0) : nb_configuration_moved(model, from, i);
+    whole = nb_snapshot_row(table, model, stage, (const double[]){PARTICLE(NB_VALUE)});
   }
   return whole;
 }
@@ -84,13 +84,13 @@ static bool see_walls(struct nb_table *table, const struct nb_model *model, int 
  * radius is that of the contact circle, ratio the same over the smaller body's, limit mu F_n + c, obliquity |F_s| over it.
  * The last one is of `from`. */
 #define CONTACT(COLUMN)                                                                                                \
-  COLUMN("a", "1", bodies->number[i])                                                                                  \
-  COLUMN("b", "1", wall ? 0 : bodies->number[b])                                                                       \
+  COLUMN("a", "1", particles->number[i])                                                                               \
+  COLUMN("b", "1", wall ? 0 : particles->number[b])                                                                    \
   COLUMN("wall", "1", wall ? b + 1 : 0)                                                                                \
   COLUMN("x", "m", x.x + reach * e.x)                                                                                  \
   COLUMN("y", "m", x.y + reach * e.y)                                                                                  \
-  COLUMN("ra", "m", bodies->rim[i].x)                                                                                  \
-  COLUMN("rb", "m", wall ? 0 : bodies->rim[b].x)                                                                       \
+  COLUMN("ra", "m", particles->surface[i].radius)                                                                      \
+  COLUMN("rb", "m", wall ? 0 : particles->surface[b].radius)                                                           \
   COLUMN("ex", "1", e.x)                                                                                               \
   COLUMN("ey", "1", e.y)                                                                                               \
   COLUMN("overlap", "m", overlap)                                                                                      \
@@ -106,25 +106,25 @@ static bool see_walls(struct nb_table *table, const struct nb_model *model, int 
   COLUMN("ratio", "1", load.ratio)                                                                                     \
   COLUMN("limit", "N", load.limit)                                                                                     \
   COLUMN("obliquity", "1", load.obliquity)                                                                             \
-  COLUMN("slid", "m", from < 0 ? 0 : nb_since_slid(model, from, c))
+  COLUMN("slid", "m", from < 0 ? 0 : nb_configuration_slid(model, from, c))
 
 static bool see_contacts(struct nb_table *table, const struct nb_model *model, int stage) {
   static const struct nb_head columns[] = {CONTACT(NB_HEAD)};
   const int from = model->scene->stages[stage].snapshot_from;
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   bool whole = nb_snapshot_table(table, model->scene, columns, COUNT(columns) - (from < 0));
   for (size_t c = 0; whole && c < contacts->count; c++) {
     if (!nb_touches(contacts, c))
       continue;
     const double overlap = contacts->kept[NB_OVERLAP][c], normal = contacts->kept[NB_NORMAL][c];
-    const bool wall = model->pairings[contacts->pairing[c]].wall;
+    const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
     const int i = contacts->a[c], b = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]), t = vec_clockwise(e);
-    const double shear = model->pairings[contacts->pairing[c]].shear ? contacts->kept[NB_SHEAR][c] : 0;
+    const double shear = model->material_pairs[contacts->material_pair[c]].shear ? contacts->kept[NB_SHEAR][c] : 0;
     const struct nb_contact_load load = nb_contact_load(model, c);
     const struct nb_vec x = nb_cell_place(model, (size_t)i);
-    const double reach = bodies->rim[i].x - overlap / 2;
+    const double reach = particles->surface[i].radius - overlap / 2;
     whole = nb_snapshot_row(table, model, stage, (const double[]){CONTACT(NB_VALUE)});
   }
   return whole;
@@ -133,10 +133,11 @@ static bool see_contacts(struct nb_table *table, const struct nb_model *model, i
 /* What outlines cover of a circle about the region's centre, m2. */
 static double covered(const struct nb_model *model, struct nb_vec centre, double radius) {
   double area = 0;
-  for (size_t k = 0; k < model->bodies.count; k++) {
-    const size_t i = (size_t)model->bodies.slot[k];
-    if (!nb_gone(model, i))
-      area += nb_area_of_lens(model->bodies.rim[i].x, radius, vec_length(vec_sub(model->bodies.position[i], centre)));
+  for (size_t k = 0; k < model->particles.count; k++) {
+    const size_t i = (size_t)model->particles.slot[k];
+    if (!nb_removed(model, i))
+      area += nb_area_of_lens(model->particles.surface[i].radius, radius,
+                              vec_length(vec_sub(model->particles.position[i], centre)));
   }
   return area;
 }
@@ -163,9 +164,9 @@ static bool see_rings(struct nb_table *table, const struct nb_model *model, int 
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage) {
   const int from = model->scene->stages[stage].snapshot_from;
   *snapshot = (struct nb_snapshot){.stage = stage};
-  return see_bodies(&snapshot->bodies, model, stage) && see_walls(&snapshot->walls, model, stage) &&
+  return see_particles(&snapshot->particles, model, stage) && see_walls(&snapshot->walls, model, stage) &&
          see_contacts(&snapshot->contacts, model, stage) &&
-         (from < 0 || nb_since_lattice(&snapshot->lattice, model, stage, from)) &&
+         (from < 0 || nb_configuration_lattice(&snapshot->lattice, model, stage, from)) &&
          (!model->regions || see_rings(&snapshot->rings, model, stage));
 }
 
@@ -173,9 +174,9 @@ static const struct {
   const char *name;
   size_t at;
 } parts[] = {
-    {"particles", offsetof(struct nb_snapshot, bodies)},  {"walls", offsetof(struct nb_snapshot, walls)},
-    {"contacts", offsetof(struct nb_snapshot, contacts)}, {"rings", offsetof(struct nb_snapshot, rings)},
-    {"lattice", offsetof(struct nb_snapshot, lattice)},   {"traction", offsetof(struct nb_snapshot, traction)},
+    {"particles", offsetof(struct nb_snapshot, particles)}, {"walls", offsetof(struct nb_snapshot, walls)},
+    {"contacts", offsetof(struct nb_snapshot, contacts)},   {"rings", offsetof(struct nb_snapshot, rings)},
+    {"lattice", offsetof(struct nb_snapshot, lattice)},     {"traction", offsetof(struct nb_snapshot, traction)},
     {"pieces", offsetof(struct nb_snapshot, pieces)},
 };
 

@@ -28,11 +28,11 @@
  * particles of any two materials, however far they are apart. Else the step could be too long for the first contact there is. Left out: that contacts turn, of the order of overlap over
  * radius; a contact that slides is softer.
  *
- * To find it costs a few cycles' work, of elastic spheres up to a dozen. When a run does so: watch.c.
+ * To find it costs a few cycles' work, of elastic spheres up to a dozen. When a run does so: stability.c.
  *
  * Source     the element bound of finite elements (Irons and Treharne 1971).
  * Range      k_n > 0; laws whose stiffness changes are taken as stiff as they can get at this overlap, loading or unloading (law.h);
- *            watch.c knows until which overlap.
+ *            stability.c knows until which overlap.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -43,7 +43,7 @@
 
 bool nb_stability_create(struct nb_model *model) {
   struct nb_stability *it = model->stability = nb_own(&model->owner, 1, sizeof *it);
-  struct nb_load *loads = nb_own(&model->owner, model->bodies.count, sizeof *loads);
+  struct nb_load *loads = nb_own(&model->owner, model->particles.count, sizeof *loads);
   if (model->owner.failed)
     return false;
   *it = (struct nb_stability){.step_line = -1, .loads = loads};
@@ -52,28 +52,28 @@ bool nb_stability_create(struct nb_model *model) {
 
 /* A stage may have changed properties and laws since the last forces. */
 static void look_ahead(const struct nb_model *model) {
-  const struct nb_law *shear = strcmp(model->coming.shear->name, "none") == 0 ? NULL : model->coming.shear;
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    struct nb_pairing *pairing = &model->pairings[p];
-    pairing->coming = nb_properties_pair(&model->properties, pairing->a, pairing->b);
-    pairing->coming_shear = pairing->coming.friction > 0 || pairing->coming.cohesion > 0 ? shear : NULL;
+  const struct nb_law *shear = strcmp(model->next.shear->name, "none") == 0 ? NULL : model->next.shear;
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    struct nb_material_pair *material_pair = &model->material_pairs[p];
+    material_pair->next = nb_properties_pair(&model->properties, material_pair->a, material_pair->b);
+    material_pair->next_shear = material_pair->next.friction > 0 || material_pair->next.cohesion > 0 ? shear : NULL;
   }
 }
 
 /* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
-static struct nb_stiff stiff_at(const struct nb_model *model, const struct nb_pairing *pairing, double overlap,
-                                double inverse_mass, double radius, bool deep, double normal_memory[],
-                                double shear_memory[]) {
-  struct nb_pair values = pairing->coming;
+static struct nb_stiff stiff_at(const struct nb_model *model, const struct nb_material_pair *material_pair,
+                                double overlap, double inverse_mass, double radius, bool deep, double normal_history[],
+                                double shear_history[]) {
+  struct nb_pair values = material_pair->next;
   values.radius = radius;
-  struct nb_normal normal = model->coming.normal->normal(values, overlap, 0, normal_memory);
+  struct nb_normal normal = model->next.normal->normal(values, overlap, 0, normal_history);
   normal.overlap = overlap;
   struct nb_stiff k = {.kn = nb_normal_stiffest(normal)};
-  if (pairing->coming_shear)
-    k.ks = pairing->coming_shear->shear(values, normal, 0, shear_memory).stiffness;
+  if (material_pair->next_shear)
+    k.ks = material_pair->next_shear->shear(values, normal, 0, shear_history).stiffness;
   if (!model->plan.dashpots)
     return k;
-  const struct nb_dashpot pot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, pairing->wall);
+  const struct nb_dashpot pot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, material_pair->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
   k.cn = pot.time * k.kn + pot.ratio * sqrt(mass * k.kn);
   k.cs = pot.time * k.ks + pot.ratio * sqrt(mass * k.ks);
@@ -81,7 +81,7 @@ static struct nb_stiff stiff_at(const struct nb_model *model, const struct nb_pa
 }
 
 static double inverse_mass(const struct nb_model *model, size_t c, bool wall) {
-  const double *inverse = model->bodies.inverse_mass;
+  const double *inverse = model->particles.inverse_mass;
   return inverse[model->contacts.a[c]] + (wall ? 0 : inverse[model->contacts.b[c]]);
 }
 
@@ -90,22 +90,22 @@ static const double just = DBL_MIN;
 
 static struct nb_stiff stiff_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_pairing *pairing = &model->pairings[contacts->pairing[c]];
-  double normal_memory[NB_MEMORY], shear_memory[NB_MEMORY_MAX];
+  const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
+  double normal_history[NB_HISTORY], shear_history[NB_HISTORY_MAX];
   for (int shear = 0; shear < 2; shear++) { /* laws write into what they remember, and nothing has happened */
-    const struct nb_memory *memory = shear ? &contacts->shear_memory : &contacts->normal_memory;
-    double room[NB_MEMORY], *to = shear ? shear_memory : normal_memory;
-    const int doubles = memory->doubles > NB_MEMORY ? memory->doubles : NB_MEMORY;
+    const struct nb_history *memory = shear ? &contacts->shear_history : &contacts->normal_history;
+    double room[NB_HISTORY], *to = shear ? shear_history : normal_history;
+    const int doubles = memory->doubles > NB_HISTORY ? memory->doubles : NB_HISTORY;
     const bool forgets = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
     if (forgets)
-      memset(to, 0, NB_MEMORY * sizeof *to); /* and of a row the first double is all that is looked at */
+      memset(to, 0, NB_HISTORY * sizeof *to); /* and of a row the first double is all that is looked at */
     else
-      memcpy(to, nb_memory_read(memory, c, room), (size_t)doubles * sizeof *to);
+      memcpy(to, nb_history_read(memory, c, room), (size_t)doubles * sizeof *to);
   }
-  const double overlap = nb_overlap(model, c), least = model->coming.normal->elastic ? 0 : just;
-  return stiff_at(model, pairing, overlap > least ? overlap : least, inverse_mass(model, c, pairing->wall),
-                  nb_contacts_values(model, c, pairing->coming).radius, model->damping.deep > 0 && nb_deep_is(model, c),
-                  normal_memory, shear_memory);
+  const double overlap = nb_overlap(model, c), least = model->next.normal->elastic ? 0 : just;
+  return stiff_at(model, material_pair, overlap > least ? overlap : least, inverse_mass(model, c, material_pair->wall),
+                  nb_contacts_values(model, c, material_pair->next).radius,
+                  model->damping.deep > 0 && nb_deep_is(model, c), normal_history, shear_history);
 }
 
 double nb_safe_limit(const struct nb_damping *damping) {
@@ -151,51 +151,51 @@ static void add(struct nb_load *load, const struct nb_stiff *k, double radius) {
 }
 
 /* A body's contribution to its contact. */
-static void share(struct nb_part *part, const struct nb_load *load, double inverse_mass_, double inverse_inertia) {
+static void fraction(struct nb_part *part, const struct nb_load *load, double inverse_mass_, double inverse_inertia) {
   part->a += load->kn * inverse_mass_, part->d += load->cn * inverse_mass_;
   part->q += load->ks * inverse_inertia, part->p += load->cs * inverse_inertia;
 }
 
 static void smaller(struct nb_safe *safe, const struct nb_part *part, double limit, int a, int b,
-                    const struct nb_pairing *pairing) {
+                    const struct nb_material_pair *material_pair) {
   const double step = safe->step;
   /* Most contacts are not the smallest, which is told without looking for a root. */
   if (isfinite(step) && larger(nb_part_normal(part, step), shear_of(part, step)) <= limit)
     return;
-  *safe = (struct nb_safe){.step = root(part, limit), .a = a, .b = b, .pairing = pairing};
+  *safe = (struct nb_safe){.step = root(part, limit), .a = a, .b = b, .material_pair = material_pair};
   safe->turning = shear_of(part, safe->step) > nb_part_normal(part, safe->step);
 }
 
 struct nb_safe nb_safe_apart(const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   const double limit = nb_safe_limit(&model->damping);
   struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
   look_ahead(model);
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    const struct nb_pairing *pairing = &model->pairings[p];
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    const struct nb_material_pair *material_pair = &model->material_pairs[p];
     int lightest[2];
-    nb_step_lightest(model, pairing, lightest);
-    if (lightest[0] < 0 || (!pairing->wall && lightest[1] < 0))
+    nb_step_lightest(model, material_pair, lightest);
+    if (lightest[0] < 0 || (!material_pair->wall && lightest[1] < 0))
       continue;
-    double normal[NB_MEMORY] = {0}, shear[NB_MEMORY_MAX] = {0}, inverse = 0, curvature = 0;
+    double normal[NB_HISTORY] = {0}, shear[NB_HISTORY_MAX] = {0}, inverse = 0, curvature = 0;
     for (int side = 0; side < 2; side++)
       if (lightest[side] >= 0) {
-        inverse += bodies->inverse_mass[lightest[side]];
-        curvature += 1 / bodies->rim[lightest[side]].x;
+        inverse += particles->inverse_mass[lightest[side]];
+        curvature += 1 / particles->surface[lightest[side]].radius;
       }
-    if (model->coming.normal->elastic)
+    if (model->next.normal->elastic)
       continue; /* elastic spheres have no stiffness when they just touch */
-    struct nb_part part = {.own = stiff_at(model, pairing, just, inverse, 1 / curvature, false, normal, shear)};
+    struct nb_part part = {.own = stiff_at(model, material_pair, just, inverse, 1 / curvature, false, normal, shear)};
     for (int side = 0; side < 2; side++) {
       const int i = lightest[side];
       struct nb_load load = {0};
       if (i < 0)
         continue;
-      add(&load, &part.own, bodies->rim[i].x);
-      share(&part, &load, bodies->inverse_mass[i], bodies->inverse_inertia[i]);
+      add(&load, &part.own, particles->surface[i].radius);
+      fraction(&part, &load, particles->inverse_mass[i], particles->inverse_inertia[i]);
     }
     if (part.own.kn > 0)
-      smaller(&safe, &part, limit, lightest[0], lightest[1], pairing);
+      smaller(&safe, &part, limit, lightest[0], lightest[1], material_pair);
   }
   safe.apart = true;
   return safe;
@@ -207,35 +207,35 @@ struct nb_safe nb_safe_begin(const struct nb_model *model) {
 }
 
 struct nb_part nb_part_of(const struct nb_model *model, size_t c) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   struct nb_part part = {.own = model->blocks.stiff[c]};
-  share(&part, &model->stability->loads[i], bodies->inverse_mass[i], bodies->inverse_inertia[i]);
-  if (!model->pairings[model->contacts.pairing[c]].wall)
-    share(&part, &model->stability->loads[j], bodies->inverse_mass[j], bodies->inverse_inertia[j]);
+  fraction(&part, &model->stability->loads[i], particles->inverse_mass[i], particles->inverse_inertia[i]);
+  if (!model->material_pairs[model->contacts.material_pair[c]].wall)
+    fraction(&part, &model->stability->loads[j], particles->inverse_mass[j], particles->inverse_inertia[j]);
   return part;
 }
 
 struct nb_safe nb_safe_step(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   const double limit = nb_safe_limit(&model->damping);
   struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
   if (contacts->count == 0)
     return nb_safe_apart(model);
   look_ahead(model);
-  memset(model->stability->loads, 0, bodies->count * sizeof *model->stability->loads);
+  memset(model->stability->loads, 0, particles->count * sizeof *model->stability->loads);
   for (size_t c = 0; c < contacts->count; c++) { /* in the order of numbers, whatever the storage */
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_stiff k = model->blocks.stiff[c] = stiff_of(model, c);
-    add(&model->stability->loads[i], &k, bodies->rim[i].x);
-    if (!model->pairings[contacts->pairing[c]].wall)
-      add(&model->stability->loads[j], &k, bodies->rim[j].x);
+    add(&model->stability->loads[i], &k, particles->surface[i].radius);
+    if (!model->material_pairs[contacts->material_pair[c]].wall)
+      add(&model->stability->loads[j], &k, particles->surface[j].radius);
   }
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_part part = nb_part_of(model, c);
     if (part.own.kn > 0)
-      smaller(&safe, &part, limit, contacts->a[c], contacts->b[c], &model->pairings[contacts->pairing[c]]);
+      smaller(&safe, &part, limit, contacts->a[c], contacts->b[c], &model->material_pairs[contacts->material_pair[c]]);
   }
   return safe;
 }

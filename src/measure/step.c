@@ -21,26 +21,26 @@
 
 double nb_step_critical(const struct nb_model *model) {
   double mass = INFINITY, stiffness = 0;
-  for (size_t i = 0; i < model->bodies.count; i++)
-    if (model->bodies.inverse_mass[i] > 0 && model->bodies.mass[i] < mass)
-      mass = model->bodies.mass[i];
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    const double kn = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b).kn;
+  for (size_t i = 0; i < model->particles.count; i++)
+    if (model->particles.inverse_mass[i] > 0 && model->particles.mass[i] < mass)
+      mass = model->particles.mass[i];
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    const double kn = nb_properties_pair(&model->properties, model->material_pairs[p].a, model->material_pairs[p].b).kn;
     stiffness = kn > stiffness ? kn : stiffness;
   }
   return 2 * sqrt(mass / stiffness);
 }
 
-void nb_step_lightest(const struct nb_model *model, const struct nb_pairing *pairing, int lightest[2]) {
-  const struct nb_bodies *bodies = &model->bodies;
+void nb_step_lightest(const struct nb_model *model, const struct nb_material_pair *material_pair, int lightest[2]) {
+  const struct nb_particles *particles = &model->particles;
   lightest[0] = lightest[1] = -1;
-  for (int side = 0; side < (pairing->wall ? 1 : 2); side++)
-    for (size_t k = 0; k < bodies->count; k++) {
-      const int i = bodies->slot[k], least = lightest[side];
-      if (nb_gone(model, (size_t)i))
+  for (int side = 0; side < (material_pair->wall ? 1 : 2); side++)
+    for (size_t k = 0; k < particles->count; k++) {
+      const int i = particles->slot[k], least = lightest[side];
+      if (nb_removed(model, (size_t)i))
         continue;
-      if (bodies->material[i] == (side ? pairing->b : pairing->a) && i != lightest[0] &&
-          (least < 0 || bodies->inverse_mass[i] > bodies->inverse_mass[least]))
+      if (particles->material[i] == (side ? material_pair->b : material_pair->a) && i != lightest[0] &&
+          (least < 0 || particles->inverse_mass[i] > particles->inverse_mass[least]))
         lightest[side] = i;
     }
 }
@@ -48,22 +48,24 @@ void nb_step_lightest(const struct nb_model *model, const struct nb_pairing *pai
 double nb_step_contact(const struct nb_model *model) {
   if (nb_step_elastic(model))
     return nb_meeting_shortest(model).duration;
-  const double *inverse = model->bodies.inverse_mass;
+  const double *inverse = model->particles.inverse_mass;
   double square = 0; /* the largest k_n/M */
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    const struct nb_pairing *pairing = &model->pairings[p];
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    const struct nb_material_pair *material_pair = &model->material_pairs[p];
     int pair[2];
-    nb_step_lightest(model, pairing, pair);
-    if (pair[0] < 0 || (!pairing->wall && pair[1] < 0))
+    nb_step_lightest(model, material_pair, pair);
+    if (pair[0] < 0 || (!material_pair->wall && pair[1] < 0))
       continue;
-    const double kn = nb_properties_pair(&model->properties, pairing->a, pairing->b).kn;
-    const double here = kn * (inverse[pair[0]] + (pairing->wall ? 0 : inverse[pair[1]]));
+    const double kn = nb_properties_pair(&model->properties, material_pair->a, material_pair->b).kn;
+    const double here = kn * (inverse[pair[0]] + (material_pair->wall ? 0 : inverse[pair[1]]));
     square = here > square ? here : square;
   }
   return NB_PI / sqrt(square);
 }
 
-bool nb_step_elastic(const struct nb_model *model) { return model->pairing_count > 0 && model->coming.normal->elastic; }
+bool nb_step_elastic(const struct nb_model *model) {
+  return model->material_pair_count > 0 && model->next.normal->elastic;
+}
 
 /* The longest that elastic spheres may overlap by rounding, as a share of the radius: it makes no stiffness to speak of. */
 static const double pressed = 1e-9;
@@ -71,7 +73,7 @@ static const double pressed = 1e-9;
 bool nb_step_pressed(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   for (size_t c = 0; c < contacts->count; c++)
-    if (nb_overlap(model, c) > pressed * model->bodies.rim[contacts->a[c]].x)
+    if (nb_overlap(model, c) > pressed * model->particles.surface[contacts->a[c]].radius)
       return true;
   return false;
 }
@@ -157,7 +159,7 @@ const struct nb_quantity_kind nb_step_kinds[] = {
     {"step", 0, "s", 0, step, "the time step"},
     {"step.single-contact", 0, "s", 0, critical, "2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion]"},
     {"step.stable", 0, "s", 0, safe, "the largest step guaranteed stable with the present contacts and damping"},
-    {"step.fracc", 0, "1", NB_ASKS_FRACC, fracc,
+    {"step.fracc", 0, "1", NB_REQUEST_FRACC, fracc,
      "FRACC, the largest of all particles in the last cycle: not a stability bound [R89 4.40]"},
     {"step.rayleigh", 0, "s", 0, rayleigh, "travel time of a Rayleigh wave half round the smallest sphere [R89 4.33]"},
     {"step.rayleigh-mean", 0, "s", 0, rayleigh_mean, "the same for the mean sphere"},

@@ -7,7 +7,7 @@
 #include "laws/laws_now.h"
 #include "pass/pass.h"
 
-/* What the stable step is found from, and the watch over it: step.c, stable_step.c, watch.c. */
+/* What the stable step is found from, and the watch over it: step.c, stable_step.c, stability.c. */
 struct nb_stability {
   int step_line;         /* of the statement that says how long a step is; -1: none has been worked out yet */
   double safe;           /* largest step sure to be stable as this stage began, s */
@@ -20,15 +20,15 @@ bool nb_stability_create(struct nb_model *model); /* false: no memory */
 /* stable_step.c */
 struct nb_load {
   double kn, ks, cn, cs; /* sums over a body's contacts: k_n, k_s R^2, and the same of dashpots */
-  double left;           /* of L by the contact that leaves least: watch.c */
+  double left;           /* of L by the contact that leaves least: stability.c */
 };
 /* The largest step that is sure to be stable with the contacts and the damping of now, and which contact sets it. */
 struct nb_safe {
-  double step;                      /* s; infinite when nothing can vibrate */
-  int a, b;                         /* slots, b a wall where the pairing is with walls; b or both -1: nothing is near */
-  bool apart;                       /* of a pair as if it touched */
-  bool turning;                     /* its shear and spin set it, not its normal motion */
-  const struct nb_pairing *pairing; /* of that contact */
+  double step;  /* s; infinite when nothing can vibrate */
+  int a, b;     /* slots, b a wall where the pairing is with walls; b or both -1: nothing is near */
+  bool apart;   /* of a pair as if it touched */
+  bool turning; /* its shear and spin set it, not its normal motion */
+  const struct nb_material_pair *material_pair; /* of that contact */
 };
 struct nb_safe nb_safe_step(const struct nb_model *model);
 /* Of all pairs that could meet: the lightest particles of each two materials, as if they touched, whether they are near or not. */
@@ -50,11 +50,11 @@ static inline double nb_part_turning(const struct nb_part *part, double dt) {
 /* "turning of body 5 at wall east" */
 void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe);
 
-/* watch.c: whether the step is still sure to be stable */
-bool nb_sure_all(struct nb_model *model); /* after the forces: no contact is deeper than its NB_SURE */
+/* stability.c: whether the step is still sure to be stable */
+bool nb_stable_overlap_all(struct nb_model *model); /* after the forces: no contact is deeper than its NB_SURE */
 /* NB_BROKEN when the step is above the safe one, unless the page allows it; what is sure from there on. */
-enum { NB_WATCH_CYCLES = 1000 }; /* between two looks without a search */
-enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error);
+enum { NB_STABILITY_CYCLES = 1000 }; /* between two looks without a search */
+enum nb_status nb_stability_check(struct nb_model *model, struct nb_error *error);
 /* The same as a stage begins, for pairs that are apart too. */
 enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error);
 
@@ -86,7 +86,7 @@ bool nb_step_pressed(const struct nb_model *model);   /* some of them are, by mo
 double nb_step_contact(const struct nb_model *model); /* duration of the shortest contact there can be, s */
 double nb_step_critical(const struct nb_model *model);
 /* Slots of the lightest bodies of the two materials of a pairing; -1 where there is none, or the second is a wall. */
-void nb_step_lightest(const struct nb_model *model, const struct nb_pairing *pairing, int lightest[2]);
+void nb_step_lightest(const struct nb_model *model, const struct nb_material_pair *material_pair, int lightest[2]);
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error);
 
 #endif

@@ -19,24 +19,24 @@
  * Where c is added to u for good (`accumulated`) w is still u - c, so that both codings are measured alike.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "core/carry.h"
+#include "core/affine.h"
 #include "region.h"
 
 static void remember(const struct nb_model *model, struct nb_region_now *region) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    region->from[k] = nb_region_holds(model, region, i) ? bodies->position[i] : vec(NAN, NAN);
+  const struct nb_particles *particles = &model->particles;
+  for (size_t k = 0; k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    region->from[k] = nb_region_holds(model, region, i) ? particles->position[i] : vec(NAN, NAN);
   }
 }
 
 enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  if (!(model->plan.asked & NB_ASKS_STRAIN))
+  if (!(model->plan.requested & NB_REQUEST_STRAIN))
     return NB_OK;
   for (size_t r = 0; r < scene->region_count; r++) {
     struct nb_region_now *region = nb_region_now(model, (int)r);
-    if (!region->from && !(region->from = nb_array(model->bodies.count, sizeof *region->from)))
+    if (!region->from && !(region->from = nb_array(model->particles.count, sizeof *region->from)))
       return nb_error_memory(error);
     if (stage < 0 || scene->regions[r].stage == stage)
       remember(model, region);
@@ -49,27 +49,27 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
 static const double in_line = 1e-12;
 
 static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec from[]) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   struct nb_vec middle = vec(0, 0), moved = vec(0, 0);
   double count = 0;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (from[k].x != from[k].x || nb_gone(model, i))
+  for (size_t k = 0; k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    if (from[k].x != from[k].x || nb_removed(model, i))
       continue;
     middle = vec_add(middle, from[k]);
-    moved = vec_add(moved, vec_sub(bodies->position[i], from[k]));
+    moved = vec_add(moved, vec_sub(particles->position[i], from[k]));
     count++;
   }
   if (count < 3)
     return tensor(0, 0, 0, 0);
   middle = vec_scale(1 / count, middle), moved = vec_scale(1 / count, moved);
   struct nb_tensor both = tensor(0, 0, 0, 0), square = both;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    if (from[k].x != from[k].x || nb_gone(model, i))
+  for (size_t k = 0; k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    if (from[k].x != from[k].x || nb_removed(model, i))
       continue;
     const struct nb_vec place = vec_sub(from[k], middle);
-    const struct nb_vec u = vec_sub(vec_sub(bodies->position[i], from[k]), moved);
+    const struct nb_vec u = vec_sub(vec_sub(particles->position[i], from[k]), moved);
     both = tensor_add(both, tensor_outer(u, place));
     square = tensor_add(square, tensor_outer(place, place));
   }
@@ -89,13 +89,13 @@ void nb_measure_strain(const struct nb_model *model, struct nb_region_now *regio
 /* ---- speeds ---- */
 
 /* c at t_N, the mean over both half steps; `stored`: it is a part of the body's own velocity. */
-static struct nb_vec carried(const struct nb_model *model, size_t i, bool *stored) {
-  const struct nb_carry *carry = model->carry;
-  *stored = carry && model->previous_step > 0 && carry->remembered[carry->by[i]] == 0;
+static struct nb_vec imposed(const struct nb_model *model, size_t i, bool *stored) {
+  const struct nb_affine *affine = model->affine;
+  *stored = affine && model->previous_step > 0 && affine->remembered[affine->by[i]] == 0;
   if (!*stored)
-    return carry ? nb_carried_now(model, i) : vec(0, 0);
+    return affine ? nb_imposed_now(model, i) : vec(0, 0);
   const struct nb_vec back = vec_scale(model->previous_step / 2, nb_velocity_half(model, i).velocity);
-  return nb_carried_at(carry, i, vec_sub(model->bodies.position[i], back));
+  return nb_imposed_at(affine, i, vec_sub(model->particles.position[i], back));
 }
 
 void nb_measure_speeds(const struct nb_model *model, struct nb_region_now *region) {
@@ -103,14 +103,14 @@ void nb_measure_speeds(const struct nb_model *model, struct nb_region_now *regio
   *it = (struct nb_speeds){0};
   double count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
-    if (!(model->bodies.inverse_mass[i] > 0))
+    if (!(model->particles.inverse_mass[i] > 0))
       continue;
     bool stored;
-    const struct nb_vec c = carried(model, i, &stored), v = nb_velocity_now(model, i).velocity;
+    const struct nb_vec c = imposed(model, i, &stored), v = nb_velocity_now(model, i).velocity;
     const double own = vec_length(stored ? vec_sub(v, c) : v);
     it->max = own > it->max ? own : it->max;
-    it->mean += own, it->carried += vec_length(c), count++;
+    it->mean += own, it->imposed += vec_length(c), count++;
   }
-  it->ratio = it->carried > 0 ? it->mean / it->carried : 0;
-  it->mean /= count > 0 ? count : 1, it->carried /= count > 0 ? count : 1;
+  it->ratio = it->imposed > 0 ? it->mean / it->imposed : 0;
+  it->mean /= count > 0 ? count : 1, it->imposed /= count > 0 ? count : 1;
 }

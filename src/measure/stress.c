@@ -29,7 +29,7 @@ static double mean_push(const struct nb_model *model, const struct nb_region_now
   double sum = 0, count = 0;
   struct nb_end end;
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end); count++)
-    sum += end.push;
+    sum += end.total_normal;
   return count > 0 ? sum / count : 0;
 }
 
@@ -48,10 +48,10 @@ static void find_parts(struct nb_stress *stress, const struct nb_model *model, c
   for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
     const struct nb_vec branch = vec_scale(end.arm, end.e);
     const struct nb_tensor along = tensor_outer(end.e, branch), across = tensor_outer(vec_clockwise(end.e), branch);
-    sum[NB_STRESS_NORMAL] = tensor_add(sum[NB_STRESS_NORMAL], tensor_scale(end.push, along));
-    sum[NB_STRESS_SHEAR] = tensor_add(sum[NB_STRESS_SHEAR], tensor_scale(end.drag, across));
+    sum[NB_STRESS_NORMAL] = tensor_add(sum[NB_STRESS_NORMAL], tensor_scale(end.total_normal, along));
+    sum[NB_STRESS_SHEAR] = tensor_add(sum[NB_STRESS_SHEAR], tensor_scale(end.total_shear, across));
     sum[NB_STRESS_FABRIC] = tensor_add(sum[NB_STRESS_FABRIC], tensor_scale(mean, along));
-    sum[NB_STRESS_VARIATION] = tensor_add(sum[NB_STRESS_VARIATION], tensor_scale(end.push - mean, along));
+    sum[NB_STRESS_VARIATION] = tensor_add(sum[NB_STRESS_VARIATION], tensor_scale(end.total_normal - mean, along));
   }
   for (int k = 0; k < NB_STRESS_PARTS_COUNT; k++)
     stress->part[k].stress = sum[k];
@@ -64,7 +64,7 @@ static struct nb_tensor by_contacts(const struct nb_model *model, const struct n
     if (!nb_touches(contacts, c))
       continue;
     const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
-    const bool wall = model->pairings[contacts->pairing[c]].wall;
+    const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
     const bool a_in = nb_region_holds(model, region, a), b_in = !wall && nb_region_holds(model, region, b);
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
     struct nb_vec branch = vec(0, 0);
@@ -90,7 +90,7 @@ static double sin_phi(struct nb_tensor stress) {
 }
 
 /* Both deviators are vectors on Mohr's circle: the part's along the whole's. */
-static double share(struct nb_tensor part, struct nb_tensor whole) {
+static double fraction(struct nb_tensor part, struct nb_tensor whole) {
   const double apart = whole.xx - whole.yy, mixed = whole.xy + whole.yx, square = apart * apart + mixed * mixed;
   return square > 0 ? ((part.xx - part.yy) * apart + (part.xy + part.yx) * mixed) / square : 0;
 }
@@ -122,7 +122,7 @@ void nb_measure_stress_parts(const struct nb_model *model, struct nb_region_now 
   find_parts(stress, model, region);
   for (int k = 0; k < NB_STRESS_PARTS_COUNT; k++) {
     stress->part[k].stress = tensor_scale(per, stress->part[k].stress);
-    stress->part[k].share = share(stress->part[k].stress, stress->whole);
+    stress->part[k].fraction = fraction(stress->part[k].stress, stress->whole);
   }
   stress->contacts = tensor_scale(per, by_contacts(model, region));
   stress->residual = residual(stress);

@@ -20,69 +20,71 @@
 #include "packing.h"
 #include "random_numbers.h"
 
-static void add(struct nb_grid *grid, const struct nb_body *body, size_t index) {
-  nb_grid_add(grid, (int)index, vec(body->x, body->y), 2 * body->radius);
+static void add(struct nb_grid *grid, const struct nb_particle *particle, size_t index) {
+  nb_grid_add(grid, (int)index, vec(particle->x, particle->y), 2 * particle->radius);
 }
 
 static bool begin(struct nb_grid *grid, const struct nb_scene *scene, const struct nb_grading *grading) {
   double largest = grading->sizes[0].radius;
-  for (size_t k = 0; k < scene->body_count; k++)
-    largest = fmax(largest, scene->bodies[k].radius);
-  if (!nb_grid_create(grid, scene->body_count + grading->count, 2 * largest))
+  for (size_t k = 0; k < scene->particle_count; k++)
+    largest = fmax(largest, scene->particles[k].radius);
+  if (!nb_grid_create(grid, scene->particle_count + grading->count, 2 * largest))
     return false;
-  for (size_t k = 0; k < scene->body_count; k++)
-    add(grid, &scene->bodies[k], k);
+  for (size_t k = 0; k < scene->particle_count; k++)
+    add(grid, &scene->particles[k], k);
   return true;
 }
 
-static bool overlap(const struct nb_body *a, const struct nb_body *b) {
+static bool overlap(const struct nb_particle *a, const struct nb_particle *b) {
   const double dx = a->x - b->x, dy = a->y - b->y, apart = a->radius + b->radius;
   return dx * dx + dy * dy < apart * apart;
 }
 
 /* Whether the body, which is to be number `count`, overlaps none of those on a level. */
-static bool is_free_on(const struct nb_grid *grid, int level, const struct nb_body *bodies, size_t count) {
-  const struct nb_body *body = &bodies[count];
-  const double reach = body->radius + grid->width[level] / 2;
-  const int64_t west = nb_grid_place(grid, level, body->x - reach), east = nb_grid_place(grid, level, body->x + reach);
-  const int64_t south = nb_grid_place(grid, level, body->y - reach),
-                north = nb_grid_place(grid, level, body->y + reach);
+static bool is_free_on(const struct nb_grid *grid, int level, const struct nb_particle *particles, size_t count) {
+  const struct nb_particle *particle = &particles[count];
+  const double reach = particle->radius + grid->width[level] / 2;
+  const int64_t west = nb_grid_place(grid, level, particle->x - reach),
+                east = nb_grid_place(grid, level, particle->x + reach);
+  const int64_t south = nb_grid_place(grid, level, particle->y - reach),
+                north = nb_grid_place(grid, level, particle->y + reach);
   if ((double)(east - west) * (double)(north - south) > (double)count) { /* it is far larger than they are */
     for (size_t k = 0; k < count; k++)
-      if (overlap(body, &bodies[k]))
+      if (overlap(particle, &particles[k]))
         return false;
     return true;
   }
   for (int64_t y = south; y <= north; y++)
     for (int64_t x = west; x <= east; x++)
       NB_IN_BOX(grid, other, ((struct nb_box){level, x, y}))
-  if (overlap(body, &bodies[other]))
+  if (overlap(particle, &particles[other]))
     return false;
   return true;
 }
 
-static bool is_free(const struct nb_grid *grid, const struct nb_body *bodies, size_t count) {
+static bool is_free(const struct nb_grid *grid, const struct nb_particle *particles, size_t count) {
   for (int level = 0; level < NB_GRID_LEVELS; level++)
-    if (grid->count[level] && !is_free_on(grid, level, bodies, count))
+    if (grid->count[level] && !is_free_on(grid, level, particles, count))
       return false;
   return true;
 }
 
 /* Draws a centre; false when rounding has put the body across the edge. */
-static bool draw(struct nb_body *body, const struct nb_fill *fill, struct nb_random *random) {
-  const double r = body->radius;
+static bool draw(struct nb_particle *particle, const struct nb_fill *fill, struct nb_random *random) {
+  const double r = particle->radius;
   if (!fill->circle) {
-    body->x = fill->x + r + nb_random_share(random) * (fill->x1 - fill->x - 2 * r);
-    body->y = fill->y + r + nb_random_share(random) * (fill->y1 - fill->y - 2 * r);
-    return body->x - fill->x >= r && fill->x1 - body->x >= r && body->y - fill->y >= r && fill->y1 - body->y >= r;
+    particle->x = fill->x + r + nb_random_fraction(random) * (fill->x1 - fill->x - 2 * r);
+    particle->y = fill->y + r + nb_random_fraction(random) * (fill->y1 - fill->y - 2 * r);
+    return particle->x - fill->x >= r && fill->x1 - particle->x >= r && particle->y - fill->y >= r &&
+           fill->y1 - particle->y >= r;
   }
   double u, v;
   do {
-    u = 2 * nb_random_share(random) - 1, v = 2 * nb_random_share(random) - 1;
+    u = 2 * nb_random_fraction(random) - 1, v = 2 * nb_random_fraction(random) - 1;
   } while (u * u + v * v > 1);
   const double within = fill->radius - r;
-  body->x = fill->x + within * u, body->y = fill->y + within * v;
-  const double dx = body->x - fill->x, dy = body->y - fill->y;
+  particle->x = fill->x + within * u, particle->y = fill->y + within * v;
+  const double dx = particle->x - fill->x, dy = particle->y - fill->y;
   return dx * dx + dy * dy <= within * within;
 }
 
@@ -92,35 +94,35 @@ static bool fits(const struct nb_fill *fill, double radius) {
 
 /* One more body, in the room that is there for it behind the last one. */
 static bool place(struct nb_scene *scene, struct nb_fill *fill, struct nb_grid *grid, struct nb_random *random,
-                  const struct nb_body *like) {
-  struct nb_body *body = &scene->bodies[scene->body_count];
-  *body = *like;
+                  const struct nb_particle *like) {
+  struct nb_particle *particle = &scene->particles[scene->particle_count];
+  *particle = *like;
   for (unsigned long tried = 0; tried < fill->tries; tried++) {
     fill->made++;
-    if (!draw(body, fill, random) || !is_free(grid, scene->bodies, scene->body_count))
+    if (!draw(particle, fill, random) || !is_free(grid, scene->particles, scene->particle_count))
       continue;
-    add(grid, body, scene->body_count++);
+    add(grid, particle, scene->particle_count++);
     return true;
   }
   return false;
 }
 
-enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_body like) {
+enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle like) {
   struct nb_grading *grading = &scene->gradings[fill->grading];
   struct nb_grid grid = {0};
   struct nb_random random = {fill->seed};
-  struct nb_body *bodies = nb_room(scene->bodies, scene->body_count, grading->count, sizeof *bodies);
-  if (bodies)
-    scene->bodies = bodies;
-  enum nb_filled filled = bodies && begin(&grid, scene, grading) ? NB_FILLED : NB_FILL_NO_MEMORY;
+  struct nb_particle *particles = nb_room(scene->particles, scene->particle_count, grading->count, sizeof *particles);
+  if (particles)
+    scene->particles = particles;
+  enum nb_filled filled = particles && begin(&grid, scene, grading) ? NB_FILLED : NB_FILL_NO_MEMORY;
   for (size_t s = 0; s < grading->size_count && filled == NB_FILLED; s++) {
     struct nb_size *size = &grading->sizes[s];
-    const size_t before = scene->body_count;
+    const size_t before = scene->particle_count;
     like.radius = size->radius;
     bool placed = fits(fill, like.radius);
-    while (placed && scene->body_count - before < size->count)
+    while (placed && scene->particle_count - before < size->count)
       placed = place(scene, fill, &grid, &random, &like);
-    size->wanted += size->count, size->placed += scene->body_count - before;
+    size->wanted += size->count, size->placed += scene->particle_count - before;
     if (!placed && !fill->skip)
       filled = NB_FILL_STOPPED;
   }

@@ -9,47 +9,51 @@
 struct sum {
   double wanted, placed;
 };
-static struct sum sum_of(const struct nb_model *model, const struct nb_watch *watch) {
-  const struct nb_grading *grading = &model->scene->gradings[watch->a];
+static struct sum sum_of(const struct nb_model *model, const struct nb_monitor *monitor) {
+  const struct nb_grading *grading = &model->scene->gradings[monitor->a];
   struct sum sum = {0, 0};
   for (size_t s = 0; s < grading->size_count; s++) {
-    if (watch->b >= 0 && (size_t)watch->b != s)
+    if (monitor->b >= 0 && (size_t)monitor->b != s)
       continue;
     sum.wanted += (double)grading->sizes[s].wanted, sum.placed += (double)grading->sizes[s].placed;
   }
   return sum;
 }
 
-static double wanted(const struct nb_model *model, const struct nb_watch *watch) { return sum_of(model, watch).wanted; }
-static double placed(const struct nb_model *model, const struct nb_watch *watch) { return sum_of(model, watch).placed; }
-static double dropped(const struct nb_model *model, const struct nb_watch *watch) {
-  const struct sum sum = sum_of(model, watch);
+static double wanted(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return sum_of(model, monitor).wanted;
+}
+static double placed(const struct nb_model *model, const struct nb_monitor *monitor) {
+  return sum_of(model, monitor).placed;
+}
+static double dropped(const struct nb_model *model, const struct nb_monitor *monitor) {
+  const struct sum sum = sum_of(model, monitor);
   return sum.wanted - sum.placed;
 }
-static double attempts(const struct nb_model *model, const struct nb_watch *watch) {
+static double attempts(const struct nb_model *model, const struct nb_monitor *monitor) {
   double made = 0;
   for (size_t f = 0; f < model->scene->fill_count; f++)
-    if (model->scene->fills[f].grading == watch->a)
+    if (model->scene->fills[f].grading == monitor->a)
       made += (double)model->scene->fills[f].made;
   return made;
 }
 /* Between the outlines of two bodies that may touch, in a cell those of the nearest copies. */
 static double between(const struct nb_model *model, const struct nb_wrap *wrap, int i, int j) {
-  const struct nb_bodies *bodies = &model->bodies;
-  if (nb_gone(model, (size_t)i) || nb_gone(model, (size_t)j) ||
-      !(bodies->inverse_mass[i] > 0 || bodies->inverse_mass[j] > 0))
+  const struct nb_particles *particles = &model->particles;
+  if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j) ||
+      !(particles->inverse_mass[i] > 0 || particles->inverse_mass[j] > 0))
     return INFINITY;
-  const struct nb_vec apart = vec_sub(bodies->position[j], bodies->position[i]);
+  const struct nb_vec apart = vec_sub(particles->position[j], particles->position[i]);
   const struct nb_vec nearest = model->cell ? nb_wrapped(wrap, apart) : apart;
-  return vec_length(nearest) - (bodies->rim[i].x + bodies->rim[j].x);
+  return vec_length(nearest) - (particles->surface[i].radius + particles->surface[j].radius);
 }
 
 /* Those that are not listed do not touch, but may be nearer than some that are. */
-static double gap(const struct nb_model *model, const struct nb_watch *watch) {
-  (void)watch;
+static double gap(const struct nb_model *model, const struct nb_monitor *monitor) {
+  (void)monitor;
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_wrap wrap = model->cell ? nb_cell_wrap(model->cell) : (struct nb_wrap){.h = {0, 0, 0, 0}};
-  const int n = (int)model->bodies.count;
+  const int n = (int)model->particles.count;
   double least = model->search.skin;
   wrap.centre = vec(0, 0); /* of differences */
   for (size_t c = 0; c < contacts->wall_from; c++)
@@ -60,7 +64,7 @@ static double gap(const struct nb_model *model, const struct nb_watch *watch) {
   return least;
 }
 
-enum { GRADING = 1 << NB_WATCH_GRADING, EITHER = 1 << NB_WATCH_GRADING | 1 << NB_WATCH_SIZE };
+enum { GRADING = 1 << NB_MONITOR_GRADING, EITHER = 1 << NB_MONITOR_GRADING | 1 << NB_MONITOR_SIZE };
 
 const struct nb_quantity_kind nb_fill_kinds[] = {
     {"gap", 0, "m", 0, gap, "smallest gap between two particles, up to the skin; below 0: they overlap"},

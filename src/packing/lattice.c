@@ -9,18 +9,19 @@
 /* Numbered row by row from the south-west: 1 .. nx to the east, then the next row north. In a hexagonal one every second
  * row is half a spacing to the east, and rows are sqrt(3)/2 of it apart, so that all six neighbours are equally far. Each
  * centre comes from the first one by a product, not by sums, so that rounding does not grow along a row. */
-bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_body first) {
-  struct nb_body *bodies = nb_room(scene->bodies, scene->body_count, lattice.nx * lattice.ny, sizeof *bodies);
-  if (!bodies)
+bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle first) {
+  struct nb_particle *particles =
+      nb_room(scene->particles, scene->particle_count, lattice.nx * lattice.ny, sizeof *particles);
+  if (!particles)
     return false;
-  scene->bodies = bodies;
+  scene->particles = particles;
   const double up = lattice.hexagonal ? sqrt(3) / 2 : 1, aside = lattice.hexagonal ? 0.5 : 0;
   for (size_t row = 0; row < lattice.ny; row++) {
     for (size_t column = 0; column < lattice.nx; column++) {
-      struct nb_body *body = &bodies[scene->body_count++];
-      *body = first;
-      body->x = lattice.x + ((double)column + (double)(row % 2) * aside) * lattice.spacing;
-      body->y = lattice.y + (double)row * up * lattice.spacing;
+      struct nb_particle *particle = &particles[scene->particle_count++];
+      *particle = first;
+      particle->x = lattice.x + ((double)column + (double)(row % 2) * aside) * lattice.spacing;
+      particle->y = lattice.y + (double)row * up * lattice.spacing;
     }
   }
   return true;

@@ -12,9 +12,9 @@ struct nb_lattice {
   double x, y, spacing; /* m, centre of the first and pitch */
   bool hexagonal;       /* else square */
 };
-bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_body first);
+bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle first);
 /* Adds bodies at random, largest first, and counts in `fill` and in the sizes of its grading what became of them. */
 enum nb_filled { NB_FILLED, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
-enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_body like);
+enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle like);
 
 #endif

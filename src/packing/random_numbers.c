@@ -15,6 +15,6 @@ uint64_t nb_random_bits(struct nb_random *random) {
   return z ^ z >> 31;
 }
 
-double nb_random_share(struct nb_random *random) {
+double nb_random_fraction(struct nb_random *random) {
   return (double)(nb_random_bits(random) >> 11) * 0x1p-53; /* the upper 53 bits, as many as a double has */
 }

@@ -35,62 +35,63 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
 /* What makes the coefficients of a block. */
 struct dashpots {
   struct nb_dashpot pot;
-  bool swings, critical; /* some go with sqrt(M* k); some contacts may be too deep */
+  bool uses_damping_ratio, critical; /* some go with sqrt(M* k); some contacts may be too deep */
   const double *mass, *deep;
 };
 
 static inline NB_FORM double coefficient(const struct dashpots *of, double stiffness, size_t c) {
-  const double swing = of->swings ? sqrt(of->mass[c] * stiffness) : 0; /* sqrt(M* k) */
-  return of->critical && of->deep[c] > 0 ? 2 * swing : of->pot.time * stiffness + of->pot.ratio * swing;
+  const double oscillation = of->uses_damping_ratio ? sqrt(of->mass[c] * stiffness) : 0; /* sqrt(M* k) */
+  return of->critical && of->deep[c] > 0 ? 2 * oscillation : of->pot.time * stiffness + of->pot.ratio * oscillation;
 }
 
-static inline NB_FORM void damp(const struct nb_model *model, const struct nb_view *view, enum nb_dashpots form) {
-  const struct dashpots of = {.pot = nb_dashpot(model, view->pairing->wall),
-                              .swings = form >= NB_DASHPOTS_SWING,
+static inline NB_FORM void damp(const struct nb_model *model, const struct nb_block *block, enum nb_dashpots form) {
+  const struct dashpots of = {.pot = nb_dashpot(model, block->material_pair->wall),
+                              .uses_damping_ratio = form >= NB_DASHPOTS_RATIO,
                               .critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0,
-                              .mass = view->f[NB_MASS],
-                              .deep = view->f[NB_DEEP]};
-  const double *normal = view->f[NB_NORMAL], *stiffness = view->f[NB_STIFFNESS];
-  const double *closing = view->f[NB_CLOSING];
-  double *push = view->f[NB_PUSH];
+                              .mass = block->f[NB_MASS],
+                              .deep = block->f[NB_DEEP]};
+  const double *normal = block->f[NB_NORMAL], *stiffness = block->f[NB_STIFFNESS];
+  const double *dn = block->f[NB_NORMAL_INCREMENT];
+  double *total_normal = block->f[NB_TOTAL_NORMAL];
   const double rate = model->previous_step > 0 ? 1 / model->previous_step : 0;
   NB_WIDE
-  for (size_t c = 0; c < view->n; c++) {
-    push[c] = normal[c] + coefficient(&of, stiffness[c], c) * (closing[c] * rate);
+  for (size_t c = 0; c < block->n; c++) {
+    total_normal[c] = normal[c] + coefficient(&of, stiffness[c], c) * (dn[c] * rate);
   }
-  if (!view->pairing->shear)
+  if (!block->material_pair->shear)
     return;
-  const double *shear = view->f[NB_SHEAR], *shear_stiffness = view->f[NB_SHEAR_STIFFNESS];
-  const double *slip = view->f[NB_SLIP], *sliding = view->f[NB_SLIDING], *overlap = view->f[NB_OVERLAP];
-  double *drag = view->f[NB_DRAG];
+  const double *shear = block->f[NB_SHEAR], *shear_stiffness = block->f[NB_SHEAR_STIFFNESS];
+  const double *ds = block->f[NB_TANGENTIAL_INCREMENT], *sliding = block->f[NB_SLIDING],
+               *overlap = block->f[NB_OVERLAP];
+  double *total_shear = block->f[NB_TOTAL_SHEAR];
   unsigned long met = 0;
   NB_WIDE
-  for (size_t c = 0; c < view->n; c++) {
-    drag[c] = shear[c] + (1 - sliding[c]) * (coefficient(&of, shear_stiffness[c], c) * (slip[c] * rate));
-    met += nb_met(overlap[c], closing[c]);
+  for (size_t c = 0; c < block->n; c++) {
+    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(&of, shear_stiffness[c], c) * (ds[c] * rate));
+    met += nb_met(overlap[c], dn[c]);
   }
-  for (size_t c = 0; c < view->n && met > 0; c++) { /* the few of which `slip` is not that of the whole step */
-    const double touched = nb_touched(overlap[c], closing[c]), moved = touched > 0 ? slip[c] / touched : slip[c];
-    if (nb_met(overlap[c], closing[c]))
-      drag[c] = shear[c] + (1 - sliding[c]) * (coefficient(&of, shear_stiffness[c], c) * (moved * rate));
+  for (size_t c = 0; c < block->n && met > 0; c++) { /* the few of which `slip` is not that of the whole step */
+    const double touched = nb_touched(overlap[c], dn[c]), moved = touched > 0 ? ds[c] / touched : ds[c];
+    if (nb_met(overlap[c], dn[c]))
+      total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(&of, shear_stiffness[c], c) * (moved * rate));
   }
 }
 
-static inline NB_FORM void of_times(const struct nb_model *model, const struct nb_view *view) {
-  damp(model, view, NB_DASHPOTS_TIME);
+static inline NB_FORM void of_times(const struct nb_model *model, const struct nb_block *block) {
+  damp(model, block, NB_DASHPOTS_TIME);
 }
-static inline NB_FORM void of_swings(const struct nb_model *model, const struct nb_view *view) {
-  damp(model, view, NB_DASHPOTS_SWING);
+static inline NB_FORM void of_oscillations(const struct nb_model *model, const struct nb_block *block) {
+  damp(model, block, NB_DASHPOTS_RATIO);
 }
-static inline NB_FORM void critical_where_deep(const struct nb_model *model, const struct nb_view *view) {
-  damp(model, view, NB_DASHPOTS_DEEP);
+static inline NB_FORM void critical_where_deep(const struct nb_model *model, const struct nb_block *block) {
+  damp(model, block, NB_DASHPOTS_DEEP);
 }
 NB_FORMS(of_times)
-NB_FORMS(of_swings)
+NB_FORMS(of_oscillations)
 NB_FORMS(critical_where_deep)
 
 const struct nb_pass nb_pass_dashpots[] = {
     {"dashpots", NB_FORMS_LIST(of_times)},
-    {"dashpots, shares of critical", NB_FORMS_LIST(of_swings)},
+    {"dashpots, shares of critical", NB_FORMS_LIST(of_oscillations)},
     {"dashpots, critical where too deep", NB_FORMS_LIST(critical_where_deep)},
 };

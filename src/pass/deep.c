@@ -1,4 +1,4 @@
-/* Contacts pressed more deeply than elastic spheres are good for [R89 6.4.3], or than the step was sure to be stable for (watch.c).
+/* Contacts pressed more deeply than elastic spheres are good for [R89 6.4.3], or than the step was sure to be stable for (stability.c).
  *
  *   alpha > s 2 min(R_x, R_y)       s = 7 % of the smaller diameter, or what the page says
  *   alpha > NB_SURE
@@ -10,48 +10,48 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
 
-static inline NB_FORM unsigned long above(const struct nb_view *view, double least) {
-  const double *overlap = view->f[NB_OVERLAP];
+static inline NB_FORM unsigned long above(const struct nb_block *block, double least) {
+  const double *overlap = block->f[NB_OVERLAP];
   unsigned long count = 0;
   NB_WIDE
-  for (size_t c = 0; c < view->n; c++) {
+  for (size_t c = 0; c < block->n; c++) {
     count += overlap[c] > least ? 1 : 0;
   }
   return count;
 }
 
-static inline NB_FORM unsigned long unsure(const struct nb_view *view) {
-  const double *overlap = view->f[NB_OVERLAP], *sure = view->f[NB_SURE];
+static inline NB_FORM unsigned long above_stable(const struct nb_block *block) {
+  const double *overlap = block->f[NB_OVERLAP], *stable_overlap = block->f[NB_STABLE_OVERLAP];
   unsigned long count = 0;
   NB_WIDE
-  for (size_t c = 0; c < view->n; c++) {
-    count += overlap[c] > sure[c] ? 1 : 0;
+  for (size_t c = 0; c < block->n; c++) {
+    count += overlap[c] > stable_overlap[c] ? 1 : 0;
   }
   return count;
 }
 
-static inline NB_FORM void deep(const struct nb_model *model, const struct nb_view *view) {
-  const double *overlap = view->f[NB_OVERLAP];
-  double *mark = view->f[NB_DEEP];
-  const struct nb_vec *rim = model->bodies.rim;
-  const double share = 2 * nb_deep_share(model), least = share * model->search.smallest;
-  const double sure = view->sure ? view->sure->overlap : INFINITY;
-  const unsigned long any = above(view, least < sure ? least : sure);
-  const size_t marks = model->damping.deep > 0 ? view->n : 0;
+static inline NB_FORM void deep(const struct nb_model *model, const struct nb_block *block) {
+  const double *overlap = block->f[NB_OVERLAP];
+  double *mark = block->f[NB_DEEP];
+  const struct nb_surface *surface = model->particles.surface;
+  const double fraction = 2 * nb_deep_fraction(model), least = fraction * model->search.smallest;
+  const double stable_overlap = block->stable_overlap ? block->stable_overlap->overlap : INFINITY;
+  const unsigned long any = above(block, least < stable_overlap ? least : stable_overlap);
+  const size_t marks = model->damping.deep > 0 ? block->n : 0;
   NB_WIDE
   for (size_t c = 0; c < marks; c++) {
     mark[c] = 0;
   }
   if (any == 0)
     return;
-  if (view->sure)
-    view->sure->above = unsure(view);
-  if (above(view, least) == 0)
+  if (block->stable_overlap)
+    block->stable_overlap->above = above_stable(block);
+  if (above(block, least) == 0)
     return;
-  for (size_t c = 0; c < view->n; c++) {
-    const double a = rim[view->a[c]].x, b = view->pairing->wall ? a : rim[view->b[c]].x;
-    mark[c] = overlap[c] > share * (a < b ? a : b) ? 1 : 0;
-    *view->deep += mark[c] > 0 ? 1 : 0;
+  for (size_t c = 0; c < block->n; c++) {
+    const double a = surface[block->a[c]].radius, b = block->material_pair->wall ? a : surface[block->b[c]].radius;
+    mark[c] = overlap[c] > fraction * (a < b ? a : b) ? 1 : 0;
+    *block->deep += mark[c] > 0 ? 1 : 0;
   }
 }
 NB_FORMS(deep)

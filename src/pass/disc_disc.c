@@ -11,21 +11,21 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"
 
-static inline NB_FORM void overlap_only(const struct nb_model *model, const struct nb_view *view) {
-  nb_disc_disc(model, view, NB_APPROACH_OVERLAP, false);
+static inline NB_FORM void overlap_only(const struct nb_model *model, const struct nb_block *block) {
+  nb_disc_disc(model, block, NB_APPROACH_OVERLAP, false);
 }
-static inline NB_FORM void with_closing(const struct nb_model *model, const struct nb_view *view) {
-  nb_disc_disc(model, view, NB_APPROACH_CLOSING, false);
+static inline NB_FORM void with_normal_increment(const struct nb_model *model, const struct nb_block *block) {
+  nb_disc_disc(model, block, NB_APPROACH_NORMAL, false);
 }
-static inline NB_FORM void with_slip(const struct nb_model *model, const struct nb_view *view) {
-  nb_disc_disc(model, view, NB_APPROACH_SLIP, false);
+static inline NB_FORM void with_tangential_increment(const struct nb_model *model, const struct nb_block *block) {
+  nb_disc_disc(model, block, NB_APPROACH_TANGENTIAL, false);
 }
 NB_FORMS(overlap_only)
-NB_FORMS(with_closing)
-NB_FORMS(with_slip)
+NB_FORMS(with_normal_increment)
+NB_FORMS(with_tangential_increment)
 
 const struct nb_pass nb_pass_disc_disc[] = {
     {"disc-disc, overlap", NB_FORMS_LIST(overlap_only)},
-    {"disc-disc, overlap and closing", NB_FORMS_LIST(with_closing)},
-    {"disc-disc, overlap, closing and slip", NB_FORMS_LIST(with_slip)},
+    {"disc-disc, overlap and closing", NB_FORMS_LIST(with_normal_increment)},
+    {"disc-disc, overlap, closing and slip", NB_FORMS_LIST(with_tangential_increment)},
 };

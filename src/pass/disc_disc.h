@@ -8,49 +8,50 @@
 
 /* What the loop of square roots needs, fetched body by body first: bodies lie anywhere, a block's vectors side by side. */
 struct fetched {
-  struct nb_vec apart[NB_BLOCK], approach[NB_BLOCK]; /* y - x, v_x - v_y */
-  double rolling[NB_BLOCK];                          /* w_x R_x + w_y R_y */
+  struct nb_vec apart[NB_BLOCK_SIZE], approach[NB_BLOCK_SIZE]; /* y - x, v_x - v_y */
+  double rolling[NB_BLOCK_SIZE];                               /* w_x R_x + w_y R_y */
 };
 
 /* `copies`: the second disc is the copy x_j + H m of a periodic cell, which is L H m faster. */
-static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const struct nb_view *view,
+static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const struct nb_block *block,
                                         enum nb_approach approach, bool copies) {
-  const struct nb_vec *position = model->bodies.position, *velocity = model->bodies.velocity, *rim = model->bodies.rim;
+  const struct nb_vec *position = model->particles.position, *velocity = model->particles.velocity;
+  const struct nb_surface *surface = model->particles.surface;
   struct fetched here;
-  for (size_t c = 0; c < view->n; c++) {
-    const int i = view->a[c], j = view->b[c];
+  for (size_t c = 0; c < block->n; c++) {
+    const int i = block->a[c], j = block->b[c];
     vec_put(&here.apart[c], vec_both(&position[j]) - vec_both(&position[i]));
-    if (approach >= NB_APPROACH_SLIP)
-      here.rolling[c] = rim[i].y + rim[j].y;
-    if (approach >= NB_APPROACH_CLOSING)
+    if (approach >= NB_APPROACH_TANGENTIAL)
+      here.rolling[c] = surface[i].speed + surface[j].speed;
+    if (approach >= NB_APPROACH_NORMAL)
       vec_put(&here.approach[c], vec_both(&velocity[i]) - vec_both(&velocity[j]));
     if (copies)
-      here.apart[c] = vec_add(here.apart[c], tensor_times(model->cell->h, view->image[c]));
-    if (copies && approach >= NB_APPROACH_CLOSING)
-      here.approach[c] = vec_sub(here.approach[c], tensor_times(model->cell->parting, view->image[c]));
+      here.apart[c] = vec_add(here.apart[c], tensor_times(model->cell->h, block->image[c]));
+    if (copies && approach >= NB_APPROACH_NORMAL)
+      here.approach[c] = vec_sub(here.approach[c], tensor_times(model->cell->parting, block->image[c]));
   }
-  double *overlap = view->f[NB_OVERLAP], *ex = view->f[NB_EX], *ey = view->f[NB_EY];
-  const double *reach = view->f[NB_REACH];
-  double *closing = view->f[NB_CLOSING], *slip = view->f[NB_SLIP];
+  double *overlap = block->f[NB_OVERLAP], *ex = block->f[NB_EX], *ey = block->f[NB_EY];
+  const double *radius_sum = block->f[NB_RADIUS_SUM];
+  double *dn = block->f[NB_NORMAL_INCREMENT], *ds = block->f[NB_TANGENTIAL_INCREMENT];
   const double dt = model->previous_step;
   unsigned long met = 0;
   NB_WIDE
-  for (size_t c = 0; c < view->n; c++) {
+  for (size_t c = 0; c < block->n; c++) {
     const double distance = vec_length(here.apart[c]);
-    const double alpha = reach[c] - distance;
+    const double alpha = radius_sum[c] - distance;
     const struct nb_vec e = vec_scale(1 / distance, here.apart[c]);
     overlap[c] = alpha > 0 ? alpha : 0;
     ex[c] = e.x;
     ey[c] = e.y;
-    if (approach >= NB_APPROACH_CLOSING)
-      closing[c] = vec_dot(here.approach[c], e) * dt;
-    if (approach >= NB_APPROACH_SLIP) {
-      slip[c] = (vec_dot(here.approach[c], vec_clockwise(e)) - here.rolling[c]) * dt;
-      met += nb_met(alpha, closing[c]);
+    if (approach >= NB_APPROACH_NORMAL)
+      dn[c] = vec_dot(here.approach[c], e) * dt;
+    if (approach >= NB_APPROACH_TANGENTIAL) {
+      ds[c] = (vec_dot(here.approach[c], vec_clockwise(e)) - here.rolling[c]) * dt;
+      met += nb_met(alpha, dn[c]);
     }
   }
   if (met)
-    nb_slip_since_met(view);
+    nb_tangential_since_touch(block);
 }
 
 #endif

@@ -7,25 +7,25 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
 
-static inline NB_FORM void normal_only(const struct nb_model *model, const struct nb_view *view) {
+static inline NB_FORM void normal_only(const struct nb_model *model, const struct nb_block *block) {
   (void)model;
-  const double *push = view->f[NB_PUSH], *ex = view->f[NB_EX], *ey = view->f[NB_EY];
-  struct nb_vec *force = view->force;
+  const double *total_normal = block->f[NB_TOTAL_NORMAL], *ex = block->f[NB_EX], *ey = block->f[NB_EY];
+  struct nb_vec *force = block->force;
   NB_WIDE
-  for (size_t c = 0; c < view->n; c++) {
-    force[c] = vec_scale(-push[c], vec(ex[c], ey[c]));
+  for (size_t c = 0; c < block->n; c++) {
+    force[c] = vec_scale(-total_normal[c], vec(ex[c], ey[c]));
   }
 }
 
-static inline NB_FORM void with_shear(const struct nb_model *model, const struct nb_view *view) {
+static inline NB_FORM void with_shear(const struct nb_model *model, const struct nb_block *block) {
   (void)model;
-  const double *push = view->f[NB_PUSH], *ex = view->f[NB_EX], *ey = view->f[NB_EY];
-  const double *drag = view->f[NB_DRAG];
-  struct nb_vec *force = view->force;
+  const double *total_normal = block->f[NB_TOTAL_NORMAL], *ex = block->f[NB_EX], *ey = block->f[NB_EY];
+  const double *total_shear = block->f[NB_TOTAL_SHEAR];
+  struct nb_vec *force = block->force;
   NB_WIDE
-  for (size_t c = 0; c < view->n; c++) {
+  for (size_t c = 0; c < block->n; c++) {
     const struct nb_vec e = vec(ex[c], ey[c]), t = vec_clockwise(e);
-    force[c] = vec_scale(-1, vec_add(vec_scale(push[c], e), vec_scale(drag[c], t)));
+    force[c] = vec_scale(-1, vec_add(vec_scale(total_normal[c], e), vec_scale(total_shear[c], t)));
   }
 }
 

@@ -148,9 +148,9 @@ static enum nb_status report_one(const struct nb_use *use, const char *path, con
     if (line->kept)
       nb_figure_draw(outcome, part, use->trust, &line->drawn, &error);
     if (error.status) {
-      const size_t said = strlen(line->message);
+      const size_t given = strlen(line->message);
       complain(&error);
-      snprintf(line->message + said, sizeof line->message - said, "%s%s", said ? "; " : "", error.text);
+      snprintf(line->message + given, sizeof line->message - given, "%s%s", given ? "; " : "", error.text);
     }
   }
   for (size_t r = 0; r < outcome->run_count; r++)
@@ -348,7 +348,7 @@ enum nb_status nb_command_laws(const struct nb_use *use) {
            (*law)->name, (*law)->title, (*law)->source, "", (*law)->parameters[0] ? (*law)->parameters : "none", "",
            (*law)->memory + (*law)->piece * (*law)->pieces, (*law)->piece > 0 ? " or as many as `memory` asks for" : "",
            (*law)->stored ? "reports its stored energy" : "does not report stored energy",
-           (*law)->gains ? "; may create energy" : "");
+           (*law)->non_conservative ? "; may create energy" : "");
   return NB_OK;
 }
 

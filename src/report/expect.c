@@ -38,11 +38,11 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
       return true;
     }
   char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE];
-  const bool known = nb_quantity_find(quantity, scene, token->text, nearest);
-  if (nb_excused(reader->mistakes, token->text) || (known && nb_excused(reader->mistakes, "record")))
+  const bool solution = nb_quantity_find(quantity, scene, token->text, nearest);
+  if (nb_excused(reader->mistakes, token->text) || (solution && nb_excused(reader->mistakes, "record")))
     return nb_silent(reader);
   nb_excuse(reader->mistakes, token->text);
-  if (known)
+  if (solution)
     snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
   else if (nearest[0])
     snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
@@ -120,7 +120,7 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
 /* ---- how near it must be ---- */
 
 /* `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`: the last two where there is a scene. */
-static bool take_share(struct nb_reader *reader, const struct nb_scene *scene, struct nb_tolerance *tolerance) {
+static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene, struct nb_tolerance *tolerance) {
   tolerance->kind = NB_RELATIVE;
   if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_NOT_NEGATIVE, &tolerance->value))
     return false;
@@ -141,9 +141,9 @@ static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scen
   if (!nb_take_word(reader, "within"))
     return false;
   const size_t from = reader->next;
-  const bool share = is_before(reader, "%") || is_before(reader, "ppm") || (scene && is_before(reader, "of"));
+  const bool fraction = is_before(reader, "%") || is_before(reader, "ppm") || (scene && is_before(reader, "of"));
   tolerance->kind = NB_ABSOLUTE;
-  if (!(share ? take_share(reader, scene, tolerance) : nb_take_in(reader, unit, &tolerance->value)))
+  if (!(fraction ? take_fraction(reader, scene, tolerance) : nb_take_in(reader, unit, &tolerance->value)))
     return false;
   tolerance->text[0] = 0;
   for (size_t k = from; k < reader->next; k++)

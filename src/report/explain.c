@@ -13,7 +13,7 @@
 #include "measure/balance.h"
 #include "measure/region.h"
 #include "measure/step.h"
-#include "run/bench.h"
+#include "run/contact_test.h"
 #include "run/restart.h"
 
 static const char *unit(const struct nb_scene *scene, const char *name) { return scene->unitless ? "" : name; }
@@ -99,7 +99,7 @@ static void explain_fill(FILE *out, const struct nb_scene *scene, const struct n
     const struct nb_size *size = &grading->sizes[s];
     size_t placed = 0;
     for (size_t k = fill->first; k < fill->first + fill->count; k++)
-      placed += scene->bodies[k].radius == size->radius;
+      placed += scene->particles[k].radius == size->radius;
     fprintf(out, "    radius %g%s: %zu", size->radius, unit(scene, " m"), placed);
     if (placed < size->count)
       fprintf(out, ", %zu left out for want of space", size->count - placed);
@@ -108,8 +108,8 @@ static void explain_fill(FILE *out, const struct nb_scene *scene, const struct n
 }
 
 /* Bodies: how many, and those that the page has not said one by one. */
-static void explain_bodies(FILE *out, const struct nb_scene *scene) {
-  fprintf(out, "particles\n  %zu particles, %zu walls\n", scene->body_count, scene->wall_count);
+static void explain_particles(FILE *out, const struct nb_scene *scene) {
+  fprintf(out, "particles\n  %zu particles, %zu walls\n", scene->particle_count, scene->wall_count);
   if (scene->fill_count > 0)
     fprintf(out, "random fillings\n");
   for (size_t f = 0; f < scene->fill_count; f++)
@@ -131,48 +131,50 @@ static size_t bits(unsigned set) {
 }
 
 /* Whether such a contact can form: it takes two particles, or a particle and a wall. */
-static bool can_meet(const struct nb_scene *scene, const struct nb_pairing *pairing) {
-  size_t bodies = 0;
-  for (size_t k = 0; k < scene->body_count; k++)
-    bodies += scene->bodies[k].material == pairing->a;
-  return pairing->wall || pairing->a != pairing->b || bodies > 1;
+static bool can_meet(const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
+  size_t particles = 0;
+  for (size_t k = 0; k < scene->particle_count; k++)
+    particles += scene->particles[k].material == material_pair->a;
+  return material_pair->wall || material_pair->a != material_pair->b || particles > 1;
 }
 
-static void name_pairing(FILE *out, const struct nb_scene *scene, const struct nb_pairing *pairing) {
-  fprintf(out, "%s with %s%s", scene->materials[pairing->a].name, pairing->wall ? "wall of " : "",
-          scene->materials[pairing->b].name);
+static void name_material_pair(FILE *out, const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
+  fprintf(out, "%s with %s%s", scene->materials[material_pair->a].name, material_pair->wall ? "wall of " : "",
+          scene->materials[material_pair->b].name);
 }
 
-static void explain_pairing(FILE *out, const struct nb_model *model, const struct nb_pairing *pairing) {
+static void explain_material_pair(FILE *out, const struct nb_model *model,
+                                  const struct nb_material_pair *material_pair) {
   size_t contacts = 0;
-  if (!can_meet(model->scene, pairing))
+  if (!can_meet(model->scene, material_pair))
     return;
   for (size_t c = 0; c < model->contacts.count; c++)
-    contacts += &model->pairings[model->contacts.pairing[c]] == pairing;
+    contacts += &model->material_pairs[model->contacts.material_pair[c]] == material_pair;
   fputs("  ", out);
-  name_pairing(out, model->scene, pairing);
-  fprintf(out, ": %zu pairs in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n", contacts, pairing->values.kn,
-          pairing->values.ks, pairing->values.friction, pairing->values.cohesion);
-  for (int p = 0; p < pairing->pass_count; p++) {
-    const struct nb_planned *planned = &pairing->passes[p];
+  name_material_pair(out, model->scene, material_pair);
+  fprintf(out, ": %zu pairs in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n", contacts,
+          material_pair->values.kn, material_pair->values.ks, material_pair->values.friction,
+          material_pair->values.cohesion);
+  for (int p = 0; p < material_pair->pass_count; p++) {
+    const struct nb_planned *planned = &material_pair->passes[p];
     fprintf(out, "    %-40s", planned->name);
     if (planned->line)
       fprintf(out, " line %d", planned->line);
     fputc('\n', out);
   }
-  if (!pairing->shear && strcmp(model->laws.shear->name, "none") != 0)
+  if (!material_pair->shear && strcmp(model->laws.shear->name, "none") != 0)
     fprintf(out, "    (no shear %s: the pair has neither friction nor cohesion)\n", model->laws.shear->name);
 }
 
-static void explain_memory(FILE *out, const struct nb_model *model) {
+static void explain_history(FILE *out, const struct nb_model *model) {
   static const char *const isa_names[] = {"plain", "avx2", "avx512"};
-  const struct nb_bodies *bodies = &model->bodies;
-  const size_t memory = (size_t)(model->contacts.normal_memory.doubles + model->contacts.shear_memory.doubles);
-  const size_t per_body = sizeof(double) * (bodies->spin ? 14 : 12) + 5 * sizeof(int);
+  const struct nb_particles *particles = &model->particles;
+  const size_t memory = (size_t)(model->contacts.normal_history.doubles + model->contacts.shear_history.doubles);
+  const size_t per_particle = sizeof(double) * (particles->spin ? 14 : 12) + 5 * sizeof(int);
   const size_t per_contact = sizeof(double) * (2 + bits(model->plan.kept) + memory) + 5 * sizeof(int);
   fprintf(out, "memory\n  %zu bytes a particle%s, %zu a contact (%zu kept fields, %zu history variables of laws)\n",
-          per_body, bodies->spin ? "" : " (without rotation)", per_contact, bits(model->plan.kept) + 2, memory);
-  fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK,
+          per_particle, particles->spin ? "" : " (without rotation)", per_contact, bits(model->plan.kept) + 2, memory);
+  fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK_SIZE,
           isa_names[model->machine.isa], model->machine.busy, model->machine.busy == 1 ? "" : "s");
 }
 
@@ -201,14 +203,14 @@ static void explain_plan(FILE *out, const struct nb_model *model) {
   explain_statement(out, model->scene, model->scene->circle.line, "\n");
   explain_statement(out, model->scene, model->scene->gravity.line, "\n");
   fprintf(out, "force passes, for each pair of materials\n");
-  for (size_t p = 0; p < model->pairing_count; p++)
-    explain_pairing(out, model, &model->pairings[p]);
+  for (size_t p = 0; p < model->material_pair_count; p++)
+    explain_material_pair(out, model, &model->material_pairs[p]);
   explain_hooks(out, model);
-  explain_memory(out, model);
+  explain_history(out, model);
   if (model->balance)
     fprintf(out, "balances\n  %s%s%s, updated every cycle by one thread\n",
-            (model->plan.asked & NB_ASKS_WORK) ? "work" : "",
-            (model->plan.asked & NB_ASKS_WORK) && model->terms ? " and " : "", model->terms ? "energy" : "");
+            (model->plan.requested & NB_REQUEST_WORK) ? "work" : "",
+            (model->plan.requested & NB_REQUEST_WORK) && model->terms ? " and " : "", model->terms ? "energy" : "");
 }
 
 /* ---- regions ---- */
@@ -216,8 +218,8 @@ static void explain_plan(FILE *out, const struct nb_model *model) {
 static size_t inside(const struct nb_model *model, int region) {
   const struct nb_region_now *now = nb_region_now(model, region);
   size_t count = 0;
-  for (size_t i = 0; i < model->bodies.count; i++)
-    count += !nb_gone(model, i) && nb_region_holds(model, now, i);
+  for (size_t i = 0; i < model->particles.count; i++)
+    count += !nb_removed(model, i) && nb_region_holds(model, now, i);
   return count;
 }
 
@@ -225,12 +227,12 @@ static void explain_regions(FILE *out, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   if (scene->region_count > 0)
     fputs("regions\n", out);
-  for (size_t w = 0; w < scene->watch_count; w++) {
-    const struct nb_watch *watch = &scene->watches[w];
-    if (watch->kind != NB_WATCH_REGION)
+  for (size_t w = 0; w < scene->monitor_count; w++) {
+    const struct nb_monitor *monitor = &scene->monitors[w];
+    if (monitor->kind != NB_MONITOR_REGION)
       continue;
-    explain_statement(out, scene, scene->regions[watch->a].line, "");
-    fprintf(out, ": %zu particles now\n", inside(model, watch->a));
+    explain_statement(out, scene, scene->regions[monitor->a].line, "");
+    fprintf(out, ": %zu particles now\n", inside(model, monitor->a));
   }
 }
 
@@ -253,11 +255,11 @@ static void explain_meeting(FILE *out, const struct nb_model *model, const char 
     return;
   }
   fprintf(out, "  collision, Hertz: %g%s, %.3g steps; particle %d meets ", meeting.duration, s,
-          meeting.duration / model->step, model->bodies.number[meeting.a]);
+          meeting.duration / model->step, model->particles.number[meeting.a]);
   if (meeting.wall)
     fprintf(out, "wall %s", model->scene->walls[meeting.b].name);
   else
-    fprintf(out, "particle %d", model->bodies.number[meeting.b]);
+    fprintf(out, "particle %d", model->particles.number[meeting.b]);
   fprintf(out, " at %g%s\n", meeting.speed, unit(model->scene, " m/s"));
 }
 
@@ -347,54 +349,54 @@ static bool explain_stages(FILE *out, const struct nb_model *model) {
 
 /* ---- a path ---- */
 
-static void explain_bench_law(FILE *out, const struct nb_law *law, int doubles, int line) {
+static void explain_contact_test_law(FILE *out, const struct nb_law *law, int doubles, int line) {
   fprintf(out, "  %s %s: %s %s", law->kind, law->name, law->title, law->source);
   if (line)
     fprintf(out, ", line %d", line);
   fprintf(out, "\n    %d history variable%s%s%s%s\n", doubles, doubles == 1 ? "" : "s",
           law->stored ? "; reports its stored energy" : "; does not report stored energy",
-          law->loses ? "; reports its dissipation" : "", law->gains ? "; may create energy" : "");
+          law->dissipative ? "; reports its dissipation" : "", law->non_conservative ? "; may create energy" : "");
 }
 
-static void explain_contact(FILE *out, const struct nb_scene *scene, const struct nb_bench *bench) {
+static void explain_contact(FILE *out, const struct nb_scene *scene, const struct nb_contact_test *contact_test) {
   static const char *const shapes[] = {[NB_DISC] = "disc", [NB_SPHERE] = "sphere"};
   const char *m = unit(scene, " m"), *pa = unit(scene, " Pa");
   fputs("contact test\n  ", out);
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    fprintf(out, "%s%s of %s, radius %g%s", k ? ", with " : "", shapes[body->shape],
-            scene->materials[body->material].name, body->radius, m);
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
+    fprintf(out, "%s%s of %s, radius %g%s", k ? ", with " : "", shapes[particle->shape],
+            scene->materials[particle->material].name, particle->radius, m);
   }
-  if (scene->body_count == 1)
+  if (scene->particle_count == 1)
     fprintf(out, ", with a wall of %s", scene->materials[scene->walls[0].material].name);
   fputc('\n', out);
-  if (bench->normal->elastic)
-    fprintf(out, "  R* %g%s, E* %g%s, G* %g%s, friction %g\n", bench->pair.radius, m, bench->pair.young, pa,
-            bench->pair.shear, pa, bench->pair.friction);
+  if (contact_test->normal->elastic)
+    fprintf(out, "  R* %g%s, E* %g%s, G* %g%s, friction %g\n", contact_test->pair.radius, m, contact_test->pair.young,
+            pa, contact_test->pair.shear, pa, contact_test->pair.friction);
   else
-    fprintf(out, "  k_n %g, k_s %g, friction %g, cohesion %g\n", bench->pair.kn, bench->pair.ks, bench->pair.friction,
-            bench->pair.cohesion);
+    fprintf(out, "  k_n %g, k_s %g, friction %g, cohesion %g\n", contact_test->pair.kn, contact_test->pair.ks,
+            contact_test->pair.friction, contact_test->pair.cohesion);
 }
 
-static enum nb_status explain_bench(FILE *out, const struct nb_scene *scene, struct nb_error *error) {
-  struct nb_bench bench;
-  if (nb_bench_create(&bench, scene, error))
+static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *scene, struct nb_error *error) {
+  struct nb_contact_test contact_test;
+  if (nb_contact_test_create(&contact_test, scene, error))
     return error->status;
-  explain_contact(out, scene, &bench);
+  explain_contact(out, scene, &contact_test);
   fprintf(out, "laws\n");
-  explain_bench_law(out, bench.normal, bench.normal_doubles, scene->normal_line);
-  explain_bench_law(out, bench.shear, bench.shear_doubles, scene->shear_line);
+  explain_contact_test_law(out, contact_test.normal, contact_test.normal_doubles, scene->normal_line);
+  explain_contact_test_law(out, contact_test.shear, contact_test.shear_doubles, scene->shear_line);
   fprintf(out, "segments\n");
   unsigned long steps = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     fprintf(out, "  %s, %lu steps%s\n", stage->name, stage->cycles,
-            stage->leg.points ? ", the path is read from a file" : "");
+            stage->segment.points ? ", the path is read from a file" : "");
     explain_statements(out, scene, s);
     steps += stage->cycles;
   }
   fprintf(out, "cost\n  %lu steps; a step to a given force takes some hundred iterations\n", steps);
-  nb_bench_free(&bench);
+  nb_contact_test_free(&contact_test);
   return NB_OK;
 }
 
@@ -403,7 +405,7 @@ static enum nb_status explain_bench(FILE *out, const struct nb_scene *scene, str
 enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
                           struct nb_warnings *warnings, struct nb_error *error) {
   if (scene->path)
-    return explain_bench(out, scene, error);
+    return explain_contact_test(out, scene, error);
   if (!nb_start_there(scene, options)) {
     explain_start(out, scene, options);
     fputs("  `nineball check %s` computes that state; then `explain` shows the plan\n", out);
@@ -413,7 +415,7 @@ enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct 
   if (!model)
     return error->status;
   explain_start(out, scene, options);
-  explain_bodies(out, scene);
+  explain_particles(out, scene);
   explain_plan(out, model);
   explain_regions(out, model);
   explain_step(out, model);

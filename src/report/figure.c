@@ -50,8 +50,8 @@ static void write_measures(FILE *out, const struct nb_page_run *run, const char 
     if (e->kind != NB_VERSUS && nb_measure_seen(&seen, &e->measure, &run->result.table, &error))
       write_value(out, "", e->measure.label, number, seen);
   }
-  for (size_t k = 0; k < run->known.value_count; k++)
-    write_value(out, "reference_", run->known.values[k].name, number, run->known.values[k].value);
+  for (size_t k = 0; k < run->solution.value_count; k++)
+    write_value(out, "reference_", run->solution.values[k].name, number, run->solution.values[k].value);
 }
 
 static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {

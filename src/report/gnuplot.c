@@ -18,13 +18,13 @@
 /* Writes what gnuplot said to stderr, if aloud; into `last` the line that names the mistake: the last one that is not blank. A
  * column that is not there is only a warning of gnuplot's, and the figure lacks a line: then `last` is that warning and the
  * answer is true. */
-static bool hear(FILE *said, bool aloud, char *last, size_t size) {
+static bool hear(FILE *given, bool aloud, char *last, size_t size) {
   char line[1024];
   unsigned byte;
   bool lacks = false;
   last[0] = 0;
-  rewind(said);
-  for (int count = 0; fgets(line, sizeof line, said); count++) {
+  rewind(given);
+  for (int count = 0; fgets(line, sizeof line, given); count++) {
     line[strcspn(line, "\n")] = 0;
     nb_clean(line, strlen(line), &byte);
     if (line[strspn(line, " \t^")] && !lacks)
@@ -41,10 +41,10 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
   char *const words[] = {"-d", "-e", (char *)drawing->commands, file, NULL};
   char *folder = realpath(drawing->folder, NULL);
   struct nb_confined *confined = calloc(1, sizeof *confined);
-  FILE *said = tmpfile();
+  FILE *given = tmpfile();
   enum nb_status status = NB_BAD_USE;
   snprintf(file, sizeof file, "./%s.gp", drawing->name);
-  if (!confined || !folder || !said) {
+  if (!confined || !folder || !given) {
     status = nb_error_system(error, "cannot draw in %.300s", drawing->folder);
   } else if (!nb_program_find(confined->program, sizeof confined->program, "gnuplot")) {
     status = nb_error_set(error, NB_BAD_USE, "gnuplot cannot be run: not found (its package is gnuplot-nox)");
@@ -52,8 +52,8 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
     confined->folder = folder, confined->file = file, confined->library = drawing->recipes, confined->words = words;
     status = nb_confine_begin(confined, drawing->trust, error);
     if (!status) {
-      const int end = nb_confine_run(confined, drawing->figure, fileno(said));
-      const bool lacks = hear(said, drawing->aloud, last, sizeof last);
+      const int end = nb_confine_run(confined, drawing->figure, fileno(given));
+      const bool lacks = hear(given, drawing->aloud, last, sizeof last);
       const int code = WIFEXITED(end) ? WEXITSTATUS(end) : 0;
       const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : code > 128 ? code - 128 : 0; /* bwrap hands it on so */
       if (fatal)
@@ -64,8 +64,8 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
     }
     nb_confine_end(confined);
   }
-  if (said)
-    fclose(said);
+  if (given)
+    fclose(given);
   free(confined);
   free(folder);
   return status;

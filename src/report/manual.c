@@ -127,7 +127,7 @@ static void statement(const struct manual *to, const struct nb_keyword *keyword)
   char syntax[512], help[1024];
   nb_keyword_syntax(syntax, sizeof syntax, keyword);
   const bool both = keyword->where & NB_IN_SCENE && keyword->where & NB_IN_STAGE;
-  const bool shared = keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_PATH | NB_IN_LEG);
+  const bool shared = keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_PATH | NB_IN_SEGMENT);
   snprintf(help, sizeof help, "%s%s%s%s", keyword->help, both ? " In the scene and in stages." : "",
            keyword->where & NB_IN_RAMP ? " Also behind `ramp`." : "", shared ? " Also in a contact test." : "");
   item(to, keyword->word, syntax, help);
@@ -285,7 +285,7 @@ static void grammar(const struct manual *to) {
       "page may have %d MB, lines of %d bytes and %d words, %d runs, %d bodies, %d materials, and %d of each other "
       "thing that has a name. All mistakes of a page are reported at once, each with its line, what was expected and, "
       "if a known word is similar, what was probably meant.",
-      NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_BODIES_MAX, NB_MATERIALS_MAX,
+      NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_PARTICLES_MAX, NB_MATERIALS_MAX,
       NB_NAMED_MAX);
   paragraph(to, text);
 }
@@ -317,7 +317,7 @@ void nb_manual(FILE *out, bool markdown) {
       &to,
       "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and slip, or "
       "forces. There is no motion and no time. To an expectation its segments are stages: `shear max in load`.");
-  statements(&to, nb_keywords(), NB_IN_PATH | NB_IN_LEG, NB_IN_SCENE | NB_IN_STAGE);
+  statements(&to, nb_keywords(), NB_IN_PATH | NB_IN_SEGMENT, NB_IN_SCENE | NB_IN_STAGE);
   expectations(&to);
   figures(&to);
   quantities(&to);

@@ -65,14 +65,14 @@ struct together {
   size_t run;
 };
 
-static void tell(void *data, const char *stage, double share, double seconds) {
+static void tell(void *data, const char *stage, double fraction, double seconds) {
   const struct together *it = data;
   (void)seconds;
 #pragma omp critical(nb_outcome_tell)
   {
     double sum = 0;
     char text[512];
-    it->outcome->runs[it->run].done = share;
+    it->outcome->runs[it->run].done = fraction;
     for (size_t r = 0; r < it->outcome->run_count; r++)
       sum += it->outcome->runs[r].done;
     const char *label = it->outcome->runs[it->run].label;
@@ -93,7 +93,7 @@ static void note(void *data, const char *words) {
 static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
   run->status = NB_OK;
   if (run->expectations.reference)
-    run->status = nb_reference_ask(run->expectations.reference, &run->known, &run->scene, &run->error);
+    run->status = nb_reference_ask(run->expectations.reference, &run->solution, &run->scene, &run->error);
   if (!run->status)
     run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
 }
@@ -161,7 +161,7 @@ void nb_outcome_free_runs(struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
     struct nb_page_run *run = &outcome->runs[r];
     nb_expectations_free(&run->expectations);
-    known_free(&run->known);
+    solution_free(&run->solution);
     nb_result_free(&run->result);
     nb_scene_free(&run->scene);
   }

@@ -11,7 +11,7 @@
 struct nb_page_run {
   struct nb_scene scene;
   struct nb_expectations expectations;
-  struct nb_known known;
+  struct nb_solution solution;
   struct nb_result result;
   char label[256];       /* "v=0.12 n=40", empty without a sweep */
   double done;           /* fraction, 1 */
@@ -65,7 +65,7 @@ bool nb_measure_seen(double *value, const struct nb_measure *measure, const stru
 /* The rows of a stage, or of the last stage that has any: first and one past the last. */
 void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to);
 /* What the reference knows under the measure's label, with the stage or without; NULL: nothing. */
-const double *nb_measure_known(const struct nb_measure *measure, const struct nb_known *known);
+const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution);
 
 /* What is swept, in this run: "v=0.12, n=40"; without what the expectation is judged over, if there is one. */
 void nb_sweep_words(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);

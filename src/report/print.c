@@ -113,13 +113,13 @@ void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
   nb_print_warnings(stderr, "", path, &outcome->warnings);
 }
 
-static void progress(void *data, const char *stage, double share, double seconds) {
+static void progress(void *data, const char *stage, double fraction, double seconds) {
   struct nb_progress_line *line = data;
   if (seconds < 2 || seconds - line->shown < 0.5)
     return;
   line->shown = seconds;
-  fprintf(stderr, "\r%s, stage %s: %3.0f %%, %.0f s left   ", line->page, stage, 100 * share,
-          share > 0 ? seconds * (1 - share) / share : 0);
+  fprintf(stderr, "\r%s, stage %s: %3.0f %%, %.0f s left   ", line->page, stage, 100 * fraction,
+          fraction > 0 ? seconds * (1 - fraction) / fraction : 0);
 }
 
 static void note(void *data, const char *text) {

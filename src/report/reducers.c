@@ -140,9 +140,9 @@ bool nb_measure_seen(double *seen, const struct nb_measure *measure, const struc
                     isnan(*seen) ? "it rises through its mean less than twice" : "the result is not a finite number");
 }
 
-const double *nb_measure_known(const struct nb_measure *measure, const struct nb_known *known) {
-  const double *value = known_find(known, measure->label);
+const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution) {
+  const double *value = solution_find(solution, measure->label);
   char label[sizeof measure->label];
   snprintf(label, sizeof label, "%.*s", (int)measure->whole, measure->label);
-  return value ? value : known_find(known, label);
+  return value ? value : solution_find(solution, label);
 }

@@ -178,12 +178,12 @@ _Noreturn static void become(const struct nb_confined *confined) {
   _exit(126);
 }
 
-int nb_confine_run(const struct nb_confined *confined, int out, int said) {
+int nb_confine_run(const struct nb_confined *confined, int out, int given) {
   int status = -1;
   fflush(NULL);
   const pid_t child = fork();
   if (child == 0) {
-    if (dup2(out, STDOUT_FILENO) < 0 || dup2(said, STDERR_FILENO) < 0)
+    if (dup2(out, STDOUT_FILENO) < 0 || dup2(given, STDERR_FILENO) < 0)
       _exit(126);
     close(STDIN_FILENO);
     become(confined);

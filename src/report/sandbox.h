@@ -32,6 +32,6 @@ bool nb_program_find(char *path, size_t size, const char *name);
 enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct nb_error *error);
 void nb_confine_end(struct nb_confined *confined);
 /* Runs it, with these files as standard output and error; the status that waitpid answers, -1: it could not be started. */
-int nb_confine_run(const struct nb_confined *confined, int out, int said);
+int nb_confine_run(const struct nb_confined *confined, int out, int given);
 
 #endif

@@ -66,7 +66,8 @@ static void row(FILE *out, const struct nb_page_run *run, size_t r) {
     const struct nb_expectation *e = &run->expectations.list[k];
     if (e->kind != NB_VERSUS)
       continue;
-    const struct nb_known_curve *curve = known_find_curve(&run->known, table->names[e->measure.column], e->against);
+    const struct nb_solution_curve *curve =
+        solution_find_curve(&run->solution, table->names[e->measure.column], e->against);
     fprintf(out, "\t%.17g", curve ? curve->at(curve->data, values[e->column]) : NAN);
   }
   fputc('\n', out);
@@ -132,9 +133,9 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
       double seen;
       if (!first_of_its_name(all, k))
         continue;
-      const double *known = nb_measure_known(&all->list[k].measure, &run->known);
+      const double *solution = nb_measure_solution(&all->list[k].measure, &run->solution);
       nb_measure_seen(&seen, &all->list[k].measure, &run->result.table, &error);
-      fprintf(out, "\t%.17g\t%.17g", seen, known ? *known : NAN);
+      fprintf(out, "\t%.17g\t%.17g", seen, solution ? *solution : NAN);
     }
     fputc('\n', out);
   }

@@ -110,10 +110,10 @@ bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_
 }
 
 /* Of the reference, or 0 for a residual. */
-const double *nb_check_known(const struct nb_page_run *run, const struct nb_measure *measure) {
+const double *nb_check_solution(const struct nb_page_run *run, const struct nb_measure *measure) {
   static const double nothing = 0;
-  const double *known = nb_measure_known(measure, &run->known);
-  return known || !measure->vanishes ? known : &nothing;
+  const double *solution = nb_measure_solution(measure, &run->solution);
+  return solution || !measure->vanishes ? solution : &nothing;
 }
 
 /* A unit behind a number: with a space, or nothing. */
@@ -130,7 +130,7 @@ const char *nb_check_unit(char *text, const struct nb_page_run *run, const struc
 /* One number beside that of the reference, or beside the one that the page gives. */
 static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const bool given = e->kind == NB_EXPECTED;
-  const double *reference = given ? &e->number : nb_check_known(run, &e->measure);
+  const double *reference = given ? &e->number : nb_check_solution(run, &e->measure);
   double computed, scale;
   char unit[NB_NAME_SIZE];
   if (!reference)
@@ -144,7 +144,7 @@ static void check_value(struct nb_check *check, const struct nb_page_run *run, c
 static void check_curve(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const struct nb_table *table = &run->result.table;
   const char *quantity = table->names[e->measure.column];
-  const struct nb_known_curve *curve = known_find_curve(&run->known, quantity, e->against);
+  const struct nb_solution_curve *curve = solution_find_curve(&run->solution, quantity, e->against);
   char unit[NB_NAME_SIZE];
   size_t from, to;
   nb_measure_rows(&e->measure, table, &from, &to);

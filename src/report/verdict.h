@@ -19,7 +19,7 @@ void nb_check_error(struct nb_check *check, const char *what, double error, doub
 bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_run *run,
                     const struct nb_expectation *expectation);
 /* Of the reference, or 0 for a residual; NULL: not known. */
-const double *nb_check_known(const struct nb_page_run *run, const struct nb_measure *measure);
+const double *nb_check_solution(const struct nb_page_run *run, const struct nb_measure *measure);
 
 /* ---- verdict_sweep.c ---- */
 

@@ -170,15 +170,16 @@ static void check_slope(const struct group *group) {
     double seen;
     if (!is_in(group, r, group->first, e->against, ""))
       continue;
-    const double *known = nb_check_known(run, measure), value = binding_of(run, group->e->against)->value;
-    if (!known || !(value > 0)) {
-      nb_check_say(group->check, false, known ? "`%s` is not a number above 0" : "the reference does not return `%s`",
-                   known ? swept(group, r) : measure->label);
+    const double *solution = nb_check_solution(run, measure), value = binding_of(run, group->e->against)->value;
+    if (!solution || !(value > 0)) {
+      nb_check_say(group->check, false,
+                   solution ? "`%s` is not a number above 0" : "the reference does not return `%s`",
+                   solution ? swept(group, r) : measure->label);
       return;
     }
     if (!value_of(&seen, group, r))
       return;
-    const double off = fabs(seen - *known), lx = log(value), ly = log(off);
+    const double off = fabs(seen - *solution), lx = log(value), ly = log(off);
     if (!isfinite(ly)) {
       nb_check_say(group->check, false, "the error at %s is %g, so it has no logarithm", swept(group, r), off);
       return;

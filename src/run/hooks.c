@@ -8,8 +8,8 @@
 
 #include "laws/laws_now.h"
 #include "loading/loading.h"
+#include "measure/configuration.h"
 #include "measure/energy.h"
-#include "measure/since.h"
 #include "measure/step.h"
 #include "plan.h"
 
@@ -29,13 +29,13 @@ HOOK(account_forces, nb_balance_forces(model))
 HOOK(press, nb_drive_after(model))
 HOOK(count_deep, nb_deep_look(model))
 HOOK(find_fracc, nb_fracc_forces(model))
-HOOK(count_slid, nb_since_forces(model))
+HOOK(count_slid, nb_configuration_forces(model))
 
 /* Where the step does not carry all particles, those of the boundary are. */
-static enum nb_status carry_along(struct nb_model *model, struct nb_error *error) {
+static enum nb_status affine_along(struct nb_model *model, struct nb_error *error) {
   (void)error;
-  if (!nb_carry_step(model) && model->drive)
-    nb_ring_carry(model);
+  if (!nb_affine_step(model) && model->drive)
+    nb_ring_affine(model);
   return NB_OK;
 }
 
@@ -49,17 +49,17 @@ static enum nb_status change(struct nb_model *model, struct nb_error *error) {
 }
 
 /* After each search, and now and then without one. */
-static enum nb_status watch(struct nb_model *model, struct nb_error *error) {
-  if (model->search.made != model->cycle && model->cycle % NB_WATCH_CYCLES != 0)
+static enum nb_status monitor(struct nb_model *model, struct nb_error *error) {
+  if (model->search.made != model->cycle && model->cycle % NB_STABILITY_CYCLES != 0)
     return NB_OK;
-  if (nb_stable_watch(model, error))
+  if (nb_stability_check(model, error))
     return error->status;
   nb_guard_digits(model);
   return NB_OK;
 }
 
-static enum nb_status watch_stiffening(struct nb_model *model, struct nb_error *error) {
-  return nb_sure_all(model) ? NB_OK : nb_stable_watch(model, error);
+static enum nb_status check_stiffening(struct nb_model *model, struct nb_error *error) {
+  return nb_stable_overlap_all(model) ? NB_OK : nb_stability_check(model, error);
 }
 
 /* Which of them the scene needs now. */
@@ -67,15 +67,15 @@ static enum nb_status watch_stiffening(struct nb_model *model, struct nb_error *
   static bool name(const struct nb_model *model) { return condition; }
 WANTED(ramps_walls, nb_stage_ramps_walls(model))
 WANTED(has_boundary, model->drive != NULL)
-WANTED(has_servo, model->carry && model->stage && model->stage->servo.line)
+WANTED(has_servo, model->affine && model->stage && model->stage->servo.line)
 WANTED(strains_box, nb_box_is_strained(model))
 WANTED(balances, model->balance != NULL)
-WANTED(carries, model->carry != NULL)
+WANTED(carries, model->affine != NULL)
 WANTED(changes, nb_stage_changes(model))
-WANTED(stiffens, model->blocks.sure != NULL)
+WANTED(stiffens, model->blocks.stable_overlap != NULL)
 WANTED(elastic, model->plan.elastic)
-WANTED(asks_fracc, model->fracc != NULL)
-WANTED(has_reference, model->since != NULL)
+WANTED(requests_fracc, model->fracc != NULL)
+WANTED(has_reference, model->configuration != NULL)
 
 static const struct {
   enum nb_when when;
@@ -88,14 +88,14 @@ static const struct {
     {NB_BEFORE_MOTION, "servo", has_servo, follow_stress},
     {NB_BEFORE_MOTION, "walls of the box follow its strain rate", strains_box, strain_box},
     {NB_BEFORE_MOTION, "energy balance", balances, account_before},
-    {NB_BEFORE_MOTION, "affine motion", carries, carry_along},
+    {NB_BEFORE_MOTION, "affine motion", carries, affine_along},
     {NB_AFTER_MOTION, "energy balance", balances, account_kick},
     {NB_AFTER_MOTION, "stress on the boundary", has_boundary, press},
     {NB_BEFORE_SEARCH, "changes of the stage", changes, change},
-    {NB_BEFORE_FORCES, "stability check", NULL, watch},
-    {NB_AFTER_FORCES, "stability check of stiffening contacts", stiffens, watch_stiffening},
+    {NB_BEFORE_FORCES, "stability check", NULL, monitor},
+    {NB_AFTER_FORCES, "stability check of stiffening contacts", stiffens, check_stiffening},
     {NB_AFTER_FORCES, "count of deep overlaps", elastic, count_deep},
-    {NB_AFTER_FORCES, "FRACC", asks_fracc, find_fracc},
+    {NB_AFTER_FORCES, "FRACC", requests_fracc, find_fracc},
     {NB_AFTER_FORCES, "sliding since a stage", has_reference, count_slid},
     {NB_AFTER_FORCES, "energy balance", balances, account_forces},
 };

@@ -3,10 +3,10 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/laws_now.h"
 #include "loading/loading.h"
+#include "measure/configuration.h"
 #include "measure/energy.h"
 #include "measure/impact.h"
 #include "measure/region.h"
-#include "measure/since.h"
 #include "measure/step.h"
 #include "observe.h"
 #include "plan.h"
@@ -26,8 +26,8 @@ static size_t slot_of(size_t index, size_t count, bool shuffle) {
 static bool has_spin(const struct nb_scene *scene) {
   if (nb_laws_shear(scene))
     return true;
-  for (size_t k = 0; k < scene->body_count; k++)
-    if (scene->bodies[k].spin != 0)
+  for (size_t k = 0; k < scene->particle_count; k++)
+    if (scene->particles[k].spin != 0)
       return true;
   return false;
 }
@@ -39,19 +39,20 @@ static bool takes_out(const struct nb_scene *scene) {
   return false;
 }
 
-static void fill_bodies(struct nb_bodies *bodies, const struct nb_scene *scene, bool shuffle) {
-  for (size_t k = 0; k < bodies->count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    const size_t i = slot_of(k, bodies->count, shuffle);
-    bodies->slot[k] = (int)i, bodies->number[i] = (int)k + 1;
-    bodies->position[i] = vec(body->x, body->y), bodies->velocity[i] = vec(body->vx, body->vy);
-    bodies->rim[i] = vec(body->radius, body->spin * body->radius);
-    if (bodies->spin)
-      bodies->spin[i] = body->spin;
-    bodies->mass[i] = nb_body_mass(scene, body), bodies->inertia[i] = nb_body_inertia(scene, body);
-    bodies->inverse_mass[i] = body->fixed ? 0 : 1 / bodies->mass[i];
-    bodies->inverse_inertia[i] = body->fixed ? 0 : 1 / bodies->inertia[i];
-    bodies->material[i] = body->material;
+static void fill_particles(struct nb_particles *particles, const struct nb_scene *scene, bool shuffle) {
+  for (size_t k = 0; k < particles->count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
+    const size_t i = slot_of(k, particles->count, shuffle);
+    particles->slot[k] = (int)i, particles->number[i] = (int)k + 1;
+    particles->position[i] = vec(particle->x, particle->y), particles->velocity[i] = vec(particle->vx, particle->vy);
+    particles->surface[i] = nb_surface(particle->radius, particle->spin * particle->radius);
+    if (particles->spin)
+      particles->spin[i] = particle->spin;
+    particles->mass[i] = nb_particle_mass(scene, particle),
+    particles->inertia[i] = nb_particle_inertia(scene, particle);
+    particles->inverse_mass[i] = particle->fixed ? 0 : 1 / particles->mass[i];
+    particles->inverse_inertia[i] = particle->fixed ? 0 : 1 / particles->inertia[i];
+    particles->material[i] = particle->material;
   }
 }
 
@@ -71,17 +72,17 @@ static double *numbers(struct nb_owner *owner, size_t n) { return nb_own(owner, 
 static struct nb_vec *vectors(struct nb_owner *owner, size_t n) { return nb_own(owner, n, sizeof(struct nb_vec)); }
 static int *integers(struct nb_owner *owner, size_t n) { return nb_own(owner, n, sizeof(int)); }
 
-static void make_bodies(struct nb_bodies *b, const struct nb_scene *scene, struct nb_owner *owner) {
-  const size_t n = b->count = scene->body_count;
+static void make_particles(struct nb_particles *b, const struct nb_scene *scene, struct nb_owner *owner) {
+  const size_t n = b->count = scene->particle_count;
   b->number = integers(owner, n), b->slot = integers(owner, n), b->material = integers(owner, n);
   b->position = vectors(owner, n), b->velocity = vectors(owner, n);
-  b->rim = vectors(owner, n), b->searched = vectors(owner, n);
+  b->surface = nb_own(owner, n, sizeof *b->surface), b->searched = vectors(owner, n);
   b->mass = numbers(owner, n), b->inertia = numbers(owner, n);
   b->inverse_mass = numbers(owner, n), b->inverse_inertia = numbers(owner, n);
   if (has_spin(scene))
     b->spin = numbers(owner, n), b->angle = numbers(owner, n);
   if (takes_out(scene))
-    b->gone = nb_own(owner, n, sizeof(bool));
+    b->removed = nb_own(owner, n, sizeof(bool));
 }
 
 static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct nb_owner *owner) {
@@ -93,58 +94,58 @@ static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct 
 }
 
 /* One pairing for every two materials that bodies have, and for every one that bodies have with every one that walls have. */
-static bool make_pairings(struct nb_model *model) {
+static bool make_material_pairs(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const size_t n = scene->material_count;
-  bool *on_body = calloc(n + 1, sizeof *on_body), *on_wall = calloc(n + 1, sizeof *on_wall);
-  model->pairings = nb_own(&model->owner, n * (n + 1) / 2 + n * n, sizeof *model->pairings);
-  const bool made = on_body && on_wall && model->pairings;
+  bool *on_particle = calloc(n + 1, sizeof *on_particle), *on_wall = calloc(n + 1, sizeof *on_wall);
+  model->material_pairs = nb_own(&model->owner, n * (n + 1) / 2 + n * n, sizeof *model->material_pairs);
+  const bool made = on_particle && on_wall && model->material_pairs;
   if (made) {
-    for (size_t k = 0; k < scene->body_count; k++)
-      on_body[scene->bodies[k].material] = true;
+    for (size_t k = 0; k < scene->particle_count; k++)
+      on_particle[scene->particles[k].material] = true;
     for (size_t k = 0; k < scene->wall_count; k++)
       on_wall[scene->walls[k].material] = true;
     for (int wall = 0; wall < 2; wall++)
       for (int a = 0; a < (int)n; a++)
         for (int b = wall ? 0 : a; b < (int)n; b++) {
-          if (!on_body[a] || !(wall ? on_wall[b] : on_body[b]))
+          if (!on_particle[a] || !(wall ? on_wall[b] : on_particle[b]))
             continue;
-          model->pairings[model->pairing_count++] =
-              (struct nb_pairing){.values = nb_properties_pair(&model->properties, a, b), .a = a, .b = b, .wall = wall};
+          model->material_pairs[model->material_pair_count++] = (struct nb_material_pair){
+              .values = nb_properties_pair(&model->properties, a, b), .a = a, .b = b, .wall = wall};
         }
   }
-  free(on_body), free(on_wall);
+  free(on_particle), free(on_wall);
   return made;
 }
 
 /* A tenth of the mean radius, unless the page says another: wide enough that a search is rare, narrow enough that a listed pair
  * mostly touches. Infinite where nothing is free to touch anything: then there is nothing to search for. */
 static double skin_of(const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   double sum = 0;
   bool free = false;
-  for (size_t i = 0; i < bodies->count; i++)
-    sum += bodies->rim[i].x, free = free || bodies->inverse_mass[i] > 0;
-  if (!free || bodies->count + model->walls.count < 2)
+  for (size_t i = 0; i < particles->count; i++)
+    sum += particles->surface[i].radius, free = free || particles->inverse_mass[i] > 0;
+  if (!free || particles->count + model->walls.count < 2)
     return INFINITY;
-  return model->scene->skin > 0 ? model->scene->skin : 0.1 * sum / (double)bodies->count;
+  return model->scene->skin > 0 ? model->scene->skin : 0.1 * sum / (double)particles->count;
 }
 
 static bool make_parts(struct nb_model *model, const struct nb_scene *scene, bool shuffle) {
-  make_bodies(&model->bodies, scene, &model->owner);
+  make_particles(&model->particles, scene, &model->owner);
   make_walls(&model->walls, scene, &model->owner);
   if (model->owner.failed)
     return false;
-  fill_bodies(&model->bodies, scene, shuffle);
+  fill_particles(&model->particles, scene, shuffle);
   fill_walls(&model->walls, scene);
-  if (!nb_properties_create(&model->properties, scene) || !make_pairings(model) || !nb_stability_create(model) ||
+  if (!nb_properties_create(&model->properties, scene) || !make_material_pairs(model) || !nb_stability_create(model) ||
       !nb_changes_create(model))
     return false;
   model->search.skin = skin_of(model);
   model->search.smallest = INFINITY;
-  for (size_t k = 0; k < scene->body_count; k++)
-    model->search.smallest = fmin(model->search.smallest, scene->bodies[k].radius);
-  return nb_cell_create(model) && nb_since_create(model);
+  for (size_t k = 0; k < scene->particle_count; k++)
+    model->search.smallest = fmin(model->search.smallest, scene->particles[k].radius);
+  return nb_cell_create(model) && nb_configuration_create(model);
 }
 
 /* What holds before the first stage. */
@@ -152,18 +153,19 @@ static void begin(struct nb_model *model, const struct nb_scene *scene, const st
   model->critical = nb_step_critical(model);
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
-  model->inward.strength = scene->gravity.inward;
-  model->inward.to = vec(scene->gravity.about_x, scene->gravity.about_y);
+  model->central.strength = scene->gravity.central;
+  model->central.to = vec(scene->gravity.about_x, scene->gravity.about_y);
   model->stability->allow_unstable = scene->allow_unstable;
   model->plan.whole = options && options->whole;
   model->states = options ? options->states : NULL;
-  model->laws = model->coming = nb_laws_at_start(scene);
+  model->laws = model->next = nb_laws_at_start(scene);
 }
 
 /* The first list of contacts, and the step. */
 static enum nb_status find_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
-  if (nb_carry_create(model, error) || nb_drive_create(model, error) ||
-      (saved && nb_saved_put_driven(model, saved, error)) || nb_plan(model, error) || nb_near(model, error))
+  if (nb_affine_create(model, error) || nb_drive_create(model, error) ||
+      (saved && nb_saved_put_driven(model, saved, error)) || nb_plan(model, error) ||
+      nb_neighbours_search(model, error))
     return error->status;
   model->stability->safe = nb_safe_begin(model).step;
   return saved ? NB_OK : nb_step_set(model, &model->scene->stages[0].step, error);
@@ -173,9 +175,9 @@ static enum nb_status find_contacts(struct nb_model *model, const struct nb_save
 static void begin_impact(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const struct nb_strike strike = nb_impact_strike(scene);
-  const int i = model->bodies.slot[scene->watches[scene->impact.watch].a];
+  const int i = model->particles.slot[scene->monitors[scene->impact.monitor].a];
   model->touch = scene->impact.phase * model->step;
-  model->bodies.position[i] = vec_add(model->bodies.position[i], vec_scale(-model->touch, strike.arrival));
+  model->particles.position[i] = vec_add(model->particles.position[i], vec_scale(-model->touch, strike.arrival));
 }
 
 /* The forces at time 0: worked out, or as the state has them. */
@@ -190,7 +192,7 @@ static enum nb_status find_forces(struct nb_model *model, const struct nb_saved 
 
 /* What some column, condition or snapshot asks for. */
 static enum nb_status make_measures(struct nb_model *model, struct nb_error *error) {
-  if (model->plan.asked & NB_ASKS_FRACC && !nb_fracc_begin(model))
+  if (model->plan.requested & NB_REQUEST_FRACC && !nb_fracc_begin(model))
     return nb_error_memory(error);
   if (nb_regions_create(model, error) || nb_regions_stage(model, -1, error))
     return error->status;
@@ -225,7 +227,7 @@ struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_o
     return NULL;
   }
   model->scene = scene;
-  model->plan.asked = nb_fields_watched(scene);
+  model->plan.requested = nb_fields_watched(scene);
   if (set_up(model, options, saved, error)) {
     nb_model_free(model);
     return NULL;
@@ -243,13 +245,13 @@ struct nb_model *nb_model_create(const struct nb_scene *scene, const struct nb_o
 void nb_model_free(struct nb_model *model) {
   if (!model)
     return;
-  free(model->joints.list);
+  free(model->vertices.list);
   free(model->blocks.scratch), free(model->deep.counts);
   nb_properties_free(&model->properties);
   nb_owner_free(&model->contacts.owner);
   nb_balance_free(model);
   nb_regions_free(model->regions, model->scene->region_count);
-  nb_since_free(model->since);
+  nb_configuration_free(model->configuration);
   nb_owner_free(&model->owner);
   free(model);
 }

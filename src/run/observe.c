@@ -21,7 +21,8 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
       fields |= stage->servo.quantity[k].kind->fields | NB_BIT(NB_OVERLAP) | NB_BIT(NB_STIFFNESS);
     if (stage->snapshot)
       fields |= NB_BIT(NB_OVERLAP) | NB_BIT(NB_EX) | NB_BIT(NB_EY) | NB_BIT(NB_NORMAL) | NB_BIT(NB_SHEAR) |
-                NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS) | (stage->snapshot_from >= 0 ? NB_BIT(NB_SLIP) : 0);
+                NB_BIT(NB_SLIDING) | NB_BIT(NB_RADIUS) |
+                (stage->snapshot_from >= 0 ? NB_BIT(NB_TANGENTIAL_INCREMENT) : 0);
   }
   return fields;
 }
@@ -52,10 +53,10 @@ struct nb_teller nb_tell_begin(const struct nb_progress *progress) {
   return (struct nb_teller){progress, now, 0};
 }
 
-void nb_tell(struct nb_teller *teller, const char *stage, double share) {
+void nb_tell(struct nb_teller *teller, const char *stage, double fraction) {
   const double now = nb_clock();
   if (!teller->progress || !teller->progress->call || now - teller->told < 0.1)
     return;
   teller->told = now;
-  teller->progress->call(teller->progress->data, stage, share, now - teller->began);
+  teller->progress->call(teller->progress->data, stage, fraction, now - teller->began);
 }

@@ -1,4 +1,4 @@
-/* Between a run (run.c, bench.c) and what comes of it (observe.c).
+/* Between a run (run.c, contact_test.c) and what comes of it (observe.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_OBSERVE_H
@@ -19,6 +19,6 @@ struct nb_teller {
 };
 struct nb_teller nb_tell_begin(const struct nb_progress *progress);
 void nb_tell(struct nb_teller *teller, const char *stage,
-             double share); /* at once, then not more than ten times a second */
+             double fraction); /* at once, then not more than ten times a second */
 
 #endif

@@ -8,14 +8,15 @@
 #include <string.h>
 
 #include "laws/law.h"
-#include "measure/since.h"
+#include "measure/configuration.h"
 #include "measure/step.h"
 #include "pass/pass.h"
 #include "plan.h"
 #include "state.h"
 
-static void add(struct nb_pairing *pairing, nb_run_pass *run, int line, const char *kind, const char *name) {
-  struct nb_planned *planned = &pairing->passes[pairing->pass_count++];
+static void add(struct nb_material_pair *material_pair, nb_run_pass *run, int line, const char *kind,
+                const char *name) {
+  struct nb_planned *planned = &material_pair->passes[material_pair->pass_count++];
   planned->run = run, planned->line = line;
   snprintf(planned->name, sizeof planned->name, "%s%s", kind, name);
 }
@@ -42,21 +43,21 @@ static int first_deep_line(const struct nb_scene *scene) {
   return line;
 }
 
-static bool swings(const struct nb_damping *damping) {
+static bool uses_damping_ratio(const struct nb_damping *damping) {
   double value;
   return nb_damping_at(damping, false, &value) == NB_CONTACT_RATIO ||
          nb_damping_at(damping, true, &value) == NB_CONTACT_RATIO;
 }
 
 static enum nb_dashpots dashpots_of(const struct nb_scene *scene) {
-  bool swing = swings(&scene->damping);
+  bool oscillation = uses_damping_ratio(&scene->damping);
   for (size_t s = 0; s < scene->stage_count; s++)
-    swing = swing || swings(&scene->stages[s].damping);
-  return first_deep_line(scene) > 0 ? NB_DASHPOTS_DEEP : swing ? NB_DASHPOTS_SWING : NB_DASHPOTS_TIME;
+    oscillation = oscillation || uses_damping_ratio(&scene->stages[s].damping);
+  return first_deep_line(scene) > 0 ? NB_DASHPOTS_DEEP : oscillation ? NB_DASHPOTS_RATIO : NB_DASHPOTS_TIME;
 }
 
-static bool rubs(const struct nb_pairing *pairing) {
-  return pairing->values.friction > 0 || pairing->values.cohesion > 0;
+static bool has_friction(const struct nb_material_pair *material_pair) {
+  return material_pair->values.friction > 0 || material_pair->values.cohesion > 0;
 }
 
 /* Springs of elastic spheres: both stiffen together, with the overlap. */
@@ -64,52 +65,53 @@ static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
 }
 
-static const struct nb_pass *geometry_of(const struct nb_model *model, const struct nb_pairing *pairing) {
-  const bool closing = model->plan.dashpots || (pairing->normal->needs & NB_BIT(NB_CLOSING));
-  const int approach = pairing->shear ? NB_APPROACH_SLIP : closing ? NB_APPROACH_CLOSING : NB_APPROACH_OVERLAP;
-  return pairing->wall ? &nb_pass_disc_wall[approach]
-         : model->cell ? &nb_pass_periodic[approach]
-                       : &nb_pass_disc_disc[approach];
+static const struct nb_pass *geometry_of(const struct nb_model *model, const struct nb_material_pair *material_pair) {
+  const bool dn = model->plan.dashpots || (material_pair->normal->needs & NB_BIT(NB_NORMAL_INCREMENT));
+  const int approach = material_pair->shear ? NB_APPROACH_TANGENTIAL : dn ? NB_APPROACH_NORMAL : NB_APPROACH_OVERLAP;
+  return material_pair->wall ? &nb_pass_disc_wall[approach]
+         : model->cell       ? &nb_pass_periodic[approach]
+                             : &nb_pass_disc_disc[approach];
 }
 
-static void plan_pairing(struct nb_model *model, struct nb_pairing *pairing) {
+static void plan_material_pair(struct nb_model *model, struct nb_material_pair *material_pair) {
   const struct nb_scene *scene = model->scene;
   const struct nb_law *normal = model->laws.normal, *shear = model->laws.shear;
-  pairing->normal = normal;
-  pairing->shear = rubs(pairing) && strcmp(shear->name, "none") != 0 ? shear : NULL;
-  pairing->pass_count = 0;
+  material_pair->normal = normal;
+  material_pair->shear = has_friction(material_pair) && strcmp(shear->name, "none") != 0 ? shear : NULL;
+  material_pair->pass_count = 0;
   if (stiffens(normal, shear))
-    model->plan.kept |= NB_BIT(NB_SURE);
+    model->plan.kept |= NB_BIT(NB_STABLE_OVERLAP);
   const enum nb_dashpots form = dashpots_of(scene);
-  if (form >= NB_DASHPOTS_SWING)
+  if (form >= NB_DASHPOTS_RATIO)
     model->plan.kept |= NB_BIT(NB_MASS);
-  const struct nb_pass *geometry = geometry_of(model, pairing);
-  const struct nb_pass *resolve = &nb_pass_resolve[pairing->shear != NULL];
+  const struct nb_pass *geometry = geometry_of(model, material_pair);
+  const struct nb_pass *resolve = &nb_pass_resolve[material_pair->shear != NULL];
   const enum nb_isa isa = model->machine.isa;
-  add(pairing, geometry->run[isa], pairing->wall ? 0 : scene->cell.line, "", geometry->name);
-  if (pairing->wall && model->joints.any)
-    add(pairing, nb_pass_joints.run[isa], 0, "", nb_pass_joints.name);
-  add(pairing, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
-  if (pairing->shear)
-    add(pairing, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
+  add(material_pair, geometry->run[isa], material_pair->wall ? 0 : scene->cell.line, "", geometry->name);
+  if (material_pair->wall && model->vertices.any)
+    add(material_pair, nb_pass_vertices.run[isa], 0, "", nb_pass_vertices.name);
+  add(material_pair, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
+  if (material_pair->shear)
+    add(material_pair, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
   if (normal->elastic)
-    add(pairing, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
+    add(material_pair, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
   const struct nb_pass *dashpots = &nb_pass_dashpots[form];
   if (model->plan.dashpots)
-    add(pairing, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
-  add(pairing, resolve->run[isa], 0, "", resolve->name);
+    add(material_pair, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
+  add(material_pair, resolve->run[isa], 0, "", resolve->name);
 }
 
 /* Fields that nothing reads, or that are the same as others, are not kept. */
-static unsigned fewer(unsigned kept, bool loses, const struct nb_plan *plan) {
-  if (!plan->rubs)
+static unsigned fewer(unsigned kept, bool dissipative, const struct nb_plan *plan) {
+  if (!plan->has_friction)
     kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
-  if (!loses)
-    kept &= ~NB_BIT(NB_LOST);
-  if (!plan->dashpots && kept & NB_BIT(NB_PUSH)) /* then what is felt is what the laws say: one field for both */
-    kept = (kept & ~NB_BIT(NB_PUSH)) | NB_BIT(NB_NORMAL);
-  if (!plan->dashpots && kept & NB_BIT(NB_DRAG))
-    kept = (kept & ~NB_BIT(NB_DRAG)) | NB_BIT(NB_SHEAR);
+  if (!dissipative)
+    kept &= ~NB_BIT(NB_DISSIPATED);
+  if (!plan->dashpots &&
+      kept & NB_BIT(NB_TOTAL_NORMAL)) /* then what is felt is what the laws say: one field for both */
+    kept = (kept & ~NB_BIT(NB_TOTAL_NORMAL)) | NB_BIT(NB_NORMAL);
+  if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_SHEAR))
+    kept = (kept & ~NB_BIT(NB_TOTAL_SHEAR)) | NB_BIT(NB_SHEAR);
   return kept;
 }
 
@@ -118,35 +120,35 @@ static int larger(int a, int b) { return a > b ? a : b; }
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   struct nb_plan *plan = &model->plan;
-  model->joints.any = nb_joints_meet(scene);
+  model->vertices.any = nb_vertices_meet(scene);
   plan->elastic = model->laws.normal->elastic;
   plan->memory.normal = plan->memory.shear = 0;
-  plan->memory.slid = (int)nb_since_count(model->since);
+  plan->memory.slid = (int)nb_configuration_count(model->configuration);
   plan->dashpots = first_damped_line(scene) > 0;
-  plan->drag = plan->dashpots ? NB_DRAG : NB_SHEAR;
-  plan->kept = (plan->asked & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_REACH) | (plan->whole ? NB_SAVED_MASK : 0);
+  plan->total_shear = plan->dashpots ? NB_TOTAL_SHEAR : NB_SHEAR;
+  plan->kept = (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->whole ? NB_SAVED_MASK : 0);
   if (nb_laws_elastic(scene)) /* whenever that is: of a law that goes it is asked once more what it has stored */
     plan->kept |= NB_BIT(NB_REDUCED);
-  bool loses = false;
-  plan->rubs = false;
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    struct nb_pairing *it = &model->pairings[p];
-    plan_pairing(model, it);
-    plan->rubs = plan->rubs || it->shear;
-    loses = loses || (it->shear && it->shear->loses);
-    plan->memory.normal = larger(plan->memory.normal, nb_law_memory(it->normal, it->values));
-    plan->memory.shear = larger(plan->memory.shear, nb_law_memory(it->shear, it->values));
+  bool dissipative = false;
+  plan->has_friction = false;
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    struct nb_material_pair *it = &model->material_pairs[p];
+    plan_material_pair(model, it);
+    plan->has_friction = plan->has_friction || it->shear;
+    dissipative = dissipative || (it->shear && it->shear->dissipative);
+    plan->memory.normal = larger(plan->memory.normal, nb_law_history(it->normal, it->values));
+    plan->memory.shear = larger(plan->memory.shear, nb_law_history(it->shear, it->values));
   }
-  plan->kept = fewer(plan->kept | (plan->rubs ? NB_BIT(plan->drag) : 0), loses, plan);
+  plan->kept = fewer(plan->kept | (plan->has_friction ? NB_BIT(plan->total_shear) : 0), dissipative, plan);
   free(model->blocks.scratch);
-  model->blocks.scratch = nb_array((size_t)model->machine.threads * NB_FIELDS * NB_BLOCK, sizeof(double));
+  model->blocks.scratch = nb_array((size_t)model->machine.threads * NB_FIELDS * NB_BLOCK_SIZE, sizeof(double));
   return model->blocks.scratch ? NB_OK : nb_error_memory(error);
 }
 
 bool nb_plan_stands(const struct nb_model *model) {
   const bool none = strcmp(model->laws.shear->name, "none") == 0;
-  for (size_t p = 0; p < model->pairing_count; p++)
-    if (!none && rubs(&model->pairings[p]) != (model->pairings[p].shear != NULL))
+  for (size_t p = 0; p < model->material_pair_count; p++)
+    if (!none && has_friction(&model->material_pairs[p]) != (model->material_pairs[p].shear != NULL))
       return false;
   return true;
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench.h"
+#include "contact_test.h"
 #include "core/clock.h"
 #include "laws/laws_now.h"
 #include "measure/snapshot.h"
@@ -65,7 +65,7 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
     if (!(shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model)))
       continue;
     snprintf(text, sizeof text, "from stage `%s` on %s %s instead of %s: contacts remember nothing of it", stage->name,
-             shear ? "shear" : "normal", (shear ? model->coming.shear : model->coming.normal)->name,
+             shear ? "shear" : "normal", (shear ? model->next.shear : model->next.normal)->name,
              (shear ? model->laws.shear : model->laws.normal)->name);
     progress->note(progress->data, text);
   }
@@ -151,7 +151,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error) {
   if (scene->path)
-    return nb_bench_run(result, scene, progress, error);
+    return nb_contact_test_run(result, scene, progress, error);
   *result = (struct nb_result){0};
   struct run run = {.result = result, .scene = scene, .teller.progress = progress};
   return run_scene(&run, options, NULL, error);

@@ -13,9 +13,9 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/laws_now.h"
 #include "loading/loading.h"
+#include "measure/configuration.h"
 #include "measure/energy.h"
 #include "measure/region.h"
-#include "measure/since.h"
 #include "measure/step.h"
 #include "plan.h"
 
@@ -25,7 +25,7 @@ struct nb_changes {
   struct nb_pair *properties_from; /* per change, wall motion, and of gravity: what it was when the stage began */
   struct nb_state *walls_from;
   struct nb_vec gravity_from;
-  struct nb_inward inward_from;
+  struct nb_central central_from;
 };
 
 bool nb_changes_create(struct nb_model *model) {
@@ -46,22 +46,22 @@ bool nb_changes_create(struct nb_model *model) {
 bool nb_stage_ramps_walls(const struct nb_model *model) { return model->changes->driven; }
 bool nb_stage_changes(const struct nb_model *model) { return model->changes->changing; }
 
-static struct nb_vec between(struct nb_vec from, struct nb_vec to, double share) {
-  return vec_add(from, vec_scale(share, vec_sub(to, from)));
+static struct nb_vec between(struct nb_vec from, struct nb_vec to, double fraction) {
+  return vec_add(from, vec_scale(fraction, vec_sub(to, from)));
 }
 
 /* Bodies stop, those that are fixed too. */
-static void stop_bodies(struct nb_model *model) {
-  struct nb_bodies *bodies = &model->bodies;
+static void stop_particles(struct nb_model *model) {
+  struct nb_particles *particles = &model->particles;
   nb_balance_jump(model, NB_TERM_CHANGED, true);
-  for (size_t i = 0; i < bodies->count; i++) {
-    bodies->velocity[i] = vec(0, 0);
-    bodies->rim[i].y = 0;
-    if (bodies->spin)
-      bodies->spin[i] = 0;
+  for (size_t i = 0; i < particles->count; i++) {
+    particles->velocity[i] = vec(0, 0);
+    particles->surface[i].speed = 0;
+    if (particles->spin)
+      particles->spin[i] = 0;
   }
-  if (model->carry)
-    nb_carry_still(model);
+  if (model->affine)
+    nb_affine_still(model);
   model->previous_step = 0; /* as at time 0: nothing has slipped and nothing approaches */
   if (model->plan.dashpots)
     nb_forces(model);
@@ -77,7 +77,7 @@ static void turn_walls(struct nb_model *model) {
 }
 
 /* and bodies when its step is known. */
-static void turn_bodies(struct nb_model *model) {
+static void turn_particles(struct nb_model *model) {
   nb_balance_jump(model, NB_TERM_CHANGED, true);
   nb_motion_reverse(model);
   nb_balance_jump(model, NB_TERM_CHANGED, false);
@@ -114,24 +114,24 @@ static void walls_begin(struct nb_model *model, const struct nb_stage *stage) {
 
 void nb_stage_drive(struct nb_model *model) {
   const struct nb_stage *stage = model->stage;
-  const double share = ((double)model->stage_cycle + 0.5) / (double)stage->cycles;
+  const double fraction = ((double)model->stage_cycle + 0.5) / (double)stage->cycles;
   for (size_t k = 0; k < stage->motion_count; k++) {
     const struct nb_wall_motion *to = &stage->motions[k];
     const struct nb_state *from = &model->changes->walls_from[k];
     if (!to->ramp)
       continue;
-    model->walls.velocity[to->wall] = between(from->velocity, vec(to->vx, to->vy), share);
-    model->walls.spin[to->wall] = from->spin + share * (to->spin - from->spin);
+    model->walls.velocity[to->wall] = between(from->velocity, vec(to->vx, to->vy), fraction);
+    model->walls.spin[to->wall] = from->spin + fraction * (to->spin - from->spin);
   }
 }
 
 /* ---- properties ---- */
 
 /* As they are when what ramps has gone `share` of its way. */
-static void properties_go(struct nb_model *model, double share) {
+static void properties_go(struct nb_model *model, double fraction) {
   for (size_t k = 0; k < model->stage->change_count; k++) {
     const struct nb_change *to = &model->stage->changes[k];
-    nb_properties_change(&model->properties, to, model->changes->properties_from[k], to->ramp ? share : 1);
+    nb_properties_change(&model->properties, to, model->changes->properties_from[k], to->ramp ? fraction : 1);
   }
 }
 
@@ -156,20 +156,21 @@ static void properties_begin(struct nb_model *model, struct nb_safe *apart) {
 /* ---- gravity ---- */
 
 /* What it is when `share` of the way from what it was to what the page says has been gone. */
-static void gravity_go(struct nb_model *model, double share) {
+static void gravity_go(struct nb_model *model, double fraction) {
   const struct nb_gravity *to = &model->stage->gravity;
-  const struct nb_inward *from = &model->changes->inward_from;
-  model->gravity = share < 1 ? between(model->changes->gravity_from, vec(to->x, to->y), share) : vec(to->x, to->y);
-  model->inward.strength = share < 1 ? from->strength + share * (to->inward - from->strength) : to->inward;
-  if (to->inward != 0)
-    model->inward.to = vec(to->about_x, to->about_y);
+  const struct nb_central *from = &model->changes->central_from;
+  model->gravity =
+      fraction < 1 ? between(model->changes->gravity_from, vec(to->x, to->y), fraction) : vec(to->x, to->y);
+  model->central.strength = fraction < 1 ? from->strength + fraction * (to->central - from->strength) : to->central;
+  if (to->central != 0)
+    model->central.to = vec(to->about_x, to->about_y);
 }
 
 /* Of the kick around the stage's t_0, previous_step/2 lies before it and step/2 after it. */
 static void gravity_begin(struct nb_model *model) {
   const struct nb_gravity *to = &model->stage->gravity;
   model->changes->gravity_from = model->gravity;
-  model->changes->inward_from = model->inward;
+  model->changes->central_from = model->central;
   if (!to->line || to->ramp)
     return;
   const double before = model->previous_step, after = model->step;
@@ -189,10 +190,10 @@ static enum nb_status begin_assembly(struct nb_model *model, const struct nb_sta
   model->stage = stage;
   if (nb_regions_stage(model, index, error))
     return error->status;
-  if (model->since && !nb_since_begin(model, index))
+  if (model->configuration && !nb_configuration_begin(model, index))
     return nb_error_memory(error);
   if (stage->still)
-    stop_bodies(model);
+    stop_particles(model);
   if (stage->reverse)
     turn_walls(model);
   return NB_OK;
@@ -201,14 +202,14 @@ static enum nb_status begin_assembly(struct nb_model *model, const struct nb_sta
 /* What it does to boundary, cell and box, once its step is known. */
 static enum nb_status begin_loading(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   gravity_begin(model);
-  if (model->carry)
-    nb_carry_begin(model, stage);
+  if (model->affine)
+    nb_affine_begin(model, stage);
   if (model->drive && nb_drive_begin(model, stage, error))
     return error->status;
   if (stage->servo.line)
     nb_servo_begin(model);
   if (stage->reverse)
-    turn_bodies(model);
+    turn_particles(model);
   return NB_OK;
 }
 
@@ -219,8 +220,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   if (begin_assembly(model, stage, error))
     return error->status;
   model->damping = stage->damping;
-  model->coming = nb_laws_of(stage, model->laws);
-  model->properties.pieces = model->coming.pieces;
+  model->next = nb_laws_of(stage, model->laws);
+  model->properties.pieces = model->next.pieces;
   struct nb_safe apart;
   walls_begin(model, stage), properties_begin(model, &apart);
   if (nb_step_set(model, &stage->step, error) || begin_loading(model, stage, error))
@@ -235,8 +236,8 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
 /* Contacts of a pairing that has lost its shear forget what they remembered of it. */
 static void forget_shear(struct nb_model *model) {
   for (size_t c = 0; c < model->contacts.count; c++)
-    if (!model->pairings[model->contacts.pairing[c]].shear)
-      nb_memory_forget(&model->contacts.shear_memory, c);
+    if (!model->material_pairs[model->contacts.material_pair[c]].shear)
+      nb_history_forget(&model->contacts.shear_history, c);
 }
 
 /* The search makes the arrays that a new plan wants, and takes over what laws remember. */
@@ -244,26 +245,27 @@ static enum nb_status plan_anew(struct nb_model *model, struct nb_error *error) 
   if (nb_plan(model, error))
     return error->status;
   forget_shear(model);
-  return nb_near(model, error);
+  return nb_neighbours_search(model, error);
 }
 
 enum nb_status nb_stage_change(struct nb_model *model, struct nb_error *error) {
   const struct nb_stage *stage = model->stage;
-  const double share = (double)model->stage_cycle / (double)stage->cycles;
+  const double fraction = (double)model->stage_cycle / (double)stage->cycles;
   bool ramps = stage->gravity.ramp;
   if (stage->gravity.line)
-    gravity_go(model, stage->gravity.ramp ? share : 1);
+    gravity_go(model, stage->gravity.ramp ? fraction : 1);
   for (size_t k = 0; k < stage->change_count; k++)
     ramps = ramps || stage->changes[k].ramp;
-  model->changes->changing = ramps && share < 1;
+  model->changes->changing = ramps && fraction < 1;
   const bool others = nb_laws_normal_changes(model) || nb_laws_shear_changes(model);
   if (stage->change_count == 0 && !others) {
     nb_hooks_plan(model);
     return NB_OK;
   }
-  properties_go(model, share);
-  for (size_t p = 0; p < model->pairing_count; p++)
-    model->pairings[p].values = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b);
+  properties_go(model, fraction);
+  for (size_t p = 0; p < model->material_pair_count; p++)
+    model->material_pairs[p].values =
+        nb_properties_pair(&model->properties, model->material_pairs[p].a, model->material_pairs[p].b);
   nb_laws_change(model);
   const enum nb_status status = others || !nb_plan_stands(model) ? plan_anew(model, error) : NB_OK;
   nb_hooks_plan(model);

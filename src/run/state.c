@@ -21,25 +21,25 @@
 
 /* ---- from a model ---- */
 
-static void take_bodies(struct nb_saved *saved, const struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    const struct nb_body *body = &model->scene->bodies[k];
-    saved->bodies[k] = (struct nb_saved_body){
-        .shape = body->shape,
-        .mobility = nb_gone(model, i) ? NB_GONE
-                    : body->fixed     ? NB_FIXED
-                                      : NB_FREE,
-        .material = body->material,
-        .radius = bodies->rim[i].x,
-        .position = bodies->position[i],
-        .velocity = bodies->velocity[i],
-        .spin = bodies->spin ? bodies->spin[i] : 0,
-        .angle = bodies->angle ? bodies->angle[i] : 0,
+static void take_particles(struct nb_saved *saved, const struct nb_model *model) {
+  const struct nb_particles *particles = &model->particles;
+  for (size_t k = 0; k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    const struct nb_particle *particle = &model->scene->particles[k];
+    saved->particles[k] = (struct nb_saved_particle){
+        .shape = particle->shape,
+        .mobility = nb_removed(model, i) ? NB_REMOVED
+                    : particle->fixed    ? NB_FIXED
+                                         : NB_FREE,
+        .material = particle->material,
+        .radius = particles->surface[i].radius,
+        .position = particles->position[i],
+        .velocity = particles->velocity[i],
+        .spin = particles->spin ? particles->spin[i] : 0,
+        .angle = particles->angle ? particles->angle[i] : 0,
     };
   }
-  saved->body_count = bodies->count;
+  saved->particle_count = particles->count;
 }
 
 /* What a state has of a wall as struct nb_walls has it. */
@@ -57,65 +57,65 @@ static void take_walls(struct nb_saved *saved, const struct nb_model *model) {
 }
 
 /* What a law remembers of a contact, at the end of what is remembered so far; nothing where all of it is 0. */
-static struct nb_saved_memory take_memory(struct nb_saved *saved, const struct nb_memory *memory,
-                                          const struct nb_law *law, size_t c) {
-  double room[NB_MEMORY];
-  const double *m = nb_memory_read(memory, c, room);
-  struct nb_saved_memory it = {.at = saved->memory_count};
+static struct nb_saved_history take_history(struct nb_saved *saved, const struct nb_history *memory,
+                                            const struct nb_law *law, size_t c) {
+  double room[NB_HISTORY];
+  const double *m = nb_history_read(memory, c, room);
+  struct nb_saved_history it = {.at = saved->history_count};
   for (int k = 0; k < (memory->rows ? 1 : memory->doubles); k++)
     if (m[k] != 0)
       it.count = law->used ? law->used(m) : memory->doubles;
   memcpy(saved->memory + it.at, m, (size_t)it.count * sizeof *m);
-  saved->memory_count += (size_t)it.count;
+  saved->history_count += (size_t)it.count;
   return it;
 }
 
 static void take_contacts(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_bodies *bodies = &model->bodies;
+  const struct nb_particles *particles = &model->particles;
   for (size_t c = 0; c < contacts->count; c++) {
-    const bool wall = model->pairings[contacts->pairing[c]].wall;
-    struct nb_saved_contact it = {.a = bodies->number[contacts->a[c]] - 1,
-                                  .b = wall ? contacts->b[c] : bodies->number[contacts->b[c]] - 1,
+    const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+    struct nb_saved_contact it = {.a = particles->number[contacts->a[c]] - 1,
+                                  .b = wall ? contacts->b[c] : particles->number[contacts->b[c]] - 1,
                                   .wall = wall,
-                                  .muted = contacts->muted && (contacts->muted[c] & 1),
+                                  .suppressed = contacts->suppressed && (contacts->suppressed[c] & 1),
                                   .force = contacts->force[c]};
 #define TAKEN(which, name, range) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
     NB_SAVED_FIELDS(TAKEN)
     if (!model->plan.dashpots) /* what is felt is what the laws say */
-      it.field[NB_PUSH] = it.field[NB_NORMAL], it.field[NB_DRAG] = it.field[NB_SHEAR];
-    it.normal = take_memory(saved, &contacts->normal_memory, model->laws.normal, c);
-    it.shear = take_memory(saved, &contacts->shear_memory, model->laws.shear, c);
-    if (it.field[NB_OVERLAP] > 0 || it.muted || it.normal.count || it.shear.count)
+      it.field[NB_TOTAL_NORMAL] = it.field[NB_NORMAL], it.field[NB_TOTAL_SHEAR] = it.field[NB_SHEAR];
+    it.normal = take_history(saved, &contacts->normal_history, model->laws.normal, c);
+    it.shear = take_history(saved, &contacts->shear_history, model->laws.shear, c);
+    if (it.field[NB_OVERLAP] > 0 || it.suppressed || it.normal.count || it.shear.count)
       saved->contacts[saved->contact_count++] = it;
   }
 }
 
 static bool make_room(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  const size_t remembered = (size_t)(contacts->normal_memory.doubles + contacts->shear_memory.doubles);
+  const size_t remembered = (size_t)(contacts->normal_history.doubles + contacts->shear_history.doubles);
   saved->materials = calloc(model->scene->material_count + 1, sizeof *saved->materials);
   saved->rules = calloc(model->properties.rule_count + 1, sizeof *saved->rules);
-  saved->bodies = calloc(model->bodies.count + 1, sizeof *saved->bodies);
+  saved->particles = calloc(model->particles.count + 1, sizeof *saved->particles);
   saved->walls = calloc(model->walls.count + 1, sizeof *saved->walls);
   saved->contacts = calloc(contacts->count + 1, sizeof *saved->contacts);
   saved->memory = calloc(contacts->count * remembered + 1, sizeof *saved->memory);
-  return saved->materials && saved->rules && saved->bodies && saved->walls && saved->contacts && saved->memory;
+  return saved->materials && saved->rules && saved->particles && saved->walls && saved->contacts && saved->memory;
 }
 
-static bool take_carry(struct nb_saved *saved, const struct nb_model *model) {
-  const struct nb_carry *carry = model->carry;
-  const struct nb_bodies *bodies = &model->bodies;
-  saved->centre = carry->centre;
+static bool take_affine(struct nb_saved *saved, const struct nb_model *model) {
+  const struct nb_affine *affine = model->affine;
+  const struct nb_particles *particles = &model->particles;
+  saved->centre = affine->centre;
   for (int c = 0; c < NB_CARRIERS; c++)
-    saved->carriers[c] = (struct nb_saved_carrier){carry->asked[c], carry->rate[c], !(carry->remembered[c] > 0)};
-  saved->carried = calloc(bodies->count + 1, sizeof *saved->carried);
-  if (!saved->carried)
+    saved->carriers[c] = (struct nb_saved_carrier){affine->requested[c], affine->rate[c], !(affine->remembered[c] > 0)};
+  saved->imposed = calloc(particles->count + 1, sizeof *saved->imposed);
+  if (!saved->imposed)
     return false;
-  saved->carried_count = bodies->count;
-  for (size_t k = 0; k < bodies->count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    saved->carried[k] = (struct nb_saved_carried){(enum nb_carrier)carry->by[i], bodies->carried[i]};
+  saved->imposed_count = particles->count;
+  for (size_t k = 0; k < particles->count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    saved->imposed[k] = (struct nb_saved_imposed){(enum nb_carrier)affine->by[i], particles->imposed[i]};
   }
   return true;
 }
@@ -125,7 +125,7 @@ static bool take_ring(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_ring *ring = &drive->ring;
   saved->ring = (struct nb_saved_ring){.is = true,
                                        .held = ring->held,
-                                       .pressing = model->bodies.pressed != NULL,
+                                       .pressing = model->particles.pressed != NULL,
                                        .radius = ring->radius,
                                        .shape = ring->shape,
                                        .stress = drive->stress};
@@ -134,16 +134,16 @@ static bool take_ring(struct nb_saved *saved, const struct nb_model *model) {
     return false;
   saved->ring.member_count = ring->count;
   for (size_t k = 0; k < ring->count; k++)
-    saved->ring.members[k] = model->bodies.number[ring->member[k]] - 1;
+    saved->ring.members[k] = model->particles.number[ring->member[k]] - 1;
   return true;
 }
 
 static enum nb_status take_driven(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
-  saved->inward = model->inward;
-  saved->turns = !model->drive || model->drive->turns;
+  saved->central = model->central;
+  saved->rotates = !model->drive || model->drive->rotates;
   if (model->cell)
     saved->cell = (struct nb_saved_cell){true, model->cell->h, model->cell->parting};
-  if ((model->carry && !take_carry(saved, model)) ||
+  if ((model->affine && !take_affine(saved, model)) ||
       (model->drive && model->drive->ring.begun && !take_ring(saved, model)))
     return nb_error_memory(error);
   return NB_OK;
@@ -172,7 +172,7 @@ enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *mode
     return nb_error_memory(error);
   memcpy(saved->materials, model->properties.materials, saved->material_count * sizeof *saved->materials);
   memcpy(saved->rules, model->properties.rules, saved->rule_count * sizeof *saved->rules);
-  take_bodies(saved, model);
+  take_particles(saved, model);
   take_walls(saved, model);
   take_contacts(saved, model);
   return take_driven(saved, model, error);
@@ -189,9 +189,9 @@ static bool same_names(const struct nb_saved *saved, const struct nb_scene *scen
   return same;
 }
 
-static bool same_body(const struct nb_saved_body *it, const struct nb_body *body, bool may_be_gone) {
-  const bool moves = it->mobility == NB_GONE ? may_be_gone : (it->mobility == NB_FIXED) == body->fixed;
-  return moves && it->radius == body->radius && it->shape == body->shape && it->material == body->material;
+static bool same_particle(const struct nb_saved_particle *it, const struct nb_particle *particle, bool may_be_removed) {
+  const bool moves = it->mobility == NB_REMOVED ? may_be_removed : (it->mobility == NB_FIXED) == particle->fixed;
+  return moves && it->radius == particle->radius && it->shape == particle->shape && it->material == particle->material;
 }
 
 static bool same_laws(const struct nb_saved *saved, struct nb_in_force laws) {
@@ -211,31 +211,31 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
     return nb_error_set(error, NB_BAD_USE, "%.200s: expected the laws of the page, found normal %s and shear %s", path,
                         saved->normal, saved->shear);
   const bool named = same_names(saved, scene);
-  while (k < saved->body_count && k < scene->body_count &&
-         same_body(&saved->bodies[k], &scene->bodies[k], removals > 0))
+  while (k < saved->particle_count && k < scene->particle_count &&
+         same_particle(&saved->particles[k], &scene->particles[k], removals > 0))
     k++;
   if (saved->impact.is != (scene->impact.line > 0))
     return nb_error_set(error, NB_BAD_USE, "%.200s: expected the state of a page %s `impact`, found one %s", path,
                         scene->impact.line ? "with" : "without", scene->impact.line ? "without" : "with");
-  if (named && saved->rule_count <= rules && k == scene->body_count && k == saved->body_count)
+  if (named && saved->rule_count <= rules && k == scene->particle_count && k == saved->particle_count)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE,
                       "%.200s: expected the state of %zu bodies, %zu walls and %zu materials%s, "
                       "found another one",
-                      path, scene->body_count, scene->wall_count, scene->material_count,
+                      path, scene->particle_count, scene->wall_count, scene->material_count,
                       named ? " as the page has them" : " of the page's names");
 }
 
-static void put_bodies(struct nb_bodies *bodies, const struct nb_saved *saved) {
-  for (size_t k = 0; k < bodies->count; k++) {
-    const struct nb_saved_body *it = &saved->bodies[k];
-    const size_t i = (size_t)bodies->slot[k];
-    bodies->position[i] = it->position, bodies->velocity[i] = it->velocity;
-    bodies->rim[i] = vec(it->radius, it->spin * it->radius);
-    if (bodies->spin)
-      bodies->spin[i] = it->spin, bodies->angle[i] = it->angle;
-    if (it->mobility == NB_GONE)
-      bodies->gone[i] = true, bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
+static void put_particles(struct nb_particles *particles, const struct nb_saved *saved) {
+  for (size_t k = 0; k < particles->count; k++) {
+    const struct nb_saved_particle *it = &saved->particles[k];
+    const size_t i = (size_t)particles->slot[k];
+    particles->position[i] = it->position, particles->velocity[i] = it->velocity;
+    particles->surface[i] = nb_surface(it->radius, it->spin * it->radius);
+    if (particles->spin)
+      particles->spin[i] = it->spin, particles->angle[i] = it->angle;
+    if (it->mobility == NB_REMOVED)
+      particles->removed[i] = true, particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
   }
 }
 
@@ -253,8 +253,8 @@ static void put_walls(struct nb_walls *walls, const struct nb_saved *saved) {
 static void put_stage(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   for (size_t s = 0; s < scene->start.stages; s++)
-    model->coming = nb_laws_of(&scene->stages[s], model->coming);
-  model->laws = model->coming;
+    model->next = nb_laws_of(&scene->stages[s], model->next);
+  model->laws = model->next;
   model->properties.pieces = model->laws.pieces;
   model->stage = &scene->stages[scene->start.stages - 1];
   model->damping = model->stage->damping;
@@ -263,14 +263,15 @@ static void put_stage(struct nb_model *model) {
 
 void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
   put_stage(model);
-  put_bodies(&model->bodies, saved);
+  put_particles(&model->particles, saved);
   put_walls(&model->walls, saved);
   memcpy(model->properties.materials, saved->materials, saved->material_count * sizeof *saved->materials);
   for (size_t r = 0; r < saved->rule_count; r++) /* there may be none, and no array */
     model->properties.rules[r] = saved->rules[r];
   model->properties.rule_count = saved->rule_count;
-  for (size_t p = 0; p < model->pairing_count; p++)
-    model->pairings[p].values = nb_properties_pair(&model->properties, model->pairings[p].a, model->pairings[p].b);
+  for (size_t p = 0; p < model->material_pair_count; p++)
+    model->material_pairs[p].values =
+        nb_properties_pair(&model->properties, model->material_pairs[p].a, model->material_pairs[p].b);
   model->gravity = saved->gravity;
   model->cycle = saved->cycle, model->stage_cycle = saved->stage_cycle;
   model->time = saved->time, model->touch = saved->impact.touch;
@@ -278,7 +279,7 @@ void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
   model->step = model->previous_step = saved->step;
 }
 
-static void put_memory(struct nb_memory *memory, size_t c, const double *all, struct nb_saved_memory it) {
+static void put_history(struct nb_history *memory, size_t c, const double *all, struct nb_saved_history it) {
   const int n = it.count < memory->doubles ? it.count : memory->doubles;
   if (n > 0 && memory->rows)
     memcpy(memory->rows + c * (size_t)memory->doubles, all + it.at, (size_t)n * sizeof *all);
@@ -297,16 +298,16 @@ static void put_contact(struct nb_contacts *contacts, size_t c, const struct nb_
     contacts->kept[NB_SHEAR_BEFORE][c] = it->field[NB_SHEAR];
     contacts->kept[NB_SHEAR_STIFFNESS_BEFORE][c] = it->field[NB_SHEAR_STIFFNESS];
   }
-  if (contacts->muted)
-    contacts->muted[c] = it->muted;
-  put_memory(&contacts->normal_memory, c, memory, it->normal);
-  put_memory(&contacts->shear_memory, c, memory, it->shear);
+  if (contacts->suppressed)
+    contacts->suppressed[c] = it->suppressed;
+  put_history(&contacts->normal_history, c, memory, it->normal);
+  put_history(&contacts->shear_history, c, memory, it->shear);
 }
 
 enum nb_status nb_saved_put_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   for (size_t k = 0; k < saved->contact_count; k++) {
     const struct nb_saved_contact *it = &saved->contacts[k];
-    const int *slot = model->bodies.slot;
+    const int *slot = model->particles.slot;
     const long c = nb_contacts_find(model, slot[it->a], it->wall ? it->b : slot[it->b], it->wall);
     if (c >= 0)
       put_contact(&model->contacts, (size_t)c, it, saved->memory);
@@ -317,21 +318,21 @@ enum nb_status nb_saved_put_contacts(struct nb_model *model, const struct nb_sav
   return NB_OK;
 }
 
-static void put_carry(struct nb_model *model, const struct nb_saved *saved) {
-  struct nb_carry *carry = model->carry;
-  struct nb_bodies *bodies = &model->bodies;
-  carry->centre = saved->centre;
+static void put_affine(struct nb_model *model, const struct nb_saved *saved) {
+  struct nb_affine *affine = model->affine;
+  struct nb_particles *particles = &model->particles;
+  affine->centre = saved->centre;
   for (int c = 0; c < NB_CARRIERS; c++) {
-    carry->asked[c] = saved->carriers[c].asked;
-    carry->rate[c] = carry->level[c] = saved->carriers[c].rate;
-    carry->remembered[c] = saved->carriers[c].literal ? 0 : 1;
+    affine->requested[c] = saved->carriers[c].requested;
+    affine->rate[c] = affine->level[c] = saved->carriers[c].rate;
+    affine->remembered[c] = saved->carriers[c].literal ? 0 : 1;
   }
-  for (size_t k = 0; k < saved->carried_count; k++) {
-    const size_t i = (size_t)bodies->slot[k];
-    nb_carry_by(carry, i, saved->carried[k].by);
-    bodies->carried[i] = saved->carried[k].along;
-    if (carry->by[i] == NB_CARRIER_BOUNDARY)
-      bodies->inverse_mass[i] = bodies->inverse_inertia[i] = 0;
+  for (size_t k = 0; k < saved->imposed_count; k++) {
+    const size_t i = (size_t)particles->slot[k];
+    nb_affine_by(affine, i, saved->imposed[k].by);
+    particles->imposed[i] = saved->imposed[k].along;
+    if (affine->by[i] == NB_CARRIER_BOUNDARY)
+      particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
   }
 }
 
@@ -342,37 +343,37 @@ static void put_ring(struct nb_model *model, const struct nb_saved_ring *saved) 
   ring->radius = saved->radius, ring->shape = saved->shape;
   ring->count = saved->member_count;
   for (size_t k = 0; k < ring->count; k++)
-    ring->member[k] = model->bodies.slot[saved->members[k]];
+    ring->member[k] = model->particles.slot[saved->members[k]];
   drive->stress = saved->stress;
-  model->bodies.pressed = saved->pressing ? drive->pressed : NULL;
-  if (model->bodies.pressed)
+  model->particles.pressed = saved->pressing ? drive->pressed : NULL;
+  if (model->particles.pressed)
     nb_ring_press(model);
 }
 
 /* Whether what moves the assembly from outside is there in both. */
 static bool driven_alike(const struct nb_model *model, const struct nb_saved *saved) {
-  if (saved->carried_count != 0 && (saved->carried_count != model->bodies.count || !model->carry))
+  if (saved->imposed_count != 0 && (saved->imposed_count != model->particles.count || !model->affine))
     return false;
   if (!model->drive)
-    return saved->cell.is == (model->cell != NULL) && !saved->ring.is && saved->turns;
+    return saved->cell.is == (model->cell != NULL) && !saved->ring.is && saved->rotates;
   return saved->cell.is == (model->cell != NULL) && (model->drive->pressed || !saved->ring.pressing);
 }
 
 enum nb_status nb_saved_put_driven(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
-  struct nb_bodies *bodies = &model->bodies;
+  struct nb_particles *particles = &model->particles;
   if (!driven_alike(model, saved))
     return nb_error_set(error, NB_BAD_USE, "the state has a cell or a boundary otherwise than the page");
-  model->inward = saved->inward;
+  model->central = saved->central;
   if (saved->cell.is)
     model->cell->h = saved->cell.h, model->cell->parting = saved->cell.parting;
-  if (saved->carried_count > 0)
-    put_carry(model, saved);
+  if (saved->imposed_count > 0)
+    put_affine(model, saved);
   if (saved->ring.is)
     put_ring(model, &saved->ring);
   if (model->drive)
-    model->drive->turns = saved->turns;
-  for (size_t i = 0; i < bodies->count && !saved->turns; i++)
-    bodies->inverse_inertia[i] = 0;
+    model->drive->rotates = saved->rotates;
+  for (size_t i = 0; i < particles->count && !saved->rotates; i++)
+    particles->inverse_inertia[i] = 0;
   return NB_OK;
 }
 

@@ -32,23 +32,23 @@ static void make_scene(struct nb_scene *scene, int side, const char *shear, unsi
   const double rate = sqrt(stiffness / mass), speed = 0.5 * overlap * rate;
   struct chance chance = chance_begin(9);
   *scene = (struct nb_scene){.material_count = 1, .wall_count = 4, .stage_count = 1};
-  scene->body_count = (size_t)side * (size_t)side;
+  scene->particle_count = (size_t)side * (size_t)side;
   scene->materials = calloc(1, sizeof *scene->materials);
-  scene->bodies = calloc(scene->body_count, sizeof *scene->bodies);
+  scene->particles = calloc(scene->particle_count, sizeof *scene->particles);
   scene->walls = calloc(4, sizeof *scene->walls);
   scene->stages = calloc(1, sizeof *scene->stages);
-  if (!scene->materials || !scene->bodies || !scene->walls || !scene->stages)
+  if (!scene->materials || !scene->particles || !scene->walls || !scene->stages)
     exit(NB_BROKEN);
   scene->materials[0] = (struct nb_material){
       .density = density, .kn = stiffness, .ks = 0.8 * stiffness, .young = young, .poisson = poisson, .friction = 0.3};
   for (int k = 0; k < side * side; k++)
-    scene->bodies[k] = (struct nb_body){.shape = NB_SPHERE,
-                                        .x = pitch / 2 + pitch * (k % side) + (k / side % 2 ? pitch / 2 : 0),
-                                        .y = pitch / 2 + sqrt(0.75) * pitch * (k / side),
-                                        .radius = radius,
-                                        .vx = speed * chance_between(&chance, -1, 1),
-                                        .vy = speed * chance_between(&chance, -1, 1),
-                                        .spin = speed / radius * chance_between(&chance, -1, 1)};
+    scene->particles[k] = (struct nb_particle){.shape = NB_SPHERE,
+                                               .x = pitch / 2 + pitch * (k % side) + (k / side % 2 ? pitch / 2 : 0),
+                                               .y = pitch / 2 + sqrt(0.75) * pitch * (k / side),
+                                               .radius = radius,
+                                               .vx = speed * chance_between(&chance, -1, 1),
+                                               .vy = speed * chance_between(&chance, -1, 1),
+                                               .spin = speed / radius * chance_between(&chance, -1, 1)};
   scene->walls[0] = wall(width / 2, 0, 1, 0, width / 2);
   scene->walls[1] = wall(width, height / 2, 0, 1, height / 2);
   scene->walls[2] = wall(width / 2, height, -1, 0, width / 2);

@@ -18,18 +18,18 @@ enum { RUNS = 5 };
 static void make_scene(struct nb_scene *scene, int side, double friction, double beta, unsigned long cycles) {
   const double radius = 50, width = 2 * radius * side + radius, height = 2 * radius + sqrt(3) * radius * (side - 1);
   *scene = (struct nb_scene){.unitless = true, .material_count = 1, .wall_count = 4, .stage_count = 1};
-  scene->body_count = (size_t)side * (size_t)side;
+  scene->particle_count = (size_t)side * (size_t)side;
   scene->materials = calloc(1, sizeof *scene->materials);
-  scene->bodies = calloc(scene->body_count, sizeof *scene->bodies);
+  scene->particles = calloc(scene->particle_count, sizeof *scene->particles);
   scene->walls = calloc(4, sizeof *scene->walls);
   scene->stages = calloc(1, sizeof *scene->stages);
-  if (!scene->materials || !scene->bodies || !scene->walls || !scene->stages)
+  if (!scene->materials || !scene->particles || !scene->walls || !scene->stages)
     exit(NB_BROKEN);
   scene->materials[0] = (struct nb_material){.density = 1000, .kn = 1.35e9, .ks = 1.35e9, .friction = friction};
   for (int k = 0; k < side * side; k++)
-    scene->bodies[k] = (struct nb_body){.x = radius + 2 * radius * (k % side) + (k / side % 2 ? radius : 0),
-                                        .y = radius + sqrt(3) * radius * (k / side),
-                                        .radius = radius};
+    scene->particles[k] = (struct nb_particle){.x = radius + 2 * radius * (k % side) + (k / side % 2 ? radius : 0),
+                                               .y = radius + sqrt(3) * radius * (k / side),
+                                               .radius = radius};
   const double v = 1 / (0.0076 * (double)cycles); /* in all 1 of a radius of 50 */
   scene->walls[0] = (struct nb_wall){.x = width / 2, .ex = 1, .h1 = -width / 2, .h2 = width / 2, .vy = v};
   scene->walls[1] =

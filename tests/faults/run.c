@@ -179,9 +179,9 @@ static const char *judge(int status, int undisturbed, const char *folder, const 
   char path[PATH_SIZE];
   size_t size = 0;
   snprintf(path, sizeof path, "%.2000s/said", folder);
-  char *said = bytes_of(path, &size);
-  const bool reported = said && (strstr(said, "Sanitizer") || strstr(said, "runtime error"));
-  free(said);
+  char *given = bytes_of(path, &size);
+  const bool reported = given && (strstr(given, "Sanitizer") || strstr(given, "runtime error"));
+  free(given);
   if (WIFSIGNALED(status))
     return snprintf(what, sizeof what, "signal %d", WTERMSIG(status)), what;
   if (reported || WEXITSTATUS(status) == REPORTED)

@@ -96,24 +96,24 @@ static void hold_saved(const struct nb_saved *saved) {
   struct nb_error error = {NB_OK, ""};
   for (size_t c = 0; c < saved->contact_count; c++) {
     const struct nb_saved_contact *it = &saved->contacts[c];
-    const size_t others = it->wall ? saved->wall_count : saved->body_count;
-    fuzz_hold(it->a >= 0 && (size_t)it->a < saved->body_count && it->b >= 0 && (size_t)it->b < others,
+    const size_t others = it->wall ? saved->wall_count : saved->particle_count;
+    fuzz_hold(it->a >= 0 && (size_t)it->a < saved->particle_count && it->b >= 0 && (size_t)it->b < others,
               "a contact is between bodies and walls of the state");
     for (int shear = 0; shear < 2; shear++) {
-      const struct nb_saved_memory memory = shear ? it->shear : it->normal;
-      fuzz_hold(memory.count >= 0 && memory.at + (size_t)memory.count <= saved->memory_count,
+      const struct nb_saved_history memory = shear ? it->shear : it->normal;
+      fuzz_hold(memory.count >= 0 && memory.at + (size_t)memory.count <= saved->history_count,
                 "what a law remembers lies in the memory");
     }
   }
-  for (size_t k = 0; k < saved->body_count; k++) {
-    const struct nb_saved_body *it = &saved->bodies[k];
+  for (size_t k = 0; k < saved->particle_count; k++) {
+    const struct nb_saved_particle *it = &saved->particles[k];
     const double numbers[] = {it->radius, it->position.x, it->position.y, it->velocity.x, it->velocity.y, it->spin};
     for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
       fuzz_hold(isfinite(numbers[n]), "the numbers of a body are finite");
     fuzz_hold(it->radius > 0 && (size_t)it->material < saved->material_count, "a body has a size and a material");
   }
   for (size_t k = 0; k < saved->ring.member_count; k++)
-    fuzz_hold((size_t)saved->ring.members[k] < saved->body_count, "a member is a body");
+    fuzz_hold((size_t)saved->ring.members[k] < saved->particle_count, "a member is a body");
   size_t size = 0, same = 0;
   char *text = nb_saved_text(saved, &size), *other = NULL;
   fuzz_hold(text && !nb_saved_read_text(&again, "again.state", text, size, &error), "a state can be written again");
@@ -132,8 +132,8 @@ static bool go_on(const struct nb_scene *scene, const struct nb_saved *saved) {
   for (int k = 0; k < CYCLES && !status; k++)
     status = nb_cycle(model, &error);
   fuzz_hold(status != NB_NO_MEMORY && (status == NB_OK || error.text[0]), "what stops a run is said");
-  for (size_t i = 0; model && i < model->bodies.count && !status; i++)
-    fuzz_hold(isfinite(model->bodies.position[i].x) && isfinite(model->bodies.position[i].y),
+  for (size_t i = 0; model && i < model->particles.count && !status; i++)
+    fuzz_hold(isfinite(model->particles.position[i].x) && isfinite(model->particles.position[i].y),
               "the bodies are somewhere while nothing is said");
   nb_model_free(model);
   return !status;

@@ -28,14 +28,14 @@ void fuzz_hold(bool holds, const char *what) {
 void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status) {
   fuzz_hold((status == NB_OK) == (mistakes->count == 0), "the status says whether there are mistakes");
   fuzz_hold((mistakes->text != NULL) == (mistakes->count > 0), "there is a text when there are mistakes");
-  size_t said = 0, length = mistakes->text ? strlen(mistakes->text) : 0;
+  size_t given = 0, length = mistakes->text ? strlen(mistakes->text) : 0;
   for (const char *c = mistakes->text; c && *c; c = strchr(c, '\n') + 1) {
     fuzz_hold(strchr(c, '\n') != NULL, "every line of the messages ends");
     const char *error = strstr(c, ": error: "); /* of this page, or of one that it starts from */
-    said += *c != ' ' && error && error < strchr(c, '\n');
+    given += *c != ' ' && error && error < strchr(c, '\n');
     for (const char *d = c; *d != '\n'; d++)
       fuzz_hold((unsigned char)*d >= 0x20 || *d == '\t', "no control characters in messages");
   }
-  fuzz_hold(said == mistakes->count, "every mistake is said once");
+  fuzz_hold(given == mistakes->count, "every mistake is said once");
   fuzz_hold(length < (size_t)4 << 20, "the messages are not without end");
 }

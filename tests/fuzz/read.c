@@ -25,12 +25,12 @@ static bool finite_all(const double *values, size_t count) {
 }
 
 static void hold_scene(const struct nb_scene *scene) {
-  fuzz_hold(scene->body_count > 0 && scene->stage_count > 0, "there are bodies and stages");
-  for (size_t k = 0; k < scene->body_count; k++) {
-    const struct nb_body *body = &scene->bodies[k];
-    const double numbers[] = {body->x, body->y, body->radius, body->vx, body->vy, body->spin};
-    fuzz_hold(finite_all(numbers, 6) && body->radius > 0, "a body is somewhere and has a size");
-    fuzz_hold(body->material >= 0 && (size_t)body->material < scene->material_count, "a body has a material");
+  fuzz_hold(scene->particle_count > 0 && scene->stage_count > 0, "there are bodies and stages");
+  for (size_t k = 0; k < scene->particle_count; k++) {
+    const struct nb_particle *particle = &scene->particles[k];
+    const double numbers[] = {particle->x, particle->y, particle->radius, particle->vx, particle->vy, particle->spin};
+    fuzz_hold(finite_all(numbers, 6) && particle->radius > 0, "a body is somewhere and has a size");
+    fuzz_hold(particle->material >= 0 && (size_t)particle->material < scene->material_count, "a body has a material");
   }
   for (size_t k = 0; k < scene->wall_count; k++) {
     const struct nb_wall *wall = &scene->walls[k];
@@ -38,12 +38,12 @@ static void hold_scene(const struct nb_scene *scene) {
     fuzz_hold(finite_all(numbers, 8) && fabs(hypot(wall->ex, wall->ey) - 1) < 1e-12, "a wall has a direction");
     fuzz_hold(wall->material >= 0 && (size_t)wall->material < scene->material_count, "a wall has a material");
   }
-  for (size_t k = 0; k < scene->watch_count; k++) {
-    const struct nb_watch *watch = &scene->watches[k];
-    const size_t first = watch->kind == NB_WATCH_WALL ? scene->wall_count : scene->body_count;
-    const size_t second = watch->kind == NB_WATCH_BODY_WALL ? scene->wall_count : scene->body_count;
-    fuzz_hold(watch->a >= 0 && (size_t)watch->a < first, "what is watched is there");
-    fuzz_hold(watch->b < 0 || (size_t)watch->b < second, "and what it is watched with");
+  for (size_t k = 0; k < scene->monitor_count; k++) {
+    const struct nb_monitor *monitor = &scene->monitors[k];
+    const size_t first = monitor->kind == NB_MONITOR_WALL ? scene->wall_count : scene->particle_count;
+    const size_t second = monitor->kind == NB_MONITOR_PARTICLE_WALL ? scene->wall_count : scene->particle_count;
+    fuzz_hold(monitor->a >= 0 && (size_t)monitor->a < first, "what is watched is there");
+    fuzz_hold(monitor->b < 0 || (size_t)monitor->b < second, "and what it is watched with");
   }
   for (size_t k = 0; k < scene->column_count; k++)
     fuzz_hold(scene->columns[k].quantity.kind && nb_quantity_unit(scene->columns[k].quantity),
@@ -53,12 +53,13 @@ static void hold_scene(const struct nb_scene *scene) {
 }
 
 static void hold_same(const struct nb_scene *a, const struct nb_scene *b) {
-  fuzz_hold(a->body_count == b->body_count && a->wall_count == b->wall_count && a->stage_count == b->stage_count &&
-                a->column_count == b->column_count && a->watch_count == b->watch_count &&
-                a->binding_count == b->binding_count && a->material_count == b->material_count,
+  fuzz_hold(a->particle_count == b->particle_count && a->wall_count == b->wall_count &&
+                a->stage_count == b->stage_count && a->column_count == b->column_count &&
+                a->monitor_count == b->monitor_count && a->binding_count == b->binding_count &&
+                a->material_count == b->material_count,
             "a page read again has as much of everything");
-  for (size_t k = 0; k < a->body_count; k++) {
-    const struct nb_body *one = &a->bodies[k], *other = &b->bodies[k];
+  for (size_t k = 0; k < a->particle_count; k++) {
+    const struct nb_particle *one = &a->particles[k], *other = &b->particles[k];
     fuzz_hold(one->x == other->x && one->y == other->y && one->radius == other->radius && one->vx == other->vx &&
                   one->material == other->material && one->line == other->line,
               "a page read again has the same bodies");

@@ -26,7 +26,7 @@ function term(at, rest) {
   if (rest ~ /^ *[a-z_]+ (\|\||&&)/) return # nor what is true or false
   if (rest ~ /^[^;,?]*[<>=!]=? 0([^.0-9]|$)/ && rest !~ /^[^;,?]*([+]|-[^>])/) return # what is compared with 0 has no size
   if (rest ~ /^ *(struct|sizeof|true|false|NULL|NB_[A-Z_0-9]*|[A-Z_0-9]+)([^a-z_A-Z]|$)/) return
-  if (rest ~ /^ *(i|j|k|c|n|w|p|s|from|to|slot|part|parts|count|first|middle|end|out|wall|model|view|felt|bodies|error|scene|options|back)( *[-+,;)]|$)/ && rest !~ /^ *[a-z]+->/) return
+  if (rest ~ /^ *(i|j|k|c|n|w|p|s|from|to|slot|part|parts|count|first|middle|end|out|wall|model|block|contact_forces|particles|error|scene|options|back)( *[-+,;)]|$)/ && rest !~ /^ *[a-z]+->/) return
   mutant(at, 0, rest ~ /^ / ? " 1.001 *" : "1.001 * ")
 }
 

@@ -33,14 +33,14 @@
 #include "step.h"
 
 void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe) {
-  const int *number = model->bodies.number;
+  const int *number = model->particles.number;
   const char *how = safe->turning ? "turning" : "normal motion";
   if (safe->a < 0)
     snprintf(text, size, "no contact");
-  else if (safe->pairing->wall && safe->b < 0)
+  else if (safe->material_pair->wall && safe->b < 0)
     snprintf(text, size, "%s of body %d at a wall of %s", how, number[safe->a],
-             model->scene->materials[safe->pairing->b].name);
-  else if (safe->pairing->wall)
+             model->scene->materials[safe->material_pair->b].name);
+  else if (safe->material_pair->wall)
     snprintf(text, size, "%s of body %d at wall %s", how, number[safe->a], model->scene->walls[safe->b].name);
   else
     snprintf(text, size, "%s of body %d at body %d", how, number[safe->a], number[safe->b]);
@@ -50,20 +50,20 @@ void nb_safe_words(char *text, size_t size, const struct nb_model *model, const 
 
 /* ---- what is sure until the next look ---- */
 
-bool nb_sure_all(struct nb_model *model) {
+bool nb_stable_overlap_all(struct nb_model *model) {
   unsigned long above = 0;
   for (size_t v = 0; v < model->blocks.count; v++)
-    above += model->blocks.sure[v].above, model->blocks.sure[v].above = 0;
+    above += model->blocks.stable_overlap[v].above, model->blocks.stable_overlap[v].above = 0;
   return above == 0;
 }
 
 /* h: the largest ratio that there can be. */
 static double most_shear(const struct nb_model *model) {
   double most = 0;
-  for (size_t p = 0; p < model->pairing_count; p++) {
-    const struct nb_pairing *pairing = &model->pairings[p];
-    const bool shears = pairing->coming_shear && pairing->coming_shear->elastic;
-    const double ratio = shears ? 4 * pairing->coming.shear / pairing->coming.young : 0;
+  for (size_t p = 0; p < model->material_pair_count; p++) {
+    const struct nb_material_pair *material_pair = &model->material_pairs[p];
+    const bool shears = material_pair->next_shear && material_pair->next_shear->elastic;
+    const double ratio = shears ? 4 * material_pair->next.shear / material_pair->next.young : 0;
     most = ratio > most ? ratio : most;
   }
   return model->plan.dashpots && most < 1 ? sqrt(most) : most;
@@ -74,7 +74,7 @@ static double stiffness_of(const struct nb_model *model, size_t c, double q) {
   const double dt = model->step;
   struct nb_dashpot pot = {0};
   if (model->plan.dashpots)
-    pot = nb_dashpot(model, model->pairings[model->contacts.pairing[c]].wall);
+    pot = nb_dashpot(model, model->material_pairs[model->contacts.material_pair[c]].wall);
   if (model->damping.deep > 0)
     pot.ratio = pot.ratio > 2 ? pot.ratio : 2; /* it may get deep */
   const double square = dt * dt + 2 * dt * pot.time;
@@ -88,11 +88,11 @@ static double smaller(double a, double b) { return a < b ? a : b; }
 /* Those of a contact's bodies that are free: one or two. */
 static int free_of(const struct nb_model *model, size_t c, int slots[2]) {
   const struct nb_contacts *contacts = &model->contacts;
-  const double *inverse_mass = model->bodies.inverse_mass;
+  const double *inverse_mass = model->particles.inverse_mass;
   int n = 0;
   if (inverse_mass[contacts->a[c]] > 0)
     slots[n++] = contacts->a[c];
-  if (!model->pairings[contacts->pairing[c]].wall && inverse_mass[contacts->b[c]] > 0)
+  if (!model->material_pairs[contacts->material_pair[c]].wall && inverse_mass[contacts->b[c]] > 0)
     slots[n++] = contacts->b[c];
   return n;
 }
@@ -103,22 +103,22 @@ static const double rounding = 1e-6;
 
 /* The overlap at which the normal law has this stiffness: by Hertz k_n = 2 E* (R* alpha)^(1/2), and no more than the law says. */
 static double overlap_of(const struct nb_model *model, size_t c, double stiffness) {
-  const struct nb_pairing *pairing = &model->pairings[model->contacts.pairing[c]];
-  const struct nb_pair values = nb_contacts_values(model, c, pairing->coming);
-  double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), none[NB_MEMORY] = {0};
+  const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
+  const struct nb_pair values = nb_contacts_values(model, c, material_pair->next);
+  double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), none[NB_HISTORY] = {0};
   while (overlap > 0 && isfinite(overlap) &&
-         nb_normal_stiffest(pairing->normal->normal(values, overlap, 0, none)) > (1 + rounding) * stiffness)
+         nb_normal_stiffest(material_pair->normal->normal(values, overlap, 0, none)) > (1 + rounding) * stiffness)
     overlap /= 2;
   return overlap;
 }
 
-static void be_sure(struct nb_model *model) {
-  const struct nb_bodies *bodies = &model->bodies;
+static void set_update_limit(struct nb_model *model) {
+  const struct nb_particles *particles = &model->particles;
   const struct nb_contacts *contacts = &model->contacts;
   const double dt = model->step, limit = nb_safe_limit(&model->damping), h = most_shear(model);
-  double *sure = contacts->kept[NB_SURE];
+  double *stable_overlap = contacts->kept[NB_STABLE_OVERLAP];
   int slots[2];
-  for (size_t i = 0; i < bodies->count; i++)
+  for (size_t i = 0; i < particles->count; i++)
     model->stability->loads[i].left = INFINITY;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_part part = nb_part_of(model, c);
@@ -128,24 +128,24 @@ static void be_sure(struct nb_model *model) {
     const bool apart = !(part.own.kn > 0) && !(left > 0); /* looked at as soon as they touch */
     for (int k = 0; k < n && !apart; k++)
       model->stability->loads[slots[k]].left = smaller(model->stability->loads[slots[k]].left, left > 0 ? left / n : 0);
-    sure[c] = apart ? -INFINITY : dt * dt * part.own.kn + 2 * dt * part.own.cn; /* q, for now */
+    stable_overlap[c] = apart ? -INFINITY : dt * dt * part.own.kn + 2 * dt * part.own.cn; /* q, for now */
   }
   for (size_t v = 0; v < model->blocks.count; v++)
-    model->blocks.sure[v].overlap = INFINITY;
+    model->blocks.stable_overlap[v].overlap = INFINITY;
   for (size_t v = 0, c = 0; v < model->blocks.count; v++)
-    for (const size_t end = c + model->blocks.views[v].n; c < end; c++) {
+    for (const size_t end = c + model->blocks.list[v].n; c < end; c++) {
       const int n = free_of(model, c, slots);
       double more = INFINITY;
       for (int k = 0; k < n; k++) {
         const int i = slots[k];
-        const double inverse = bodies->inverse_mass[i], rim = bodies->rim[i].x;
-        const double rolling = h * (inverse + rim * rim * bodies->inverse_inertia[i]);
+        const double inverse = particles->inverse_mass[i], radius = particles->surface[i].radius;
+        const double rolling = h * (inverse + radius * radius * particles->inverse_inertia[i]);
         const double each =
             model->stability->loads[i].left / (double)(model->contacts.of.first[i + 1] - model->contacts.of.first[i]);
         more = smaller(more, each / (rolling > inverse ? rolling : inverse));
       }
-      sure[c] = overlap_of(model, c, stiffness_of(model, c, sure[c] + more));
-      model->blocks.sure[v].overlap = smaller(model->blocks.sure[v].overlap, sure[c]);
+      stable_overlap[c] = overlap_of(model, c, stiffness_of(model, c, stable_overlap[c] + more));
+      model->blocks.stable_overlap[v].overlap = smaller(model->blocks.stable_overlap[v].overlap, stable_overlap[c]);
     }
 }
 
@@ -153,7 +153,7 @@ static void be_sure(struct nb_model *model) {
 static const double proposed = 0.8;
 
 /* A step below what is sure to be stable, as the page says its own. */
-static void smaller_step(char *text, size_t size, const struct nb_model *model, double sure) {
+static void smaller_step(char *text, size_t size, const struct nb_model *model, double stable_overlap) {
   static const char *const of[] = {[NB_STEP_TIME] = " s",
                                    [NB_STEP_CRITICAL] = " of single-contact",
                                    [NB_STEP_SAFE] = " of stable",
@@ -163,7 +163,7 @@ static void smaller_step(char *text, size_t size, const struct nb_model *model, 
                                    [NB_STEP_RAYLEIGH_FIT] = " of rayleigh-fit",
                                    [NB_STEP_RAYLEIGH_FIT_MEAN] = " of rayleigh-fit-mean"};
   const struct nb_step *step = model->stage ? &model->stage->step : &model->scene->step;
-  const double value = proposed * step->value * sure / model->step;
+  const double value = proposed * step->value * stable_overlap / model->step;
   if (step->kind == NB_STEP_CONTACT)
     snprintf(text, size, "step %.0f%s", ceil(1 / value), of[step->kind]);
   else
@@ -175,30 +175,30 @@ static enum nb_status too_long(const struct nb_model *model, const struct nb_saf
   if (model->step <= safe->step * (1 + 4 * DBL_EPSILON))
     return NB_OK;
   char what[3 * NB_NAME_SIZE], say[NB_NAME_SIZE];
-  const int number = model->bodies.number[safe->a];
+  const int number = model->particles.number[safe->a];
   nb_safe_words(what, sizeof what, model, safe);
   smaller_step(say, sizeof say, model, safe->step);
   return nb_error_set(
       error, NB_BROKEN,
       "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
       "is set by %s: write `%s`, or `allow unstable`",
-      number, model->scene->bodies[number - 1].line, model->cycle, model->time, model->step, safe->step, what, say);
+      number, model->scene->particles[number - 1].line, model->cycle, model->time, model->step, safe->step, what, say);
 }
 
-enum nb_status nb_stable_watch(struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_stability_check(struct nb_model *model, struct nb_error *error) {
   if (model->stability->allow_unstable || model->contacts.count == 0)
     return NB_OK;
   const struct nb_safe safe = nb_safe_step(model);
   model->stability->looks++;
   if (too_long(model, &safe, error))
     return error->status;
-  if (model->blocks.sure)
-    be_sure(model);
+  if (model->blocks.stable_overlap)
+    set_update_limit(model);
   return NB_OK;
 }
 
 enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error) {
   if (!model->stability->allow_unstable && too_long(model, apart, error))
     return error->status;
-  return nb_stable_watch(model, error);
+  return nb_stability_check(model, error);
 }

@@ -36,10 +36,10 @@ static struct nb_vec end_of(const struct nb_wall *wall, int end) {
   return vec(wall->x + h * wall->ex - wall->h0 * wall->ey, wall->y + h * wall->ey + wall->h0 * wall->ex);
 }
 
-bool nb_joints_meet(const struct nb_scene *scene) {
+bool nb_vertices_meet(const struct nb_scene *scene) {
   double largest = 0;
-  for (size_t k = 0; k < scene->body_count; k++)
-    largest = scene->bodies[k].radius > largest ? scene->bodies[k].radius : largest;
+  for (size_t k = 0; k < scene->particle_count; k++)
+    largest = scene->particles[k].radius > largest ? scene->particles[k].radius : largest;
   for (size_t v = 0; v < scene->wall_count; v++)
     for (size_t w = v + 1; w < scene->wall_count; w++)
       for (int ends = 0; ends < 4; ends++)
@@ -54,36 +54,36 @@ bool nb_joints_meet(const struct nb_scene *scene) {
 static bool find_between(struct nb_model *model, int c, int d) {
   const struct nb_contacts *contacts = &model->contacts;
   const int i = contacts->a[c];
-  const double radius = model->bodies.rim[i].x;
+  const double radius = model->particles.surface[i].radius;
   for (int ends = 0; ends < 4; ends++) {
     const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[c], ends & 1);
     const struct nb_vec other = nb_wall_end(&model->walls, contacts->b[d], ends >> 1);
-    const double away = vec_length(vec_sub(one, model->bodies.position[i]));
+    const double away = vec_length(vec_sub(one, model->particles.position[i]));
     if (!common(one, other, radius) || !(away < radius + model->search.skin))
       continue;
-    struct nb_joint *joint = NB_MORE(model->joints.list, model->joints.count);
-    if (!joint)
+    struct nb_vertex *vertex = NB_MORE(model->vertices.list, model->vertices.count);
+    if (!vertex)
       return false;
-    *joint = (struct nb_joint){c, d, ends & 1, ends >> 1};
+    *vertex = (struct nb_vertex){c, d, ends & 1, ends >> 1};
   }
   return true;
 }
 
 /* Contacts that meet no other are heard; those that do go on as before. */
 static void let_others_be_heard(struct nb_model *model) {
-  int *muted = model->contacts.muted;
+  int *suppressed = model->contacts.suppressed;
   for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
-    muted[c] &= NOW;
-  for (size_t j = 0; j < model->joints.count; j++)
-    muted[model->joints.list[j].c] |= BEFORE, muted[model->joints.list[j].d] |= BEFORE;
+    suppressed[c] &= NOW;
+  for (size_t j = 0; j < model->vertices.count; j++)
+    suppressed[model->vertices.list[j].c] |= BEFORE, suppressed[model->vertices.list[j].d] |= BEFORE;
   for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
-    muted[c] = muted[c] & BEFORE ? muted[c] & NOW : 0;
+    suppressed[c] = suppressed[c] & BEFORE ? suppressed[c] & NOW : 0;
 }
 
-bool nb_joints_find(struct nb_model *model) {
+bool nb_vertices_find(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  model->joints.count = 0;
-  if (!contacts->muted)
+  model->vertices.count = 0;
+  if (!contacts->suppressed)
     return true;
   for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, (size_t)contacts->a[c]);
@@ -101,44 +101,44 @@ bool nb_joints_find(struct nb_model *model) {
 static bool stands_at(const struct nb_model *model, int contact, int end) {
   const struct nb_walls *walls = &model->walls;
   const int i = model->contacts.a[contact], w = model->contacts.b[contact];
-  const struct nb_vec x = model->bodies.position[i];
+  const struct nb_vec x = model->particles.position[i];
   const double s = vec_dot(vec_sub(x, walls->point[w]), walls->along[w]);
-  const double slack = close_by(x, model->bodies.rim[i].x);
+  const double slack = close_by(x, model->particles.surface[i].radius);
   return end ? s >= walls->h2[w] - slack : s <= walls->h1[w] + slack;
 }
 
 /* The contact that is muted; -1: neither. */
-static int silent(const struct nb_model *model, const struct nb_joint *joint) {
+static int silent(const struct nb_model *model, const struct nb_vertex *vertex) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[joint->c], joint->at_c);
-  const struct nb_vec other = nb_wall_end(&model->walls, contacts->b[joint->d], joint->at_d);
-  if (!common(one, other, model->bodies.rim[contacts->a[joint->c]].x))
+  const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[vertex->c], vertex->at_c);
+  const struct nb_vec other = nb_wall_end(&model->walls, contacts->b[vertex->d], vertex->at_d);
+  if (!common(one, other, model->particles.surface[contacts->a[vertex->c]].radius))
     return -1; /* the walls have parted */
-  if (stands_at(model, joint->d, joint->at_d))
-    return joint->d; /* there is nothing that the first wall's contact does not say, at E or before its inside */
-  return stands_at(model, joint->c, joint->at_c) ? joint->c : -1;
+  if (stands_at(model, vertex->d, vertex->at_d))
+    return vertex->d; /* there is nothing that the first wall's contact does not say, at E or before its inside */
+  return stands_at(model, vertex->c, vertex->at_c) ? vertex->c : -1;
 }
 
 static void hand_over(struct nb_contacts *contacts, int from, int to) {
-  nb_memory_copy(&contacts->normal_memory, (size_t)to, &contacts->normal_memory, (size_t)from);
-  nb_memory_copy(&contacts->shear_memory, (size_t)to, &contacts->shear_memory, (size_t)from);
+  nb_history_copy(&contacts->normal_history, (size_t)to, &contacts->normal_history, (size_t)from);
+  nb_history_copy(&contacts->shear_history, (size_t)to, &contacts->shear_history, (size_t)from);
 }
 
-void nb_joints_settle(struct nb_model *model) {
+void nb_vertices_settle(struct nb_model *model) {
   struct nb_contacts *contacts = &model->contacts;
-  int *muted = contacts->muted;
+  int *suppressed = contacts->suppressed;
   for (size_t c = model->contacts.wall_from; c < contacts->count; c++)
-    muted[c] = muted[c] & NOW ? BEFORE : 0;
-  for (size_t j = 0; j < model->joints.count; j++) {
-    const int c = silent(model, &model->joints.list[j]);
+    suppressed[c] = suppressed[c] & NOW ? BEFORE : 0;
+  for (size_t j = 0; j < model->vertices.count; j++) {
+    const int c = silent(model, &model->vertices.list[j]);
     if (c >= 0)
-      muted[c] |= NOW;
+      suppressed[c] |= NOW;
   }
-  for (size_t j = 0; j < model->joints.count; j++) {
-    const int c = model->joints.list[j].c, d = model->joints.list[j].d;
-    if (muted[c] == NOW && muted[d] == BEFORE)
+  for (size_t j = 0; j < model->vertices.count; j++) {
+    const int c = model->vertices.list[j].c, d = model->vertices.list[j].d;
+    if (suppressed[c] == NOW && suppressed[d] == BEFORE)
       hand_over(contacts, c, d);
-    if (muted[d] == NOW && muted[c] == BEFORE)
+    if (suppressed[d] == NOW && suppressed[c] == BEFORE)
       hand_over(contacts, d, c);
   }
 }

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "../src/measure/snapshot.h"
-#include "../src/run/bench.h"
+#include "../src/run/contact_test.h"
 #include "suites.h"
 #include "written.h"
 
@@ -33,7 +33,7 @@ static void done(struct nb_result *result, struct written *it) {
 }
 
 /* Straight lines to a value and by a difference; the last step is the aim itself, whatever the steps before it add up to. */
-static void legs_go_along_straight_lines(void) {
+static void segments_go_along_straight_lines(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
@@ -125,7 +125,7 @@ static void the_limit_is_reached(void) {
   done(&result, &it);
 }
 
-static void repeated_legs_have_names(void) {
+static void repeated_segments_have_names(void) {
   struct written it;
   struct nb_result result;
   run(&result, &it,
@@ -166,15 +166,15 @@ static void a_gap_forgets(void) {
 static void a_wall_is_flat(void) {
   struct words page = {0};
   struct written it;
-  struct nb_bench bench;
+  struct nb_contact_test contact_test;
   struct nb_error error;
   words_add(&page, "path\nmaterial steel young 210 GPa poisson 0.3 friction 0.3\nmaterial hard rigid friction 1\n"
                    "contact sphere 10 mm steel with wall hard\nnormal hertz\nsegment a overlap to 1 um\n");
   written_scene(&it, &page);
-  CU_ASSERT_EQUAL_FATAL(nb_bench_create(&bench, &it.scene, &error), NB_OK);
-  CU_ASSERT(bench.pair.radius == 0.01 && bench.pair.friction == 0.3);
-  CU_ASSERT_DOUBLE_EQUAL(bench.pair.young, 210e9 / 0.91, 1);
-  nb_bench_free(&bench);
+  CU_ASSERT_EQUAL_FATAL(nb_contact_test_create(&contact_test, &it.scene, &error), NB_OK);
+  CU_ASSERT(contact_test.pair.radius == 0.01 && contact_test.pair.friction == 0.3);
+  CU_ASSERT_DOUBLE_EQUAL(contact_test.pair.young, 210e9 / 0.91, 1);
+  nb_contact_test_free(&contact_test);
   written_free(&it);
 }
 
@@ -217,13 +217,13 @@ static void the_traction_is_mindlins(void) {
   done(&result, &it);
 }
 
-void suite_bench(void) {
+void suite_contact_test(void) {
   CU_pSuite suite = CU_add_suite("bench", NULL, NULL);
-  CU_add_test(suite, "legs go along straight lines", legs_go_along_straight_lines);
+  CU_add_test(suite, "legs go along straight lines", segments_go_along_straight_lines);
   CU_add_test(suite, "forces are reached", forces_are_reached);
   CU_add_test(suite, "what cannot be reached stops", what_cannot_be_reached_stops);
   CU_add_test(suite, "the limit is reached", the_limit_is_reached);
-  CU_add_test(suite, "repeated legs have names", repeated_legs_have_names);
+  CU_add_test(suite, "repeated legs have names", repeated_segments_have_names);
   CU_add_test(suite, "a gap forgets", a_gap_forgets);
   CU_add_test(suite, "a wall is flat", a_wall_is_flat);
   CU_add_test(suite, "the traction is Mindlin's", the_traction_is_mindlins);

@@ -59,7 +59,9 @@ static void an_impact_between_two_looks(void) {
 
 #define SPHERE "units none\nmaterial m density 0.238732414637843 young 1 poisson 0.3 friction 1\nnormal hertz\n"
 
-static double overlap_sure(const struct nb_model *model, int contact) { return model->contacts.kept[NB_SURE][contact]; }
+static double overlap_stable(const struct nb_model *model, int contact) {
+  return model->contacts.kept[NB_STABLE_OVERLAP][contact];
+}
 
 /* Of a pair alone all that is left is the one contact's: at the overlap that is sure its step is the bound. With dashpots h is a
  * little more than the ratio that they have, and so is what is sure a little less. */
@@ -89,7 +91,7 @@ static void a_pair_may_use_it_up(void) {
       written_scene(&it, &page);
       struct nb_model *model = written_model(&it, NULL);
       nb_stage_begin(model, &it.scene.stages[0], &error);
-      overlap = overlap_sure(model, 0), step = nb_safe_step(model).step;
+      overlap = overlap_stable(model, 0), step = nb_safe_step(model).step;
       nb_model_free(model);
       written_free(&it);
     }
@@ -100,8 +102,8 @@ static void a_pair_may_use_it_up(void) {
 }
 
 /* Elastic spheres that unload twice as stiffly as they load. */
-static struct nb_normal yields(struct nb_pair p, double overlap, double closing, double m[]) {
-  struct nb_normal n = nb_law_find("normal", "hertz")->normal(p, overlap, closing, m);
+static struct nb_normal yields(struct nb_pair p, double overlap, double dn, double m[]) {
+  struct nb_normal n = nb_law_find("normal", "hertz")->normal(p, overlap, dn, m);
   n.stiffest = 2 * n.stiffness;
   return n;
 }
@@ -109,7 +111,7 @@ static struct nb_normal yields(struct nb_pair p, double overlap, double closing,
 /* Their stiffest counts: it is as large at a quarter of the overlap, and the search for that halves. */
 static void a_stiffer_way_back_is_sure_earlier(void) {
   struct nb_law law = *nb_law_find("normal", "hertz");
-  double sure[2];
+  double stable_overlap[2];
   law.normal = yields;
   for (int k = 0; k < 2; k++) {
     struct words page = {0};
@@ -121,16 +123,16 @@ static void a_stiffer_way_back_is_sure_earlier(void) {
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     if (k == 1) {
-      model->coming.normal = &law;
-      for (size_t p = 0; p < model->pairing_count; p++)
-        model->pairings[p].normal = &law;
+      model->next.normal = &law;
+      for (size_t p = 0; p < model->material_pair_count; p++)
+        model->material_pairs[p].normal = &law;
     }
-    CU_ASSERT_EQUAL(nb_stable_watch(model, &error), NB_OK);
-    sure[k] = overlap_sure(model, 0);
+    CU_ASSERT_EQUAL(nb_stability_check(model, &error), NB_OK);
+    stable_overlap[k] = overlap_stable(model, 0);
     nb_model_free(model);
     written_free(&it);
   }
-  CU_ASSERT_DOUBLE_EQUAL(sure[1], sure[0] / 4, 1e-5 * sure[0]);
+  CU_ASSERT_DOUBLE_EQUAL(stable_overlap[1], stable_overlap[0] / 4, 1e-5 * stable_overlap[0]);
 }
 
 /* What may get deep may come to have the dashpot of a deep contact: M = 1/2, and of the q that a pair alone may come to, 2, the
@@ -150,15 +152,15 @@ static void it_may_get_deep(void) {
     CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
     const double b = fmax(2 * ratios[n], 2) * sqrt(0.5), root = (-b + sqrt(b * b + 4 * 0.25 * 2)) / (2 * 0.25);
     const double stiffness = root * root, young = 1 / (2 * 0.91),
-                 known = stiffness * stiffness / (4 * young * young * 0.5);
-    CU_ASSERT_DOUBLE_EQUAL(overlap_sure(model, 0) / known, 1, 1e-9);
+                 solution = stiffness * stiffness / (4 * young * young * 0.5);
+    CU_ASSERT_DOUBLE_EQUAL(overlap_stable(model, 0) / solution, 1, 1e-9);
     nb_model_free(model);
     written_free(&it);
   }
 }
 
 /* What is held has nothing to share. */
-static void a_body_that_is_held(void) {
+static void a_particle_that_is_held(void) {
   struct words page = {0};
   struct written it;
   struct nb_error error = {0};
@@ -169,8 +171,8 @@ static void a_body_that_is_held(void) {
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   const double stiffness = 4 / (2.4 * 2.4), young = 1 / (2 * 0.91);
-  const double known = stiffness * stiffness / (4 * young * young * 0.5);
-  CU_ASSERT(fabs(overlap_sure(model, 0) - known) < 1e-9 * known);
+  const double solution = stiffness * stiffness / (4 * young * young * 0.5);
+  CU_ASSERT(fabs(overlap_stable(model, 0) - solution) < 1e-9 * solution);
   nb_model_free(model);
   written_free(&it);
 }
@@ -195,11 +197,11 @@ static void three_share_it(void) {
   const double most[2] = {q[0] + fmin(of_a, of_b), q[1] + of_a};
   for (int k = 0; k < 2; k++) {
     const double stiffness = most[k] / 2.25;
-    const double known = stiffness * stiffness / (4 * young * young * radius[k]);
-    CU_ASSERT(fabs(overlap_sure(model, k) - known) < 1e-9 * known);
+    const double solution = stiffness * stiffness / (4 * young * young * radius[k]);
+    CU_ASSERT(fabs(overlap_stable(model, k) - solution) < 1e-9 * solution);
   }
-  CU_ASSERT_EQUAL(model->blocks.sure[0].overlap, overlap_sure(model, 0));
-  CU_ASSERT_EQUAL(model->blocks.sure[1].overlap, overlap_sure(model, 1));
+  CU_ASSERT_EQUAL(model->blocks.stable_overlap[0].overlap, overlap_stable(model, 0));
+  CU_ASSERT_EQUAL(model->blocks.stable_overlap[1].overlap, overlap_stable(model, 1));
   nb_model_free(model);
   written_free(&it);
 }
@@ -252,13 +254,13 @@ static void no_cycle_is_unsure(void) {
   CU_ASSERT(ended > 10 && went > 10);
 }
 
-void suite_watch(void) {
+void suite_stability(void) {
   CU_pSuite suite = CU_add_suite("watch", NULL, NULL);
   CU_add_test(suite, "an impact between two looks", an_impact_between_two_looks);
   CU_add_test(suite, "a pair may use it up", a_pair_may_use_it_up);
   CU_add_test(suite, "a stiffer way back is sure earlier", a_stiffer_way_back_is_sure_earlier);
   CU_add_test(suite, "it may get deep", it_may_get_deep);
-  CU_add_test(suite, "a body that is held", a_body_that_is_held);
+  CU_add_test(suite, "a body that is held", a_particle_that_is_held);
   CU_add_test(suite, "three share it", three_share_it);
   CU_add_test(suite, "no cycle is unsure", no_cycle_is_unsure);
 }

@@ -118,7 +118,7 @@ static void still_is_as_at_time_0(void) {
 }
 
 /* What the page holds stays, or goes as the page says, whatever strains the others; the free one beside it is carried. */
-static void what_is_fixed_is_not_carried(void) {
+static void what_is_fixed_is_not_imposed(void) {
   static const char *const strains[] = {"boundary strain 0.5 0.3", "affine strain 0.5 0.3",
                                         "boundary strain 0.5 0.3\naffine strain 0.2 0.1"};
   static const char *const names[] = {"F.x", "F.y", "M.x", "M.y"};
@@ -139,11 +139,11 @@ static void what_is_fixed_is_not_carried(void) {
     }
 }
 
-void suite_carry(void) {
+void suite_affine(void) {
   CU_pSuite suite = CU_add_suite("carry", NULL, NULL);
   CU_add_test(suite, "a cell and a continuum are alike", a_cell_and_a_continuum_are_alike);
   CU_add_test(suite, "energies balance", energies_balance);
   CU_add_test(suite, "a reversed cell comes back", a_reversed_cell_comes_back);
-  CU_ADD_TEST(suite, what_is_fixed_is_not_carried);
+  CU_ADD_TEST(suite, what_is_fixed_is_not_imposed);
   CU_add_test(suite, "still is as at time 0", still_is_as_at_time_0);
 }

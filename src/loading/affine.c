@@ -25,26 +25,26 @@ static bool wanted(const struct nb_scene *scene) {
   return carries;
 }
 
-enum nb_status nb_carry_create(struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  struct nb_bodies *bodies = &model->bodies;
+  struct nb_particles *particles = &model->particles;
   if (!wanted(scene))
     return NB_OK;
-  struct nb_carry *carry = model->carry = nb_own(&model->owner, 1, sizeof *carry);
-  unsigned char *by = nb_own(&model->owner, bodies->count, sizeof *by);
-  bodies->carried = nb_own(&model->owner, bodies->count, sizeof *bodies->carried);
+  struct nb_affine *affine = model->affine = nb_own(&model->owner, 1, sizeof *affine);
+  unsigned char *by = nb_own(&model->owner, particles->count, sizeof *by);
+  particles->imposed = nb_own(&model->owner, particles->count, sizeof *particles->imposed);
   if (model->owner.failed)
     return nb_error_memory(error);
-  carry->by = by;
-  carry->free_before = true; /* not known */
-  carry->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
+  affine->by = by;
+  affine->free_before = true; /* not known */
+  affine->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_CARRIERS; c++)
-    carry->remembered[c] = 1;
-  for (size_t i = 0; i < bodies->count; i++)
-    nb_carry_by(carry, i,
-                model->cell                   ? NB_CARRIER_CELL
-                : bodies->inverse_mass[i] > 0 ? NB_CARRIER_CONTINUUM
-                                              : NB_CARRIER_NONE);
+    affine->remembered[c] = 1;
+  for (size_t i = 0; i < particles->count; i++)
+    nb_affine_by(affine, i,
+                 model->cell                      ? NB_CARRIER_CELL
+                 : particles->inverse_mass[i] > 0 ? NB_CARRIER_CONTINUUM
+                                                  : NB_CARRIER_NONE);
   return NB_OK;
 }
 
@@ -53,50 +53,50 @@ static struct nb_tensor rate_of(const struct nb_model *model, const struct nb_st
   return tensor_scale(strain->per_cycle ? 1 / model->step : 1, tensor(strain->xx, strain->xy, strain->yx, strain->yy));
 }
 
-void nb_carry_begin(struct nb_model *model, const struct nb_stage *stage) {
-  struct nb_carry *carry = model->carry;
-  struct nb_strain_rate *asked = carry->asked, *cell = &asked[NB_CARRIER_CELL];
+void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
+  struct nb_affine *affine = model->affine;
+  struct nb_strain_rate *requested = affine->requested, *cell = &requested[NB_CARRIER_CELL];
   if (stage->reverse)
     cell->xx *= -1, cell->xy *= -1, cell->yx *= -1, cell->yy *= -1;
   if (stage->cell_line)
     *cell = stage->cell;
   if (stage->box_line)
-    asked[NB_CARRIER_BOX] = stage->box;
+    requested[NB_CARRIER_BOX] = stage->box;
   else if (!nb_box_follows(model->scene, (size_t)(stage - model->scene->stages)))
-    asked[NB_CARRIER_BOX] = (struct nb_strain_rate){.xx = 0};
+    requested[NB_CARRIER_BOX] = (struct nb_strain_rate){.xx = 0};
   if (stage->boundary.line)
-    asked[NB_CARRIER_BOUNDARY] = stage->boundary.strain;
+    requested[NB_CARRIER_BOUNDARY] = stage->boundary.strain;
   if (stage->continuum.line) {
-    asked[NB_CARRIER_CONTINUUM] = stage->continuum.strain;
-    carry->remembered[NB_CARRIER_CONTINUUM] = stage->continuum.literal ? 0 : 1;
+    requested[NB_CARRIER_CONTINUUM] = stage->continuum.strain;
+    affine->remembered[NB_CARRIER_CONTINUUM] = stage->continuum.literal ? 0 : 1;
   }
   for (int c = 0; c < NB_CARRIERS; c++)
-    carry->rate[c] = carry->level[c] = rate_of(model, &asked[c]);
+    affine->rate[c] = affine->level[c] = rate_of(model, &requested[c]);
 }
 
 /* Whether one rate, and one way to remember it, stands for those of all that are carried. */
-static bool alike(const struct nb_carry *carry, enum nb_carrier one) {
+static bool alike(const struct nb_affine *affine, enum nb_carrier one) {
   for (int c = 0; c < NB_CARRIERS; c++)
-    if (carry->carries[c] && (tensor_largest(tensor_sub(carry->rate[c], carry->rate[one])) != 0 ||
-                              carry->remembered[c] != carry->remembered[one]))
+    if (affine->carries[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[one])) != 0 ||
+                               affine->remembered[c] != affine->remembered[one]))
       return false;
   return true;
 }
 
-bool nb_carry_step(struct nb_model *model) {
-  struct nb_carry *carry = model->carry;
-  const bool free = tensor_largest(carry->rate[NB_CARRIER_CONTINUUM]) > 0 || model->cell;
-  carry->all = free || carry->free_before;
-  carry->free_before = free;
-  carry->alike = alike(carry, model->cell ? NB_CARRIER_CELL : NB_CARRIER_CONTINUUM);
-  return carry->all;
+bool nb_affine_step(struct nb_model *model) {
+  struct nb_affine *affine = model->affine;
+  const bool free = tensor_largest(affine->rate[NB_CARRIER_CONTINUUM]) > 0 || model->cell;
+  affine->all = free || affine->free_before;
+  affine->free_before = free;
+  affine->alike = alike(affine, model->cell ? NB_CARRIER_CELL : NB_CARRIER_CONTINUUM);
+  return affine->all;
 }
 
-void nb_carry_still(struct nb_model *model) {
-  memset(model->bodies.carried, 0, model->bodies.count * sizeof *model->bodies.carried);
+void nb_affine_still(struct nb_model *model) {
+  memset(model->particles.imposed, 0, model->particles.count * sizeof *model->particles.imposed);
 }
 
-void nb_carry_drop(struct nb_model *model, size_t slot) {
-  nb_carry_by(model->carry, slot, NB_CARRIER_NONE);
-  model->bodies.carried[slot] = vec(0, 0);
+void nb_affine_drop(struct nb_model *model, size_t slot) {
+  nb_affine_by(model->affine, slot, NB_CARRIER_NONE);
+  model->particles.imposed[slot] = vec(0, 0);
 }

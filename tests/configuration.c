@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../src/measure/since.h"
+#include "../src/measure/configuration.h"
 #include "run/plan.h"
 #include "suites.h"
 #include "written.h"
@@ -32,7 +32,7 @@ static void goes_over(void) {
   written_scene(&it, &page);
   written_run(&result, &it, NULL);
   CU_ASSERT(result.searches > 10);
-  const struct nb_table *lattice = &result.snapshots[0].lattice, *bodies = &result.snapshots[0].bodies;
+  const struct nb_table *lattice = &result.snapshots[0].lattice, *particles = &result.snapshots[0].particles;
   CU_ASSERT_EQUAL_FATAL(lattice->row_count, 6);
   line(lattice, 0, (double[]){1, 2, 0, 4, 0, -1.9, 0, -1});
   line(lattice, 1, (double[]){1, 3, 0, 4, 0, 5.9, 0, 1});
@@ -40,13 +40,13 @@ static void goes_over(void) {
   line(lattice, 3, (double[]){8, 9, 0, 40, 0, 41.9, 0, 0});
   line(lattice, 4, (double[]){6, 0, 1, 20, 4.9, 20, 0, -1});
   line(lattice, 5, (double[]){7, 0, 1, 30, 0.9, 30, 0, 1});
-  CU_ASSERT_DOUBLE_EQUAL(written_cell(bodies, 0, "moved_x"), 4, 1e-12);
-  CU_ASSERT_DOUBLE_EQUAL(written_cell(bodies, 5, "moved_y"), 4, 1e-12);
-  CU_ASSERT_DOUBLE_EQUAL(written_cell(bodies, 6, "moved_y"), -4, 1e-12);
-  CU_ASSERT(written_cell(bodies, 1, "moved_x") == 0 && written_cell(bodies, 0, "turned") == 0);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 0, "moved_x"), 4, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 5, "moved_y"), 4, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(particles, 6, "moved_y"), -4, 1e-12);
+  CU_ASSERT(written_cell(particles, 1, "moved_x") == 0 && written_cell(particles, 0, "turned") == 0);
   CU_ASSERT_EQUAL(result.snapshots[1].lattice.row_count, 5); /* nobody draws a line to what is gone */
   CU_ASSERT_PTR_NULL(result.snapshots[2].lattice.names);
-  CU_ASSERT_EQUAL(result.snapshots[2].bodies.column_count + 3, bodies->column_count);
+  CU_ASSERT_EQUAL(result.snapshots[2].particles.column_count + 3, particles->column_count);
   CU_ASSERT_EQUAL(result.snapshots[2].contacts.column_count + 1, result.snapshots[0].contacts.column_count);
   nb_result_free(&result);
   written_free(&it);
@@ -144,15 +144,16 @@ static void slides(void) {
   CU_ASSERT(result.searches > 5);
   CU_ASSERT_DOUBLE_EQUAL(slid, way, 3e-4 * way); /* 3 steps of the last speed, 0.1 */
   /* what it slips in all is its way and its turn; what is no sliding is what the spring takes up, but for one step */
-  const double slip = written_cell(&last->bodies, 0, "moved_x") + 0.1 * written_cell(&last->bodies, 0, "turned");
+  const double slip = written_cell(&last->particles, 0, "moved_x") + 0.1 * written_cell(&last->particles, 0, "turned");
   CU_ASSERT(slip - slid <= spring * (1 + 1e-9) && slip - slid > 0.8 * spring);
   double sum = 0;
   for (int s = 0; s < many; s++) { /* six stages: more than there are fields for */
-    const struct nb_table *bodies = &result.snapshots[s].bodies;
+    const struct nb_table *particles = &result.snapshots[s].particles;
     const double part = written_cell(&result.snapshots[s].contacts, 0, "slid");
     sum += part;
     if (s > 0)
-      CU_ASSERT_DOUBLE_EQUAL(part, written_cell(bodies, 0, "moved_x") + 0.1 * written_cell(bodies, 0, "turned"), 1e-12);
+      CU_ASSERT_DOUBLE_EQUAL(part, written_cell(particles, 0, "moved_x") + 0.1 * written_cell(particles, 0, "turned"),
+                             1e-12);
   }
   CU_ASSERT_DOUBLE_EQUAL(sum, slid, 1e-4 * way); /* less the one cycle before them and the one after */
   CU_ASSERT(sum < slid);
@@ -166,9 +167,9 @@ static void rolls(void) {
   incline(&result, &it, 0.3);
   const struct nb_snapshot *last = &result.snapshots[many];
   CU_ASSERT_EQUAL(written_cell(&last->contacts, 0, "slid"), 0);
-  CU_ASSERT(written_cell(&last->bodies, 0, "moved_x") > 0.25); /* it has gone all the same: p/(1 + 2/5) t^2/2 */
-  CU_ASSERT_DOUBLE_EQUAL(written_cell(&last->bodies, 0, "moved_x"), -0.1 * written_cell(&last->bodies, 0, "turned"),
-                         2e-5);
+  CU_ASSERT(written_cell(&last->particles, 0, "moved_x") > 0.25); /* it has gone all the same: p/(1 + 2/5) t^2/2 */
+  CU_ASSERT_DOUBLE_EQUAL(written_cell(&last->particles, 0, "moved_x"),
+                         -0.1 * written_cell(&last->particles, 0, "turned"), 2e-5);
   nb_result_free(&result);
   written_free(&it);
 }
@@ -198,8 +199,8 @@ static void comes_back(void) {
 }
 
 /* Whichever of the two is taken out. */
-static void nobody_draws_a_line_to_what_is_gone(void) {
-  for (int gone = 1; gone <= 2; gone++) {
+static void nobody_draws_a_line_to_what_is_removed(void) {
+  for (int removed = 1; removed <= 2; removed++) {
     struct words page = {0};
     struct written it;
     struct nb_result result;
@@ -207,7 +208,7 @@ static void nobody_draws_a_line_to_what_is_gone(void) {
               "units none\nmaterial m density 1 kn 1e-14\nstep 0.01\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\n"
               "disc 9 0 radius 1 m\ndisc 10.9 0 radius 1 m\nrecord time\nstage a\ncycles 1\n"
               "stage b\nremove disc %d\ncycles 1\nsnapshot from a\n",
-              gone);
+              removed);
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
     CU_ASSERT_EQUAL_FATAL(result.snapshots[0].lattice.row_count, 1);
@@ -234,14 +235,14 @@ static void across_the_edge(void) {
   written_free(&it);
 }
 
-void suite_since(void) {
+void suite_configuration(void) {
   CU_pSuite suite = CU_add_suite("since", NULL, NULL);
   CU_add_test(suite, "contacts lost, new and kept", goes_over);
   CU_add_test(suite, "contacts lost and new of a region, and where they point", of_regions);
   CU_add_test(suite, "a sphere slides down an incline", slides);
   CU_add_test(suite, "one that rolls slides nothing", rolls);
   CU_add_test(suite, "a contact that comes back begins at 0", comes_back);
-  CU_ADD_TEST(suite, nobody_draws_a_line_to_what_is_gone);
+  CU_ADD_TEST(suite, nobody_draws_a_line_to_what_is_removed);
   CU_add_test(suite, "across the edge of a cell", across_the_edge);
   CU_add_test(suite, "since the start, or since the first stage", since_the_start_or_the_first_stage);
 }

@@ -1,8 +1,8 @@
 /* What carries bodies along: a velocity c = L (x - x_0) besides their own.      [R89 4.41]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_CARRY_H
-#define NB_CARRY_H
+#ifndef NB_AFFINE_H
+#define NB_AFFINE_H
 
 #include "model.h"
 #include "tensor.h"
@@ -18,11 +18,11 @@ enum nb_carrier {
   NB_CARRIERS
 };
 
-struct nb_carry {
-  struct nb_vec centre;                     /* what the strain rates are about, m */
-  struct nb_tensor rate[NB_CARRIERS];       /* over the step ahead, 1/s */
-  struct nb_tensor level[NB_CARRIERS];      /* what the stage asks for, before any servo, 1/s */
-  struct nb_strain_rate asked[NB_CARRIERS]; /* by the page */
+struct nb_affine {
+  struct nb_vec centre;                         /* what the strain rates are about, m */
+  struct nb_tensor rate[NB_CARRIERS];           /* over the step ahead, 1/s */
+  struct nb_tensor level[NB_CARRIERS];          /* what the stage asks for, before any servo, 1/s */
+  struct nb_strain_rate requested[NB_CARRIERS]; /* by the page */
   double remembered[NB_CARRIERS]; /* 1: what carried a body is no part of its own velocity; 0: it stays in it */
   unsigned char *by;              /* per slot: enum nb_carrier */
   bool carries[NB_CARRIERS];      /* some body, now or before */
@@ -36,22 +36,22 @@ struct nb_carry {
 };
 
 /* c of what carries the body in that slot, were it at x. */
-static inline struct nb_vec nb_carried_at(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
-  return tensor_times(carry->rate[carry->by[slot]], vec_sub(x, carry->centre));
+static inline struct nb_vec nb_imposed_at(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
+  return tensor_times(affine->rate[affine->by[slot]], vec_sub(x, affine->centre));
 }
 
-static inline void nb_carry_by(struct nb_carry *carry, size_t slot, enum nb_carrier carrier) {
-  carry->by[slot] = (unsigned char)carrier;
-  carry->carries[carrier] = true;
+static inline void nb_affine_by(struct nb_affine *affine, size_t slot, enum nb_carrier carrier) {
+  affine->by[slot] = (unsigned char)carrier;
+  affine->carries[carrier] = true;
 }
 
 /* Of the c of a body at x: what is no part of its own velocity afterwards, and what is (`accumulated`), m/s. */
-static inline struct nb_vec nb_carry_remembered(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
-  return vec_scale(carry->remembered[carry->by[slot]], nb_carried_at(carry, slot, x));
+static inline struct nb_vec nb_affine_remembered(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
+  return vec_scale(affine->remembered[affine->by[slot]], nb_imposed_at(affine, slot, x));
 }
 
-static inline struct nb_vec nb_carry_left(const struct nb_carry *carry, size_t slot, struct nb_vec x) {
-  return vec_scale(1 - carry->remembered[carry->by[slot]], nb_carried_at(carry, slot, x));
+static inline struct nb_vec nb_affine_left(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
+  return vec_scale(1 - affine->remembered[affine->by[slot]], nb_imposed_at(affine, slot, x));
 }
 
 #endif

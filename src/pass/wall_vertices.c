@@ -1,0 +1,15 @@
+/* Contacts with a common end of two walls: one of them counts (wall_vertices.c), the others have no overlap.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#include "pass.h"
+
+static inline NB_FORM void mute(const struct nb_model *model, const struct nb_block *block) {
+  const int *suppressed = model->contacts.suppressed + (block->a - model->contacts.a);
+  double *overlap = block->f[NB_OVERLAP];
+  NB_WIDE
+  for (size_t c = 0; c < block->n; c++)
+    overlap[c] = suppressed[c] & 1 ? 0 : overlap[c];
+}
+NB_FORMS(mute)
+
+const struct nb_pass nb_pass_vertices = {"one contact at a common end of walls", NB_FORMS_LIST(mute)};
