@@ -184,8 +184,9 @@ static void loads(void) {
       "units none\nmaterial m density 1 kn 100\nstep 1e-6\ngravity 0 -0.5\n"
       "disc 0 0 radius 1 m fixed\ndisc 0 1.98 radius 1 m\ndisc 9 0 radius 1 m fixed\n"
       "disc 9 1.46 radius 0.5 m\ndisc 20 0 radius 1 m\nregion A all\nregion B circle 0 2 radius 1\n"
+      "region F circle 0 0 radius 1\n"
       "record A.normal.mean A.normal.max A.normal.min A.normal.std A.unbalanced.mean B.unbalanced.mean "
-      "A.contact_stress.mean "
+      "F.unbalanced.mean F.normal.mean A.contact_stress.mean "
       "A.obliquity.max A.sliding A.sliding.near A.contacts B.contacts B.particles B.normal.mean\nstage s\ncycles 1\n");
   struct nb_model *model = model_of(&it, &page);
   CLOSE(model, "A.normal.mean", 3);
@@ -194,6 +195,8 @@ static void loads(void) {
   CLOSE(model, "A.normal.std", 1);
   CLOSE(model, "A.unbalanced.mean", ((2 - pi / 2) + (4 - pi / 8) + pi / 2) / 3 / 3);
   CLOSE(model, "B.unbalanced.mean", (2 - pi / 2) / 2);
+  CLOSE(model, "F.normal.mean", 2);
+  CLOSE(model, "F.unbalanced.mean", 0); /* its one particle is fixed */
   CLOSE(model, "B.normal.mean", 2);
   CLOSE(model, "A.sliding.near", 0); /* nothing rubs: what has no limit is not at it */
   CLOSE(model, "A.sliding", 0);

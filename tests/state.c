@@ -162,6 +162,36 @@ static void other_particles_do_not_fit(void) {
   written_free(&it);
 }
 
+/* A material or a wall of another name, and a wall too few: whatever else is the same. */
+static void other_names_do_not_fit(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error;
+  words_add(&page, "units none\nmaterial m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 5 radius 1 m\n"
+                   "wall v -1 0 to 1 0 n\nwall w -1 -9 to 1 -9 n\nrecord time\nstep 0.01\nstage a\ncycles 1\n"
+                   "stage b\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  char *const names[] = {saved.materials[0].name, saved.materials[1].name, saved.walls[0].name, saved.walls[1].name};
+  for (int k = 0; k < 4; k++) {
+    const char was = names[k][0];
+    names[k][0] = 'x';
+    CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
+    names[k][0] = was;
+  }
+  saved.wall_count = 1;
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
+  saved.wall_count = 2;
+  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  nb_saved_free(&saved);
+  nb_model_free(model);
+  written_free(&it);
+}
+
 /* Without dashpots what contacts feel is what the laws say: a page that goes on with dashpots reads it. */
 static void contact_forces_without_dashpots(void) {
   struct written it;
@@ -251,6 +281,7 @@ void suite_state(void) {
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
   CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
   CU_add_test(suite, "other bodies do not fit", other_particles_do_not_fit);
+  CU_add_test(suite, "other names do not fit", other_names_do_not_fit);
   CU_add_test(suite, "what is felt without dashpots", contact_forces_without_dashpots);
   CU_add_test(suite, "the step before goes on", the_step_before_goes_on);
   CU_add_test(suite, "what is remembered behind a 0", what_is_remembered_behind_a_0);
