@@ -207,7 +207,7 @@ static void deep_ones_are_damped_critically(void) {
     NEAR(written_now(model, "C.dashpot.normal"), 2 * ratio * sqrt(0.5 * a) * dn, 1e-12);
     CU_ASSERT_EQUAL(written_now(model, "contacts.deep"), is_deep ? 2 : 0);
     /* without shear 2/omega (sqrt(1 + xi^2) - xi), omega^2 = k/M* */
-    NEAR(nb_safe_step(model).step, 2 / sqrt(a / 0.5) * (sqrt(1 + ratio * ratio) - ratio), 1e-5);
+    NEAR(nb_stable_step(model).step, 2 / sqrt(a / 0.5) * (sqrt(1 + ratio * ratio) - ratio), 1e-5);
     nb_model_free(model);
     written_free(&it);
   }

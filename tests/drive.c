@@ -214,7 +214,7 @@ static double out_of_balance(const struct nb_model *model) {
     if (model->particles.inverse_mass[i] > 0)
       sum = tensor_add(
           sum, tensor_outer(nb_force_on(model, i).force, vec_sub(model->particles.position[i], model->affine->centre)));
-  return fmax(fmax(fabs(sum.xx), fabs(sum.xy)), fmax(fabs(sum.yx), fabs(sum.yy))) / nb_ring_area(model);
+  return fmax(fmax(fabs(sum.xx), fabs(sum.xy)), fmax(fabs(sum.yx), fabs(sum.yy))) / nb_boundary_area(model);
 }
 
 /* sum F_i X_j of the boundary is that of all contacts once the others are at rest. Bodies that do not turn bear moments, so xy and yx may differ. */
@@ -240,8 +240,8 @@ static void the_stress_is_that_of_the_contacts(void) {
     const struct nb_vec l = vec_sub(model->particles.position[a], model->particles.position[b]);
     sum = tensor_add(sum, tensor_outer(model->contacts.force[c], l));
   }
-  sum = tensor_scale(1 / nb_ring_area(model), sum); /* discs are 1 thick */
-  const struct nb_tensor ring = nb_ring_stress(model);
+  sum = tensor_scale(1 / nb_boundary_area(model), sum); /* discs are 1 thick */
+  const struct nb_tensor ring = nb_boundary_stress(model);
   const double p = tensor_mean(sum);
   CU_ASSERT(p > 1);
   CU_ASSERT_DOUBLE_EQUAL(ring.xx, sum.xx, 1e-9 * p);
@@ -267,7 +267,7 @@ static void a_stress_is_shared_out(void) {
     force = vec_add(force, model->drive->pressed[i]);
     sum = tensor_add(sum, tensor_outer(model->drive->pressed[i], model->particles.position[i]));
   }
-  const double area = nb_ring_area(model);
+  const double area = nb_boundary_area(model);
   CU_ASSERT(area > 50);
   CU_ASSERT(vec_length(force) < 1e-12 * area);
   CU_ASSERT_DOUBLE_EQUAL(sum.xx, -5 * area, 1e-11 * area);

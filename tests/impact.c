@@ -95,7 +95,7 @@ static void two_particles_count_as_one(void) {
     const double m = k % 2 ? ma : ma * mb / (ma + mb), radius = 0.7 * 1.1 / 1.8;
     const double young = 1 / ((1 - 0.01) / 0.5 + (1 - 0.16) / 7e3);
     const double shear = 1 / (2 * 1.1 * 1.9 / 0.5 + 2 * 1.4 * 1.6 / 7e3), kn = 160, ks = 2 * 320 * 0.8 / 320.8;
-    const struct nb_strike strike = nb_impact_strike(&it.scene);
+    const struct nb_impact_state strike = nb_impact_incidence(&it.scene);
     const double depth = pow(5 * m * strike.normal_v * strike.normal_v / (4 * (4. / 3 * young * sqrt(radius))), 0.4);
     const bool hertz = k / 2;
     NEAR(strike.mass, m, 1e-14);

@@ -60,7 +60,7 @@ static void the_step_of_steel(void) {
                    "stage s\ncycles 1\n");
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
-  CU_ASSERT(fabs(nb_step_contact(model) / nb_step_rayleigh(model, true, true) - 7.9) < 0.05);
+  CU_ASSERT(fabs(nb_step_collision(model) / nb_step_rayleigh(model, true, true) - 7.9) < 0.05);
   nb_model_free(model);
   written_free(&it);
 }

@@ -19,7 +19,7 @@ static int watched(struct nb_model *model, const struct written *it, int cycles,
   while (!status && done < cycles) {
     status = nb_cycle(model, error);
     done += !status;
-    const double safe = nb_safe_step(model).step;
+    const double safe = nb_stable_step(model).step;
     least = !status && safe < least ? safe : least;
     if (status && !strstr(error->text, "overlap by")) /* guard.c may stop it first */
       CU_ASSERT(safe < model->step);
@@ -50,7 +50,7 @@ static void an_impact_between_two_looks(void) {
   const double force = written_now(model, "C.normal"), young = 0.5;
   const double square = cbrt(6 * force * young * young * 0.5) + cbrt(6 * force * young * young * 1);
   CU_ASSERT(fabs(2 / sqrt(square) - 3) < 0.15); /* it swings a little about that balance */
-  CU_ASSERT(model->stability->looks < (unsigned long)done / 2 && model->search.count == 1);
+  CU_ASSERT(model->stability->checks < (unsigned long)done / 2 && model->search.count == 1);
   nb_model_free(model);
   written_free(&it);
 }
@@ -91,7 +91,7 @@ static void a_pair_may_use_it_up(void) {
       written_scene(&it, &page);
       struct nb_model *model = written_model(&it, NULL);
       nb_stage_begin(model, &it.scene.stages[0], &error);
-      overlap = overlap_stable(model, 0), step = nb_safe_step(model).step;
+      overlap = overlap_stable(model, 0), step = nb_stable_step(model).step;
       nb_model_free(model);
       written_free(&it);
     }
@@ -246,7 +246,7 @@ static void no_cycle_is_unsure(void) {
     struct nb_model *model = written_model(&it, NULL);
     const int done = watched(model, &it, 400, &error);
     ended += done < 400, went += done == 400;
-    looks += model->stability->looks, cycles += (unsigned long)done;
+    looks += model->stability->checks, cycles += (unsigned long)done;
     nb_model_free(model);
     written_free(&it);
   }

@@ -236,9 +236,9 @@ static void a_stiffer_way_back_counts(void) {
     words_add(&page, "record time\nstage s\ncycles 1\n");
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
-    const double before = nb_safe_step(model).step;
+    const double before = nb_stable_step(model).step;
     model->next.normal = &law;
-    CU_ASSERT_DOUBLE_EQUAL(nb_safe_step(model).step, before / sqrt(40), 1e-12 * before);
+    CU_ASSERT_DOUBLE_EQUAL(nb_stable_step(model).step, before / sqrt(40), 1e-12 * before);
     nb_model_free(model);
     written_free(&it);
   }

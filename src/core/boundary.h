@@ -8,15 +8,15 @@
 #include "affine.h"
 
 struct nb_ring {
-  bool begun, held;         /* there is one; its bodies follow the strain rate */
-  double radius;            /* of the circle as it was when it began, m */
-  struct nb_tensor shape;   /* what the circle has been carried to: x = centre + shape X, |X| = radius; 1 */
-  int *member;              /* slots of its bodies, counterclockwise; room for all */
-  size_t count;             /* how many */
-  int *edge;                /* slots of bodies that may come to cross it before they are looked for again, by number */
-  size_t edge_count;        /* room for all */
-  struct nb_tensor looked;  /* its shape then, */
-  unsigned long long after; /* and after which search that was; 0: never */
+  bool begun, held;       /* there is one; its bodies follow the strain rate */
+  double radius;          /* of the circle as it was when it began, m */
+  struct nb_tensor shape; /* what the circle has been carried to: x = centre + shape X, |X| = radius; 1 */
+  int *member;            /* slots of its bodies, counterclockwise; room for all */
+  size_t count;           /* how many */
+  int *candidates;        /* slots of bodies that may come to cross it before they are looked for again, by number */
+  size_t candidate_count; /* room for all */
+  struct nb_tensor listed_shape;    /* its shape then, */
+  unsigned long long listed_search; /* and after which search that was; 0: never */
 };
 
 struct nb_drive {

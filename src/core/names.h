@@ -32,7 +32,7 @@ struct nb_quantity_kind {
   void (*parts)(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,
                 const struct nb_monitor *monitor);
   int measure; /* of a region: measure/region.h; */
-  size_t at;   /* and where in struct nb_region_now it is */
+  size_t at;   /* and where in struct nb_region_state it is */
 };
 #define NB_OF_IMPACT (1u << 31)
 #define NB_OF_CELL (1u << 29)         /* of a periodic cell */

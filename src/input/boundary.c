@@ -136,7 +136,7 @@ static void say(struct nb_scene_reading *reading, int line, const char *hint, co
 /* Walls that follow the box do nothing else. */
 void nb_boxes_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
-  const int first = nb_box_of(scene);
+  const int first = nb_box_first_wall(scene);
   bool turned = false;
   for (size_t s = 0; s < scene->stage_count && first >= 0; s++) {
     const struct nb_stage *stage = &scene->stages[s];

@@ -165,7 +165,7 @@ NB_APPLY(apply_fill) {
                      reader->bad ? 0 : scene->gradings[fill.grading].count);
   if (reader->bad)
     return;
-  const enum nb_filled filled = nb_fill_random(scene, &fill, like);
+  const enum nb_fill_result filled = nb_fill_random(scene, &fill, like);
   fill.count = scene->particle_count - fill.first;
   NB_APPEND(reader, scene->fills, scene->fill_count, fill);
   if (filled == NB_FILL_NO_MEMORY)

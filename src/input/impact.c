@@ -64,7 +64,7 @@ static const char *aim(struct nb_scene *scene) {
   struct nb_particle *particle = &scene->particles[monitor->a];
   const struct nb_particle *other =
       monitor->kind == NB_MONITOR_PARTICLE_PARTICLE ? &scene->particles[monitor->b] : NULL;
-  const struct nb_strike strike = nb_impact_strike(scene);
+  const struct nb_impact_state strike = nb_impact_incidence(scene);
   if (particle->fixed)
     return "expected a contact whose first body is free, this one is fixed";
   if (particle->vx != 0 || particle->vy != 0)
@@ -82,8 +82,8 @@ static const char *aim(struct nb_scene *scene) {
   const double down = -it->speed * cos(it->angle), along = it->speed * sin(it->angle);
   particle->x = strike.point.x + distance * strike.normal.x;
   particle->y = strike.point.y + distance * strike.normal.y;
-  particle->vx += down * strike.normal.x + along * strike.tangent.x - strike.arrival.x;
-  particle->vy += down * strike.normal.y + along * strike.tangent.y - strike.arrival.y;
+  particle->vx += down * strike.normal.x + along * strike.tangent.x - strike.velocity.x;
+  particle->vy += down * strike.normal.y + along * strike.tangent.y - strike.velocity.y;
   return NULL;
 }
 

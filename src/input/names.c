@@ -38,7 +38,7 @@ static double touching(const struct nb_model *model, const struct nb_monitor *mo
     count += model->contacts.kept[NB_OVERLAP][c] > 0;
   return count;
 }
-OF_SCENE(unbalance, nb_unbalance(model))
+OF_SCENE(unbalance, nb_unbalanced_max(model))
 OF_SCENE(deep, (double)nb_deep_count(model))
 OF_SCENE(kinetic, nb_energy_kinetic(model))
 OF_SCENE(stored, nb_energy_stored(model))
@@ -223,7 +223,8 @@ static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *
   if (w >= 0)
     return kind->monitors & 1u << scene->monitors[w].kind;
   return !kind->monitors || (kind->monitors == NB_OF_IMPACT && scene->impact.line) ||
-         (kind->monitors == NB_OF_CELL && scene->cell.line) || (kind->monitors == NB_OF_BOX && nb_box_of(scene) >= 0);
+         (kind->monitors == NB_OF_CELL && scene->cell.line) ||
+         (kind->monitors == NB_OF_BOX && nb_box_first_wall(scene) >= 0);
 }
 
 /* The s-th quantity of a row, `suffix` NULL where it is one alone; false past the last one. */

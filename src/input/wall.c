@@ -47,7 +47,7 @@ int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const str
 }
 
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
-  const bool none = nb_box_of(scene) < 0;
+  const bool none = nb_box_first_wall(scene) < 0;
   if (none && nb_excused(reader->mistakes, "box"))
     nb_silent(reader);
   if (none)

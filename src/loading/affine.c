@@ -17,7 +17,7 @@
 
 #include "loading.h"
 
-static bool wanted(const struct nb_scene *scene) {
+static bool needed(const struct nb_scene *scene) {
   bool carries = scene->cell.line || scene->circle.line;
   for (size_t s = 0; s < scene->stage_count; s++)
     carries = carries || scene->stages[s].circle.line || scene->stages[s].boundary.line ||
@@ -28,7 +28,7 @@ static bool wanted(const struct nb_scene *scene) {
 enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   struct nb_particles *particles = &model->particles;
-  if (!wanted(scene))
+  if (!needed(scene))
     return NB_OK;
   struct nb_affine *affine = model->affine = nb_own(&model->owner, 1, sizeof *affine);
   unsigned char *by = nb_own(&model->owner, particles->count, sizeof *by);
@@ -62,7 +62,7 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
     *cell = stage->cell;
   if (stage->box_line)
     requested[NB_CARRIER_BOX] = stage->box;
-  else if (!nb_box_follows(model->scene, (size_t)(stage - model->scene->stages)))
+  else if (!nb_box_strained_in(model->scene, (size_t)(stage - model->scene->stages)))
     requested[NB_CARRIER_BOX] = (struct nb_strain_rate){.xx = 0};
   if (stage->boundary.line)
     requested[NB_CARRIER_BOUNDARY] = stage->boundary.strain;
@@ -75,7 +75,7 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
 }
 
 /* Whether one rate, and one way to remember it, stands for those of all that are carried. */
-static bool alike(const struct nb_affine *affine, enum nb_carrier one) {
+static bool same_rate(const struct nb_affine *affine, enum nb_carrier one) {
   for (int c = 0; c < NB_CARRIERS; c++)
     if (affine->carries[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[one])) != 0 ||
                                affine->remembered[c] != affine->remembered[one]))
@@ -88,15 +88,15 @@ bool nb_affine_step(struct nb_model *model) {
   const bool free = tensor_largest(affine->rate[NB_CARRIER_CONTINUUM]) > 0 || model->cell;
   affine->all = free || affine->free_before;
   affine->free_before = free;
-  affine->alike = alike(affine, model->cell ? NB_CARRIER_CELL : NB_CARRIER_CONTINUUM);
+  affine->alike = same_rate(affine, model->cell ? NB_CARRIER_CELL : NB_CARRIER_CONTINUUM);
   return affine->all;
 }
 
-void nb_affine_still(struct nb_model *model) {
+void nb_affine_clear(struct nb_model *model) {
   memset(model->particles.imposed, 0, model->particles.count * sizeof *model->particles.imposed);
 }
 
-void nb_affine_drop(struct nb_model *model, size_t slot) {
+void nb_affine_remove(struct nb_model *model, size_t slot) {
   nb_affine_by(model->affine, slot, NB_CARRIER_NONE);
   model->particles.imposed[slot] = vec(0, 0);
 }

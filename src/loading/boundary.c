@@ -29,10 +29,10 @@
 /* Nearer to the circle than this share of its radius, 1, counts as on it: a page may put bodies there, and rounding leaves some 1e-16. */
 static const double on_circle = 1e-12;
 
-static bool beyond(const struct nb_model *model, struct nb_vec x, double inside) {
+static bool is_outside(const struct nb_model *model, struct nb_vec x, double margin) {
   const struct nb_ring *ring = &model->drive->ring;
-  const struct nb_vec home = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->affine->centre));
-  return vec_length(home) >= ring->radius * (1 - on_circle) - inside;
+  const struct nb_vec reference = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->affine->centre));
+  return vec_length(reference) >= ring->radius * (1 - on_circle) - margin;
 }
 
 static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
@@ -50,18 +50,18 @@ static void set_spin(struct nb_particles *particles, size_t i, double spin) {
   particles->surface[i].speed = spin * particles->surface[i].radius;
 }
 
-static void hold(struct nb_model *model, int slot) {
+static void attach(struct nb_model *model, int slot) {
   struct nb_particles *particles = &model->particles;
   const size_t i = (size_t)slot;
   if (model->terms) /* what is held has no kinetic energy in the account */
-    nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_motion(model, i));
+    nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_kinetic_of(model, i));
   nb_affine_by(model->affine, i, NB_CARRIER_BOUNDARY);
   particles->imposed[i] = particles->velocity[i] = nb_imposed_at(model->affine, i, particles->position[i]);
   particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
   set_spin(particles, i, 0);
 }
 
-static void let_go(struct nb_model *model, int slot) {
+static void detach(struct nb_model *model, int slot) {
   struct nb_particles *particles = &model->particles;
   const size_t i = (size_t)slot;
   nb_affine_by(model->affine, i, NB_CARRIER_CONTINUUM);
@@ -70,67 +70,67 @@ static void let_go(struct nb_model *model, int slot) {
   particles->inverse_inertia[i] = model->drive->rotates ? 1 / particles->inertia[i] : 0;
   nb_motion_begin(model, i, nb_velocity_half(model, i));
   if (model->terms)
-    nb_sum_add(&model->terms[NB_TERM_REMOVED], -nb_energy_of_motion(model, i));
+    nb_sum_add(&model->terms[NB_TERM_REMOVED], -nb_energy_kinetic_of(model, i));
 }
 
 /* ---- who belongs to it ---- */
 
-static bool lower(struct nb_vec a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
+static bool in_lower_half(struct nb_vec a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
 
 /* Whether slot i comes before slot j, counterclockwise from the east. */
-static bool precedes(const struct nb_model *model, int i, int j) {
+static bool comes_before(const struct nb_model *model, int i, int j) {
   const struct nb_vec a = vec_sub(model->particles.position[i], model->affine->centre);
   const struct nb_vec b = vec_sub(model->particles.position[j], model->affine->centre);
-  const double turn = a.x * b.y - a.y * b.x;
-  if (lower(a) != lower(b))
-    return lower(b);
-  return turn != 0 ? turn > 0 : model->particles.number[i] < model->particles.number[j];
+  const double cross = a.x * b.y - a.y * b.x;
+  if (in_lower_half(a) != in_lower_half(b))
+    return in_lower_half(b);
+  return cross != 0 ? cross > 0 : model->particles.number[i] < model->particles.number[j];
 }
 
-static void add(struct nb_model *model, int slot) {
+static void add_member(struct nb_model *model, int slot) {
   struct nb_ring *ring = &model->drive->ring;
   size_t at = ring->count++;
-  for (; at > 0 && precedes(model, slot, ring->member[at - 1]); at--)
+  for (; at > 0 && comes_before(model, slot, ring->member[at - 1]); at--)
     ring->member[at] = ring->member[at - 1];
   ring->member[at] = slot;
 }
 
-static void ring_free(struct nb_model *model, bool dissolve) {
+static void boundary_release(struct nb_model *model, bool dissolve) {
   struct nb_ring *ring = &model->drive->ring;
   for (size_t k = 0; k < ring->count && ring->held; k++)
-    let_go(model, ring->member[k]);
+    detach(model, ring->member[k]);
   ring->held = false;
   if (dissolve)
     ring->begun = false, ring->count = 0;
 }
 
-static void ring_begin(struct nb_model *model, const struct nb_circle *circle) {
+static void boundary_define(struct nb_model *model, const struct nb_circle *circle) {
   struct nb_ring *ring = &model->drive->ring;
-  ring_free(model, true);
+  boundary_release(model, true);
   model->affine->centre = vec(circle->x, circle->y);
   ring->begun = ring->held = true;
-  ring->radius = circle->radius, ring->shape = tensor(1, 0, 0, 1), ring->after = 0;
+  ring->radius = circle->radius, ring->shape = tensor(1, 0, 0, 1), ring->listed_search = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
     const int i = model->particles.slot[k];
-    if (!may_join(model, (size_t)i) || !beyond(model, model->particles.position[i], 0))
+    if (!may_join(model, (size_t)i) || !is_outside(model, model->particles.position[i], 0))
       continue;
-    hold(model, i);
-    add(model, i);
+    attach(model, i);
+    add_member(model, i);
   }
 }
 
-static void ring_hold(struct nb_model *model) {
+static void boundary_hold(struct nb_model *model) {
   struct nb_ring *ring = &model->drive->ring;
   if (!ring->begun)
     return;
   if (ring->count > 0)
-    ring->radius = nb_ring_radius(model), ring->shape = tensor(1, 0, 0, 1);
-  ring->held = true, ring->after = 0;
+    ring->radius = nb_boundary_radius(model), ring->shape = tensor(1, 0, 0, 1);
+  ring->held = true, ring->listed_search = 0;
   for (size_t k = 0; k < ring->count; k++)
-    hold(model, ring->member[k]);
+    attach(model, ring->member[k]);
 }
 
-void nb_ring_drop(struct nb_model *model, size_t slot) {
+void nb_boundary_remove(struct nb_model *model, size_t slot) {
   struct nb_ring *ring = &model->drive->ring;
   size_t left = 0;
   for (size_t k = 0; k < ring->count; k++)
@@ -141,13 +141,13 @@ void nb_ring_drop(struct nb_model *model, size_t slot) {
 
 /* ---- a stress on it ---- */
 
-void nb_ring_press(struct nb_model *model) {
+void nb_boundary_set_forces(struct nb_model *model) {
   struct nb_drive *drive = model->drive;
   const size_t count = drive->ring.count;
   const double thickness = nb_thickness(model);
   memset(drive->pressed, 0, model->particles.count * sizeof *drive->pressed);
   for (size_t k = 0; k < count; k++) {
-    const struct nb_vec along = vec_sub(nb_ring_place(model, k + 1), nb_ring_place(model, k + count - 1));
+    const struct nb_vec along = vec_sub(nb_boundary_position(model, k + 1), nb_boundary_position(model, k + count - 1));
     drive->pressed[drive->ring.member[k]] =
         vec_scale(-thickness / 2, tensor_times(drive->stress, vec_clockwise(along)));
   }
@@ -155,47 +155,47 @@ void nb_ring_press(struct nb_model *model) {
 
 /* ---- set up ---- */
 
-static bool stage_drives(const struct nb_stage *stage) {
+static bool stage_has_boundary(const struct nb_stage *stage) {
   return stage->circle.line || stage->boundary.line || stage->rotation_line;
 }
 
-static bool wanted(const struct nb_scene *scene) {
+static bool needed(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
-    if (stage_drives(&scene->stages[s]))
+    if (stage_has_boundary(&scene->stages[s]))
       return true;
   return scene->circle.line > 0;
 }
 
-static bool presses(const struct nb_scene *scene) {
+static bool has_stress(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].boundary.line && scene->stages[s].boundary.control == NB_CONTROL_STRESS)
       return true;
   return false;
 }
 
-enum nb_status nb_drive_create(struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   const struct nb_particles *particles = &model->particles;
-  if (!wanted(scene))
+  if (!needed(scene))
     return NB_OK;
   struct nb_drive *drive = model->drive = nb_own(&model->owner, 1, sizeof *drive);
   if (drive) {
     drive->rotates = true;
-    drive->pressed = presses(scene) ? nb_own(&model->owner, particles->count, sizeof *drive->pressed) : NULL;
+    drive->pressed = has_stress(scene) ? nb_own(&model->owner, particles->count, sizeof *drive->pressed) : NULL;
     drive->ring.member = nb_own(&model->owner, particles->count, sizeof *drive->ring.member);
-    drive->ring.edge = nb_own(&model->owner, particles->count, sizeof *drive->ring.edge);
+    drive->ring.candidates = nb_own(&model->owner, particles->count, sizeof *drive->ring.candidates);
   }
   if (model->owner.failed)
     return nb_error_memory(error);
   if (scene->circle.line && scene->start.stages == 0) /* else it is as the state has it */
-    ring_begin(model, &scene->circle);
+    boundary_define(model, &scene->circle);
   return NB_OK;
 }
 
 /* ---- a stage ---- */
 
 /* Pairs of bodies that are both held are about to leave the list, with what their springs hold. */
-static void drop_held(struct nb_model *model) {
+static void count_removed_springs(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse = model->particles.inverse_mass;
   for (size_t c = 0; c < contacts->count; c++)
@@ -204,13 +204,13 @@ static void drop_held(struct nb_model *model) {
       nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_contact(model, c));
 }
 
-static enum nb_status search_anew(struct nb_model *model, struct nb_error *error) {
+static enum nb_status search_again(struct nb_model *model, struct nb_error *error) {
   if (model->terms)
-    drop_held(model);
+    count_removed_springs(model);
   model->search.keeping = true;
   const enum nb_status status = nb_neighbours_search(model, error);
   model->search.keeping = false;
-  return status ? status : nb_balance_entered(model, error);
+  return status ? status : nb_balance_new_overlaps(model, error);
 }
 
 /* All free bodies stop turning and stay so, or turn again. */
@@ -233,89 +233,89 @@ static void rotation_begin(struct nb_model *model, bool rotates) {
 
 /* A stress begins or ends at t_0, and leaves the velocities of t_0 as they were. The half of the kick around t_0 that lies behind it
  * is without one that begins, and with one that ends. */
-static void pressing(struct nb_model *model, bool on) {
+static void switch_stress(struct nb_model *model, bool on) {
   struct nb_drive *drive = model->drive;
   if (on)
-    nb_ring_press(model);
+    nb_boundary_set_forces(model);
   for (size_t i = 0; i < model->particles.count && (on || model->particles.pressed); i++)
     nb_motion_release(model, i, (struct nb_force){vec_scale(on ? -1 : 1, drive->pressed[i]), 0});
   model->particles.pressed = on ? drive->pressed : NULL;
 }
 
-static void ring_begins(struct nb_model *model, const struct nb_stage *stage) {
+static void boundary_control(struct nb_model *model, const struct nb_stage *stage) {
   struct nb_drive *drive = model->drive;
   const struct nb_boundary *to = &stage->boundary;
-  pressing(model, false);
+  switch_stress(model, false);
   if (stage->circle.line)
-    ring_begin(model, &stage->circle);
+    boundary_define(model, &stage->circle);
   if (!to->line)
     return;
   drive->stress = tensor(to->sxx, to->sxy, to->sxy, to->syy);
   if (to->control == NB_CONTROL_STRAIN && !drive->ring.held)
-    ring_hold(model);
+    boundary_hold(model);
   else if (to->control != NB_CONTROL_STRAIN)
-    ring_free(model, to->control == NB_CONTROL_NONE);
+    boundary_release(model, to->control == NB_CONTROL_NONE);
   if (to->control == NB_CONTROL_STRESS)
-    pressing(model, true);
+    switch_stress(model, true);
 }
 
-enum nb_status nb_drive_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
+enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
   if (stage->rotation_line)
     rotation_begin(model, stage->rotation == NB_ROTATION_ON);
   if (!stage->circle.line && !stage->boundary.line)
     return NB_OK;
-  nb_balance_remove(model, true);
-  ring_begins(model, stage);
-  const enum nb_status status = search_anew(model, error);
+  nb_balance_exclude(model, true);
+  boundary_control(model, stage);
+  const enum nb_status status = search_again(model, error);
   if (!status)
-    nb_balance_remove(model, false);
+    nb_balance_exclude(model, false);
   return status;
 }
 
 /* ---- who crosses it ---- */
 
-static void look(struct nb_model *model) {
+static void list_candidates(struct nb_model *model) {
   struct nb_ring *ring = &model->drive->ring;
-  const double inside = model->search.skin * size(tensor_inverse(ring->shape));
-  ring->edge_count = 0;
+  const double margin = model->search.skin * size(tensor_inverse(ring->shape));
+  ring->candidate_count = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
     const int i = model->particles.slot[k];
-    if (may_join(model, (size_t)i) && beyond(model, model->particles.position[i], inside))
-      ring->edge[ring->edge_count++] = i;
+    if (may_join(model, (size_t)i) && is_outside(model, model->particles.position[i], margin))
+      ring->candidates[ring->candidate_count++] = i;
   }
-  ring->looked = ring->shape;
-  ring->after = model->search.count;
+  ring->listed_shape = ring->shape;
+  ring->listed_search = model->search.count;
 }
 
 /* Takes in who has crossed the circle since it was last asked. */
-enum nb_status nb_drive_before(struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error) {
   struct nb_ring *ring = &model->drive->ring;
   if (!ring->held)
     return NB_OK;
-  if (ring->after != model->search.count ||
-      !(size(tensor_sub(ring->shape, ring->looked)) * ring->radius <= model->search.skin / 2))
-    look(model);
-  bool crossed = false;
-  for (size_t k = 0; k < ring->edge_count && !crossed; k++)
-    crossed = beyond(model, model->particles.position[ring->edge[k]], 0);
-  if (!crossed)
+  if (ring->listed_search != model->search.count ||
+      !(size(tensor_sub(ring->shape, ring->listed_shape)) * ring->radius <= model->search.skin / 2))
+    list_candidates(model);
+  bool joins = false;
+  for (size_t k = 0; k < ring->candidate_count && !joins; k++)
+    joins = is_outside(model, model->particles.position[ring->candidates[k]], 0);
+  if (!joins)
     return NB_OK;
-  nb_balance_remove(model, true);
-  for (size_t k = 0; k < ring->edge_count; k++) {
-    if (!beyond(model, model->particles.position[ring->edge[k]], 0))
+  nb_balance_exclude(model, true);
+  for (size_t k = 0; k < ring->candidate_count; k++) {
+    if (!is_outside(model, model->particles.position[ring->candidates[k]], 0))
       continue;
-    hold(model, ring->edge[k]);
-    add(model, ring->edge[k]);
+    attach(model, ring->candidates[k]);
+    add_member(model, ring->candidates[k]);
   }
-  ring->after = 0; /* they are on the list no more */
-  const enum nb_status status = search_anew(model, error);
+  ring->listed_search = 0; /* they are on the list no more */
+  const enum nb_status status = search_again(model, error);
   if (!status)
-    nb_balance_remove(model, false);
+    nb_balance_exclude(model, false);
   return status;
 }
 
 /* u - c_(N-1/2) + c_(N+1/2) is all that happens to the velocity of what it holds (motion.c). */
-void nb_ring_affine(struct nb_model *model) {
+void nb_boundary_set_velocities(struct nb_model *model) {
   const struct nb_ring *ring = &model->drive->ring;
   struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < ring->count && ring->held; k++) {
@@ -326,7 +326,7 @@ void nb_ring_affine(struct nb_model *model) {
   }
 }
 
-void nb_drive_after(struct nb_model *model) {
+void nb_boundary_after_motion(struct nb_model *model) {
   struct nb_drive *drive = model->drive;
   struct nb_ring *ring = &drive->ring;
   if (ring->held) {
@@ -334,5 +334,5 @@ void nb_drive_after(struct nb_model *model) {
     ring->shape = tensor_add(ring->shape, tensor_product(step, ring->shape));
   }
   if (model->particles.pressed)
-    nb_ring_press(model);
+    nb_boundary_set_forces(model);
 }

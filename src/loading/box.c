@@ -23,15 +23,15 @@
 
 enum { SIDES = 4 }; /* opposite ones are two apart */
 
-int nb_box_of(const struct nb_scene *scene) {
+int nb_box_first_wall(const struct nb_scene *scene) {
   for (size_t w = 0; w + SIDES <= scene->wall_count; w++)
     if (scene->walls[w].inx != 0 || scene->walls[w].iny != 0)
       return (int)w;
   return -1;
 }
 
-bool nb_box_follows(const struct nb_scene *scene, size_t stage) {
-  const int first = nb_box_of(scene);
+bool nb_box_strained_in(const struct nb_scene *scene, size_t stage) {
+  const int first = nb_box_first_wall(scene);
   bool follows = false;
   for (size_t s = 0; s <= stage && first >= 0; s++) {
     const struct nb_stage *it = &scene->stages[s];
@@ -44,7 +44,8 @@ bool nb_box_follows(const struct nb_scene *scene, size_t stage) {
 }
 
 bool nb_box_is_strained(const struct nb_model *model) {
-  return model->affine && model->stage && nb_box_follows(model->scene, (size_t)(model->stage - model->scene->stages));
+  return model->affine && model->stage &&
+         nb_box_strained_in(model->scene, (size_t)(model->stage - model->scene->stages));
 }
 
 /* The middle between opposite walls. */
@@ -57,23 +58,23 @@ static struct nb_vec centre(const struct nb_walls *walls, int first) {
   return sum;
 }
 
-void nb_box_drive(struct nb_model *model) {
+void nb_box_set_velocities(struct nb_model *model) {
   struct nb_walls *walls = &model->walls;
-  const int first = nb_box_of(model->scene);
+  const int first = nb_box_first_wall(model->scene);
   const struct nb_tensor rate = model->affine->rate[NB_CARRIER_BOX];
   const struct nb_vec middle = centre(walls, first);
   for (int w = first; w < first + SIDES; w++) {
     const struct nb_vec e = walls->along[w], n = vec_clockwise(e);
-    const double away = vec_dot(n, vec_sub(walls->pivot[w], middle));
-    const double longer = 1 + model->step * vec_dot(e, tensor_times(rate, e));
-    walls->velocity[w] = vec_scale(away * vec_dot(n, tensor_times(rate, n)), n);
-    walls->h1[w] *= longer, walls->h2[w] *= longer;
+    const double distance = vec_dot(n, vec_sub(walls->pivot[w], middle));
+    const double stretch = 1 + model->step * vec_dot(e, tensor_times(rate, e));
+    walls->velocity[w] = vec_scale(distance * vec_dot(n, tensor_times(rate, n)), n);
+    walls->h1[w] *= stretch, walls->h2[w] *= stretch;
   }
 }
 
 struct nb_vec nb_box_sides(const struct nb_model *model) {
   const struct nb_walls *walls = &model->walls;
-  const int first = nb_box_of(model->scene);
+  const int first = nb_box_first_wall(model->scene);
   double sides[2];
   for (int k = 0; k < 2; k++)
     sides[k] = fabs(
@@ -81,14 +82,14 @@ struct nb_vec nb_box_sides(const struct nb_model *model) {
   return vec(sides[1], sides[0]);
 }
 
-struct nb_vec nb_box_first(const struct nb_scene *scene) {
-  const struct nb_wall *south = &scene->walls[nb_box_of(scene)], *east = south + 1;
+struct nb_vec nb_box_initial_sides(const struct nb_scene *scene) {
+  const struct nb_wall *south = &scene->walls[nb_box_first_wall(scene)], *east = south + 1;
   return vec(south->h2 - south->h1, east->h2 - east->h1);
 }
 
 struct nb_tensor nb_box_stress(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  const int first = nb_box_of(model->scene);
+  const int first = nb_box_first_wall(model->scene);
   const struct nb_vec sides = nb_box_sides(model), middle = centre(&model->walls, first);
   struct nb_tensor sum = {0, 0, 0, 0};
   for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {

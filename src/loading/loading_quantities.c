@@ -5,21 +5,21 @@
 #include "loading.h"
 #include "measure/boundary.h"
 
-#define OF_RING(function, expression) NB_QUANTITY(function, nb_ring_begun(model) ? expression : 0)
-OF_RING(ring_particles, (double)model->drive->ring.count)
-OF_RING(ring_radius, nb_ring_radius(model))
-OF_RING(ring_area, nb_ring_area(model))
-OF_RING(ring_roughness, nb_ring_roughness(model))
-NB_TENSOR_QUANTITY(ring_stress, nb_ring_begun(model) ? nb_ring_stress(model) : tensor(0, 0, 0, 0))
+#define BOUNDARY_QUANTITY(function, expression) NB_QUANTITY(function, nb_boundary_exists(model) ? expression : 0)
+BOUNDARY_QUANTITY(boundary_particles, (double)model->drive->ring.count)
+BOUNDARY_QUANTITY(boundary_radius, nb_boundary_radius(model))
+BOUNDARY_QUANTITY(boundary_area, nb_boundary_area(model))
+BOUNDARY_QUANTITY(boundary_roughness, nb_boundary_roughness(model))
+NB_TENSOR_QUANTITY(boundary_stress, nb_boundary_exists(model) ? nb_boundary_stress(model) : tensor(0, 0, 0, 0))
 
 /* The largest component of the difference to the stress by contacts. */
-static double differs(const struct nb_model *model) {
-  const double volume = nb_ring_area(model) * nb_thickness(model);
+static double difference_from_contacts(const struct nb_model *model) {
+  const double volume = nb_boundary_area(model) * nb_thickness(model);
   if (!(volume > 0))
     return 0;
-  return tensor_largest(tensor_sub(nb_ring_stress(model), tensor_scale(1 / volume, nb_contacts_virial(model))));
+  return tensor_largest(tensor_sub(nb_boundary_stress(model), tensor_scale(1 / volume, nb_contacts_virial(model))));
 }
-OF_RING(ring_residual, differs(model))
+BOUNDARY_QUANTITY(boundary_residual, difference_from_contacts(model))
 
 NB_TENSOR_QUANTITY(cell_sides, model->cell->h)
 /* By contacts, compression positive: -(1/V) sum f_i l_j, f on the first body, l from its centre to that of the copy; Pa. */
@@ -30,23 +30,23 @@ NB_QUANTITY(cell_strain_volume, nb_cell_area(model->cell) / nb_cell_area_first(m
 
 NB_QUANTITY(box_width, nb_box_sides(model).x)
 NB_QUANTITY(box_height, nb_box_sides(model).y)
-NB_QUANTITY(box_strain_width, nb_box_sides(model).x / nb_box_first(model->scene).x - 1)
-NB_QUANTITY(box_strain_height, nb_box_sides(model).y / nb_box_first(model->scene).y - 1)
+NB_QUANTITY(box_strain_width, nb_box_sides(model).x / nb_box_initial_sides(model->scene).x - 1)
+NB_QUANTITY(box_strain_height, nb_box_sides(model).y / nb_box_initial_sides(model->scene).y - 1)
 NB_TENSOR_QUANTITY(box_stress, nb_box_stress(model))
 
 #define TENSOR(called, of, in, kind, tensor, what)                                                                     \
   { .name = called, .family = kind, .monitors = of, .unit = in, .parts = tensor, .help = what }
 
 const struct nb_quantity_kind nb_loading_kinds[] = {
-    {"boundary.particles", 0, "1", 0, ring_particles, "number of particles of the boundary"},
-    {"boundary.radius", 0, "m", 0, ring_radius, "mean distance of their centres from the centre of the circle"},
-    {"boundary.area", 0, "m2", 0, ring_area, "of the polygon through their centres"},
-    {"boundary.roughness", 0, "1", 0, ring_roughness,
+    {"boundary.particles", 0, "1", 0, boundary_particles, "number of particles of the boundary"},
+    {"boundary.radius", 0, "m", 0, boundary_radius, "mean distance of their centres from the centre of the circle"},
+    {"boundary.area", 0, "m2", 0, boundary_area, "of the polygon through their centres"},
+    {"boundary.roughness", 0, "1", 0, boundary_roughness,
      "standard deviation of their distances from the centre, over boundary.radius [R89 6.4.1]"},
-    TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, ring_stress,
+    TENSOR("boundary.stress", 0, "Pa", NB_STRESSES, boundary_stress,
            "from the contact forces on the boundary's particles, sum F_i X_j over the polygon's area and the "
            "thickness, compression positive"),
-    {"boundary.stress.residual", 0, "Pa", 0, ring_residual,
+    {"boundary.stress.residual", 0, "Pa", 0, boundary_residual,
      "largest difference between it and the stress by all contacts over the same volume: sum F_i X_j of the "
      "particles inside, 0 at rest"},
 

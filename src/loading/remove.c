@@ -15,7 +15,7 @@
 #include "measure/energy.h"
 
 /* Contact c ends: what it did until now is done, and it reads as if it did not touch. */
-static void let_go(struct nb_model *model, size_t c) {
+static void end_contact(struct nb_model *model, size_t c) {
   struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;
   const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
@@ -33,17 +33,17 @@ static void let_go(struct nb_model *model, size_t c) {
       contacts->kept[f][c] = 0;
 }
 
-static void take_out(struct nb_model *model, size_t i) {
+static void remove_particle(struct nb_model *model, size_t i) {
   struct nb_particles *particles = &model->particles;
   if (model->terms)
     nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_particle(model, i));
   const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
   for (const int *c = its.first; c < its.end; c++)
-    let_go(model, (size_t)*c);
+    end_contact(model, (size_t)*c);
   if (model->drive)
-    nb_ring_drop(model, i);
+    nb_boundary_remove(model, i);
   if (model->affine)
-    nb_affine_drop(model, i);
+    nb_affine_remove(model, i);
   particles->removed[i] = true;
   particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
   particles->velocity[i] = vec(0, 0);
@@ -52,14 +52,14 @@ static void take_out(struct nb_model *model, size_t i) {
 }
 
 enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
-  nb_balance_remove(model, true);
+  nb_balance_exclude(model, true);
   for (size_t r = 0; r < stage->removal_count; r++)
     for (size_t k = stage->removals[r].from; k <= stage->removals[r].to; k++)
-      take_out(model, (size_t)model->particles.slot[k]);
+      remove_particle(model, (size_t)model->particles.slot[k]);
   model->search.keeping = true;
   const enum nb_status status = nb_neighbours_search(model, error);
   model->search.keeping = false;
   if (!status)
-    nb_balance_remove(model, false);
+    nb_balance_exclude(model, false);
   return status;
 }

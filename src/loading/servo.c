@@ -61,32 +61,34 @@ static struct nb_tensor axes(const struct nb_servo *servo) {
 
 /* The stress that the servo looks at, in the axes of the servo, Pa. */
 static struct nb_tensor stress(const struct nb_model *model, const struct nb_servo *servo) {
-  double seen[4];
+  double measured[4];
   for (int k = 0; k < 4; k++)
-    seen[k] = nb_quantity_now(servo->quantity[k], model);
-  return tensor_turned(tensor_transpose(axes(servo)), tensor(seen[0], seen[1], seen[2], seen[3]));
+    measured[k] = nb_quantity_now(servo->quantity[k], model);
+  return tensor_turned(tensor_transpose(axes(servo)), tensor(measured[0], measured[1], measured[2], measured[3]));
 }
 
 /* What is off, in the axes of the servo, Pa, and 0 where nothing is held. */
-static struct nb_tensor off_by(const struct nb_model *model, const struct nb_servo *servo, double fraction) {
+static struct nb_tensor stress_error(const struct nb_model *model, const struct nb_servo *servo, double fraction) {
   const struct nb_servo_from *from = &model->affine->servo_from;
-  const struct nb_tensor seen = stress(model, servo);
-  double off[3] = {seen.xx, seen.yy, seen.xy};
+  const struct nb_tensor measured = stress(model, servo);
+  double error[3] = {measured.xx, measured.yy, measured.xy};
   for (int k = 0; k < 3; k++)
-    off[k] -= from->stress[k] + fraction * (servo->stress[k] - from->stress[k]);
+    error[k] -= from->stress[k] + fraction * (servo->stress[k] - from->stress[k]);
   if (servo->mean)
-    return tensor((off[0] + off[1]) / 2, 0, 0, (off[0] + off[1]) / 2);
-  const double shear = servo->held[2] ? off[2] : 0;
-  return tensor(servo->held[0] ? off[0] : 0, shear, shear, servo->held[1] ? off[1] : 0);
+    return tensor((error[0] + error[1]) / 2, 0, 0, (error[0] + error[1]) / 2);
+  const double shear = servo->held[2] ? error[2] : 0;
+  return tensor(servo->held[0] ? error[0] : 0, shear, shear, servo->held[1] ? error[1] : 0);
 }
 
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
   const struct nb_vec sides = servo->box ? nb_box_sides(model) : vec(0, 0);
   *b = *t = 0;
-  if (!servo->cell && !servo->box && !nb_ring_begun(model))
+  if (!servo->cell && !servo->box && !nb_boundary_exists(model))
     return false;
-  const double area = servo->cell ? nb_cell_area(model->cell) : servo->box ? sides.x * sides.y : nb_ring_area(model);
-  const double width = servo->cell || servo->box ? sqrt(area) : 2 * nb_ring_radius(model);
+  const double area = servo->cell  ? nb_cell_area(model->cell)
+                      : servo->box ? sides.x * sides.y
+                                   : nb_boundary_area(model);
+  const double width = servo->cell || servo->box ? sqrt(area) : 2 * nb_boundary_radius(model);
   const double volume = area * nb_thickness(model);
   *b = stiffness(model, servo, volume);
   *t = width * sqrt(density(model, volume) / *b); /* without end, where nothing is pressed */
@@ -95,19 +97,19 @@ bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo,
 
 /* What is to be added to the strain rates now, in the axes of the servo, 1/s. */
 static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double fraction) {
-  const double most = servo->per_cycle ? servo->most / model->step : servo->most;
+  const double limit = servo->per_cycle ? servo->most / model->step : servo->most;
   double b, t;
   nb_servo_scales(model, servo, &b, &t);
   struct nb_servo_from *from = &model->affine->servo_from;
-  const struct nb_tensor off = off_by(model, servo, fraction);
+  const struct nb_tensor error = stress_error(model, servo, fraction);
   /* b may be 0, and then t has no end: what is left is the direction */
-  const double far = tensor_largest(off), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
-  const bool too_fast = far > 0 && rate * far > most;
-  const struct nb_tensor p = tensor_scale(too_fast ? most / far : far > 0 ? rate : 0, off);
-  const struct nb_tensor more = tensor_add(p, from->gathered);
-  if (from->begun && !too_fast && tensor_largest(more) <= most) {
+  const double largest = tensor_largest(error), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
+  const bool too_fast = largest > 0 && rate * largest > limit;
+  const struct nb_tensor p = tensor_scale(too_fast ? limit / largest : largest > 0 ? rate : 0, error);
+  const struct nb_tensor added = tensor_add(p, from->gathered);
+  if (from->begun && !too_fast && tensor_largest(added) <= limit) {
     from->gathered = tensor_add(from->gathered, tensor_scale((double)servo->every * model->step / (16 * t), p));
-    return more;
+    return added;
   }
   from->begun = true;
   from->gathered = tensor_scale(-(1 - sqrt(0.75)) / 2, p);
@@ -124,13 +126,13 @@ void nb_servo_begin(struct nb_model *model) {
     from->stress[k] = servo->ramp ? first[k] : servo->stress[k];
 }
 
-void nb_servo_set(struct nb_model *model) {
+void nb_servo_apply(struct nb_model *model) {
   struct nb_affine *affine = model->affine;
   const struct nb_servo *servo = &model->stage->servo;
   if (model->stage_cycle % servo->every != 0 || !(servo->cell || servo->box || model->drive->ring.held))
     return;
   const double fraction = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
-  const struct nb_tensor more = tensor_turned(axes(servo), correction(model, servo, fraction));
+  const struct nb_tensor added = tensor_turned(axes(servo), correction(model, servo, fraction));
   const bool moved[NB_CARRIERS] = {
       [NB_CARRIER_CONTINUUM] = servo->continuum,
       [NB_CARRIER_BOUNDARY] = !servo->cell && !servo->box,
@@ -138,5 +140,5 @@ void nb_servo_set(struct nb_model *model) {
       [NB_CARRIER_BOX] = servo->box,
   };
   for (int c = 0; c < NB_CARRIERS; c++)
-    affine->rate[c] = moved[c] ? tensor_add(affine->level[c], more) : affine->level[c];
+    affine->rate[c] = moved[c] ? tensor_add(affine->level[c], added) : affine->level[c];
 }

@@ -20,18 +20,19 @@ double nb_area_of_disc(double radius) { return NB_PI * radius * radius; }
 
 /* Of the circle r, beyond the chord that the circle R cuts off. */
 static double segment(double r, double R, double d) {
-  const double more = R - r, above = (R + r - d) * (d + more), below = (d - more) * (d + r + R);
-  const double a = 2 * atan2(sqrt(above > 0 ? above : 0), sqrt(below > 0 ? below : 0));
+  const double difference = R - r, numerator = (R + r - d) * (d + difference),
+               denominator = (d - difference) * (d + r + R);
+  const double a = 2 * atan2(sqrt(numerator > 0 ? numerator : 0), sqrt(denominator > 0 ? denominator : 0));
   return r * r * (a - sin(a) * cos(a));
 }
 
-double nb_area_of_lens(double radius_a, double radius_b, double apart) {
+double nb_area_of_lens(double radius_a, double radius_b, double distance) {
   const double smaller = radius_a < radius_b ? radius_a : radius_b, larger = radius_a < radius_b ? radius_b : radius_a;
-  if (apart >= larger + smaller)
+  if (distance >= larger + smaller)
     return 0;
-  if (apart <= larger - smaller)
+  if (distance <= larger - smaller)
     return nb_area_of_disc(smaller);
-  return segment(radius_a, radius_b, apart) + segment(radius_b, radius_a, apart);
+  return segment(radius_a, radius_b, distance) + segment(radius_b, radius_a, distance);
 }
 
 static double cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
@@ -40,7 +41,7 @@ static double sector(struct nb_vec a, struct nb_vec b, double r) {
 }
 
 /* Of the disc about the origin and the triangle of the origin, a and b. */
-static double of_edge(struct nb_vec a, struct nb_vec b, double r) {
+static double area_at_edge(struct nb_vec a, struct nb_vec b, double r) {
   const struct nb_vec along = vec_sub(b, a);
   const double square = vec_dot(along, along), middle = vec_dot(a, along);
   const double root = middle * middle - square * (vec_dot(a, a) - r * r);
@@ -57,7 +58,7 @@ static double of_edge(struct nb_vec a, struct nb_vec b, double r) {
 double nb_area_in_polygon(struct nb_vec centre, double radius, const struct nb_vec corners[], size_t count) {
   double area = 0;
   for (size_t k = 0; k < count; k++)
-    area += of_edge(vec_sub(corners[k], centre), vec_sub(corners[(k + 1) % count], centre), radius);
+    area += area_at_edge(vec_sub(corners[k], centre), vec_sub(corners[(k + 1) % count], centre), radius);
   return area;
 }
 

@@ -46,7 +46,7 @@
 /* ---- set up ---- */
 
 /* The first law of the scene that stores no energy; NULL: all do. */
-static const struct nb_law *not_stored(const struct nb_model *model, bool normal) {
+static const struct nb_law *law_without_energy(const struct nb_model *model, bool normal) {
   for (size_t p = 0; p < model->material_pair_count; p++) {
     const struct nb_law *law = normal ? model->material_pairs[p].normal : model->material_pairs[p].shear;
     if (law && !law->stored)
@@ -56,9 +56,9 @@ static const struct nb_law *not_stored(const struct nb_model *model, bool normal
 }
 
 /* An error where an energy is asked for that a law of the scene does not know. */
-static enum nb_status refuse(const struct nb_model *model, struct nb_error *error) {
+static enum nb_status check_stored_energy(const struct nb_model *model, struct nb_error *error) {
   const unsigned requested = model->plan.requested;
-  const struct nb_law *normal = not_stored(model, true), *shear = not_stored(model, false);
+  const struct nb_law *normal = law_without_energy(model, true), *shear = law_without_energy(model, false);
   normal = normal ? normal : nb_laws_unstored(model->scene, true);
   shear = shear ? shear : nb_laws_unstored(model->scene, false);
   if (requested & NB_REQUEST_STORED && (normal || shear))
@@ -86,28 +86,28 @@ static bool allocate(struct nb_model *model) {
 }
 
 /* The walls' velocities over the step that ends at t_N. */
-static void remember_walls(const struct nb_model *model) {
+static void record_walls(const struct nb_model *model) {
   for (size_t w = 0; w < model->walls.count; w++)
     model->balance->walls[w].speed = (struct nb_state){model->walls.velocity[w], model->walls.spin[w]};
 }
 
 enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
-  if (refuse(model, error))
+  if (check_stored_energy(model, error))
     return error->status;
   if (!(model->plan.requested & (NB_REQUEST_WORK | NB_REQUEST_ENERGY)))
     return NB_OK;
   if (!allocate(model))
     return nb_error_memory(error);
   struct nb_balance *b = model->balance;
-  b->kinetic = nb_energy_kinetic_half(model);
-  remember_walls(model);
+  b->initial_kinetic = nb_energy_kinetic_half(model);
+  record_walls(model);
   if (!model->terms)
     return NB_OK;
-  b->level = nb_energy_kinetic(model) + nb_energy_stored(model);
-  struct nb_sum behind[NB_TERMS] = {{0}}; /* a state's last step is none of this run's */
-  nb_balance_tail(behind, model);
+  b->initial_energy = nb_energy_kinetic(model) + nb_energy_stored(model);
+  struct nb_sum first_half[NB_TERMS] = {{0}}; /* a state's last step is none of this run's */
+  nb_balance_add_half_kick(first_half, model);
   for (int t = 0; t < NB_TERMS; t++)
-    nb_sum_add(&model->terms[t], -behind[t].sum);
+    nb_sum_add(&model->terms[t], -first_half[t].sum);
   return NB_OK;
 }
 
@@ -115,7 +115,7 @@ void nb_balance_free(struct nb_model *model) {
   struct nb_balance *b = model->balance;
   if (!b)
     return;
-  free(b->particles), free(b->walls), free(b->values), free(b->entered), free(b);
+  free(b->particles), free(b->walls), free(b->values), free(b->overlaps), free(b);
   free(model->terms);
   model->balance = NULL, model->terms = NULL;
 }
@@ -123,14 +123,14 @@ void nb_balance_free(struct nb_model *model) {
 /* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */
 
 struct kick {
-  double behind, ahead;  /* before t_N and after it, s: what is counted */
-  double time, fraction; /* of the whole kick, s; how much of it that is */
-  double before;         /* the share of it that is damped as before the stage */
+  double first_half, second_half; /* before t_N and after it, s: what is counted */
+  double time, fraction;          /* of the whole kick, s; how much of it that is */
+  double before;                  /* the share of it that is damped as before the stage */
 };
 
 static struct kick whole_kick(const struct nb_model *model) {
-  const double behind = model->previous_step / 2, ahead = model->step / 2;
-  return (struct kick){behind, ahead, behind + ahead, 1, nb_kick_before(model)};
+  const double first_half = model->previous_step / 2, second_half = model->step / 2;
+  return (struct kick){first_half, second_half, first_half + second_half, 1, nb_kick_before(model)};
 }
 
 /* The half that lies behind t_N, as it will be when nothing else happens. */
@@ -143,21 +143,22 @@ static void affine(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   const struct nb_cell *cell = model->cell;
   for (size_t i = 0; i < model->particles.count && model->affine; i++)
-    b->particles[i].along =
-        vec_add(vec_scale(kick.behind, model->particles.imposed[i]),
-                vec_scale(kick.ahead, nb_affine_remembered(model->affine, i, model->particles.position[i])));
+    b->particles[i].imposed =
+        vec_add(vec_scale(kick.first_half, model->particles.imposed[i]),
+                vec_scale(kick.second_half, nb_affine_remembered(model->affine, i, model->particles.position[i])));
   if (cell)
-    b->parted = tensor_add(tensor_scale(kick.behind, cell->parting),
-                           tensor_scale(kick.ahead, tensor_product(model->affine->rate[NB_CARRIER_CELL], cell->h)));
+    b->copy_displacement =
+        tensor_add(tensor_scale(kick.first_half, cell->parting),
+                   tensor_scale(kick.second_half, tensor_product(model->affine->rate[NB_CARRIER_CELL], cell->h)));
 }
 
 /* The copy that a contact is with is carried so much more. */
-static struct nb_vec parted(const struct nb_model *model, size_t c) {
-  return model->cell ? tensor_times(model->balance->parted, model->contacts.image[c]) : vec(0, 0);
+static struct nb_vec copy_displacement(const struct nb_model *model, size_t c) {
+  return model->cell ? tensor_times(model->balance->copy_displacement, model->contacts.image[c]) : vec(0, 0);
 }
 
 /* Where all is at t_N, and how fast. */
-static void stand(const struct nb_model *model, struct kick kick) {
+static void record_state(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   for (size_t i = 0; i < model->particles.count; i++) {
     b->particles[i].before = nb_velocity_half(model, i), b->particles[i].position = model->particles.position[i];
@@ -170,27 +171,27 @@ static void stand(const struct nb_model *model, struct kick kick) {
 }
 
 /* What stays in a body's own velocity of what carries it along (affine.h), m/s. */
-static struct nb_vec left(const struct nb_model *model, size_t i) {
+static struct nb_vec accumulated(const struct nb_model *model, size_t i) {
   return model->affine ? nb_affine_left(model->affine, i, model->balance->particles[i].position) : vec(0, 0);
 }
 
 /* What global damping takes from a body in a kick with that mean velocity: its impulse, against the motion, times that. */
-static double damped(const struct nb_model *model, size_t i, struct nb_state was, struct nb_state mean,
-                     struct nb_force force, struct kick kick) {
-  const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), was.velocity);
-  const struct nb_state is = {vec_sub(after, left(model, i)), 2 * mean.spin - was.spin};
+static double damping_loss(const struct nb_model *model, size_t i, struct nb_state old, struct nb_state mean,
+                           struct nb_force force, struct kick kick) {
+  const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), old.velocity);
+  const struct nb_state new = {vec_sub(after, accumulated(model, i)), 2 * mean.spin - old.spin};
   const struct nb_shares by = nb_shares(model, kick.time, kick.before);
-  const struct nb_vec kept = vec_add(vec_scale(by.old, was.velocity), vec_scale(by.new, is.velocity));
+  const struct nb_vec kept = vec_add(vec_scale(by.old, old.velocity), vec_scale(by.new, new.velocity));
   const struct nb_vec linear =
       vec_add(vec_scale(model->particles.mass[i], kept), vec_scale(by.pushed * kick.time, force.force));
   const double angular =
-      model->particles.inertia[i] * (by.old * was.spin + by.new *is.spin) + by.pushed * kick.time * force.moment;
+      model->particles.inertia[i] * (by.old * old.spin + by.new *new.spin) + by.pushed * kick.time * force.moment;
   return vec_dot(linear, mean.velocity) + angular * mean.spin;
 }
 
 /* What that, and stress on a boundary, give a body in such a kick. */
-static double driven(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
-  struct nb_vec impulse = vec_scale(model->particles.mass[i], left(model, i));
+static double imposed_work(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
+  struct nb_vec impulse = vec_scale(model->particles.mass[i], accumulated(model, i));
   if (model->particles.pressed)
     impulse = vec_add(impulse, vec_scale(time, model->particles.pressed[i]));
   return vec_dot(impulse, mean);
@@ -200,7 +201,7 @@ static void add_particles(struct nb_sum terms[], const struct nb_model *model, s
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    const struct nb_state was = model->balance->particles[i].before, now = model->balance->particles[i].now;
+    const struct nb_state old = model->balance->particles[i].before, now = model->balance->particles[i].now;
     struct nb_force force = nb_force_on(model, i);
     if (!(particles->inverse_mass[i] > 0)) {
       const double held = vec_dot(force.force, now.velocity) + force.moment * now.spin;
@@ -210,10 +211,10 @@ static void add_particles(struct nb_sum terms[], const struct nb_model *model, s
     const struct nb_vec weight = nb_weight(model, i, model->balance->particles[i].position);
     force.force = vec_add(force.force, particles->pressed ? vec_add(weight, particles->pressed[i]) : weight);
     nb_sum_add(&terms[NB_TERM_GRAVITY], kick.fraction * kick.time * vec_dot(weight, now.velocity) +
-                                            vec_dot(weight, model->balance->particles[i].along));
+                                            vec_dot(weight, model->balance->particles[i].imposed));
     if (model->affine)
-      nb_sum_add(&terms[NB_TERM_DRIVEN], kick.fraction * driven(model, i, now.velocity, kick.time));
-    nb_sum_add(&terms[NB_TERM_DAMPED], kick.fraction * damped(model, i, was, now, force, kick));
+      nb_sum_add(&terms[NB_TERM_DRIVEN], kick.fraction * imposed_work(model, i, now.velocity, kick.time));
+    nb_sum_add(&terms[NB_TERM_DAMPED], kick.fraction * damping_loss(model, i, old, now, force, kick));
   }
 }
 
@@ -224,32 +225,32 @@ static void add_work(struct nb_sum *work, const struct nb_model *model, struct k
     const size_t i = (size_t)particles->slot[k];
     if (!(particles->inverse_mass[i] > 0))
       continue;
-    const struct nb_state was = model->balance->particles[i].before, is = nb_velocity_half(model, i);
-    const struct nb_state mean = {vec_scale(0.5, vec_add(was.velocity, is.velocity)), (was.spin + is.spin) / 2};
+    const struct nb_state old = model->balance->particles[i].before, new = nb_velocity_half(model, i);
+    const struct nb_state mean = {vec_scale(0.5, vec_add(old.velocity, new.velocity)), (old.spin + new.spin) / 2};
     struct nb_force force = nb_force_on(model, i);
     force.force = vec_add(force.force, nb_weight(model, i, model->balance->particles[i].position));
     if (model->affine)
-      nb_sum_add(work, driven(model, i, mean.velocity, kick.time));
+      nb_sum_add(work, imposed_work(model, i, mean.velocity, kick.time));
     nb_sum_add(work, kick.time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
     if (model->particles.pressed)
       force.force = vec_add(force.force, model->particles.pressed[i]);
-    nb_sum_add(work, -damped(model, i, was, mean, force, kick));
+    nb_sum_add(work, -damping_loss(model, i, old, mean, force, kick));
   }
 }
 
-static struct nb_vec wall_way(const struct nb_model *model, struct kick kick, int w, struct nb_vec q) {
+static struct nb_vec wall_displacement(const struct nb_model *model, struct kick kick, int w, struct nb_vec q) {
   const struct nb_state before = model->balance->walls[w].speed;
-  const struct nb_vec arm = vec_sub(q, model->balance->walls[w].pivot), turned = vec(-arm.y, arm.x);
-  const struct nb_vec was = vec_add(before.velocity, vec_scale(before.spin, turned));
-  const struct nb_vec is = vec_add(model->walls.velocity[w], vec_scale(model->walls.spin[w], turned));
-  return vec_add(vec_scale(kick.behind, was), vec_scale(kick.ahead, is));
+  const struct nb_vec arm = vec_sub(q, model->balance->walls[w].pivot), perpendicular = vec(-arm.y, arm.x);
+  const struct nb_vec old = vec_add(before.velocity, vec_scale(before.spin, perpendicular));
+  const struct nb_vec new = vec_add(model->walls.velocity[w], vec_scale(model->walls.spin[w], perpendicular));
+  return vec_add(vec_scale(kick.first_half, old), vec_scale(kick.second_half, new));
 }
 
 /* Dashpots and walls. */
 static void add_contacts(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_balance *b = model->balance;
-  const double time = kick.behind + kick.ahead;
+  const double time = kick.first_half + kick.second_half;
   for (size_t c = 0; c < contacts->count; c++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
     if ((!model->plan.dashpots && !material_pair->wall) || !nb_touches(contacts, c))
@@ -257,64 +258,65 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
     const double radius = model->particles.surface[i].radius;
-    struct nb_vec way = vec_add(vec_scale(time, b->particles[i].now.velocity), b->particles[i].along);
-    double rolled = time * b->particles[i].now.spin * radius;
+    struct nb_vec displacement = vec_add(vec_scale(time, b->particles[i].now.velocity), b->particles[i].imposed);
+    double rolling = time * b->particles[i].now.spin * radius;
     if (material_pair->wall) {
-      const double reach = radius - contacts->kept[NB_OVERLAP][c];
-      const struct nb_vec wall = wall_way(model, kick, j, vec_add(b->particles[i].position, vec_scale(reach, e)));
+      const double arm_length = radius - contacts->kept[NB_OVERLAP][c];
+      const struct nb_vec wall =
+          wall_displacement(model, kick, j, vec_add(b->particles[i].position, vec_scale(arm_length, e)));
       nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(contacts->force[c], wall));
-      way = vec_sub(way, wall);
+      displacement = vec_sub(displacement, wall);
     } else {
-      const struct nb_vec along = vec_add(b->particles[j].along, parted(model, c));
-      way = vec_sub(way, vec_add(vec_scale(time, b->particles[j].now.velocity), along));
-      rolled += time * b->particles[j].now.spin * model->particles.surface[j].radius;
+      const struct nb_vec along = vec_add(b->particles[j].imposed, copy_displacement(model, c));
+      displacement = vec_sub(displacement, vec_add(vec_scale(time, b->particles[j].now.velocity), along));
+      rolling += time * b->particles[j].now.spin * model->particles.surface[j].radius;
     }
     if (!model->plan.dashpots)
       continue;
     nb_sum_add(&terms[NB_TERM_DAMPED],
-               (contacts->kept[NB_TOTAL_NORMAL][c] - contacts->kept[NB_NORMAL][c]) * vec_dot(way, e));
+               (contacts->kept[NB_TOTAL_NORMAL][c] - contacts->kept[NB_NORMAL][c]) * vec_dot(displacement, e));
     if (material_pair->shear)
       nb_sum_add(&terms[NB_TERM_DAMPED], (contacts->kept[NB_TOTAL_SHEAR][c] - contacts->kept[NB_SHEAR][c]) *
-                                             (vec_dot(way, vec_clockwise(e)) - rolled));
+                                             (vec_dot(displacement, vec_clockwise(e)) - rolling));
   }
 }
 
 /* What carries bodies along. */
-static void add_carrying(struct nb_sum terms[], const struct nb_model *model) {
+static void add_imposed(struct nb_sum terms[], const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count && model->affine; k++) {
     const size_t i = (size_t)particles->slot[k];
     struct nb_vec force = nb_force_on(model, i).force;
     if (particles->inverse_mass[i] > 0)
       force = vec_add(force, nb_weight(model, i, model->balance->particles[i].position));
-    nb_sum_add(&terms[NB_TERM_DRIVEN], -vec_dot(force, model->balance->particles[i].along));
+    nb_sum_add(&terms[NB_TERM_DRIVEN], -vec_dot(force, model->balance->particles[i].imposed));
   }
   for (size_t c = 0; c < model->contacts.count && model->cell; c++)
-    nb_sum_add(&terms[NB_TERM_DRIVEN], vec_dot(model->contacts.force[c], parted(model, c)));
+    nb_sum_add(&terms[NB_TERM_DRIVEN], vec_dot(model->contacts.force[c], copy_displacement(model, c)));
 }
 
 static void add_terms(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
   add_particles(terms, model, kick);
-  add_carrying(terms, model);
+  add_imposed(terms, model);
   add_contacts(terms, model, kick);
 }
 
-void nb_balance_before(struct nb_model *model) { stand(model, whole_kick(model)); }
+void nb_balance_before_motion(struct nb_model *model) { record_state(model, whole_kick(model)); }
 
-void nb_balance_kick(struct nb_model *model) {
+void nb_balance_after_motion(struct nb_model *model) {
   const struct kick kick = whole_kick(model);
   add_work(&model->balance->work, model, kick);
   if (!model->terms)
     return;
   add_terms(model->terms, model, kick);
-  remember_walls(model);
+  record_walls(model);
 }
 
-void nb_balance_tail(struct nb_sum terms[], const struct nb_model *model) {
+void nb_balance_add_half_kick(struct nb_sum terms[], const struct nb_model *model) {
   const struct kick kick = half_kick(model);
-  if (!(kick.behind > 0))
+  if (!(kick.first_half > 0))
     return;
-  stand(model, kick);
+  record_state(model, kick);
   add_terms(terms, model, kick);
 }
 
@@ -323,13 +325,13 @@ void nb_balance_tail(struct nb_sum terms[], const struct nb_model *model) {
 double nb_balance_term(const struct nb_model *model, enum nb_term term) {
   struct nb_sum now[NB_TERMS];
   memcpy(now, model->terms, sizeof now);
-  nb_balance_tail(now, model);
+  nb_balance_add_half_kick(now, model);
   return now[term].sum + now[term].rest;
 }
 
 double nb_balance_work_residual(const struct nb_model *model) {
   struct nb_sum sum = model->balance->work;
-  nb_sum_add(&sum, model->balance->kinetic);
+  nb_sum_add(&sum, model->balance->initial_kinetic);
   nb_sum_add(&sum, -nb_energy_kinetic_half(model));
   return -(sum.sum + sum.rest);
 }
@@ -340,10 +342,10 @@ double nb_balance_energy_residual(const struct nb_model *model) {
       [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1, [NB_TERM_REMOVED] = 1,  [NB_TERM_DRIVEN] = -1};
   struct nb_sum now[NB_TERMS], sum = {0};
   memcpy(now, model->terms, sizeof now);
-  nb_balance_tail(now, model);
+  nb_balance_add_half_kick(now, model);
   nb_sum_add(&sum, nb_energy_kinetic(model));
   nb_sum_add(&sum, nb_energy_stored(model));
-  nb_sum_add(&sum, -model->balance->level);
+  nb_sum_add(&sum, -model->balance->initial_energy);
   for (int t = 0; t < NB_TERMS; t++)
     nb_sum_add(&sum, sign[t] * now[t].sum), nb_sum_add(&sum, sign[t] * now[t].rest);
   return sum.sum + sum.rest;

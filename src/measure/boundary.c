@@ -8,37 +8,38 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "boundary.h"
 
-double nb_ring_area(const struct nb_model *model) {
+double nb_boundary_area(const struct nb_model *model) {
   double twice = 0;
   for (size_t k = 0; k < model->drive->ring.count; k++) {
-    const struct nb_vec a = nb_ring_place(model, k), b = nb_ring_place(model, k + 1);
+    const struct nb_vec a = nb_boundary_position(model, k), b = nb_boundary_position(model, k + 1);
     twice += a.x * b.y - b.x * a.y;
   }
   return twice / 2;
 }
 
-double nb_ring_radius(const struct nb_model *model) {
+double nb_boundary_radius(const struct nb_model *model) {
   const size_t count = model->drive->ring.count;
   double sum = 0;
   for (size_t k = 0; k < count; k++)
-    sum += vec_length(nb_ring_place(model, k));
+    sum += vec_length(nb_boundary_position(model, k));
   return count ? sum / (double)count : 0;
 }
 
-double nb_ring_roughness(const struct nb_model *model) {
+double nb_boundary_roughness(const struct nb_model *model) {
   const size_t count = model->drive->ring.count;
-  const double mean = nb_ring_radius(model);
+  const double mean = nb_boundary_radius(model);
   double sum = 0;
   for (size_t k = 0; k < count; k++)
-    sum += (vec_length(nb_ring_place(model, k)) - mean) * (vec_length(nb_ring_place(model, k)) - mean);
+    sum += (vec_length(nb_boundary_position(model, k)) - mean) * (vec_length(nb_boundary_position(model, k)) - mean);
   return count ? sqrt(sum / (double)count) / mean : 0;
 }
 
-struct nb_tensor nb_ring_stress(const struct nb_model *model) {
+struct nb_tensor nb_boundary_stress(const struct nb_model *model) {
   const struct nb_ring *ring = &model->drive->ring;
   struct nb_tensor sum = tensor(0, 0, 0, 0);
-  const double volume = nb_ring_area(model) * nb_thickness(model);
+  const double volume = nb_boundary_area(model) * nb_thickness(model);
   for (size_t k = 0; k < ring->count; k++)
-    sum = tensor_add(sum, tensor_outer(nb_force_on(model, (size_t)ring->member[k]).force, nb_ring_place(model, k)));
+    sum = tensor_add(sum,
+                     tensor_outer(nb_force_on(model, (size_t)ring->member[k]).force, nb_boundary_position(model, k)));
   return volume > 0 ? tensor_scale(1 / volume, sum) : tensor(0, 0, 0, 0);
 }

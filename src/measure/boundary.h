@@ -6,15 +6,15 @@
 
 #include "core/boundary.h"
 
-static inline bool nb_ring_begun(const struct nb_model *model) { return model->drive && model->drive->ring.begun; }
+static inline bool nb_boundary_exists(const struct nb_model *model) { return model->drive && model->drive->ring.begun; }
 /* From the boundary's centre to that of its k-th particle, counterclockwise and round again, m. */
-static inline struct nb_vec nb_ring_place(const struct nb_model *model, size_t k) {
+static inline struct nb_vec nb_boundary_position(const struct nb_model *model, size_t k) {
   const struct nb_ring *ring = &model->drive->ring;
   return vec_sub(model->particles.position[ring->member[k % ring->count]], model->affine->centre);
 }
-double nb_ring_area(const struct nb_model *model);      /* of the polygon through the centres of its bodies, m2 */
-double nb_ring_radius(const struct nb_model *model);    /* mean distance of their centres from the circle's, m */
-double nb_ring_roughness(const struct nb_model *model); /* root of the mean square of what is left, over the mean */
-struct nb_tensor nb_ring_stress(const struct nb_model *model); /* from the forces on its bodies, Pa */
+double nb_boundary_area(const struct nb_model *model);      /* of the polygon through the centres of its bodies, m2 */
+double nb_boundary_radius(const struct nb_model *model);    /* mean distance of their centres from the circle's, m */
+double nb_boundary_roughness(const struct nb_model *model); /* root of the mean square of what is left, over the mean */
+struct nb_tensor nb_boundary_stress(const struct nb_model *model); /* from the forces on its bodies, Pa */
 
 #endif

@@ -27,86 +27,87 @@ struct nb_chain_particle {
 };
 
 bool nb_chains_create(struct nb_model *model) {
-  model->regions->chained = nb_array(model->particles.count, sizeof *model->regions->chained);
-  return model->regions->chained != NULL;
+  model->regions->chain_particles = nb_array(model->particles.count, sizeof *model->regions->chain_particles);
+  return model->regions->chain_particles != NULL;
 }
 
 /* Answers how many bodies there are. */
-static double find_strong(const struct nb_model *model, const struct nb_region_now *region) {
-  struct nb_chain_particle *chained = model->regions->chained;
+static double find_strong(const struct nb_model *model, const struct nb_region_state *region) {
+  struct nb_chain_particle *chain_particles = model->regions->chain_particles;
   const struct nb_particles *particles = &model->particles;
   struct nb_end end;
   for (size_t i = 0; i < particles->count; i++)
-    chained[i] = (struct nb_chain_particle){.root = (int)i, .particles = 1};
-  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
+    chain_particles[i] = (struct nb_chain_particle){.root = (int)i, .particles = 1};
+  for (struct nb_ends ends = nb_ends_begin(model, region); nb_ends_next(&ends, &end);) {
     const struct nb_tensor part =
         tensor_outer(nb_end_force(&end), vec_scale(end.arm / nb_region_volume(model, end.slot), end.e));
-    chained[end.slot].stress = tensor_add(chained[end.slot].stress, part);
+    chain_particles[end.slot].stress = tensor_add(chain_particles[end.slot].stress, part);
   }
   double sum = 0, count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
     if (particles->inverse_mass[i] > 0)
-      sum += tensor_major(chained[i].stress), count++;
+      sum += tensor_major(chain_particles[i].stress), count++;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
-    chained[i].strong = particles->inverse_mass[i] > 0 && tensor_major(chained[i].stress) * count > sum;
+    chain_particles[i].strong = particles->inverse_mass[i] > 0 && tensor_major(chain_particles[i].stress) * count > sum;
   return count;
 }
 
-static bool is_along(struct nb_vec e, struct nb_tensor stress) {
+static bool is_along_major_axis(struct nb_vec e, struct nb_tensor stress) {
   return (e.x * e.x - e.y * e.y) * (stress.xx - stress.yy) + 2 * e.x * e.y * (stress.xy + stress.yx) > 0;
 }
 
 static bool is_link(const struct nb_model *model, const struct nb_end *end) {
-  const struct nb_chain_particle *chained = model->regions->chained;
-  return end->partner >= 0 && chained[end->slot].strong && chained[end->partner].strong &&
-         is_along(end->e, chained[end->slot].stress) && is_along(end->e, chained[end->partner].stress);
+  const struct nb_chain_particle *chain_particles = model->regions->chain_particles;
+  return end->partner >= 0 && chain_particles[end->slot].strong && chain_particles[end->partner].strong &&
+         is_along_major_axis(end->e, chain_particles[end->slot].stress) &&
+         is_along_major_axis(end->e, chain_particles[end->partner].stress);
 }
 
-static int root_of(struct nb_chain_particle *chained, int i) {
-  while (chained[i].root != i)
-    i = chained[i].root = chained[chained[i].root].root;
+static int root_of(struct nb_chain_particle *chain_particles, int i) {
+  while (chain_particles[i].root != i)
+    i = chain_particles[i].root = chain_particles[chain_particles[i].root].root;
   return i;
 }
 
-static void join(struct nb_chain_particle *chained, int i, int j) {
-  const int a = root_of(chained, i), b = root_of(chained, j);
+static void merge(struct nb_chain_particle *chain_particles, int i, int j) {
+  const int a = root_of(chain_particles, i), b = root_of(chain_particles, j);
   if (a == b)
     return;
-  chained[b].root = a;
-  chained[a].particles += chained[b].particles;
+  chain_particles[b].root = a;
+  chain_particles[a].particles += chain_particles[b].particles;
 }
 
 /* The links of the body that come behind this one, each as a pair with it. */
-static void add_turns(const struct nb_model *model, struct nb_ends ends, const struct nb_end *link, double *turns,
+static void add_bends(const struct nb_model *model, struct nb_ends ends, const struct nb_end *link, double *bends,
                       double *pairs) {
   struct nb_end other;
   while (nb_ends_next(&ends, &other) && other.slot == link->slot) {
-    const double on = -vec_dot(link->e, other.e), aside = vec_dot(vec_clockwise(link->e), other.e);
-    if (!is_link(model, &other) || !(on > 0))
+    const double ahead = -vec_dot(link->e, other.e), aside = vec_dot(vec_clockwise(link->e), other.e);
+    if (!is_link(model, &other) || !(ahead > 0))
       continue;
-    *turns += atan2(fabs(aside), on);
+    *bends += atan2(fabs(aside), ahead);
     ++*pairs;
   }
 }
 
-void nb_measure_chains(const struct nb_model *model, struct nb_region_now *region) {
-  struct nb_chain_particle *chained = model->regions->chained;
+void nb_measure_chains(const struct nb_model *model, struct nb_region_state *region) {
+  struct nb_chain_particle *chain_particles = model->regions->chain_particles;
   const double particles = find_strong(model, region);
-  double turns = 0, pairs = 0, in_chains = 0, count = 0;
+  double bends = 0, pairs = 0, in_chains = 0, count = 0;
   struct nb_end end;
-  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
+  for (struct nb_ends ends = nb_ends_begin(model, region); nb_ends_next(&ends, &end);) {
     if (!is_link(model, &end))
       continue;
-    join(chained, (int)end.slot, end.partner);
-    add_turns(model, ends, &end, &turns, &pairs);
+    merge(chain_particles, (int)end.slot, end.partner);
+    add_bends(model, ends, &end, &bends, &pairs);
   }
   for (size_t i = 0; i < model->particles.count; i++)
-    if (chained[i].root == (int)i && chained[i].particles > 2)
-      in_chains += chained[i].particles, count++;
+    if (chain_particles[i].root == (int)i && chain_particles[i].particles > 2)
+      in_chains += chain_particles[i].particles, count++;
   region->chains = (struct nb_chains){
       .count = count,
       .length = count > 0 ? in_chains / count : 0,
       .fraction = particles > 0 ? in_chains / particles : 0,
-      .turn = pairs > 0 ? turns / pairs : 0,
+      .bend = pairs > 0 ? bends / pairs : 0,
   };
 }

@@ -17,28 +17,28 @@
 #include "step.h"
 
 /* How two that are to meet do. */
-struct meeting {
+struct approach {
   double speed; /* closing, along the line of centres, m/s; 0: they do not meet */
   double time;  /* until then, s */
 };
 
-static struct meeting never(void) { return (struct meeting){0, INFINITY}; }
+static struct approach no_collision(void) { return (struct approach){0, INFINITY}; }
 
 static double cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
 
 /* Two circles whose radii sum up to `reach`, `apart` from one centre to the other. */
-static struct meeting meet(struct nb_vec apart, struct nb_vec dn, double radius_sum) {
+static struct approach circles_approach(struct nb_vec apart, struct nb_vec dn, double radius_sum) {
   const double distance = vec_length(apart), along = vec_dot(dn, apart);
   if (!(along > 0))
-    return never();
+    return no_collision();
   if (distance <= radius_sum)
-    return (struct meeting){along / distance, 0};
+    return (struct approach){along / distance, 0};
   const double size = vec_length(dn), aside = cross(dn, apart) / radius_sum;
   const double square = (size - aside) * (size + aside);
   if (!(square > 0))
-    return never();
+    return no_collision();
   const double speed = sqrt(square); /* the way left is what is between the centres' foot and the point of touch */
-  return (struct meeting){speed, (along / size - speed * radius_sum / size) / size};
+  return (struct approach){speed, (along / size - speed * radius_sum / size) / size};
 }
 
 /* The velocities that walls have in the first stage, before it has begun. */
@@ -51,8 +51,8 @@ static struct nb_state wall_state(const struct nb_model *model, int wall) {
   return state;
 }
 
-static struct meeting meet_wall(const struct nb_model *model, struct nb_vec position, struct nb_vec velocity,
-                                double radius, int w) {
+static struct approach wall_approach(const struct nb_model *model, struct nb_vec position, struct nb_vec velocity,
+                                     double radius, int w) {
   const struct nb_walls *walls = &model->walls;
   const struct nb_vec along = walls->along[w], from = vec_sub(position, walls->point[w]);
   const double s = vec_dot(from, along);
@@ -64,10 +64,10 @@ static struct meeting meet_wall(const struct nb_model *model, struct nb_vec posi
   const double side = cross(along, from), height = fabs(side), speed = -copysign(1, side) * cross(along, dn);
   const double time = height > radius ? (height - radius) / speed : 0, foot = s + vec_dot(dn, along) * time;
   if (speed > 0 && foot >= walls->h1[w] && foot <= walls->h2[w])
-    return (struct meeting){speed, time};
-  struct meeting first = never();
+    return (struct approach){speed, time};
+  struct approach first = no_collision();
   for (int end = 0; end < 2; end++) {
-    const struct meeting there = meet(vec_sub(nb_wall_end(walls, w, end), position), dn, radius);
+    const struct approach there = circles_approach(vec_sub(nb_wall_end(walls, w, end), position), dn, radius);
     first = there.time < first.time ? there : first;
   }
   return first;
@@ -80,17 +80,17 @@ static double duration(double young, double radius, double mass, double speed) {
 
 static bool moving(struct nb_vec velocity) { return velocity.x != 0 || velocity.y != 0; }
 
-static void shorter(struct nb_meeting *shortest, struct nb_meeting other) {
+static void keep_shorter(struct nb_collision *shortest, struct nb_collision other) {
   if (other.duration < shortest->duration)
     *shortest = other;
 }
 
 /* E* of bodies of these materials, or of one at a wall. */
-static double young_of(const struct nb_model *model, int a, int b) {
+static double effective_young(const struct nb_model *model, int a, int b) {
   return nb_properties_pair(&model->properties, a, b).young;
 }
 
-static void try_particles(struct nb_meeting *shortest, const struct nb_model *model, const struct nb_vec *velocity,
+static void try_particles(struct nb_collision *shortest, const struct nb_model *model, const struct nb_vec *velocity,
                           size_t i) {
   const struct nb_particles *particles = &model->particles;
   for (size_t j = 0; j < particles->count; j++) {
@@ -99,33 +99,33 @@ static void try_particles(struct nb_meeting *shortest, const struct nb_model *mo
         (moving(velocity[j]) && particles->number[j] < particles->number[i]))
       continue;
     const double radius_sum = particles->surface[i].radius + particles->surface[j].radius;
-    const double speed =
-        meet(vec_sub(particles->position[j], particles->position[i]), vec_sub(velocity[i], velocity[j]), radius_sum)
-            .speed;
+    const double speed = circles_approach(vec_sub(particles->position[j], particles->position[i]),
+                                          vec_sub(velocity[i], velocity[j]), radius_sum)
+                             .speed;
     if (speed > 0)
-      shorter(shortest, (struct nb_meeting){
-                            duration(young_of(model, particles->material[i], particles->material[j]),
-                                     nb_reduced_radius(particles->surface[i].radius, particles->surface[j].radius),
-                                     1 / inverse, speed),
-                            speed, (int)i, (int)j, false});
+      keep_shorter(shortest, (struct nb_collision){
+                                 duration(effective_young(model, particles->material[i], particles->material[j]),
+                                          nb_reduced_radius(particles->surface[i].radius, particles->surface[j].radius),
+                                          1 / inverse, speed),
+                                 speed, (int)i, (int)j, false});
   }
 }
 
-static void try_walls(struct nb_meeting *shortest, const struct nb_model *model, struct nb_vec velocity, size_t i) {
+static void try_walls(struct nb_collision *shortest, const struct nb_model *model, struct nb_vec velocity, size_t i) {
   const struct nb_particles *particles = &model->particles;
   for (int w = 0; w < (int)model->walls.count && particles->inverse_mass[i] > 0; w++) {
-    const double speed = meet_wall(model, particles->position[i], velocity, particles->surface[i].radius, w).speed;
+    const double speed = wall_approach(model, particles->position[i], velocity, particles->surface[i].radius, w).speed;
     if (speed > 0)
-      shorter(shortest,
-              (struct nb_meeting){duration(young_of(model, particles->material[i], model->scene->walls[w].material),
-                                           particles->surface[i].radius, particles->mass[i], speed),
-                                  speed, (int)i, w, true});
+      keep_shorter(shortest, (struct nb_collision){duration(effective_young(model, particles->material[i],
+                                                                            model->scene->walls[w].material),
+                                                            particles->surface[i].radius, particles->mass[i], speed),
+                                                   speed, (int)i, w, true});
   }
 }
 
-struct nb_meeting nb_meeting_shortest(const struct nb_model *model) {
+struct nb_collision nb_collision_shortest(const struct nb_model *model) {
   const size_t n = model->particles.count;
-  struct nb_meeting shortest = {INFINITY, 0, -1, -1, false};
+  struct nb_collision shortest = {INFINITY, 0, -1, -1, false};
   struct nb_vec *velocity = nb_array(n, sizeof *velocity);
   if (!velocity)
     return shortest;

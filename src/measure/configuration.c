@@ -73,15 +73,15 @@ void nb_configuration_free(struct nb_configuration *configuration) {
 }
 
 static double *slid(const struct nb_contacts *contacts, size_t r, size_t contact) {
-  const struct nb_history *memory = &contacts->slid;
-  return memory->rows ? &memory->rows[contact * (size_t)memory->doubles + r] : &memory->field[r][contact];
+  const struct nb_history *history = &contacts->slid;
+  return history->rows ? &history->rows[contact * (size_t)history->doubles + r] : &history->field[r][contact];
 }
 
 static struct nb_neighbour_pair pair_of(const struct nb_contacts *contacts, size_t c) {
   return (struct nb_neighbour_pair){contacts->a[c], contacts->b[c], contacts->material_pair[c]};
 }
 
-bool nb_configuration_touching(struct nb_neighbour_pairs *touching, const struct nb_model *model) {
+bool nb_touching_pairs(struct nb_neighbour_pairs *touching, const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   free(touching->list);
   *touching = (struct nb_neighbour_pairs){.list = nb_array(contacts->count, sizeof *touching->list)};
@@ -98,7 +98,7 @@ bool nb_configuration_begin(struct nb_model *model, int stage) {
   if (r == model->configuration->count)
     return true;
   struct reference *reference = &model->configuration->list[r];
-  if (!nb_configuration_touching(&reference->touching, model))
+  if (!nb_touching_pairs(&reference->touching, model))
     return false;
   memcpy(reference->position, particles->position, particles->count * sizeof *particles->position);
   if (particles->angle)
@@ -108,13 +108,13 @@ bool nb_configuration_begin(struct nb_model *model, int stage) {
   return reference->begun = true;
 }
 
-void nb_configuration_forces(struct nb_model *model) {
+void nb_configuration_add_slip(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  const double *slip = contacts->kept[NB_TANGENTIAL_INCREMENT], *sliding = contacts->kept[NB_SLIDING];
+  const double *ds = contacts->kept[NB_TANGENTIAL_INCREMENT], *sliding = contacts->kept[NB_SLIDING];
   for (size_t r = 0; r < model->configuration->count; r++)
     for (size_t c = 0; c < contacts->count && model->configuration->list[r].begun; c++) {
       double *sum = slid(contacts, r, c);
-      *sum = nb_touches(contacts, c) ? *sum + sliding[c] * fabs(slip[c]) : 0;
+      *sum = nb_touches(contacts, c) ? *sum + sliding[c] * fabs(ds[c]) : 0;
     }
 }
 
@@ -123,13 +123,13 @@ void nb_configuration_forces(struct nb_model *model) {
 static const struct reference *reference_of(const struct nb_model *model, int stage) {
   return &model->configuration->list[index_of(model->configuration, stage)];
 }
-struct nb_vec nb_configuration_moved(const struct nb_model *model, int stage, size_t slot) {
+struct nb_vec nb_configuration_displacement(const struct nb_model *model, int stage, size_t slot) {
   return vec_sub(model->particles.position[slot], reference_of(model, stage)->position[slot]);
 }
-double nb_configuration_rotated(const struct nb_model *model, int stage, size_t slot) {
+double nb_configuration_rotation(const struct nb_model *model, int stage, size_t slot) {
   return model->particles.angle ? model->particles.angle[slot] - reference_of(model, stage)->angle[slot] : 0;
 }
-double nb_configuration_slid(const struct nb_model *model, int stage, size_t contact) {
+double nb_configuration_slip(const struct nb_model *model, int stage, size_t contact) {
   return *slid(&model->contacts, index_of(model->configuration, stage), contact);
 }
 
@@ -140,7 +140,7 @@ static bool is_removed(const struct nb_model *model, struct nb_neighbour_pair pa
          (!model->material_pairs[pair.material_pair].wall && nb_removed(model, (size_t)pair.b));
 }
 
-struct nb_vec nb_configuration_line(const struct nb_model *model, struct nb_neighbour_pair pair) {
+struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_pair pair) {
   const struct nb_vec *x = model->particles.position;
   if (model->material_pairs[pair.material_pair].wall)
     return vec_sub(nb_wall_nearest(&model->walls, pair.b, x[pair.a]), x[pair.a]);
@@ -156,12 +156,12 @@ bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbo
   const struct nb_contacts *contacts = &walk->model->contacts;
   while (walk->now < contacts->count && !nb_touches(contacts, walk->now))
     walk->now++;
-  const bool is = walk->now < contacts->count, was = walk->past < walk->then->count;
-  if (!is && !was)
+  const bool has_now = walk->now < contacts->count, has_past = walk->past < walk->reference->count;
+  if (!has_now && !has_past)
     return false;
-  const struct nb_neighbour_pair now = is ? pair_of(contacts, walk->now) : walk->then->list[walk->past];
-  const struct nb_neighbour_pair past = was ? walk->then->list[walk->past] : now;
-  const int order = !is ? -1 : !was ? 1 : nb_contacts_order(walk->model, past, now);
+  const struct nb_neighbour_pair now = has_now ? pair_of(contacts, walk->now) : walk->reference->list[walk->past];
+  const struct nb_neighbour_pair past = has_past ? walk->reference->list[walk->past] : now;
+  const int order = !has_now ? -1 : !has_past ? 1 : nb_contacts_order(walk->model, past, now);
   *kind = (order > 0) - (order < 0);
   *pair = *kind < 0 ? past : now;
   walk->past += *kind <= 0, walk->now += *kind >= 0;
@@ -179,17 +179,17 @@ bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbo
   COLUMN("kind", "1", kind)
 
 bool nb_configuration_lattice(struct nb_table *table, const struct nb_model *model, int stage, int from) {
-  static const struct nb_head columns[] = {LINE(NB_HEAD)};
+  static const struct nb_table_column columns[] = {LINE(NB_TABLE_COLUMN)};
   const int *number = model->particles.number;
-  struct nb_configuration_walk walk = {.model = model, .then = &reference_of(model, from)->touching};
+  struct nb_configuration_walk walk = {.model = model, .reference = &reference_of(model, from)->touching};
   struct nb_neighbour_pair pair;
-  bool whole = nb_snapshot_table(table, model->scene, columns, sizeof columns / sizeof *columns);
-  for (int kind; whole && nb_configuration_next(&walk, &pair, &kind);) {
+  bool complete = nb_snapshot_table(table, model->scene, columns, sizeof columns / sizeof *columns);
+  for (int kind; complete && nb_configuration_next(&walk, &pair, &kind);) {
     if (is_removed(model, pair))
       continue;
     const bool wall = model->material_pairs[pair.material_pair].wall;
-    const struct nb_vec x = nb_cell_place(model, (size_t)pair.a), to = vec_add(x, nb_configuration_line(model, pair));
-    whole = nb_snapshot_row(table, model, stage, (const double[]){LINE(NB_VALUE)});
+    const struct nb_vec x = nb_cell_place(model, (size_t)pair.a), to = vec_add(x, nb_pair_branch(model, pair));
+    complete = nb_snapshot_row(table, model, stage, (const double[]){LINE(NB_VALUE)});
   }
-  return whole;
+  return complete;
 }

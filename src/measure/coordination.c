@@ -18,23 +18,23 @@ static int partner(const struct nb_model *model, size_t contact, size_t slot) {
   return (size_t)contacts->a[contact] == slot ? contacts->b[contact] : contacts->a[contact];
 }
 
-static bool may_rattle(const struct nb_model *model, size_t slot) {
+static bool is_rattler(const struct nb_model *model, size_t slot) {
   return model->particles.inverse_mass[slot] > 0 && model->regions->touching[slot] < 2;
 }
 
 /* Leaves in `touching` how many contacts each body has with others that are no rattlers, -1 for a rattler. */
 static void find_rattlers(const struct nb_model *model) {
-  int *touching = model->regions->touching, *idle = model->regions->idle;
-  size_t waiting = 0;
+  int *touching = model->regions->touching, *queue = model->regions->queue;
+  size_t queued = 0;
   for (size_t i = 0; i < model->particles.count; i++)
     touching[i] = nb_touching(&model->contacts, i);
   for (size_t i = 0; i < model->particles.count; i++)
-    if (may_rattle(model, i))
-      idle[waiting++] = (int)i;
-  for (size_t k = 0; k < waiting; k++)
-    touching[idle[k]] = -1;
-  while (waiting > 0) {
-    const size_t i = (size_t)idle[--waiting];
+    if (is_rattler(model, i))
+      queue[queued++] = (int)i;
+  for (size_t k = 0; k < queued; k++)
+    touching[queue[k]] = -1;
+  while (queued > 0) {
+    const size_t i = (size_t)queue[--queued];
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
     for (const int *entry = its.first; entry < its.end; entry++) {
       const size_t c = (size_t)*entry;
@@ -42,13 +42,13 @@ static void find_rattlers(const struct nb_model *model) {
       if (other < 0 || touching[other] < 0)
         continue;
       touching[other]--;
-      if (may_rattle(model, (size_t)other))
-        touching[other] = -1, idle[waiting++] = other;
+      if (is_rattler(model, (size_t)other))
+        touching[other] = -1, queue[queued++] = other;
     }
   }
 }
 
-void nb_measure_coordination(const struct nb_model *model, struct nb_region_now *region) {
+void nb_measure_coordination(const struct nb_model *model, struct nb_region_state *region) {
   struct nb_coordination *it = &region->coordination;
   *it = (struct nb_coordination){0};
   find_rattlers(model);
@@ -57,17 +57,18 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_now 
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
     it->particles++;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
-    it->loaded += touching[i] >= 0 ? touching[i] : 0;
+    it->mechanical += touching[i] >= 0 ? touching[i] : 0;
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
     for (const int *entry = its.first; entry < its.end; entry++) {
       const size_t c = (size_t)*entry;
       if (!nb_touches(&model->contacts, c))
         continue;
       const int other = partner(model, c, i);
-      it->all++;
-      it->contacts += other < 0 || !nb_region_holds(model, region, (size_t)other) || i == (size_t)model->contacts.a[c];
+      it->mean++;
+      it->contacts +=
+          other < 0 || !nb_region_contains(model, region, (size_t)other) || i == (size_t)model->contacts.a[c];
     }
   }
-  it->all /= it->particles > 0 ? it->particles : 1;
-  it->loaded /= loaded > 0 ? loaded : 1;
+  it->mean /= it->particles > 0 ? it->particles : 1;
+  it->mechanical /= loaded > 0 ? loaded : 1;
 }

@@ -35,7 +35,7 @@ static double kinetic(const struct nb_model *model,
 double nb_energy_kinetic(const struct nb_model *model) { return kinetic(model, nb_velocity_now); }
 double nb_energy_kinetic_half(const struct nb_model *model) { return kinetic(model, nb_velocity_half); }
 
-double nb_energy_of_motion(const struct nb_model *model, size_t slot) {
+double nb_energy_kinetic_of(const struct nb_model *model, size_t slot) {
   return model->particles.inverse_mass[slot] > 0 ? kinetic_of(&model->particles, slot, nb_velocity_now(model, slot))
                                                  : 0;
 }
@@ -51,11 +51,11 @@ static void add_stored(double *sum, const struct nb_model *model, size_t c) {
                               .radius = contacts->kept[NB_RADIUS][c],
                               .overlap = contacts->kept[NB_OVERLAP][c]};
   const struct nb_pair values = nb_contacts_values(model, c, material_pair->values);
-  double room[NB_HISTORY];
+  double buffer[NB_HISTORY];
   if (material_pair->normal->stored)
-    *sum += material_pair->normal->stored(values, n, nb_history_read(&contacts->normal_history, c, room));
+    *sum += material_pair->normal->stored(values, n, nb_history_read(&contacts->normal_history, c, buffer));
   if (material_pair->shear && material_pair->shear->stored)
-    *sum += material_pair->shear->stored(values, n, nb_history_read(&contacts->shear_history, c, room));
+    *sum += material_pair->shear->stored(values, n, nb_history_read(&contacts->shear_history, c, buffer));
 }
 
 double nb_energy_stored(const struct nb_model *model) {
@@ -73,7 +73,7 @@ double nb_energy_of_contact(const struct nb_model *model, size_t c) {
 
 double nb_energy_of_particle(const struct nb_model *model, size_t slot) {
   const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, slot);
-  double sum = nb_energy_of_motion(model, slot);
+  double sum = nb_energy_kinetic_of(model, slot);
   for (const int *c = its.first; c < its.end; c++)
     add_stored(&sum, model, (size_t)*c);
   return sum;
@@ -98,7 +98,7 @@ double nb_momentum_angular(const struct nb_model *model) {
   return sum;
 }
 
-double nb_unbalance(const struct nb_model *model) {
+double nb_unbalanced_max(const struct nb_model *model) {
   double sum = 0, contact = 0;
   for (size_t i = 0; i < model->particles.count; i++) {
     const double size = model->particles.inverse_mass[i] > 0 ? vec_length(nb_force_left(model, i)) : 0;

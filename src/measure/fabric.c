@@ -40,24 +40,24 @@ static void divide(struct nb_anisotropy *phi, double sum) {
   phi->xxxx *= s, phi->xxxy *= s, phi->xxyy *= s, phi->xyyy *= s, phi->yyyy *= s;
 }
 
-static double mean_radius(const struct nb_model *model, const struct nb_region_now *region) {
+static double mean_radius(const struct nb_model *model, const struct nb_region_state *region) {
   double sum = 0, count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i); count++)
     sum += model->particles.surface[i].radius;
   return count > 0 ? sum / count : 0;
 }
 
-void nb_measure_fabric(const struct nb_model *model, struct nb_region_now *region) {
+void nb_measure_fabric(const struct nb_model *model, struct nb_region_state *region) {
   struct nb_fabric *fabric = &region->fabric;
   *fabric = (struct nb_fabric){0};
   double ends_count = 0, normal = 0, shear = 0, sliding = 0;
   struct nb_end end;
-  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
+  for (struct nb_ends ends = nb_ends_begin(model, region); nb_ends_next(&ends, &end);) {
     const struct nb_contact_load load = nb_contact_load(model, end.contact);
     add(&fabric->plain, &ends_count, 1, end.e);
     add(&fabric->normal, &normal, load.normal, end.e);
     add(&fabric->shear, &shear, load.shear, end.e);
-    add(&fabric->sliding, &sliding, load.near, end.e);
+    add(&fabric->sliding, &sliding, load.near_sliding, end.e);
   }
   divide(&fabric->plain, ends_count), divide(&fabric->normal, normal), divide(&fabric->shear, shear);
   divide(&fabric->sliding, sliding);
@@ -69,19 +69,20 @@ void nb_measure_fabric(const struct nb_model *model, struct nb_region_now *regio
 
 enum nb_status nb_changed_contacts_begin(struct nb_model *model, int stage, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
-  if (!(model->plan.requested & NB_REQUEST_PARTED))
+  if (!(model->plan.requested & NB_REQUEST_CHANGED_CONTACTS))
     return NB_OK;
   for (size_t r = 0; r < scene->region_count; r++)
     if ((stage < 0 || scene->regions[r].stage == stage) &&
-        !nb_configuration_touching(&model->regions->list[r].touched, model))
+        !nb_touching_pairs(&model->regions->list[r].reference_pairs, model))
       return nb_error_memory(error);
   return NB_OK;
 }
 
-static double ends_inside(const struct nb_model *model, const struct nb_region_now *region,
+static double ends_inside(const struct nb_model *model, const struct nb_region_state *region,
                           struct nb_neighbour_pair pair) {
   const bool wall = model->material_pairs[pair.material_pair].wall;
-  return nb_region_holds(model, region, (size_t)pair.a) + (!wall && nb_region_holds(model, region, (size_t)pair.b));
+  return nb_region_contains(model, region, (size_t)pair.a) +
+         (!wall && nb_region_contains(model, region, (size_t)pair.b));
 }
 
 static void count(struct nb_changed_contacts *it, double ends, struct nb_vec line) {
@@ -93,13 +94,12 @@ static void average(struct nb_changed_contacts *it) {
   it->phi = tensor_scale(it->ends > 0 ? 1 / it->ends : 0, it->phi);
 }
 
-void nb_measure_changed_contacts(const struct nb_model *model, struct nb_region_now *region) {
-  region->lost = region->made = (struct nb_changed_contacts){0};
-  struct nb_configuration_walk walk = {.model = model, .then = &region->touched};
+void nb_measure_changed_contacts(const struct nb_model *model, struct nb_region_state *region) {
+  region->lost = region->gained = (struct nb_changed_contacts){0};
+  struct nb_configuration_walk walk = {.model = model, .reference = &region->reference_pairs};
   struct nb_neighbour_pair pair;
   for (int kind; nb_configuration_next(&walk, &pair, &kind);)
     if (kind)
-      count(kind < 0 ? &region->lost : &region->made, ends_inside(model, region, pair),
-            nb_configuration_line(model, pair));
-  average(&region->lost), average(&region->made);
+      count(kind < 0 ? &region->lost : &region->gained, ends_inside(model, region, pair), nb_pair_branch(model, pair));
+  average(&region->lost), average(&region->gained);
 }

@@ -14,28 +14,29 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"
 
-bool nb_fracc_begin(struct nb_model *model) {
+bool nb_fracc_create(struct nb_model *model) {
   model->fracc = nb_own(&model->owner, 1, sizeof *model->fracc);
   double *before = nb_own(&model->owner, model->particles.count, sizeof *before);
   if (model->owner.failed)
     return false;
-  model->fracc->before = before;
+  model->fracc->previous_force = before;
   for (size_t i = 0; i < model->particles.count; i++)
-    model->fracc->before[i] = vec_length(nb_force_on(model, i).force);
+    model->fracc->previous_force[i] = vec_length(nb_force_on(model, i).force);
   return true;
 }
 
-void nb_fracc_forces(struct nb_model *model) {
+void nb_fracc_after_forces(struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;
   double largest = 0;
   for (size_t i = 0; i < particles->count; i++) {
-    const double is = vec_length(nb_force_on(model, i).force), change = fabs(is - model->fracc->before[i]);
-    const double way = vec_length(particles->velocity[i]) * dt;
-    model->fracc->before[i] = is;
-    if (!(particles->inverse_mass[i] > 0 && way > 0))
+    const double force = vec_length(nb_force_on(model, i).force),
+                 change = fabs(force - model->fracc->previous_force[i]);
+    const double distance = vec_length(particles->velocity[i]) * dt;
+    model->fracc->previous_force[i] = force;
+    if (!(particles->inverse_mass[i] > 0 && distance > 0))
       continue;
-    const double fraction = dt / 2 * sqrt(change * particles->inverse_mass[i] / way);
+    const double fraction = dt / 2 * sqrt(change * particles->inverse_mass[i] / distance);
     largest = fraction > largest ? fraction : largest;
   }
   model->fracc->largest = largest;

@@ -14,17 +14,17 @@
 #include "laws/laws_now.h"
 
 /* V_N, V_T and the rest of incidence are those of the scene's velocities; N_max and T_c as if nothing were lost. */
-static void elastic(struct nb_strike *strike, struct nb_pair pair) {
-  const double v = strike->normal_v, m = strike->mass;
+static void elastic(struct nb_impact_state *incidence, struct nb_pair pair) {
+  const double v = incidence->normal_v, m = incidence->mass;
   if (pair.young > 0) {
     const double depth = nb_hertz_depth(pair.young, pair.radius, m, v);
-    strike->peak = 1.25 * m * v * v / depth;
-    strike->duration = nb_hertz_duration(depth, v);
-    strike->kappa = pair.young / (4 * pair.shear);
+    incidence->peak = 1.25 * m * v * v / depth;
+    incidence->duration = nb_hertz_duration(depth, v);
+    incidence->kappa = pair.young / (4 * pair.shear);
   } else {
-    strike->peak = v * sqrt(m * pair.kn);
-    strike->duration = NB_PI * sqrt(m / pair.kn);
-    strike->kappa = pair.ks > 0 ? pair.kn / pair.ks : 0;
+    incidence->peak = v * sqrt(m * pair.kn);
+    incidence->duration = NB_PI * sqrt(m / pair.kn);
+    incidence->kappa = pair.ks > 0 ? pair.kn / pair.ks : 0;
   }
 }
 
@@ -38,7 +38,7 @@ static double inverse_mass(const struct nb_scene *scene, const struct nb_particl
   return particle->fixed ? 0 : 1 / nb_particle_mass(scene, particle);
 }
 
-struct nb_strike nb_impact_strike(const struct nb_scene *scene) {
+struct nb_impact_state nb_impact_incidence(const struct nb_scene *scene) {
   const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
   const struct nb_particle *particle = &scene->particles[monitor->a];
   const struct nb_particle *other =
@@ -49,37 +49,37 @@ struct nb_strike nb_impact_strike(const struct nb_scene *scene) {
   pair.radius = other ? nb_reduced_radius(particle->radius, other->radius) : particle->radius;
   pair.young = law->elastic ? pair.young : 0;
 
-  struct nb_strike strike = {.friction = pair.friction};
+  struct nb_impact_state incidence = {.friction = pair.friction};
   const struct nb_vec x = vec(particle->x, particle->y), v = vec(particle->vx, particle->vy);
-  strike.point = other ? vec(other->x, other->y) : nearest(wall, x);
-  strike.normal = vec_scale(1 / vec_length(vec_sub(x, strike.point)), vec_sub(x, strike.point));
-  strike.tangent = vec_clockwise(strike.normal);
-  strike.arrival = vec_sub(v, other ? vec(other->vx, other->vy) : vec(wall->vx, wall->vy));
-  strike.surface = particle->spin * particle->radius + (other ? other->spin * other->radius : 0);
-  strike.normal_v = -vec_dot(strike.arrival, strike.normal);
-  strike.tangent_v = vec_dot(strike.arrival, strike.tangent) + strike.surface;
-  strike.mass = 1 / (inverse_mass(scene, particle) + (other ? inverse_mass(scene, other) : 0));
-  elastic(&strike, pair);
-  return strike;
+  incidence.point = other ? vec(other->x, other->y) : nearest(wall, x);
+  incidence.normal = vec_scale(1 / vec_length(vec_sub(x, incidence.point)), vec_sub(x, incidence.point));
+  incidence.tangent = vec_clockwise(incidence.normal);
+  incidence.velocity = vec_sub(v, other ? vec(other->vx, other->vy) : vec(wall->vx, wall->vy));
+  incidence.surface = particle->spin * particle->radius + (other ? other->spin * other->radius : 0);
+  incidence.normal_v = -vec_dot(incidence.velocity, incidence.normal);
+  incidence.tangent_v = vec_dot(incidence.velocity, incidence.tangent) + incidence.surface;
+  incidence.mass = 1 / (inverse_mass(scene, particle) + (other ? inverse_mass(scene, other) : 0));
+  elastic(&incidence, pair);
+  return incidence;
 }
 
 /* ---- now ---- */
 
-struct now {
-  struct nb_strike strike;
-  double sense;             /* 1, or -1 where the contact arrives against the tangent */
-  double ago;               /* since first touch, s */
-  struct nb_vec way, v;     /* of the body since then, and its velocity now, relative to what is struck; m, m/s */
-  double turned, surface;   /* sum of R theta since then, m; and of R w now, m/s */
-  double normal_f, shear_f; /* N; T against the motion at incidence */
-  double turning;           /* energy of rotation, J */
+struct progress {
+  struct nb_impact_state incidence;
+  double direction;              /* 1, or -1 where the contact arrives against the tangent */
+  double elapsed;                /* since first touch, s */
+  struct nb_vec displacement, v; /* of the body since then, and its velocity now, relative to what is struck; m, m/s */
+  double rolled, surface;        /* sum of R theta since then, m; and of R w now, m/s */
+  double normal_f, shear_f;      /* N; T against the motion at incidence */
+  double rotational_energy;      /* energy of rotation, J */
 };
 
 static double field(const struct nb_model *model, long contact, enum nb_field which) {
   return contact < 0 || !model->contacts.kept[which] ? 0 : model->contacts.kept[which][contact];
 }
 
-static struct now now(const struct nb_model *model) {
+static struct progress progress(const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const struct nb_particles *particles = &model->particles;
   const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
@@ -91,50 +91,53 @@ static struct now now(const struct nb_model *model) {
       wall ? (struct nb_state){.velocity = model->walls.velocity[j]} : nb_velocity_now(model, (size_t)j);
   const struct nb_particle *particle = &scene->particles[monitor->a],
                            *other = wall ? NULL : &scene->particles[monitor->b];
-  struct now it = {.strike = nb_impact_strike(scene), .ago = model->time - model->touch};
+  struct progress it = {.incidence = nb_impact_incidence(scene), .elapsed = model->time - model->touch};
   const struct nb_vec at = wall ? model->walls.pivot[j] : particles->position[j];
   const struct nb_vec began = wall ? vec(scene->walls[j].x, scene->walls[j].y) : vec(other->x, other->y);
-  it.sense = it.strike.tangent_v < 0 ? -1 : 1;
+  it.direction = it.incidence.tangent_v < 0 ? -1 : 1;
   it.v = vec_sub(a.velocity, b.velocity);
   it.surface = a.spin * particle->radius + (wall ? 0 : b.spin * other->radius);
-  it.way = vec_sub(vec_sub(particles->position[i], at), vec_sub(vec(particle->x, particle->y), began));
+  it.displacement = vec_sub(vec_sub(particles->position[i], at), vec_sub(vec(particle->x, particle->y), began));
   if (particles->angle)
-    it.turned = particles->angle[i] * particle->radius + (wall ? 0 : particles->angle[j] * other->radius);
-  it.turned -= model->touch * it.strike.surface;
+    it.rolled = particles->angle[i] * particle->radius + (wall ? 0 : particles->angle[j] * other->radius);
+  it.rolled -= model->touch * it.incidence.surface;
   it.normal_f = field(model, contact, NB_NORMAL), it.shear_f = field(model, contact, NB_SHEAR);
-  it.turning = (particles->inertia[i] * a.spin * a.spin + (wall ? 0 : particles->inertia[j] * b.spin * b.spin)) / 2;
+  it.rotational_energy =
+      (particles->inertia[i] * a.spin * a.spin + (wall ? 0 : particles->inertia[j] * b.spin * b.spin)) / 2;
   return it;
 }
 
 #define QUANTITY(function, expression)                                                                                 \
   static double function(const struct nb_model *model, const struct nb_monitor *monitor) {                             \
-    const struct now it = now(model);                                                                                  \
-    const struct nb_strike *s = &it.strike;                                                                            \
+    const struct progress it = progress(model);                                                                        \
+    const struct nb_impact_state *s = &it.incidence;                                                                   \
     (void)monitor, (void)s;                                                                                            \
     return expression;                                                                                                 \
   }
-static double psi(const struct nb_strike *s, double v) { return v / (s->friction * s->kappa * s->normal_v); }
+static double psi(const struct nb_impact_state *s, double v) { return v / (s->friction * s->kappa * s->normal_v); }
 /* The contact's velocity along the tangent of first touch, in the sense of incidence. */
-static double along(const struct now *it) { return it->sense * (vec_dot(it->v, it->strike.tangent) + it->surface); }
+static double along(const struct progress *it) {
+  return it->direction * (vec_dot(it->v, it->incidence.tangent) + it->surface);
+}
 /* Free flight after parting tells when that was: the gap by the speed. */
-static double lasted(const struct now *it) {
-  const double gap = vec_dot(it->way, it->strike.normal), v = vec_dot(it->v, it->strike.normal);
-  return it->ago - (gap > 0 && v > 0 ? gap / v : 0);
+static double duration_now(const struct progress *it) {
+  const double gap = vec_dot(it->displacement, it->incidence.normal), v = vec_dot(it->v, it->incidence.normal);
+  return it->elapsed - (gap > 0 && v > 0 ? gap / v : 0);
 }
 static double square(double x) { return x * x; }
 
-QUANTITY(psi_first, psi(s, it.sense * s->tangent_v))
+QUANTITY(psi_first, psi(s, it.direction * s->tangent_v))
 QUANTITY(psi_now, psi(s, along(&it)))
-QUANTITY(angle, atan2(fabs(vec_dot(s->arrival, s->tangent)), s->normal_v))
-QUANTITY(ago, it.ago / s->duration)
-QUANTITY(duration, lasted(&it))
-QUANTITY(restitution, vec_length(it.v) / vec_length(s->arrival))
+QUANTITY(angle, atan2(fabs(vec_dot(s->velocity, s->tangent)), s->normal_v))
+QUANTITY(elapsed, it.elapsed / s->duration)
+QUANTITY(duration, duration_now(&it))
+QUANTITY(restitution, vec_length(it.v) / vec_length(s->velocity))
 QUANTITY(normal, it.normal_f / s->peak)
-QUANTITY(shear, -it.sense *it.shear_f / (s->friction * s->peak))
-QUANTITY(slip, it.ago > 0 ? it.sense * (vec_dot(it.way, s->tangent) + it.turned) : 0)
+QUANTITY(shear, -it.direction *it.shear_f / (s->friction * s->peak))
+QUANTITY(slip, it.elapsed > 0 ? it.direction * (vec_dot(it.displacement, s->tangent) + it.rolled) : 0)
 QUANTITY(of_normal, s->mass *square(vec_dot(it.v, s->normal)) / 2)
 QUANTITY(of_tangent, s->mass *square(vec_dot(it.v, s->tangent)) / 2)
-QUANTITY(of_spin, it.turning)
+QUANTITY(of_spin, it.rotational_energy)
 
 const struct nb_quantity_kind nb_impact_kinds[] = {
     {"impact.psi1", NB_OF_IMPACT, "1", 0, psi_first, "V_T/(mu kappa V_N) of the contact at incidence [R89 5.15]"},
@@ -142,7 +145,7 @@ const struct nb_quantity_kind nb_impact_kinds[] = {
      "the same of V_T now, V_N still that of incidence; at the end that of the rebound"},
     {"impact.angle", NB_OF_IMPACT, "rad", 0, angle,
      "between velocity and normal at incidence, of the centre [R89 5.16]"},
-    {"impact.time", NB_OF_IMPACT, "1", 0, ago,
+    {"impact.time", NB_OF_IMPACT, "1", 0, elapsed,
      "since first touch, over the duration T_c of the elastic impact [R89 5.12]"},
     {"impact.duration", NB_OF_IMPACT, "s", 0, duration, "how long it has lasted, from first touch to parting"},
     {"impact.restitution", NB_OF_IMPACT, "1", 0, restitution, "speed of the centre now over that of incidence"},

@@ -16,31 +16,31 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
 
-struct gathered {
+struct sums {
   double sum, count, max, min, first, square; /* of what is off the first: squares of forces far from 0 would cancel */
 };
 
-static void gather(struct gathered *gathered, double value) {
-  gathered->max = gathered->count > 0 && gathered->max > value ? gathered->max : value;
-  gathered->min = gathered->count > 0 && gathered->min < value ? gathered->min : value;
-  gathered->first = gathered->count > 0 ? gathered->first : value;
-  gathered->square += (value - gathered->first) * (value - gathered->first);
-  gathered->sum += value, gathered->count++;
+static void add(struct sums *sums, double value) {
+  sums->max = sums->count > 0 && sums->max > value ? sums->max : value;
+  sums->min = sums->count > 0 && sums->min < value ? sums->min : value;
+  sums->first = sums->count > 0 ? sums->first : value;
+  sums->square += (value - sums->first) * (value - sums->first);
+  sums->sum += value, sums->count++;
 }
-static struct nb_spread spread(struct gathered g) {
-  const double mean = g.count > 0 ? g.sum / g.count : 0, off = mean - g.first;
-  const double variance = g.count > 0 ? g.square / g.count - off * off : 0;
-  return (struct nb_spread){mean, g.max, g.min, variance > 0 ? sqrt(variance) : 0};
+static struct nb_statistics statistics(struct sums g) {
+  const double mean = g.count > 0 ? g.sum / g.count : 0, offset = mean - g.first;
+  const double variance = g.count > 0 ? g.square / g.count - offset * offset : 0;
+  return (struct nb_statistics){mean, g.max, g.min, variance > 0 ? sqrt(variance) : 0};
 }
 
-static bool belongs(const struct nb_model *model, const struct nb_region_now *region, size_t c) {
+static bool is_inside(const struct nb_model *model, const struct nb_region_state *region, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
-  return nb_region_holds(model, region, (size_t)contacts->a[c]) ||
-         (!wall && nb_region_holds(model, region, (size_t)contacts->b[c]));
+  return nb_region_contains(model, region, (size_t)contacts->a[c]) ||
+         (!wall && nb_region_contains(model, region, (size_t)contacts->b[c]));
 }
 
-static double mean_force_sum(const struct nb_model *model, const struct nb_region_now *region) {
+static double mean_force_sum(const struct nb_model *model, const struct nb_region_state *region) {
   double sum = 0, count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
     if (model->particles.inverse_mass[i] > 0)
@@ -48,30 +48,30 @@ static double mean_force_sum(const struct nb_model *model, const struct nb_regio
   return count > 0 ? sum / count : 0;
 }
 
-void nb_measure_loads(const struct nb_model *model, struct nb_region_now *region) {
+void nb_measure_loads(const struct nb_model *model, struct nb_region_state *region) {
   struct nb_loads *loads = &region->loads;
   const struct nb_contacts *contacts = &model->contacts;
-  struct gathered normal = {0}, shear = {0}, pressure = {0}, traction = {0}, ratio = {0}, obliquity = {0};
+  struct sums normal = {0}, shear = {0}, pressure = {0}, traction = {0}, ratio = {0}, obliquity = {0};
   double sliding = 0, near_sliding = 0;
   for (size_t c = 0; c < contacts->count; c++) {
-    if (!nb_touches(contacts, c) || !belongs(model, region, c))
+    if (!nb_touches(contacts, c) || !is_inside(model, region, c))
       continue;
     const struct nb_contact_load load = nb_contact_load(model, c);
-    gather(&normal, load.normal), gather(&shear, load.shear);
+    add(&normal, load.normal), add(&shear, load.shear);
     if (load.radius > 0)
-      gather(&pressure, load.pressure), gather(&traction, load.traction), gather(&ratio, load.ratio);
+      add(&pressure, load.pressure), add(&traction, load.traction), add(&ratio, load.ratio);
     if (load.limit > 0)
-      gather(&obliquity, load.obliquity);
+      add(&obliquity, load.obliquity);
     sliding += load.sliding;
-    near_sliding += load.near;
+    near_sliding += load.near_sliding;
   }
-  loads->normal = spread(normal), loads->shear = spread(shear);
-  loads->pressure = spread(pressure), loads->traction = spread(traction), loads->ratio = spread(ratio);
-  loads->obliquity = spread(obliquity);
+  loads->normal = statistics(normal), loads->shear = statistics(shear);
+  loads->pressure = statistics(pressure), loads->traction = statistics(traction), loads->ratio = statistics(ratio);
+  loads->obliquity = statistics(obliquity);
   loads->sliding = normal.count > 0 ? sliding / normal.count : 0;
   loads->near_sliding = normal.count > 0 ? near_sliding / normal.count : 0;
-  loads->force_sum = mean_force_sum(model, region);
-  loads->unbalance = loads->normal.mean > 0 ? loads->force_sum / loads->normal.mean : 0;
+  loads->unbalanced_force = mean_force_sum(model, region);
+  loads->unbalanced_mean = loads->normal.mean > 0 ? loads->unbalanced_force / loads->normal.mean : 0;
 }
 
 /* From which share of its limit on, 1, a shear force counts as near it: a convention, which the quantities' help states. At 1 there would
@@ -89,7 +89,7 @@ struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t cont
   load.shear = has_friction ? fabs(contacts->kept[NB_SHEAR][contact]) : 0;
   load.sliding = has_friction ? contacts->kept[NB_SLIDING][contact] : 0;
   load.limit = has_friction ? material_pair->values.friction * load.normal + material_pair->values.cohesion : 0;
-  load.near = load.limit > 0 && load.shear >= near_limit * load.limit;
+  load.near_sliding = load.limit > 0 && load.shear >= near_limit * load.limit;
   load.obliquity = load.limit > 0 ? load.shear / load.limit : 0;
   load.pressure = a > 0 ? load.normal / area : 0;
   load.traction = a > 0 ? load.shear / area : 0;

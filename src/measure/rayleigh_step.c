@@ -35,18 +35,18 @@ double nb_rayleigh_root(double poisson) {
 double nb_rayleigh_fit(double poisson) { return 0.1631 * poisson + 0.876605; }
 
 /* A sphere, or the mean of all. */
-struct grain {
+struct sphere {
   double radius, density, shear, poisson;
 };
 
-static double time_of(struct grain grain, bool fit) {
-  const double alpha = fit ? nb_rayleigh_fit(grain.poisson) : nb_rayleigh_root(grain.poisson);
-  return NB_PI * grain.radius * sqrt(grain.density / grain.shear) / alpha;
+static double time_of(struct sphere sphere, bool fit) {
+  const double alpha = fit ? nb_rayleigh_fit(sphere.poisson) : nb_rayleigh_root(sphere.poisson);
+  return NB_PI * sphere.radius * sqrt(sphere.density / sphere.shear) / alpha;
 }
 
 double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean) {
   const struct nb_particles *particles = &model->particles;
-  struct grain sum = {0};
+  struct sphere sum = {0};
   double shortest = INFINITY, count = 0;
   for (size_t k = 0; k < particles->count; k++) { /* in the order of numbers: so are the sums */
     const int i = particles->slot[k];
@@ -54,15 +54,16 @@ double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean) {
     if (!(particles->inverse_mass[i] > 0 && material->young > 0 && material->young < INFINITY))
       continue;
     const double nu = material->poisson;
-    const struct grain grain = {particles->surface[i].radius, material->density, material->young / (2 * (1 + nu)), nu};
+    const struct sphere sphere = {particles->surface[i].radius, material->density, material->young / (2 * (1 + nu)),
+                                  nu};
     if (!mean) {
-      const double time = time_of(grain, fit);
+      const double time = time_of(sphere, fit);
       shortest = time < shortest ? time : shortest;
     }
-    sum.radius += grain.radius, sum.density += grain.density, sum.shear += grain.shear, sum.poisson += nu;
+    sum.radius += sphere.radius, sum.density += sphere.density, sum.shear += sphere.shear, sum.poisson += nu;
     count++;
   }
   if (!mean || !(count > 0))
     return shortest;
-  return time_of((struct grain){sum.radius / count, sum.density / count, sum.shear / count, sum.poisson / count}, fit);
+  return time_of((struct sphere){sum.radius / count, sum.density / count, sum.shear / count, sum.poisson / count}, fit);
 }

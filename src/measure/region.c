@@ -30,10 +30,10 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
   if (regions) {
     regions->list = nb_array(scene->region_count, sizeof *regions->list);
     regions->touching = nb_array(model->particles.count, sizeof(int));
-    regions->idle = nb_array(model->particles.count, sizeof(int));
+    regions->queue = nb_array(model->particles.count, sizeof(int));
   }
   const bool chains = model->plan.requested & NB_REQUEST_CHAINS;
-  if (!regions || !regions->list || !regions->touching || !regions->idle || (chains && !nb_chains_create(model)))
+  if (!regions || !regions->list || !regions->touching || !regions->queue || (chains && !nb_chains_create(model)))
     return nb_error_memory(error);
   for (size_t r = 0; r < scene->region_count; r++)
     regions->list[r].it = &scene->regions[r];
@@ -44,15 +44,15 @@ void nb_regions_free(struct nb_regions *regions, size_t count) {
   if (!regions)
     return;
   for (size_t r = 0; r < count && regions->list; r++)
-    free(regions->list[r].from), free(regions->list[r].touched.list);
-  free(regions->list), free(regions->touching), free(regions->idle), free(regions->chained);
+    free(regions->list[r].reference_position), free(regions->list[r].reference_pairs.list);
+  free(regions->list), free(regions->touching), free(regions->queue), free(regions->chain_particles);
   free(regions);
 }
 
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error) {
   for (size_t r = 0; model->regions && r < model->scene->region_count; r++) {
-    struct nb_region_now *region = &model->regions->list[r];
-    region->placed = 0;
+    struct nb_region_state *region = &model->regions->list[r];
+    region->placed_cycle = 0;
     for (int k = 0; k < NB_MEASURES; k++)
       region->measured[k] = 0;
   }
@@ -63,7 +63,7 @@ enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_err
 
 /* ---- where it is ---- */
 
-static void box(struct nb_region_now *now, struct nb_vec centre, struct nb_vec along, struct nb_vec half) {
+static void box(struct nb_region_state *now, struct nb_vec centre, struct nb_vec along, struct nb_vec half) {
   const struct nb_vec left = vec(-along.y, along.x);
   const struct nb_vec east = vec_scale(half.x, along), north = vec_scale(half.y, left);
   now->centre = centre, now->radius = 0;
@@ -74,7 +74,7 @@ static void box(struct nb_region_now *now, struct nb_vec centre, struct nb_vec a
   now->area = 4 * half.x * half.y;
 }
 
-static void round_all(struct nb_region_now *now, const struct nb_model *model) {
+static void bounding_box(struct nb_region_state *now, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const struct nb_vec along = vec(now->it->ex, now->it->ey), left = vec(-along.y, along.x);
   struct nb_vec low = vec(INFINITY, INFINITY), high = vec(-INFINITY, -INFINITY);
@@ -93,12 +93,12 @@ static void round_all(struct nb_region_now *now, const struct nb_model *model) {
     box(now, vec(0, 0), along, vec(0, 0));
 }
 
-struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
-  struct nb_region_now *now = &model->regions->list[region];
+struct nb_region_state *nb_region_state(const struct nb_model *model, int region) {
+  struct nb_region_state *now = &model->regions->list[region];
   const struct nb_region *it = now->it;
-  if (now->placed == model->cycle + 1)
+  if (now->placed_cycle == model->cycle + 1)
     return now;
-  now->placed = model->cycle + 1;
+  now->placed_cycle = model->cycle + 1;
   now->thickness = nb_thickness(model);
   switch (it->kind) {
   case NB_REGION_CIRCLE:
@@ -106,8 +106,8 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
     now->area = nb_area_of_disc(it->radius);
     break;
   case NB_REGION_INSIDE: /* nothing, while there is no boundary */
-    if (nb_ring_begun(model))
-      now->centre = model->affine->centre, now->radius = it->radius * nb_ring_radius(model);
+    if (nb_boundary_exists(model))
+      now->centre = model->affine->centre, now->radius = it->radius * nb_boundary_radius(model);
     else
       now->centre = vec(0, 0), now->radius = 0;
     now->area = nb_area_of_disc(now->radius);
@@ -116,7 +116,7 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
     box(now, vec(it->x, it->y), vec(it->ex, it->ey), vec(it->half_x, it->half_y));
     break;
   case NB_REGION_ALL:
-    round_all(now, model);
+    bounding_box(now, model);
     if (model->cell)
       now->centre = model->cell->centre, now->area = nb_cell_area(model->cell);
     break;
@@ -127,7 +127,7 @@ struct nb_region_now *nb_region_now(const struct nb_model *model, int region) {
 /* ---- what is inside ---- */
 
 /* In a periodic cell the copy that is nearest to the region's middle. */
-static struct nb_vec place_of(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
+static struct nb_vec position_of(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   if (!model->cell)
     return model->particles.position[slot];
   struct nb_wrap wrap = nb_cell_wrap(model->cell);
@@ -135,10 +135,10 @@ static struct nb_vec place_of(const struct nb_model *model, const struct nb_regi
   return nb_wrapped(&wrap, model->particles.position[slot]);
 }
 
-bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
+bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   if (nb_removed(model, slot))
     return false;
-  const struct nb_vec x = vec_sub(place_of(model, region, slot), region->centre);
+  const struct nb_vec x = vec_sub(position_of(model, region, slot), region->centre);
   if (region->it->kind == NB_REGION_ALL)
     return true;
   if (region->radius > 0 || region->it->kind == NB_REGION_INSIDE)
@@ -147,19 +147,19 @@ bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *r
   return fabs(vec_dot(x, along)) <= region->it->half_x && fabs(along.x * x.y - along.y * x.x) <= region->it->half_y;
 }
 
-bool nb_region_next(const struct nb_model *model, const struct nb_region_now *region, size_t *k, size_t *slot) {
+bool nb_region_next(const struct nb_model *model, const struct nb_region_state *region, size_t *k, size_t *slot) {
   while (*k < model->particles.count) {
     *slot = (size_t)model->particles.slot[(*k)++];
-    if (nb_region_holds(model, region, *slot))
+    if (nb_region_contains(model, region, *slot))
       return true;
   }
   return false;
 }
 
 /* Of the body's outline what is inside, m2. */
-static double part_of(const struct nb_model *model, const struct nb_region_now *region, size_t slot) {
+static double area_inside(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   const double radius = model->particles.surface[slot].radius;
-  const struct nb_vec x = place_of(model, region, slot);
+  const struct nb_vec x = position_of(model, region, slot);
   if (nb_removed(model, slot))
     return 0;
   if (region->it->kind == NB_REGION_ALL)
@@ -171,11 +171,11 @@ static double part_of(const struct nb_model *model, const struct nb_region_now *
 
 /* ---- ends of contacts ---- */
 
-struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_now *region) {
+struct nb_ends nb_ends_begin(const struct nb_model *model, const struct nb_region_state *region) {
   return (struct nb_ends){.model = model, .region = region};
 }
 
-bool nb_ends_particle(struct nb_ends *ends) {
+bool nb_ends_next_particle(struct nb_ends *ends) {
   const struct nb_model *model = ends->model;
   while (nb_region_next(model, ends->region, &ends->particle, &ends->slot)) {
     const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, ends->slot);
@@ -193,26 +193,26 @@ double nb_region_volume(const struct nb_model *model, size_t slot) {
   return model->scene->particles[model->particles.number[slot] - 1].shape == NB_SPHERE ? 4 * area * r / 3 : area;
 }
 
-void nb_measure_porosity(const struct nb_model *model, struct nb_region_now *region) {
+void nb_measure_porosity(const struct nb_model *model, struct nb_region_state *region) {
   double area = 0, volume = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
     const size_t i = (size_t)model->particles.slot[k];
-    const double part = part_of(model, region, i);
+    const double part = area_inside(model, region, i);
     area += part;
     volume += part > 0 ? nb_region_volume(model, i) * (part / nb_area_of_disc(model->particles.surface[i].radius)) : 0;
   }
   region->porosity.areal = region->area > 0 ? 1 - area / region->area : 0;
   region->porosity.volume = region->area > 0 ? 1 - volume / (region->area * region->thickness) : 0;
-  region->porosity.voids = region->porosity.areal / (1 - region->porosity.areal);
+  region->porosity.void_ratio = region->porosity.areal / (1 - region->porosity.areal);
 }
 
 /* ---- measures ---- */
 
-const struct nb_region_now *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which) {
+const struct nb_region_state *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which) {
 #define ROW(number, name) nb_measure_##name,
-  static void (*const measures[])(const struct nb_model *, struct nb_region_now *) = {NB_MEASURE_ROWS(ROW)};
+  static void (*const measures[])(const struct nb_model *, struct nb_region_state *) = {NB_MEASURE_ROWS(ROW)};
 #undef ROW
-  struct nb_region_now *now = nb_region_now(model, region);
+  struct nb_region_state *now = nb_region_state(model, region);
   if (now->measured[which] != model->cycle + 1) {
     now->measured[which] = model->cycle + 1;
     measures[which](model, now);

@@ -22,7 +22,7 @@
 
 enum nb_stress_part { NB_STRESS_NORMAL, NB_STRESS_SHEAR, NB_STRESS_FABRIC, NB_STRESS_VARIATION, NB_STRESS_PARTS_COUNT };
 struct nb_stress {
-  struct nb_tensor whole, contacts; /* by particles, by contacts, Pa */
+  struct nb_tensor total, contacts; /* by particles, by contacts, Pa */
   double sinphi, residual;          /* of the whole, 1; Pa */
   struct {
     struct nb_tensor stress; /* by particles, Pa */
@@ -42,34 +42,34 @@ struct nb_changed_contacts {
   struct nb_tensor phi; /* of trace 1, or 0 of none */
 };
 struct nb_porosity {
-  double areal, volume, voids;
+  double areal, volume, void_ratio;
 };
 struct nb_coordination {
   double particles, contacts; /* inside; theirs, each once */
-  double all, loaded;         /* contacts of a body: of all, of those that are no rattlers */
+  double mean, mechanical;    /* contacts of a body: of all, of those that are no rattlers */
   double rattlers;            /* bodies */
 };
-struct nb_spread {
+struct nb_statistics {
   double mean, max, min, std; /* 0 of nothing; std: root of the mean square of what is off the mean */
 };
 struct nb_loads {
-  struct nb_spread normal, shear;      /* F_n, |F_s|, N */
-  struct nb_spread pressure, traction; /* F_n/(pi a^2), |F_s|/(pi a^2), Pa */
-  struct nb_spread ratio;              /* a over the smaller radius */
-  struct nb_spread obliquity;          /* |F_s|/(mu F_n + c) */
-  double sliding, near_sliding;        /* shares of the contacts */
-  double force_sum, unbalance;         /* mean |sum of the forces on a free body|, N; over mean F_n */
+  struct nb_statistics normal, shear;       /* F_n, |F_s|, N */
+  struct nb_statistics pressure, traction;  /* F_n/(pi a^2), |F_s|/(pi a^2), Pa */
+  struct nb_statistics ratio;               /* a over the smaller radius */
+  struct nb_statistics obliquity;           /* |F_s|/(mu F_n + c) */
+  double sliding, near_sliding;             /* shares of the contacts */
+  double unbalanced_force, unbalanced_mean; /* mean |sum of the forces on a free body|, N; over mean F_n */
 };
 struct nb_strain {
   struct nb_tensor strain;
-  double volume, turn; /* 1, rad */
+  double volumetric, rotation; /* 1, rad */
 };
 struct nb_speeds {
   double mean, max, imposed, ratio; /* m/s, m/s, m/s, 1 */
 };
 struct nb_chains {
   double count, length, fraction; /* chains; bodies of one; of the free bodies, those in chains */
-  double turn;                    /* mean angle between successive links, rad */
+  double bend;                    /* mean angle between successive links, rad */
 };
 /* The measures: each has a function nb_measure_NAME, called by nb_region_measured alone. */
 #define NB_MEASURE_ROWS(ROW)                                                                                           \
@@ -87,13 +87,13 @@ struct nb_chains {
 enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
 
 /* A region as it is in a cycle. */
-struct nb_region_now {
+struct nb_region_state {
   const struct nb_region *it;
   struct nb_vec centre;
-  double radius;            /* of a circle, m; 0: it is a box, */
-  struct nb_vec corners[4]; /* counterclockwise, m */
-  double area, thickness;   /* m2, m */
-  unsigned long placed;     /* the cycle in which it was so, plus 1; likewise */
+  double radius;              /* of a circle, m; 0: it is a box, */
+  struct nb_vec corners[4];   /* counterclockwise, m */
+  double area, thickness;     /* m2, m */
+  unsigned long placed_cycle; /* the cycle in which it was so, plus 1; likewise */
   unsigned long measured[NB_MEASURES];
   struct nb_stress stress;
   struct nb_fabric fabric;
@@ -103,14 +103,15 @@ struct nb_region_now {
   struct nb_speeds speeds;
   struct nb_strain strain;
   struct nb_chains chains;
-  struct nb_changed_contacts lost, made;
-  struct nb_neighbour_pairs touched; /* then; none: nobody asks */
-  struct nb_vec *from; /* per body number, less 1: where it was when strain began, NAN: outside, m; NULL: nobody asks */
+  struct nb_changed_contacts lost, gained;
+  struct nb_neighbour_pairs reference_pairs; /* then; none: nobody asks */
+  struct nb_vec *
+      reference_position; /* per body number, less 1: where it was when strain began, NAN: outside, m; NULL: nobody asks */
 };
 struct nb_regions {
-  struct nb_region_now *list;        /* as many as the scene has */
-  int *touching, *idle;              /* coordination.c: room, per slot */
-  struct nb_chain_particle *chained; /* chains.c: likewise; NULL: nobody asks */
+  struct nb_region_state *list;              /* as many as the scene has */
+  int *touching, *queue;                     /* coordination.c: room, per slot */
+  struct nb_chain_particle *chain_particles; /* chains.c: likewise; NULL: nobody asks */
 };
 
 /* strain.c: strain begins with this stage for the regions that say so; -1: the start, for all of them. */
@@ -123,12 +124,13 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
 enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_error *error);
 void nb_regions_free(struct nb_regions *regions, size_t count);
 
-struct nb_region_now *nb_region_now(const struct nb_model *model, int region);
+struct nb_region_state *nb_region_state(const struct nb_model *model, int region);
 /* With that measure, worked out in this cycle. */
-const struct nb_region_now *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);
-bool nb_region_holds(const struct nb_model *model, const struct nb_region_now *region, size_t slot); /* its centre */
+const struct nb_region_state *nb_region_measured(const struct nb_model *model, int region, enum nb_measure which);
+bool nb_region_contains(const struct nb_model *model, const struct nb_region_state *region,
+                        size_t slot); /* its centre */
 /* for (size_t k = 0, i; nb_region_next(model, region, &k, &i);): slot i of each body inside, in the order of numbers. */
-bool nb_region_next(const struct nb_model *model, const struct nb_region_now *region, size_t *k, size_t *slot);
+bool nb_region_next(const struct nb_model *model, const struct nb_region_state *region, size_t *k, size_t *slot);
 double nb_region_volume(const struct nb_model *model, size_t slot); /* of a body, m3; a disc is 1 m thick */
 
 /* Contacts end by end: on each body inside, in the order of their numbers, its contacts in that of its partners'. */
@@ -144,7 +146,7 @@ static inline struct nb_vec nb_end_force(const struct nb_end *end) { /* from the
 }
 struct nb_ends {
   const struct nb_model *model;
-  const struct nb_region_now *region; /* NULL: everywhere */
+  const struct nb_region_state *region; /* NULL: everywhere */
   size_t particle, slot;
   const int *next, *end;
 };
@@ -154,14 +156,14 @@ static inline double nb_contact_arm(const struct nb_model *model, size_t contact
   const double overlap = model->contacts.kept[NB_OVERLAP][contact];
   return model->particles.surface[slot].radius - (wall ? overlap : overlap / 2);
 }
-struct nb_ends nb_ends_of(const struct nb_model *model, const struct nb_region_now *region);
-bool nb_ends_particle(
+struct nb_ends nb_ends_begin(const struct nb_model *model, const struct nb_region_state *region);
+bool nb_ends_next_particle(
     struct nb_ends *ends); /* goes on to the next body inside that has contacts listed; false: there is none */
 static inline bool nb_ends_next(struct nb_ends *ends, struct nb_end *end) {
   const struct nb_model *model = ends->model;
   const struct nb_contacts *contacts = &model->contacts;
   for (;; ends->next++) {
-    if (ends->next == ends->end && !nb_ends_particle(ends))
+    if (ends->next == ends->end && !nb_ends_next_particle(ends))
       return false;
     const size_t c = (size_t)*ends->next;
     if (!nb_touches(contacts, c))
@@ -190,21 +192,21 @@ enum {
 
 /* loads.c: what one contact that touches carries. */
 struct nb_contact_load {
-  double normal, shear;      /* F_n, |F_s|, N */
-  double sliding, near;      /* 1 where F_s is at its limit; where it is near it */
-  double limit, obliquity;   /* mu F_n + c, N; |F_s| over it; 0 where nothing rubs */
-  double radius;             /* a, m; 0 where the law knows none; */
-  double pressure, traction; /* F_n/(pi a^2), |F_s|/(pi a^2), Pa; */
-  double ratio;              /* a over the smaller radius */
+  double normal, shear;         /* F_n, |F_s|, N */
+  double sliding, near_sliding; /* 1 where F_s is at its limit; where it is near it */
+  double limit, obliquity;      /* mu F_n + c, N; |F_s| over it; 0 where nothing rubs */
+  double radius;                /* a, m; 0 where the law knows none; */
+  double pressure, traction;    /* F_n/(pi a^2), |F_s|/(pi a^2), Pa; */
+  double ratio;                 /* a over the smaller radius */
 };
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact);
 
 #define NB_REQUEST_CHAINS (1u << 26)           /* beside what model.h has: chains.c, */
-#define NB_REQUEST_PARTED (1u << 25)           /* contacts lost and new, fabric.c */
+#define NB_REQUEST_CHANGED_CONTACTS (1u << 25) /* contacts lost and new, fabric.c */
 bool nb_chains_create(struct nb_model *model); /* room; false: no memory */
 
 #define NB_MEASURE_FUNCTION(number, name)                                                                              \
-  void nb_measure_##name(const struct nb_model *model, struct nb_region_now *region);
+  void nb_measure_##name(const struct nb_model *model, struct nb_region_state *region);
 NB_MEASURE_ROWS(NB_MEASURE_FUNCTION)
 
 #endif

@@ -1,4 +1,4 @@
-/* What can be asked of a region: each row names the measure that works it out, and where in struct nb_region_now it is then.
+/* What can be asked of a region: each row names the measure that works it out, and where in struct nb_region_state it is then.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -15,7 +15,7 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
 #define OF(called, of, in, reads, by, member, what)                                                                    \
   {                                                                                                                    \
     .name = called, .family = of, .monitors = NB_OF_REGION, .unit = in, .fields = reads, .parts = parts_of,            \
-    .measure = by, .at = offsetof(struct nb_region_now, member), .help = what                                          \
+    .measure = by, .at = offsetof(struct nb_region_state, member), .help = what                                        \
   }
 #define ENDS(called, of, in, by, member, what) OF(called, of, in, NB_READS_ENDS, by, member, what)
 #define FABRIC(called, of, in, member, what)                                                                           \
@@ -31,11 +31,11 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
 #define SPEED(called, in, member, what) OF(called, NB_ALONE, in, 0, NB_SPEEDS, speeds.member, what)
 #define CHAIN(called, in, member, what)                                                                                \
   OF(called, NB_ALONE, in, NB_READS_ENDS | NB_REQUEST_CHAINS, NB_CHAINS, chains.member, what)
-#define PARTED(called, of, member, what)                                                                               \
-  OF(called, of, "1", NB_READS_TOUCH | NB_REQUEST_PARTED, NB_CHANGED_CONTACTS, member, what)
+#define CHANGED_CONTACTS(called, of, member, what)                                                                     \
+  OF(called, of, "1", NB_READS_TOUCH | NB_REQUEST_CHANGED_CONTACTS, NB_CHANGED_CONTACTS, member, what)
 
 const struct nb_quantity_kind nb_region_kinds[] = {
-    ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.whole, "stress by particles, compression positive"),
+    ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.total, "stress by particles, compression positive"),
     ENDS("stress.sinphi", NB_ALONE, "1", NB_STRESS, stress.sinphi, "sin Phi, deviator over twice the mean stress"),
     ENDS("stress.contacts", NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.contacts, "stress by contacts"),
     PART("stress.normal", NB_STRESS_NORMAL, "normal forces"),
@@ -60,12 +60,13 @@ const struct nb_quantity_kind nb_region_kinds[] = {
        "areal porosity: fraction of the area that no particle covers; those cut by the edge count by the part inside"),
     OF("porosity.volume", NB_ALONE, "1", 0, NB_POROSITY, porosity.volume,
        "porosity by volume, area times thickness: mean diameter of all spheres, 1 m of discs [R89 4.4]"),
-    OF("void_ratio", NB_ALONE, "1", 0, NB_POROSITY, porosity.voids, "void ratio e = n/(1 - n), n the areal porosity"),
+    OF("void_ratio", NB_ALONE, "1", 0, NB_POROSITY, porosity.void_ratio,
+       "void ratio e = n/(1 - n), n the areal porosity"),
 
     COUNT("particles", particles, "number of particles whose centre is inside"),
     COUNT("contacts", contacts, "number of contacts of those particles, each counted once"),
-    COUNT("coordination", all, "coordination number: mean number of contacts of a particle inside"),
-    COUNT("coordination.mechanical", loaded, "mechanical coordination number: without rattlers and their contacts"),
+    COUNT("coordination", mean, "coordination number: mean number of contacts of a particle inside"),
+    COUNT("coordination.mechanical", mechanical, "mechanical coordination number: without rattlers and their contacts"),
     COUNT("rattlers", rattlers,
           "number of free particles inside with fewer than two contacts, contacts with rattlers not counted"),
 
@@ -79,14 +80,15 @@ const struct nb_quantity_kind nb_region_kinds[] = {
          "sliding fraction: contacts whose shear force is at its limit, over all contacts"),
     LOAD("sliding.near", NB_ALONE, "1", near_sliding,
          "fraction of the contacts whose shear force is 0.99 of its limit or more"),
-    LOAD("unbalanced.mean", NB_ALONE, "1", unbalance,
+    LOAD("unbalanced.mean", NB_ALONE, "1", unbalanced_mean,
          "mean unbalanced force on a free particle over the mean normal force of the contacts"),
-    LOAD("unbalanced.force", NB_ALONE, "N", force_sum, "mean magnitude of the unbalanced force on a free particle"),
+    LOAD("unbalanced.force", NB_ALONE, "N", unbalanced_force,
+         "mean magnitude of the unbalanced force on a free particle"),
 
     STRAIN("strain", NB_TENSOR, "1", strain,
            "strain fitted to the displacements of the particles by least squares, extension positive"),
-    STRAIN("strain.volumetric", NB_ALONE, "1", volume, "volumetric strain xx + yy, expansion positive"),
-    STRAIN("strain.rotation", NB_ALONE, "rad", turn, "mean rigid rotation of the region, small, counterclockwise"),
+    STRAIN("strain.volumetric", NB_ALONE, "1", volumetric, "volumetric strain xx + yy, expansion positive"),
+    STRAIN("strain.rotation", NB_ALONE, "rad", rotation, "mean rigid rotation of the region, small, counterclockwise"),
 
     SPEED("speed.mean", "m/s", mean, "mean speed of the free particles inside, relative to the imposed motion"),
     SPEED("speed.max", "m/s", max, "the largest of these speeds"),
@@ -98,12 +100,12 @@ const struct nb_quantity_kind nb_region_kinds[] = {
           "major axes"),
     CHAIN("chains.length", "1", length, "mean number of particles of a force chain"),
     CHAIN("chains.fraction", "1", fraction, "fraction of the free particles inside that are in force chains"),
-    CHAIN("chains.bend", "rad", turn, "mean angle between successive links of force chains: 0 is straight"),
+    CHAIN("chains.bend", "rad", bend, "mean angle between successive links of force chains: 0 is straight"),
 
-    PARTED("contacts.lost", NB_ALONE, lost.count,
-           "number of contacts lost since the stage that `from` names, else the start"),
-    PARTED("contacts.new", NB_ALONE, made.count, "number of contacts gained since"),
-    PARTED("fabric.lost", NB_FABRICS, lost.phi, "Phi of contacts lost since"),
-    PARTED("fabric.new", NB_FABRICS, made.phi, "Phi of contacts made since"),
+    CHANGED_CONTACTS("contacts.lost", NB_ALONE, lost.count,
+                     "number of contacts lost since the stage that `from` names, else the start"),
+    CHANGED_CONTACTS("contacts.new", NB_ALONE, gained.count, "number of contacts gained since"),
+    CHANGED_CONTACTS("fabric.lost", NB_FABRICS, lost.phi, "Phi of contacts lost since"),
+    CHANGED_CONTACTS("fabric.new", NB_FABRICS, gained.phi, "Phi of contacts made since"),
     {.name = NULL},
 };

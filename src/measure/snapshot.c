@@ -15,7 +15,7 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_head columns[],
+bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_table_column columns[],
                        size_t count) {
   if (!nb_table_create(table, count))
     return false;
@@ -50,33 +50,33 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
   COLUMN("fixed", "1", !(particles->inverse_mass[i] > 0))                                                              \
   COLUMN("moved_x", "m", moved.x)                                                                                      \
   COLUMN("moved_y", "m", moved.y)                                                                                      \
-  COLUMN("turned", "rad", from < 0 ? 0 : nb_configuration_rotated(model, from, i))
+  COLUMN("turned", "rad", from < 0 ? 0 : nb_configuration_rotation(model, from, i))
 
-static bool see_particles(struct nb_table *table, const struct nb_model *model, int stage) {
-  static const struct nb_head columns[] = {PARTICLE(NB_HEAD)};
+static bool particles_table(struct nb_table *table, const struct nb_model *model, int stage) {
+  static const struct nb_table_column columns[] = {PARTICLE(NB_TABLE_COLUMN)};
   const int from = model->scene->stages[stage].snapshot_from;
   const struct nb_particles *particles = &model->particles;
-  bool whole = nb_snapshot_table(table, model->scene, columns, COUNT(columns) - (from < 0 ? 3 : 0));
-  for (size_t k = 0; whole && k < particles->count; k++) {
+  bool complete = nb_snapshot_table(table, model->scene, columns, COUNT(columns) - (from < 0 ? 3 : 0));
+  for (size_t k = 0; complete && k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
     if (nb_removed(model, i))
       continue;
     const struct nb_vec x = nb_cell_place(model, i), v = nb_velocity_whole(model, i);
     const struct nb_force force = nb_force_on(model, i);
-    const struct nb_vec moved = from < 0 ? vec(0, 0) : nb_configuration_moved(model, from, i);
-    whole = nb_snapshot_row(table, model, stage, (const double[]){PARTICLE(NB_VALUE)});
+    const struct nb_vec moved = from < 0 ? vec(0, 0) : nb_configuration_displacement(model, from, i);
+    complete = nb_snapshot_row(table, model, stage, (const double[]){PARTICLE(NB_VALUE)});
   }
-  return whole;
+  return complete;
 }
 
-static bool see_walls(struct nb_table *table, const struct nb_model *model, int stage) {
-  static const struct nb_head columns[] = {{"wall", "1"}, {"x1", "m"}, {"y1", "m"}, {"x2", "m"}, {"y2", "m"}};
-  bool whole = nb_snapshot_table(table, model->scene, columns, COUNT(columns));
-  for (size_t w = 0; whole && w < model->walls.count; w++) {
+static bool walls_table(struct nb_table *table, const struct nb_model *model, int stage) {
+  static const struct nb_table_column columns[] = {{"wall", "1"}, {"x1", "m"}, {"y1", "m"}, {"x2", "m"}, {"y2", "m"}};
+  bool complete = nb_snapshot_table(table, model->scene, columns, COUNT(columns));
+  for (size_t w = 0; complete && w < model->walls.count; w++) {
     const struct nb_vec from = nb_wall_end(&model->walls, (int)w, 0), to = nb_wall_end(&model->walls, (int)w, 1);
-    whole = nb_snapshot_row(table, model, stage, (const double[]){(double)w + 1, from.x, from.y, to.x, to.y});
+    complete = nb_snapshot_row(table, model, stage, (const double[]){(double)w + 1, from.x, from.y, to.x, to.y});
   }
-  return whole;
+  return complete;
 }
 
 /* Contacts that touch. b is 0 where the second is a wall, and then `wall` counts from 1. x, y is half-way between the two
@@ -87,8 +87,8 @@ static bool see_walls(struct nb_table *table, const struct nb_model *model, int 
   COLUMN("a", "1", particles->number[i])                                                                               \
   COLUMN("b", "1", wall ? 0 : particles->number[b])                                                                    \
   COLUMN("wall", "1", wall ? b + 1 : 0)                                                                                \
-  COLUMN("x", "m", x.x + reach * e.x)                                                                                  \
-  COLUMN("y", "m", x.y + reach * e.y)                                                                                  \
+  COLUMN("x", "m", x.x + arm * e.x)                                                                                    \
+  COLUMN("y", "m", x.y + arm * e.y)                                                                                    \
   COLUMN("ra", "m", particles->surface[i].radius)                                                                      \
   COLUMN("rb", "m", wall ? 0 : particles->surface[b].radius)                                                           \
   COLUMN("ex", "1", e.x)                                                                                               \
@@ -106,15 +106,15 @@ static bool see_walls(struct nb_table *table, const struct nb_model *model, int 
   COLUMN("ratio", "1", load.ratio)                                                                                     \
   COLUMN("limit", "N", load.limit)                                                                                     \
   COLUMN("obliquity", "1", load.obliquity)                                                                             \
-  COLUMN("slid", "m", from < 0 ? 0 : nb_configuration_slid(model, from, c))
+  COLUMN("slid", "m", from < 0 ? 0 : nb_configuration_slip(model, from, c))
 
-static bool see_contacts(struct nb_table *table, const struct nb_model *model, int stage) {
-  static const struct nb_head columns[] = {CONTACT(NB_HEAD)};
+static bool contacts_table(struct nb_table *table, const struct nb_model *model, int stage) {
+  static const struct nb_table_column columns[] = {CONTACT(NB_TABLE_COLUMN)};
   const int from = model->scene->stages[stage].snapshot_from;
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;
-  bool whole = nb_snapshot_table(table, model->scene, columns, COUNT(columns) - (from < 0));
-  for (size_t c = 0; whole && c < contacts->count; c++) {
+  bool complete = nb_snapshot_table(table, model->scene, columns, COUNT(columns) - (from < 0));
+  for (size_t c = 0; complete && c < contacts->count; c++) {
     if (!nb_touches(contacts, c))
       continue;
     const double overlap = contacts->kept[NB_OVERLAP][c], normal = contacts->kept[NB_NORMAL][c];
@@ -124,14 +124,14 @@ static bool see_contacts(struct nb_table *table, const struct nb_model *model, i
     const double shear = model->material_pairs[contacts->material_pair[c]].shear ? contacts->kept[NB_SHEAR][c] : 0;
     const struct nb_contact_load load = nb_contact_load(model, c);
     const struct nb_vec x = nb_cell_place(model, (size_t)i);
-    const double reach = particles->surface[i].radius - overlap / 2;
-    whole = nb_snapshot_row(table, model, stage, (const double[]){CONTACT(NB_VALUE)});
+    const double arm = particles->surface[i].radius - overlap / 2;
+    complete = nb_snapshot_row(table, model, stage, (const double[]){CONTACT(NB_VALUE)});
   }
-  return whole;
+  return complete;
 }
 
 /* What outlines cover of a circle about the region's centre, m2. */
-static double covered(const struct nb_model *model, struct nb_vec centre, double radius) {
+static double covered_area(const struct nb_model *model, struct nb_vec centre, double radius) {
   double area = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
     const size_t i = (size_t)model->particles.slot[k];
@@ -142,32 +142,32 @@ static double covered(const struct nb_model *model, struct nb_vec centre, double
   return area;
 }
 
-static bool see_rings(struct nb_table *table, const struct nb_model *model, int stage) {
-  static const struct nb_head columns[] = {
+static bool rings_table(struct nb_table *table, const struct nb_model *model, int stage) {
+  static const struct nb_table_column columns[] = {
       {"region", "1"}, {"inner", "m"}, {"outer", "m"}, {"porosity", "1"}, {"within", "1"}};
-  bool whole = nb_snapshot_table(table, model->scene, columns, COUNT(columns));
+  bool complete = nb_snapshot_table(table, model->scene, columns, COUNT(columns));
   for (size_t r = 0; r < model->scene->region_count; r++) {
-    const struct nb_region_now *region = nb_region_now(model, (int)r);
+    const struct nb_region_state *region = nb_region_state(model, (int)r);
     const int rings = region->it->rings;
     double inner = 0, before = 0;
-    for (int k = 1; whole && k <= rings; k++) {
-      const double outer = region->radius * k / rings, now = covered(model, region->centre, outer);
+    for (int k = 1; complete && k <= rings; k++) {
+      const double outer = region->radius * k / rings, now = covered_area(model, region->centre, outer);
       const double all = nb_area_of_disc(outer), ring = all - nb_area_of_disc(inner);
-      whole = nb_snapshot_row(table, model, stage,
-                              (const double[]){(double)r + 1, inner, outer, 1 - (now - before) / ring, 1 - now / all});
+      complete = nb_snapshot_row(
+          table, model, stage, (const double[]){(double)r + 1, inner, outer, 1 - (now - before) / ring, 1 - now / all});
       inner = outer, before = now;
     }
   }
-  return whole;
+  return complete;
 }
 
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage) {
   const int from = model->scene->stages[stage].snapshot_from;
   *snapshot = (struct nb_snapshot){.stage = stage};
-  return see_particles(&snapshot->particles, model, stage) && see_walls(&snapshot->walls, model, stage) &&
-         see_contacts(&snapshot->contacts, model, stage) &&
+  return particles_table(&snapshot->particles, model, stage) && walls_table(&snapshot->walls, model, stage) &&
+         contacts_table(&snapshot->contacts, model, stage) &&
          (from < 0 || nb_configuration_lattice(&snapshot->lattice, model, stage, from)) &&
-         (!model->regions || see_rings(&snapshot->rings, model, stage));
+         (!model->regions || rings_table(&snapshot->rings, model, stage));
 }
 
 static const struct {

@@ -13,12 +13,12 @@ void nb_snapshot_free(struct nb_snapshot *snapshot);
 bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table);
 
 /* A column. Where a table's columns are a list with name, unit and value, these make its heads and its rows. */
-struct nb_head {
+struct nb_table_column {
   const char *name, *unit;
 };
-#define NB_HEAD(name, unit, value) {name, unit},
+#define NB_TABLE_COLUMN(name, unit, value) {name, unit},
 #define NB_VALUE(name, unit, value) value,
-bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_head columns[],
+bool nb_snapshot_table(struct nb_table *table, const struct nb_scene *scene, const struct nb_table_column columns[],
                        size_t count);
 bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int stage, const double values[]);
 

@@ -32,25 +32,25 @@
 
 #include "step.h"
 
-void nb_safe_words(char *text, size_t size, const struct nb_model *model, const struct nb_safe *safe) {
+void nb_stable_text(char *text, size_t size, const struct nb_model *model, const struct nb_stable *stable) {
   const int *number = model->particles.number;
-  const char *how = safe->turning ? "turning" : "normal motion";
-  if (safe->a < 0)
+  const char *motion = stable->rotational ? "turning" : "normal motion";
+  if (stable->a < 0)
     snprintf(text, size, "no contact");
-  else if (safe->material_pair->wall && safe->b < 0)
-    snprintf(text, size, "%s of body %d at a wall of %s", how, number[safe->a],
-             model->scene->materials[safe->material_pair->b].name);
-  else if (safe->material_pair->wall)
-    snprintf(text, size, "%s of body %d at wall %s", how, number[safe->a], model->scene->walls[safe->b].name);
+  else if (stable->material_pair->wall && stable->b < 0)
+    snprintf(text, size, "%s of body %d at a wall of %s", motion, number[stable->a],
+             model->scene->materials[stable->material_pair->b].name);
+  else if (stable->material_pair->wall)
+    snprintf(text, size, "%s of body %d at wall %s", motion, number[stable->a], model->scene->walls[stable->b].name);
   else
-    snprintf(text, size, "%s of body %d at body %d", how, number[safe->a], number[safe->b]);
-  if (safe->apart && safe->a >= 0)
+    snprintf(text, size, "%s of body %d at body %d", motion, number[stable->a], number[stable->b]);
+  if (stable->apart && stable->a >= 0)
     snprintf(text + strlen(text), size - strlen(text), ", as if they touched");
 }
 
 /* ---- what is sure until the next look ---- */
 
-bool nb_stable_overlap_all(struct nb_model *model) {
+bool nb_stability_overlaps(struct nb_model *model) {
   unsigned long above = 0;
   for (size_t v = 0; v < model->blocks.count; v++)
     above += model->blocks.stable_overlap[v].above, model->blocks.stable_overlap[v].above = 0;
@@ -58,12 +58,12 @@ bool nb_stable_overlap_all(struct nb_model *model) {
 }
 
 /* h: the largest ratio that there can be. */
-static double most_shear(const struct nb_model *model) {
+static double max_stiffness_ratio(const struct nb_model *model) {
   double most = 0;
   for (size_t p = 0; p < model->material_pair_count; p++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[p];
-    const bool shears = material_pair->next_shear && material_pair->next_shear->elastic;
-    const double ratio = shears ? 4 * material_pair->next.shear / material_pair->next.young : 0;
+    const bool has_stiffness = material_pair->next_shear && material_pair->next_shear->elastic;
+    const double ratio = has_stiffness ? 4 * material_pair->next.shear / material_pair->next.young : 0;
     most = ratio > most ? ratio : most;
   }
   return model->plan.dashpots && most < 1 ? sqrt(most) : most;
@@ -86,7 +86,7 @@ static double stiffness_of(const struct nb_model *model, size_t c, double q) {
 static double smaller(double a, double b) { return a < b ? a : b; }
 
 /* Those of a contact's bodies that are free: one or two. */
-static int free_of(const struct nb_model *model, size_t c, int slots[2]) {
+static int free_particles(const struct nb_model *model, size_t c, int slots[2]) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse_mass = model->particles.inverse_mass;
   int n = 0;
@@ -102,7 +102,7 @@ static int free_of(const struct nb_model *model, size_t c, int slots[2]) {
 static const double rounding = 1e-6;
 
 /* The overlap at which the normal law has this stiffness: by Hertz k_n = 2 E* (R* alpha)^(1/2), and no more than the law says. */
-static double overlap_of(const struct nb_model *model, size_t c, double stiffness) {
+static double overlap_with_stiffness(const struct nb_model *model, size_t c, double stiffness) {
   const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
   const struct nb_pair values = nb_contacts_values(model, c, material_pair->next);
   double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), none[NB_HISTORY] = {0};
@@ -115,45 +115,46 @@ static double overlap_of(const struct nb_model *model, size_t c, double stiffnes
 static void set_update_limit(struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const struct nb_contacts *contacts = &model->contacts;
-  const double dt = model->step, limit = nb_safe_limit(&model->damping), h = most_shear(model);
+  const double dt = model->step, limit = nb_stability_limit(&model->damping), h = max_stiffness_ratio(model);
   double *stable_overlap = contacts->kept[NB_STABLE_OVERLAP];
   int slots[2];
   for (size_t i = 0; i < particles->count; i++)
-    model->stability->loads[i].left = INFINITY;
+    model->stability->sums[i].remainder = INFINITY;
   for (size_t c = 0; c < contacts->count; c++) {
-    const struct nb_part part = nb_part_of(model, c);
-    const int n = free_of(model, c, slots);
-    const double normal = nb_part_normal(&part, dt), shear = h * normal + nb_part_turning(&part, dt);
+    const struct nb_element element = nb_element_of(model, c);
+    const int n = free_particles(model, c, slots);
+    const double normal = nb_element_normal(&element, dt), shear = h * normal + nb_element_rotational(&element, dt);
     const double left = limit - (shear > normal ? shear : normal);
-    const bool apart = !(part.own.kn > 0) && !(left > 0); /* looked at as soon as they touch */
+    const bool apart = !(element.own.kn > 0) && !(left > 0); /* looked at as soon as they touch */
     for (int k = 0; k < n && !apart; k++)
-      model->stability->loads[slots[k]].left = smaller(model->stability->loads[slots[k]].left, left > 0 ? left / n : 0);
-    stable_overlap[c] = apart ? -INFINITY : dt * dt * part.own.kn + 2 * dt * part.own.cn; /* q, for now */
+      model->stability->sums[slots[k]].remainder =
+          smaller(model->stability->sums[slots[k]].remainder, left > 0 ? left / n : 0);
+    stable_overlap[c] = apart ? -INFINITY : dt * dt * element.own.kn + 2 * dt * element.own.cn; /* q, for now */
   }
   for (size_t v = 0; v < model->blocks.count; v++)
     model->blocks.stable_overlap[v].overlap = INFINITY;
   for (size_t v = 0, c = 0; v < model->blocks.count; v++)
     for (const size_t end = c + model->blocks.list[v].n; c < end; c++) {
-      const int n = free_of(model, c, slots);
+      const int n = free_particles(model, c, slots);
       double more = INFINITY;
       for (int k = 0; k < n; k++) {
         const int i = slots[k];
         const double inverse = particles->inverse_mass[i], radius = particles->surface[i].radius;
-        const double rolling = h * (inverse + radius * radius * particles->inverse_inertia[i]);
-        const double each =
-            model->stability->loads[i].left / (double)(model->contacts.of.first[i + 1] - model->contacts.of.first[i]);
-        more = smaller(more, each / (rolling > inverse ? rolling : inverse));
+        const double shear_factor = h * (inverse + radius * radius * particles->inverse_inertia[i]);
+        const double per_contact = model->stability->sums[i].remainder /
+                                   (double)(model->contacts.of.first[i + 1] - model->contacts.of.first[i]);
+        more = smaller(more, per_contact / (shear_factor > inverse ? shear_factor : inverse));
       }
-      stable_overlap[c] = overlap_of(model, c, stiffness_of(model, c, stable_overlap[c] + more));
+      stable_overlap[c] = overlap_with_stiffness(model, c, stiffness_of(model, c, stable_overlap[c] + more));
       model->blocks.stable_overlap[v].overlap = smaller(model->blocks.stable_overlap[v].overlap, stable_overlap[c]);
     }
 }
 
 /* Of the largest stable step, 1: what a message proposes, so that contacts may stiffen by half (1/0.8^2) before the next one. */
-static const double proposed = 0.8;
+static const double proposed_fraction = 0.8;
 
 /* A step below what is sure to be stable, as the page says its own. */
-static void smaller_step(char *text, size_t size, const struct nb_model *model, double stable_overlap) {
+static void proposed_step(char *text, size_t size, const struct nb_model *model, double stable_overlap) {
   static const char *const of[] = {[NB_STEP_TIME] = " s",
                                    [NB_STEP_CRITICAL] = " of single-contact",
                                    [NB_STEP_SAFE] = " of stable",
@@ -163,7 +164,7 @@ static void smaller_step(char *text, size_t size, const struct nb_model *model, 
                                    [NB_STEP_RAYLEIGH_FIT] = " of rayleigh-fit",
                                    [NB_STEP_RAYLEIGH_FIT_MEAN] = " of rayleigh-fit-mean"};
   const struct nb_step *step = model->stage ? &model->stage->step : &model->scene->step;
-  const double value = proposed * step->value * stable_overlap / model->step;
+  const double value = proposed_fraction * step->value * stable_overlap / model->step;
   if (step->kind == NB_STEP_CONTACT)
     snprintf(text, size, "step %.0f%s", ceil(1 / value), of[step->kind]);
   else
@@ -171,34 +172,35 @@ static void smaller_step(char *text, size_t size, const struct nb_model *model, 
 }
 
 /* A step that is the bound itself is not above it for the rounding of a share of it. */
-static enum nb_status too_long(const struct nb_model *model, const struct nb_safe *safe, struct nb_error *error) {
-  if (model->step <= safe->step * (1 + 4 * DBL_EPSILON))
+static enum nb_status check_step(const struct nb_model *model, const struct nb_stable *stable, struct nb_error *error) {
+  if (model->step <= stable->step * (1 + 4 * DBL_EPSILON))
     return NB_OK;
-  char what[3 * NB_NAME_SIZE], say[NB_NAME_SIZE];
-  const int number = model->particles.number[safe->a];
-  nb_safe_words(what, sizeof what, model, safe);
-  smaller_step(say, sizeof say, model, safe->step);
+  char cause[3 * NB_NAME_SIZE], proposal[NB_NAME_SIZE];
+  const int number = model->particles.number[stable->a];
+  nb_stable_text(cause, sizeof cause, model, stable);
+  proposed_step(proposal, sizeof proposal, model, stable->step);
   return nb_error_set(
       error, NB_BROKEN,
       "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
       "is set by %s: write `%s`, or `allow unstable`",
-      number, model->scene->particles[number - 1].line, model->cycle, model->time, model->step, safe->step, what, say);
+      number, model->scene->particles[number - 1].line, model->cycle, model->time, model->step, stable->step, cause,
+      proposal);
 }
 
 enum nb_status nb_stability_check(struct nb_model *model, struct nb_error *error) {
   if (model->stability->allow_unstable || model->contacts.count == 0)
     return NB_OK;
-  const struct nb_safe safe = nb_safe_step(model);
-  model->stability->looks++;
-  if (too_long(model, &safe, error))
+  const struct nb_stable stable = nb_stable_step(model);
+  model->stability->checks++;
+  if (check_step(model, &stable, error))
     return error->status;
   if (model->blocks.stable_overlap)
     set_update_limit(model);
   return NB_OK;
 }
 
-enum nb_status nb_stable_begin(struct nb_model *model, const struct nb_safe *apart, struct nb_error *error) {
-  if (!model->stability->allow_unstable && too_long(model, apart, error))
+enum nb_status nb_stability_begin(struct nb_model *model, const struct nb_stable *apart, struct nb_error *error) {
+  if (!model->stability->allow_unstable && check_step(model, apart, error))
     return error->status;
   return nb_stability_check(model, error);
 }

@@ -43,15 +43,15 @@
 
 bool nb_stability_create(struct nb_model *model) {
   struct nb_stability *it = model->stability = nb_own(&model->owner, 1, sizeof *it);
-  struct nb_load *loads = nb_own(&model->owner, model->particles.count, sizeof *loads);
+  struct nb_particle_sums *sums = nb_own(&model->owner, model->particles.count, sizeof *sums);
   if (model->owner.failed)
     return false;
-  *it = (struct nb_stability){.step_line = -1, .loads = loads};
+  *it = (struct nb_stability){.step_line = -1, .sums = sums};
   return true;
 }
 
 /* A stage may have changed properties and laws since the last forces. */
-static void look_ahead(const struct nb_model *model) {
+static void update_next_properties(const struct nb_model *model) {
   const struct nb_law *shear = strcmp(model->next.shear->name, "none") == 0 ? NULL : model->next.shear;
   for (size_t p = 0; p < model->material_pair_count; p++) {
     struct nb_material_pair *material_pair = &model->material_pairs[p];
@@ -61,9 +61,9 @@ static void look_ahead(const struct nb_model *model) {
 }
 
 /* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
-static struct nb_stiff stiff_at(const struct nb_model *model, const struct nb_material_pair *material_pair,
-                                double overlap, double inverse_mass, double radius, bool deep, double normal_history[],
-                                double shear_history[]) {
+static struct nb_stiff coefficients_at(const struct nb_model *model, const struct nb_material_pair *material_pair,
+                                       double overlap, double inverse_mass, double radius, bool deep,
+                                       double normal_history[], double shear_history[]) {
   struct nb_pair values = material_pair->next;
   values.radius = radius;
   struct nb_normal normal = model->next.normal->normal(values, overlap, 0, normal_history);
@@ -86,29 +86,30 @@ static double inverse_mass(const struct nb_model *model, size_t c, bool wall) {
 }
 
 /* The smallest overlap there is: what a pair that does not touch counts as. */
-static const double just = DBL_MIN;
+static const double smallest_overlap = DBL_MIN;
 
-static struct nb_stiff stiff_of(const struct nb_model *model, size_t c) {
+static struct nb_stiff coefficients_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
   double normal_history[NB_HISTORY], shear_history[NB_HISTORY_MAX];
   for (int shear = 0; shear < 2; shear++) { /* laws write into what they remember, and nothing has happened */
-    const struct nb_history *memory = shear ? &contacts->shear_history : &contacts->normal_history;
-    double room[NB_HISTORY], *to = shear ? shear_history : normal_history;
-    const int doubles = memory->doubles > NB_HISTORY ? memory->doubles : NB_HISTORY;
-    const bool forgets = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
-    if (forgets)
+    const struct nb_history *history = shear ? &contacts->shear_history : &contacts->normal_history;
+    double buffer[NB_HISTORY], *to = shear ? shear_history : normal_history;
+    const int doubles = history->doubles > NB_HISTORY ? history->doubles : NB_HISTORY;
+    const bool changes = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
+    if (changes)
       memset(to, 0, NB_HISTORY * sizeof *to); /* and of a row the first double is all that is looked at */
     else
-      memcpy(to, nb_history_read(memory, c, room), (size_t)doubles * sizeof *to);
+      memcpy(to, nb_history_read(history, c, buffer), (size_t)doubles * sizeof *to);
   }
-  const double overlap = nb_overlap(model, c), least = model->next.normal->elastic ? 0 : just;
-  return stiff_at(model, material_pair, overlap > least ? overlap : least, inverse_mass(model, c, material_pair->wall),
-                  nb_contacts_values(model, c, material_pair->next).radius,
-                  model->damping.deep > 0 && nb_deep_is(model, c), normal_history, shear_history);
+  const double overlap = nb_overlap(model, c), least = model->next.normal->elastic ? 0 : smallest_overlap;
+  return coefficients_at(model, material_pair, overlap > least ? overlap : least,
+                         inverse_mass(model, c, material_pair->wall),
+                         nb_contacts_values(model, c, material_pair->next).radius,
+                         model->damping.deep > 0 && nb_deep_is(model, c), normal_history, shear_history);
 }
 
-double nb_safe_limit(const struct nb_damping *damping) {
+double nb_stability_limit(const struct nb_damping *damping) {
   if (damping->global_kind == NB_GLOBAL_CON1_VELOCITY)
     return 2 * (1 + damping->global);
   if (damping->global_kind == NB_GLOBAL_CON1_ALL)
@@ -116,61 +117,62 @@ double nb_safe_limit(const struct nb_damping *damping) {
   return 4;
 }
 
-static double shear_of(const struct nb_part *part, double dt) {
-  const struct nb_stiff *k = &part->own;
+static double element_shear(const struct nb_element *element, double dt) {
+  const struct nb_stiff *k = &element->own;
   if (!(k->ks > 0))
     return 0;
   const double ratio = (dt * k->ks + 2 * k->cs) / (dt * k->kn + 2 * k->cn);
-  return ratio * nb_part_normal(part, dt) + nb_part_turning(part, dt);
+  return ratio * nb_element_normal(element, dt) + nb_element_rotational(element, dt);
 }
 
 static double larger(double a, double b) { return a > b ? a : b; }
 
 /* The largest dt with both below L, and none longer than without dashpots. Both grow with dt. */
-static double root(const struct nb_part *part, double limit) {
-  const double ratio = part->own.ks / part->own.kn;
-  const double square = larger(part->a, part->own.ks > 0 ? ratio * part->a + part->q : 0);
+static double largest_step(const struct nb_element *element, double limit) {
+  const double ratio = element->own.ks / element->own.kn;
+  const double square = larger(element->a, element->own.ks > 0 ? ratio * element->a + element->q : 0);
   double low = 0, high = sqrt(limit / square);
-  if (!(part->own.cn > 0 || part->d > 0 || part->p > 0) || !isfinite(high))
+  if (!(element->own.cn > 0 || element->d > 0 || element->p > 0) || !isfinite(high))
     return high;
   for (;;) {
     const double middle = low + (high - low) / 2;
     if (!(middle > low && middle < high))
       return low;
-    if (larger(nb_part_normal(part, middle), shear_of(part, middle)) <= limit)
+    if (larger(nb_element_normal(element, middle), element_shear(element, middle)) <= limit)
       low = middle;
     else
       high = middle;
   }
 }
 
-static void add(struct nb_load *load, const struct nb_stiff *k, double radius) {
+static void add(struct nb_particle_sums *load, const struct nb_stiff *k, double radius) {
   const double square = radius * radius;
   load->kn += k->kn, load->cn += k->cn;
   load->ks += k->ks * square, load->cs += k->cs * square;
 }
 
 /* A body's contribution to its contact. */
-static void fraction(struct nb_part *part, const struct nb_load *load, double inverse_mass_, double inverse_inertia) {
-  part->a += load->kn * inverse_mass_, part->d += load->cn * inverse_mass_;
-  part->q += load->ks * inverse_inertia, part->p += load->cs * inverse_inertia;
+static void add_particle(struct nb_element *element, const struct nb_particle_sums *load, double inverse_mass_,
+                         double inverse_inertia) {
+  element->a += load->kn * inverse_mass_, element->d += load->cn * inverse_mass_;
+  element->q += load->ks * inverse_inertia, element->p += load->cs * inverse_inertia;
 }
 
-static void smaller(struct nb_safe *safe, const struct nb_part *part, double limit, int a, int b,
-                    const struct nb_material_pair *material_pair) {
-  const double step = safe->step;
+static void keep_smaller(struct nb_stable *stable, const struct nb_element *element, double limit, int a, int b,
+                         const struct nb_material_pair *material_pair) {
+  const double step = stable->step;
   /* Most contacts are not the smallest, which is told without looking for a root. */
-  if (isfinite(step) && larger(nb_part_normal(part, step), shear_of(part, step)) <= limit)
+  if (isfinite(step) && larger(nb_element_normal(element, step), element_shear(element, step)) <= limit)
     return;
-  *safe = (struct nb_safe){.step = root(part, limit), .a = a, .b = b, .material_pair = material_pair};
-  safe->turning = shear_of(part, safe->step) > nb_part_normal(part, safe->step);
+  *stable = (struct nb_stable){.step = largest_step(element, limit), .a = a, .b = b, .material_pair = material_pair};
+  stable->rotational = element_shear(element, stable->step) > nb_element_normal(element, stable->step);
 }
 
-struct nb_safe nb_safe_apart(const struct nb_model *model) {
+struct nb_stable nb_stable_step_apart(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
-  const double limit = nb_safe_limit(&model->damping);
-  struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
-  look_ahead(model);
+  const double limit = nb_stability_limit(&model->damping);
+  struct nb_stable stable = {.step = INFINITY, .a = -1, .b = -1};
+  update_next_properties(model);
   for (size_t p = 0; p < model->material_pair_count; p++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[p];
     int lightest[2];
@@ -185,57 +187,59 @@ struct nb_safe nb_safe_apart(const struct nb_model *model) {
       }
     if (model->next.normal->elastic)
       continue; /* elastic spheres have no stiffness when they just touch */
-    struct nb_part part = {.own = stiff_at(model, material_pair, just, inverse, 1 / curvature, false, normal, shear)};
+    struct nb_element element = {
+        .own = coefficients_at(model, material_pair, smallest_overlap, inverse, 1 / curvature, false, normal, shear)};
     for (int side = 0; side < 2; side++) {
       const int i = lightest[side];
-      struct nb_load load = {0};
+      struct nb_particle_sums load = {0};
       if (i < 0)
         continue;
-      add(&load, &part.own, particles->surface[i].radius);
-      fraction(&part, &load, particles->inverse_mass[i], particles->inverse_inertia[i]);
+      add(&load, &element.own, particles->surface[i].radius);
+      add_particle(&element, &load, particles->inverse_mass[i], particles->inverse_inertia[i]);
     }
-    if (part.own.kn > 0)
-      smaller(&safe, &part, limit, lightest[0], lightest[1], material_pair);
+    if (element.own.kn > 0)
+      keep_smaller(&stable, &element, limit, lightest[0], lightest[1], material_pair);
   }
-  safe.apart = true;
-  return safe;
+  stable.apart = true;
+  return stable;
 }
 
-struct nb_safe nb_safe_begin(const struct nb_model *model) {
-  const struct nb_safe near = nb_safe_step(model), apart = nb_safe_apart(model);
-  return apart.step < near.step ? apart : near;
+struct nb_stable nb_stable_step_stage(const struct nb_model *model) {
+  const struct nb_stable listed = nb_stable_step(model), apart = nb_stable_step_apart(model);
+  return apart.step < listed.step ? apart : listed;
 }
 
-struct nb_part nb_part_of(const struct nb_model *model, size_t c) {
+struct nb_element nb_element_of(const struct nb_model *model, size_t c) {
   const struct nb_particles *particles = &model->particles;
   const int i = model->contacts.a[c], j = model->contacts.b[c];
-  struct nb_part part = {.own = model->blocks.stiff[c]};
-  fraction(&part, &model->stability->loads[i], particles->inverse_mass[i], particles->inverse_inertia[i]);
+  struct nb_element element = {.own = model->blocks.stiff[c]};
+  add_particle(&element, &model->stability->sums[i], particles->inverse_mass[i], particles->inverse_inertia[i]);
   if (!model->material_pairs[model->contacts.material_pair[c]].wall)
-    fraction(&part, &model->stability->loads[j], particles->inverse_mass[j], particles->inverse_inertia[j]);
-  return part;
+    add_particle(&element, &model->stability->sums[j], particles->inverse_mass[j], particles->inverse_inertia[j]);
+  return element;
 }
 
-struct nb_safe nb_safe_step(const struct nb_model *model) {
+struct nb_stable nb_stable_step(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;
-  const double limit = nb_safe_limit(&model->damping);
-  struct nb_safe safe = {.step = INFINITY, .a = -1, .b = -1};
+  const double limit = nb_stability_limit(&model->damping);
+  struct nb_stable stable = {.step = INFINITY, .a = -1, .b = -1};
   if (contacts->count == 0)
-    return nb_safe_apart(model);
-  look_ahead(model);
-  memset(model->stability->loads, 0, particles->count * sizeof *model->stability->loads);
+    return nb_stable_step_apart(model);
+  update_next_properties(model);
+  memset(model->stability->sums, 0, particles->count * sizeof *model->stability->sums);
   for (size_t c = 0; c < contacts->count; c++) { /* in the order of numbers, whatever the storage */
     const int i = contacts->a[c], j = contacts->b[c];
-    const struct nb_stiff k = model->blocks.stiff[c] = stiff_of(model, c);
-    add(&model->stability->loads[i], &k, particles->surface[i].radius);
+    const struct nb_stiff k = model->blocks.stiff[c] = coefficients_of(model, c);
+    add(&model->stability->sums[i], &k, particles->surface[i].radius);
     if (!model->material_pairs[contacts->material_pair[c]].wall)
-      add(&model->stability->loads[j], &k, particles->surface[j].radius);
+      add(&model->stability->sums[j], &k, particles->surface[j].radius);
   }
   for (size_t c = 0; c < contacts->count; c++) {
-    const struct nb_part part = nb_part_of(model, c);
-    if (part.own.kn > 0)
-      smaller(&safe, &part, limit, contacts->a[c], contacts->b[c], &model->material_pairs[contacts->material_pair[c]]);
+    const struct nb_element element = nb_element_of(model, c);
+    if (element.own.kn > 0)
+      keep_smaller(&stable, &element, limit, contacts->a[c], contacts->b[c],
+                   &model->material_pairs[contacts->material_pair[c]]);
   }
-  return safe;
+  return stable;
 }

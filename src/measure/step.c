@@ -19,7 +19,7 @@
 #include "step.h"
 #include "core/names.h"
 
-double nb_step_critical(const struct nb_model *model) {
+double nb_step_single_contact(const struct nb_model *model) {
   double mass = INFINITY, stiffness = 0;
   for (size_t i = 0; i < model->particles.count; i++)
     if (model->particles.inverse_mass[i] > 0 && model->particles.mass[i] < mass)
@@ -45,9 +45,9 @@ void nb_step_lightest(const struct nb_model *model, const struct nb_material_pai
     }
 }
 
-double nb_step_contact(const struct nb_model *model) {
+double nb_step_collision(const struct nb_model *model) {
   if (nb_step_elastic(model))
-    return nb_meeting_shortest(model).duration;
+    return nb_collision_shortest(model).duration;
   const double *inverse = model->particles.inverse_mass;
   double square = 0; /* the largest k_n/M */
   for (size_t p = 0; p < model->material_pair_count; p++) {
@@ -68,18 +68,18 @@ bool nb_step_elastic(const struct nb_model *model) {
 }
 
 /* The longest that elastic spheres may overlap by rounding, as a share of the radius: it makes no stiffness to speak of. */
-static const double pressed = 1e-9;
+static const double rounding_overlap = 1e-9;
 
-bool nb_step_pressed(const struct nb_model *model) {
+bool nb_step_loaded(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   for (size_t c = 0; c < contacts->count; c++)
-    if (nb_overlap(model, c) > pressed * model->particles.surface[contacts->a[c]].radius)
+    if (nb_overlap(model, c) > rounding_overlap * model->particles.surface[contacts->a[c]].radius)
       return true;
   return false;
 }
 
 /* What is wrong with such a step for elastic spheres; NULL: nothing. */
-static const char *refused(const struct nb_model *model, enum nb_step_kind kind, double unit) {
+static const char *objection(const struct nb_model *model, enum nb_step_kind kind, double unit) {
   if (kind == NB_STEP_CONTACT && model->cell && nb_step_elastic(model))
     return "which of their copies elastic spheres in a cell would meet first is not looked for";
   if (kind >= NB_STEP_RAYLEIGH && !(unit < INFINITY))
@@ -88,7 +88,7 @@ static const char *refused(const struct nb_model *model, enum nb_step_kind kind,
     return NULL;
   if (kind == NB_STEP_CRITICAL)
     return "elastic spheres have no critical step: their stiffness grows with the load";
-  if (kind == NB_STEP_SAFE && !nb_step_pressed(model))
+  if (kind == NB_STEP_SAFE && !nb_step_loaded(model))
     return "what is safe follows from the stiffness of contacts, and elastic spheres that are not pressed have none";
   if (kind == NB_STEP_CONTACT && !(unit < INFINITY))
     return "nothing approaches anything, so there is no contact to last";
@@ -96,14 +96,14 @@ static const char *refused(const struct nb_model *model, enum nb_step_kind kind,
 }
 
 /* "line 7", or where else it stands. */
-static const char *place_of(char *text, size_t size, const struct nb_step *step) {
+static const char *source_of(char *text, size_t size, const struct nb_step *step) {
   snprintf(text, size, step->set ? "--set" : "line %d", step->line);
   return text;
 }
 
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error) {
   const int line = step->set ? 0 : step->line;
-  char place[NB_NAME_SIZE];
+  char source[NB_NAME_SIZE];
   double unit = 1;
   if (step->kind == NB_STEP_CONTACT && nb_step_elastic(model) && line == model->stability->step_line)
     return NB_OK;
@@ -114,10 +114,10 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
     unit = model->critical;
     break;
   case NB_STEP_SAFE:
-    unit = model->stability->safe;
+    unit = model->stability->stable_step;
     break;
   case NB_STEP_CONTACT:
-    unit = nb_step_contact(model);
+    unit = nb_step_collision(model);
     break;
   case NB_STEP_RAYLEIGH:
   case NB_STEP_RAYLEIGH_MEAN:
@@ -127,9 +127,9 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
                             step->kind == NB_STEP_RAYLEIGH_MEAN || step->kind == NB_STEP_RAYLEIGH_FIT_MEAN);
     break;
   }
-  const char *why = refused(model, step->kind, unit);
-  if (why)
-    return nb_error_set(error, NB_BAD_USE, "%s: %s: say %s", place_of(place, sizeof place, step), why,
+  const char *reason = objection(model, step->kind, unit);
+  if (reason)
+    return nb_error_set(error, NB_BAD_USE, "%s: %s: say %s", source_of(source, sizeof source, step), reason,
                         step->kind >= NB_STEP_RAYLEIGH  ? "a time, or `F of stable`"
                         : step->kind == NB_STEP_CONTACT ? "a time, or `F of rayleigh`"
                                                         : "`N per collision` or `F of rayleigh`");
@@ -140,7 +140,7 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
         error, NB_BAD_USE,
         "%s: the step comes out as %g s: a share needs a free particle and a contact with stiffness. Give its "
         "material `kn`, or write `step TIME`",
-        place_of(place, sizeof place, step), model->step);
+        source_of(source, sizeof source, step), model->step);
   return NB_OK;
 }
 
@@ -148,7 +148,7 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
 
 NB_QUANTITY(step, model->step)
 NB_QUANTITY(critical, model->critical)
-NB_QUANTITY(safe, nb_safe_step(model).step)
+NB_QUANTITY(stable, nb_stable_step(model).step)
 NB_QUANTITY(fracc, model->fracc->largest)
 NB_QUANTITY(rayleigh, nb_step_rayleigh(model, false, false))
 NB_QUANTITY(rayleigh_mean, nb_step_rayleigh(model, false, true))
@@ -158,7 +158,7 @@ NB_QUANTITY(rayleigh_fit_mean, nb_step_rayleigh(model, true, true))
 const struct nb_quantity_kind nb_step_kinds[] = {
     {"step", 0, "s", 0, step, "the time step"},
     {"step.single-contact", 0, "s", 0, critical, "2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion]"},
-    {"step.stable", 0, "s", 0, safe, "the largest step guaranteed stable with the present contacts and damping"},
+    {"step.stable", 0, "s", 0, stable, "the largest step guaranteed stable with the present contacts and damping"},
     {"step.fracc", 0, "1", NB_REQUEST_FRACC, fracc,
      "FRACC, the largest of all particles in the last cycle: not a stability bound [R89 4.40]"},
     {"step.rayleigh", 0, "s", 0, rayleigh, "travel time of a Rayleigh wave half round the smallest sphere [R89 4.33]"},

@@ -22,11 +22,11 @@
 #include "core/affine.h"
 #include "region.h"
 
-static void remember(const struct nb_model *model, struct nb_region_now *region) {
+static void record_positions(const struct nb_model *model, struct nb_region_state *region) {
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    region->from[k] = nb_region_holds(model, region, i) ? particles->position[i] : vec(NAN, NAN);
+    region->reference_position[k] = nb_region_contains(model, region, i) ? particles->position[i] : vec(NAN, NAN);
   }
 }
 
@@ -35,54 +35,56 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
   if (!(model->plan.requested & NB_REQUEST_STRAIN))
     return NB_OK;
   for (size_t r = 0; r < scene->region_count; r++) {
-    struct nb_region_now *region = nb_region_now(model, (int)r);
-    if (!region->from && !(region->from = nb_array(model->particles.count, sizeof *region->from)))
+    struct nb_region_state *region = nb_region_state(model, (int)r);
+    if (!region->reference_position &&
+        !(region->reference_position = nb_array(model->particles.count, sizeof *region->reference_position)))
       return nb_error_memory(error);
     if (stage < 0 || scene->regions[r].stage == stage)
-      remember(model, region);
+      record_positions(model, region);
   }
   return NB_OK;
 }
 
 /* Bodies lie in a line where 1 - r^2 is less than this, r the correlation of their x and y, 1: well above what rounding leaves of it, some
  * 1e-15, and far below that of any packing. */
-static const double in_line = 1e-12;
+static const double collinear = 1e-12;
 
 static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec from[]) {
   const struct nb_particles *particles = &model->particles;
-  struct nb_vec middle = vec(0, 0), moved = vec(0, 0);
+  struct nb_vec middle = vec(0, 0), mean_displacement = vec(0, 0);
   double count = 0;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
     if (from[k].x != from[k].x || nb_removed(model, i))
       continue;
     middle = vec_add(middle, from[k]);
-    moved = vec_add(moved, vec_sub(particles->position[i], from[k]));
+    mean_displacement = vec_add(mean_displacement, vec_sub(particles->position[i], from[k]));
     count++;
   }
   if (count < 3)
     return tensor(0, 0, 0, 0);
-  middle = vec_scale(1 / count, middle), moved = vec_scale(1 / count, moved);
-  struct nb_tensor both = tensor(0, 0, 0, 0), square = both;
+  middle = vec_scale(1 / count, middle), mean_displacement = vec_scale(1 / count, mean_displacement);
+  struct nb_tensor product = tensor(0, 0, 0, 0), square = product;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
     if (from[k].x != from[k].x || nb_removed(model, i))
       continue;
     const struct nb_vec place = vec_sub(from[k], middle);
-    const struct nb_vec u = vec_sub(vec_sub(particles->position[i], from[k]), moved);
-    both = tensor_add(both, tensor_outer(u, place));
+    const struct nb_vec u = vec_sub(vec_sub(particles->position[i], from[k]), mean_displacement);
+    product = tensor_add(product, tensor_outer(u, place));
     square = tensor_add(square, tensor_outer(place, place));
   }
   const double det = square.xx * square.yy - square.xy * square.yx;
-  if (!(det > in_line * square.xx * square.yy)) /* nothing is known of the strain across the line */
+  if (!(det > collinear * square.xx * square.yy)) /* nothing is known of the strain across the line */
     return tensor(0, 0, 0, 0);
-  return tensor_scale(1 / det,
-                      tensor(both.xx * square.yy - both.xy * square.yx, both.xy * square.xx - both.xx * square.xy,
-                             both.yx * square.yy - both.yy * square.yx, both.yy * square.xx - both.yx * square.xy));
+  return tensor_scale(1 / det, tensor(product.xx * square.yy - product.xy * square.yx,
+                                      product.xy * square.xx - product.xx * square.xy,
+                                      product.yx * square.yy - product.yy * square.yx,
+                                      product.yy * square.xx - product.yx * square.xy));
 }
 
-void nb_measure_strain(const struct nb_model *model, struct nb_region_now *region) {
-  const struct nb_tensor g = fit(model, region->from);
+void nb_measure_strain(const struct nb_model *model, struct nb_region_state *region) {
+  const struct nb_tensor g = fit(model, region->reference_position);
   region->strain = (struct nb_strain){tensor_symmetric(g), tensor_trace(g), (g.yx - g.xy) / 2};
 }
 
@@ -98,7 +100,7 @@ static struct nb_vec imposed(const struct nb_model *model, size_t i, bool *store
   return nb_imposed_at(affine, i, vec_sub(model->particles.position[i], back));
 }
 
-void nb_measure_speeds(const struct nb_model *model, struct nb_region_now *region) {
+void nb_measure_speeds(const struct nb_model *model, struct nb_region_state *region) {
   struct nb_speeds *it = &region->speeds;
   *it = (struct nb_speeds){0};
   double count = 0;

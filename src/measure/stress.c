@@ -25,27 +25,27 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
 
-static double mean_push(const struct nb_model *model, const struct nb_region_now *region) {
+static double mean_normal(const struct nb_model *model, const struct nb_region_state *region) {
   double sum = 0, count = 0;
   struct nb_end end;
-  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end); count++)
+  for (struct nb_ends ends = nb_ends_begin(model, region); nb_ends_next(&ends, &end); count++)
     sum += end.total_normal;
   return count > 0 ? sum / count : 0;
 }
 
-static struct nb_tensor by_particles(const struct nb_model *model, const struct nb_region_now *region) {
+static struct nb_tensor by_particles(const struct nb_model *model, const struct nb_region_state *region) {
   struct nb_tensor sum = {0, 0, 0, 0};
   struct nb_end end;
-  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);)
+  for (struct nb_ends ends = nb_ends_begin(model, region); nb_ends_next(&ends, &end);)
     sum = tensor_add(sum, tensor_outer(nb_end_force(&end), vec_scale(end.arm, end.e)));
   return sum;
 }
 
-static void find_parts(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_now *region) {
-  const double mean = mean_push(model, region);
+static void find_parts(struct nb_stress *stress, const struct nb_model *model, const struct nb_region_state *region) {
+  const double mean = mean_normal(model, region);
   struct nb_tensor sum[NB_STRESS_PARTS_COUNT] = {{0, 0, 0, 0}};
   struct nb_end end;
-  for (struct nb_ends ends = nb_ends_of(model, region); nb_ends_next(&ends, &end);) {
+  for (struct nb_ends ends = nb_ends_begin(model, region); nb_ends_next(&ends, &end);) {
     const struct nb_vec branch = vec_scale(end.arm, end.e);
     const struct nb_tensor along = tensor_outer(end.e, branch), across = tensor_outer(vec_clockwise(end.e), branch);
     sum[NB_STRESS_NORMAL] = tensor_add(sum[NB_STRESS_NORMAL], tensor_scale(end.total_normal, along));
@@ -57,7 +57,7 @@ static void find_parts(struct nb_stress *stress, const struct nb_model *model, c
     stress->part[k].stress = sum[k];
 }
 
-static struct nb_tensor by_contacts(const struct nb_model *model, const struct nb_region_now *region) {
+static struct nb_tensor by_contacts(const struct nb_model *model, const struct nb_region_state *region) {
   struct nb_tensor sum = {0, 0, 0, 0};
   const struct nb_contacts *contacts = &model->contacts;
   for (size_t c = 0; c < contacts->count; c++) {
@@ -65,7 +65,7 @@ static struct nb_tensor by_contacts(const struct nb_model *model, const struct n
       continue;
     const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
     const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
-    const bool a_in = nb_region_holds(model, region, a), b_in = !wall && nb_region_holds(model, region, b);
+    const bool a_in = nb_region_contains(model, region, a), b_in = !wall && nb_region_contains(model, region, b);
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]);
     struct nb_vec branch = vec(0, 0);
     if (a_in && b_in)
@@ -79,7 +79,7 @@ static struct nb_tensor by_contacts(const struct nb_model *model, const struct n
   return sum;
 }
 
-static double per_volume(const struct nb_region_now *region) {
+static double per_volume(const struct nb_region_state *region) {
   const double volume = region->area * region->thickness;
   return volume > 0 ? 1 / volume : 0;
 }
@@ -100,8 +100,8 @@ static double residual(const struct nb_stress *stress) {
   const struct nb_tensor normal = stress->part[NB_STRESS_NORMAL].stress, shear = stress->part[NB_STRESS_SHEAR].stress;
   const struct nb_tensor fabric = stress->part[NB_STRESS_FABRIC].stress;
   const struct nb_tensor zeros[] = {
-      tensor_sub(stress->whole, stress->contacts),
-      tensor_sub(tensor_add(normal, shear), stress->whole),
+      tensor_sub(stress->total, stress->contacts),
+      tensor_sub(tensor_add(normal, shear), stress->total),
       tensor_sub(tensor_add(fabric, stress->part[NB_STRESS_VARIATION].stress), normal),
   };
   double most = 0;
@@ -110,19 +110,19 @@ static double residual(const struct nb_stress *stress) {
   return most;
 }
 
-void nb_measure_stress(const struct nb_model *model, struct nb_region_now *region) {
-  region->stress.whole = tensor_scale(per_volume(region), by_particles(model, region));
-  region->stress.sinphi = sin_phi(region->stress.whole);
+void nb_measure_stress(const struct nb_model *model, struct nb_region_state *region) {
+  region->stress.total = tensor_scale(per_volume(region), by_particles(model, region));
+  region->stress.sinphi = sin_phi(region->stress.total);
 }
 
-void nb_measure_stress_parts(const struct nb_model *model, struct nb_region_now *region) {
+void nb_measure_stress_parts(const struct nb_model *model, struct nb_region_state *region) {
   struct nb_stress *stress = &region->stress;
   const double per = per_volume(region);
   nb_region_measured(model, (int)(region - model->regions->list), NB_STRESS);
   find_parts(stress, model, region);
   for (int k = 0; k < NB_STRESS_PARTS_COUNT; k++) {
     stress->part[k].stress = tensor_scale(per, stress->part[k].stress);
-    stress->part[k].fraction = fraction(stress->part[k].stress, stress->whole);
+    stress->part[k].fraction = fraction(stress->part[k].stress, stress->total);
   }
   stress->contacts = tensor_scale(per, by_contacts(model, region));
   stress->residual = residual(stress);

@@ -20,18 +20,18 @@
 #include "packing.h"
 #include "random_numbers.h"
 
-static void add(struct nb_grid *grid, const struct nb_particle *particle, size_t index) {
+static void grid_add(struct nb_grid *grid, const struct nb_particle *particle, size_t index) {
   nb_grid_add(grid, (int)index, vec(particle->x, particle->y), 2 * particle->radius);
 }
 
-static bool begin(struct nb_grid *grid, const struct nb_scene *scene, const struct nb_grading *grading) {
+static bool grid_create(struct nb_grid *grid, const struct nb_scene *scene, const struct nb_grading *grading) {
   double largest = grading->sizes[0].radius;
   for (size_t k = 0; k < scene->particle_count; k++)
     largest = fmax(largest, scene->particles[k].radius);
   if (!nb_grid_create(grid, scene->particle_count + grading->count, 2 * largest))
     return false;
   for (size_t k = 0; k < scene->particle_count; k++)
-    add(grid, &scene->particles[k], k);
+    grid_add(grid, &scene->particles[k], k);
   return true;
 }
 
@@ -41,13 +41,14 @@ static bool overlap(const struct nb_particle *a, const struct nb_particle *b) {
 }
 
 /* Whether the body, which is to be number `count`, overlaps none of those on a level. */
-static bool is_free_on(const struct nb_grid *grid, int level, const struct nb_particle *particles, size_t count) {
+static bool no_overlap_on_level(const struct nb_grid *grid, int level, const struct nb_particle *particles,
+                                size_t count) {
   const struct nb_particle *particle = &particles[count];
-  const double reach = particle->radius + grid->width[level] / 2;
-  const int64_t west = nb_grid_place(grid, level, particle->x - reach),
-                east = nb_grid_place(grid, level, particle->x + reach);
-  const int64_t south = nb_grid_place(grid, level, particle->y - reach),
-                north = nb_grid_place(grid, level, particle->y + reach);
+  const double range = particle->radius + grid->width[level] / 2;
+  const int64_t west = nb_grid_place(grid, level, particle->x - range),
+                east = nb_grid_place(grid, level, particle->x + range);
+  const int64_t south = nb_grid_place(grid, level, particle->y - range),
+                north = nb_grid_place(grid, level, particle->y + range);
   if ((double)(east - west) * (double)(north - south) > (double)count) { /* it is far larger than they are */
     for (size_t k = 0; k < count; k++)
       if (overlap(particle, &particles[k]))
@@ -62,15 +63,15 @@ static bool is_free_on(const struct nb_grid *grid, int level, const struct nb_pa
   return true;
 }
 
-static bool is_free(const struct nb_grid *grid, const struct nb_particle *particles, size_t count) {
+static bool no_overlap(const struct nb_grid *grid, const struct nb_particle *particles, size_t count) {
   for (int level = 0; level < NB_GRID_LEVELS; level++)
-    if (grid->count[level] && !is_free_on(grid, level, particles, count))
+    if (grid->count[level] && !no_overlap_on_level(grid, level, particles, count))
       return false;
   return true;
 }
 
 /* Draws a centre; false when rounding has put the body across the edge. */
-static bool draw(struct nb_particle *particle, const struct nb_fill *fill, struct nb_random *random) {
+static bool draw_centre(struct nb_particle *particle, const struct nb_fill *fill, struct nb_random *random) {
   const double r = particle->radius;
   if (!fill->circle) {
     particle->x = fill->x + r + nb_random_fraction(random) * (fill->x1 - fill->x - 2 * r);
@@ -97,25 +98,25 @@ static bool place(struct nb_scene *scene, struct nb_fill *fill, struct nb_grid *
                   const struct nb_particle *like) {
   struct nb_particle *particle = &scene->particles[scene->particle_count];
   *particle = *like;
-  for (unsigned long tried = 0; tried < fill->tries; tried++) {
+  for (unsigned long attempt = 0; attempt < fill->tries; attempt++) {
     fill->made++;
-    if (!draw(particle, fill, random) || !is_free(grid, scene->particles, scene->particle_count))
+    if (!draw_centre(particle, fill, random) || !no_overlap(grid, scene->particles, scene->particle_count))
       continue;
-    add(grid, particle, scene->particle_count++);
+    grid_add(grid, particle, scene->particle_count++);
     return true;
   }
   return false;
 }
 
-enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle like) {
+enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle like) {
   struct nb_grading *grading = &scene->gradings[fill->grading];
   struct nb_grid grid = {0};
   struct nb_random random = {fill->seed};
   struct nb_particle *particles = nb_room(scene->particles, scene->particle_count, grading->count, sizeof *particles);
   if (particles)
     scene->particles = particles;
-  enum nb_filled filled = particles && begin(&grid, scene, grading) ? NB_FILLED : NB_FILL_NO_MEMORY;
-  for (size_t s = 0; s < grading->size_count && filled == NB_FILLED; s++) {
+  enum nb_fill_result result = particles && grid_create(&grid, scene, grading) ? NB_FILL_DONE : NB_FILL_NO_MEMORY;
+  for (size_t s = 0; s < grading->size_count && result == NB_FILL_DONE; s++) {
     struct nb_size *size = &grading->sizes[s];
     const size_t before = scene->particle_count;
     like.radius = size->radius;
@@ -124,8 +125,8 @@ enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, stru
       placed = place(scene, fill, &grid, &random, &like);
     size->wanted += size->count, size->placed += scene->particle_count - before;
     if (!placed && !fill->skip)
-      filled = NB_FILL_STOPPED;
+      result = NB_FILL_STOPPED;
   }
   nb_grid_free(&grid);
-  return filled;
+  return result;
 }

@@ -38,7 +38,7 @@ static double attempts(const struct nb_model *model, const struct nb_monitor *mo
   return made;
 }
 /* Between the outlines of two bodies that may touch, in a cell those of the nearest copies. */
-static double between(const struct nb_model *model, const struct nb_wrap *wrap, int i, int j) {
+static double gap_between(const struct nb_model *model, const struct nb_wrap *wrap, int i, int j) {
   const struct nb_particles *particles = &model->particles;
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j) ||
       !(particles->inverse_mass[i] > 0 || particles->inverse_mass[j] > 0))
@@ -57,10 +57,10 @@ static double gap(const struct nb_model *model, const struct nb_monitor *monitor
   double least = model->search.skin;
   wrap.centre = vec(0, 0); /* of differences */
   for (size_t c = 0; c < contacts->wall_from; c++)
-    least = fmin(least, between(model, &wrap, contacts->a[c], contacts->b[c]));
+    least = fmin(least, gap_between(model, &wrap, contacts->a[c], contacts->b[c]));
   for (int i = 0; i < n && least > 0; i++)
     for (int j = i + 1; j < n; j++)
-      least = fmin(least, between(model, &wrap, i, j));
+      least = fmin(least, gap_between(model, &wrap, i, j));
   return least;
 }
 

@@ -15,13 +15,13 @@ bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct n
   if (!particles)
     return false;
   scene->particles = particles;
-  const double up = lattice.hexagonal ? sqrt(3) / 2 : 1, aside = lattice.hexagonal ? 0.5 : 0;
+  const double row_spacing = lattice.hexagonal ? sqrt(3) / 2 : 1, offset = lattice.hexagonal ? 0.5 : 0;
   for (size_t row = 0; row < lattice.ny; row++) {
     for (size_t column = 0; column < lattice.nx; column++) {
       struct nb_particle *particle = &particles[scene->particle_count++];
       *particle = first;
-      particle->x = lattice.x + ((double)column + (double)(row % 2) * aside) * lattice.spacing;
-      particle->y = lattice.y + (double)row * up * lattice.spacing;
+      particle->x = lattice.x + ((double)column + (double)(row % 2) * offset) * lattice.spacing;
+      particle->y = lattice.y + (double)row * row_spacing * lattice.spacing;
     }
   }
   return true;

@@ -14,7 +14,7 @@ struct nb_lattice {
 };
 bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle first);
 /* Adds bodies at random, largest first, and counts in `fill` and in the sizes of its grading what became of them. */
-enum nb_filled { NB_FILLED, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
-enum nb_filled nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle like);
+enum nb_fill_result { NB_FILL_DONE, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
+enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle like);
 
 #endif

@@ -216,10 +216,10 @@ static void explain_plan(FILE *out, const struct nb_model *model) {
 /* ---- regions ---- */
 
 static size_t inside(const struct nb_model *model, int region) {
-  const struct nb_region_now *now = nb_region_now(model, region);
+  const struct nb_region_state *now = nb_region_state(model, region);
   size_t count = 0;
   for (size_t i = 0; i < model->particles.count; i++)
-    count += !nb_removed(model, i) && nb_region_holds(model, now, i);
+    count += !nb_removed(model, i) && nb_region_contains(model, now, i);
   return count;
 }
 
@@ -239,9 +239,9 @@ static void explain_regions(FILE *out, const struct nb_model *model) {
 /* ---- the step ---- */
 
 static void explain_safe(FILE *out, const struct nb_model *model, const char *s) {
-  const struct nb_safe safe = nb_safe_begin(model);
+  const struct nb_stable safe = nb_stable_step_stage(model);
   char what[3 * NB_NAME_SIZE];
-  nb_safe_words(what, sizeof what, model, &safe);
+  nb_stable_text(what, sizeof what, model, &safe);
   fprintf(out, "  stable: %g%s; the step is %g of it; limited by %s%s\n", safe.step, s, model->step / safe.step, what,
           model->step <= safe.step           ? ""
           : model->stability->allow_unstable ? "; allowed to be unstable"
@@ -249,7 +249,7 @@ static void explain_safe(FILE *out, const struct nb_model *model, const char *s)
 }
 
 static void explain_meeting(FILE *out, const struct nb_model *model, const char *s) {
-  const struct nb_meeting meeting = nb_meeting_shortest(model);
+  const struct nb_collision meeting = nb_collision_shortest(model);
   if (meeting.a < 0) {
     fprintf(out, "  collision: nothing approaches\n");
     return;
@@ -279,12 +279,12 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   }
   if (!elastic)
     fprintf(out, "  single contact, 2 sqrt(m/k): %g%s; the step is %g of it, the stable step %g of it\n",
-            model->critical, s, model->step / model->critical, nb_safe_begin(model).step / model->critical);
-  if (elastic && !nb_step_pressed(model))
+            model->critical, s, model->step / model->critical, nb_stable_step_stage(model).step / model->critical);
+  if (elastic && !nb_step_loaded(model))
     fprintf(out, "  stable: unknown, elastic spheres without overlap have no stiffness\n");
   else
     explain_safe(out, model, s);
-  const double contact = nb_step_contact(model);
+  const double contact = nb_step_collision(model);
   if (elastic)
     explain_meeting(out, model, s);
   else

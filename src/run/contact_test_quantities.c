@@ -114,7 +114,7 @@ double nb_contact_test_value(struct nb_quantity quantity, const struct nb_contac
 static bool see_traction(struct nb_table *table, const struct nb_contact_test *contact_test,
                          const struct history *history, int stage) {
   enum { POINTS = 400 };
-  static const struct nb_head columns[] = {{"r", "m"}, {"pressure", "Pa"}, {"traction", "Pa"}, {"limit", "Pa"}};
+  static const struct nb_table_column columns[] = {{"r", "m"}, {"pressure", "Pa"}, {"traction", "Pa"}, {"limit", "Pa"}};
   const double square = contact_test->pair.radius * contact_test->now.n.overlap;
   if (!nb_snapshot_table(table, contact_test->scene, columns, 4))
     return false;
@@ -132,7 +132,7 @@ static bool see_traction(struct nb_table *table, const struct nb_contact_test *c
 /* Two rows for each piece, its inner edge and its outer one, so that a line through them is D(x). */
 static bool see_pieces(struct nb_table *table, const struct nb_contact_test *contact_test,
                        const struct history *history, int stage) {
-  static const struct nb_head columns[] = {{"x", "m"}, {"r", "m"}, {"D", "1"}};
+  static const struct nb_table_column columns[] = {{"x", "m"}, {"r", "m"}, {"D", "1"}};
   if (!nb_snapshot_table(table, contact_test->scene, columns, 3))
     return false;
   for (int k = 0; k < 2 * history->count; k++) {

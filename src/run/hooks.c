@@ -21,21 +21,21 @@
     return NB_OK;                                                                                                      \
   }
 HOOK(move_walls, nb_stage_drive(model))
-HOOK(follow_stress, nb_servo_set(model))
-HOOK(strain_box, nb_box_drive(model))
-HOOK(account_before, nb_balance_before(model))
-HOOK(account_kick, nb_balance_kick(model))
-HOOK(account_forces, nb_balance_forces(model))
-HOOK(press, nb_drive_after(model))
+HOOK(follow_stress, nb_servo_apply(model))
+HOOK(strain_box, nb_box_set_velocities(model))
+HOOK(account_before, nb_balance_before_motion(model))
+HOOK(account_kick, nb_balance_after_motion(model))
+HOOK(account_forces, nb_balance_after_forces(model))
+HOOK(press, nb_boundary_after_motion(model))
 HOOK(count_deep, nb_deep_look(model))
-HOOK(find_fracc, nb_fracc_forces(model))
-HOOK(count_slid, nb_configuration_forces(model))
+HOOK(find_fracc, nb_fracc_after_forces(model))
+HOOK(count_slid, nb_configuration_add_slip(model))
 
 /* Where the step does not carry all particles, those of the boundary are. */
 static enum nb_status affine_along(struct nb_model *model, struct nb_error *error) {
   (void)error;
   if (!nb_affine_step(model) && model->drive)
-    nb_ring_affine(model);
+    nb_boundary_set_velocities(model);
   return NB_OK;
 }
 
@@ -59,7 +59,7 @@ static enum nb_status monitor(struct nb_model *model, struct nb_error *error) {
 }
 
 static enum nb_status check_stiffening(struct nb_model *model, struct nb_error *error) {
-  return nb_stable_overlap_all(model) ? NB_OK : nb_stability_check(model, error);
+  return nb_stability_overlaps(model) ? NB_OK : nb_stability_check(model, error);
 }
 
 /* Which of them the scene needs now. */
@@ -84,7 +84,7 @@ static const struct {
   enum nb_status (*run)(struct nb_model *model, struct nb_error *error);
 } table[] = {
     {NB_BEFORE_MOTION, "walls ramp", ramps_walls, move_walls},
-    {NB_BEFORE_MOTION, "boundary takes in particles", has_boundary, nb_drive_before},
+    {NB_BEFORE_MOTION, "boundary takes in particles", has_boundary, nb_boundary_before_motion},
     {NB_BEFORE_MOTION, "servo", has_servo, follow_stress},
     {NB_BEFORE_MOTION, "walls of the box follow its strain rate", strains_box, strain_box},
     {NB_BEFORE_MOTION, "energy balance", balances, account_before},

@@ -150,7 +150,7 @@ static bool make_parts(struct nb_model *model, const struct nb_scene *scene, boo
 
 /* What holds before the first stage. */
 static void begin(struct nb_model *model, const struct nb_scene *scene, const struct nb_options *options) {
-  model->critical = nb_step_critical(model);
+  model->critical = nb_step_single_contact(model);
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
   model->central.strength = scene->gravity.central;
@@ -163,21 +163,21 @@ static void begin(struct nb_model *model, const struct nb_scene *scene, const st
 
 /* The first list of contacts, and the step. */
 static enum nb_status find_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
-  if (nb_affine_create(model, error) || nb_drive_create(model, error) ||
+  if (nb_affine_create(model, error) || nb_boundary_create(model, error) ||
       (saved && nb_saved_put_driven(model, saved, error)) || nb_plan(model, error) ||
       nb_neighbours_search(model, error))
     return error->status;
-  model->stability->safe = nb_safe_begin(model).step;
+  model->stability->stable_step = nb_stable_step_stage(model).step;
   return saved ? NB_OK : nb_step_set(model, &model->scene->stages[0].step, error);
 }
 
 /* Goes back from first touch by `phase` of the step. */
 static void begin_impact(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
-  const struct nb_strike strike = nb_impact_strike(scene);
+  const struct nb_impact_state strike = nb_impact_incidence(scene);
   const int i = model->particles.slot[scene->monitors[scene->impact.monitor].a];
   model->touch = scene->impact.phase * model->step;
-  model->particles.position[i] = vec_add(model->particles.position[i], vec_scale(-model->touch, strike.arrival));
+  model->particles.position[i] = vec_add(model->particles.position[i], vec_scale(-model->touch, strike.velocity));
 }
 
 /* The forces at time 0: worked out, or as the state has them. */
@@ -192,7 +192,7 @@ static enum nb_status find_forces(struct nb_model *model, const struct nb_saved 
 
 /* What some column, condition or snapshot asks for. */
 static enum nb_status make_measures(struct nb_model *model, struct nb_error *error) {
-  if (model->plan.requested & NB_REQUEST_FRACC && !nb_fracc_begin(model))
+  if (model->plan.requested & NB_REQUEST_FRACC && !nb_fracc_create(model))
     return nb_error_memory(error);
   if (nb_regions_create(model, error) || nb_regions_stage(model, -1, error))
     return error->status;

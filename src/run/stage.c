@@ -61,7 +61,7 @@ static void stop_particles(struct nb_model *model) {
       particles->spin[i] = 0;
   }
   if (model->affine)
-    nb_affine_still(model);
+    nb_affine_clear(model);
   model->previous_step = 0; /* as at time 0: nothing has slipped and nothing approaches */
   if (model->plan.dashpots)
     nb_forces(model);
@@ -136,20 +136,20 @@ static void properties_go(struct nb_model *model, double fraction) {
 }
 
 /* The critical step and the safe one must hold from the stage's begin to its end. */
-static void properties_begin(struct nb_model *model, struct nb_safe *apart) {
+static void properties_begin(struct nb_model *model, struct nb_stable *apart) {
   const struct nb_stage *stage = model->stage;
   for (size_t k = 0; k < stage->change_count; k++)
     model->changes->properties_from[k] = nb_properties_before(&model->properties, &stage->changes[k]);
-  model->critical = model->stability->safe = apart->step = INFINITY;
+  model->critical = model->stability->stable_step = apart->step = INFINITY;
   for (int end = 0; end < 2; end++) {
     properties_go(model, end);
-    model->critical = fmin(model->critical, nb_step_critical(model));
-    model->stability->safe = fmin(model->stability->safe, nb_safe_step(model).step);
-    const struct nb_safe now = nb_safe_apart(model);
+    model->critical = fmin(model->critical, nb_step_single_contact(model));
+    model->stability->stable_step = fmin(model->stability->stable_step, nb_stable_step(model).step);
+    const struct nb_stable now = nb_stable_step_apart(model);
     if (end == 0 || now.step < apart->step)
       *apart = now;
   }
-  model->stability->safe = fmin(model->stability->safe, apart->step);
+  model->stability->stable_step = fmin(model->stability->stable_step, apart->step);
   properties_go(model, 0);
 }
 
@@ -204,7 +204,7 @@ static enum nb_status begin_loading(struct nb_model *model, const struct nb_stag
   gravity_begin(model);
   if (model->affine)
     nb_affine_begin(model, stage);
-  if (model->drive && nb_drive_begin(model, stage, error))
+  if (model->drive && nb_boundary_begin(model, stage, error))
     return error->status;
   if (stage->servo.line)
     nb_servo_begin(model);
@@ -222,7 +222,7 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
   model->damping = stage->damping;
   model->next = nb_laws_of(stage, model->laws);
   model->properties.pieces = model->next.pieces;
-  struct nb_safe apart;
+  struct nb_stable apart;
   walls_begin(model, stage), properties_begin(model, &apart);
   if (nb_step_set(model, &stage->step, error) || begin_loading(model, stage, error))
     return error->status;
@@ -230,7 +230,7 @@ enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *sta
                              nb_laws_shear_changes(model);
   model->stability->allow_unstable = model->scene->allow_unstable || stage->allow_unstable;
   nb_hooks_plan(model);
-  return nb_stable_begin(model, &apart, error);
+  return nb_stability_begin(model, &apart, error);
 }
 
 /* Contacts of a pairing that has lost its shear forget what they remembered of it. */

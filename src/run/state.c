@@ -275,7 +275,7 @@ void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
   model->gravity = saved->gravity;
   model->cycle = saved->cycle, model->stage_cycle = saved->stage_cycle;
   model->time = saved->time, model->touch = saved->impact.touch;
-  model->critical = nb_step_critical(model);
+  model->critical = nb_step_single_contact(model);
   model->step = model->previous_step = saved->step;
 }
 
@@ -347,7 +347,7 @@ static void put_ring(struct nb_model *model, const struct nb_saved_ring *saved) 
   drive->stress = saved->stress;
   model->particles.pressed = saved->pressing ? drive->pressed : NULL;
   if (model->particles.pressed)
-    nb_ring_press(model);
+    nb_boundary_set_forces(model);
 }
 
 /* Whether what moves the assembly from outside is there in both. */
