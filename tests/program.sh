@@ -425,7 +425,7 @@ verdict 'a folder that cannot be made'
 
 sed 's/^stage .*/&\n  rotation off/' "$pages/../../cases/8-published/chung-ooi-6.md" >held.md
 run 2 check held.md
-said 'held.md: error: the reference `rebound` does not cover `rotation off` (line 36)'
+said "held.md: error: the reference \`rebound\` does not cover \`rotation off\` (line $(sed -n '/^  rotation off/=' held.md))"
 verdict 'what a reference does not cover is refused, with its line'
 
 run 0 run "$pages/same-bits.md" -o kept
