@@ -150,7 +150,7 @@ struct nb_fill {
   double x1, y1; /* m, the north-east corner of the box */
   int grading;
   unsigned long seed;
-  unsigned long tries;     /* for each body */
+  unsigned long attempts;  /* for each body */
   bool skip;               /* goes on with the next smaller size when one does not fit; else that is a mistake */
   size_t first, count;     /* the bodies it made */
   unsigned long long made; /* tries of all */
@@ -181,13 +181,13 @@ struct nb_wall {
 /* Damping has four conventions in the two papers, so four words; see docs/METHOD.md. */
 enum nb_contact_damping {
   NB_CONTACT_UNDAMPED,
-  NB_CONTACT_BETA,     /* c = beta k, beta a time, s [CS79 28] */
-  NB_CONTACT_FRACTION, /* c = beta k t_c / 2, t_c the critical step: N dN beta/(2 FRAC) of [R89 4.3, 4.4] */
-  NB_CONTACT_RATIO     /* c = beta 2 sqrt(M* k), a share of critical [R89 4.13] */
+  NB_CONTACT_STIFFNESS,    /* c = beta k, beta a time, s [CS79 28] */
+  NB_CONTACT_R89_FRACTION, /* c = beta k t_c / 2, t_c the critical step: N dN beta/(2 FRAC) of [R89 4.3, 4.4] */
+  NB_CONTACT_RATIO         /* c = beta 2 sqrt(M* k), a share of critical [R89 4.13] */
 };
 enum nb_global_damping {
   NB_GLOBAL_UNDAMPED,
-  NB_GLOBAL_ALPHA,         /* C = alpha m, alpha in 1/s [CS79 34-36] */
+  NB_GLOBAL_MASS,          /* C = alpha m, alpha in 1/s [CS79 34-36] */
   NB_GLOBAL_CON1_CS79,     /* v = (CON1 v + F dt/m) / (2 - CON1): CS79 35 with CON1 = 1 - alpha dt/2 */
   NB_GLOBAL_CON1_VELOCITY, /* v = CON1 v + F dt/m */
   NB_GLOBAL_CON1_ALL       /* v = CON1 (v + F dt/m): the reading in which CON1 = 0 damps completely [R89 6.5.1] */
@@ -196,7 +196,7 @@ struct nb_damping {
   enum nb_contact_damping contact_kind;
   double contact; /* s or 1 */
   int contact_line;
-  bool walls_apart; /* contacts with walls have their own: */
+  bool walls_separate; /* contacts with walls have their own: */
   enum nb_contact_damping walls_kind;
   double walls; /* s or 1 */
   int walls_line;
@@ -209,14 +209,14 @@ struct nb_damping {
 };
 /* What damps a contact of two bodies, or one with a wall, and how much, s or 1. */
 enum nb_contact_damping nb_damping_at(const struct nb_damping *damping, bool wall, double *value);
-bool nb_damping_alike(const struct nb_damping *a, const struct nb_damping *b);
+bool nb_damping_equal(const struct nb_damping *a, const struct nb_damping *b);
 bool nb_damping_none(const struct nb_damping *damping); /* neither contacts nor bodies are damped */
 
 enum nb_step_kind {
-  NB_STEP_TIME,     /* value in s */
-  NB_STEP_CRITICAL, /* value times 2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion] */
-  NB_STEP_SAFE,     /* value times what is sure to be stable as the stage begins, see src/measure/stable_step.c */
-  NB_STEP_CONTACT,  /* value times the duration of the shortest contact there can be, see src/measure/step.c */
+  NB_STEP_TIME,           /* value in s */
+  NB_STEP_SINGLE_CONTACT, /* value times 2 sqrt(m/k), smallest mass over largest stiffness [CS79, Motion] */
+  NB_STEP_STABLE,         /* value times what is sure to be stable as the stage begins, see src/measure/stable_step.c */
+  NB_STEP_COLLISION,      /* value times the duration of the shortest contact there can be, see src/measure/step.c */
   NB_STEP_RAYLEIGH, /* value times Rayleigh's wave's way half round the smallest sphere, see src/measure/rayleigh_step.c */
   NB_STEP_RAYLEIGH_MEAN,
   NB_STEP_RAYLEIGH_FIT, /* with R89's fit of that wave's speed; of the sphere that is the mean of all: R89's step */
@@ -334,19 +334,19 @@ struct nb_condition {
 };
 
 /* Where a leg of a path takes one side of the contact: the normal side, or the tangential one. */
-struct nb_aim {
+struct nb_target {
   bool force;   /* it is the force that goes along a straight line, else overlap or slip */
   bool by;      /* from where it is, by `value`; else to `value` */
   double value; /* m or N; by 0: held */
 };
-struct nb_point {
+struct nb_path_point {
   double approach, slip; /* m; an approach below 0 is a gap */
 };
 
 /* One leg of a path: what the contact on the bench goes through while a stage of a path page lasts. */
 struct nb_segment {
-  struct nb_aim normal, shear;
-  struct nb_point *points; /* `follow FILE`: instead of the aims, one step to each; owned by the scene */
+  struct nb_target normal, shear;
+  struct nb_path_point *points; /* `follow FILE`: instead of the aims, one step to each; owned by the scene */
   size_t point_count;
 };
 
@@ -364,24 +364,24 @@ struct nb_boundary {
   double sxx, syy, sxy;         /* Pa, compression positive. NB_CONTROL_STRESS: forces on its bodies */
   int line;                     /* 0: as before */
 };
-struct nb_continuum {
+struct nb_affine_motion {
   struct nb_strain_rate strain; /* `none`: 0 */
-  bool literal; /* added to the velocity in every cycle and kept in it: R89 4.43, 4.44 as they are coded */
-  int line;     /* 0: as before */
+  bool accumulated; /* added to the velocity in every cycle and kept in it: R89 4.43, 4.44 as they are coded */
+  int line;         /* 0: as before */
 };
 
 /* `servo`: strain rates are added to the stage's so that a stress comes to be what it should. */
 struct nb_servo {
   struct nb_quantity quantity[4]; /* that are looked at: xx, xy, yx, yy */
   double stress[3];               /* what they should be, Pa */
-  bool held[3];                   /* which of them */
+  bool controlled[3];             /* which of them */
   double east[2], north[2];       /* x and y of the unit vectors that xx, yy and xy are about */
   bool mean;                      /* only (xx + yy)/2 */
-  bool continuum;                 /* the continuum's strain rate is changed as the boundary's is; or */
+  bool affine;                    /* the continuum's strain rate is changed as the boundary's is; or */
   bool cell;                      /* the cell's alone; or */
   bool box;                       /* the box's */
   bool ramp;                      /* reached at the end of the stage, along a straight line */
-  double most;                    /* largest component of what is added, 1/s or, */
+  double max_rate;                /* largest component of what is added, 1/s or, */
   bool per_cycle;                 /* strain of one cycle */
   unsigned long every;            /* cycles between one look and the next */
   int line;                       /* 0: none */
@@ -390,9 +390,9 @@ struct nb_servo {
 struct nb_stage {
   char name[NB_NAME_SIZE];
   struct nb_servo servo;
-  struct nb_circle circle;       /* a boundary that begins with this stage */
-  struct nb_boundary boundary;   /* what is done with it */
-  struct nb_continuum continuum; /* what carries all others along */
+  struct nb_circle circle;        /* a boundary that begins with this stage */
+  struct nb_boundary boundary;    /* what is done with it */
+  struct nb_affine_motion affine; /* what carries all others along */
   enum nb_rotation { NB_ROTATION_AS_BEFORE, NB_ROTATION_ON, NB_ROTATION_OFF } rotation;
   int rotation_line;
   struct nb_wall_motion *motions; /* owned by the scene */
@@ -406,21 +406,21 @@ struct nb_stage {
   int box_line;                /* 0: as before */
   struct nb_removal *removals; /* owned by the scene */
   size_t removal_count;
-  bool still;                      /* it begins with all bodies at rest */
-  bool reverse;                    /* it begins with all velocities turned round, of walls too */
+  bool zero_velocities;            /* it begins with all bodies at rest */
+  bool reverse_velocities;         /* it begins with all velocities turned round, of walls too */
   struct nb_condition *conditions; /* all must hold; owned by the scene */
   size_t condition_count;
-  unsigned long cycles;      /* how many; with conditions: at most, and reaching it is a failure */
-  unsigned long look;        /* conditions are looked at every so many cycles */
-  unsigned long record;      /* a row every so many cycles, 0: none */
-  bool snapshot;             /* keep bodies, walls and contacts as they are at its end, */
-  int snapshot_from;         /* and what has changed since the stage of this index began; -1: not asked */
-  struct nb_step step;       /* as the scene's, unless the stage says otherwise */
-  bool allow_unstable;       /* the step is not watched in this stage */
-  struct nb_damping damping; /* as the stage before, unless this one says otherwise */
-  struct nb_laws laws;       /* as the stage before where they are empty */
-  unsigned long long hash;   /* of all that the page says up to the end of this stage, but what is only looked at */
-  struct nb_segment segment; /* of a path: `cycles` are its steps */
+  unsigned long cycles;          /* how many; with conditions: at most, and reaching it is a failure */
+  unsigned long check_interval;  /* conditions are looked at every so many cycles */
+  unsigned long record_interval; /* a row every so many cycles, 0: none */
+  bool snapshot;                 /* keep bodies, walls and contacts as they are at its end, */
+  int snapshot_from;             /* and what has changed since the stage of this index began; -1: not asked */
+  struct nb_step step;           /* as the scene's, unless the stage says otherwise */
+  bool allow_unstable;           /* the step is not watched in this stage */
+  struct nb_damping damping;     /* as the stage before, unless this one says otherwise */
+  struct nb_laws laws;           /* as the stage before where they are empty */
+  unsigned long long hash;       /* of all that the page says up to the end of this stage, but what is only looked at */
+  struct nb_segment segment;     /* of a path: `cycles` are its steps */
   int line;
 };
 
@@ -445,8 +445,8 @@ struct nb_start {
 struct nb_scene {
   const struct nb_page *page; /* not owned */
   bool unitless;              /* `units none` */
-  bool path;                  /* one contact on a bench: of body 1 with body 2, or with the wall; stages are legs */
-  bool followed;              /* a path of the user's own instead of the page's legs: nothing is expected of it */
+  bool contact_test;          /* one contact on a bench: of body 1 with body 2, or with the wall; stages are legs */
+  bool path_replaced;         /* a path of the user's own instead of the page's legs: nothing is expected of it */
   struct nb_material *materials;
   size_t material_count;
   struct nb_pair_rule *pair_rules;
@@ -505,7 +505,7 @@ struct nb_options {
   const char *isa;    /* "plain", "avx2", "avx512"; NULL: the widest this machine has */
   int jobs;           /* runs of a sweep side by side; 0: as many as there are processors for `threads` each */
   bool shuffle;       /* store the bodies in another order than their numbers: a test that order changes nothing */
-  bool whole;         /* keep of contacts all that a saved state holds */
+  bool keep_all;      /* keep of contacts all that a saved state holds */
   const char *states; /* folder of saved states; NULL: `states` */
 };
 

@@ -30,7 +30,7 @@ static inline struct contact contact_of(const struct nb_law *normal, const struc
   if (shear && shear->cohesionless)
     it.pair.cohesion = 0;
   for (int m = 0; m < NB_HISTORY; m++)
-    it.normal_history[m] = m < normal->memory ? 0 : untouched;
+    it.normal_history[m] = m < normal->history ? 0 : untouched;
   for (int m = 0; m < MOST; m++)
     it.shear_history[m] = m < nb_law_history(shear, it.pair) ? 0 : untouched;
   return it;
@@ -48,7 +48,7 @@ static inline void contact_go(struct contact *it, double overlap, double slip) {
   it->dissipated += it->shear && it->shear->dissipative ? it->s.dissipated : 0;
   if (overlap > 0)
     return;
-  for (int m = 0; m < it->normal->memory; m++) /* what is remembered ends with the contact, as law_batch.h sees to */
+  for (int m = 0; m < it->normal->history; m++) /* what is remembered ends with the contact, as law_batch.h sees to */
     it->normal_history[m] = 0;
   for (int m = 0; m < remembered; m++)
     it->shear_history[m] = m > 0 && remembered > NB_HISTORY ? untouched : 0; /* there the first one tells */

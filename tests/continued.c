@@ -60,9 +60,9 @@ static char *interrupted(struct written *it, size_t from, const char *state, con
 }
 
 void continued_same(struct written *it, const char *what) {
-  static const struct nb_options ways[] = {{.threads = 1, .whole = true},
-                                           {.threads = 1, .whole = true, .shuffle = true, .isa = "plain"},
-                                           {.threads = 3, .whole = true}};
+  static const struct nb_options ways[] = {{.threads = 1, .keep_all = true},
+                                           {.threads = 1, .keep_all = true, .shuffle = true, .isa = "plain"},
+                                           {.threads = 3, .keep_all = true}};
   const size_t last = it->scene.stage_count;
   struct nb_model *model = written_model(it, &ways[0]);
   char **states = calloc(last, sizeof *states);

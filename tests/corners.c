@@ -93,7 +93,7 @@ static void room_is_made(void) {
       const double wrong = area(&old[k]) / sqrt(old[k].x);
       goes = wrong < least ? k : goes, least = wrong < least ? wrong : least;
     }
-    make_room(at, count);
+    drop_corner(at, count);
     is_a_path(at, count - 1);
     CU_ASSERT_EQUAL_FATAL(at[count - 1].u, old[count].u);
     CU_ASSERT_EQUAL_FATAL(at[count - 1].x, old[count].x);
@@ -103,10 +103,10 @@ static void room_is_made(void) {
     const bool same = fabs(force(at, count - 1) - force(old, count)) < 1e-11;
     struct corner one[12]; /* the corner inside moves, or if it cannot, the one outside */
     memcpy(one, old, sizeof one);
-    const double more = join(one, goes, count);
-    const int moves = goes > 1 && move(one, goes - 1, -more)       ? goes - 1
-                      : goes < count - 1 && move(one, goes, -more) ? goes
-                                                                   : 0;
+    const double more = merge(one, goes, count);
+    const int moves = goes > 1 && shift_corner(one, goes - 1, -more)       ? goes - 1
+                      : goes < count - 1 && shift_corner(one, goes, -more) ? goes
+                                                                           : 0;
     CU_ASSERT_FATAL(same || !moves);
     for (int k = 1; k < count - 1; k++)
       CU_ASSERT_FATAL(k == moves || fabs(at[k].u - old[k < goes ? k : k + 1].u) <= 1e-14);
@@ -135,7 +135,7 @@ static void corners_move(void) {
     const double d1 = fabs(old[0].d + y / x1), d2 = fabs(old[1].d - y / x2), larger = d1 > d2 ? d1 : d2;
     if (fabs(larger - 1) < 1e-6 || fabs(more) < 1e-3 * fabs(y))
       continue;
-    CU_ASSERT_EQUAL_FATAL(move(at, 1, more), larger < 1);
+    CU_ASSERT_EQUAL_FATAL(shift_corner(at, 1, more), larger < 1);
     if (larger < 1) {
       CU_ASSERT_DOUBLE_EQUAL_FATAL(at[1].u, old[1].u + y, 1e-11);
       CU_ASSERT_DOUBLE_EQUAL_FATAL(force(at, 2), force(old, 2) + more, 1e-12);
@@ -232,7 +232,7 @@ static void friction_goes_anew(void) {
     for (int segment = 0; segment < 8; segment++)
       one_go(&it, chance_between(&chance, 0.5e-3, 2e-3), chance_between(&chance, -0.5e-3, 0.5e-3));
     const int count = exact()->pieces_of(it.pair, it.n, it.m, x, d);
-    const double held = exact()->stored(it.pair, it.n, it.m), new = chance_between(&chance, 0.4, 1.5);
+    const double piece_energy = exact()->stored(it.pair, it.n, it.m), new = chance_between(&chance, 0.4, 1.5);
     it.pair.friction *= new;
     hand.count = 0;
     double wanted = 0;
@@ -240,7 +240,7 @@ static void friction_goes_anew(void) {
       wanted = by_hand_go(&hand, x[k], d[k] * (x[k] - begin) / new), begin = x[k];
     one_go(&it, it.n.overlap, 0);
     CU_ASSERT_DOUBLE_EQUAL(fraction(&it), wanted, 1e-6);
-    CU_ASSERT_DOUBLE_EQUAL(it.s.dissipated, held - exact()->stored(it.pair, it.n, it.m), 1e-6 * held);
+    CU_ASSERT_DOUBLE_EQUAL(it.s.dissipated, piece_energy - exact()->stored(it.pair, it.n, it.m), 1e-6 * piece_energy);
     CU_ASSERT_DOUBLE_EQUAL(it.m[1], it.pair.friction, 1e-15);
     most = count > most ? count : most;
   }

@@ -43,27 +43,27 @@ static void rates(const struct nb_model *model, double *dn, double *slip) {
 static void alike(void) {
   const struct nb_damping a = {.contact_kind = NB_CONTACT_RATIO,
                                .contact = 2,
-                               .walls_apart = true,
+                               .walls_separate = true,
                                .walls_kind = NB_CONTACT_RATIO,
                                .walls = 3,
-                               .global_kind = NB_GLOBAL_ALPHA,
+                               .global_kind = NB_GLOBAL_MASS,
                                .global = 4,
                                .deep = 5};
   struct nb_damping b = a;
   double *numbers[] = {&b.contact, &b.walls, &b.global, &b.deep};
-  CU_ASSERT(nb_damping_alike(&a, &b));
+  CU_ASSERT(nb_damping_equal(&a, &b));
   for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
     for (int more = -1; more <= 1; more += 2) {
       *numbers[n] += more;
-      CU_ASSERT(!nb_damping_alike(&a, &b));
+      CU_ASSERT(!nb_damping_equal(&a, &b));
       *numbers[n] -= more;
     }
-  b.contact_kind = NB_CONTACT_BETA;
-  CU_ASSERT(!nb_damping_alike(&a, &b));
-  b.contact_kind = a.contact_kind, b.walls_kind = NB_CONTACT_BETA;
-  CU_ASSERT(!nb_damping_alike(&a, &b));
+  b.contact_kind = NB_CONTACT_STIFFNESS;
+  CU_ASSERT(!nb_damping_equal(&a, &b));
+  b.contact_kind = a.contact_kind, b.walls_kind = NB_CONTACT_STIFFNESS;
+  CU_ASSERT(!nb_damping_equal(&a, &b));
   b.walls_kind = a.walls_kind, b.global_kind = NB_GLOBAL_UNDAMPED;
-  CU_ASSERT(!nb_damping_alike(&a, &b));
+  CU_ASSERT(!nb_damping_equal(&a, &b));
   CU_ASSERT(!nb_damping_none(&a) && nb_damping_none(&(struct nb_damping){0}));
 }
 

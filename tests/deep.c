@@ -62,7 +62,7 @@ static void elastic_coefficients(void) {
   "step 1e-4\nrecord A.vy.half B.vy.half W.dashpot.normal C.dashpot.normal step.stable\n"
 
 /* c at the wall and between the discs, after the first cycle and in the second stage. */
-static void walls_apart(void) {
+static void walls_separate(void) {
   static const struct {
     const char *scene, *stage;
     double wall[2], discs[2]; /* c, N s/m */
@@ -265,7 +265,7 @@ static void a_blow_is_the_recursion(void) {
 void suite_deep(void) {
   CU_pSuite suite = CU_add_suite("deep", NULL, NULL);
   CU_add_test(suite, "coefficients of elastic spheres", elastic_coefficients);
-  CU_add_test(suite, "walls apart", walls_apart);
+  CU_add_test(suite, "walls apart", walls_separate);
   CU_add_test(suite, "the safe step knows walls", the_safe_step_knows_walls);
   CU_add_test(suite, "overlaps are counted", overlaps_are_counted);
   CU_add_test(suite, "counts go on", counts_go_on);

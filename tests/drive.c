@@ -264,8 +264,8 @@ static void a_stress_is_shared_out(void) {
   struct nb_tensor sum = tensor(0, 0, 0, 0);
   struct nb_vec force = vec(0, 0);
   for (size_t i = 0; i < model->particles.count; i++) {
-    force = vec_add(force, model->drive->pressed[i]);
-    sum = tensor_add(sum, tensor_outer(model->drive->pressed[i], model->particles.position[i]));
+    force = vec_add(force, model->boundary->boundary_force[i]);
+    sum = tensor_add(sum, tensor_outer(model->boundary->boundary_force[i], model->particles.position[i]));
   }
   const double area = nb_boundary_area(model);
   CU_ASSERT(area > 50);

@@ -29,7 +29,7 @@ static void a_region_at_the_corner_of_a_cell(void) {
   nb_result_free(&result), written_free(&it);
 }
 
-/* cell.c, nb_cell_wide: twice the largest diameter and the skin, 2 (2 + 0.1): asked at each search, which straining makes
+/* cell.c, nb_cell_check_width: twice the largest diameter and the skin, 2 (2 + 0.1): asked at each search, which straining makes
  * necessary after 5 %. A cell of 5 may shrink to 4.3, not to 4. */
 static void a_cell_stays_wide_enough_or_not(void) {
   for (int wide = 0; wide < 2; wide++) {

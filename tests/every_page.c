@@ -18,11 +18,11 @@ static const char *const pages[] = {
 static void shorten(struct nb_scene *scene, double budget) {
   const double each = budget / (double)((scene->particle_count + 10) * scene->stage_count);
   const unsigned long most = each > 20 ? (unsigned long)each : 20;
-  for (size_t s = 0; s < scene->stage_count && !scene->path; s++) {
+  for (size_t s = 0; s < scene->stage_count && !scene->contact_test; s++) {
     struct nb_stage *stage = &scene->stages[s];
     if (stage->cycles > most)
       stage->cycles = most, stage->condition_count = 0;
-    stage->record = stage->cycles / 20 + 1;
+    stage->record_interval = stage->cycles / 20 + 1;
   }
 }
 
@@ -30,7 +30,7 @@ static void shorten(struct nb_scene *scene, double budget) {
 static void add_column(struct nb_scene *scene, const char *name, size_t room, unsigned solution) {
   struct nb_column *column = &scene->columns[scene->column_count];
   if (scene->column_count >= room || !nb_quantity_find(&column->quantity, scene, name, NULL) ||
-      (scene->path && column->quantity.kind->fields & ~solution))
+      (scene->contact_test && column->quantity.kind->fields & ~solution))
     return;
   snprintf(column->name, sizeof column->name, "%.120s", name);
   scene->column_count++;
@@ -81,7 +81,7 @@ void every_page(void (*look)(struct nb_scene *scene, const char *name), double b
       if (!mistakes.count) {
         shorten(&scene, budget);
         record_everything(&scene, true);
-        if (!scene.path && !can_run(&scene))
+        if (!scene.contact_test && !can_run(&scene))
           record_everything(&scene, false);
         look(&scene, name);
       }

@@ -10,14 +10,14 @@
 #include "chance.h"
 #include "suites.h"
 
-enum { MOST_PIECES = 256, MEMORY = 12 + 5 * MOST_PIECES };
+enum { MOST_PIECES = 256, HISTORY = 12 + 5 * MOST_PIECES };
 
 struct exact {
   const struct nb_law *law;
   struct nb_pair pair;
   struct nb_normal n;
   struct nb_shear s;
-  double memory[MEMORY];
+  double memory[HISTORY];
   double dissipated, work; /* J, the work of T alone */
 };
 

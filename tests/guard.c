@@ -139,8 +139,8 @@ static void turn_in_a_step(void) {
       written_scene(&it, &page);
       struct nb_model *model = written_model(&it, NULL);
       const double limit = sign * sqrt(8 * 0.5 / walls[k].h);
-      CU_ASSERT_FALSE(nb_guard_turns(model, 0, limit * (1 - 1e-12)));
-      CU_ASSERT(nb_guard_turns(model, 0, limit * (1 + 1e-12)));
+      CU_ASSERT_FALSE(nb_rotates_too_far(model, 0, limit * (1 - 1e-12)));
+      CU_ASSERT(nb_rotates_too_far(model, 0, limit * (1 + 1e-12)));
       nb_model_free(model);
       written_free(&it);
     }

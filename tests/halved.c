@@ -20,7 +20,7 @@ struct seen {
   double step;
 };
 
-static const struct nb_options options = {.threads = 1, .whole = true};
+static const struct nb_options options = {.threads = 1, .keep_all = true};
 
 static void look(struct seen *seen, const struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
@@ -72,7 +72,7 @@ static struct seen *run_all(const struct nb_scene *scene, size_t *count) {
 static struct nb_stage silent(const struct nb_stage *stage) {
   struct nb_stage half = *stage;
   half.motion_count = half.change_count = 0;
-  half.servo.line = half.gravity.line = half.circle.line = half.boundary.line = half.continuum.line = 0;
+  half.servo.line = half.gravity.line = half.circle.line = half.boundary.line = half.affine.line = 0;
   half.cell_line = half.box_line = half.rotation_line = 0, half.rotation = NB_ROTATION_AS_BEFORE;
   half.laws.normal[0] = half.laws.shear[0] = '\0', half.laws.normal_line = half.laws.shear_line = 0;
   return half;
@@ -90,7 +90,7 @@ static struct nb_stage *halves(const struct nb_scene *scene, bool again) {
     second->snapshot_from = stage->snapshot_from < 0 ? -1 : 2 * stage->snapshot_from;
     second->rotation = NB_ROTATION_AS_BEFORE,
     second->rotation_line = 0; /* said again, the half step behind is divided anew, and rounded */
-    second->removal_count = 0, second->still = second->reverse = false, second->circle.line = 0;
+    second->removal_count = 0, second->zero_velocities = second->reverse_velocities = false, second->circle.line = 0;
   }
   return stages;
 }
@@ -140,7 +140,7 @@ static bool same_values(const struct nb_scene *scene, const struct seen *a, cons
   bool held = true;
   for (size_t c = 0; c < scene->column_count && held; c++) {
     const char *column = scene->columns[c].name;
-    if ((!counts && counted(column)) || (rounds && nb_quantity_vanishes(scene->columns[c].quantity)))
+    if ((!counts && counted(column)) || (rounds && nb_quantity_is_residual(scene->columns[c].quantity)))
       continue;
     held = same(a->values[c], b->values[c], timed(column) ? 1e-12 : 0);
     if (!held)
@@ -201,7 +201,7 @@ static void check_halves(struct nb_scene *scene, const char *name, bool again) {
 }
 
 static void halves_are_the_whole(struct nb_scene *scene, const char *name) {
-  if (scene->path || scene->start.stages > 0)
+  if (scene->contact_test || scene->start.stages > 0)
     return;
   two_cycles_each(scene);
   for (int again = 0; again < 2; again++)
@@ -257,7 +257,7 @@ static void note_records(const char *state) {
 }
 
 static void states_go_on(struct nb_scene *scene, const char *name) {
-  if (scene->path || scene->start.stages > 0)
+  if (scene->contact_test || scene->start.stages > 0)
     return;
   struct nb_stage *stages = scene->stages, *cut;
   const size_t count = scene->stage_count;

@@ -109,7 +109,7 @@ static void disc_disc(void) {
       const struct nb_surface surface = it->surface[2 * c + 1];
       compare(it, c, (long double[]){y.x, y.y}, (long double[]){u.x, u.y}, surface.radius, surface.speed);
       touching += it->f[NB_OVERLAP][c] > 0;
-      met += nb_met(it->f[NB_OVERLAP][c], it->f[NB_NORMAL_INCREMENT][c]);
+      met += nb_touch_began(it->f[NB_OVERLAP][c], it->f[NB_NORMAL_INCREMENT][c]);
     }
   }
   CU_ASSERT(touching > 2 * N && touching < 8 * N);

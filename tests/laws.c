@@ -30,7 +30,7 @@ static void pushes_and_never_pulls(struct contact it, struct chance *chance) {
     const double overlap =
         chance_scale(chance, it.normal->incremental ? 1e-100 : 1e-300, 1e3); /* it builds on the least */
     /* then the force may be gone, but all of it */
-    const bool apart = it.normal->incremental ? overlap < it.overlap : it.normal->memory > 0 && overlap < deepest;
+    const bool apart = it.normal->incremental ? overlap < it.overlap : it.normal->history > 0 && overlap < deepest;
     deepest = overlap > deepest ? overlap : deepest;
     contact_go(&it, overlap, 0);
     CU_ASSERT(it.n.force >= 0 && it.n.stiffness >= 0 && isfinite(it.n.force) && isfinite(it.n.stiffness));
@@ -59,10 +59,10 @@ static void never_stiffer_than_stated(struct contact it, struct chance *chance) 
     const double overlap = chance_scale(chance, 1e-9, 1e-3), h = ldexp(overlap, -16);
     contact_lead(&it, overlap * chance_between(chance, 0.2, 3), 0, 16);
     contact_lead(&it, overlap, 0, 16);
-    const double most = nb_normal_stiffest(it.n) * (1 + ldexp(1, -16)) + 8 * DBL_EPSILON * it.n.force / h;
+    const double most = nb_normal_max_stiffness(it.n) * (1 + ldexp(1, -16)) + 8 * DBL_EPSILON * it.n.force / h;
     if (it.normal->incremental && it.n.force == 0)
       continue; /* it touches anew, and is as stiff as the step is long */
-    CU_ASSERT(nb_normal_stiffest(it.n) > 0);
+    CU_ASSERT(nb_normal_max_stiffness(it.n) > 0);
     for (int way = -1; way < 2; way += 2) {
       struct contact next = it;
       contact_go(&next, overlap + way * h, 0);
@@ -154,7 +154,7 @@ static void forces_scale_with_the_stiffnesses(struct contact it, struct chance *
 static void memory_that_is_not_the_laws_own_is_left_alone(struct contact it, struct chance *chance) {
   for (int k = 0; k < 20; k++)
     contact_go(&it, k % 7 == 6 ? 0 : chance_scale(chance, 1e-9, 1e-3), chance_between(chance, -1e-4, 1e-4));
-  for (int m = it.normal->memory; m < NB_HISTORY; m++)
+  for (int m = it.normal->history; m < NB_HISTORY; m++)
     CU_ASSERT_EQUAL(it.normal_history[m], untouched);
   for (int m = nb_law_history(it.shear, it.pair); m < MOST; m++)
     CU_ASSERT_EQUAL(it.shear_history[m], untouched);

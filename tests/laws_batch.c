@@ -25,7 +25,7 @@ static inline struct nb_shear shear_scribble(struct nb_pair p, struct nb_normal 
 #define TITLE "scribbles into its memory"
 #define SOURCE "-"
 #define PARAMETERS ""
-#define MEMORY 4
+#define HISTORY 4
 #define BRANCHING
 #include "../src/laws/law_batch.h"
 
@@ -86,7 +86,7 @@ static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields
   for (size_t c = 0; c < n; c++) {
     const bool touching = fields->f[NB_OVERLAP][c] > 0;
     double own[NB_HISTORY] = {0}, *m = rows ? fields->rows[c] : own;
-    for (int k = 0; k < law->memory && !rows; k++)
+    for (int k = 0; k < law->history && !rows; k++)
       m[k] = fields->memory[k][c];
     pair.radius = fields->f[NB_REDUCED][c];
     if (law->normal) {
@@ -106,7 +106,7 @@ static void by_hand(const struct nb_law *law, struct nb_pair pair, struct fields
       if (law->dissipative)
         fields->f[NB_DISSIPATED][c] = out.dissipated;
     }
-    for (int k = 0; k < law->memory && !rows; k++)
+    for (int k = 0; k < law->history && !rows; k++)
       fields->memory[k][c] = touching ? m[k] : 0;
     if (rows && !touching)
       m[0] = 0;
@@ -190,13 +190,13 @@ static void memory_ends_with_the_contact(void) {
     by_block(law, &material_pair, &fields, NB_BLOCK_SIZE, NB_PLAIN, true);
     int ended = 0, lasting = 0;
     for (size_t c = 0; c < NB_BLOCK_SIZE; c++)
-      for (int m = 0; m < (rows ? 1 : law->memory); m++) {
+      for (int m = 0; m < (rows ? 1 : law->history); m++) {
         const double kept = rows ? fields.rows[c][0] : fields.memory[m][c];
         if (!(fields.f[NB_OVERLAP][c] > 0))
           CU_ASSERT_EQUAL(kept, 0);
         ended += !(fields.f[NB_OVERLAP][c] > 0), lasting += kept != 0;
       }
-    if (law->memory > 0)
+    if (law->history > 0)
       CU_ASSERT(ended > 0 && lasting > 0);
   }
 }

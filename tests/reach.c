@@ -35,7 +35,7 @@ static void particles(void) {
     int wanted = 0, seen = 0;
     model->search.skin = 2 * half_skin;
     for (size_t i = 0; i < PARTICLES; i++)
-      model->particles.searched[i] = found_near(
+      model->particles.search_position[i] = found_near(
           vec_add(model->particles.position[i], vec_scale(0.5, model->particles.velocity[i])), &chance, &wanted);
     for (int part = 0; part < parts; part++)
       seen += nb_motion_part(model, part, parts);
@@ -66,7 +66,7 @@ static void walls(void) {
   for (int w = 0; w < WALLS; w++)
     for (int end = 0; end < 2; end++) {
       const struct nb_vec there = nb_wall_end(&moved->walls, w, end);
-      model->walls.searched[2 * w + end] = end == w % 2 ? there : found_near(there, &chance, &wanted);
+      model->walls.search_position[2 * w + end] = end == w % 2 ? there : found_near(there, &chance, &wanted);
     }
   CU_ASSERT(wanted > WALLS / 3 && wanted < 2 * WALLS / 3);
   CU_ASSERT_EQUAL(nb_motion_walls(model), wanted);

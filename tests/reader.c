@@ -152,7 +152,7 @@ static void settings(void) {
   CU_ASSERT_EQUAL(read.scene.stages[0].cycles, 120);
   CU_ASSERT_FALSE(read.scene.bindings[0].swept);
   CU_ASSERT_STRING_EQUAL(read.scene.shear, "linear");
-  CU_ASSERT(read.scene.stages[1].step.kind == NB_STEP_CRITICAL && read.scene.stages[1].step.value == 0.1);
+  CU_ASSERT(read.scene.stages[1].step.kind == NB_STEP_SINGLE_CONTACT && read.scene.stages[1].step.value == 0.1);
   done(&read);
   const char *const all[] = {"v=7 m/s", "n=5", NULL};
   read = read_scene(text, 0, all);

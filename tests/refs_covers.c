@@ -74,7 +74,7 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
     scene->cell.line = LINE;
     break;
   case HAS_CONTACT_TEST:
-    scene->path = true, it->stages[0].line = LINE; /* of its first segment */
+    scene->contact_test = true, it->stages[0].line = LINE; /* of its first segment */
     break;
   case HAS_FRICTION:
   case HAS_COHESION:
@@ -122,11 +122,11 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
 }
 
 static void add_damping(struct nb_damping *it, enum nb_feature feature) {
-  static const enum nb_contact_damping contact[] = {NB_CONTACT_BETA, NB_CONTACT_FRACTION, NB_CONTACT_RATIO};
-  static const enum nb_global_damping global[] = {NB_GLOBAL_ALPHA, NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY,
+  static const enum nb_contact_damping contact[] = {NB_CONTACT_STIFFNESS, NB_CONTACT_R89_FRACTION, NB_CONTACT_RATIO};
+  static const enum nb_global_damping global[] = {NB_GLOBAL_MASS, NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY,
                                                   NB_GLOBAL_CON1_ALL};
   if (feature == HAS_WALL_DAMPING)
-    it->walls_apart = true, it->walls_line = LINE;
+    it->walls_separate = true, it->walls_line = LINE;
   else if (feature == HAS_DEEP_DAMPING)
     it->deep = 0.1, it->deep_line = LINE;
   else if (feature < HAS_WALL_DAMPING)
@@ -151,10 +151,10 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
     stage->boundary.line = LINE;
     break;
   case HAS_CONTINUUM:
-    stage->continuum.strain = strain, stage->continuum.line = LINE;
+    stage->affine.strain = strain, stage->affine.line = LINE;
     break;
   case HAS_CONTINUUM_LITERAL:
-    stage->continuum.literal = true, stage->continuum.line = LINE;
+    stage->affine.accumulated = true, stage->affine.line = LINE;
     break;
   case HAS_CELL_STRAIN:
     stage->cell = strain, stage->cell_line = LINE;
@@ -175,10 +175,10 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
     stage->rotation = NB_ROTATION_OFF, stage->rotation_line = LINE;
     break;
   case HAS_STILL:
-    stage->still = true;
+    stage->zero_velocities = true;
     break;
   case HAS_REVERSE:
-    stage->reverse = true;
+    stage->reverse_velocities = true;
     break;
   case HAS_REMOVE:
     stage->removals = &removal, stage->removal_count = 1;
@@ -193,7 +193,7 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
     stage->step.value = 1, stage->step.line = LINE;
     break;
   case HAS_DAMPING_CHANGE: /* 0 is none, and another kind of none */
-    stage->damping.contact_kind = NB_CONTACT_BETA;
+    stage->damping.contact_kind = NB_CONTACT_STIFFNESS;
     break;
   case HAS_LAW_CHANGE:
     strcpy(stage->laws.normal, "linear"), stage->laws.normal_line = LINE;

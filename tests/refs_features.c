@@ -104,7 +104,7 @@ static void of_pairs(void) {
 
 static void of_damping(void) {
   for (int kind = 0; kind < 3; kind++) {
-    const enum nb_contact_damping kinds[] = {NB_CONTACT_BETA, NB_CONTACT_FRACTION, NB_CONTACT_RATIO};
+    const enum nb_contact_damping kinds[] = {NB_CONTACT_STIFFNESS, NB_CONTACT_R89_FRACTION, NB_CONTACT_RATIO};
     const enum nb_feature feature = (enum nb_feature)(HAS_CONTACT_BETA + kind);
     struct nb_damping damps = {.contact_kind = kinds[kind], .contact = 0.1, .contact_line = LINE};
     HAS(scene->damping = stage[-1].damping = stage->damping = damps, feature, HAS_NOTHING);
@@ -112,10 +112,10 @@ static void of_damping(void) {
     HAS((scene->damping = stage[-1].damping = damps, stage->line = LINE), feature, HAS_DAMPING_CHANGE, HAS_NOTHING);
     damps.contact = 0;
     HAS(scene->damping = stage[-1].damping = stage->damping = damps, HAS_NOTHING);
-    damps = (struct nb_damping){.walls_apart = true, .walls_kind = kinds[kind], .walls = 0.1, .walls_line = LINE};
+    damps = (struct nb_damping){.walls_separate = true, .walls_kind = kinds[kind], .walls = 0.1, .walls_line = LINE};
     HAS(scene->damping = stage[-1].damping = stage->damping = damps, HAS_WALL_DAMPING, feature, HAS_NOTHING);
   }
-  const struct nb_damping none = {.global_kind = NB_GLOBAL_ALPHA, .global_line = LINE};
+  const struct nb_damping none = {.global_kind = NB_GLOBAL_MASS, .global_line = LINE};
   HAS(scene->damping = stage[-1].damping = stage->damping = none, HAS_NOTHING);
 }
 
@@ -124,7 +124,7 @@ static void of_loading(void) {
   for (int sign = -1; sign < 2; sign += 2) {
     for (int k = 0; k < 4; k++) {
       const struct nb_strain_rate strain = {sign * (k == 0), sign * (k == 1), sign * (k == 2), sign * (k == 3), false};
-      HAS((stage->continuum.strain = strain, stage->continuum.line = LINE), HAS_CONTINUUM, HAS_NOTHING);
+      HAS((stage->affine.strain = strain, stage->affine.line = LINE), HAS_CONTINUUM, HAS_NOTHING);
       HAS((stage->cell = strain, stage->cell_line = LINE), HAS_CELL_STRAIN, HAS_NOTHING);
       HAS((stage->box = strain, stage->box_line = LINE), HAS_BOX_STRAIN, HAS_NOTHING);
     }
@@ -148,8 +148,8 @@ static void of_loading(void) {
   HAS((stage->servo.ramp = true, stage->servo.line = LINE), HAS_SERVO, HAS_RAMP, HAS_NOTHING);
   HAS(stage->cell_line = LINE, HAS_NOTHING); /* a strain of 0 */
   HAS(stage->box_line = LINE, HAS_NOTHING);
-  HAS(stage->continuum.line = LINE, HAS_NOTHING);
-  HAS((stage->continuum.literal = true, stage->continuum.line = LINE), HAS_CONTINUUM_LITERAL, HAS_NOTHING);
+  HAS(stage->affine.line = LINE, HAS_NOTHING);
+  HAS((stage->affine.accumulated = true, stage->affine.line = LINE), HAS_CONTINUUM_LITERAL, HAS_NOTHING);
   HAS(stage->circle.line = LINE, HAS_BOUNDARY, HAS_NOTHING);
   HAS(scene->circle.line = LINE, HAS_BOUNDARY, HAS_NOTHING);
   HAS(stage->boundary.line = LINE, HAS_BOUNDARY_STRAIN, HAS_NOTHING);

@@ -151,7 +151,7 @@ static void increments_lose_this_much(void) {
   struct refs_scene it;
   meet(&it, true, 0);
   strcpy(it.scene.normal, "hertz_increment");
-  it.scene.step = it.stages[0].step = (struct nb_step){.kind = NB_STEP_CONTACT, .value = 1. / 400};
+  it.scene.step = it.stages[0].step = (struct nb_step){.kind = NB_STEP_COLLISION, .value = 1. / 400};
   struct nb_solution solution = refs_solution("hertz_increment", &it);
   REFS_NEAR(1 - refs_value(&solution, "impact.restitution"), 0.92797 / 400, 1e-5, 0.92797 / 400);
   CU_ASSERT(fabs(refs_value(&solution, "impact.restitution") - 0.9977) < 5e-5);
@@ -270,7 +270,7 @@ static void what_is_no_such_impact_is_refused(void) {
   it.walls[0].h1 = 0.5;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "head-on"));
   meet(&it, false, 0);
-  it.scene.damping = it.stages[0].damping = (struct nb_damping){.contact_kind = NB_CONTACT_BETA, .contact = 0.1};
+  it.scene.damping = it.stages[0].damping = (struct nb_damping){.contact_kind = NB_CONTACT_STIFFNESS, .contact = 0.1};
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_damped", &it).text, "`damping stiffness`"));
 }
 

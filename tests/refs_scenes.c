@@ -33,9 +33,13 @@ static void drive(struct refs_scene *it, double v, struct nb_step step, unsigned
   }
   it->scene.step = step;
   it->stages[0] = (struct nb_stage){
-      .name = "load", .motions = it->motions, .motion_count = n, .cycles = load, .record = 1, .step = step};
-  it->stages[1] = (struct nb_stage){
-      .name = "rest", .motions = it->motions + n, .motion_count = n, .cycles = rest, .record = 1, .step = step};
+      .name = "load", .motions = it->motions, .motion_count = n, .cycles = load, .record_interval = 1, .step = step};
+  it->stages[1] = (struct nb_stage){.name = "rest",
+                                    .motions = it->motions + n,
+                                    .motion_count = n,
+                                    .cycles = rest,
+                                    .record_interval = 1,
+                                    .step = step};
 }
 
 static void monitor(struct refs_scene *it, size_t i, const char *name, int a, int b, bool wall) {
@@ -63,7 +67,7 @@ void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned
   monitor(it, 1, "D", 1, 0, false);
   monitor(it, 2, "S", 0, 0, true);
   monitor(it, 3, "M", 1, 0, true);
-  drive(it, 0.12, (struct nb_step){.kind = NB_STEP_CRITICAL, .value = 0.12}, load, rest);
+  drive(it, 0.12, (struct nb_step){.kind = NB_STEP_SINGLE_CONTACT, .value = 0.12}, load, rest);
 }
 
 void refs_row(struct refs_scene *it, const double k[3], const double m[2], double v, double step, unsigned long load,

@@ -80,7 +80,7 @@ static void another_scene_is_refused(void) {
   strcpy(it.scene.normal, "hertz");
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("stacked", &it).text, "`normal hertz`"));
   stack(&it, 1, 0);
-  it.scene.damping.contact_kind = NB_CONTACT_BETA, it.scene.damping.contact = 0.1;
+  it.scene.damping.contact_kind = NB_CONTACT_STIFFNESS, it.scene.damping.contact = 0.1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("stacked", &it).text, "`damping stiffness`"));
 }
 

@@ -81,11 +81,11 @@ static void scale_gravity(struct nb_gravity *gravity) {
 }
 
 static void scale_damping(struct nb_damping *damping) {
-  if (damping->contact_kind == NB_CONTACT_BETA)
+  if (damping->contact_kind == NB_CONTACT_STIFFNESS)
     SCALE(TIME, damping->contact);
-  if (damping->walls_kind == NB_CONTACT_BETA)
+  if (damping->walls_kind == NB_CONTACT_STIFFNESS)
     SCALE(TIME, damping->walls);
-  if (damping->global_kind == NB_GLOBAL_ALPHA)
+  if (damping->global_kind == NB_GLOBAL_MASS)
     SCALE(RATE, damping->global);
 }
 
@@ -131,7 +131,7 @@ static void scale_strain(struct nb_strain_rate *strain) {
 }
 
 static void scale_segment(struct nb_segment *segment) {
-  struct nb_aim *const aims[] = {&segment->normal, &segment->shear};
+  struct nb_target *const aims[] = {&segment->normal, &segment->shear};
   for (int k = 0; k < 2; k++)
     aims[k]->value = as(aims[k]->value, aims[k]->force ? NB_UNIT_FORCE : NB_UNIT_LENGTH);
   for (size_t k = 0; k < segment->point_count; k++)
@@ -142,7 +142,7 @@ static void scale_servo(struct nb_servo *servo) {
   for (int k = 0; k < 3; k++)
     SCALE(PRESSURE, servo->stress[k]);
   if (!servo->per_cycle)
-    SCALE(RATE, servo->most);
+    SCALE(RATE, servo->max_rate);
 }
 
 static void scale_stage(struct nb_stage *stage) {
@@ -157,7 +157,7 @@ static void scale_stage(struct nb_stage *stage) {
   for (size_t k = 0; k < stage->condition_count; k++)
     stage->conditions[k].value = in_unit(stage->conditions[k].value, nb_quantity_unit(stage->conditions[k].quantity));
   SCALE(PRESSURE, stage->boundary.sxx), SCALE(PRESSURE, stage->boundary.syy), SCALE(PRESSURE, stage->boundary.sxy);
-  scale_strain(&stage->boundary.strain), scale_strain(&stage->continuum.strain);
+  scale_strain(&stage->boundary.strain), scale_strain(&stage->affine.strain);
   scale_strain(&stage->cell), scale_strain(&stage->box);
   scale_servo(&stage->servo), scale_circle(&stage->circle), scale_gravity(&stage->gravity);
   scale_step(&stage->step), scale_damping(&stage->damping), scale_segment(&stage->segment);
@@ -165,9 +165,9 @@ static void scale_stage(struct nb_stage *stage) {
 
 /* The overlap of an impact is a power 0.4 of L^(5/2). */
 static bool requests_duration(const struct nb_scene *scene) {
-  bool asks = scene->impact.line || scene->step.kind == NB_STEP_CONTACT;
+  bool asks = scene->impact.line || scene->step.kind == NB_STEP_COLLISION;
   for (size_t s = 0; s < scene->stage_count; s++)
-    asks = asks || scene->stages[s].step.kind == NB_STEP_CONTACT;
+    asks = asks || scene->stages[s].step.kind == NB_STEP_COLLISION;
   return asks;
 }
 

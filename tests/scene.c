@@ -122,7 +122,7 @@ static void defaults(void) {
   CU_ASSERT_STRING_EQUAL(read.scene.normal, "linear");
   CU_ASSERT_STRING_EQUAL(read.scene.shear, "none");
   CU_ASSERT(!read.scene.unitless && read.scene.column_count == 0 && read.scene.materials[0].cohesion == 0);
-  CU_ASSERT(stage->record == 1 && !stage->snapshot && stage->cycles == 10 && stage->condition_count == 0);
+  CU_ASSERT(stage->record_interval == 1 && !stage->snapshot && stage->cycles == 10 && stage->condition_count == 0);
   CU_ASSERT(stage->damping.contact_kind == NB_CONTACT_UNDAMPED && stage->damping.global_kind == NB_GLOBAL_UNDAMPED);
   CU_ASSERT(stage->step.kind == NB_STEP_TIME && stage->step.value == 1e-6 && stage->motion_count == 0);
   done(&read);
@@ -142,18 +142,19 @@ static void stages(void) {
   CU_ASSERT_EQUAL_FATAL(a->motion_count, 4); /* mid is no wall of the box */
   for (int i = 0; i < 4; i++)
     CU_ASSERT(a->motions[i].wall == i && a->motions[i].vx == v[i][0] && a->motions[i].vy == v[i][1]);
-  CU_ASSERT(a->step.kind == NB_STEP_CRITICAL && a->step.value == 0.1 && a->damping.contact == 0.05 && a->cycles == 7);
+  CU_ASSERT(a->step.kind == NB_STEP_SINGLE_CONTACT && a->step.value == 0.1 && a->damping.contact == 0.05 &&
+            a->cycles == 7);
   CU_ASSERT(a->damping.global_kind == NB_GLOBAL_CON1_ALL && a->damping.global == 0.99);
-  CU_ASSERT(b->motion_count == 5 && b->motions[1].vx == 0 && b->record == 5 && b->snapshot && b->cycles == 99);
+  CU_ASSERT(b->motion_count == 5 && b->motions[1].vx == 0 && b->record_interval == 5 && b->snapshot && b->cycles == 99);
   CU_ASSERT(b->step.kind == NB_STEP_TIME && b->damping.contact_kind == NB_CONTACT_RATIO);
-  CU_ASSERT(b->damping.global_kind == NB_GLOBAL_ALPHA && b->damping.global == 3);
+  CU_ASSERT(b->damping.global_kind == NB_GLOBAL_MASS && b->damping.global == 3);
   CU_ASSERT_EQUAL_FATAL(b->condition_count, 2);
   CU_ASSERT(b->conditions[0].relation == NB_ABOVE && b->conditions[0].value == 2000);
   CU_ASSERT(b->conditions[1].relation == NB_BELOW && b->conditions[1].value == 0.003);
-  CU_ASSERT(c->step.value == 2e-6 && c->record == 0 && c->damping.contact_kind == NB_CONTACT_BETA);
-  CU_ASSERT(c->damping.contact == 1e-6 && c->damping.global_kind == NB_GLOBAL_ALPHA); /* as the stage before */
+  CU_ASSERT(c->step.value == 2e-6 && c->record_interval == 0 && c->damping.contact_kind == NB_CONTACT_STIFFNESS);
+  CU_ASSERT(c->damping.contact == 1e-6 && c->damping.global_kind == NB_GLOBAL_MASS); /* as the stage before */
   CU_ASSERT(d->damping.contact_kind == NB_CONTACT_UNDAMPED && d->damping.global_kind == NB_GLOBAL_UNDAMPED);
-  CU_ASSERT(read.scene.step.kind == NB_STEP_CRITICAL && read.scene.column_count == 2);
+  CU_ASSERT(read.scene.step.kind == NB_STEP_SINGLE_CONTACT && read.scene.column_count == 2);
   CU_ASSERT_STRING_EQUAL(read.scene.columns[1].name, "C.normal"); /* though C was named below */
   CU_ASSERT(read.scene.columns[1].quantity.monitor == 0 && read.scene.monitors[0].b == 1);
   done(&read);

@@ -104,7 +104,7 @@ static void a_pair_may_use_it_up(void) {
 /* Elastic spheres that unload twice as stiffly as they load. */
 static struct nb_normal yields(struct nb_pair p, double overlap, double dn, double m[]) {
   struct nb_normal n = nb_law_find("normal", "hertz")->normal(p, overlap, dn, m);
-  n.stiffest = 2 * n.stiffness;
+  n.max_stiffness = 2 * n.stiffness;
   return n;
 }
 

@@ -219,7 +219,7 @@ static void storage_changes_no_bit(void) {
 /* A law that may unload forty times as stiffly as it loads. */
 static struct nb_normal yields(struct nb_pair p, double overlap, double dn, double m[]) {
   (void)dn, (void)m;
-  return (struct nb_normal){.force = p.kn * overlap, .stiffness = p.kn, .stiffest = 40 * p.kn};
+  return (struct nb_normal){.force = p.kn * overlap, .stiffness = p.kn, .max_stiffness = 40 * p.kn};
 }
 
 /* The stiffest that a law can get counts, of discs that touch, that are near, and that are far from anything. */

@@ -92,7 +92,7 @@ static void balances_begin_anew(void) {
     free(page.text);
     page.text = text, page.length = strlen(text);
     written_scene(&it, &page);
-    struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+    struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
     continued_stages(model, 0, 2);
     CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
     it.scene.start.stages = 2;
@@ -125,7 +125,7 @@ static void rules_of_stages_fit(void) {
   words_add(&page, "units none\nmaterial m density 1 kn 100 ks 50 friction 0.3\nshear linear\ndisc 0 0 radius 1 m\n"
                    "record time\nstep 0.01\nstage a\npair m m friction 0.1\ncycles 1\nstage b\ncycles 1\n");
   written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL(saved.rule_count, 1);
@@ -146,7 +146,7 @@ static void other_particles_do_not_fit(void) {
   words_add(&page, "units none\nmaterial m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 0 radius 1 m\n"
                    "disc 5 0 radius 1 n fixed\nrecord time\nstep 0.01\nstage a\ncycles 1\nstage b\ncycles 1\n");
   written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
@@ -172,7 +172,7 @@ static void other_names_do_not_fit(void) {
                    "wall v -1 0 to 1 0 n\nwall w -1 -9 to 1 -9 n\nrecord time\nstep 0.01\nstage a\ncycles 1\n"
                    "stage b\ncycles 1\n");
   written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
@@ -200,7 +200,7 @@ static void contact_forces_without_dashpots(void) {
   int rubbing = 0;
   page_of(&it, "linear", "linear", "");
   it.scene.stage_count = 1; /* a later stage has dashpots */
-  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   CU_ASSERT_FALSE(model->plan.dashpots);
   continued_stages(model, 0, 1);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
@@ -230,7 +230,7 @@ static void the_step_before_goes_on(void) {
                    "wall a -5 0 to 0 0 m\nwall b 0 0 to 5 -2 m\n"
                    "record energy.residual\nstep 0.01\nstage a\ncycles 3\nstage b\ncycles 3\n");
   written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   it.scene.start.stages = 1;

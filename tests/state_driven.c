@@ -112,7 +112,7 @@ static void otherwise(const char *statements, int drop) {
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   nb_model_free(model);
   const struct nb_saved whole = saved;
-  struct nb_saved_imposed some[9] = {{.by = NB_CARRIER_NONE}};
+  struct nb_saved_imposed some[9] = {{.by = NB_AFFINE_NONE}};
   saved.imposed = some;
   saved.imposed_count = drop == 1 ? 1 : drop == 2 ? saved.particle_count : whole.imposed_count;
   saved.cell.is = saved.cell.is != (drop == 3);

@@ -30,7 +30,7 @@ char *state_of(const char *statements, size_t *size) {
   struct nb_error error;
   words_add(&page, "%s", statements);
   written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 20);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);

@@ -111,7 +111,8 @@ static double grown(double length, double rate, const struct nb_stage *stage) {
 /* What the stage holds; false when it is none of these. */
 static bool held(enum hold *hold, struct state *to, const struct nb_stage *stage) {
   const struct nb_servo *servo = &stage->servo;
-  const bool x = servo->line && servo->held[0], y = servo->line && servo->held[1], mean = servo->line && servo->mean;
+  const bool x = servo->line && servo->controlled[0], y = servo->line && servo->controlled[1],
+             mean = servo->line && servo->mean;
   *hold = mean ? MEAN_SHAPE : x && y ? STRESSES : x ? STRESS_HEIGHT : y ? WIDTH_STRESS : WIDTH_HEIGHT;
   if (x)
     to->sx = servo->stress[0];

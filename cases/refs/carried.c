@@ -71,9 +71,9 @@ static bool add_value(struct nb_solution *solution, const struct nb_scene *scene
   char name[3 * NB_NAME_SIZE];
   if (!way)
     return false;
-  way->early = y ? first->continuum.strain.yy : first->continuum.strain.xx;
-  way->late = y ? last->continuum.strain.yy : last->continuum.strain.xx;
-  way->literal = last->continuum.literal;
+  way->early = y ? first->affine.strain.yy : first->affine.strain.xx;
+  way->late = y ? last->affine.strain.yy : last->affine.strain.xx;
+  way->literal = last->affine.accumulated;
   way->begin = last == first ? 0 : (double)first->cycles;
   way->from = (y ? particle->y : particle->x) * (last == first ? 1 : pow(1 + way->early, way->begin));
   solve_equations(way, kept(&scene->damping));
@@ -85,9 +85,9 @@ static bool add_value(struct nb_solution *solution, const struct nb_scene *scene
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   bool right = scene->stage_count >= 1 && scene->stage_count <= 2;
   for (size_t s = 0; s < scene->stage_count && right; s++) {
-    const struct nb_continuum *it = &scene->stages[s].continuum;
+    const struct nb_affine_motion *it = &scene->stages[s].affine;
     right = it->line && it->strain.per_cycle && it->strain.xy == 0 && it->strain.yx == 0 &&
-            (!it->literal || s + 1 == scene->stage_count);
+            (!it->accumulated || s + 1 == scene->stage_count);
   }
   if (!right)
     return nb_error_set(

@@ -205,7 +205,7 @@ static enum nb_status fit(struct chain *chain, const struct nb_scene *scene, str
       return unfit(error, "walls as stiff as the bodies");
   if (!pressed_alike(chain, scene))
     return unfit(error, "a row from the west to the east, in which every contact is pressed alike");
-  if (step->kind != NB_STEP_TIME && step->kind != NB_STEP_CRITICAL)
+  if (step->kind != NB_STEP_TIME && step->kind != NB_STEP_SINGLE_CONTACT)
     return unfit(error, "a step that is a time or a fraction of single-contact");
   chain->step = step->kind == NB_STEP_TIME ? step->value : step->value * 2 * sqrt(chain->m / chain->k);
   return NB_OK;

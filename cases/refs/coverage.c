@@ -83,7 +83,7 @@ static void note_particles(int lines[], const struct nb_scene *scene) {
   }
   note(lines, HAS_IMPACT, scene->impact.line, scene->impact.line);
   note(lines, HAS_CELL, scene->cell.line, scene->cell.line);
-  note(lines, HAS_CONTACT_TEST, scene->path, scene->stage_count ? scene->stages[0].line : 0);
+  note(lines, HAS_CONTACT_TEST, scene->contact_test, scene->stage_count ? scene->stages[0].line : 0);
   note(lines, HAS_START, scene->start.stages > 0, scene->start.line);
 }
 
@@ -110,17 +110,17 @@ static void note_friction(int lines[], const struct nb_scene *scene) {
 }
 
 static void note_contact_damping(int lines[], enum nb_contact_damping kind, double value, int line) {
-  note(lines, HAS_CONTACT_BETA, kind == NB_CONTACT_BETA && value != 0, line);
-  note(lines, HAS_CONTACT_FRACTION, kind == NB_CONTACT_FRACTION && value != 0, line);
+  note(lines, HAS_CONTACT_BETA, kind == NB_CONTACT_STIFFNESS && value != 0, line);
+  note(lines, HAS_CONTACT_FRACTION, kind == NB_CONTACT_R89_FRACTION && value != 0, line);
   note(lines, HAS_CONTACT_RATIO, kind == NB_CONTACT_RATIO && value != 0, line);
 }
 
 static void note_damping(int lines[], const struct nb_damping *it) {
   note_contact_damping(lines, it->contact_kind, it->contact, it->contact_line);
-  note_contact_damping(lines, it->walls_apart ? it->walls_kind : NB_CONTACT_UNDAMPED, it->walls, it->walls_line);
-  note(lines, HAS_WALL_DAMPING, it->walls_apart, it->walls_line);
+  note_contact_damping(lines, it->walls_separate ? it->walls_kind : NB_CONTACT_UNDAMPED, it->walls, it->walls_line);
+  note(lines, HAS_WALL_DAMPING, it->walls_separate, it->walls_line);
   note(lines, HAS_DEEP_DAMPING, it->deep > 0, it->deep_line);
-  note(lines, HAS_GLOBAL_DAMPING, it->global_kind == NB_GLOBAL_ALPHA && it->global != 0, it->global_line);
+  note(lines, HAS_GLOBAL_DAMPING, it->global_kind == NB_GLOBAL_MASS && it->global != 0, it->global_line);
   note(lines, HAS_CON1_CS79, it->global_kind == NB_GLOBAL_CON1_CS79, it->global_line);
   note(lines, HAS_CON1_VELOCITY, it->global_kind == NB_GLOBAL_CON1_VELOCITY, it->global_line);
   note(lines, HAS_CON1_ALL, it->global_kind == NB_GLOBAL_CON1_ALL, it->global_line);
@@ -142,8 +142,8 @@ static void note_loading(int lines[], const struct nb_stage *it) {
   note(lines, HAS_BOUNDARY_STRAIN, boundary && it->boundary.control == NB_CONTROL_STRAIN, boundary);
   note(lines, HAS_BOUNDARY_STRESS, it->boundary.control == NB_CONTROL_STRESS, boundary);
   note(lines, HAS_BOUNDARY_NONE, it->boundary.control == NB_CONTROL_NONE, boundary);
-  note(lines, HAS_CONTINUUM, strains(&it->continuum.strain), it->continuum.line);
-  note(lines, HAS_CONTINUUM_LITERAL, it->continuum.literal, it->continuum.line);
+  note(lines, HAS_CONTINUUM, strains(&it->affine.strain), it->affine.line);
+  note(lines, HAS_CONTINUUM_LITERAL, it->affine.accumulated, it->affine.line);
   note(lines, HAS_CELL_STRAIN, strains(&it->cell), it->cell_line);
   note(lines, HAS_BOX_STRAIN, strains(&it->box), it->box_line);
   note(lines, HAS_SERVO, it->servo.line, it->servo.line);
@@ -153,12 +153,12 @@ static void note_loading(int lines[], const struct nb_stage *it) {
 static void note_changes(int lines[], const struct nb_scene *scene, const struct nb_stage *it) {
   const struct nb_step *step = &it->step;
   note(lines, HAS_ROTATION_OFF, it->rotation == NB_ROTATION_OFF, it->rotation_line);
-  note(lines, HAS_STILL, it->still, it->line);
-  note(lines, HAS_REVERSE, it->reverse, it->line);
+  note(lines, HAS_STILL, it->zero_velocities, it->line);
+  note(lines, HAS_REVERSE, it->reverse_velocities, it->line);
   note(lines, HAS_UNTIL, it->condition_count > 0, it->condition_count ? it->conditions[0].line : 0);
   note(lines, HAS_REMOVE, it->removal_count > 0, it->removal_count ? it->removals[0].line : 0);
   note(lines, HAS_STEP_CHANGE, step->kind != scene->step.kind || step->value != scene->step.value, step->line);
-  note(lines, HAS_DAMPING_CHANGE, !nb_damping_alike(&it->damping, &scene->damping), it->line);
+  note(lines, HAS_DAMPING_CHANGE, !nb_damping_equal(&it->damping, &scene->damping), it->line);
   note(lines, HAS_GRAVITY_CHANGE, it->gravity.line, it->gravity.line);
   note(lines, HAS_MATERIAL_CHANGE, it->change_count > 0, it->change_count ? it->changes[0].line : 0);
   note(lines, HAS_LAW_CHANGE, it->laws.normal[0], it->laws.normal_line);

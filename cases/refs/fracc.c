@@ -33,7 +33,7 @@ static double fracc(double h, struct place before, struct place now) {
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stage = &scene->stages[0];
   const struct nb_particle *disc = &scene->particles[0];
-  if (scene->particle_count != 1 || scene->wall_count != 4 || stage->step.kind != NB_STEP_CRITICAL ||
+  if (scene->particle_count != 1 || scene->wall_count != 4 || stage->step.kind != NB_STEP_SINGLE_CONTACT ||
       scene->stage_count != 1 || disc->y != 0 || disc->vx != 0)
     return nb_error_set(error, NB_BAD_USE,
                         "reference fracc is for one disc between four walls, `step F of single-contact`");

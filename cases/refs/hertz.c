@@ -86,8 +86,8 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
   if (!meet(hertz, wall))
     return refuse(who, "bodies without spin that meet head-on and do not overlap at first", error);
   solve_equations(hertz);
-  hertz->step = scene->step.kind == NB_STEP_CONTACT ? scene->step.value * hertz->duration : scene->step.value;
-  if (scene->step.kind != NB_STEP_TIME && scene->step.kind != NB_STEP_CONTACT)
+  hertz->step = scene->step.kind == NB_STEP_COLLISION ? scene->step.value * hertz->duration : scene->step.value;
+  if (scene->step.kind != NB_STEP_TIME && scene->step.kind != NB_STEP_COLLISION)
     return refuse(who, "a step that is a time or a share of the contact's duration", error);
   if (scene->impact.line)
     hertz->begin += scene->impact.phase * hertz->step;

@@ -136,7 +136,7 @@ static enum nb_status know_contact_test(struct nb_solution *solution, const stru
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct press press[CONTACTS];
   const char *upper = NULL;
-  if (scene->path)
+  if (scene->contact_test)
     return know_contact_test(solution, scene, error);
   if (scene->wall_count != 2 || scene->particle_count < 1 || scene->particle_count >= CONTACTS || !squeezes(scene) ||
       scene->gravity.line)

@@ -12,9 +12,9 @@
 static double step_length(const struct nb_scene *scene, const struct nb_step *step) {
   if (step->kind == NB_STEP_TIME)
     return step->value;
-  if (step->kind != NB_STEP_CRITICAL)
+  if (step->kind != NB_STEP_SINGLE_CONTACT)
     return NAN; /* what the program finds out as it runs no reference is told */
-  double lightest = INFINITY, stiffest = 0;
+  double lightest = INFINITY, max_stiffness = 0;
   for (size_t i = 0; i < scene->particle_count; i++) {
     const struct nb_particle *particle = &scene->particles[i];
     if (!particle->fixed)
@@ -22,10 +22,10 @@ static double step_length(const struct nb_scene *scene, const struct nb_step *st
     for (size_t j = 0; j < scene->particle_count + scene->wall_count; j++) {
       int other =
           j < scene->particle_count ? scene->particles[j].material : scene->walls[j - scene->particle_count].material;
-      stiffest = fmax(stiffest, matter_pair(scene, particle->material, other).kn);
+      max_stiffness = fmax(max_stiffness, matter_pair(scene, particle->material, other).kn);
     }
   }
-  return step->value * 2 * sqrt(lightest / stiffest);
+  return step->value * 2 * sqrt(lightest / max_stiffness);
 }
 
 static bool damped(const struct nb_damping *damping) { return !nb_damping_none(damping); }

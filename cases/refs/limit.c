@@ -30,26 +30,26 @@ static double reduced_mass(const struct nb_scene *scene, const struct lattice_co
 }
 
 static double critical_step(const struct nb_scene *scene) {
-  double lightest = INFINITY, stiffest = 0;
+  double lightest = INFINITY, max_stiffness = 0;
   for (size_t i = 0; i < scene->particle_count; i++) {
     const struct nb_particle *particle = &scene->particles[i];
     if (!particle->fixed)
       lightest = fmin(lightest, matter_mass(scene, particle));
     for (size_t j = 0; j < scene->particle_count; j++)
-      stiffest = fmax(stiffest, matter_pair(scene, particle->material, scene->particles[j].material).kn);
+      max_stiffness = fmax(max_stiffness, matter_pair(scene, particle->material, scene->particles[j].material).kn);
     for (size_t j = 0; j < scene->wall_count; j++)
-      stiffest = fmax(stiffest, matter_pair(scene, particle->material, scene->walls[j].material).kn);
+      max_stiffness = fmax(max_stiffness, matter_pair(scene, particle->material, scene->walls[j].material).kn);
   }
-  return 2 * sqrt(lightest / stiffest);
+  return 2 * sqrt(lightest / max_stiffness);
 }
 
 /* c of a spring k, as the four words of the page language mean it. */
 static double dashpot(const struct nb_damping *damping, bool wall, double k, double mass, double critical) {
   double value;
   switch (nb_damping_at(damping, wall, &value)) {
-  case NB_CONTACT_BETA:
+  case NB_CONTACT_STIFFNESS:
     return value * k; /* [CS79 28] */
-  case NB_CONTACT_FRACTION:
+  case NB_CONTACT_R89_FRACTION:
     return value * k * critical / 2; /* [R89 4.3, 4.4] */
   case NB_CONTACT_RATIO:
     return value * 2 * sqrt(mass * k); /* [R89 4.13] */

@@ -17,8 +17,8 @@
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *last = scene->stage_count ? &scene->stages[scene->stage_count - 1] : NULL;
-  const struct nb_strain_rate *strain = last ? &last->continuum.strain : NULL;
-  if (!last || !last->continuum.line || !last->continuum.literal || !strain->per_cycle || strain->xx != -strain->yy ||
+  const struct nb_strain_rate *strain = last ? &last->affine.strain : NULL;
+  if (!last || !last->affine.line || !last->affine.accumulated || !strain->per_cycle || strain->xx != -strain->yy ||
       strain->xy != 0 || strain->yx != 0 || last->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN || last->damping.global_kind)
     return nb_error_set(error, NB_BAD_USE,
                         "literal_field wants a last stage with `affine strain E -E accumulated` per cycle, a step that "

@@ -94,9 +94,9 @@ static double duration(const struct nb_scene *scene) {
   double time = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    if (stage->condition_count || stage->motion_count || stage->change_count || stage->reverse || stage->still ||
-        stage->gravity.line || stage->step.kind != NB_STEP_TIME || stage->step.value != scene->step.value ||
-        !nb_damping_alike(&stage->damping, &scene->damping))
+    if (stage->condition_count || stage->motion_count || stage->change_count || stage->reverse_velocities ||
+        stage->zero_velocities || stage->gravity.line || stage->step.kind != NB_STEP_TIME ||
+        stage->step.value != scene->step.value || !nb_damping_equal(&stage->damping, &scene->damping))
       return 0;
     time += (double)stage->cycles * stage->step.value;
   }
@@ -129,14 +129,14 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   const double reduced = 1 / (1 / pair->mass[0] + 1 / pair->mass[1]);
   double value;
   switch (nb_damping_at(damping, pair->wall != NULL, &value)) {
-  case NB_CONTACT_BETA:
+  case NB_CONTACT_STIFFNESS:
     pair->cn = value * pair->values.kn, pair->cs = value * pair->values.ks;
     break;
   case NB_CONTACT_RATIO:
     pair->cn = 2 * value * sqrt(reduced * pair->values.kn);
     pair->cs = 2 * value * sqrt(reduced * pair->values.ks);
     break;
-  case NB_CONTACT_FRACTION:
+  case NB_CONTACT_R89_FRACTION:
     return refuse(error, "wants `damping stiffness` or `damping ratio`");
   case NB_CONTACT_UNDAMPED:
     break;

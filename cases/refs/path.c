@@ -9,7 +9,7 @@
 
 enum nb_status path_contact(struct path_contact *contact, const struct nb_scene *scene, const char *reference,
                             struct nb_error *error) {
-  if (!scene->path || strcmp(scene->normal, "hertz") != 0)
+  if (!scene->contact_test || strcmp(scene->normal, "hertz") != 0)
     return nb_error_set(error, NB_BAD_USE, "%s wants a path, with `normal hertz`", reference);
   const struct nb_particle *particles = scene->particles;
   const bool wall = scene->particle_count == 1;
@@ -37,7 +37,7 @@ struct path_walk path_walk(const struct nb_scene *scene) {
   return (struct path_walk){.scene = scene, .step = 1};
 }
 
-static double on_the_way(const struct nb_aim *aim, double from, double fraction) {
+static double on_the_way(const struct nb_target *aim, double from, double fraction) {
   const double to = aim->by ? from + aim->value : aim->value;
   return fraction == 1 ? to : from + (to - from) * fraction;
 }

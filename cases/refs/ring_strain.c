@@ -120,9 +120,9 @@ static double area(const struct nb_scene *scene) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stage = scene->stages;
-  const struct nb_strain_rate *rate = &stage->continuum.strain;
-  struct strained it = {.centre = {scene->circle.x, scene->circle.y}, .literal = stage->continuum.literal};
-  if (scene->stage_count != 1 || !scene->circle.line || !stage->continuum.line || !rate->per_cycle ||
+  const struct nb_strain_rate *rate = &stage->affine.strain;
+  struct strained it = {.centre = {scene->circle.x, scene->circle.y}, .literal = stage->affine.accumulated};
+  if (scene->stage_count != 1 || !scene->circle.line || !stage->affine.line || !rate->per_cycle ||
       rate->xy != rate->yx || !same(rate, &stage->boundary.strain) || !(scene->step.value > 0))
     return nb_error_set(error, NB_BAD_USE,
                         "ring_strain wants one stage with one symmetric strain per cycle of boundary and continuum");
@@ -144,7 +144,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_particle *particle = &scene->particles[monitor->a];
     const double x = particle->x - it.centre[0], y = particle->y - it.centre[1];
     const double dt = on_boundary(scene, particle) ? 0 : scene->step.value;
-    it.literal = stage->continuum.literal && dt > 0;
+    it.literal = stage->affine.accumulated && dt > 0;
     char name[2 * NB_NAME_SIZE];
     for (int k = 0; k < 2; k++) {
       it.x[k] = x * it.axis[k][0] + y * it.axis[k][1];
@@ -158,7 +158,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   it.wanted = AREA, it.level = area(scene);
   add_value(solution, &it, "boundary.area");
   it.wanted = KINETIC, it.level = energy;
-  if (!stage->continuum.literal)
+  if (!stage->affine.accumulated)
     add_value(solution, &it, "energy.kinetic");
   return solution_full(solution, error);
 }

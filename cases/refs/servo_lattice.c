@@ -86,13 +86,13 @@ static void go(struct piece *const now[3], const struct lattice *lattice, const 
     struct piece *it = now[k];
     const double f = k < 2 ? 1 : lattice->ks / lattice->kn;
     *it = (struct piece){.begin = begin, .from = s[k], .rate = -f * lattice->kn * l[k]};
-    if (!servo->line || !servo->held[k] || (servo->mean && k == 2))
+    if (!servo->line || !servo->controlled[k] || (servo->mean && k == 2))
       continue;
     /* of `mean` s is the mean and a part beside it that goes on as the page says */
     const double change = servo->mean ? (l[0] + l[1]) / 2 : l[k], begun = servo->mean ? (s[0] + s[1]) / 2 : s[k];
     const double wanted = servo->stress[k], q = servo->ramp ? (wanted - begun) / length : 0;
     const double from = servo->ramp ? begun : wanted;
-    solve_equations(it, lattice, f, begun - from, f * lattice->kn * change + q, servo->most);
+    solve_equations(it, lattice, f, begun - from, f * lattice->kn * change + q, servo->max_rate);
     it->from = from + s[k] - begun, it->rate = q - f * lattice->kn * (l[k] - change);
   }
 }

@@ -11,9 +11,9 @@
 static double dashpot(const struct nb_damping *damping, double k, double m, double critical) {
   double value;
   switch (nb_damping_at(damping, true, &value)) {
-  case NB_CONTACT_BETA:
+  case NB_CONTACT_STIFFNESS:
     return value * k;
-  case NB_CONTACT_FRACTION:
+  case NB_CONTACT_R89_FRACTION:
     return value * k * critical / 2;
   case NB_CONTACT_RATIO:
     return value * 2 * sqrt(m * k);
@@ -49,7 +49,7 @@ enum nb_status single_of(struct single *single, const struct nb_scene *scene, st
   };
   if (scene->step.kind == NB_STEP_TIME)
     single->step = scene->step.value;
-  else if (scene->step.kind == NB_STEP_CRITICAL)
+  else if (scene->step.kind == NB_STEP_SINGLE_CONTACT)
     single->step = scene->step.value * critical;
   else
     return refuse(error, "a step that is a time or a share of the critical one");

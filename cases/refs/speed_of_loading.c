@@ -41,7 +41,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   for (int k = 0; k < 4; k++)
     if (hypot(scene->stages[0].motions[k].vx, scene->stages[0].motions[k].vy) != v)
       return refuse(error);
-  const double step = scene->step.value * (scene->step.kind == NB_STEP_CRITICAL ? critical : 1);
+  const double step = scene->step.value * (scene->step.kind == NB_STEP_SINGLE_CONTACT ? critical : 1);
   const double t = step * (double)scene->stages[0].cycles, alpha = scene->damping.global;
   if (!(alpha * t > 20))
     return nb_error_set(error, NB_BAD_USE, "speed_of_loading is for alpha t above 20; here it is %g", alpha * t);

@@ -23,7 +23,7 @@ static bool goes_back(const struct nb_scene *scene) {
   bool plain = true;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    turns += stage->reverse;
+    turns += stage->reverse_velocities;
     cycles[turns > 0] += stage->cycles;
     plain = plain && (!stage->motion_count || s == 0);
   }

@@ -18,7 +18,7 @@ void *nb_array(size_t count, size_t size) {
   return array;
 }
 
-void *nb_room(void *array, size_t count, size_t more, size_t element) {
+void *nb_array_reserve(void *array, size_t count, size_t more, size_t element) {
   /* The array always has room for the power of two that holds it, so its capacity need not be kept. */
   if (more == 1 && count > 8 && (count & (count - 1)) != 0)
     return array;
@@ -31,25 +31,25 @@ void *nb_room(void *array, size_t count, size_t more, size_t element) {
   return have >= need ? array : realloc(array, need * element);
 }
 
-bool nb_grow(void *array, size_t count, size_t element) {
+bool nb_array_grow(void *array, size_t count, size_t element) {
   void *things;
   memcpy(&things, array, sizeof things); /* a pointer to void need not look like the others */
-  things = nb_room(things, count, 1, element);
+  things = nb_array_reserve(things, count, 1, element);
   if (things)
     memcpy(array, &things, sizeof things);
   return things != NULL;
 }
 
-void *nb_more(void *array, size_t *count, size_t element) {
+void *nb_array_add(void *array, size_t *count, size_t element) {
   char *things;
-  if (!nb_grow(array, *count, element))
+  if (!nb_array_grow(array, *count, element))
     return NULL;
   memcpy(&things, array, sizeof things);
   return memset(things + (*count)++ * element, 0, element);
 }
 
 void *nb_own(struct nb_owner *owner, size_t count, size_t size) {
-  void *array = nb_array(count, size), **place = array ? NB_MORE(owner->list, owner->count) : NULL;
+  void *array = nb_array(count, size), **place = array ? NB_ARRAY_APPEND(owner->list, owner->count) : NULL;
   if (place)
     return *place = array;
   free(array);

@@ -11,13 +11,13 @@
 void *nb_array(size_t count, size_t size);
 /* Room for `more` elements after `count` in an array that has grown by this function only: the array, moved perhaps, or NULL
  * when memory is out (the old one stays). Freed by free(). */
-void *nb_room(void *array, size_t count, size_t more, size_t element);
+void *nb_array_reserve(void *array, size_t count, size_t more, size_t element);
 /* Room for one more element after `count` in such an array: `array` points to the pointer to it. False when memory is out; then nothing
  * has changed. */
-bool nb_grow(void *array, size_t count, size_t element);
+bool nb_array_grow(void *array, size_t count, size_t element);
 /* One more element, all bits 0, at the end of such an array. NULL when memory is out; then nothing has changed. */
-void *nb_more(void *array, size_t *count, size_t element);
-#define NB_MORE(array, count) nb_more(&(array), &(count), sizeof *(array))
+void *nb_array_add(void *array, size_t *count, size_t element);
+#define NB_ARRAY_APPEND(array, count) nb_array_add(&(array), &(count), sizeof *(array))
 
 /* What is freed all at once, with its owner. */
 struct nb_owner {

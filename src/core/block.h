@@ -57,7 +57,7 @@ enum nb_field {
  * whatever it was. */
 #define NB_HISTORY 4 /* no enum: the preprocessor asks */
 enum { NB_PIECES_MAX = 256, NB_HISTORY_MAX = 12 + 5 * NB_PIECES_MAX };
-enum { NB_AHEAD = 6 }; /* contacts between fetching what is remembered of one and its turn */
+enum { NB_PREFETCH_DISTANCE = 6 }; /* contacts between fetching what is remembered of one and its turn */
 struct nb_history {
   int doubles;               /* for each contact */
   double *field[NB_HISTORY]; /* of up to four doubles; else NULL */
@@ -81,7 +81,7 @@ struct nb_block;
 typedef void nb_run_pass(const struct nb_model *model, const struct nb_block *block); /* C has no other word for it */
 
 #define NB_FORM __attribute__((always_inline))
-#define NB_SELDOM __attribute__((noinline)) /* out of the way of a loop that seldom wants it */
+#define NB_COLD __attribute__((noinline)) /* out of the way of a loop that seldom wants it */
 #define NB_FORM_OF(name, isa, target)                                                                                  \
   target static void name##_##isa(const struct nb_model *model, const struct nb_block *block) { name(model, block); }
 #if defined __x86_64__ && defined __GNUC__
@@ -102,8 +102,10 @@ typedef void nb_run_pass(const struct nb_model *model, const struct nb_block *bl
 
 /* Whether a pair has met in the step behind: it was apart a step ago when it has overlapped by less than it has closed. And the
  * share of that step in which it touched. Slip counts while they touch, or the first step would be of first order in a law's slip. */
-static inline bool nb_met(double overlap, double dn) { return overlap > 0 && overlap < dn; }
-static inline double nb_touched(double overlap, double dn) { return nb_met(overlap, dn) ? overlap / dn : 1; }
+static inline bool nb_touch_began(double overlap, double dn) { return overlap > 0 && overlap < dn; }
+static inline double nb_touch_fraction(double overlap, double dn) {
+  return nb_touch_began(overlap, dn) ? overlap / dn : 1;
+}
 
 /* ---- memory.c ---- */
 /* Nothing remembered of so many contacts; the owner knows whether memory was out. */
@@ -136,7 +138,7 @@ static inline void nb_tangential_since_touch(const struct nb_block *block) {
   const double *overlap = block->f[NB_OVERLAP], *dn = block->f[NB_NORMAL_INCREMENT];
   double *slip = block->f[NB_TANGENTIAL_INCREMENT];
   for (size_t c = 0; c < block->n; c++)
-    if (nb_met(overlap[c], dn[c]))
+    if (nb_touch_began(overlap[c], dn[c]))
       slip[c] *= overlap[c] / dn[c];
 }
 

@@ -10,7 +10,7 @@ static bool stable_overlap_begin(struct nb_model *model, size_t blocks) {
   return model->blocks.stable_overlap != NULL;
 }
 
-static struct nb_block view_of(const struct nb_model *model, size_t from, size_t to, double *scratch) {
+static struct nb_block block_of(const struct nb_model *model, size_t from, size_t to, double *scratch) {
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_block block = {.n = to - from, .a = contacts->a + from, .b = contacts->b + from};
   block.force = contacts->force + from;
@@ -27,7 +27,7 @@ static struct nb_block view_of(const struct nb_model *model, size_t from, size_t
 }
 
 /* Where the blocks begin, runs of one pairing, and where the last one ends; how many they are. */
-static size_t cut(size_t start[], const struct nb_contacts *contacts) {
+static size_t find_starts(size_t start[], const struct nb_contacts *contacts) {
   size_t n = 0;
   for (size_t c = 0; c < contacts->count; c++)
     if (c == 0 || contacts->material_pair[c] != contacts->material_pair[c - 1] || c - start[n - 1] == NB_BLOCK_SIZE)
@@ -37,7 +37,7 @@ static size_t cut(size_t start[], const struct nb_contacts *contacts) {
 }
 
 /* What is counted and watched block by block, where the plan asks for it. */
-static bool make_counts(struct nb_model *model, size_t blocks) {
+static bool create_counters(struct nb_model *model, size_t blocks) {
   const bool watched = model->plan.kept & NB_BIT(NB_STABLE_OVERLAP);
   if (!model->plan.elastic)
     nb_deep_end(model);
@@ -46,28 +46,29 @@ static bool make_counts(struct nb_model *model, size_t blocks) {
 }
 
 /* Thread t of T works on views n t/T to n (t+1)/T, each thread in scratch of its own. */
-enum nb_status nb_blocks_cut(struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_contacts *contacts = &model->contacts;
-  const size_t fraction = contacts->count / NB_THREAD_SHARE; /* a thread with less to do waits longer than it works */
-  model->machine.busy = fraction < 1                                ? 1
-                        : fraction < (size_t)model->machine.threads ? (int)fraction
-                                                                    : model->machine.threads;
+  const size_t fraction =
+      contacts->count / NB_CONTACTS_PER_THREAD; /* a thread with less to do waits longer than it works */
+  model->machine.threads_used = fraction < 1                                ? 1
+                                : fraction < (size_t)model->machine.threads ? (int)fraction
+                                                                            : model->machine.threads;
   size_t most = contacts->count / NB_BLOCK_SIZE + model->material_pair_count + 1;
   struct nb_owner *owner = &model->contacts.owner;
   model->blocks.list = nb_own(owner, most, sizeof *model->blocks.list);
-  model->blocks.stiff = nb_own(owner, contacts->count, sizeof *model->blocks.stiff);
+  model->blocks.coefficients = nb_own(owner, contacts->count, sizeof *model->blocks.coefficients);
   size_t *start = nb_own(owner, most + 1, sizeof *start);
-  const size_t n = start ? cut(start, contacts) : 0;
-  if (owner->failed || !make_counts(model, n))
+  const size_t n = start ? find_starts(start, contacts) : 0;
+  if (owner->failed || !create_counters(model, n))
     return nb_error_memory(error);
   for (size_t v = 0; v < n; v++) {
     size_t thread = 0;
-    while (n * (thread + 1) / (size_t)model->machine.busy <= v)
+    while (n * (thread + 1) / (size_t)model->machine.threads_used <= v)
       thread++;
     model->blocks.list[v] =
-        view_of(model, start[v], start[v + 1], model->blocks.scratch + thread * NB_FIELDS * NB_BLOCK_SIZE);
+        block_of(model, start[v], start[v + 1], model->blocks.scratch + thread * NB_FIELDS * NB_BLOCK_SIZE);
     model->blocks.list[v].stable_overlap = model->blocks.stable_overlap ? model->blocks.stable_overlap + v : NULL;
-    model->blocks.list[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_APART : NULL;
+    model->blocks.list[v].deep = model->deep.counts ? model->deep.counts + v * NB_DEEP_STRIDE : NULL;
   }
   model->blocks.count = n;
   return NB_OK;

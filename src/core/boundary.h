@@ -8,7 +8,7 @@
 #include "affine.h"
 
 struct nb_ring {
-  bool begun, held;       /* there is one; its bodies follow the strain rate */
+  bool exists, held;      /* there is one; its bodies follow the strain rate */
   double radius;          /* of the circle as it was when it began, m */
   struct nb_tensor shape; /* what the circle has been carried to: x = centre + shape X, |X| = radius; 1 */
   int *member;            /* slots of its bodies, counterclockwise; room for all */
@@ -19,11 +19,11 @@ struct nb_ring {
   unsigned long long listed_search; /* and after which search that was; 0: never */
 };
 
-struct nb_drive {
-  struct nb_vec *pressed;  /* per slot: force of a stress on the boundary, N, in force where model->bodies.pressed
+struct nb_boundary_state {
+  struct nb_vec *boundary_force; /* per slot: force of a stress on the boundary, N, in force where model->bodies.pressed
                             is this; NULL: no stage has one */
-  struct nb_tensor stress; /* and which, Pa */
-  bool rotates;            /* `rotation on` */
+  struct nb_tensor stress;       /* and which, Pa */
+  bool rotates;                  /* `rotation on` */
   struct nb_ring ring;
 };
 

@@ -31,31 +31,31 @@ bool nb_cell_create(struct nb_model *model) {
   if (!cell)
     return false;
   cell->centre = vec(from->x, from->y);
-  cell->h = cell->first = tensor(from->h[0], from->h[1], from->h[2], from->h[3]);
+  cell->h = cell->initial_h = tensor(from->h[0], from->h[1], from->h[2], from->h[3]);
   for (size_t i = 0; i < model->particles.count; i++)
-    cell->largest = fmax(cell->largest, model->particles.surface[i].radius);
-  nb_cell_searched(cell, model->search.skin);
+    cell->largest_radius = fmax(cell->largest_radius, model->particles.surface[i].radius);
+  nb_cell_reset_travel(cell, model->search.skin);
   return true;
 }
 
-void nb_cell_searched(struct nb_cell *cell, double skin) {
-  cell->configuration = one;
+void nb_cell_reset_travel(struct nb_cell *cell, double skin) {
+  cell->deformation = one;
   cell->travel_limit = skin / 2;
 }
 
 int nb_cell_move(struct nb_model *model) {
   struct nb_cell *cell = model->cell;
   if (!(model->search.skin < INFINITY))
-    cell->configuration = one; /* nothing is searched for */
-  const struct nb_tensor rate = model->affine->rate[NB_CARRIER_CELL], step = tensor_scale(model->step, rate);
-  cell->parting = tensor_product(rate, cell->h);
+    cell->deformation = one; /* nothing is searched for */
+  const struct nb_tensor rate = model->affine->rate[NB_AFFINE_CELL], step = tensor_scale(model->step, rate);
+  cell->image_velocity = tensor_product(rate, cell->h);
   cell->h = tensor_add(cell->h, tensor_product(step, cell->h));
-  cell->configuration = tensor_add(cell->configuration, tensor_product(step, cell->configuration));
-  const struct nb_tensor change = tensor_sub(cell->configuration, one);
+  cell->deformation = tensor_add(cell->deformation, tensor_product(step, cell->deformation));
+  const struct nb_tensor change = tensor_sub(cell->deformation, one);
   const double strained =
       sqrt(change.xx * change.xx + change.xy * change.xy + change.yx * change.yx + change.yy * change.yy);
-  const double left =
-      strained > 0 ? model->search.skin - strained * (2 * cell->largest + model->search.skin) : model->search.skin;
+  const double left = strained > 0 ? model->search.skin - strained * (2 * cell->largest_radius + model->search.skin)
+                                   : model->search.skin;
   cell->travel_limit = left > 0 ? left / 2 : 0;
   return left <= 0;
 }
@@ -64,7 +64,7 @@ int nb_cell_move(struct nb_model *model) {
 
 /* A side that becomes shorter by less than this share of its square, 1, is as short as rounding, 1e-16, can tell: so the search for
  * the shortest sides ends. */
-static const double no_shorter = 1e-12;
+static const double reduction_tolerance = 1e-12;
 
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {
   struct nb_wrap wrap = {.centre = cell->centre};
@@ -75,7 +75,7 @@ struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {
     const double n = floor(vec_dot(*longer, *shorter) / vec_dot(*shorter, *shorter) + 0.5);
     const double before = vec_dot(*longer, *longer);
     const struct nb_vec to = vec_sub(*longer, vec_scale(n, *shorter));
-    on = vec_dot(to, to) < before * (1 - no_shorter);
+    on = vec_dot(to, to) < before * (1 - reduction_tolerance);
     if (!on)
       break;
     *longer = to;
@@ -105,16 +105,16 @@ struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart) {
   return tensor_times(wrap->whole, sides(wrap, apart));
 }
 
-struct nb_vec nb_cell_place(const struct nb_model *model, size_t slot) {
+struct nb_vec nb_cell_wrapped_position(const struct nb_model *model, size_t slot) {
   if (!model->cell)
     return model->particles.position[slot];
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
   return nb_wrapped(&wrap, model->particles.position[slot]);
 }
 
-enum nb_status nb_cell_wide(const struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_cell_check_width(const struct nb_model *model, struct nb_error *error) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
-  const double width = nb_wrap_width(&wrap), least = 2 * (2 * model->cell->largest + model->search.skin);
+  const double width = nb_wrap_width(&wrap), least = 2 * (2 * model->cell->largest_radius + model->search.skin);
   if (width >= least)
     return NB_OK;
   return nb_error_set(error, model->cycle ? NB_BROKEN : NB_BAD_USE,
@@ -126,8 +126,8 @@ enum nb_status nb_cell_wide(const struct nb_model *model, struct nb_error *error
 /* ---- what is asked for ---- */
 
 double nb_cell_area(const struct nb_cell *cell) { return fabs(tensor_determinant(cell->h)); }
-double nb_cell_area_first(const struct nb_cell *cell) { return fabs(tensor_determinant(cell->first)); }
+double nb_cell_area_first(const struct nb_cell *cell) { return fabs(tensor_determinant(cell->initial_h)); }
 
 struct nb_tensor nb_cell_strain(const struct nb_cell *cell) {
-  return tensor_symmetric(tensor_sub(tensor_product(cell->h, tensor_inverse(cell->first)), one));
+  return tensor_symmetric(tensor_sub(tensor_product(cell->h, tensor_inverse(cell->initial_h)), one));
 }

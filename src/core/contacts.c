@@ -7,19 +7,19 @@
 #include "hertz_impact.h"
 #include "model.h"
 
-int nb_partner(const struct nb_model *model, struct nb_neighbour_pair pair) {
+int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair) {
   return model->material_pairs[pair.material_pair].wall ? INT_MAX / 2 + pair.b : model->particles.number[pair.b];
 }
 
 int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q) {
   const int *number = model->particles.number;
   const int by[] = {p.material_pair - q.material_pair, number[p.a] - number[q.a],
-                    nb_partner(model, p) - nb_partner(model, q)};
+                    nb_partner_rank(model, p) - nb_partner_rank(model, q)};
   return by[0] ? by[0] : by[1] ? by[1] : by[2];
 }
 
 /* What the energy balance compares with the step before. */
-static void affine_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+static void copy_energy_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
   for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
     if (now->kept[fields[f]] && old->kept[fields[f]])
@@ -27,7 +27,7 @@ static void affine_fields(struct nb_contacts *now, size_t c, const struct nb_con
 }
 
 /* But M*: a body may have become a boundary's. */
-static void affine_all(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
+static void copy_all_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   now->force[c] = old->force[o];
   for (int f = 0; f < NB_FIELDS; f++)
     if (now->kept[f] && f != NB_MASS)
@@ -35,7 +35,7 @@ static void affine_all(struct nb_contacts *now, size_t c, const struct nb_contac
 }
 
 /* The old and the new list are in the same order: one walk along both finds what stays. */
-static void affine_history(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
+static void copy_histories(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
   size_t o = 0;
   for (size_t c = 0; c < now->count; c++) {
     const struct nb_neighbour_pair here = {now->a[c], now->b[c], now->material_pair[c]};
@@ -48,13 +48,13 @@ static void affine_history(const struct nb_model *model, const struct nb_contact
         continue;
       if (now->suppressed && old->suppressed)
         now->suppressed[c] = old->suppressed[o];
-      if (model->search.keeping)
-        affine_all(now, c, old, o);
+      if (model->search.keep_forces)
+        copy_all_fields(now, c, old, o);
       else if (model->plan.requested & NB_REQUEST_ENERGY)
-        affine_fields(now, c, old, o);
+        copy_energy_fields(now, c, old, o);
       nb_history_copy(&now->normal_history, c, &old->normal_history, o);
       nb_history_copy(&now->shear_history, c, &old->shear_history, o);
-      nb_history_copy(&now->slid, c, &old->slid, o);
+      nb_history_copy(&now->slip_sum, c, &old->slip_sum, o);
     }
   }
 }
@@ -80,7 +80,7 @@ static void find_images(struct nb_contacts *contacts, const struct nb_model *mod
     contacts->image[c] = nb_wrap_image(&wrap, vec_sub(x[contacts->b[c]], x[contacts->a[c]]));
 }
 
-static void make_arrays(struct nb_contacts *contacts, const struct nb_model *model) {
+static void create_arrays(struct nb_contacts *contacts, const struct nb_model *model) {
   const size_t n = contacts->count;
   struct nb_owner *owner = &contacts->owner;
   contacts->a = nb_own(owner, n, sizeof(int)), contacts->b = nb_own(owner, n, sizeof(int));
@@ -92,9 +92,9 @@ static void make_arrays(struct nb_contacts *contacts, const struct nb_model *mod
   for (int f = 0; f < NB_FIELDS; f++)
     if (model->plan.kept & NB_BIT(f))
       contacts->kept[f] = nb_own(owner, n, sizeof(double));
-  contacts->normal_history = nb_history_create(owner, model->plan.memory.normal, n);
-  contacts->shear_history = nb_history_create(owner, model->plan.memory.shear, n);
-  contacts->slid = nb_history_create(owner, model->plan.memory.slid, n);
+  contacts->normal_history = nb_history_create(owner, model->plan.history.normal, n);
+  contacts->shear_history = nb_history_create(owner, model->plan.history.shear, n);
+  contacts->slip_sum = nb_history_create(owner, model->plan.history.slip_sum, n);
   contacts->of.first = nb_own(owner, model->particles.count + 1, sizeof(int));
   contacts->of.middle = nb_own(owner, model->particles.count + 1, sizeof(int));
   contacts->of.entry = nb_own(owner, 2 * n, sizeof(int));
@@ -141,7 +141,7 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
                             const struct nb_neighbour_pairs *pairs) {
   *contacts = (struct nb_contacts){.count = pairs->count};
   int *contact = nb_array(pairs->count, sizeof *contact);
-  make_arrays(contacts, model);
+  create_arrays(contacts, model);
   const bool made = contact && !contacts->owner.failed && number_contacts(contact, pairs, model);
   if (made)
     fill_incidence(&contacts->of, pairs, contact, model);
@@ -162,7 +162,7 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *
   struct nb_contacts now;
   const bool made = contacts_create(&now, model, pairs);
   if (made)
-    affine_history(model, &model->contacts, &now);
+    copy_histories(model, &model->contacts, &now);
   nb_owner_free(made ? &model->contacts.owner : &now.owner);
   if (made)
     model->contacts = now;
@@ -183,7 +183,7 @@ struct nb_tensor nb_contacts_virial(const struct nb_model *model) {
   return sum;
 }
 
-struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values) {
+struct nb_pair nb_contact_constants(const struct nb_model *model, size_t contact, struct nb_pair values) {
   if (model->contacts.kept[NB_REDUCED])
     values.radius = model->contacts.kept[NB_REDUCED][contact];
   return values;
@@ -191,8 +191,8 @@ struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, 
 
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, (size_t)a);
-  for (const int *entry = its.first; entry < its.end; entry++) {
+  const struct nb_contact_range range = nb_contact_range(&model->contacts.of, (size_t)a);
+  for (const int *entry = range.first; entry < range.end; entry++) {
     const int c = *entry;
     if (model->material_pairs[contacts->material_pair[c]].wall != wall)
       continue;
@@ -208,5 +208,5 @@ double nb_overlap(const struct nb_model *model, size_t c) {
   const int i = model->contacts.a[c], j = model->contacts.b[c];
   if (!wall)
     return particles->surface[i].radius + particles->surface[j].radius - vec_length(nb_contacts_branch(model, c));
-  return particles->surface[i].radius - vec_length(nb_wall_apart(&model->walls, j, particles->position[i]));
+  return particles->surface[i].radius - vec_length(nb_wall_separation(&model->walls, j, particles->position[i]));
 }

@@ -27,16 +27,16 @@ struct nb_contacts {
   size_t wall_from;        /* the first contact with a wall: they are the last ones */
   struct nb_incidence of;  /* which of them a body has */
   struct nb_history normal_history, shear_history,
-      slid; /* slid: m, since each stage that a snapshot is from, configuration.c */
+      slip_sum; /* slid: m, since each stage that a snapshot is from, configuration.c */
 };
 
 /* Those of one body, in the order in which forces are summed: of its partners' numbers, walls last. */
-struct nb_contacts_of {
+struct nb_contact_range {
   const int *first, *middle, *end;
 };
-static inline struct nb_contacts_of nb_contacts_of(const struct nb_incidence *all, size_t slot) {
-  return (struct nb_contacts_of){all->entry + all->first[slot], all->entry + all->middle[slot],
-                                 all->entry + all->first[slot + 1]};
+static inline struct nb_contact_range nb_contact_range(const struct nb_incidence *all, size_t slot) {
+  return (struct nb_contact_range){all->entry + all->first[slot], all->entry + all->middle[slot],
+                                   all->entry + all->first[slot + 1]};
 }
 
 /* Two bodies, or a body and a wall, that are near; before they are contacts. */
@@ -48,7 +48,7 @@ struct nb_neighbour_pairs {
   size_t count;
 };
 /* The place of b among the partners of a: its number, walls last. */
-int nb_partner(const struct nb_model *model, struct nb_neighbour_pair pair);
+int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair);
 /* The order of the list; < 0, 0, > 0: by pairing, then number of a, then of b. */
 int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q);
 /* Takes over a new list, sorted by the number of a, then by partners; contacts that were there before keep their memory. False: out of
@@ -57,10 +57,11 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *
 static inline bool nb_touches(const struct nb_contacts *contacts, size_t contact) {
   return contacts->kept[NB_OVERLAP][contact] > 0;
 }
-static inline int nb_touching(const struct nb_contacts *contacts, size_t slot) { /* how many contacts a body has */
-  const struct nb_contacts_of its = nb_contacts_of(&contacts->of, slot);
+static inline int nb_coordination_number(const struct nb_contacts *contacts,
+                                         size_t slot) { /* how many contacts a body has */
+  const struct nb_contact_range range = nb_contact_range(&contacts->of, slot);
   int count = 0;
-  for (const int *c = its.first; c < its.end; c++)
+  for (const int *c = range.first; c < range.end; c++)
     count += nb_touches(contacts, (size_t)*c);
   return count;
 }
@@ -72,6 +73,6 @@ struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs o
 double nb_overlap(const struct nb_model *model,
                   size_t contact); /* of positions as they are; < 0 where they are apart, m */
 /* What the laws of a contact are given: the constants of its pairing, and those of its own. */
-struct nb_pair nb_contacts_values(const struct nb_model *model, size_t contact, struct nb_pair values);
+struct nb_pair nb_contact_constants(const struct nb_model *model, size_t contact, struct nb_pair values);
 
 #endif

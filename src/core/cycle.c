@@ -24,9 +24,9 @@ static void forces_part(const struct nb_model *model, int part, int parts) {
 }
 
 void nb_forces(struct nb_model *model) {
-  const int threads = model->machine.busy;
+  const int threads = model->machine.threads_used;
   if (model->vertices.count)
-    nb_vertices_settle(model);
+    nb_vertices_suppress(model);
   if (threads == 1)
     forces_part(model, 0, 1);
   else {
@@ -39,7 +39,7 @@ void nb_forces(struct nb_model *model) {
 
 /* Returns how many particles and walls have moved too far for the list of contacts. */
 static int motion(struct nb_model *model) {
-  const int threads = model->machine.busy;
+  const int threads = model->machine.threads_used;
   int out = nb_motion_walls(model);
   if (model->cell)
     out += nb_cell_move(model);
@@ -61,7 +61,7 @@ static enum nb_status hooks(struct nb_model *model, enum nb_when when, struct nb
 
 /* A hook may have searched already. */
 static enum nb_status search(struct nb_model *model, bool out, struct nb_error *error) {
-  if (out && model->search.made != model->cycle)
+  if (out && model->search.last_cycle != model->cycle)
     return nb_neighbours_search(model, error);
   return nb_guard_cycle(model, error);
 }

@@ -4,12 +4,12 @@
 #include "nineball.h"
 
 enum nb_contact_damping nb_damping_at(const struct nb_damping *damping, bool wall, double *value) {
-  const bool apart = wall && damping->walls_apart;
+  const bool apart = wall && damping->walls_separate;
   *value = apart ? damping->walls : damping->contact;
   return apart ? damping->walls_kind : damping->contact_kind;
 }
 
-bool nb_damping_alike(const struct nb_damping *a, const struct nb_damping *b) {
+bool nb_damping_equal(const struct nb_damping *a, const struct nb_damping *b) {
   double here, there;
   for (int wall = 0; wall < 2; wall++)
     if (nb_damping_at(a, wall, &here) != nb_damping_at(b, wall, &there) || here < there || here > there)
@@ -20,5 +20,5 @@ bool nb_damping_alike(const struct nb_damping *a, const struct nb_damping *b) {
 
 bool nb_damping_none(const struct nb_damping *damping) {
   static const struct nb_damping none = {0};
-  return nb_damping_alike(damping, &none);
+  return nb_damping_equal(damping, &none);
 }

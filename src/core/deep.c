@@ -10,36 +10,36 @@
 #include "model.h"
 
 /* Of the smaller diameter, 1: where R89 takes plastic flow to begin [R89 6.4.3]. */
-static const double deepest = 0.07;
+static const double default_fraction = 0.07;
 
 double nb_deep_fraction(const struct nb_model *model) {
-  return model->damping.deep > 0 ? model->damping.deep : deepest;
+  return model->damping.deep > 0 ? model->damping.deep : default_fraction;
 }
 
-static unsigned long long counted(const struct nb_model *model) {
+static unsigned long long count_since_search(const struct nb_model *model) {
   unsigned long long sum = 0;
   for (size_t v = 0; model->deep.counts && v < model->blocks.count; v++)
-    sum += model->deep.counts[v * NB_DEEP_APART];
+    sum += model->deep.counts[v * NB_DEEP_STRIDE];
   return sum;
 }
 
-unsigned long long nb_deep_count(const struct nb_model *model) { return model->deep.count + counted(model); }
+unsigned long long nb_deep_count(const struct nb_model *model) { return model->deep.count + count_since_search(model); }
 
 bool nb_deep_begin(struct nb_model *model, size_t blocks) {
-  model->deep.count += counted(model);
+  model->deep.count += count_since_search(model);
   free(model->deep.counts);
-  model->deep.counts = nb_array(blocks * NB_DEEP_APART, sizeof *model->deep.counts);
+  model->deep.counts = nb_array(blocks * NB_DEEP_STRIDE, sizeof *model->deep.counts);
   return model->deep.counts != NULL;
 }
 
 void nb_deep_end(struct nb_model *model) {
-  model->deep.count += counted(model);
+  model->deep.count += count_since_search(model);
   free(model->deep.counts);
   model->deep.counts = NULL;
 }
 
 /* As the pass does it. */
-bool nb_deep_is(const struct nb_model *model, size_t c) {
+bool nb_is_deep(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const double a = model->particles.surface[contacts->a[c]].radius;
   const double b =
@@ -47,13 +47,13 @@ bool nb_deep_is(const struct nb_model *model, size_t c) {
   return nb_overlap(model, c) > 2 * nb_deep_fraction(model) * (a < b ? a : b);
 }
 
-void nb_deep_look(struct nb_model *model) {
+void nb_deep_record_first(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_deep *deep = &model->deep;
-  if (!deep->counts || deep->first[0] || counted(model) == 0)
+  if (!deep->counts || deep->first[0] || count_since_search(model) == 0)
     return;
   size_t c = 0;
-  while (c + 1 < contacts->count && !nb_deep_is(model, c))
+  while (c + 1 < contacts->count && !nb_is_deep(model, c))
     c++;
   const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
   const int n = snprintf(deep->first, sizeof deep->first, "body %d at ", model->particles.number[contacts->a[c]]);

@@ -17,7 +17,7 @@ enum nb_term {
   NB_TERM_UNSTORED,   /* the same of laws that have no stored energy only */
   NB_TERM_CHANGED, /* put in from outside: `zero velocities`, `reverse velocities`, springs that a stage has made stiffer or softer */
   NB_TERM_REMOVED, /* kinetic energy of bodies that were taken out, and what their springs held; of those that are held */
-  NB_TERM_DRIVEN, /* what carries bodies along, and stress on a boundary, times velocity */
+  NB_TERM_IMPOSED, /* what carries bodies along, and stress on a boundary, times velocity */
   NB_TERMS
 };
 

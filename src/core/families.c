@@ -15,7 +15,7 @@ enum {
   TENSORS = 1 << NB_TENSOR | STRESSES | FABRICS,
   COMPONENTS = 1 << NB_COMPONENTS | TENSORS,
   FOURTH = 1 << NB_FOURTH,
-  SPREAD = 1 << NB_SPREAD
+  SPREAD = 1 << NB_STATISTICS
 };
 static const struct nb_suffix suffixes[] = {
     {COMPONENTS, "xx", "component", 0, NULL, NULL},
@@ -49,7 +49,7 @@ const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k) {
 double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model) {
   const struct nb_quantity_kind *kind = quantity.kind;
   const struct nb_monitor *monitor = quantity.monitor < 0 ? NULL : &model->scene->monitors[quantity.monitor];
-  double parts[NB_PARTS];
+  double parts[NB_COMPONENTS_MAX];
   if (kind->value)
     return kind->value(model, monitor);
   kind->parts(parts, kind, model, monitor);

@@ -8,28 +8,29 @@
 
 #include "array.h"
 
-bool nb_grid_create(struct nb_grid *grid, size_t things, double widest) {
+bool nb_grid_create(struct nb_grid *grid, size_t items, double largest_width) {
   size_t buckets = 16;
-  while (buckets < 2 * things)
+  while (buckets < 2 * items)
     buckets *= 2;
-  *grid = (struct nb_grid){
-      .mask = buckets - 1, .first = nb_array(buckets, sizeof *grid->first), .in = nb_array(things, sizeof *grid->in)};
-  for (int l = 0; l < NB_GRID_LEVELS; l++, widest /= 2)
-    grid->width[l] = widest;
+  *grid = (struct nb_grid){.mask = buckets - 1,
+                           .first = nb_array(buckets, sizeof *grid->first),
+                           .entry = nb_array(items, sizeof *grid->entry)};
+  for (int l = 0; l < NB_GRID_LEVELS; l++, largest_width /= 2)
+    grid->width[l] = largest_width;
   if (grid->first)
     memset(grid->first, -1, buckets * sizeof *grid->first); /* all bits set: -1 */
-  return grid->first && grid->in;
+  return grid->first && grid->entry;
 }
 
-void nb_grid_free(struct nb_grid *grid) { free(grid->first), free(grid->in); }
+void nb_grid_free(struct nb_grid *grid) { free(grid->first), free(grid->entry); }
 
-void nb_grid_add(struct nb_grid *grid, int thing, struct nb_vec at, double width) {
+void nb_grid_add(struct nb_grid *grid, int item, struct nb_vec at, double width) {
   int level = 0;
   while (level + 1 < NB_GRID_LEVELS && grid->width[level + 1] >= width)
     level++;
   const struct nb_box box = {level, nb_grid_place(grid, level, at.x), nb_grid_place(grid, level, at.y)};
   int *first = &grid->first[nb_grid_bucket(grid, box)];
-  grid->in[thing] = (struct nb_in_box){box, *first};
-  *first = thing;
+  grid->entry[item] = (struct nb_grid_entry){box, *first};
+  *first = item;
   grid->count[level]++;
 }

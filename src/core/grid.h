@@ -26,16 +26,16 @@ struct nb_grid {
   size_t count[NB_GRID_LEVELS]; /* of the things on it */
   size_t mask;                  /* buckets - 1, a power of two less one */
   int *first;                   /* per bucket: the thing that came last, -1: none; */
-  struct nb_in_box {
+  struct nb_grid_entry {
     struct nb_box box;
     int next; /* and the one that came before, of this bucket */
-  } * in;     /* per thing */
+  } * entry;  /* per thing */
 };
 
 /* For so many things, of which the widest is so wide, m; false: no memory. */
-bool nb_grid_create(struct nb_grid *grid, size_t things, double widest);
+bool nb_grid_create(struct nb_grid *grid, size_t items, double largest_width);
 void nb_grid_free(struct nb_grid *grid);
-void nb_grid_add(struct nb_grid *grid, int thing, struct nb_vec at, double width);
+void nb_grid_add(struct nb_grid *grid, int item, struct nb_vec at, double width);
 
 /* Farther out than whole numbers go in a double, the last box takes all: they are still in order, and compared by distance. */
 static inline int64_t nb_grid_place(const struct nb_grid *grid, int level, double x) {
@@ -51,19 +51,19 @@ static inline size_t nb_grid_bucket(const struct nb_grid *grid, struct nb_box bo
 }
 
 /* Of the thing and those before it in its bucket the first one in that box; -1: none. */
-static inline int nb_grid_seek(const struct nb_grid *grid, int thing, struct nb_box box) {
-  while (thing >= 0) {
-    const struct nb_in_box *in = &grid->in[thing];
-    if (in->box.x == box.x && in->box.y == box.y && in->box.level == box.level)
+static inline int nb_grid_next(const struct nb_grid *grid, int item, struct nb_box box) {
+  while (item >= 0) {
+    const struct nb_grid_entry *entry = &grid->entry[item];
+    if (entry->box.x == box.x && entry->box.y == box.y && entry->box.level == box.level)
       break;
-    thing = in->next;
+    item = entry->next;
   }
-  return thing;
+  return item;
 }
 
 /* All things in a box. */
-#define NB_IN_BOX(grid, thing, where)                                                                                  \
-  for (int thing = nb_grid_seek(grid, (grid)->first[nb_grid_bucket(grid, where)], where); thing >= 0;                  \
-       thing = nb_grid_seek(grid, (grid)->in[thing].next, where))
+#define NB_GRID_FOR_BOX(grid, item, where)                                                                             \
+  for (int item = nb_grid_next(grid, (grid)->first[nb_grid_bucket(grid, where)], where); item >= 0;                    \
+       item = nb_grid_next(grid, (grid)->entry[item].next, where))
 
 #endif

@@ -27,7 +27,7 @@
 static int line_of(const struct nb_model *model, int number) { return model->scene->particles[number - 1].line; }
 
 /* Without what a periodic cell carries along: its copies are carried with it. */
-static double way_of(const struct nb_model *model, int i) {
+static double displacement_of(const struct nb_model *model, int i) {
   const struct nb_vec v = model->particles.velocity[i];
   return model->previous_step * vec_length(model->cell ? vec_sub(v, model->particles.imposed[i]) : v);
 }
@@ -44,21 +44,21 @@ enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error 
   return NB_OK;
 }
 
-static enum nb_status particle_moved(const struct nb_model *model, int i, struct nb_error *error) {
+static enum nb_status check_displacement(const struct nb_model *model, int i, struct nb_error *error) {
   const int number = model->particles.number[i];
-  const double way = way_of(model, i), radius = model->particles.surface[i].radius;
-  if (!(way > radius) || nb_removed(model, (size_t)i))
+  const double displacement = displacement_of(model, i), radius = model->particles.surface[i].radius;
+  if (!(displacement > radius) || nb_removed(model, (size_t)i))
     return NB_OK;
   return nb_error_set(
       error, NB_BROKEN,
       "particle %d (line %d): in cycle %lu, at %g s, it moved by %g m in one step of %g s. The limit is "
       "its radius, %g m: beyond that it may pass through others. Try a smaller step",
-      number, line_of(model, number), model->cycle, model->time, way, model->previous_step, radius);
+      number, line_of(model, number), model->cycle, model->time, displacement, model->previous_step, radius);
 }
 
-static enum nb_status wall_turned(const struct nb_model *model, size_t w, struct nb_error *error) {
+static enum nb_status check_rotation(const struct nb_model *model, size_t w, struct nb_error *error) {
   const double angle = model->walls.spin[w] * model->previous_step;
-  if (!nb_guard_turns(model, w, angle))
+  if (!nb_rotates_too_far(model, w, angle))
     return NB_OK;
   return nb_error_set(
       error, NB_BROKEN,
@@ -66,7 +66,7 @@ static enum nb_status wall_turned(const struct nb_model *model, size_t w, struct
       "passed through a particle. The limit is set by the smallest radius, %g m: the arc of the wall's "
       "far end may be no farther from the chord. Try a smaller step",
       model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, angle, model->previous_step,
-      model->search.smallest);
+      model->search.smallest_radius);
 }
 
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error) {
@@ -74,9 +74,9 @@ enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *er
   if (!(model->search.skin < INFINITY))
     return NB_OK; /* nothing can touch */
   for (size_t k = 0; k < model->particles.count && !status; k++)
-    status = particle_moved(model, model->particles.slot[k], error);
+    status = check_displacement(model, model->particles.slot[k], error);
   for (size_t w = 0; w < model->walls.count && !status; w++)
-    status = wall_turned(model, w, error);
+    status = check_rotation(model, w, error);
   return status;
 }
 
@@ -105,11 +105,11 @@ enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *err
 }
 
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error) {
-  if (model->search.pressed && nb_walls_crossed(model, false, error))
+  if (model->search.check_walls && nb_walls_crossed(model, false, error))
     return error->status;
-  if (model->search.skin > model->search.smallest && nb_guard_motion(model, error))
+  if (model->search.skin > model->search.smallest_radius && nb_guard_motion(model, error))
     return error->status;
-  return model->search.squeezed ? nb_guard_pairs(model, error) : NB_OK;
+  return model->search.check_pairs ? nb_guard_pairs(model, error) : NB_OK;
 }
 
 static double coordinate(const struct nb_model *model, int i) {
@@ -121,29 +121,29 @@ static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
 /* The coarsest that a coordinate may be, as a share of the mean overlap, 1: a force is then off by 0.1 %. Overlaps below the second
  * one's share of a radius, 1, are those of particles that just touch: rounding put them there. */
-static const double fraction = 1e-3, touch = 1e-9;
+static const double resolution_limit = 1e-3, touch_limit = 1e-9;
 
-void nb_guard_digits(struct nb_model *model) {
+void nb_guard_resolution(struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   int farthest = 0, pressed = -1;
   for (int i = 0; i < (int)particles->count; i++)
     farthest = coordinate(model, i) > coordinate(model, farthest) ? i : farthest;
-  if (model->search.coarse || !(model->search.skin < INFINITY) ||
-      ulp(coordinate(model, farthest)) <= fraction * touch * model->search.smallest)
+  if (model->search.coarse_warned || !(model->search.skin < INFINITY) ||
+      ulp(coordinate(model, farthest)) <= resolution_limit * touch_limit * model->search.smallest_radius)
     return;
   double sum = 0, count = 0;
   for (size_t c = 0; c < model->contacts.count; c++) {
     const int i = model->contacts.a[c];
     const double overlap = nb_overlap(model, c);
-    if (!(overlap > touch * particles->surface[i].radius))
+    if (!(overlap > touch_limit * particles->surface[i].radius))
       continue;
     sum += overlap, count++;
     pressed = pressed < 0 || coordinate(model, i) > coordinate(model, pressed) ? i : pressed;
   }
   const int i = count > 0 ? pressed : farthest;
-  const double overlap = count > 0 ? sum / count : model->search.smallest / 1000, x = coordinate(model, i);
-  model->search.coarse = ulp(x) > fraction * overlap;
-  if (!model->search.coarse)
+  const double overlap = count > 0 ? sum / count : model->search.smallest_radius / 1000, x = coordinate(model, i);
+  model->search.coarse_warned = ulp(x) > resolution_limit * overlap;
+  if (!model->search.coarse_warned)
     return;
   nb_warn(
       &model->warnings, line_of(model, particles->number[i]),

@@ -13,7 +13,7 @@ struct nb_guess {
   int distance;
 };
 struct nb_guess nb_guess_begin(const char *word);
-void nb_guess_offer(struct nb_guess *guess, const char *solution);
+void nb_guess_offer(struct nb_guess *guess, const char *word);
 bool nb_guess_found(const struct nb_guess *guess); /* whether best is near enough to be what was meant */
 /* The hint "did you mean `best`?" in a text of NB_HINT_SIZE, or NULL when nothing is near. */
 enum { NB_HINT_SIZE = 512 };

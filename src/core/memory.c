@@ -6,16 +6,16 @@
 #include "model.h"
 
 struct nb_history nb_history_create(struct nb_owner *owner, int doubles, size_t contacts) {
-  struct nb_history memory = {.doubles = doubles};
+  struct nb_history history = {.doubles = doubles};
   if (doubles > NB_HISTORY)
-    memory.rows = nb_own(owner, contacts * (size_t)doubles, sizeof(double));
+    history.rows = nb_own(owner, contacts * (size_t)doubles, sizeof(double));
   for (int m = 0; m < doubles && doubles <= NB_HISTORY; m++)
-    memory.field[m] = nb_own(owner, contacts, sizeof(double));
-  return memory;
+    history.field[m] = nb_own(owner, contacts, sizeof(double));
+  return history;
 }
 
-struct nb_history nb_history_from(const struct nb_history *memory, size_t first) {
-  struct nb_history from = *memory;
+struct nb_history nb_history_from(const struct nb_history *history, size_t first) {
+  struct nb_history from = *history;
   for (int m = 0; m < NB_HISTORY; m++)
     if (from.field[m])
       from.field[m] += first;
@@ -34,18 +34,18 @@ void nb_history_copy(struct nb_history *to, size_t there, const struct nb_histor
       to->field[m][there] = from->field[m][here];
 }
 
-void nb_history_forget(struct nb_history *memory, size_t contact) {
+void nb_history_forget(struct nb_history *history, size_t contact) {
   for (int m = 0; m < NB_HISTORY; m++)
-    if (memory->field[m])
-      memory->field[m][contact] = 0;
-  if (memory->rows)
-    memory->rows[contact * (size_t)memory->doubles] = 0;
+    if (history->field[m])
+      history->field[m][contact] = 0;
+  if (history->rows)
+    history->rows[contact * (size_t)history->doubles] = 0;
 }
 
-const double *nb_history_read(const struct nb_history *memory, size_t contact, double room[NB_HISTORY]) {
-  if (memory->rows)
-    return memory->rows + contact * (size_t)memory->doubles;
+const double *nb_history_read(const struct nb_history *history, size_t contact, double buffer[NB_HISTORY]) {
+  if (history->rows)
+    return history->rows + contact * (size_t)history->doubles;
   for (int m = 0; m < NB_HISTORY; m++)
-    room[m] = memory->field[m] ? memory->field[m][contact] : 0;
-  return room;
+    buffer[m] = history->field[m] ? history->field[m][contact] : 0;
+  return buffer;
 }

@@ -34,15 +34,15 @@ struct nb_particles {
   double *mass, *inertia;                 /* kg, kg m2 */
   double *inverse_mass, *inverse_inertia; /* 0 for what is fixed */
   int *material;
-  struct nb_vec *searched; /* where they were at the last search */
-  struct nb_vec *imposed;  /* c, the part of the velocity that carries it along, m/s; NULL: nothing does (affine.h) */
+  struct nb_vec *search_position; /* where they were at the last search */
+  struct nb_vec *imposed; /* c, the part of the velocity that carries it along, m/s; NULL: nothing does (affine.h) */
   const struct nb_vec
-      *pressed;  /* per slot: force of a stress on the boundary, N; NULL: there is none (loading/boundary.c) */
-  bool *removed; /* taken out of the scene (remove.c); NULL where no stage takes any out */
+      *boundary_force; /* per slot: force of a stress on the boundary, N; NULL: there is none (loading/boundary.c) */
+  bool *removed;       /* taken out of the scene (remove.c); NULL where no stage takes any out */
 };
 
 /* How a body or a wall moves. */
-struct nb_state {
+struct nb_velocities {
   struct nb_vec velocity;
   double spin;
 };
@@ -52,7 +52,7 @@ struct nb_pass {
   const char *name;
   nb_run_pass *run[NB_ISAS];
 };
-enum { NB_PASSES = 7, NB_THREADS = 256, NB_THREAD_SHARE = 128 };
+enum { NB_PASSES = 7, NB_THREADS = 256, NB_CONTACTS_PER_THREAD = 128 };
 
 /* Contacts between two materials, or between a material and a wall's: their constants and the passes they need. */
 struct nb_material_pair {
@@ -79,7 +79,7 @@ struct nb_properties {
 };
 
 /* The laws that all contacts follow. */
-struct nb_in_force {
+struct nb_active_laws {
   const struct nb_law *normal, *shear;
   int normal_line, shear_line; /* of the page that says so; 0: none */
   double pieces;               /* as struct nb_pair has it */
@@ -88,8 +88,8 @@ struct nb_in_force {
 /* What of the machine is used: machine.c. */
 struct nb_machine {
   enum nb_isa isa;
-  int threads; /* there may be */
-  int busy;    /* threads that work on as many contacts as there are now, NB_THREAD_SHARE each or more */
+  int threads;      /* there may be */
+  int threads_used; /* threads that work on as many contacts as there are now, NB_CONTACTS_PER_THREAD each or more */
 };
 
 /* What contacts need now, as run/plan.c finds it. */
@@ -98,16 +98,16 @@ struct nb_plan {
   unsigned kept;             /* set of fields that are kept */
   enum nb_field total_shear; /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
   struct {
-    int normal, shear, slid;
-  } memory;          /* doubles that a contact remembers: for its laws, and for configuration.c */
-  bool whole;        /* all is kept that a saved state holds */
+    int normal, shear, slip_sum;
+  } history;         /* doubles that a contact remembers: for its laws, and for configuration.c */
+  bool keep_all;     /* all is kept that a saved state holds */
   bool elastic;      /* the normal law is one of elastic spheres */
   bool has_friction; /* some pairing has a shear law now */
   bool dashpots;     /* some stage has contact damping */
 };
 
 /* A contact's springs, N/m, and dashpots, N s/m. */
-struct nb_stiff {
+struct nb_coefficients {
   double kn, ks, cn, cs;
 };
 
@@ -117,23 +117,24 @@ struct nb_blocks {
   size_t count;
   double *scratch; /* per thread NB_FIELDS * NB_BLOCK doubles */
   struct nb_stable_overlap {
-    double overlap;       /* the smallest of a block's NB_SURE, m */
-    unsigned long above;  /* its contacts that are deeper than theirs */
-    double apart[6];      /* those of two threads lie in lines of their own */
-  } * stable_overlap;     /* per block; NULL: nothing that is watched gets stiffer */
-  struct nb_stiff *stiff; /* per contact: room for measure/stable_step.c */
+    double overlap;                     /* the smallest of a block's NB_SURE, m */
+    unsigned long above;                /* its contacts that are deeper than theirs */
+    double padding[6];                  /* those of two threads lie in lines of their own */
+  } * stable_overlap;                   /* per block; NULL: nothing that is watched gets stiffer */
+  struct nb_coefficients *coefficients; /* per contact: room for measure/stable_step.c */
 };
 
 /* The search for near pairs, and what it has found: neighbours.c, guard.c. */
 struct nb_search {
-  double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, nothing is searched */
-  double smallest;                      /* radius of all particles, m */
-  unsigned long made;                   /* the cycle in which the list was made */
+  double
+      skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, nothing is search_position */
+  double smallest_radius;               /* radius of all particles, m */
+  unsigned long last_cycle;             /* the cycle in which the list was made */
   unsigned long long count, candidates; /* searches; pairs whose distance they have measured */
-  bool keeping;                         /* no forces follow the search to come: contacts keep those that they have */
-  bool pressed;  /* some centre was within the skin of a wall: it may cross it before the next search */
-  bool squeezed; /* some pair was within the skin of the overlap that guard.c allows */
-  bool coarse;   /* positions are too coarse for the overlaps, and the warning has been given */
+  bool keep_forces;                     /* no forces follow the search to come: contacts keep those that they have */
+  bool check_walls;   /* some centre was within the skin of a wall: it may cross it before the next search */
+  bool check_pairs;   /* some pair was within the skin of the overlap that guard.c allows */
+  bool coarse_warned; /* positions are too coarse for the overlaps, and the warning has been given */
 };
 
 /* Where a disc may touch a common end of two walls. */
@@ -170,12 +171,12 @@ struct nb_model {
   const struct nb_scene *scene;
   struct nb_owner owner; /* of all that is made once and lives as long as the model */
   struct nb_machine machine;
-  struct nb_particles particles;   /* motion.c */
-  struct nb_walls walls;           /* walls.c */
-  struct nb_cell *cell;            /* cell.c; NULL: the plane has no copies */
-  struct nb_vertices vertices;     /* wall_vertices.c */
-  struct nb_properties properties; /* properties.c */
-  struct nb_in_force laws, next;   /* of the forces behind, and of those ahead: a stage may change them (laws_now.c) */
+  struct nb_particles particles;    /* motion.c */
+  struct nb_walls walls;            /* walls.c */
+  struct nb_cell *cell;             /* cell.c; NULL: the plane has no copies */
+  struct nb_vertices vertices;      /* wall_vertices.c */
+  struct nb_properties properties;  /* properties.c */
+  struct nb_active_laws laws, next; /* of the forces behind, and of those ahead: a stage may change them (laws_now.c) */
   struct nb_material_pair *material_pairs; /* plan.c */
   size_t material_pair_count;
   struct nb_plan plan;
@@ -196,25 +197,25 @@ struct nb_model {
   struct nb_damping damping, damping_before; /* of this stage; of the one before */
   struct nb_vec gravity;                     /* over the kick to come, m/s2 */
   struct nb_central {
-    double strength;  /* m/s2; 0: none */
-    struct nb_vec to; /* the point, m */
-  } central;          /* likewise; to here */
+    double acceleration; /* m/s2; 0: none */
+    struct nb_vec point; /* the point, m */
+  } central;             /* likewise; to here */
 
-  struct nb_affine *affine;       /* affine.h; NULL: nothing is carried along */
-  struct nb_drive *drive;         /* boundary.h; NULL: there is no boundary, and bodies turn */
-  struct nb_stability *stability; /* measure/step.h */
-  struct nb_sum *terms;           /* core/energy_terms.h, NB_TERMS of them; NULL: no column and no condition asks */
-  struct nb_balance *balance;     /* measure/energy.h; NULL: no column and no condition asks for one */
-  struct nb_regions *regions;     /* measure/region.h; NULL: the scene has none */
+  struct nb_affine *affine;           /* affine.h; NULL: nothing is carried along */
+  struct nb_boundary_state *boundary; /* boundary.h; NULL: there is no boundary, and bodies turn */
+  struct nb_stability *stability;     /* measure/step.h */
+  struct nb_sum *terms;               /* core/energy_terms.h, NB_TERMS of them; NULL: no column and no condition asks */
+  struct nb_balance *balance;         /* measure/energy.h; NULL: no column and no condition asks for one */
+  struct nb_regions *regions;         /* measure/region.h; NULL: the scene has none */
   struct nb_configuration *configuration; /* measure/configuration.h; NULL: no snapshot asks what has changed */
   struct nb_fracc *fracc;                 /* measure/fracc.c; NULL: nobody asks */
   struct nb_deep {
-    unsigned long *counts;        /* per block since the last search, NB_DEEP_APART apart; NULL: nothing is elastic */
+    unsigned long *counts;        /* per block since the last search, NB_DEEP_STRIDE apart; NULL: nothing is elastic */
     unsigned long long count;     /* contact updates too deep until then */
     char first[3 * NB_NAME_SIZE]; /* the first of them, in words; empty: none yet */
   } deep;                         /* deep.c */
   struct nb_warnings warnings;    /* of this model, not of its scene */
-  double touch;                   /* when what `impact` makes first touches, s (measure/impact.c) */
+  double impact_time;             /* when what `impact` makes first touches, s (measure/impact.c) */
   const char *states;             /* folder of saved states; NULL: the usual one (run/restart.c) */
 };
 
@@ -222,7 +223,7 @@ struct nb_model {
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);
 
 /* blocks.c: the contacts in blocks of one pairing, after each search */
-enum nb_status nb_blocks_cut(struct nb_model *model, struct nb_error *error);
+enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error);
 
 /* What columns and conditions ask for besides fields, in model->plan.asked: */
 #define NB_REQUEST_FRACC (1u << 27)  /* fracc.c */
@@ -252,7 +253,7 @@ enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *err
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error);
 
 /* Warns when positions are too coarse for the overlaps that there are now. */
-void nb_guard_digits(struct nb_model *model);
+void nb_guard_resolution(struct nb_model *model);
 
 /* neighbours.c: makes the list of contacts anew, if no guard objects */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
@@ -266,38 +267,40 @@ struct nb_force {
   struct nb_vec force; /* N */
   double moment;       /* N m, counterclockwise */
 };
-struct nb_force nb_force_on(const struct nb_model *model, size_t slot);      /* sum over its contacts, N, N m */
-struct nb_state nb_velocity_half(const struct nb_model *model, size_t slot); /* at the half step behind, likewise */
-struct nb_state nb_velocity_now(const struct nb_model *model,
-                                size_t slot); /* at t_N: mean of the half steps [CS79 31]; without what carries it */
+struct nb_force nb_force_on(const struct nb_model *model, size_t slot); /* sum over its contacts, N, N m */
+struct nb_velocities nb_velocity_half(const struct nb_model *model,
+                                      size_t slot); /* at the half step behind, likewise */
+struct nb_velocities
+nb_velocity_now(const struct nb_model *model,
+                size_t slot); /* at t_N: mean of the half steps [CS79 31]; without what carries it */
 struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot);    /* what carries it, likewise, m/s */
-struct nb_vec nb_velocity_whole(const struct nb_model *model, size_t slot); /* with what carries it, likewise, m/s */
+struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot); /* with what carries it, likewise, m/s */
 
 struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* m g, were the body at x, N */
-struct nb_vec nb_force_left(const struct nb_model *model, size_t slot);              /* all that a free body feels, N */
+struct nb_vec nb_unbalanced_force(const struct nb_model *model, size_t slot);        /* all that a free body feels, N */
 
 /* Gives a body what a force and a moment that end at t_N have done until then: its velocities at t_N stay what they were. */
-void nb_motion_begin(struct nb_model *model, size_t slot, struct nb_state now);
-void nb_motion_release(struct nb_model *model, size_t slot, struct nb_force ending);
+void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now);
+void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */
-bool nb_guard_turns(const struct nb_model *model, size_t wall, double angle); /* too far for one step, rad */
-void nb_walls_searched(struct nb_walls *walls);                               /* remembers where their ends are now */
+bool nb_rotates_too_far(const struct nb_model *model, size_t wall, double angle); /* too far for one step, rad */
+void nb_walls_reset_travel(struct nb_walls *walls); /* remembers where their ends are now */
 /* NB_BROKEN when the centre of a body has crossed a wall in the step behind: of the pairs listed, or of all there are. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
 
 /* wall_vertices.c */
-bool nb_vertices_meet(const struct nb_scene *scene); /* two walls have a common end */
-bool nb_vertices_find(struct nb_model *model);       /* after a search; false: no memory */
-void nb_vertices_settle(struct nb_model *model);     /* before the forces: which contacts are muted now */
+bool nb_vertices_exist(const struct nb_scene *scene); /* two walls have a common end */
+bool nb_vertices_find(struct nb_model *model);        /* after a search; false: no memory */
+void nb_vertices_suppress(struct nb_model *model);    /* before the forces: which contacts are muted now */
 
 /* deep.c: overlaps that are too deep for elastic spheres */
-enum { NB_DEEP_APART = 8 };                                /* counts of two threads lie in lines of their own */
+enum { NB_DEEP_STRIDE = 8 };                               /* counts of two threads lie in lines of their own */
 double nb_deep_fraction(const struct nb_model *model);     /* of the smaller diameter: the page's, or 7 % [R89 6.4.3] */
 bool nb_deep_begin(struct nb_model *model, size_t blocks); /* counts anew, after a search; false: no memory */
 void nb_deep_end(struct nb_model *model);                  /* nothing is elastic any more */
-void nb_deep_look(struct nb_model *model);                 /* after the forces: which is the first */
-bool nb_deep_is(const struct nb_model *model, size_t contact);
+void nb_deep_record_first(struct nb_model *model);         /* after the forces: which is the first */
+bool nb_is_deep(const struct nb_model *model, size_t contact);
 unsigned long long nb_deep_count(const struct nb_model *model);
 
 /* cycle.c: the force calculation, for positions as they are */

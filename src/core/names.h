@@ -8,15 +8,15 @@
 
 /* Quantities NAME.SUFFIX that are made of the same few numbers: components, what follows from them, statistics of a sample. */
 enum nb_quantity_family {
-  NB_ALONE,      /* one quantity without a suffix */
+  NB_SCALAR,     /* one quantity without a suffix */
   NB_COMPONENTS, /* xx xy yx yy */
   NB_TENSOR,     /* and principal values, deviator, angle; */
   NB_STRESSES,   /* and the mean as well; */
   NB_FABRICS,    /* where the deviator is called anisotropy */
   NB_FOURTH,     /* the five components of a symmetric tensor of fourth order */
-  NB_SPREAD,     /* mean max min std */
+  NB_STATISTICS, /* mean max min std */
 };
-enum { NB_PARTS = 5 }; /* numbers that a family is made of, at most */
+enum { NB_COMPONENTS_MAX = 5 }; /* numbers that a family is made of, at most */
 
 /* A row of the table: one quantity, or a family. */
 struct nb_quantity_kind {
@@ -51,7 +51,7 @@ enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNE
 extern const struct nb_quantity_kind nb_contact_test_kinds[];
 
 /* input/names.c */
-bool nb_quantity_vanishes(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
+bool nb_quantity_is_residual(struct nb_quantity quantity); /* a residual: what should be 0 by what it is */
 /* One by one all there are, for the manual; false past the last one. */
 struct nb_quantity_row {
   char name[NB_NAME_SIZE], help[512];

@@ -1,8 +1,8 @@
 /* The list of pairs that may come to touch: bodies, and bodies and walls, that are nearer than the skin.  [CS79; R89 4.3.1, TOL]
  *
  * All pairs closer than the skin are listed, touching or not. As long as no body and no wall is farther than half the skin
- * from where it was then, a pair that is not listed cannot touch. A scene in which nothing travels is searched once, when it
- * is made; one in which nothing is free to touch anything has an infinite skin and is never searched. A contact that was
+ * from where it was then, a pair that is not listed cannot touch. A scene in which nothing travels is search_position once, when it
+ * is made; one in which nothing is free to touch anything has an infinite skin and is never search_position. A contact that was
  * listed before keeps its memory.
  *
  * Bodies lie in boxes on levels by size (grid.h), each on the finest level whose boxes are as wide as it is and the skin. A body
@@ -19,25 +19,25 @@
 #include "grid.h"
 #include "model.h"
 
-enum { FEW = 16 }; /* bodies without boxes */
+enum { GRID_MIN_PARTICLES = 16 }; /* bodies without boxes */
 
 struct search {
   struct nb_grid grid;
-  struct nb_wrap wrap;  /* of the periodic cell that bodies are in; */
-  struct nb_vec *place; /* per slot: where its copy in the cell is, m; NULL without a cell */
+  struct nb_wrap wrap;    /* of the periodic cell that bodies are in; */
+  struct nb_vec *wrapped; /* per slot: where its copy in the cell is, m; NULL without a cell */
 };
 
-static bool wrap_places(struct search *search, const struct nb_model *model) {
+static bool wrap_positions(struct search *search, const struct nb_model *model) {
   const size_t n = model->particles.count;
-  search->place = nb_array(n, sizeof *search->place);
+  search->wrapped = nb_array(n, sizeof *search->wrapped);
   search->wrap = nb_cell_wrap(model->cell);
-  for (size_t i = 0; i < n && search->place; i++)
-    search->place[i] = nb_wrapped(&search->wrap, model->particles.position[i]);
-  return search->place != NULL;
+  for (size_t i = 0; i < n && search->wrapped; i++)
+    search->wrapped[i] = nb_wrapped(&search->wrap, model->particles.position[i]);
+  return search->wrapped != NULL;
 }
 
-static inline struct nb_vec place_of(const struct search *search, const struct nb_model *model, int i) {
-  return search->place ? search->place[i] : model->particles.position[i];
+static inline struct nb_vec wrapped_position(const struct search *search, const struct nb_model *model, int i) {
+  return search->wrapped ? search->wrapped[i] : model->particles.position[i];
 }
 
 static bool search_begin(struct search *search, const struct nb_model *model) {
@@ -46,15 +46,16 @@ static bool search_begin(struct search *search, const struct nb_model *model) {
   for (size_t i = 0; i < particles->count; i++)
     largest = particles->surface[i].radius > largest ? particles->surface[i].radius : largest;
   if (!nb_grid_create(&search->grid, particles->count, 2 * largest + model->search.skin) ||
-      (model->cell && !wrap_places(search, model)))
+      (model->cell && !wrap_positions(search, model)))
     return false;
   for (int i = 0; i < (int)particles->count; i++)
-    nb_grid_add(&search->grid, i, place_of(search, model, i), 2 * particles->surface[i].radius + model->search.skin);
+    nb_grid_add(&search->grid, i, wrapped_position(search, model, i),
+                2 * particles->surface[i].radius + model->search.skin);
   return true;
 }
 
 static bool pairs_add(struct nb_neighbour_pairs *pairs, int a, int b, int material_pair) {
-  struct nb_neighbour_pair *pair = NB_MORE(pairs->list, pairs->count);
+  struct nb_neighbour_pair *pair = NB_ARRAY_APPEND(pairs->list, pairs->count);
   if (pair)
     *pair = (struct nb_neighbour_pair){a, b, material_pair};
   return pair != NULL;
@@ -83,40 +84,40 @@ static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *mo
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j))
     return true;
   const int a = particles->number[i] < particles->number[j] ? i : j, b = a == i ? j : i;
-  model->search.squeezed = model->search.squeezed || !(distance > larger + model->search.skin);
+  model->search.check_pairs = model->search.check_pairs || !(distance > larger + model->search.skin);
   return pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));
 }
 
 /* Who looks around, and from where: it is at `from`, or a copy of it is. */
-struct looking {
+struct observer {
   int i;
   struct nb_vec from; /* m */
 };
 
 /* The bodies of one box: all of them when they are larger than i, those with larger numbers on its own level. */
 static bool neighbours_in_box(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
-                              struct looking who, struct nb_box box) {
+                              struct observer observer, struct nb_box box) {
   const int *number = model->particles.number;
-  const bool own = box.level == search->grid.in[who.i].box.level;
-  NB_IN_BOX(&search->grid, j, box) {
-    if (own && number[j] <= number[who.i])
+  const bool own = box.level == search->grid.entry[observer.i].box.level;
+  NB_GRID_FOR_BOX(&search->grid, j, box) {
+    if (own && number[j] <= number[observer.i])
       continue;
-    if (!neighbour_pair(pairs, model, who.i, j, vec_sub(place_of(search, model, j), who.from)))
+    if (!neighbour_pair(pairs, model, observer.i, j, vec_sub(wrapped_position(search, model, j), observer.from)))
       return false;
   }
   return true;
 }
 
 static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
-                              struct looking who) {
+                              struct observer observer) {
   const struct nb_grid *grid = &search->grid;
-  for (int level = grid->in [who.i].box.level; level >= 0; level--) {
+  for (int level = grid->entry[observer.i].box.level; level >= 0; level--) {
     if (!grid->count[level])
       continue;
-    const int64_t x = nb_grid_place(grid, level, who.from.x), y = nb_grid_place(grid, level, who.from.y);
+    const int64_t x = nb_grid_place(grid, level, observer.from.x), y = nb_grid_place(grid, level, observer.from.y);
     for (int64_t dy = -1; dy <= 1; dy++)
       for (int64_t dx = -1; dx <= 1; dx++)
-        if (!neighbours_in_box(pairs, model, search, who, (struct nb_box){level, x + dx, y + dy}))
+        if (!neighbours_in_box(pairs, model, search, observer, (struct nb_box){level, x + dx, y + dy}))
           return false;
   }
   return true;
@@ -124,17 +125,18 @@ static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model 
 
 /* How much farther out, 1, copies are looked for than a contact reaches: none is missed by rounding, 1e-16, and one too many costs a
  * look at its box. */
-static const double rounding = 1e-12;
+static const double image_margin = 1e-12;
 
 /* From each of the nine copies of i that lies in the cell, or no farther outside than a contact reaches. */
 static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                              int i) {
   const struct nb_wrap *wrap = &search->wrap;
-  const double edge = (0.5 + search->grid.width[0] / nb_wrap_width(wrap)) * (1 + rounding);
+  const double edge = (0.5 + search->grid.width[0] / nb_wrap_width(wrap)) * (1 + image_margin);
   for (int m = 0; m < 9; m++) {
-    const struct nb_vec from = vec_add(search->place[i], tensor_times(wrap->h, vec(m % 3 - 1, m / 3 - 1)));
+    const struct nb_vec from = vec_add(search->wrapped[i], tensor_times(wrap->h, vec(m % 3 - 1, m / 3 - 1)));
     const struct nb_vec at = tensor_times(wrap->inverse, vec_sub(from, wrap->centre));
-    if (fabs(at.x) <= edge && fabs(at.y) <= edge && !neighbours_around(pairs, model, search, (struct looking){i, from}))
+    if (fabs(at.x) <= edge && fabs(at.y) <= edge &&
+        !neighbours_around(pairs, model, search, (struct observer){i, from}))
       return false;
   }
   return true;
@@ -144,10 +146,10 @@ static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *m
   const struct nb_walls *walls = &model->walls;
   const struct nb_particles *particles = &model->particles;
   for (size_t w = 0; w < walls->count; w++) {
-    const double apart = vec_length(nb_wall_apart(walls, (int)w, particles->position[i]));
+    const double apart = vec_length(nb_wall_separation(walls, (int)w, particles->position[i]));
     if (!(apart < particles->surface[i].radius + model->search.skin) || !(particles->inverse_mass[i] > 0))
       continue;
-    model->search.pressed = model->search.pressed || !(apart > model->search.skin);
+    model->search.check_walls = model->search.check_walls || !(apart > model->search.skin);
     if (!pairs_add(pairs, i, (int)w,
                    material_pair_of(model, particles->material[i], model->scene->walls[w].material, true)))
       return false;
@@ -160,22 +162,22 @@ static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model)
   const struct nb_particles *particles = &model->particles;
   const struct nb_vec *x = particles->position;
   const int n = (int)particles->count;
-  const bool all = n <= FEW && !model->cell;
+  const bool all = n <= GRID_MIN_PARTICLES && !model->cell;
   struct search search = {0};
-  bool room = all || search_begin(&search, model);
-  for (int k = 0; k < n && room; k++) {
+  bool ok = all || search_begin(&search, model);
+  for (int k = 0; k < n && ok; k++) {
     const int i = particles->slot[k];
     if (model->cell)
-      room = neighbour_copies(found, model, &search, i);
+      ok = neighbour_copies(found, model, &search, i);
     else if (!all)
-      room = neighbours_around(found, model, &search, (struct looking){i, x[i]});
-    for (int l = k + 1; l < n && all && room; l++)
-      room = neighbour_pair(found, model, i, particles->slot[l], vec_sub(x[particles->slot[l]], x[i]));
-    room = room && neighbour_walls(found, model, i);
+      ok = neighbours_around(found, model, &search, (struct observer){i, x[i]});
+    for (int l = k + 1; l < n && all && ok; l++)
+      ok = neighbour_pair(found, model, i, particles->slot[l], vec_sub(x[particles->slot[l]], x[i]));
+    ok = ok && neighbour_walls(found, model, i);
   }
   nb_grid_free(&search.grid);
-  free(search.place);
-  return room;
+  free(search.wrapped);
+  return ok;
 }
 
 /* By the number of the first body: counted out. Those of one body, a few, by insertion in the order in which it sums forces. */
@@ -197,7 +199,7 @@ static bool sort_pairs(struct nb_neighbour_pairs *pairs, const struct nb_model *
   for (size_t p = 1; p < n; p++) {
     const struct nb_neighbour_pair it = sorted[p];
     size_t q = p;
-    for (; q > 0 && sorted[q - 1].a == it.a && nb_partner(model, it) < nb_partner(model, sorted[q - 1]); q--)
+    for (; q > 0 && sorted[q - 1].a == it.a && nb_partner_rank(model, it) < nb_partner_rank(model, sorted[q - 1]); q--)
       sorted[q] = sorted[q - 1];
     sorted[q] = it;
   }
@@ -211,22 +213,22 @@ enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *err
     return error->status;
   struct nb_neighbour_pairs pairs = {0};
   const bool searching = model->search.skin < INFINITY;
-  if (model->cell && searching && nb_cell_wide(model, error))
+  if (model->cell && searching && nb_cell_check_width(model, error))
     return error->status;
-  model->search.pressed = model->search.squeezed = false;
+  model->search.check_walls = model->search.check_pairs = false;
   const bool found = !searching || (find_pairs(&pairs, model) && sort_pairs(&pairs, model));
   const bool made = found && nb_contacts_renew(model, &pairs) && nb_vertices_find(model);
   free(pairs.list);
   if (!made)
     return nb_error_memory(error);
-  memcpy(model->particles.searched, model->particles.position, model->particles.count * sizeof(struct nb_vec));
-  nb_walls_searched(&model->walls);
+  memcpy(model->particles.search_position, model->particles.position, model->particles.count * sizeof(struct nb_vec));
+  nb_walls_reset_travel(&model->walls);
   if (model->cell)
-    nb_cell_searched(model->cell, model->search.skin);
+    nb_cell_reset_travel(model->cell, model->search.skin);
   model->search.count += searching;
-  model->search.made = model->cycle;
+  model->search.last_cycle = model->cycle;
   /* Before the guard, which may end the run: the old blocks went with the old contacts. */
-  if (nb_blocks_cut(model, error))
+  if (nb_blocks_create(model, error))
     return error->status;
-  return model->search.squeezed ? nb_guard_pairs(model, error) : NB_OK;
+  return model->search.check_pairs ? nb_guard_pairs(model, error) : NB_OK;
 }

@@ -19,8 +19,9 @@ bool nb_table_create(struct nb_table *table, size_t column_count) {
 
 double *nb_table_row(struct nb_table *table, int stage, double cycle, double time) {
   const size_t row = table->row_count, columns = table->column_count;
-  if (!nb_grow(&table->values, row, (columns + 1) * sizeof(double)) || !nb_grow(&table->cycle, row, sizeof(double)) ||
-      !nb_grow(&table->time, row, sizeof(double)) || !nb_grow(&table->stage, row, sizeof(int)))
+  if (!nb_array_grow(&table->values, row, (columns + 1) * sizeof(double)) ||
+      !nb_array_grow(&table->cycle, row, sizeof(double)) || !nb_array_grow(&table->time, row, sizeof(double)) ||
+      !nb_array_grow(&table->stage, row, sizeof(int)))
     return NULL;
   table->row_count++;
   table->stage[row] = stage, table->cycle[row] = cycle, table->time[row] = time;

@@ -17,17 +17,17 @@
 
 #include "model.h"
 
-static struct nb_vec turned(struct nb_vec e, struct nb_vec by) {
+static struct nb_vec rotated(struct nb_vec e, struct nb_vec by) {
   const double c = by.x, s = by.y;
   const struct nb_vec to = vec(c * e.x - s * e.y, s * e.x + c * e.y);
   return vec_scale(1 / vec_length(to), to);
 }
 
 /* The arc of its far end leaves the chord by more than the smallest radius: guard.c says why. */
-bool nb_guard_turns(const struct nb_model *model, size_t w, double angle) {
+bool nb_rotates_too_far(const struct nb_model *model, size_t w, double angle) {
   const struct nb_walls *walls = &model->walls;
   const double end = fabs(walls->h0[w]) + fmax(fabs(walls->h1[w]), fabs(walls->h2[w]));
-  return angle * angle * fmax(end, model->search.smallest) > 8 * model->search.smallest;
+  return angle * angle * fmax(end, model->search.smallest_radius) > 8 * model->search.smallest_radius;
 }
 
 /* Returns how many walls have an end farther from where the last search found it than half the skin, or moved too far. */
@@ -40,28 +40,28 @@ int nb_motion_walls(struct nb_model *model) {
     walls->turn[w] = vec(0, 0);
     if (angle != 0) {
       const double half = sin(angle / 2);
-      walls->along[w] = turned(walls->along[w], vec(cos(angle), sin(angle)));
+      walls->along[w] = rotated(walls->along[w], vec(cos(angle), sin(angle)));
       walls->turn[w] = vec(2 * half * half / model->step, sin(angle) / model->step);
     }
     walls->angle[w] += angle;
     walls->point[w] = vec_add(walls->pivot[w], vec_scale(-walls->h0[w], vec_clockwise(walls->along[w])));
-    bool far = nb_guard_turns(model, w, angle); /* its ends may be where they were */
+    bool far = nb_rotates_too_far(model, w, angle); /* its ends may be where they were */
     for (int end = 0; end < 2; end++)
-      far = far || !(vec_length(vec_sub(nb_wall_end(walls, (int)w, end), walls->searched[2 * w + (size_t)end])) <=
-                     model->search.skin / 2);
+      far = far || !(vec_length(vec_sub(nb_wall_end(walls, (int)w, end),
+                                        walls->search_position[2 * w + (size_t)end])) <= model->search.skin / 2);
     out += far;
   }
   return out;
 }
 
-void nb_walls_searched(struct nb_walls *walls) {
+void nb_walls_reset_travel(struct nb_walls *walls) {
   for (size_t w = 0; w < walls->count; w++)
     for (int end = 0; end < 2; end++)
-      walls->searched[2 * w + (size_t)end] = nb_wall_end(walls, (int)w, end);
+      walls->search_position[2 * w + (size_t)end] = nb_wall_end(walls, (int)w, end);
 }
 
 /* Where a point stands to a wall: along it, and to the left of it, m. */
-static struct nb_vec seen_from(struct nb_vec x, struct nb_vec pivot, struct nb_vec along, double h0) {
+static struct nb_vec wall_coordinates(struct nb_vec x, struct nb_vec pivot, struct nb_vec along, double h0) {
   const struct nb_vec from_p = vec_sub(x, pivot);
   return vec(vec_dot(from_p, along), -vec_dot(from_p, vec_clockwise(along)) - h0);
 }
@@ -81,18 +81,18 @@ static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
 static const double beyond_end = 1e-12;
 
 /* Whether the centre of body i has come from one side of wall w to the other between its ends, or upon it. */
-static bool crossed(const struct nb_model *model, size_t i, size_t w, double *way) {
+static bool crossed(const struct nb_model *model, size_t i, size_t w, double *displacement) {
   const struct nb_walls *walls = &model->walls;
   const double dt = model->previous_step, h0 = walls->h0[w];
   const struct nb_vec x = model->particles.position[i];
-  const struct nb_vec now = seen_from(x, walls->pivot[w], walls->along[w], h0);
-  const struct nb_vec before =
-      seen_from(vec_sub(x, vec_scale(dt, model->particles.velocity[i])),
-                vec_sub(walls->pivot[w], vec_scale(dt, walls->velocity[w])),
-                walls->spin[w] != 0 ? turned(walls->along[w], vec(cos(walls->spin[w] * dt), -sin(walls->spin[w] * dt)))
-                                    : walls->along[w],
-                h0);
-  *way = vec_length(vec_sub(now, before));
+  const struct nb_vec now = wall_coordinates(x, walls->pivot[w], walls->along[w], h0);
+  const struct nb_vec before = wall_coordinates(
+      vec_sub(x, vec_scale(dt, model->particles.velocity[i])),
+      vec_sub(walls->pivot[w], vec_scale(dt, walls->velocity[w])),
+      walls->spin[w] != 0 ? rotated(walls->along[w], vec(cos(walls->spin[w] * dt), -sin(walls->spin[w] * dt)))
+                          : walls->along[w],
+      h0);
+  *displacement = vec_length(vec_sub(now, before));
   if ((before.y > 0 && now.y > 0) || (before.y < 0 && now.y < 0) || (now.y != 0 && before.y == 0))
     return false;
   const double fraction = now.y == 0 ? 1 : before.y / (before.y - now.y);
@@ -100,7 +100,8 @@ static bool crossed(const struct nb_model *model, size_t i, size_t w, double *wa
   return at >= walls->h1[w] - slack && at <= walls->h2[w] + slack;
 }
 
-static enum nb_status lost(const struct nb_model *model, size_t i, size_t w, double way, struct nb_error *error) {
+static enum nb_status crossing_error(const struct nb_model *model, size_t i, size_t w, double displacement,
+                                     struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   const int number = model->particles.number[i];
   const double radius = model->particles.surface[i].radius;
@@ -112,15 +113,15 @@ static enum nb_status lost(const struct nb_model *model, size_t i, size_t w, dou
                       "to the other side. The limit is its radius, %g m; in this step of %g s it moved %g m against "
                       "the wall: try %s",
                       number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line,
-                      model->cycle, model->time, radius, model->previous_step, way,
-                      way > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");
+                      model->cycle, model->time, radius, model->previous_step, displacement,
+                      displacement > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");
 }
 
-static enum nb_status check(const struct nb_model *model, size_t i, size_t w, struct nb_error *error) {
-  double way;
-  if (!may_cross(model, i, w) || !(model->particles.inverse_mass[i] > 0) || !crossed(model, i, w, &way))
+static enum nb_status check_crossing(const struct nb_model *model, size_t i, size_t w, struct nb_error *error) {
+  double displacement;
+  if (!may_cross(model, i, w) || !(model->particles.inverse_mass[i] > 0) || !crossed(model, i, w, &displacement))
     return NB_OK; /* what is fixed goes through whatever is in its way */
-  return lost(model, i, w, way, error);
+  return crossing_error(model, i, w, displacement, error);
 }
 
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error) {
@@ -129,9 +130,9 @@ enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct n
   if (all)
     for (size_t k = 0; k < model->particles.count && !status; k++)
       for (size_t w = 0; w < model->walls.count && !status; w++)
-        status = check(model, (size_t)model->particles.slot[k], w, error);
+        status = check_crossing(model, (size_t)model->particles.slot[k], w, error);
   else
     for (size_t c = model->contacts.wall_from; c < contacts->count && !status; c++)
-      status = check(model, (size_t)contacts->a[c], (size_t)contacts->b[c], error);
+      status = check_crossing(model, (size_t)contacts->a[c], (size_t)contacts->b[c], error);
   return status;
 }

@@ -18,7 +18,7 @@ struct nb_walls {
   double *spin;            /* about P, counterclockwise, as old as the velocity, rad/s */
   struct nb_vec *turn;     /* (1 - cos phi)/dt and sin phi/dt, phi the angle of the step behind, 1/s */
   double *angle;           /* turned since the start, rad */
-  struct nb_vec *searched; /* two for each wall: its ends at the last search */
+  struct nb_vec *search_position; /* two for each wall: its ends at the last search */
 };
 
 /* Velocity of the wall where it meets a body: how far its point that is at q now has come over the step behind, by the step;
@@ -32,21 +32,21 @@ static inline struct nb_vec nb_wall_end(const struct nb_walls *walls, int wall, 
 }
 
 /* s, but not beyond the ends of a wall. */
-static inline double nb_wall_within(double s, double h1, double h2) {
+static inline double nb_wall_clamp(double s, double h1, double h2) {
   const double past_first = s > h1 ? s : h1;
   return past_first < h2 ? past_first : h2;
 }
 /* How far along the wall from its `point` the nearest one to x lies, m; and that one. */
-static inline double nb_wall_foot(const struct nb_walls *walls, int wall, struct nb_vec x) {
+static inline double nb_wall_projection(const struct nb_walls *walls, int wall, struct nb_vec x) {
   const double s = vec_dot(vec_sub(x, walls->point[wall]), walls->along[wall]);
-  return nb_wall_within(s, walls->h1[wall], walls->h2[wall]);
+  return nb_wall_clamp(s, walls->h1[wall], walls->h2[wall]);
 }
 static inline struct nb_vec nb_wall_nearest(const struct nb_walls *walls, int wall, struct nb_vec x) {
-  return vec_add(walls->point[wall], vec_scale(nb_wall_foot(walls, wall, x), walls->along[wall]));
+  return vec_add(walls->point[wall], vec_scale(nb_wall_projection(walls, wall, x), walls->along[wall]));
 }
 /* From there to x, rounded from `point` and not from the origin: a wall may lie far from it. */
-static inline struct nb_vec nb_wall_apart(const struct nb_walls *walls, int wall, struct nb_vec x) {
-  return vec_sub(vec_sub(x, walls->point[wall]), vec_scale(nb_wall_foot(walls, wall, x), walls->along[wall]));
+static inline struct nb_vec nb_wall_separation(const struct nb_walls *walls, int wall, struct nb_vec x) {
+  return vec_sub(vec_sub(x, walls->point[wall]), vec_scale(nb_wall_projection(walls, wall, x), walls->along[wall]));
 }
 
 #endif

@@ -109,13 +109,13 @@ NB_APPLY(apply_boundary) {
 NB_APPLY(apply_continuum) {
   struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
   const struct nb_value *value = record->value;
-  struct nb_continuum continuum = {.line = (int)reader->line, .literal = value[AT_LITERAL].token != NULL};
+  struct nb_affine_motion continuum = {.line = (int)reader->line, .accumulated = value[AT_LITERAL].token != NULL};
   if (record->keyword->variant == 0)
     continuum.strain = nb_strain_of(reader, value);
-  if (continuum.literal && value[AT_APART].token)
+  if (continuum.accumulated && value[AT_APART].token)
     nb_token_mistake(reader, value[AT_LITERAL].token, NULL, "expected `apart` or `accumulated`, not both");
-  if (!nb_given_twice(reader, stage->continuum.line))
-    stage->continuum = continuum;
+  if (!nb_given_twice(reader, stage->affine.line))
+    stage->affine = continuum;
 }
 
 NB_APPLY(apply_box_strain) {
@@ -160,7 +160,7 @@ static void check_cell(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   int line = scene->circle.line;
   for (size_t s = 0; s < scene->stage_count && !line; s++)
-    line = scene->stages[s].circle.line ? scene->stages[s].circle.line : scene->stages[s].continuum.line;
+    line = scene->stages[s].circle.line ? scene->stages[s].circle.line : scene->stages[s].affine.line;
   if (scene->cell.line && line)
     nb_line_mistake(&reading->reader, (size_t)line, "a cell has no boundary: say `cell strain`",
                     "expected a scene without a cell, found one on line %d", scene->cell.line);
@@ -171,8 +171,8 @@ static int carries(const struct nb_stage *stage) {
   const struct nb_strain_rate *rate = &stage->boundary.strain;
   if (rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0)
     return stage->boundary.line;
-  if (stage->continuum.line)
-    return stage->continuum.line;
+  if (stage->affine.line)
+    return stage->affine.line;
   return stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
 }
 
@@ -184,7 +184,7 @@ void nb_drives_check(struct nb_scene_reading *reading) {
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     line = line ? line : carries(stage);
-    if (stage->reverse && line)
+    if (stage->reverse_velocities && line)
       nb_line_mistake(
           &reading->reader, (size_t)stage->line, NULL,
           "expected a stage without `reverse velocities`: the motion that line %d imposes is not reversible", line);

@@ -11,10 +11,10 @@ static const struct damping_word {
   enum nb_unit_kind unit;
   enum nb_range range;
 } words[] = {
-    {NB_CONTACT_BETA, NB_GLOBAL_UNDAMPED, NB_UNIT_TIME, NB_NOT_NEGATIVE},
-    {NB_CONTACT_FRACTION, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
+    {NB_CONTACT_STIFFNESS, NB_GLOBAL_UNDAMPED, NB_UNIT_TIME, NB_NOT_NEGATIVE},
+    {NB_CONTACT_R89_FRACTION, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
     {NB_CONTACT_RATIO, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
-    {NB_CONTACT_UNDAMPED, NB_GLOBAL_ALPHA, NB_UNIT_RATE, NB_NOT_NEGATIVE},
+    {NB_CONTACT_UNDAMPED, NB_GLOBAL_MASS, NB_UNIT_RATE, NB_NOT_NEGATIVE},
     {NB_CONTACT_UNDAMPED, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_FRACTION},
 };
 #define CONTACT_WORDS "stiffness|r89-fraction|ratio"
@@ -83,9 +83,9 @@ NB_APPLY(apply_damping) {
   if (given.all)
     damping->contact_kind = given.of.contact_kind, damping->contact = given.value;
   if (given.walls)
-    damping->walls_apart = true, damping->walls_kind = given.of.contact_kind, damping->walls = given.value;
+    damping->walls_separate = true, damping->walls_kind = given.of.contact_kind, damping->walls = given.value;
   if (given.all && given.global)
-    damping->walls_apart = false;
+    damping->walls_separate = false;
   if (given.global)
     damping->global_kind = given.of.global_kind, damping->global = given.value;
   if (given.deep)

@@ -121,7 +121,7 @@ static void say_stopped(struct nb_reader *reader, const struct nb_scene *scene, 
       reader, &reader->tokens[0],
       "fill a larger place, make more attempts, or write `else skip`: smaller ones may still fit",
       "expected room for all %zu bodies of `%s`, found no place for the next one with `attempts %lu`; placed: %s",
-      it->count, it->name, fill->tries, list);
+      it->count, it->name, fill->attempts, list);
 }
 
 /* Either a circle or a box, whole. */
@@ -151,12 +151,12 @@ NB_APPLY(apply_fill) {
       .y1 = value[AT_TO + 1].number,
       .grading = grading_of(scene, reader, value[AT_GRADING].token),
       .seed = (unsigned long)value[AT_SEED].number,
-      .tries = (unsigned long)value[AT_ATTEMPTS].number,
+      .attempts = (unsigned long)value[AT_ATTEMPTS].number,
       .skip = value[AT_ELSE].number == 1,
       .first = scene->particle_count,
       .line = (int)reader->line,
   };
-  if (fill.tries > ATTEMPTS_MAX)
+  if (fill.attempts > ATTEMPTS_MAX)
     nb_token_mistake(reader, value[AT_ATTEMPTS].token, NULL, "expected at most %d attempts for each particle",
                      ATTEMPTS_MAX);
   check_place(reader, value, &fill);

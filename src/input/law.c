@@ -131,16 +131,17 @@ static void check_damping(struct nb_scene_reading *reading, const struct nb_damp
   if (!elastic && damping->deep > 0)
     say(reading, damping->deep_line, "`normal hertz`", "expected a normal law of elastic spheres for `%s`",
         "damping critical");
-  if (elastic && damping->contact_kind == NB_CONTACT_FRACTION)
+  if (elastic && damping->contact_kind == NB_CONTACT_R89_FRACTION)
     say(reading, damping->contact_line, "elastic spheres have no critical step; `damping ratio`",
         "expected no `damping r89-fraction` for `normal %s`", normal->name);
-  if (elastic && damping->walls_apart && damping->walls_kind == NB_CONTACT_FRACTION)
+  if (elastic && damping->walls_separate && damping->walls_kind == NB_CONTACT_R89_FRACTION)
     say(reading, damping->walls_line, "elastic spheres have no critical step; `damping ratio`",
         "expected no `damping r89-fraction` for `normal %s`", normal->name);
 }
 
 /* What two laws ask that are in force together from `line` on; 0: as a --set says. */
-static void check_laws(struct nb_scene_reading *reading, const struct nb_in_force *laws, bool other_normal, int line) {
+static void check_laws(struct nb_scene_reading *reading, const struct nb_active_laws *laws, bool other_normal,
+                       int line) {
   const struct nb_scene *scene = reading->scene;
   const int cohesive = cohesive_line(scene);
   if (laws->normal->elastic && other_normal)
@@ -192,7 +193,7 @@ static void warn_of_friction(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};
   struct nb_properties now = {0};
-  struct nb_in_force laws = nb_laws_at_start(scene);
+  struct nb_active_laws laws = nb_laws_initial(scene);
   if (!nb_properties_create(&now, scene)) {
     nb_no_memory(&reading->reader);
     return;
@@ -219,21 +220,21 @@ static void warn_of_friction(struct nb_scene_reading *reading) {
 
 void nb_laws_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
-  struct nb_in_force now = nb_laws_at_start(scene);
+  struct nb_active_laws now = nb_laws_initial(scene);
   check_laws(reading, &now, true, now.shear_line);
   check_damping(reading, &scene->damping, now.normal);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     const struct nb_damping *before = s ? &scene->stages[s - 1].damping : &scene->damping;
-    const struct nb_in_force old = now;
+    const struct nb_active_laws old = now;
     now = nb_laws_of(stage, now);
     if (old.normal != now.normal || old.shear != now.shear)
       check_laws(reading, &now, old.normal != now.normal,
                  stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line);
-    if (old.normal != now.normal || !nb_damping_alike(before, &stage->damping)) /* each is said once */
+    if (old.normal != now.normal || !nb_damping_equal(before, &stage->damping)) /* each is said once */
       check_damping(reading, &stage->damping, now.normal);
   }
-  if (!scene->path)
+  if (!scene->contact_test)
     warn_of_friction(reading);
 }
 

@@ -300,7 +300,7 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
       nb_statement_read(&reading->setting, nb_keywords(), reading->here, reading);
   } else if (strcmp(name, "follow") == 0) {
     reading->follow = equals + 1;
-    if (!scene->path)
+    if (!scene->contact_test)
       nb_mistake(mistakes, &reading->settings, line, 1, (int)length, "a contact test is a block of kind `contact-test`",
                  "expected a page with a path for `follow`, found a scene");
   } else {

@@ -234,7 +234,7 @@ bool nb_no_memory(struct nb_reader *reader) {
 }
 
 bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const void *element, size_t size) {
-  void *place = nb_more(array, count, size);
+  void *place = nb_array_add(array, count, size);
   if (!place)
     return nb_no_memory(reader);
   memcpy(place, element, size);

@@ -101,7 +101,7 @@ static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, 
   struct nb_mistakes_inside *book = inside(mistakes);
   size_t count = mistakes->count, at = book ? place_of(mistakes, path, line, column) : 0;
   size_t end = mistakes->text ? strlen(mistakes->text) : 0;
-  struct place *places = book ? nb_room(book->places, count, 1, sizeof *places) : NULL;
+  struct place *places = book ? nb_array_reserve(book->places, count, 1, sizeof *places) : NULL;
   char *text = places ? realloc(mistakes->text, end + message->length + 1) : NULL;
   if (places)
     book->places = places;
@@ -164,7 +164,7 @@ void nb_excuse(struct nb_mistakes *mistakes, const char *name) {
   struct nb_mistakes_inside *book = inside(mistakes);
   if (!book || nb_excused(mistakes, name) || strlen(name) >= sizeof book->excused->name)
     return;
-  struct name *excused = NB_MORE(book->excused, book->excused_count);
+  struct name *excused = NB_ARRAY_APPEND(book->excused, book->excused_count);
   if (excused)
     strcpy(excused->name, name);
   else

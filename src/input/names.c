@@ -49,7 +49,7 @@ OF_SCENE(damped, nb_balance_term(model, NB_TERM_DAMPED))
 OF_SCENE(by_walls, nb_balance_term(model, NB_TERM_WALLS))
 OF_SCENE(by_gravity, nb_balance_term(model, NB_TERM_GRAVITY))
 OF_SCENE(changed, nb_balance_term(model, NB_TERM_CHANGED))
-OF_SCENE(driven, nb_balance_term(model, NB_TERM_DRIVEN))
+OF_SCENE(driven, nb_balance_term(model, NB_TERM_IMPOSED))
 OF_SCENE(removed, nb_balance_term(model, NB_TERM_REMOVED))
 OF_SCENE(energy_residual, nb_balance_energy_residual(model))
 OF_SCENE(work_residual, nb_balance_work_residual(model))
@@ -72,8 +72,8 @@ static size_t slot(const struct nb_model *model, const struct nb_monitor *monito
 OF_PARTICLE(particle_x, particles->position[i].x)
 OF_PARTICLE(particle_y, particles->position[i].y)
 OF_PARTICLE(particle_angle, particles->angle ? particles->angle[i] : 0)
-OF_PARTICLE(particle_vx, nb_velocity_whole(model, i).x)
-OF_PARTICLE(particle_vy, nb_velocity_whole(model, i).y)
+OF_PARTICLE(particle_vx, nb_velocity_total(model, i).x)
+OF_PARTICLE(particle_vy, nb_velocity_total(model, i).y)
 OF_PARTICLE(particle_spin, nb_velocity_now(model, i).spin)
 OF_PARTICLE(particle_vx_half, particles->velocity[i].x)
 OF_PARTICLE(particle_vy_half, particles->velocity[i].y)
@@ -218,7 +218,7 @@ static const struct nb_quantity_kind *row(size_t k) {
 
 /* Whether such a quantity is one of watch w, -1: of the whole scene. */
 static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
-  if (scene->path)
+  if (scene->contact_test)
     return kind->monitors == NB_OF_CONTACT_TEST;
   if (w >= 0)
     return kind->monitors & 1u << scene->monitors[w].kind;
@@ -229,8 +229,8 @@ static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *
 
 /* The s-th quantity of a row, `suffix` NULL where it is one alone; false past the last one. */
 static bool nth(const struct nb_quantity_kind *kind, size_t s, const struct nb_suffix **suffix) {
-  *suffix = kind->family == NB_ALONE ? NULL : nb_suffix(kind->family, s);
-  return *suffix || (kind->family == NB_ALONE && s == 0);
+  *suffix = kind->family == NB_SCALAR ? NULL : nb_suffix(kind->family, s);
+  return *suffix || (kind->family == NB_SCALAR && s == 0);
 }
 
 /* NAME, or NAME.SUFFIX. */
@@ -300,7 +300,7 @@ static const char *unit_of(const struct nb_quantity_kind *kind, const struct nb_
 
 const char *nb_quantity_unit(struct nb_quantity quantity) { return unit_of(quantity.kind, quantity.suffix); }
 
-bool nb_quantity_vanishes(struct nb_quantity quantity) {
+bool nb_quantity_is_residual(struct nb_quantity quantity) {
   const char *end = strrchr(quantity.kind->name, '.');
   return end && strcmp(end, ".residual") == 0;
 }

@@ -47,7 +47,7 @@ static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, stru
     size_t length = end ? (size_t)(end - bytes) - at : size - at, next = at + length + 1;
     if (length > 0 && bytes[at + length - 1] == '\r')
       length--;
-    char **own = NB_MORE(page->lines, page->line_count), *line = own ? malloc(length + 1) : NULL;
+    char **own = NB_ARRAY_APPEND(page->lines, page->line_count), *line = own ? malloc(length + 1) : NULL;
     if (!line)
       return false;
     *own = memcpy(line, bytes + at, length);

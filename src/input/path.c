@@ -76,12 +76,12 @@ static bool read_points(struct nb_segment *it, const char *path, bool unitless, 
   const bool whole = nb_columns_read(&lengths, &rows, path, wanted, 2, unitless, mistakes);
   it->points = calloc(rows + 1, sizeof *it->points);
   for (size_t k = 0; k < rows && it->points; k++)
-    it->points[it->point_count++] = (struct nb_point){.approach = lengths[2 * k], .slip = lengths[2 * k + 1]};
+    it->points[it->point_count++] = (struct nb_path_point){.approach = lengths[2 * k], .slip = lengths[2 * k + 1]};
   free(lengths);
   return whole;
 }
 
-static bool take_aim(struct nb_reader *reader, struct nb_aim *aim, bool force, bool normal) {
+static bool take_aim(struct nb_reader *reader, struct nb_target *aim, bool force, bool normal) {
   aim->force = force;
   aim->by = nb_token_skip(reader, "by");
   if (!aim->by && !nb_token_skip(reader, "to"))
@@ -114,7 +114,7 @@ static bool take_points(struct nb_reader *reader, struct nb_segment *it) {
 }
 
 static void take_part(struct nb_reader *reader, struct nb_stage *stage, enum word word, enum part part) {
-  struct nb_aim *aim = part == PART_NORMAL ? &stage->segment.normal : &stage->segment.shear;
+  struct nb_target *aim = part == PART_NORMAL ? &stage->segment.normal : &stage->segment.shear;
   if (word == IN)
     nb_take_counted(reader, "step", &stage->cycles);
   else if (word == HOLD)
@@ -155,9 +155,9 @@ NB_APPLY(apply_segment) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
-  struct nb_stage one = {.record = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
+  struct nb_stage one = {.record_interval = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
   one.segment.normal.by = one.segment.shear.by = true;
-  if (!scene->path) /* in a scene it is a mistake */
+  if (!scene->contact_test) /* in a scene it is a mistake */
     return;
   reading->here = NB_IN_SEGMENT;
   if (name)
@@ -185,11 +185,11 @@ const struct nb_quantity_kind nb_contact_test_kinds[] = {
 /* --follow: one segment with the points of a file instead of those of the page. */
 static void follow(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
-  struct nb_stage one = {.name = "follow", .record = 1, .look = 1, .snapshot_from = -1};
+  struct nb_stage one = {.name = "follow", .record_interval = 1, .check_interval = 1, .snapshot_from = -1};
   for (size_t s = 0; s < scene->stage_count; s++)
     one.snapshot = one.snapshot || scene->stages[s].snapshot;
   nb_stages_free(scene, 0);
-  scene->followed = true;
+  scene->path_replaced = true;
   const bool whole = read_points(&one.segment, reading->follow, reading->reader.unitless, reading->reader.mistakes);
   one.cycles = one.segment.point_count;
   if (!whole || !NB_APPEND(&reading->reader, scene->stages, scene->stage_count, one))

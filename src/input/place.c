@@ -85,7 +85,7 @@ static bool move_circle(const struct nb_place *to, struct nb_circle *circle) {
 }
 
 static bool move_drives(const struct nb_place *to, struct nb_stage *stage) {
-  struct nb_strain_rate *strains[] = {&stage->boundary.strain, &stage->continuum.strain, &stage->cell, &stage->box};
+  struct nb_strain_rate *strains[] = {&stage->boundary.strain, &stage->affine.strain, &stage->cell, &stage->box};
   struct nb_boundary *boundary = &stage->boundary;
   struct nb_strain_rate stress = {boundary->sxx, boundary->sxy, boundary->sxy, boundary->syy, false};
   bool held = move_circle(to, &stage->circle) && turn_rate(to, &stress);

@@ -267,7 +267,7 @@ FILE *nb_file_open(const char *path, struct nb_error *error);
 /* All of a regular file of at most so many bytes, with a terminating zero; to be freed. NULL with an error. */
 char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error *error);
 
-/* ---- line.c: arrays that grow by nb_room ---- */
+/* ---- line.c: arrays that grow by nb_array_reserve ---- */
 
 /* One more element, a copy of that one; false, with the statement bad, when there is no memory. */
 bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const void *element, size_t size);

@@ -41,8 +41,9 @@ NB_APPLY(apply_columns) {
   (void)record;
   if (nb_token_is(reader, "every") || nb_token_is(reader, "none"))
     nb_expected(reader,
-                reading->scene->path ? "`record every N steps` belongs in a segment: below a line `segment NAME …`"
-                                     : "`record every N cycles` belongs in a stage: below a line `stage NAME`",
+                reading->scene->contact_test
+                    ? "`record every N steps` belongs in a segment: below a line `segment NAME …`"
+                    : "`record every N cycles` belongs in a stage: below a line `stage NAME`",
                 "a quantity, such as `C.normal`");
   do {
     struct nb_requested one;
@@ -63,14 +64,14 @@ NB_APPLY(apply_record) {
   unsigned long every = 0;
   (void)record;
   if (nb_token_skip(reader, "every"))
-    nb_take_counted(reader, scene->path ? "step" : "cycle", &every);
+    nb_take_counted(reader, scene->contact_test ? "step" : "cycle", &every);
   else if (!nb_token_skip(reader, "none"))
     nb_expected(reader,
-                scene->path ? "`record QUANTITY …` belongs before the first `segment`"
-                            : "`record QUANTITY …` belongs before the first `stage`",
-                scene->path ? "`every N steps` or `none`" : "`every N cycles` or `none`");
+                scene->contact_test ? "`record QUANTITY …` belongs before the first `segment`"
+                                    : "`record QUANTITY …` belongs before the first `stage`",
+                scene->contact_test ? "`every N steps` or `none`" : "`every N cycles` or `none`");
   if (!reader->bad)
-    nb_stage_now(scene)->record = every;
+    nb_stage_now(scene)->record_interval = every;
 }
 
 bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name) {
@@ -88,7 +89,7 @@ NB_APPLY(apply_snapshot) {
   struct nb_stage *stage = nb_stage_now(scene);
   (void)record;
   stage->snapshot = true;
-  if (scene->path || !nb_token_skip(reader, "from"))
+  if (scene->contact_test || !nb_token_skip(reader, "from"))
     return;
   const struct nb_token *name = nb_take(reader, "the name of this stage or of an earlier one");
   const int from = name ? NB_FIND(scene->stages, scene->stage_count, name->text) : -1;

@@ -49,8 +49,8 @@ bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char
 
 void nb_say_of_scene(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what) {
   const struct nb_page *page = reading->reader.page;
-  const char *kind = reading->scene->path ? "contact-test" : "scene";
-  size_t fence = nb_page_fence(page, reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE);
+  const char *kind = reading->scene->contact_test ? "contact-test" : "scene";
+  size_t fence = nb_page_fence(page, reading->scene->contact_test ? NB_BLOCK_PATH : NB_BLOCK_SCENE);
   const char *word = fence ? strstr(page->lines[fence - 1], kind) : NULL;
   if (!nb_excused(reading->reader.mistakes, statement))
     nb_mistake(reading->reader.mistakes, page, fence, word ? (int)(word - page->lines[fence - 1]) + 1 : 1,
@@ -67,7 +67,7 @@ static bool is_value(const char *verb) {
 /* A statement, if there is one in that line. */
 static void read_line(struct nb_scene_reading *reading, size_t line) {
   struct nb_reader *reader = &reading->reader;
-  const enum nb_block_kind kind = reading->scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE;
+  const enum nb_block_kind kind = reading->scene->contact_test ? NB_BLOCK_PATH : NB_BLOCK_SCENE;
   if (reader->page->kind_of[line - 1] != 1 + kind || !nb_line_read(reader, line))
     return;
   const bool value = is_value(reader->tokens[0].text);
@@ -151,18 +151,18 @@ static void find_columns(struct nb_scene_reading *reading) {
 static void check_whole(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;
-  if (scene->path && nb_page_fence(reader->page, NB_BLOCK_SCENE))
+  if (scene->contact_test && nb_page_fence(reader->page, NB_BLOCK_SCENE))
     nb_say_of_scene(reading, "scene",
                     "a contact test is one contact, in a scene particles move: make two pages of them",
                     "expected blocks of kind `scene` or `contact-test`, found both");
-  if (!scene->path && !nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
+  if (!scene->contact_test && !nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
     nb_say_of_scene(reading, "scene", "begin one with a line of three backticks and the word `scene`",
                     "expected a block of kind `scene`, found none");
     nb_excuse(reader->mistakes, NB_ANYTHING);
     return;
   }
   find_columns(reading);
-  if (scene->path) {
+  if (scene->contact_test) {
     nb_path_check(reading);
     return;
   }
@@ -210,7 +210,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   scene->unitless = reading->reader.unitless;
   if (mistakes->made == before)
     nb_laws_check(reading);
-  if (mistakes->made == before && scene->path)
+  if (mistakes->made == before && scene->contact_test)
     nb_path_laws_check(reading);
 }
 
@@ -226,8 +226,8 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
     reading->run = run;
     reading->above = above;
     reading->hash = nb_hash_settings(settings);
-    scene->path = nb_page_fence(page, NB_BLOCK_PATH) != 0;
-    reading->here = scene->path ? NB_IN_PATH : NB_IN_SCENE;
+    scene->contact_test = nb_page_fence(page, NB_BLOCK_PATH) != 0;
+    reading->here = scene->contact_test ? NB_IN_PATH : NB_IN_SCENE;
     reading->reader.page = page;
     reading->setting.page = &reading->settings;
     read_scene(reading, mistakes);

@@ -45,7 +45,7 @@ static void take_target(struct nb_reader *reader, const struct nb_value *value, 
                      "expected one target: `isotropic P`, `mean P`, or components `xx P`, `yy P`, `xy P`");
   for (int k = 0; k < 3; k++) {
     const int at = components ? AT_XX + k : isotropic ? AT_ISOTROPIC : AT_MEAN;
-    servo->held[k] = !components || value[at].token;
+    servo->controlled[k] = !components || value[at].token;
     servo->stress[k] = components || k < 2 ? value[at].number : 0;
   }
 }
@@ -53,7 +53,7 @@ static void take_target(struct nb_reader *reader, const struct nb_value *value, 
 /* `at most RATE {every N cycles}` */
 static void take_limit(struct nb_reader *reader, struct nb_servo *servo) {
   if (!nb_take_word(reader, "at") || !nb_take_word(reader, "most") ||
-      !nb_take_number(reader, NB_UNIT_STRAIN_RATE, NB_POSITIVE, &servo->most))
+      !nb_take_number(reader, NB_UNIT_STRAIN_RATE, NB_POSITIVE, &servo->max_rate))
     return;
   servo->per_cycle = strcmp(reader->tokens[reader->next - 1].text, NB_PER_CYCLE) == 0;
   if (nb_token_skip(reader, "every"))
@@ -71,17 +71,17 @@ NB_APPLY(apply_servo) {
                            .every = 10,
                            .cell = through == 1,
                            .box = through == 2,
-                           .continuum = value[AT_AFFINE].token,
+                           .affine = value[AT_AFFINE].token,
                            .line = (int)reader->line};
   take_target(reader, value, &servo);
   take_place(reading, reader, value[AT_ON].token, &servo);
-  if (servo.continuum && through != 0)
+  if (servo.affine && through != 0)
     nb_token_mistake(reader, value[AT_AFFINE].token, NULL, "expected `affine` with `through boundary` alone");
   take_limit(reader, &servo);
   nb_given_twice(reader, stage->servo.line);
   if (servo.box && value[AT_XY].token)
     nb_token_mistake(reader, value[AT_XY].token, NULL, "expected `xx` or `yy` of a box: its walls do not turn");
-  servo.held[2] = servo.held[2] && !servo.box;
+  servo.controlled[2] = servo.controlled[2] && !servo.box;
   (servo.cell ? nb_lacks_cell : servo.box ? nb_lacks_box : nb_lacks_boundary)(scene, reader);
   if (!reader->bad)
     stage->servo = servo;

@@ -31,7 +31,7 @@ NB_APPLY(apply_stage) {
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
   const struct nb_stage *before = nb_stage_now(scene);
-  struct nb_stage one = {.record = 1, .look = 1, .snapshot_from = -1};
+  struct nb_stage one = {.record_interval = 1, .check_interval = 1, .snapshot_from = -1};
   one.step = before ? before->step : scene->step;
   one.damping = before ? before->damping : scene->damping;
   if (reading->opening) { /* what was said behind `start` is said in this one */
@@ -90,7 +90,7 @@ NB_APPLY(apply_until) {
       NB_APPEND(reader, stage->conditions, stage->condition_count, condition);
   } while (nb_token_skip(reader, "and"));
   if (nb_token_skip(reader, "every"))
-    nb_take_counted(reader, "cycle", &stage->look);
+    nb_take_counted(reader, "cycle", &stage->check_interval);
   if (!nb_token_skip(reader, "at"))
     nb_expected(reader, "a stage that may last for ever is not run", "`and`, `every N cycles` or `at most N cycles`");
   else if (nb_take_word(reader, "most"))
@@ -144,7 +144,7 @@ NB_APPLY(apply_still) {
   if (record->keyword->variant && it->motion_count > 0)
     nb_token_mistake(reader, &reader->tokens[0], "it turns round what walls did until then",
                      "expected `reverse velocities` above the statements that move walls, found it below");
-  *(record->keyword->variant ? &it->reverse : &it->still) = true;
+  *(record->keyword->variant ? &it->reverse_velocities : &it->zero_velocities) = true;
 }
 
 /* variant 1: off */
@@ -161,7 +161,7 @@ NB_APPLY(apply_rotation) {
 bool nb_repeat_closed(struct nb_scene_reading *reading) {
   struct nb_reader *reader = &reading->reader;
   const struct nb_scene *scene = reading->scene;
-  const char *begins = scene->path ? "segment" : "stage", *verb = reader->tokens[0].text;
+  const char *begins = scene->contact_test ? "segment" : "stage", *verb = reader->tokens[0].text;
   if (reading->repeat.now || reading->repeat.until == 0 || strcmp(verb, begins) == 0 || strcmp(verb, "repeat") == 0 ||
       (size_t)nb_stage_now(scene)->line > reading->repeat.until)
     return false;
@@ -175,18 +175,18 @@ NB_APPLY(apply_repeat) {
   struct nb_scene_reading *reading = subject;
   const struct nb_scene *scene = reading->scene;
   const size_t before = scene->start.stages;
-  const char *what = scene->path ? "the name of a segment" : "the name of a stage";
+  const char *what = scene->contact_test ? "the name of a segment" : "the name of a stage";
   unsigned long times;
   (void)record;
   const struct nb_token *token = nb_take_word(reader, "from") ? nb_take(reader, what) : NULL;
   if (!token || nb_stage_not_here(scene, reader, token))
     return;
   const int s = NB_NAMED(reader, token, scene->stages + before, scene->stage_count - before,
-                         scene->path ? "the name of a segment above" : "the name of a stage above", NULL);
+                         scene->contact_test ? "the name of a segment above" : "the name of a stage above", NULL);
   const size_t from = s < 0 ? 0 : (size_t)scene->stages[before + (size_t)s].line;
   if (from < reading->repeat.until)
     nb_token_mistake(reader, token, NULL, "expected %s that stands below the last `repeat`, on line %zu",
-                     scene->path ? "a segment" : "a stage", reading->repeat.until);
+                     scene->contact_test ? "a segment" : "a stage", reading->repeat.until);
   else if (nb_take_count(reader, 1, NB_NAMED_MAX, &times) &&
            (nb_token_skip(reader, "time") || nb_take_word(reader, "times")))
     reading->repeat = (struct nb_repeat){.from = from, .times = times, .until = reader->line};

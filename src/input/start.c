@@ -26,7 +26,7 @@ enum { CHAIN_MAX = 50 }; /* pages that start one from another: each is read and 
 /* ---- what is taken over ---- */
 
 static void *copy_of(const void *array, size_t count, size_t element, bool *made) {
-  void *copy = nb_room(NULL, 0, count + 1, element); /* as an array that grows by nb_room */
+  void *copy = nb_array_reserve(NULL, 0, count + 1, element); /* as an array that grows by nb_array_reserve */
   if (copy && count > 0)
     memcpy(copy, array, count * element);
   *made = copy && *made;
@@ -63,7 +63,7 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
                         &to->damping.global_line,
                         &to->circle.line,
                         &to->boundary.line,
-                        &to->continuum.line,
+                        &to->affine.line,
                         &to->rotation_line,
                         &to->cell_line,
                         &to->box_line,
@@ -91,7 +91,7 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
   }
   for (size_t k = 0; k < to->fill_count; k++)
     to->fills[k].line = line;
-  to->stages = nb_room(NULL, 0, from->stage_count + 1, sizeof *to->stages);
+  to->stages = nb_array_reserve(NULL, 0, from->stage_count + 1, sizeof *to->stages);
   for (size_t s = 0; to->stages && s < from->stage_count; s++)
     copy_stage(&to->stages[to->stage_count++], &from->stages[s], line, made);
   if (!to->stages || !whole)
@@ -114,8 +114,8 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
   to->origin_x = from->origin_x, to->origin_y = from->origin_y;
   const struct nb_stage *last = &to->stages[to->stage_count - 1];
   struct nb_stage *opening = &to->stages[to->stage_count]; /* what `stage` will give its name to */
-  *opening = (struct nb_stage){.record = 1,
-                               .look = 1,
+  *opening = (struct nb_stage){.record_interval = 1,
+                               .check_interval = 1,
                                .snapshot_from = -1,
                                .line = line,
                                .step = to->step.set ? to->step : last->step,
@@ -156,7 +156,7 @@ static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
     struct nb_unit read;
     const bool with_unit = unit && nb_unit_read(&read, unit->text);
     const int name = (int)strcspn(token->text, "=");
-    char(*setting)[2 * NB_NAME_SIZE] = NB_MORE(start->settings, start->setting_count);
+    char(*setting)[2 * NB_NAME_SIZE] = NB_ARRAY_APPEND(start->settings, start->setting_count);
     if (!setting)
       return nb_no_memory(reader);
     const char *const form = token->computed ? "%.*s=(%s)%s%s" : "%.*s=%s%s%s";
@@ -194,7 +194,7 @@ static void read_scene(const struct nb_scene_reading *reading, struct nb_reader 
   const size_t before = mistakes->made;
   size_t runs = 1;
   nb_scene_read_below(start->scene, start->page, settings, mistakes, reading, &runs);
-  if (mistakes->made == before && start->scene->path)
+  if (mistakes->made == before && start->scene->contact_test)
     nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a path");
   else if (mistakes->made == before && runs > 1)
     nb_token_mistake(reader, word, "give what it sweeps one value: `with NAME=VALUE`",
@@ -224,7 +224,7 @@ static bool read_other(const struct nb_scene_reading *reading, struct nb_reader 
 void nb_scene_cut(struct nb_scene *scene, size_t stage) {
   scene->column_count = 0;
   for (size_t k = 0; k <= stage; k++)
-    scene->stages[k].record = 0, scene->stages[k].snapshot = false, scene->stages[k].snapshot_from = -1;
+    scene->stages[k].record_interval = 0, scene->stages[k].snapshot = false, scene->stages[k].snapshot_from = -1;
   nb_stages_free(scene, stage + 1);
 }
 

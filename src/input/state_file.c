@@ -45,7 +45,7 @@ enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct
   if (strlen(text) >= sizeof *saved->settings)
     return nb_error_set(error, NB_BAD_USE, "a state keeps settings shorter than %zu bytes, found `%.40s…`",
                         sizeof *saved->settings, text);
-  char(*more)[2 * NB_NAME_SIZE] = NB_MORE(saved->settings, saved->setting_count);
+  char(*more)[2 * NB_NAME_SIZE] = NB_ARRAY_APPEND(saved->settings, saved->setting_count);
   if (!more)
     return nb_error_memory(error);
   strcpy(*more, text);
@@ -217,7 +217,7 @@ static void *more(struct stream *stream, void *array, size_t *count, size_t size
     expected(stream, "at most %zu such records", most);
     return NULL;
   }
-  void *element = nb_more(array, count, size);
+  void *element = nb_array_add(array, count, size);
   if (!element && !stream->bad) {
     stream->bad = true;
     nb_error_memory(stream->error);
@@ -284,12 +284,12 @@ static void law(struct stream *stream) {
 }
 
 static void central(struct stream *stream) {
-  number(stream, &stream->saved->central.strength, FINITE), vector(stream, &stream->saved->central.to);
+  number(stream, &stream->saved->central.acceleration, FINITE), vector(stream, &stream->saved->central.point);
 }
 
 static void impact(struct stream *stream) {
   stream->saved->impact.is = true;
-  number(stream, &stream->saved->impact.touch, FROM_0);
+  number(stream, &stream->saved->impact.contact_time, FROM_0);
 }
 
 static void rotation(struct stream *stream) {
@@ -302,25 +302,26 @@ static void cell(struct stream *stream) {
   tensor_of(stream, &it->h);
   if (!(it->h.xx * it->h.yy - it->h.xy * it->h.yx > 0))
     expected(stream, "a cell with an area above 0");
-  tensor_of(stream, &it->parting);
+  tensor_of(stream, &it->image_velocity);
 }
 
-static enum nb_carrier carrier_of(struct stream *stream, enum nb_carrier now) {
-  static const char *const words[NB_CARRIERS + 1] = {[NB_CARRIER_NONE] = "nothing",
-                                                     [NB_CARRIER_CONTINUUM] = "continuum",
-                                                     [NB_CARRIER_BOUNDARY] = "boundary",
-                                                     [NB_CARRIER_CELL] = "cell",
-                                                     [NB_CARRIER_BOX] = "box"};
-  return (enum nb_carrier)one_of(stream, (int)now, words);
+static enum nb_affine_source carrier_of(struct stream *stream, enum nb_affine_source now) {
+  static const char *const words[NB_AFFINE_SOURCES + 1] = {[NB_AFFINE_NONE] = "nothing",
+                                                           [NB_AFFINE_FREE] = "continuum",
+                                                           [NB_AFFINE_BOUNDARY] = "boundary",
+                                                           [NB_AFFINE_CELL] = "cell",
+                                                           [NB_AFFINE_BOX] = "box"};
+  return (enum nb_affine_source)one_of(stream, (int)now, words);
 }
 
 static void carrier(struct stream *stream) {
-  const enum nb_carrier which = carrier_of(stream, stream->out ? (enum nb_carrier)(stream->k + 1) : NB_CARRIER_NONE);
+  const enum nb_affine_source which =
+      carrier_of(stream, stream->out ? (enum nb_affine_source)(stream->k + 1) : NB_AFFINE_NONE);
   struct nb_saved_carrier *it = &stream->saved->carriers[which];
   if (stream->carriers & 1U << which)
     expected(stream, "such a record once for each carrier");
   stream->carriers |= 1U << which;
-  it->literal = either(stream, it->literal, "apart", "literal");
+  it->accumulated = either(stream, it->accumulated, "apart", "literal");
   tensor_of(stream, &it->rate);
   it->requested.per_cycle = either(stream, it->requested.per_cycle, "time", "cycle");
   four(stream, &it->requested.xx, &it->requested.xy, &it->requested.yx, &it->requested.yy);
@@ -465,7 +466,7 @@ static void contact(struct stream *stream) {
 }
 
 static bool can_be(const struct nb_saved *saved, const struct nb_law *law, struct nb_saved_history it) {
-  return law->valid ? law->valid(saved->memory + it.at, it.count, saved->pieces) : it.count == law->memory;
+  return law->valid ? law->valid(saved->memory + it.at, it.count, saved->pieces) : it.count == law->history;
 }
 
 /* What a law remembers of the contact above. */
@@ -510,12 +511,12 @@ static void shear(struct stream *stream) { read_history(stream, true); }
   X("units", units, ONCE, 1)                                                                                           \
   X("gravity", gravity, ONCE, 1)                                                                                       \
   X("law", law, ONCE_OR_MORE, 2)                                                                                       \
-  X("inward", central, AT_MOST_ONCE, saved->central.strength != 0)                                                     \
+  X("inward", central, AT_MOST_ONCE, saved->central.acceleration != 0)                                                 \
   X("impact", impact, AT_MOST_ONCE, saved->impact.is)                                                                  \
   X("rotation", rotation, AT_MOST_ONCE, !saved->rotates)                                                               \
   X("cell", cell, AT_MOST_ONCE, saved->cell.is)                                                                        \
   X("centre", centre, AT_MOST_ONCE, saved->imposed_count > 0)                                                          \
-  X("carrier", carrier, ANY_TIMES, saved->imposed_count > 0 ? NB_CARRIERS - 1 : 0)                                     \
+  X("carrier", carrier, ANY_TIMES, saved->imposed_count > 0 ? NB_AFFINE_SOURCES - 1 : 0)                               \
   X("material", material, ANY_TIMES, saved->material_count)                                                            \
   X("pair", pair, ANY_TIMES, saved->rule_count)                                                                        \
   X("body", particle, ONCE_OR_MORE, saved->particle_count)                                                             \
@@ -589,8 +590,8 @@ static void read_record(struct stream *stream) {
 
 /* Whether what carries a body is there. */
 static bool has_carrier(const struct nb_saved *saved, size_t particle) {
-  const enum nb_carrier by = saved->imposed[particle].by;
-  return by == NB_CARRIER_CELL ? saved->cell.is : by != NB_CARRIER_BOUNDARY || saved->particles[particle].member;
+  const enum nb_affine_source by = saved->imposed[particle].by;
+  return by == NB_AFFINE_CELL ? saved->cell.is : by != NB_AFFINE_BOUNDARY || saved->particles[particle].member;
 }
 
 /* At the last line, when all records have been read: what must be there is, and goes together. */

@@ -59,26 +59,26 @@ struct nb_saved_contact {
   } normal, shear;
 };
 
-/* One of enum nb_carrier: what the page asks of it, and its strain rate over the step behind. */
+/* One of enum nb_affine_source: what the page asks of it, and its strain rate over the step behind. */
 struct nb_saved_carrier {
   struct nb_strain_rate requested;
   struct nb_tensor rate; /* 1/s */
-  bool literal;          /* what it carries bodies along with stays in their own velocity */
+  bool accumulated;      /* what it carries bodies along with stays in their own velocity */
 };
 
 /* Of a body: what carries it, and c, the part of its velocity that is so. */
 struct nb_saved_imposed {
-  enum nb_carrier by;
+  enum nb_affine_source by;
   struct nb_vec along; /* m/s */
 };
 
 struct nb_saved_cell {
-  bool is;                     /* there is one */
-  struct nb_tensor h, parting; /* as in struct nb_cell; the rest of it is the page's */
+  bool is;                            /* there is one */
+  struct nb_tensor h, image_velocity; /* as in struct nb_cell; the rest of it is the page's */
 };
 
 struct nb_saved_ring {
-  bool is, held, pressing; /* there is one; likewise as in struct nb_ring and struct nb_drive */
+  bool is, held, pressing; /* there is one; likewise as in struct nb_ring and struct nb_boundary_state */
   double radius;
   struct nb_tensor shape, stress;
   int *members; /* indices of its bodies, counterclockwise */
@@ -97,11 +97,11 @@ struct nb_saved {
   struct nb_central central;
   struct {
     bool is;
-    double touch; /* when what flies first touches, s */
+    double contact_time; /* when what flies first touches, s */
   } impact;
   bool rotates;         /* `rotation on` */
   struct nb_vec centre; /* what strain rates are about, m */
-  struct nb_saved_carrier carriers[NB_CARRIERS];
+  struct nb_saved_carrier carriers[NB_AFFINE_SOURCES];
   struct nb_saved_cell cell;
   struct nb_saved_ring ring;
   char normal[NB_NAME_SIZE], shear[NB_NAME_SIZE]; /* laws */

@@ -12,9 +12,9 @@ static const struct nb_argument skin_fields[] = {VALUE("LENGTH", NB_UNIT_LENGTH,
 
 /* What a step may be a share of. */
 #define SHARES "stable|collision|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean"
-static const enum nb_step_kind kinds[] = {
-    NB_STEP_SAFE,          NB_STEP_CONTACT,      NB_STEP_CRITICAL,         NB_STEP_RAYLEIGH,
-    NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT, NB_STEP_RAYLEIGH_FIT_MEAN};
+static const enum nb_step_kind kinds[] = {NB_STEP_STABLE,           NB_STEP_COLLISION,     NB_STEP_SINGLE_CONTACT,
+                                          NB_STEP_RAYLEIGH,         NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT,
+                                          NB_STEP_RAYLEIGH_FIT_MEAN};
 
 /* Whether that word stands behind the number, `0.2` or `20 %`. */
 static bool follows(const struct nb_reader *reader, const char *word) {
@@ -36,7 +36,7 @@ NB_APPLY(apply_step) {
     const int kind = nb_take_choice(reader, SHARES);
     step.kind = kind < 0 ? NB_STEP_TIME : kinds[kind];
   } else if (per && nb_take_word(reader, "per") && nb_take_word(reader, "collision")) {
-    step.kind = NB_STEP_CONTACT, step.value = 1 / step.value;
+    step.kind = NB_STEP_COLLISION, step.value = 1 / step.value;
   }
   if (reader->bad || nb_token_peek(reader)) /* which the engine says */
     return;

@@ -138,7 +138,7 @@ static struct nb_wall_motion wall_so_far(const struct nb_scene *scene, size_t in
   struct nb_wall_motion motion = {.wall = (int)index, .vx = it->vx, .vy = it->vy, .spin = it->spin};
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    if (stage->reverse) /* + 0.0 makes a -0 a plain 0 */
+    if (stage->reverse_velocities) /* + 0.0 makes a -0 a plain 0 */
       motion.vx = -motion.vx + 0.0, motion.vy = -motion.vy + 0.0, motion.spin = -motion.spin + 0.0;
     for (size_t i = 0; i < stage->motion_count; i++)
       if (stage->motions[i].wall == (int)index)

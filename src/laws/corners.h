@@ -19,22 +19,22 @@ struct corner {
 };
 
 /* Can a path with |D| <= 1 go from (x0, u0) to (x, u)? */
-static inline bool stays(double x0, double u0, double x, double u) { return fabs(u - u0) <= x - x0; }
+static inline bool reachable(double x0, double u0, double x, double u) { return fabs(u - u0) <= x - x0; }
 
 static inline double n_of(double x) { return x * sqrt(x); }
 
 /* Twice the area of the triangle by which u changes when the joint of two pieces goes, x1 and x2 their spans: its height times x1 + x2. */
-static inline double bend(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
+static inline double kink(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
 
 /* Int t du over a piece. */
-static inline double held(const struct corner *piece) {
+static inline double piece_energy(const struct corner *piece) {
   const double x0 = piece->x, x1 = piece[1].x;
   return piece->d * (piece->b * (x1 - x0) + 0.4 * piece->d * (x1 * n_of(x1) - x0 * n_of(x0)));
 }
-static inline double held_by(const struct corner at[], int pieces) {
+static inline double stored_energy(const struct corner at[], int pieces) {
   double sum = 0;
   for (int k = 0; k < pieces; k++)
-    sum += held(&at[k]);
+    sum += piece_energy(&at[k]);
   return sum;
 }
 
@@ -45,7 +45,7 @@ static inline double mean_n(double x0, double x1) {
 }
 
 /* Int n(x) - n(y) - n'(y)(x - y) dy over rings that the front passes inwards, from y1, at the overlap x1, to y0, at x0: what they lose. */
-static inline double passed(double y0, double x0, double y1, double x1) {
+static inline double front_loss(double y0, double x0, double y1, double x1) {
   const double slope = (x1 - x0) / (y1 - y0), foot = x0 - slope * y0; /* x = foot + slope y */
   const double n0 = n_of(y0), n1 = n_of(y1);
   return mean_n(x0, x1) * (y1 - y0) - foot * (n1 - n0) + (0.2 - 0.6 * slope) * (n1 * y1 - n0 * y0);
@@ -59,9 +59,9 @@ static inline int corners_used(const double m[]) { return HEAD + 5 * ((int)m[0] 
 static const double slope_rounding = 1e-9;
 
 /* Corners from inside to outside, and no ring that carries more than its friction, up to rounding. */
-static inline bool corners_valid(const double m[], int doubles, int most) {
+static inline bool corners_valid(const double m[], int doubles, int max_pieces) {
   const struct corner *at = (const struct corner *)(m + HEAD);
-  bool is = doubles > HEAD && m[0] >= 1 && m[0] <= most && m[0] == floor(m[0]) && m[1] > 0;
+  bool is = doubles > HEAD && m[0] >= 1 && m[0] <= max_pieces && m[0] == floor(m[0]) && m[1] > 0;
   is = is && doubles == corners_used(m) && at[0].x == 0;
   for (int k = 0; is && k < (int)m[0]; k++)
     is = at[k + 1].x > at[k].x && fabs(at[k].d) <= 1 + slope_rounding && at[k].e >= 0;
@@ -69,18 +69,18 @@ static inline bool corners_valid(const double m[], int doubles, int most) {
 }
 
 /* Corner k goes, and one piece lies where two were; answers what t behind them grows by. */
-static inline double join(struct corner at[], int k, int pieces) {
+static inline double merge(struct corner at[], int k, int pieces) {
   const struct corner one = at[k - 1], two = at[k], end = at[k + 1];
   const double x1 = two.x - one.x, x2 = end.x - two.x, d = (end.u - one.u) / (x1 + x2);
   at[k - 1].d = d, at[k - 1].b = one.b + (one.d - d) * n_of(one.x);
-  at[k - 1].e = one.e + two.e + bend(one.d, two.d, x1, x2);
+  at[k - 1].e = one.e + two.e + kink(one.d, two.d, x1, x2);
   for (int i = k; i < pieces; i++)
     at[i] = at[i + 1];
   return at[k - 1].b - two.b + (d - two.d) * n_of(end.x);
 }
 
 /* Moves corner k along u, so that t behind piece k grows by `more`; false if a ring would carry more than its friction then. */
-static inline bool move(struct corner at[], int k, double more) {
+static inline bool shift_corner(struct corner at[], int k, double more) {
   const double x1 = at[k].x - at[k - 1].x, x2 = at[k + 1].x - at[k].x;
   const double n0 = n_of(at[k - 1].x), n1 = n_of(at[k].x), n2 = n_of(at[k + 1].x);
   const double turn = more / ((n1 - n0) * x2 - (n2 - n1) * x1);
@@ -95,19 +95,19 @@ static inline bool move(struct corner at[], int k, double more) {
 /* Of the corners between pieces the one goes that costs least, and one beside it moves, so that neither delta nor T changes. What was
  * wrong before counts three quarters at each joint: as much as all of it keeps corners among old pieces that new ones want, none of it
  * joins the same ones again and again; with 64 pieces ring-downs come back with up to 2.3e-4 and 4e-4 mu N wrong then. */
-static NB_SELDOM void make_room(struct corner at[], int pieces) {
+static NB_COLD void drop_corner(struct corner at[], int pieces) {
   int k = 1;
   double lowest = INFINITY;
   for (int i = 1; i < pieces; i++) {
     const double x1 = at[i].x - at[i - 1].x, x2 = at[i + 1].x - at[i].x;
-    const double cost = (at[i - 1].e + at[i].e + bend(at[i - 1].d, at[i].d, x1, x2)) / sqrt(at[i].x);
+    const double cost = (at[i - 1].e + at[i].e + kink(at[i - 1].d, at[i].d, x1, x2)) / sqrt(at[i].x);
     if (cost < lowest)
       k = i, lowest = cost;
   }
-  const double moved = join(at, k, pieces);
+  const double moved = merge(at, k, pieces);
   at[k - 1].e *= 0.75;
   const int inner = k - 1, last = pieces - 1;
-  if ((inner > 0 && move(at, inner, -moved)) || (k < last && move(at, k, -moved)))
+  if ((inner > 0 && shift_corner(at, inner, -moved)) || (k < last && shift_corner(at, k, -moved)))
     return;
   for (int i = k; i < last; i++)
     at[i].b += moved;

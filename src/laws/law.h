@@ -25,7 +25,7 @@ struct nb_normal {
   double overlap;   /* alpha that was given, for shear laws, m; a normal law need not say it */
   /* The greatest slope that can follow at this overlap, N/m; 0: the stiffness. It stands last: in front of what shear laws
    * read it makes R89's laws take 1.6 times as long. */
-  double stiffest;
+  double max_stiffness;
 };
 
 struct nb_shear {
@@ -42,8 +42,8 @@ struct nb_law {
   const char *title;      /* one line for `nineball laws` */
   const char *source;     /* equation tags */
   const char *parameters; /* of the materials, on which its force depends: "ks, friction, cohesion" */
-  int memory, piece,
-      pieces; /* doubles per contact: `memory`, and `piece` more for each of `pieces`, or of as many as a page says */
+  int history, piece,
+      pieces; /* doubles per contact: `history`, and `piece` more for each of `pieces`, or of as many as a page says */
   unsigned needs;        /* set of fields, besides overlap, normal and its stiffness, that it reads */
   bool elastic;          /* of elastic spheres: works with E*, G* and R*, not with k_n and k_s */
   bool branching;        /* has loops or calls: its loop is not asked to be wide */
@@ -64,8 +64,8 @@ struct nb_law {
 };
 
 /* The greatest slope of the normal force that can follow. */
-static inline double nb_normal_stiffest(struct nb_normal n) {
-  return n.stiffest > n.stiffness ? n.stiffest : n.stiffness;
+static inline double nb_normal_max_stiffness(struct nb_normal n) {
+  return n.max_stiffness > n.stiffness ? n.max_stiffness : n.stiffness;
 }
 
 /* Pieces of a contact's history that it keeps: as many as a page says, or, where that is 0, as it likes best. */
@@ -74,7 +74,7 @@ static inline double nb_law_pieces(const struct nb_law *law, double given) {
 }
 /* Doubles that it remembers of a contact of such a pair; 0 for no law. */
 static inline int nb_law_history(const struct nb_law *law, struct nb_pair p) {
-  return law ? law->memory + law->piece * (int)p.pieces : 0;
+  return law ? law->history + law->piece * (int)p.pieces : 0;
 }
 
 /* ---- register.c: the register that LAWS in build-aux/lists.mk makes ---- */

@@ -41,7 +41,7 @@
 #define PIECE 0
 #define PIECES 0
 #endif
-#define LAW_ROWS (MEMORY + PIECE * PIECES > NB_HISTORY)
+#define LAW_ROWS (HISTORY + PIECE * PIECES > NB_HISTORY)
 
 #ifdef NORMAL
 #define LAW_HISTORY block->normal_history
@@ -65,7 +65,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
   double *force = block->f[NB_NORMAL], *stiffness = block->f[NB_STIFFNESS], *radius = block->f[NB_RADIUS];
 #else
   const double *ds = block->f[NB_TANGENTIAL_INCREMENT], *normal = block->f[NB_NORMAL],
-               *hardness = block->f[NB_STIFFNESS];
+               *normal_stiffness = block->f[NB_STIFFNESS];
   const double *radius = block->f[NB_RADIUS];
   double *force = block->f[NB_SHEAR], *stiffness = block->f[NB_SHEAR_STIFFNESS], *sliding = block->f[NB_SLIDING];
   double *dissipated = block->f[NB_DISSIPATED];
@@ -87,16 +87,16 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
 #endif
 #if LAW_ROWS
     double *m = rows + c * row;
-#ifdef AHEAD
-    if (c + 2 * NB_AHEAD < block->n)
-      __builtin_prefetch(rows + (c + 2 * NB_AHEAD) * row, 1);
-    if (c + NB_AHEAD < block->n)
-      AHEAD(rows + (c + NB_AHEAD) * row);
+#ifdef PREFETCH
+    if (c + 2 * NB_PREFETCH_DISTANCE < block->n)
+      __builtin_prefetch(rows + (c + 2 * NB_PREFETCH_DISTANCE) * row, 1);
+    if (c + NB_PREFETCH_DISTANCE < block->n)
+      PREFETCH(rows + (c + NB_PREFETCH_DISTANCE) * row);
 #endif
 #else
     double m[NB_HISTORY];
-    m[0] = MEMORY > 0 ? m0[c] : 0, m[1] = MEMORY > 1 ? m1[c] : 0, m[2] = MEMORY > 2 ? m2[c] : 0,
-    m[3] = MEMORY > 3 ? m3[c] : 0;
+    m[0] = HISTORY > 0 ? m0[c] : 0, m[1] = HISTORY > 1 ? m1[c] : 0, m[2] = HISTORY > 2 ? m2[c] : 0,
+    m[3] = HISTORY > 3 ? m3[c] : 0;
 #endif
     const bool touching = overlap[c] > 0; /* what is remembered ends with the contact */
 #if LAW_ROWS
@@ -108,7 +108,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
     radius[c] = out.radius;
 #else
     const struct nb_normal n = {
-        .force = normal[c], .stiffness = hardness[c], .radius = radius[c], .overlap = overlap[c]};
+        .force = normal[c], .stiffness = normal_stiffness[c], .radius = radius[c], .overlap = overlap[c]};
 #if LAW_ROWS
     const struct nb_shear out = touching ? LAW(p, n, ds[c], m) : (struct nb_shear){0};
 #else
@@ -121,13 +121,13 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
     force[c] = out.force;
     stiffness[c] = out.stiffness;
 #if !LAW_ROWS
-    if (MEMORY > 0)
+    if (HISTORY > 0)
       m0[c] = touching ? m[0] : 0;
-    if (MEMORY > 1)
+    if (HISTORY > 1)
       m1[c] = touching ? m[1] : 0;
-    if (MEMORY > 2)
+    if (HISTORY > 2)
       m2[c] = touching ? m[2] : 0;
-    if (MEMORY > 3)
+    if (HISTORY > 3)
       m3[c] = touching ? m[3] : 0;
 #endif
   }
@@ -191,7 +191,7 @@ const struct nb_law LAW_JOIN(law_, LAW) = {
     .title = TITLE,
     .source = SOURCE,
     .parameters = PARAMETERS,
-    .memory = MEMORY,
+    .history = HISTORY,
     .piece = PIECE,
     .pieces = PIECES,
     .needs = NEEDS,

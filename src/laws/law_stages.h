@@ -14,26 +14,26 @@
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
-#define LAW_LOOK LAW_JOIN(LAW, _look)
+#define LAW_FETCH LAW_JOIN(LAW, _fetch)
 #define LAW_SOLVE LAW_JOIN(LAW, _solve)
-#define LAW_SETTLE LAW_JOIN(LAW, _settle)
+#define LAW_STORE LAW_JOIN(LAW, _store)
 
 static struct nb_shear LAW(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   SOLVED solved;
-  struct nb_shear out = LAW_SOLVE(p, n, ds, LAW_LOOK(p, n, m), &solved);
-  LAW_SETTLE(p, n, ds, m, solved, &out, true);
+  struct nb_shear out = LAW_SOLVE(p, n, ds, LAW_FETCH(p, n, m), &solved);
+  LAW_STORE(p, n, ds, m, solved, &out, true);
   return out;
 }
 
 /* A struct of doubles is an array of each in a block, so that the loop between is wide. */
 enum {
   LAW_STAGE = 32, /* contacts; more of them do not stay in the first-level cache */
-  LAW_FOUND = sizeof(FOUND) / sizeof(double),
+  LAW_FETCHED = sizeof(FETCHED) / sizeof(double),
   LAW_SOLVED = sizeof(SOLVED) / sizeof(double)
 };
-union law_found {
-  FOUND it;
-  double v[LAW_FOUND];
+union law_fetched {
+  FETCHED it;
+  double v[LAW_FETCHED];
 };
 union law_solved {
   SOLVED it;
@@ -44,40 +44,45 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
   const struct nb_pair pair = *(const struct nb_pair *)block->material_pair; /* a pairing begins with its constants */
   const double *overlap = block->f[NB_OVERLAP], *reduced = block->f[NB_REDUCED],
                *ds = block->f[NB_TANGENTIAL_INCREMENT];
-  const double *normal = block->f[NB_NORMAL], *hardness = block->f[NB_STIFFNESS], *radius = block->f[NB_RADIUS];
+  const double *normal = block->f[NB_NORMAL], *normal_stiffness = block->f[NB_STIFFNESS], *radius = block->f[NB_RADIUS];
   double *force = block->f[NB_SHEAR], *stiffness = block->f[NB_SHEAR_STIFFNESS], *sliding = block->f[NB_SLIDING];
   double *dissipated = block->f[NB_DISSIPATED], *rows = LAW_HISTORY.rows;
   const size_t row = (size_t)LAW_HISTORY.doubles;
-  _Alignas(64) double found[LAW_FOUND][LAW_STAGE], solved[LAW_SOLVED][LAW_STAGE];
+  _Alignas(64) double found[LAW_FETCHED][LAW_STAGE], solved[LAW_SOLVED][LAW_STAGE];
 #define LAW_GIVEN(c)                                                                                                   \
   struct nb_pair p = pair;                                                                                             \
   p.radius = reduced[c];                                                                                               \
-  const struct nb_normal n = {.force = normal[c], .stiffness = hardness[c], .radius = radius[c], .overlap = overlap[c] }
+  const struct nb_normal n = {                                                                                         \
+    .force = normal[c],                                                                                                \
+    .stiffness = normal_stiffness[c],                                                                                  \
+    .radius = radius[c],                                                                                               \
+    .overlap = overlap[c]                                                                                              \
+  }
   for (size_t first = 0; first < block->n; first += LAW_STAGE) {
     const size_t end = first + LAW_STAGE < block->n ? first + LAW_STAGE : block->n;
     for (size_t c = first; c < end; c++) {
       LAW_GIVEN(c);
       double *m = &rows[c * row];
-      const size_t soon = c + NB_AHEAD, later = soon + NB_AHEAD;
+      const size_t soon = c + NB_PREFETCH_DISTANCE, later = soon + NB_PREFETCH_DISTANCE;
       if (later < block->n)
         __builtin_prefetch(&rows[later * row], 1);
       if (soon < block->n)
-        AHEAD(&rows[soon * row]);
-      union law_found f;
+        PREFETCH(&rows[soon * row]);
+      union law_fetched f;
       if (overlap[c] > 0)
-        f.it = LAW_LOOK(p, n, m);
+        f.it = LAW_FETCH(p, n, m);
       else
-        f.it = (FOUND){0}, m[0] = 0;
+        f.it = (FETCHED){0}, m[0] = 0;
       NB_UNROLLED
-      for (int k = 0; k < LAW_FOUND; k++)
+      for (int k = 0; k < LAW_FETCHED; k++)
         found[k][c - first] = f.v[k];
     }
     NB_WIDE
     for (size_t c = first; c < end; c++) {
       LAW_GIVEN(c);
-      union law_found f;
+      union law_fetched f;
       NB_UNROLLED
-      for (int k = 0; k < LAW_FOUND; k++)
+      for (int k = 0; k < LAW_FETCHED; k++)
         f.v[k] = found[k][c - first];
       union law_solved s;
       const struct nb_shear out = LAW_SOLVE(p, n, ds[c], f.it, &s.it);
@@ -96,7 +101,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
         NB_UNROLLED
         for (int k = 0; k < LAW_SOLVED; k++)
           s.v[k] = solved[k][c - first];
-        LAW_SETTLE(p, n, ds[c], &rows[c * row], s.it, &out, counts);
+        LAW_STORE(p, n, ds[c], &rows[c * row], s.it, &out, counts);
         force[c] = out.force;
       }
       sliding[c] = out.sliding;

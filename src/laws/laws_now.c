@@ -8,15 +8,15 @@
 
 #include "laws_now.h"
 
-struct nb_in_force nb_laws_at_start(const struct nb_scene *scene) {
+struct nb_active_laws nb_laws_initial(const struct nb_scene *scene) {
   const struct nb_law *shear = nb_law_find("shear", scene->shear);
-  return (struct nb_in_force){nb_law_find("normal", scene->normal), shear, scene->normal_line, scene->shear_line,
-                              nb_law_pieces(shear, scene->pieces)};
+  return (struct nb_active_laws){nb_law_find("normal", scene->normal), shear, scene->normal_line, scene->shear_line,
+                                 nb_law_pieces(shear, scene->pieces)};
 }
 
-struct nb_in_force nb_laws_of(const struct nb_stage *stage, struct nb_in_force before) {
+struct nb_active_laws nb_laws_of(const struct nb_stage *stage, struct nb_active_laws before) {
   const struct nb_laws *given = &stage->laws;
-  struct nb_in_force now = before;
+  struct nb_active_laws now = before;
   if (given->normal[0])
     now.normal = nb_law_find("normal", given->normal), now.normal_line = given->normal_line;
   if (given->shear[0]) {
@@ -27,7 +27,7 @@ struct nb_in_force nb_laws_of(const struct nb_stage *stage, struct nb_in_force b
 }
 
 bool nb_laws_elastic(const struct nb_scene *scene) {
-  bool elastic = nb_laws_at_start(scene).normal->elastic;
+  bool elastic = nb_laws_initial(scene).normal->elastic;
   for (size_t s = 0; s < scene->stage_count && !elastic; s++)
     elastic = scene->stages[s].laws.normal[0] && nb_law_find("normal", scene->stages[s].laws.normal)->elastic;
   return elastic;
@@ -41,7 +41,7 @@ bool nb_laws_shear(const struct nb_scene *scene) {
 }
 
 /* Contacts that had no friction and no cohesion may get them from a stage. */
-static bool has_friction_later(const struct nb_scene *scene) {
+static bool friction_later(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].change_count; k++)
       if (scene->stages[s].changes[k].friction > 0 || scene->stages[s].changes[k].cohesion > 0)
@@ -49,16 +49,16 @@ static bool has_friction_later(const struct nb_scene *scene) {
   return false;
 }
 
-static bool is_unstored(const struct nb_law *law) { return law && !law->stored && strcmp(law->name, "none") != 0; }
+static bool stores_no_energy(const struct nb_law *law) { return law && !law->stored && strcmp(law->name, "none") != 0; }
 
 const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal) {
-  const struct nb_law *first = nb_laws_at_start(scene).shear;
-  if (!normal && has_friction_later(scene) && is_unstored(first))
+  const struct nb_law *first = nb_laws_initial(scene).shear;
+  if (!normal && friction_later(scene) && stores_no_energy(first))
     return first;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_laws *given = &scene->stages[s].laws;
     const struct nb_law *law = nb_law_find(normal ? "normal" : "shear", normal ? given->normal : given->shear);
-    if (is_unstored(law))
+    if (stores_no_energy(law))
       return law;
   }
   return NULL;

@@ -7,9 +7,9 @@
 #include "core/model.h"
 #include "law.h"
 
-struct nb_in_force nb_laws_at_start(const struct nb_scene *scene);
-struct nb_in_force nb_laws_of(const struct nb_stage *stage, struct nb_in_force before); /* from that stage on */
-bool nb_laws_normal_changes(const struct nb_model *model);                              /* in the forces ahead; */
+struct nb_active_laws nb_laws_initial(const struct nb_scene *scene);
+struct nb_active_laws nb_laws_of(const struct nb_stage *stage, struct nb_active_laws before); /* from that stage on */
+bool nb_laws_normal_changes(const struct nb_model *model);                                    /* in the forces ahead; */
 bool nb_laws_shear_changes(const struct nb_model *model); /* then what is remembered is forgotten */
 bool nb_laws_elastic(const struct nb_scene *scene);       /* some time the normal law is one of elastic spheres */
 bool nb_laws_shear(const struct nb_scene *scene);         /* some time there is a shear law */

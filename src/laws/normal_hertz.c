@@ -30,6 +30,6 @@ static double normal_hertz_stored(struct nb_pair p, struct nb_normal n, const do
 #define TITLE "elastic spheres, N = (4/3) E* R*^(1/2) overlap^(3/2)"
 #define SOURCE "[R89 3.13]"
 #define PARAMETERS "young, poisson"
-#define MEMORY 0
+#define HISTORY 0
 #define STORED normal_hertz_stored
 #include "law_batch.h"

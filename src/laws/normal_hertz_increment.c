@@ -28,7 +28,7 @@ static inline double normal_hertz_increment_radius(struct nb_pair p, double forc
 }
 
 static inline struct nb_normal normal_hertz_increment(struct nb_pair p, double overlap, double dn, double m[]) {
-  const double since_touch = nb_touched(overlap, dn) * dn;
+  const double since_touch = nb_touch_fraction(overlap, dn) * dn;
   double force = 0;
   if (m[0] > 0)
     force = m[0] + 2 * p.young * normal_hertz_increment_radius(p, m[0]) * since_touch;
@@ -50,7 +50,7 @@ static double normal_hertz_increment_stored(struct nb_pair p, struct nb_normal n
 #define TITLE "elastic spheres by increments, N += 2 E* a closing, as R89 coded it: loses 2-3 % of the speed"
 #define SOURCE "[R89 4.11, 4.12, 4.14]"
 #define PARAMETERS "young, poisson"
-#define MEMORY 1
+#define HISTORY 1
 #define NEEDS NB_BIT(NB_NORMAL_INCREMENT)
 #define BRANCHING
 #define INCREMENTAL

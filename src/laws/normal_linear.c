@@ -28,6 +28,6 @@ static double normal_linear_stored(struct nb_pair p, struct nb_normal n, const d
 #define TITLE "linear spring, F_n = k_n overlap"
 #define SOURCE "[CS79 16, 18]"
 #define PARAMETERS "kn"
-#define MEMORY 0
+#define HISTORY 0
 #define STORED normal_linear_stored
 #include "law_batch.h"

@@ -100,7 +100,7 @@ static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
 }
 
 /* `share` of the way; all of it is the very number that the page says. */
-static void go(double *value, double from, double to, double fraction) {
+static void interpolate(double *value, double from, double to, double fraction) {
   if (!isnan(to))
     *value = fraction < 1 ? from + (to - from) * fraction : to;
 }
@@ -108,7 +108,7 @@ static void go(double *value, double from, double to, double fraction) {
 void nb_properties_change(struct nb_properties *now, const struct nb_change *to, struct nb_pair from, double fraction) {
   struct nb_material *material = &now->materials[to->a];
   struct nb_pair_rule *rule = to->b >= 0 ? rule_of(now, to->a, to->b) : NULL;
-#define ROW(name, ...) go(rule ? &rule->name : &material->name, from.name, to->name, fraction);
+#define ROW(name, ...) interpolate(rule ? &rule->name : &material->name, from.name, to->name, fraction);
   NB_PAIR_ROWS(ROW)
 #undef ROW
 }

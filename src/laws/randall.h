@@ -25,7 +25,7 @@ static inline double cube_root(double x) {
 }
 
 /* x CDF or x UFL, of which either is -1 where it is turned, else 1. */
-static inline double turned(bool back, double x) { return back ? -x : x; }
+static inline double flip_if(bool back, double x) { return back ? -x : x; }
 
 /* theta = c/a, c the front of slip, for which T has changed by `force` since it began to go this way: [R89 4.22] from T = 0,
  * times 1; [R89 4.23, 4.24] from a reversal, times 2. Forces are those before the step, limit = mu N the one after it. */
@@ -34,6 +34,8 @@ static inline double stuck_fraction(double force, double times, double rise, dou
 }
 
 /* dT [R89 4.15], which is [R89 3.94]: push = 8 G* a ds, drift = CDF UFL mu dN, and CDF CDF = 1. */
-static inline double increment(double theta, double push, double drift) { return theta * (push - drift) + drift; }
+static inline double increment(double theta, double elastic, double frictional) {
+  return theta * (elastic - frictional) + frictional;
+}
 
 #endif

@@ -37,6 +37,6 @@ static double shear_linear_stored(struct nb_pair p, struct nb_normal n, const do
 #define TITLE "linear spring with Coulomb's limit, F_s += k_s slip, |F_s| <= F_n tan(phi) + c"
 #define SOURCE "[CS79 17-19]"
 #define PARAMETERS "ks, friction, cohesion"
-#define MEMORY 1
+#define HISTORY 1
 #define STORED shear_linear_stored
 #include "law_batch.h"

@@ -33,6 +33,6 @@ static inline struct nb_shear shear_mindlin(struct nb_pair p, struct nb_normal n
 #define TITLE "elastic spheres, no slip but as a whole: T += 8 G* a slip, |T| <= mu N"
 #define SOURCE "[R89 3.27]"
 #define PARAMETERS "young, poisson, friction, cohesion"
-#define MEMORY 1
+#define HISTORY 1
 #define NON_CONSERVATIVE
 #include "law_batch.h"

@@ -42,9 +42,9 @@
 
 #include "corners.h"
 
-static const double little = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
+static const double merge_tolerance = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
 /* The largest ratio of the old friction to the new one: with a larger one all slides as well, and its square is finite. */
-static const double most_fraction = 1e150;
+static const double max_friction_ratio = 1e150;
 
 static inline double unit_of(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
 static inline double u_of(struct nb_pair p, double ds) { return ds * p.radius * (1 / unit_of(p)); }
@@ -58,158 +58,160 @@ static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
 }
 
 /* From where a leg of the path, to an overlap x and a slip u, goes on: the outermost corner that stays. */
-struct met {
+struct base {
   double k;          /* the piece that comes to be: behind k others; below 0: none has been met */
   double x, u, d, b; /* the corner */
   double from;       /* where the piece before the new one begins */
 };
 
 /* The piece that comes to be, and u at its end. */
-struct segment {
+struct piece {
   double k; /* below 0: by rounding there may be none, or it may join the one before it */
   double x, u, d, b, end;
 };
 
-static inline NB_FORM struct segment makes(struct met at, bool ring, double x, double u) {
+static inline NB_FORM struct piece new_piece(struct base at, bool sticks, double x, double u) {
   const double h = x - at.x, wanted = u - at.u, s = copysign(1, wanted - at.d * h);
   const double v = fabs(wanted) > h ? s * h : wanted; /* more: it slides */
-  const double part = (ring ? v : h - s * v) / (ring ? h : 1 - s * at.d), in = at.x + part;
-  const double d = ring ? part : s, c = ring ? at.x : in < x ? in : x;
+  const double part = (sticks ? v : h - s * v) / (sticks ? h : 1 - s * at.d), in = at.x + part;
+  const double d = sticks ? part : s, c = sticks ? at.x : in < x ? in : x;
   const double x1 = c - at.from, x2 = x - c, end = at.u + v;
-  const double k = bend(at.d, d, x1, x2) > little * x * (x1 + x2) ? at.k : -1;
-  return (struct segment){k, c, end - d * x2, d, at.b + (at.d - d) * n_of(c), end};
+  const double k = kink(at.d, d, x1, x2) > merge_tolerance * x * (x1 + x2) ? at.k : -1;
+  return (struct piece){k, c, end - d * x2, d, at.b + (at.d - d) * n_of(c), end};
 }
 
 /* Of all corners; if none stays, all slides from the one at 0. */
-static inline struct met seek(const struct corner at[], int pieces, double x, double u) {
+static inline struct base find_base(const struct corner at[], int pieces, double x, double u) {
   int k = pieces;
-  while (k > 0 && !stays(at[k].x, at[k].u, x, u))
+  while (k > 0 && !reachable(at[k].x, at[k].u, x, u))
     k--;
-  const int piece = k < pieces ? k + 1 : k;
-  return (struct met){piece, at[k].x, at[k].u, at[k].d, at[k].b, at[piece > 0 ? piece - 1 : 0].x};
+  const int index = k < pieces ? k + 1 : k;
+  return (struct base){index, at[k].x, at[k].u, at[k].d, at[k].b, at[index > 0 ? index - 1 : 0].x};
 }
 
-static inline NB_FORM void lay(struct corner at[], int k, double x, const struct segment *segment) {
-  at[k] = (struct corner){segment->x, segment->u, segment->d, segment->b, 0};
-  at[k + 1] = (struct corner){x, segment->end, segment->d, segment->b, 0};
+static inline NB_FORM void append_piece(struct corner at[], int k, double x, const struct piece *piece) {
+  at[k] = (struct corner){piece->x, piece->u, piece->d, piece->b, 0};
+  at[k + 1] = (struct corner){x, piece->end, piece->d, piece->b, 0};
 }
 
 /* A piece that is little enough joins the last; so does one that there is no room for. Answers how many there are then. */
-static int lay_or_join(struct corner at[], int k, double x, const struct segment *segment, int most,
-                       double *dissipated) {
-  if (!(segment->x < x)) { /* nothing new */
-    at[k] = (struct corner){x, segment->end, at[k - 1].d, at[k - 1].b, 0};
+static int append_or_merge(struct corner at[], int k, double x, const struct piece *piece, int max_pieces,
+                           double *dissipated) {
+  if (!(piece->x < x)) { /* nothing new */
+    at[k] = (struct corner){x, piece->end, at[k - 1].d, at[k - 1].b, 0};
     return k;
   }
-  if (k > 0 && !(segment->x > at[k - 1].x)) /* nothing left of the one before */
+  if (k > 0 && !(piece->x > at[k - 1].x)) /* nothing left of the one before */
     k--;
-  lay(at, k, x, segment);
+  append_piece(at, k, x, piece);
   const int pieces = k + 1;
   if (k == 0)
     return pieces;
   const double x1 = at[k].x - at[k - 1].x, x2 = x - at[k].x;
-  const bool joins = bend(at[k - 1].d, segment->d, x1, x2) < little * x * (x1 + x2) - at[k - 1].e;
-  if (!joins && k < most)
+  const bool joins = kink(at[k - 1].d, piece->d, x1, x2) < merge_tolerance * x * (x1 + x2) - at[k - 1].e;
+  if (!joins && k < max_pieces)
     return pieces;
   if (dissipated)
-    *dissipated += held_by(at, pieces);
+    *dissipated += stored_energy(at, pieces);
   if (joins)
-    join(at, k, pieces);
+    merge(at, k, pieces);
   else
-    make_room(at, pieces);
+    drop_corner(at, pieces);
   if (dissipated)
-    *dissipated -= held_by(at, k);
+    *dissipated -= stored_energy(at, k);
   at[k].d = at[k - 1].d, at[k].b = at[k - 1].b;
   return k;
 }
 
 /* What a leg loses, to the front, through the end of the piece before the new one and all behind it, and to a slide; as Int t du. With
  * slip in the sense s the front is where y - s u(y) is as much as x - s u at the edge, g, which falls along the leg; below 0 all slides. */
-static double dissipative(const struct corner at[], int pieces, double x, double u, int piece,
-                          const struct segment *segment) {
-  const double s = at[piece].x < x ? copysign(1, u - at[piece].u) : segment->d; /* at a corner leg->d may be rounding */
+static double energy_loss(const struct corner at[], int pieces, double x, double u, int index,
+                          const struct piece *piece) {
+  const double s = at[index].x < x ? copysign(1, u - at[index].u) : piece->d; /* at a corner leg->d may be rounding */
   const double x0 = at[pieces].x, g0 = x0 - s * at[pieces].u, g1 = x - s * u, fall = g0 - g1;
   if (!(fall > 0))
     return 0;
   double g = g1 > 0 ? g1 : 0,
-         y = segment->x < at[piece].x ? segment->x : at[piece].x; /* with D = s there the front may be anywhere */
-  double now = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0;    /* the overlap as the front is at y */
+         y = piece->x < at[index].x ? piece->x : at[index].x;  /* with D = s there the front may be anywhere */
+  double now = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0; /* the overlap as the front is at y */
   double sum = g1 < 0 ? -g1 * mean_n(x, now) : 0;
-  for (int k = piece > 0 ? piece - 1 : 0; k < pieces; k++) {
+  for (int k = index > 0 ? index - 1 : 0; k < pieces; k++) {
     const double to = at[k + 1].x;
     if (!(y < to))
       continue;
     g += (1 - s * at[k].d) * (to - y);
     const double then = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0;
-    sum += (1 - s * at[k].d) * passed(y, now, to, then);
+    sum += (1 - s * at[k].d) * front_loss(y, now, to, then);
     y = to, now = then;
   }
   return sum;
 }
 
 /* Any leg, one by one; answers how many pieces there are then. */
-static NB_SELDOM int go(struct corner at[], int pieces, double x, double u, int most, double *dissipated) {
-  const struct met met = seek(at, pieces, x, u);
-  const int piece = (int)met.k;
-  const struct segment segment = makes(met, stays(at[pieces].x, at[pieces].u, x, u), x, u);
+static NB_COLD int advance(struct corner at[], int pieces, double x, double u, int max_pieces, double *dissipated) {
+  const struct base base = find_base(at, pieces, x, u);
+  const int index = (int)base.k;
+  const struct piece piece = new_piece(base, reachable(at[pieces].x, at[pieces].u, x, u), x, u);
   if (dissipated)
-    *dissipated += dissipative(at, pieces, x, u, piece, &segment);
-  return lay_or_join(at, piece, x, &segment, most, dissipated);
+    *dissipated += energy_loss(at, pieces, x, u, index, &piece);
+  return append_or_merge(at, index, x, &piece, max_pieces, dissipated);
 }
 
 /* With another friction the path goes anew, in the same memory: a leg makes at most one piece. Returns the loss. */
-static NB_SELDOM double go_anew(struct corner at[], double *count, double fraction, int most) {
+static NB_COLD double rebuild(struct corner at[], double *count, double fraction, int max_pieces) {
   const int pieces = (int)*count;
-  const double held = fraction * fraction * held_by(at, pieces);
+  const double before = fraction * fraction * stored_energy(at, pieces);
   double from = 0;
   int k = 0;
   at[0] = (struct corner){0};
   for (int i = 1; i <= pieces; i++) {
     const double u = at[k].u + fraction * (at[i].u - from);
     from = at[i].u;
-    k = go(at, k, at[i].x, u, most, NULL);
+    k = advance(at, k, at[i].x, u, max_pieces, NULL);
   }
   *count = k;
-  return held - held_by(at, k);
+  return before - stored_energy(at, k);
 }
 
 /* ---- in a block, see law_stages.h: what is seen of the last four corners, of which one stays in most steps; what a leg
  * makes of them; and what is left of the leg ---- */
 
-struct seen {
+struct corner_values {
   double x, u, d, b;
 };
-struct found {
+struct fetched {
   double pieces;
-  struct seen end, last, next, third;
+  struct corner_values end, last, next, third;
 };
 
-static inline struct seen seen(const struct corner *at) { return (struct seen){at->x, at->u, at->d, at->b}; }
+static inline struct corner_values corner_values(const struct corner *at) {
+  return (struct corner_values){at->x, at->u, at->d, at->b};
+}
 
-static inline NB_FORM struct found shear_mindlin_deresiewicz_look(struct nb_pair p, struct nb_normal n, double m[]) {
+static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_pair p, struct nb_normal n, double m[]) {
   struct corner *at = (struct corner *)(m + HEAD);
   if (!can_slide(p, n))
     m[0] = 0;
   if (m[0] == 0) {
     at[0] = (struct corner){0};
   } else if (m[1] != unit_of(p)) {
-    const double dissipated = go_anew(at, &m[0], fmin(m[1] / unit_of(p), most_fraction), (int)p.pieces);
+    const double dissipated = rebuild(at, &m[0], fmin(m[1] / unit_of(p), max_friction_ratio), (int)p.pieces);
     at[(int)m[0]].e = dissipated; /* until it is told */
   }
   m[1] = unit_of(p);
   const int k = (int)m[0];
-  return (struct found){m[0], seen(&at[k]), seen(&at[k > 0 ? k - 1 : 0]), seen(&at[k > 1 ? k - 2 : 0]),
-                        seen(&at[k > 2 ? k - 3 : 0])};
+  return (struct fetched){m[0], corner_values(&at[k]), corner_values(&at[k > 0 ? k - 1 : 0]),
+                          corner_values(&at[k > 1 ? k - 2 : 0]), corner_values(&at[k > 2 ? k - 3 : 0])};
 }
 
 /* This corner, of piece k, if it stays; else what has been met farther in. */
-static inline struct met meets(struct seen at, double k, double x, double u, struct met inner) {
-  const bool here = stays(at.x, at.u, x, u);
-  return (struct met){.k = here ? k : inner.k,
-                      .x = here ? at.x : inner.x,
-                      .u = here ? at.u : inner.u,
-                      .d = here ? at.d : inner.d,
-                      .b = here ? at.b : inner.b};
+static inline struct base select_base(struct corner_values at, double k, double x, double u, struct base inner) {
+  const bool here = reachable(at.x, at.u, x, u);
+  return (struct base){.k = here ? k : inner.k,
+                       .x = here ? at.x : inner.x,
+                       .u = here ? at.u : inner.u,
+                       .d = here ? at.d : inner.d,
+                       .b = here ? at.b : inner.b};
 }
 
 static inline NB_FORM double force_of(struct nb_pair p, struct nb_normal n, double d, double b) {
@@ -217,46 +219,46 @@ static inline NB_FORM double force_of(struct nb_pair p, struct nb_normal n, doub
 }
 
 static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_pair p, struct nb_normal n, double ds,
-                                                                      struct found at, struct segment *segment) {
+                                                                      struct fetched at, struct piece *piece) {
   const double x = n.radius * n.radius, u = at.end.u + u_of(p, ds);
-  struct met met = {.k = -1};
-  met = meets(at.third, at.pieces - 2, x, u, met);
-  met = meets(at.next, at.pieces - 1, x, u, met);
-  met = meets(at.last, at.pieces, x, u, met);
-  met = meets(at.end, at.pieces, x, u, met);
-  const bool ring = stays(at.end.x, at.end.u, x, u);
-  met.from = ring ? at.last.x : met.x;
-  *segment = makes(met, ring, x, u);
-  return (struct nb_shear){.force = force_of(p, n, segment->d, segment->b), .stiffness = 8 * p.shear * n.radius};
+  struct base base = {.k = -1};
+  base = select_base(at.third, at.pieces - 2, x, u, base);
+  base = select_base(at.next, at.pieces - 1, x, u, base);
+  base = select_base(at.last, at.pieces, x, u, base);
+  base = select_base(at.end, at.pieces, x, u, base);
+  const bool sticks = reachable(at.end.x, at.end.u, x, u);
+  base.from = sticks ? at.last.x : base.x;
+  *piece = new_piece(base, sticks, x, u);
+  return (struct nb_shear){.force = force_of(p, n, piece->d, piece->b), .stiffness = 8 * p.shear * n.radius};
 }
 
-static NB_SELDOM void go_seldom(struct nb_pair p, struct nb_normal n, double ds, double m[], struct nb_shear *out,
-                                double *dissipated) {
+static NB_COLD void advance_general(struct nb_pair p, struct nb_normal n, double ds, double m[], struct nb_shear *out,
+                                    double *dissipated) {
   struct corner *at = (struct corner *)(m + HEAD);
   if (!can_slide(p, n)) {
     out->force = 0, out->sliding = has_friction(p) ? 0 : 1;
     return;
   }
   const double x = n.radius * n.radius, u = at[(int)m[0]].u + u_of(p, ds);
-  const int pieces = go(at, (int)m[0], x, u, (int)p.pieces, dissipated);
+  const int pieces = advance(at, (int)m[0], x, u, (int)p.pieces, dissipated);
   m[0] = pieces;
   out->sliding = fabs(u) > x ? 1 : 0;
   out->force = force_of(p, n, at[pieces].d, at[pieces].b);
 }
 
 /* A leg that has not met its corner, or is no more than rounding or the piece too much, goes one by one. */
-static inline NB_FORM void shear_mindlin_deresiewicz_settle(struct nb_pair p, struct nb_normal n, double ds, double m[],
-                                                            struct segment segment, struct nb_shear *out, bool counts) {
+static inline NB_FORM void shear_mindlin_deresiewicz_store(struct nb_pair p, struct nb_normal n, double ds, double m[],
+                                                           struct piece piece, struct nb_shear *out, bool counts) {
   struct corner *at = (struct corner *)(m + HEAD);
   const double x = n.radius * n.radius;
   double dissipated = at[(int)m[0]].e; /* before, with another friction */
-  if (segment.k >= 0 && segment.k < p.pieces) {
+  if (piece.k >= 0 && piece.k < p.pieces) {
     if (counts)
-      dissipated += dissipative(at, (int)m[0], x, segment.end, (int)segment.k, &segment);
-    lay(at, (int)segment.k, x, &segment);
-    m[0] = segment.k + 1;
+      dissipated += energy_loss(at, (int)m[0], x, piece.end, (int)piece.k, &piece);
+    append_piece(at, (int)piece.k, x, &piece);
+    m[0] = piece.k + 1;
   } else {
-    go_seldom(p, n, ds, m, out, counts ? &dissipated : NULL);
+    advance_general(p, n, ds, m, out, counts ? &dissipated : NULL);
   }
   if (counts && m[0] > 0)
     out->dissipated = unit_of(p) / p.radius * (p.friction * n.force / (x * n.radius)) * dissipated;
@@ -266,7 +268,7 @@ static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_norma
   const struct corner *at = (const struct corner *)(m + HEAD);
   const int pieces = (int)m[0];
   const double friction = m[1] * 4 * p.shear / p.young;
-  return pieces > 0 ? m[1] / p.radius * friction * (n.force / n_of(at[pieces].x)) * held_by(at, pieces) : 0;
+  return pieces > 0 ? m[1] / p.radius * friction * (n.force / n_of(at[pieces].x)) * stored_energy(at, pieces) : 0;
 }
 
 /* From inside to outside: where pieces end, m, and their D. */
@@ -280,7 +282,7 @@ static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n
 }
 
 /* The last corners, and room for one more. */
-static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
+static inline void shear_mindlin_deresiewicz_prefetch(const double m[]) {
   for (int line = -2; line < 2; line++)
     __builtin_prefetch(&m[m[0] > 2 ? HEAD + 5 * (int)m[0] + 8 * line + 1 : 0], 1);
 }
@@ -289,18 +291,18 @@ static inline void shear_mindlin_deresiewicz_ahead(const double m[]) {
 #define SHEAR
 #define ELASTIC
 #define STAGED
-#define FOUND struct found
-#define SOLVED struct segment
+#define FETCHED struct fetched
+#define SOLVED struct piece
 #define DISSIPATIVE
 #define COHESIONLESS
 #define TITLE "exact law of elastic spheres, Cattaneo and Mindlin's, under any history"
 #define SOURCE "[R89 3.2-3.5]"
 #define PARAMETERS "young, poisson, friction"
-#define MEMORY 12
+#define HISTORY 12
 #define PIECE 5
 #define PIECES 64
 #define STORED shear_mindlin_deresiewicz_stored
-#define AHEAD shear_mindlin_deresiewicz_ahead
+#define PREFETCH shear_mindlin_deresiewicz_prefetch
 #define USED corners_used
 #define VALID corners_valid
 #define PIECES_OF shear_mindlin_deresiewicz_pieces

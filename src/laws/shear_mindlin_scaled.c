@@ -32,5 +32,5 @@ static inline struct nb_shear shear_mindlin_scaled(struct nb_pair p, struct nb_n
 #define TITLE "as mindlin, but T goes with the contact's radius when N falls"
 #define SOURCE "[R89 3.27]"
 #define PARAMETERS "young, poisson, friction, cohesion"
-#define MEMORY 2
+#define HISTORY 2
 #include "law_batch.h"

@@ -21,6 +21,6 @@ static double shear_none_stored(struct nb_pair p, struct nb_normal n, const doub
 #define TITLE "no shear force"
 #define SOURCE "-"
 #define PARAMETERS ""
-#define MEMORY 0
+#define HISTORY 0
 #define STORED shear_none_stored
 #include "law_batch.h"

@@ -37,36 +37,36 @@
 enum { LOADING, UNLOADING, RELOADING, REUNLOADING };
 
 struct history {
-  double n, t, star, star2, deficit, cdf, branch;
+  double n, t, t_star, t_star2, deficit, cdf, branch;
 };
 
 /* In the sense of the virgin loading, CDF; and UFL. */
-static inline double forth(const struct history *h, double x) { return turned(h->cdf < 0, x); }
-static inline double unloading(const struct history *h, double x) { return turned(h->branch == UNLOADING, x); }
+static inline double along_virgin(const struct history *h, double x) { return flip_if(h->cdf < 0, x); }
+static inline double unloading(const struct history *h, double x) { return flip_if(h->branch == UNLOADING, x); }
 
-static inline void turn(struct history *h) {
+static inline void reverse(struct history *h) {
   if (h->branch == LOADING)
-    h->star = h->t;
+    h->t_star = h->t;
   if (h->branch == UNLOADING)
-    h->star2 = h->t;
+    h->t_star2 = h->t;
   h->branch = h->branch == REUNLOADING ? RELOADING : h->branch + 1;
   h->deficit = 0;
 }
 
 static inline double theta(const struct history *h, double rise, double limit) {
-  const double fraction = h->branch == LOADING ? stuck_fraction(forth(h, h->t), 1, rise, limit) /* 3.95 */
+  const double fraction = h->branch == LOADING ? stuck_fraction(along_virgin(h, h->t), 1, rise, limit) /* 3.95 */
                           : h->branch == UNLOADING
-                              ? stuck_fraction(forth(h, h->star - h->t), 2, rise, limit)   /* 3.96 */
-                              : stuck_fraction(forth(h, h->t - h->star2), 2, rise, limit); /* 3.97 */
+                              ? stuck_fraction(along_virgin(h, h->t_star - h->t), 2, rise, limit)   /* 3.96 */
+                              : stuck_fraction(along_virgin(h, h->t - h->t_star2), 2, rise, limit); /* 3.97 */
   return fraction < 0 ? 0 : fraction > 1 ? 1 : fraction;
 }
 
 /* What has been undone: reloading reaches T*, unloading T** or -T*, or N has fallen so that T* and T** come to T. */
 static inline void forget(struct history *h) {
-  const double t = forth(h, h->t), star = forth(h, h->star), star2 = forth(h, h->star2);
-  if (h->branch > UNLOADING && t <= star2)
+  const double t = along_virgin(h, h->t), t_star = along_virgin(h, h->t_star), t_star2 = along_virgin(h, h->t_star2);
+  if (h->branch > UNLOADING && t <= t_star2)
     h->branch = UNLOADING;
-  if (h->branch != LOADING && fabs(t) >= star)
+  if (h->branch != LOADING && fabs(t) >= t_star)
     h->branch = LOADING, h->deficit = 0;
   if (h->branch == LOADING && t < 0)
     h->cdf = -h->cdf, h->deficit = 0;
@@ -86,14 +86,14 @@ static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n
   else if (h.cdf == 0)
     h.cdf = ds > 0 ? 1 : ds < 0 ? -1 : 0;
   if (h.cdf != 0) {
-    double along = forth(&h, h.branch == UNLOADING || h.branch == REUNLOADING ? -ds : ds); /* on in its sense */
+    double along = along_virgin(&h, h.branch == UNLOADING || h.branch == REUNLOADING ? -ds : ds); /* on in its sense */
     if (along < 0 && -along > -critical)
-      turn(&h), along = -along;
+      reverse(&h), along = -along;
     fraction = along > critical + h.deficit ? theta(&h, rise, limit) : 1;
     const double deficit = h.deficit + critical - along; /* 4.17 */
     h.deficit = deficit > 0 ? deficit : 0;
-    h.t += increment(fraction, stiffness * ds, unloading(&h, forth(&h, rise)));
-    h.star += forth(&h, rise), h.star2 -= forth(&h, rise); /* 4.20, 4.21 */
+    h.t += increment(fraction, stiffness * ds, unloading(&h, along_virgin(&h, rise)));
+    h.t_star += along_virgin(&h, rise), h.t_star2 -= along_virgin(&h, rise); /* 4.20, 4.21 */
     slides = !(fabs(h.t) <= limit && fraction > 0);
     if (slides)
       h = (struct history){.n = h.n, .t = copysign(limit, h.t), .cdf = copysign(1, h.t)};
@@ -113,5 +113,5 @@ static inline struct nb_shear shear_randall(struct nb_pair p, struct nb_normal n
 #define TITLE "elastic spheres with micro-slip in increments, two reversals remembered, best reading"
 #define SOURCE "[R89 3.94-3.98, 4.15-4.25]"
 #define PARAMETERS "young, poisson, friction"
-#define MEMORY 7
+#define HISTORY 7
 #include "law_batch.h"

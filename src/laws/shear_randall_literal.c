@@ -28,7 +28,7 @@
 #include "randall.h"
 
 struct history {
-  double n, t, star, star2, deficit;
+  double n, t, t_star, t_star2, deficit;
 };
 
 /* THE1, by which theta is found. */
@@ -37,18 +37,18 @@ enum the1 { VIRGIN = 1, UNLOADING, RELOADING, STICKING };
 /* `along`: ds CDF. */
 static inline enum the1 the1_of(const struct history *h, bool back, double along) {
   if (along > 0)
-    return fabs(h->t) < fabs(h->star) ? RELOADING : VIRGIN;
-  return h->star2 != 0 && turned(back, h->t) > turned(back, h->star2) ? RELOADING : UNLOADING;
+    return fabs(h->t) < fabs(h->t_star) ? RELOADING : VIRGIN;
+  return h->t_star2 != 0 && flip_if(back, h->t) > flip_if(back, h->t_star2) ? RELOADING : UNLOADING;
 }
 
 static inline double theta(const struct history *h, enum the1 the1, bool back, double rise, double limit) {
   switch (the1) {
   case VIRGIN:
-    return stuck_fraction(turned(back, h->t), 1, rise, limit); /* 4.22 */
+    return stuck_fraction(flip_if(back, h->t), 1, rise, limit); /* 4.22 */
   case UNLOADING:
-    return stuck_fraction(turned(back, h->star - h->t), 2, rise, limit); /* 4.23 */
+    return stuck_fraction(flip_if(back, h->t_star - h->t), 2, rise, limit); /* 4.23 */
   case RELOADING:
-    return stuck_fraction(turned(back, h->t - h->star), 2, rise, limit); /* 4.24 */
+    return stuck_fraction(flip_if(back, h->t - h->t_star), 2, rise, limit); /* 4.24 */
   case STICKING:
     break;
   }
@@ -56,25 +56,25 @@ static inline double theta(const struct history *h, enum the1 the1, bool back, d
 }
 
 /* FORD, from the direction of loading to the test for load reversals; answers the stiffness. */
-static inline double move(struct history *h, double ds, double stiffness, double rise, double limit, double mu,
-                          bool *reversed) {
-  const bool back = h->star != 0 ? h->star < 0 : h->t != 0 ? h->t < 0 : ds < 0; /* CDF = -1 */
-  const double along = turned(back, ds), critical = rise / stiffness;           /* 4.16 */
+static inline double ford_increment(struct history *h, double ds, double stiffness, double rise, double limit,
+                                    double mu, bool *reversed) {
+  const bool back = h->t_star != 0 ? h->t_star < 0 : h->t != 0 ? h->t < 0 : ds < 0; /* CDF = -1 */
+  const double along = flip_if(back, ds), critical = rise / stiffness;              /* 4.16 */
   enum the1 the1 = the1_of(h, back, along);
   if (rise > 0 && along < mu * critical + h->deficit)
     the1 = STICKING;
   const double fraction = theta(h, the1, back, rise, limit), before = h->t;
-  const double dt = increment(fraction, stiffness * ds, turned(ds < 0, rise)); /* CDF UFL has the sense of ds */
+  const double dt = increment(fraction, stiffness * ds, flip_if(ds < 0, rise)); /* CDF UFL has the sense of ds */
   if (rise < 0)
     h->deficit += critical; /* 4.18 */
-  else if (turned(back, dt) < rise || h->deficit > 0)
+  else if (flip_if(back, dt) < rise || h->deficit > 0)
     h->deficit += critical - along; /* 4.17 */
-  const bool unloads = along < 0 && h->star == 0 && h->star2 == 0;
-  const bool reloads = along > 0 && h->star != 0 && h->star2 == 0;
+  const bool unloads = along < 0 && h->t_star == 0 && h->t_star2 == 0;
+  const bool reloads = along > 0 && h->t_star != 0 && h->t_star2 == 0;
   if (unloads)
-    h->star = before;
+    h->t_star = before;
   if (reloads)
-    h->star2 = before;
+    h->t_star2 = before;
   h->t += dt;
   *reversed = unloads || reloads;
   return fraction > 0 ? fraction * stiffness : 0;
@@ -88,19 +88,19 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
   double stiffness = 8 * p.shear * n.radius;
   bool reversed = false;
   if (ds != 0 && limit > 0)
-    stiffness = move(&h, ds, stiffness, rise, limit, p.friction, &reversed);
+    stiffness = ford_increment(&h, ds, stiffness, rise, limit, p.friction, &reversed);
   const bool slides = limit > 0 ? !(fabs(h.t) <= limit) : ds != 0;
   if (slides)
     h.t = copysign(limit, h.t);
-  const bool back = h.star < 0;
-  if (h.star != 0 && !reversed)
-    h.star += turned(back, rise); /* 4.20 */
-  if (h.star2 != 0 && !reversed)
-    h.star2 -= turned(back, rise); /* 4.21 */
-  if (fabs(h.t) >= fabs(h.star))
-    h.star = h.star2 = 0;
-  if (turned(back, h.t) <= turned(back, h.star2))
-    h.star2 = 0;
+  const bool back = h.t_star < 0;
+  if (h.t_star != 0 && !reversed)
+    h.t_star += flip_if(back, rise); /* 4.20 */
+  if (h.t_star2 != 0 && !reversed)
+    h.t_star2 -= flip_if(back, rise); /* 4.21 */
+  if (fabs(h.t) >= fabs(h.t_star))
+    h.t_star = h.t_star2 = 0;
+  if (flip_if(back, h.t) <= flip_if(back, h.t_star2))
+    h.t_star2 = 0;
   h.n = n.force;
   memcpy(m, &h, sizeof h);
   return (struct nb_shear){.force = h.t, .stiffness = stiffness, .sliding = slides};
@@ -115,5 +115,5 @@ static inline struct nb_shear shear_randall_literal(struct nb_pair p, struct nb_
 #define TITLE "elastic spheres, R89's FORD and THETA as the text stands, for comparison"
 #define SOURCE "[R89 4.15-4.25]"
 #define PARAMETERS "young, poisson, friction"
-#define MEMORY 5
+#define HISTORY 5
 #include "law_batch.h"

@@ -21,7 +21,7 @@ static bool needed(const struct nb_scene *scene) {
   bool carries = scene->cell.line || scene->circle.line;
   for (size_t s = 0; s < scene->stage_count; s++)
     carries = carries || scene->stages[s].circle.line || scene->stages[s].boundary.line ||
-              scene->stages[s].continuum.line || scene->stages[s].box_line || scene->stages[s].servo.box;
+              scene->stages[s].affine.line || scene->stages[s].box_line || scene->stages[s].servo.box;
   return carries;
 }
 
@@ -35,16 +35,16 @@ enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) 
   particles->imposed = nb_own(&model->owner, particles->count, sizeof *particles->imposed);
   if (model->owner.failed)
     return nb_error_memory(error);
-  affine->by = by;
+  affine->source = by;
   affine->free_before = true; /* not known */
   affine->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
-  for (int c = 0; c < NB_CARRIERS; c++)
-    affine->remembered[c] = 1;
+  for (int c = 0; c < NB_AFFINE_SOURCES; c++)
+    affine->separate[c] = 1;
   for (size_t i = 0; i < particles->count; i++)
-    nb_affine_by(affine, i,
-                 model->cell                      ? NB_CARRIER_CELL
-                 : particles->inverse_mass[i] > 0 ? NB_CARRIER_CONTINUUM
-                                                  : NB_CARRIER_NONE);
+    nb_affine_assign(affine, i,
+                     model->cell                      ? NB_AFFINE_CELL
+                     : particles->inverse_mass[i] > 0 ? NB_AFFINE_FREE
+                                                      : NB_AFFINE_NONE);
   return NB_OK;
 }
 
@@ -55,40 +55,40 @@ static struct nb_tensor rate_of(const struct nb_model *model, const struct nb_st
 
 void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
   struct nb_affine *affine = model->affine;
-  struct nb_strain_rate *requested = affine->requested, *cell = &requested[NB_CARRIER_CELL];
-  if (stage->reverse)
+  struct nb_strain_rate *requested = affine->requested, *cell = &requested[NB_AFFINE_CELL];
+  if (stage->reverse_velocities)
     cell->xx *= -1, cell->xy *= -1, cell->yx *= -1, cell->yy *= -1;
   if (stage->cell_line)
     *cell = stage->cell;
   if (stage->box_line)
-    requested[NB_CARRIER_BOX] = stage->box;
+    requested[NB_AFFINE_BOX] = stage->box;
   else if (!nb_box_strained_in(model->scene, (size_t)(stage - model->scene->stages)))
-    requested[NB_CARRIER_BOX] = (struct nb_strain_rate){.xx = 0};
+    requested[NB_AFFINE_BOX] = (struct nb_strain_rate){.xx = 0};
   if (stage->boundary.line)
-    requested[NB_CARRIER_BOUNDARY] = stage->boundary.strain;
-  if (stage->continuum.line) {
-    requested[NB_CARRIER_CONTINUUM] = stage->continuum.strain;
-    affine->remembered[NB_CARRIER_CONTINUUM] = stage->continuum.literal ? 0 : 1;
+    requested[NB_AFFINE_BOUNDARY] = stage->boundary.strain;
+  if (stage->affine.line) {
+    requested[NB_AFFINE_FREE] = stage->affine.strain;
+    affine->separate[NB_AFFINE_FREE] = stage->affine.accumulated ? 0 : 1;
   }
-  for (int c = 0; c < NB_CARRIERS; c++)
-    affine->rate[c] = affine->level[c] = rate_of(model, &requested[c]);
+  for (int c = 0; c < NB_AFFINE_SOURCES; c++)
+    affine->rate[c] = affine->base_rate[c] = rate_of(model, &requested[c]);
 }
 
 /* Whether one rate, and one way to remember it, stands for those of all that are carried. */
-static bool same_rate(const struct nb_affine *affine, enum nb_carrier one) {
-  for (int c = 0; c < NB_CARRIERS; c++)
-    if (affine->carries[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[one])) != 0 ||
-                               affine->remembered[c] != affine->remembered[one]))
+static bool same_rate(const struct nb_affine *affine, enum nb_affine_source one) {
+  for (int c = 0; c < NB_AFFINE_SOURCES; c++)
+    if (affine->used[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[one])) != 0 ||
+                            affine->separate[c] != affine->separate[one]))
       return false;
   return true;
 }
 
 bool nb_affine_step(struct nb_model *model) {
   struct nb_affine *affine = model->affine;
-  const bool free = tensor_largest(affine->rate[NB_CARRIER_CONTINUUM]) > 0 || model->cell;
+  const bool free = tensor_largest(affine->rate[NB_AFFINE_FREE]) > 0 || model->cell;
   affine->all = free || affine->free_before;
   affine->free_before = free;
-  affine->alike = same_rate(affine, model->cell ? NB_CARRIER_CELL : NB_CARRIER_CONTINUUM);
+  affine->uniform = same_rate(affine, model->cell ? NB_AFFINE_CELL : NB_AFFINE_FREE);
   return affine->all;
 }
 
@@ -97,6 +97,6 @@ void nb_affine_clear(struct nb_model *model) {
 }
 
 void nb_affine_remove(struct nb_model *model, size_t slot) {
-  nb_affine_by(model->affine, slot, NB_CARRIER_NONE);
+  nb_affine_assign(model->affine, slot, NB_AFFINE_NONE);
   model->particles.imposed[slot] = vec(0, 0);
 }

@@ -30,7 +30,7 @@
 static const double on_circle = 1e-12;
 
 static bool is_outside(const struct nb_model *model, struct nb_vec x, double margin) {
-  const struct nb_ring *ring = &model->drive->ring;
+  const struct nb_ring *ring = &model->boundary->ring;
   const struct nb_vec reference = tensor_times(tensor_inverse(ring->shape), vec_sub(x, model->affine->centre));
   return vec_length(reference) >= ring->radius * (1 - on_circle) - margin;
 }
@@ -39,7 +39,7 @@ static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy +
 
 /* Whether the body in that slot may belong to it: what a page holds, and what is gone, does not. */
 static bool may_join(const struct nb_model *model, size_t i) {
-  return model->particles.inverse_mass[i] > 0 && model->affine->by[i] == NB_CARRIER_CONTINUUM;
+  return model->particles.inverse_mass[i] > 0 && model->affine->source[i] == NB_AFFINE_FREE;
 }
 
 /* ---- one body ---- */
@@ -55,8 +55,8 @@ static void attach(struct nb_model *model, int slot) {
   const size_t i = (size_t)slot;
   if (model->terms) /* what is held has no kinetic energy in the account */
     nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_kinetic_of(model, i));
-  nb_affine_by(model->affine, i, NB_CARRIER_BOUNDARY);
-  particles->imposed[i] = particles->velocity[i] = nb_imposed_at(model->affine, i, particles->position[i]);
+  nb_affine_assign(model->affine, i, NB_AFFINE_BOUNDARY);
+  particles->imposed[i] = particles->velocity[i] = nb_imposed_velocity(model->affine, i, particles->position[i]);
   particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
   set_spin(particles, i, 0);
 }
@@ -64,11 +64,11 @@ static void attach(struct nb_model *model, int slot) {
 static void detach(struct nb_model *model, int slot) {
   struct nb_particles *particles = &model->particles;
   const size_t i = (size_t)slot;
-  nb_affine_by(model->affine, i, NB_CARRIER_CONTINUUM);
-  particles->imposed[i] = nb_affine_remembered(model->affine, i, particles->position[i]);
+  nb_affine_assign(model->affine, i, NB_AFFINE_FREE);
+  particles->imposed[i] = nb_affine_separate(model->affine, i, particles->position[i]);
   particles->inverse_mass[i] = 1 / particles->mass[i];
-  particles->inverse_inertia[i] = model->drive->rotates ? 1 / particles->inertia[i] : 0;
-  nb_motion_begin(model, i, nb_velocity_half(model, i));
+  particles->inverse_inertia[i] = model->boundary->rotates ? 1 / particles->inertia[i] : 0;
+  nb_motion_set_velocity(model, i, nb_velocity_half(model, i));
   if (model->terms)
     nb_sum_add(&model->terms[NB_TERM_REMOVED], -nb_energy_kinetic_of(model, i));
 }
@@ -88,7 +88,7 @@ static bool comes_before(const struct nb_model *model, int i, int j) {
 }
 
 static void add_member(struct nb_model *model, int slot) {
-  struct nb_ring *ring = &model->drive->ring;
+  struct nb_ring *ring = &model->boundary->ring;
   size_t at = ring->count++;
   for (; at > 0 && comes_before(model, slot, ring->member[at - 1]); at--)
     ring->member[at] = ring->member[at - 1];
@@ -96,19 +96,19 @@ static void add_member(struct nb_model *model, int slot) {
 }
 
 static void boundary_release(struct nb_model *model, bool dissolve) {
-  struct nb_ring *ring = &model->drive->ring;
+  struct nb_ring *ring = &model->boundary->ring;
   for (size_t k = 0; k < ring->count && ring->held; k++)
     detach(model, ring->member[k]);
   ring->held = false;
   if (dissolve)
-    ring->begun = false, ring->count = 0;
+    ring->exists = false, ring->count = 0;
 }
 
 static void boundary_define(struct nb_model *model, const struct nb_circle *circle) {
-  struct nb_ring *ring = &model->drive->ring;
+  struct nb_ring *ring = &model->boundary->ring;
   boundary_release(model, true);
   model->affine->centre = vec(circle->x, circle->y);
-  ring->begun = ring->held = true;
+  ring->exists = ring->held = true;
   ring->radius = circle->radius, ring->shape = tensor(1, 0, 0, 1), ring->listed_search = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
     const int i = model->particles.slot[k];
@@ -120,8 +120,8 @@ static void boundary_define(struct nb_model *model, const struct nb_circle *circ
 }
 
 static void boundary_hold(struct nb_model *model) {
-  struct nb_ring *ring = &model->drive->ring;
-  if (!ring->begun)
+  struct nb_ring *ring = &model->boundary->ring;
+  if (!ring->exists)
     return;
   if (ring->count > 0)
     ring->radius = nb_boundary_radius(model), ring->shape = tensor(1, 0, 0, 1);
@@ -131,7 +131,7 @@ static void boundary_hold(struct nb_model *model) {
 }
 
 void nb_boundary_remove(struct nb_model *model, size_t slot) {
-  struct nb_ring *ring = &model->drive->ring;
+  struct nb_ring *ring = &model->boundary->ring;
   size_t left = 0;
   for (size_t k = 0; k < ring->count; k++)
     if (ring->member[k] != (int)slot)
@@ -142,13 +142,13 @@ void nb_boundary_remove(struct nb_model *model, size_t slot) {
 /* ---- a stress on it ---- */
 
 void nb_boundary_set_forces(struct nb_model *model) {
-  struct nb_drive *drive = model->drive;
+  struct nb_boundary_state *drive = model->boundary;
   const size_t count = drive->ring.count;
   const double thickness = nb_thickness(model);
-  memset(drive->pressed, 0, model->particles.count * sizeof *drive->pressed);
+  memset(drive->boundary_force, 0, model->particles.count * sizeof *drive->boundary_force);
   for (size_t k = 0; k < count; k++) {
     const struct nb_vec along = vec_sub(nb_boundary_position(model, k + 1), nb_boundary_position(model, k + count - 1));
-    drive->pressed[drive->ring.member[k]] =
+    drive->boundary_force[drive->ring.member[k]] =
         vec_scale(-thickness / 2, tensor_times(drive->stress, vec_clockwise(along)));
   }
 }
@@ -178,10 +178,11 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
   const struct nb_particles *particles = &model->particles;
   if (!needed(scene))
     return NB_OK;
-  struct nb_drive *drive = model->drive = nb_own(&model->owner, 1, sizeof *drive);
+  struct nb_boundary_state *drive = model->boundary = nb_own(&model->owner, 1, sizeof *drive);
   if (drive) {
     drive->rotates = true;
-    drive->pressed = has_stress(scene) ? nb_own(&model->owner, particles->count, sizeof *drive->pressed) : NULL;
+    drive->boundary_force =
+        has_stress(scene) ? nb_own(&model->owner, particles->count, sizeof *drive->boundary_force) : NULL;
     drive->ring.member = nb_own(&model->owner, particles->count, sizeof *drive->ring.member);
     drive->ring.candidates = nb_own(&model->owner, particles->count, sizeof *drive->ring.candidates);
   }
@@ -207,24 +208,24 @@ static void count_removed_springs(struct nb_model *model) {
 static enum nb_status search_again(struct nb_model *model, struct nb_error *error) {
   if (model->terms)
     count_removed_springs(model);
-  model->search.keeping = true;
+  model->search.keep_forces = true;
   const enum nb_status status = nb_neighbours_search(model, error);
-  model->search.keeping = false;
+  model->search.keep_forces = false;
   return status ? status : nb_balance_new_overlaps(model, error);
 }
 
 /* All free bodies stop turning and stay so, or turn again. */
 static void rotation_begin(struct nb_model *model, bool rotates) {
   struct nb_particles *particles = &model->particles;
-  model->drive->rotates = rotates;
+  model->boundary->rotates = rotates;
   nb_balance_jump(model, NB_TERM_CHANGED, true);
   for (size_t i = 0; i < particles->count; i++) {
     if (!(particles->inverse_mass[i] > 0))
       continue;
-    const struct nb_state now = nb_velocity_now(model, i);
+    const struct nb_velocities now = nb_velocity_now(model, i);
     particles->inverse_inertia[i] = rotates ? 1 / particles->inertia[i] : 0;
     if (rotates)
-      nb_motion_begin(model, i, now);
+      nb_motion_set_velocity(model, i, now);
     else
       set_spin(particles, i, 0);
   }
@@ -234,16 +235,16 @@ static void rotation_begin(struct nb_model *model, bool rotates) {
 /* A stress begins or ends at t_0, and leaves the velocities of t_0 as they were. The half of the kick around t_0 that lies behind it
  * is without one that begins, and with one that ends. */
 static void switch_stress(struct nb_model *model, bool on) {
-  struct nb_drive *drive = model->drive;
+  struct nb_boundary_state *drive = model->boundary;
   if (on)
     nb_boundary_set_forces(model);
-  for (size_t i = 0; i < model->particles.count && (on || model->particles.pressed); i++)
-    nb_motion_release(model, i, (struct nb_force){vec_scale(on ? -1 : 1, drive->pressed[i]), 0});
-  model->particles.pressed = on ? drive->pressed : NULL;
+  for (size_t i = 0; i < model->particles.count && (on || model->particles.boundary_force); i++)
+    nb_motion_offset_force(model, i, (struct nb_force){vec_scale(on ? -1 : 1, drive->boundary_force[i]), 0});
+  model->particles.boundary_force = on ? drive->boundary_force : NULL;
 }
 
 static void boundary_control(struct nb_model *model, const struct nb_stage *stage) {
-  struct nb_drive *drive = model->drive;
+  struct nb_boundary_state *drive = model->boundary;
   const struct nb_boundary *to = &stage->boundary;
   switch_stress(model, false);
   if (stage->circle.line)
@@ -275,7 +276,7 @@ enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *
 /* ---- who crosses it ---- */
 
 static void list_candidates(struct nb_model *model) {
-  struct nb_ring *ring = &model->drive->ring;
+  struct nb_ring *ring = &model->boundary->ring;
   const double margin = model->search.skin * size(tensor_inverse(ring->shape));
   ring->candidate_count = 0;
   for (size_t k = 0; k < model->particles.count; k++) {
@@ -289,7 +290,7 @@ static void list_candidates(struct nb_model *model) {
 
 /* Takes in who has crossed the circle since it was last asked. */
 enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error) {
-  struct nb_ring *ring = &model->drive->ring;
+  struct nb_ring *ring = &model->boundary->ring;
   if (!ring->held)
     return NB_OK;
   if (ring->listed_search != model->search.count ||
@@ -316,23 +317,23 @@ enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error
 
 /* u - c_(N-1/2) + c_(N+1/2) is all that happens to the velocity of what it holds (motion.c). */
 void nb_boundary_set_velocities(struct nb_model *model) {
-  const struct nb_ring *ring = &model->drive->ring;
+  const struct nb_ring *ring = &model->boundary->ring;
   struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < ring->count && ring->held; k++) {
     const size_t i = (size_t)ring->member[k];
-    const struct nb_vec c = nb_imposed_at(model->affine, i, particles->position[i]);
+    const struct nb_vec c = nb_imposed_velocity(model->affine, i, particles->position[i]);
     particles->velocity[i] = vec_add(vec_sub(particles->velocity[i], particles->imposed[i]), c);
-    particles->imposed[i] = nb_affine_remembered(model->affine, i, particles->position[i]);
+    particles->imposed[i] = nb_affine_separate(model->affine, i, particles->position[i]);
   }
 }
 
 void nb_boundary_after_motion(struct nb_model *model) {
-  struct nb_drive *drive = model->drive;
+  struct nb_boundary_state *drive = model->boundary;
   struct nb_ring *ring = &drive->ring;
   if (ring->held) {
-    const struct nb_tensor step = tensor_scale(model->step, model->affine->rate[NB_CARRIER_BOUNDARY]);
+    const struct nb_tensor step = tensor_scale(model->step, model->affine->rate[NB_AFFINE_BOUNDARY]);
     ring->shape = tensor_add(ring->shape, tensor_product(step, ring->shape));
   }
-  if (model->particles.pressed)
+  if (model->particles.boundary_force)
     nb_boundary_set_forces(model);
 }

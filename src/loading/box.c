@@ -61,7 +61,7 @@ static struct nb_vec centre(const struct nb_walls *walls, int first) {
 void nb_box_set_velocities(struct nb_model *model) {
   struct nb_walls *walls = &model->walls;
   const int first = nb_box_first_wall(model->scene);
-  const struct nb_tensor rate = model->affine->rate[NB_CARRIER_BOX];
+  const struct nb_tensor rate = model->affine->rate[NB_AFFINE_BOX];
   const struct nb_vec middle = centre(walls, first);
   for (int w = first; w < first + SIDES; w++) {
     const struct nb_vec e = walls->along[w], n = vec_clockwise(e);

@@ -14,7 +14,7 @@ enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error
 void nb_boundary_after_motion(struct nb_model *model);
 void nb_boundary_remove(struct nb_model *model, size_t slot); /* that is taken out of the scene */
 void nb_boundary_set_velocities(struct nb_model *model);      /* before the motion, where nothing else is carried */
-void nb_boundary_set_forces(struct nb_model *model);          /* sets drive->pressed for where the bodies are now */
+void nb_boundary_set_forces(struct nb_model *model); /* sets drive->boundary_force for where the bodies are now */
 
 /* ---- affine.c: imposed affine motion ---- */
 /* model->carry stays NULL: nothing is. */

@@ -6,7 +6,7 @@
 #include "measure/boundary.h"
 
 #define BOUNDARY_QUANTITY(function, expression) NB_QUANTITY(function, nb_boundary_exists(model) ? expression : 0)
-BOUNDARY_QUANTITY(boundary_particles, (double)model->drive->ring.count)
+BOUNDARY_QUANTITY(boundary_particles, (double)model->boundary->ring.count)
 BOUNDARY_QUANTITY(boundary_radius, nb_boundary_radius(model))
 BOUNDARY_QUANTITY(boundary_area, nb_boundary_area(model))
 BOUNDARY_QUANTITY(boundary_roughness, nb_boundary_roughness(model))

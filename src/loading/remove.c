@@ -21,10 +21,10 @@ static void end_contact(struct nb_model *model, size_t c) {
   const size_t a = (size_t)contacts->a[c], b = (size_t)contacts->b[c];
   const double *total_shear = contacts->kept[model->plan.total_shear];
   const struct nb_vec force = contacts->force[c];
-  nb_motion_release(model, a,
-                    (struct nb_force){force, total_shear ? total_shear[c] * particles->surface[a].radius : 0});
+  nb_motion_offset_force(model, a,
+                         (struct nb_force){force, total_shear ? total_shear[c] * particles->surface[a].radius : 0});
   if (!model->material_pairs[contacts->material_pair[c]].wall)
-    nb_motion_release(
+    nb_motion_offset_force(
         model, b,
         (struct nb_force){vec_scale(-1, force), total_shear ? total_shear[c] * particles->surface[b].radius : 0});
   contacts->force[c] = vec(0, 0);
@@ -37,10 +37,10 @@ static void remove_particle(struct nb_model *model, size_t i) {
   struct nb_particles *particles = &model->particles;
   if (model->terms)
     nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_particle(model, i));
-  const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
+  const struct nb_contact_range its = nb_contact_range(&model->contacts.of, i);
   for (const int *c = its.first; c < its.end; c++)
     end_contact(model, (size_t)*c);
-  if (model->drive)
+  if (model->boundary)
     nb_boundary_remove(model, i);
   if (model->affine)
     nb_affine_remove(model, i);
@@ -56,9 +56,9 @@ enum nb_status nb_remove(struct nb_model *model, const struct nb_stage *stage, s
   for (size_t r = 0; r < stage->removal_count; r++)
     for (size_t k = stage->removals[r].from; k <= stage->removals[r].to; k++)
       remove_particle(model, (size_t)model->particles.slot[k]);
-  model->search.keeping = true;
+  model->search.keep_forces = true;
   const enum nb_status status = nb_neighbours_search(model, error);
-  model->search.keeping = false;
+  model->search.keep_forces = false;
   if (!status)
     nb_balance_exclude(model, false);
   return status;

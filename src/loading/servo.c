@@ -39,7 +39,7 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
     if ((wall && !servo->box) || !nb_touches(contacts, c))
       continue;
     const struct nb_vec l =
-        wall ? nb_wall_apart(&model->walls, contacts->b[c], model->particles.position[contacts->a[c]])
+        wall ? nb_wall_separation(&model->walls, contacts->b[c], model->particles.position[contacts->a[c]])
              : nb_contacts_branch(model, c);
     sum += contacts->kept[NB_STIFFNESS][c] * vec_dot(l, l);
   }
@@ -76,8 +76,8 @@ static struct nb_tensor stress_error(const struct nb_model *model, const struct 
     error[k] -= from->stress[k] + fraction * (servo->stress[k] - from->stress[k]);
   if (servo->mean)
     return tensor((error[0] + error[1]) / 2, 0, 0, (error[0] + error[1]) / 2);
-  const double shear = servo->held[2] ? error[2] : 0;
-  return tensor(servo->held[0] ? error[0] : 0, shear, shear, servo->held[1] ? error[1] : 0);
+  const double shear = servo->controlled[2] ? error[2] : 0;
+  return tensor(servo->controlled[0] ? error[0] : 0, shear, shear, servo->controlled[1] ? error[1] : 0);
 }
 
 bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo, double *b, double *t) {
@@ -97,7 +97,7 @@ bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo,
 
 /* What is to be added to the strain rates now, in the axes of the servo, 1/s. */
 static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double fraction) {
-  const double limit = servo->per_cycle ? servo->most / model->step : servo->most;
+  const double limit = servo->per_cycle ? servo->max_rate / model->step : servo->max_rate;
   double b, t;
   nb_servo_scales(model, servo, &b, &t);
   struct nb_servo_from *from = &model->affine->servo_from;
@@ -106,14 +106,14 @@ static struct nb_tensor correction(struct nb_model *model, const struct nb_servo
   const double largest = tensor_largest(error), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
   const bool too_fast = largest > 0 && rate * largest > limit;
   const struct nb_tensor p = tensor_scale(too_fast ? limit / largest : largest > 0 ? rate : 0, error);
-  const struct nb_tensor added = tensor_add(p, from->gathered);
+  const struct nb_tensor added = tensor_add(p, from->integral);
   if (from->begun && !too_fast && tensor_largest(added) <= limit) {
-    from->gathered = tensor_add(from->gathered, tensor_scale((double)servo->every * model->step / (16 * t), p));
+    from->integral = tensor_add(from->integral, tensor_scale((double)servo->every * model->step / (16 * t), p));
     return added;
   }
   from->begun = true;
-  from->gathered = tensor_scale(-(1 - sqrt(0.75)) / 2, p);
-  return tensor_add(p, from->gathered);
+  from->integral = tensor_scale(-(1 - sqrt(0.75)) / 2, p);
+  return tensor_add(p, from->integral);
 }
 
 void nb_servo_begin(struct nb_model *model) {
@@ -129,16 +129,16 @@ void nb_servo_begin(struct nb_model *model) {
 void nb_servo_apply(struct nb_model *model) {
   struct nb_affine *affine = model->affine;
   const struct nb_servo *servo = &model->stage->servo;
-  if (model->stage_cycle % servo->every != 0 || !(servo->cell || servo->box || model->drive->ring.held))
+  if (model->stage_cycle % servo->every != 0 || !(servo->cell || servo->box || model->boundary->ring.held))
     return;
   const double fraction = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
   const struct nb_tensor added = tensor_turned(axes(servo), correction(model, servo, fraction));
-  const bool moved[NB_CARRIERS] = {
-      [NB_CARRIER_CONTINUUM] = servo->continuum,
-      [NB_CARRIER_BOUNDARY] = !servo->cell && !servo->box,
-      [NB_CARRIER_CELL] = servo->cell,
-      [NB_CARRIER_BOX] = servo->box,
+  const bool moved[NB_AFFINE_SOURCES] = {
+      [NB_AFFINE_FREE] = servo->affine,
+      [NB_AFFINE_BOUNDARY] = !servo->cell && !servo->box,
+      [NB_AFFINE_CELL] = servo->cell,
+      [NB_AFFINE_BOX] = servo->box,
   };
-  for (int c = 0; c < NB_CARRIERS; c++)
-    affine->rate[c] = moved[c] ? tensor_add(affine->level[c], added) : affine->level[c];
+  for (int c = 0; c < NB_AFFINE_SOURCES; c++)
+    affine->rate[c] = moved[c] ? tensor_add(affine->base_rate[c], added) : affine->base_rate[c];
 }

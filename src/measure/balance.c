@@ -88,7 +88,7 @@ static bool allocate(struct nb_model *model) {
 /* The walls' velocities over the step that ends at t_N. */
 static void record_walls(const struct nb_model *model) {
   for (size_t w = 0; w < model->walls.count; w++)
-    model->balance->walls[w].speed = (struct nb_state){model->walls.velocity[w], model->walls.spin[w]};
+    model->balance->walls[w].speed = (struct nb_velocities){model->walls.velocity[w], model->walls.spin[w]};
 }
 
 enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error) {
@@ -130,7 +130,7 @@ struct kick {
 
 static struct kick whole_kick(const struct nb_model *model) {
   const double first_half = model->previous_step / 2, second_half = model->step / 2;
-  return (struct kick){first_half, second_half, first_half + second_half, 1, nb_kick_before(model)};
+  return (struct kick){first_half, second_half, first_half + second_half, 1, nb_kick_fraction_before(model)};
 }
 
 /* The half that lies behind t_N, as it will be when nothing else happens. */
@@ -145,11 +145,11 @@ static void affine(const struct nb_model *model, struct kick kick) {
   for (size_t i = 0; i < model->particles.count && model->affine; i++)
     b->particles[i].imposed =
         vec_add(vec_scale(kick.first_half, model->particles.imposed[i]),
-                vec_scale(kick.second_half, nb_affine_remembered(model->affine, i, model->particles.position[i])));
+                vec_scale(kick.second_half, nb_affine_separate(model->affine, i, model->particles.position[i])));
   if (cell)
     b->copy_displacement =
-        tensor_add(tensor_scale(kick.first_half, cell->parting),
-                   tensor_scale(kick.second_half, tensor_product(model->affine->rate[NB_CARRIER_CELL], cell->h)));
+        tensor_add(tensor_scale(kick.first_half, cell->image_velocity),
+                   tensor_scale(kick.second_half, tensor_product(model->affine->rate[NB_AFFINE_CELL], cell->h)));
 }
 
 /* The copy that a contact is with is carried so much more. */
@@ -172,28 +172,28 @@ static void record_state(const struct nb_model *model, struct kick kick) {
 
 /* What stays in a body's own velocity of what carries it along (affine.h), m/s. */
 static struct nb_vec accumulated(const struct nb_model *model, size_t i) {
-  return model->affine ? nb_affine_left(model->affine, i, model->balance->particles[i].position) : vec(0, 0);
+  return model->affine ? nb_affine_accumulated(model->affine, i, model->balance->particles[i].position) : vec(0, 0);
 }
 
 /* What global damping takes from a body in a kick with that mean velocity: its impulse, against the motion, times that. */
-static double damping_loss(const struct nb_model *model, size_t i, struct nb_state old, struct nb_state mean,
+static double damping_loss(const struct nb_model *model, size_t i, struct nb_velocities old, struct nb_velocities mean,
                            struct nb_force force, struct kick kick) {
   const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), old.velocity);
-  const struct nb_state new = {vec_sub(after, accumulated(model, i)), 2 * mean.spin - old.spin};
-  const struct nb_shares by = nb_shares(model, kick.time, kick.before);
+  const struct nb_velocities new = {vec_sub(after, accumulated(model, i)), 2 * mean.spin - old.spin};
+  const struct nb_damping_losses by = nb_damping_losses(model, kick.time, kick.before);
   const struct nb_vec kept = vec_add(vec_scale(by.old, old.velocity), vec_scale(by.new, new.velocity));
   const struct nb_vec linear =
-      vec_add(vec_scale(model->particles.mass[i], kept), vec_scale(by.pushed * kick.time, force.force));
+      vec_add(vec_scale(model->particles.mass[i], kept), vec_scale(by.impulse * kick.time, force.force));
   const double angular =
-      model->particles.inertia[i] * (by.old * old.spin + by.new *new.spin) + by.pushed * kick.time * force.moment;
+      model->particles.inertia[i] * (by.old * old.spin + by.new *new.spin) + by.impulse * kick.time * force.moment;
   return vec_dot(linear, mean.velocity) + angular * mean.spin;
 }
 
 /* What that, and stress on a boundary, give a body in such a kick. */
 static double imposed_work(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
   struct nb_vec impulse = vec_scale(model->particles.mass[i], accumulated(model, i));
-  if (model->particles.pressed)
-    impulse = vec_add(impulse, vec_scale(time, model->particles.pressed[i]));
+  if (model->particles.boundary_force)
+    impulse = vec_add(impulse, vec_scale(time, model->particles.boundary_force[i]));
   return vec_dot(impulse, mean);
 }
 
@@ -201,7 +201,7 @@ static void add_particles(struct nb_sum terms[], const struct nb_model *model, s
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    const struct nb_state old = model->balance->particles[i].before, now = model->balance->particles[i].now;
+    const struct nb_velocities old = model->balance->particles[i].before, now = model->balance->particles[i].now;
     struct nb_force force = nb_force_on(model, i);
     if (!(particles->inverse_mass[i] > 0)) {
       const double held = vec_dot(force.force, now.velocity) + force.moment * now.spin;
@@ -209,11 +209,12 @@ static void add_particles(struct nb_sum terms[], const struct nb_model *model, s
       continue;
     }
     const struct nb_vec weight = nb_weight(model, i, model->balance->particles[i].position);
-    force.force = vec_add(force.force, particles->pressed ? vec_add(weight, particles->pressed[i]) : weight);
+    force.force =
+        vec_add(force.force, particles->boundary_force ? vec_add(weight, particles->boundary_force[i]) : weight);
     nb_sum_add(&terms[NB_TERM_GRAVITY], kick.fraction * kick.time * vec_dot(weight, now.velocity) +
                                             vec_dot(weight, model->balance->particles[i].imposed));
     if (model->affine)
-      nb_sum_add(&terms[NB_TERM_DRIVEN], kick.fraction * imposed_work(model, i, now.velocity, kick.time));
+      nb_sum_add(&terms[NB_TERM_IMPOSED], kick.fraction * imposed_work(model, i, now.velocity, kick.time));
     nb_sum_add(&terms[NB_TERM_DAMPED], kick.fraction * damping_loss(model, i, old, now, force, kick));
   }
 }
@@ -225,21 +226,21 @@ static void add_work(struct nb_sum *work, const struct nb_model *model, struct k
     const size_t i = (size_t)particles->slot[k];
     if (!(particles->inverse_mass[i] > 0))
       continue;
-    const struct nb_state old = model->balance->particles[i].before, new = nb_velocity_half(model, i);
-    const struct nb_state mean = {vec_scale(0.5, vec_add(old.velocity, new.velocity)), (old.spin + new.spin) / 2};
+    const struct nb_velocities old = model->balance->particles[i].before, new = nb_velocity_half(model, i);
+    const struct nb_velocities mean = {vec_scale(0.5, vec_add(old.velocity, new.velocity)), (old.spin + new.spin) / 2};
     struct nb_force force = nb_force_on(model, i);
     force.force = vec_add(force.force, nb_weight(model, i, model->balance->particles[i].position));
     if (model->affine)
       nb_sum_add(work, imposed_work(model, i, mean.velocity, kick.time));
     nb_sum_add(work, kick.time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
-    if (model->particles.pressed)
-      force.force = vec_add(force.force, model->particles.pressed[i]);
+    if (model->particles.boundary_force)
+      force.force = vec_add(force.force, model->particles.boundary_force[i]);
     nb_sum_add(work, -damping_loss(model, i, old, mean, force, kick));
   }
 }
 
 static struct nb_vec wall_displacement(const struct nb_model *model, struct kick kick, int w, struct nb_vec q) {
-  const struct nb_state before = model->balance->walls[w].speed;
+  const struct nb_velocities before = model->balance->walls[w].speed;
   const struct nb_vec arm = vec_sub(q, model->balance->walls[w].pivot), perpendicular = vec(-arm.y, arm.x);
   const struct nb_vec old = vec_add(before.velocity, vec_scale(before.spin, perpendicular));
   const struct nb_vec new = vec_add(model->walls.velocity[w], vec_scale(model->walls.spin[w], perpendicular));
@@ -289,10 +290,10 @@ static void add_imposed(struct nb_sum terms[], const struct nb_model *model) {
     struct nb_vec force = nb_force_on(model, i).force;
     if (particles->inverse_mass[i] > 0)
       force = vec_add(force, nb_weight(model, i, model->balance->particles[i].position));
-    nb_sum_add(&terms[NB_TERM_DRIVEN], -vec_dot(force, model->balance->particles[i].imposed));
+    nb_sum_add(&terms[NB_TERM_IMPOSED], -vec_dot(force, model->balance->particles[i].imposed));
   }
   for (size_t c = 0; c < model->contacts.count && model->cell; c++)
-    nb_sum_add(&terms[NB_TERM_DRIVEN], vec_dot(model->contacts.force[c], copy_displacement(model, c)));
+    nb_sum_add(&terms[NB_TERM_IMPOSED], vec_dot(model->contacts.force[c], copy_displacement(model, c)));
 }
 
 static void add_terms(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
@@ -339,7 +340,7 @@ double nb_balance_work_residual(const struct nb_model *model) {
 double nb_balance_energy_residual(const struct nb_model *model) {
   static const double sign[NB_TERMS] = {
       [NB_TERM_DAMPED] = 1,   [NB_TERM_WALLS] = -1,   [NB_TERM_GRAVITY] = -1, [NB_TERM_FRICTIONAL] = 1,
-      [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1, [NB_TERM_REMOVED] = 1,  [NB_TERM_DRIVEN] = -1};
+      [NB_TERM_UNSTORED] = 1, [NB_TERM_CHANGED] = -1, [NB_TERM_REMOVED] = 1,  [NB_TERM_IMPOSED] = -1};
   struct nb_sum now[NB_TERMS], sum = {0};
   memcpy(now, model->terms, sizeof now);
   nb_balance_add_half_kick(now, model);

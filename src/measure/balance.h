@@ -8,16 +8,16 @@
 
 struct nb_balance {
   struct {
-    struct nb_state before, now;      /* velocities before the kick; those of t_N */
+    struct nb_velocities before, now; /* velocities before the kick; those of t_N */
     struct nb_vec position, imposed;  /* at t_N, m; how far it is carried along over the kick, m */
   } * particles;                      /* per slot */
   struct nb_tensor copy_displacement; /* how far the copy a side on is carried besides, m */
   struct {
-    struct nb_vec pivot;   /* P at t_N, m */
-    struct nb_state speed; /* over the step that ended there */
+    struct nb_vec pivot;        /* P at t_N, m */
+    struct nb_velocities speed; /* over the step that ended there */
   } * walls;
-  struct nb_pair *values;  /* per pairing: what its laws were given at t_N; */
-  struct nb_in_force laws; /* which they were then; */
+  struct nb_pair *values;     /* per pairing: what its laws were given at t_N; */
+  struct nb_active_laws laws; /* which they were then; */
   struct nb_new_overlap {
     int a, b;
   } * overlaps;                    /* slots of pairs that have come to the list overlapping; NULL: none ever have */

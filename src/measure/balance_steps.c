@@ -103,8 +103,8 @@ static double normal_energy_change(const struct nb_model *model) {
     const double overlap = model->contacts.kept[NB_OVERLAP][c];
     double new_history[NB_HISTORY], old_history[NB_HISTORY];
     history_of(new_history, model, c), history_of(old_history, model, c);
-    nb_sum_add(&sum, normal_energy(after, nb_contacts_values(model, c, new), overlap, new_history) -
-                         normal_energy(before, nb_contacts_values(model, c, old), overlap, old_history));
+    nb_sum_add(&sum, normal_energy(after, nb_contact_constants(model, c, new), overlap, new_history) -
+                         normal_energy(before, nb_contact_constants(model, c, old), overlap, old_history));
   }
   return sum.sum + sum.rest;
 }
@@ -117,7 +117,7 @@ static double shear_energy(const struct nb_model *model) {
     const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
     if (!nb_touches(contacts, c) || !material_pair->shear || !material_pair->shear->stored)
       continue;
-    const struct nb_pair values = nb_contacts_values(model, c, material_pair->values);
+    const struct nb_pair values = nb_contact_constants(model, c, material_pair->values);
     double history[NB_HISTORY], buffer[NB_HISTORY];
     history_of(history, model, c);
     struct nb_normal n = model->laws.normal->normal(values, contacts->kept[NB_OVERLAP][c], 0, history);
@@ -149,7 +149,7 @@ void nb_balance_change(struct nb_model *model, bool before) {
 static double normal_energy_at(const struct nb_model *model, size_t c, double overlap) {
   const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
   double history[NB_HISTORY] = {0};
-  return normal_energy(material_pair->normal, nb_contacts_values(model, c, material_pair->values), overlap, history);
+  return normal_energy(material_pair->normal, nb_contact_constants(model, c, material_pair->values), overlap, history);
 }
 
 static double overlap_of(const struct nb_model *model, size_t c) {

@@ -10,7 +10,7 @@
 
 double nb_boundary_area(const struct nb_model *model) {
   double twice = 0;
-  for (size_t k = 0; k < model->drive->ring.count; k++) {
+  for (size_t k = 0; k < model->boundary->ring.count; k++) {
     const struct nb_vec a = nb_boundary_position(model, k), b = nb_boundary_position(model, k + 1);
     twice += a.x * b.y - b.x * a.y;
   }
@@ -18,7 +18,7 @@ double nb_boundary_area(const struct nb_model *model) {
 }
 
 double nb_boundary_radius(const struct nb_model *model) {
-  const size_t count = model->drive->ring.count;
+  const size_t count = model->boundary->ring.count;
   double sum = 0;
   for (size_t k = 0; k < count; k++)
     sum += vec_length(nb_boundary_position(model, k));
@@ -26,7 +26,7 @@ double nb_boundary_radius(const struct nb_model *model) {
 }
 
 double nb_boundary_roughness(const struct nb_model *model) {
-  const size_t count = model->drive->ring.count;
+  const size_t count = model->boundary->ring.count;
   const double mean = nb_boundary_radius(model);
   double sum = 0;
   for (size_t k = 0; k < count; k++)
@@ -35,7 +35,7 @@ double nb_boundary_roughness(const struct nb_model *model) {
 }
 
 struct nb_tensor nb_boundary_stress(const struct nb_model *model) {
-  const struct nb_ring *ring = &model->drive->ring;
+  const struct nb_ring *ring = &model->boundary->ring;
   struct nb_tensor sum = tensor(0, 0, 0, 0);
   const double volume = nb_boundary_area(model) * nb_thickness(model);
   for (size_t k = 0; k < ring->count; k++)

@@ -6,10 +6,12 @@
 
 #include "core/boundary.h"
 
-static inline bool nb_boundary_exists(const struct nb_model *model) { return model->drive && model->drive->ring.begun; }
+static inline bool nb_boundary_exists(const struct nb_model *model) {
+  return model->boundary && model->boundary->ring.exists;
+}
 /* From the boundary's centre to that of its k-th particle, counterclockwise and round again, m. */
 static inline struct nb_vec nb_boundary_position(const struct nb_model *model, size_t k) {
-  const struct nb_ring *ring = &model->drive->ring;
+  const struct nb_ring *ring = &model->boundary->ring;
   return vec_sub(model->particles.position[ring->member[k % ring->count]], model->affine->centre);
 }
 double nb_boundary_area(const struct nb_model *model);      /* of the polygon through the centres of its bodies, m2 */

@@ -42,12 +42,12 @@ static struct approach circles_approach(struct nb_vec apart, struct nb_vec dn, d
 }
 
 /* The velocities that walls have in the first stage, before it has begun. */
-static struct nb_state wall_state(const struct nb_model *model, int wall) {
-  struct nb_state state = {model->walls.velocity[wall], model->walls.spin[wall]};
+static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
+  struct nb_velocities state = {model->walls.velocity[wall], model->walls.spin[wall]};
   const struct nb_stage *first = &model->scene->stages[0];
   for (size_t k = 0; k < first->motion_count && !model->stage; k++)
     if (first->motions[k].wall == wall && !first->motions[k].ramp)
-      state = (struct nb_state){vec(first->motions[k].vx, first->motions[k].vy), first->motions[k].spin};
+      state = (struct nb_velocities){vec(first->motions[k].vx, first->motions[k].vy), first->motions[k].spin};
   return state;
 }
 
@@ -56,7 +56,7 @@ static struct approach wall_approach(const struct nb_model *model, struct nb_vec
   const struct nb_walls *walls = &model->walls;
   const struct nb_vec along = walls->along[w], from = vec_sub(position, walls->point[w]);
   const double s = vec_dot(from, along);
-  const struct nb_state state = wall_state(model, w);
+  const struct nb_velocities state = wall_state(model, w);
   const struct nb_vec nearest = nb_wall_nearest(walls, w, position);
   const struct nb_vec arm = vec_sub(nearest, walls->pivot[w]);
   const struct nb_vec dn = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
@@ -130,7 +130,7 @@ struct nb_collision nb_collision_shortest(const struct nb_model *model) {
   if (!velocity)
     return shortest;
   for (size_t i = 0; i < n; i++)
-    velocity[i] = nb_velocity_whole(model, i);
+    velocity[i] = nb_velocity_total(model, i);
   for (size_t k = 0; k < n; k++) { /* in the order of numbers: of two that last as long the first one counts */
     const size_t i = (size_t)model->particles.slot[k];
     if (moving(velocity[i]))

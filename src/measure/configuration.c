@@ -73,7 +73,7 @@ void nb_configuration_free(struct nb_configuration *configuration) {
 }
 
 static double *slid(const struct nb_contacts *contacts, size_t r, size_t contact) {
-  const struct nb_history *history = &contacts->slid;
+  const struct nb_history *history = &contacts->slip_sum;
   return history->rows ? &history->rows[contact * (size_t)history->doubles + r] : &history->field[r][contact];
 }
 
@@ -188,7 +188,8 @@ bool nb_configuration_lattice(struct nb_table *table, const struct nb_model *mod
     if (is_removed(model, pair))
       continue;
     const bool wall = model->material_pairs[pair.material_pair].wall;
-    const struct nb_vec x = nb_cell_place(model, (size_t)pair.a), to = vec_add(x, nb_pair_branch(model, pair));
+    const struct nb_vec x = nb_cell_wrapped_position(model, (size_t)pair.a),
+                        to = vec_add(x, nb_pair_branch(model, pair));
     complete = nb_snapshot_row(table, model, stage, (const double[]){LINE(NB_VALUE)});
   }
   return complete;

@@ -27,7 +27,7 @@ static void find_rattlers(const struct nb_model *model) {
   int *touching = model->regions->touching, *queue = model->regions->queue;
   size_t queued = 0;
   for (size_t i = 0; i < model->particles.count; i++)
-    touching[i] = nb_touching(&model->contacts, i);
+    touching[i] = nb_coordination_number(&model->contacts, i);
   for (size_t i = 0; i < model->particles.count; i++)
     if (is_rattler(model, i))
       queue[queued++] = (int)i;
@@ -35,7 +35,7 @@ static void find_rattlers(const struct nb_model *model) {
     touching[queue[k]] = -1;
   while (queued > 0) {
     const size_t i = (size_t)queue[--queued];
-    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
+    const struct nb_contact_range its = nb_contact_range(&model->contacts.of, i);
     for (const int *entry = its.first; entry < its.end; entry++) {
       const size_t c = (size_t)*entry;
       const int other = nb_touches(&model->contacts, c) ? partner(model, c, i) : -1;
@@ -58,7 +58,7 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_stat
     it->particles++;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
     it->mechanical += touching[i] >= 0 ? touching[i] : 0;
-    const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, i);
+    const struct nb_contact_range its = nb_contact_range(&model->contacts.of, i);
     for (const int *entry = its.first; entry < its.end; entry++) {
       const size_t c = (size_t)*entry;
       if (!nb_touches(&model->contacts, c))

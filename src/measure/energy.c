@@ -9,7 +9,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
 
-static double kinetic_of(const struct nb_particles *particles, size_t i, struct nb_state v) {
+static double kinetic_of(const struct nb_particles *particles, size_t i, struct nb_velocities v) {
   return (particles->mass[i] * vec_dot(v.velocity, v.velocity) + particles->inertia[i] * (v.spin * v.spin)) / 2;
 }
 
@@ -24,7 +24,7 @@ static bool next_free(const struct nb_particles *particles, size_t *k, size_t *s
 }
 
 static double kinetic(const struct nb_model *model,
-                      struct nb_state (*velocity)(const struct nb_model *model, size_t slot)) {
+                      struct nb_velocities (*velocity)(const struct nb_model *model, size_t slot)) {
   const struct nb_particles *particles = &model->particles;
   double sum = 0;
   for (size_t k = 0, i; next_free(particles, &k, &i);)
@@ -50,7 +50,7 @@ static void add_stored(double *sum, const struct nb_model *model, size_t c) {
                               .stiffness = contacts->kept[NB_STIFFNESS][c],
                               .radius = contacts->kept[NB_RADIUS][c],
                               .overlap = contacts->kept[NB_OVERLAP][c]};
-  const struct nb_pair values = nb_contacts_values(model, c, material_pair->values);
+  const struct nb_pair values = nb_contact_constants(model, c, material_pair->values);
   double buffer[NB_HISTORY];
   if (material_pair->normal->stored)
     *sum += material_pair->normal->stored(values, n, nb_history_read(&contacts->normal_history, c, buffer));
@@ -72,7 +72,7 @@ double nb_energy_of_contact(const struct nb_model *model, size_t c) {
 }
 
 double nb_energy_of_particle(const struct nb_model *model, size_t slot) {
-  const struct nb_contacts_of its = nb_contacts_of(&model->contacts.of, slot);
+  const struct nb_contact_range its = nb_contact_range(&model->contacts.of, slot);
   double sum = nb_energy_kinetic_of(model, slot);
   for (const int *c = its.first; c < its.end; c++)
     add_stored(&sum, model, (size_t)*c);
@@ -91,7 +91,7 @@ double nb_momentum_angular(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double sum = 0;
   for (size_t k = 0, i; next_free(particles, &k, &i);) {
-    const struct nb_state v = nb_velocity_now(model, i);
+    const struct nb_velocities v = nb_velocity_now(model, i);
     const struct nb_vec x = particles->position[i];
     sum += particles->mass[i] * (x.x * v.velocity.y - x.y * v.velocity.x) + particles->inertia[i] * v.spin;
   }
@@ -101,7 +101,7 @@ double nb_momentum_angular(const struct nb_model *model) {
 double nb_unbalanced_max(const struct nb_model *model) {
   double sum = 0, contact = 0;
   for (size_t i = 0; i < model->particles.count; i++) {
-    const double size = model->particles.inverse_mass[i] > 0 ? vec_length(nb_force_left(model, i)) : 0;
+    const double size = model->particles.inverse_mass[i] > 0 ? vec_length(nb_unbalanced_force(model, i)) : 0;
     sum = size > sum ? size : sum;
   }
   for (size_t c = 0; c < model->contacts.count; c++) {

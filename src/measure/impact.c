@@ -31,7 +31,7 @@ static void elastic(struct nb_impact_state *incidence, struct nb_pair pair) {
 static struct nb_vec nearest(const struct nb_wall *wall, struct nb_vec x) {
   const struct nb_vec along = vec(wall->ex, wall->ey);
   const struct nb_vec point = vec_add(vec(wall->x, wall->y), vec_scale(-wall->h0, vec_clockwise(along)));
-  return vec_add(point, vec_scale(nb_wall_within(vec_dot(vec_sub(x, point), along), wall->h1, wall->h2), along));
+  return vec_add(point, vec_scale(nb_wall_clamp(vec_dot(vec_sub(x, point), along), wall->h1, wall->h2), along));
 }
 
 static double inverse_mass(const struct nb_scene *scene, const struct nb_particle *particle) {
@@ -86,12 +86,12 @@ static struct progress progress(const struct nb_model *model) {
   const bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
   const int i = particles->slot[monitor->a], j = wall ? monitor->b : particles->slot[monitor->b];
   const long contact = nb_contacts_find(model, i, j, wall);
-  const struct nb_state a = nb_velocity_now(model, (size_t)i);
-  const struct nb_state b =
-      wall ? (struct nb_state){.velocity = model->walls.velocity[j]} : nb_velocity_now(model, (size_t)j);
+  const struct nb_velocities a = nb_velocity_now(model, (size_t)i);
+  const struct nb_velocities b =
+      wall ? (struct nb_velocities){.velocity = model->walls.velocity[j]} : nb_velocity_now(model, (size_t)j);
   const struct nb_particle *particle = &scene->particles[monitor->a],
                            *other = wall ? NULL : &scene->particles[monitor->b];
-  struct progress it = {.incidence = nb_impact_incidence(scene), .elapsed = model->time - model->touch};
+  struct progress it = {.incidence = nb_impact_incidence(scene), .elapsed = model->time - model->impact_time};
   const struct nb_vec at = wall ? model->walls.pivot[j] : particles->position[j];
   const struct nb_vec began = wall ? vec(scene->walls[j].x, scene->walls[j].y) : vec(other->x, other->y);
   it.direction = it.incidence.tangent_v < 0 ? -1 : 1;
@@ -100,7 +100,7 @@ static struct progress progress(const struct nb_model *model) {
   it.displacement = vec_sub(vec_sub(particles->position[i], at), vec_sub(vec(particle->x, particle->y), began));
   if (particles->angle)
     it.rolled = particles->angle[i] * particle->radius + (wall ? 0 : particles->angle[j] * other->radius);
-  it.rolled -= model->touch * it.incidence.surface;
+  it.rolled -= model->impact_time * it.incidence.surface;
   it.normal_f = field(model, contact, NB_NORMAL), it.shear_f = field(model, contact, NB_SHEAR);
   it.rotational_energy =
       (particles->inertia[i] * a.spin * a.spin + (wall ? 0 : particles->inertia[j] * b.spin * b.spin)) / 2;

@@ -44,7 +44,7 @@ static double mean_force_sum(const struct nb_model *model, const struct nb_regio
   double sum = 0, count = 0;
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);)
     if (model->particles.inverse_mass[i] > 0)
-      sum += vec_length(nb_force_left(model, i)), count++;
+      sum += vec_length(nb_unbalanced_force(model, i)), count++;
   return count > 0 ? sum / count : 0;
 }
 

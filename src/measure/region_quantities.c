@@ -7,7 +7,7 @@
 
 static void parts_of(double parts[], const struct nb_quantity_kind *kind, const struct nb_model *model,
                      const struct nb_monitor *monitor) {
-  const size_t count = kind->family == NB_ALONE ? 1 : kind->family == NB_FOURTH ? 5 : 4;
+  const size_t count = kind->family == NB_SCALAR ? 1 : kind->family == NB_FOURTH ? 5 : 4;
   memcpy(parts, (const char *)nb_region_measured(model, monitor->a, (enum nb_measure)kind->measure) + kind->at,
          count * sizeof *parts);
 }
@@ -22,45 +22,45 @@ static void parts_of(double parts[], const struct nb_quantity_kind *kind, const 
   OF(called, of, in, NB_READS_ENDS | NB_READS_LOADS, NB_FABRIC, fabric.member, what)
 #define PART(called, which, of_what)                                                                                   \
   ENDS(called, NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.part[which].stress, "stress carried by " of_what),           \
-      ENDS(called ".fraction", NB_ALONE, "1", NB_STRESS_PARTS, stress.part[which].fraction,                            \
+      ENDS(called ".fraction", NB_SCALAR, "1", NB_STRESS_PARTS, stress.part[which].fraction,                           \
            "fraction of the deviator carried by " of_what)
 #define COUNT(called, member, what)                                                                                    \
-  OF(called, NB_ALONE, "1", NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
+  OF(called, NB_SCALAR, "1", NB_READS_TOUCH, NB_COORDINATION, coordination.member, what)
 #define LOAD(called, of, in, member, what) OF(called, of, in, NB_READS_LOADS, NB_LOADS, loads.member, what)
 #define STRAIN(called, of, in, member, what) OF(called, of, in, NB_REQUEST_STRAIN, NB_STRAIN, strain.member, what)
-#define SPEED(called, in, member, what) OF(called, NB_ALONE, in, 0, NB_SPEEDS, speeds.member, what)
+#define SPEED(called, in, member, what) OF(called, NB_SCALAR, in, 0, NB_SPEEDS, speeds.member, what)
 #define CHAIN(called, in, member, what)                                                                                \
-  OF(called, NB_ALONE, in, NB_READS_ENDS | NB_REQUEST_CHAINS, NB_CHAINS, chains.member, what)
+  OF(called, NB_SCALAR, in, NB_READS_ENDS | NB_REQUEST_CHAINS, NB_CHAINS, chains.member, what)
 #define CHANGED_CONTACTS(called, of, member, what)                                                                     \
   OF(called, of, "1", NB_READS_TOUCH | NB_REQUEST_CHANGED_CONTACTS, NB_CHANGED_CONTACTS, member, what)
 
 const struct nb_quantity_kind nb_region_kinds[] = {
     ENDS("stress", NB_STRESSES, "Pa", NB_STRESS, stress.total, "stress by particles, compression positive"),
-    ENDS("stress.sinphi", NB_ALONE, "1", NB_STRESS, stress.sinphi, "sin Phi, deviator over twice the mean stress"),
+    ENDS("stress.sinphi", NB_SCALAR, "1", NB_STRESS, stress.sinphi, "sin Phi, deviator over twice the mean stress"),
     ENDS("stress.contacts", NB_STRESSES, "Pa", NB_STRESS_PARTS, stress.contacts, "stress by contacts"),
     PART("stress.normal", NB_STRESS_NORMAL, "normal forces"),
     PART("stress.shear", NB_STRESS_SHEAR, "shear forces"),
     PART("stress.fabric", NB_STRESS_FABRIC, "the mean normal force at every contact"),
     PART("stress.variation", NB_STRESS_VARIATION, "normal forces less their mean"),
-    ENDS("stress.residual", NB_ALONE, "Pa", NB_STRESS_PARTS, stress.residual,
+    ENDS("stress.residual", NB_SCALAR, "Pa", NB_STRESS_PARTS, stress.residual,
          "largest difference between stress by particles and by contacts, and between parts and what they sum to: "
          "rounding"),
 
     FABRIC("fabric", NB_FABRICS, "1", plain.second, "structural anisotropy Phi [R89 4.48]"),
     FABRIC("fabric.fourth", NB_FOURTH, "1", plain.xxxx, "structural anisotropy of fourth order [R89 4.48]"),
-    FABRIC("fabric.kk", NB_ALONE, "1/m2", kk, "F_kk, contact ends times mean radius over volume [R89 4.46]"),
+    FABRIC("fabric.kk", NB_SCALAR, "1/m2", kk, "F_kk, contact ends times mean radius over volume [R89 4.46]"),
     FABRIC("fabric.normal", NB_FABRICS, "1", normal.second, "Phi weighted by the normal force"),
     FABRIC("fabric.shear", NB_FABRICS, "1", shear.second, "Phi weighted by the magnitude of the shear force"),
     FABRIC("fabric.sliding", NB_FABRICS, "1", sliding.second,
            "Phi of contacts whose shear force is 0.99 of its limit or more"),
     FABRIC("fabric.sliding.fourth", NB_FOURTH, "1", sliding.xxxx, "the same of fourth order"),
 
-    OF("area", NB_ALONE, "m2", 0, NB_POROSITY, area, "of the region"),
-    OF("porosity", NB_ALONE, "1", 0, NB_POROSITY, porosity.areal,
+    OF("area", NB_SCALAR, "m2", 0, NB_POROSITY, area, "of the region"),
+    OF("porosity", NB_SCALAR, "1", 0, NB_POROSITY, porosity.areal,
        "areal porosity: fraction of the area that no particle covers; those cut by the edge count by the part inside"),
-    OF("porosity.volume", NB_ALONE, "1", 0, NB_POROSITY, porosity.volume,
+    OF("porosity.volume", NB_SCALAR, "1", 0, NB_POROSITY, porosity.volume,
        "porosity by volume, area times thickness: mean diameter of all spheres, 1 m of discs [R89 4.4]"),
-    OF("void_ratio", NB_ALONE, "1", 0, NB_POROSITY, porosity.void_ratio,
+    OF("void_ratio", NB_SCALAR, "1", 0, NB_POROSITY, porosity.void_ratio,
        "void ratio e = n/(1 - n), n the areal porosity"),
 
     COUNT("particles", particles, "number of particles whose centre is inside"),
@@ -70,25 +70,26 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     COUNT("rattlers", rattlers,
           "number of free particles inside with fewer than two contacts, contacts with rattlers not counted"),
 
-    LOAD("normal", NB_SPREAD, "N", normal, "elastic normal force of the contacts"),
-    LOAD("shear", NB_SPREAD, "N", shear, "magnitude of the elastic shear force of the contacts"),
-    LOAD("contact_stress", NB_SPREAD, "Pa", pressure, "normal force over contact area [R89 4.6]"),
-    LOAD("contact_shear", NB_SPREAD, "Pa", traction, "magnitude of the shear force over contact area [R89 4.6]"),
-    LOAD("contact_ratio", NB_SPREAD, "1", ratio, "radius of the contact over that of the smaller particle [R89 4.6]"),
-    LOAD("obliquity", NB_SPREAD, "1", obliquity, "shear force over its limit, of contacts that have one"),
-    LOAD("sliding", NB_ALONE, "1", sliding,
+    LOAD("normal", NB_STATISTICS, "N", normal, "elastic normal force of the contacts"),
+    LOAD("shear", NB_STATISTICS, "N", shear, "magnitude of the elastic shear force of the contacts"),
+    LOAD("contact_stress", NB_STATISTICS, "Pa", pressure, "normal force over contact area [R89 4.6]"),
+    LOAD("contact_shear", NB_STATISTICS, "Pa", traction, "magnitude of the shear force over contact area [R89 4.6]"),
+    LOAD("contact_ratio", NB_STATISTICS, "1", ratio,
+         "radius of the contact over that of the smaller particle [R89 4.6]"),
+    LOAD("obliquity", NB_STATISTICS, "1", obliquity, "shear force over its limit, of contacts that have one"),
+    LOAD("sliding", NB_SCALAR, "1", sliding,
          "sliding fraction: contacts whose shear force is at its limit, over all contacts"),
-    LOAD("sliding.near", NB_ALONE, "1", near_sliding,
+    LOAD("sliding.near", NB_SCALAR, "1", near_sliding,
          "fraction of the contacts whose shear force is 0.99 of its limit or more"),
-    LOAD("unbalanced.mean", NB_ALONE, "1", unbalanced_mean,
+    LOAD("unbalanced.mean", NB_SCALAR, "1", unbalanced_mean,
          "mean unbalanced force on a free particle over the mean normal force of the contacts"),
-    LOAD("unbalanced.force", NB_ALONE, "N", unbalanced_force,
+    LOAD("unbalanced.force", NB_SCALAR, "N", unbalanced_force,
          "mean magnitude of the unbalanced force on a free particle"),
 
     STRAIN("strain", NB_TENSOR, "1", strain,
            "strain fitted to the displacements of the particles by least squares, extension positive"),
-    STRAIN("strain.volumetric", NB_ALONE, "1", volumetric, "volumetric strain xx + yy, expansion positive"),
-    STRAIN("strain.rotation", NB_ALONE, "rad", rotation, "mean rigid rotation of the region, small, counterclockwise"),
+    STRAIN("strain.volumetric", NB_SCALAR, "1", volumetric, "volumetric strain xx + yy, expansion positive"),
+    STRAIN("strain.rotation", NB_SCALAR, "rad", rotation, "mean rigid rotation of the region, small, counterclockwise"),
 
     SPEED("speed.mean", "m/s", mean, "mean speed of the free particles inside, relative to the imposed motion"),
     SPEED("speed.max", "m/s", max, "the largest of these speeds"),
@@ -102,9 +103,9 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     CHAIN("chains.fraction", "1", fraction, "fraction of the free particles inside that are in force chains"),
     CHAIN("chains.bend", "rad", bend, "mean angle between successive links of force chains: 0 is straight"),
 
-    CHANGED_CONTACTS("contacts.lost", NB_ALONE, lost.count,
+    CHANGED_CONTACTS("contacts.lost", NB_SCALAR, lost.count,
                      "number of contacts lost since the stage that `from` names, else the start"),
-    CHANGED_CONTACTS("contacts.new", NB_ALONE, gained.count, "number of contacts gained since"),
+    CHANGED_CONTACTS("contacts.new", NB_SCALAR, gained.count, "number of contacts gained since"),
     CHANGED_CONTACTS("fabric.lost", NB_FABRICS, lost.phi, "Phi of contacts lost since"),
     CHANGED_CONTACTS("fabric.new", NB_FABRICS, gained.phi, "Phi of contacts made since"),
     {.name = NULL},

@@ -46,7 +46,7 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
   COLUMN("fy", "N", force.force.y)                                                                                     \
   COLUMN("moment", "N.m", force.moment)                                                                                \
   COLUMN("spin", "rad/s", nb_velocity_now(model, i).spin)                                                              \
-  COLUMN("contacts", "1", nb_touching(&model->contacts, i))                                                            \
+  COLUMN("contacts", "1", nb_coordination_number(&model->contacts, i))                                                 \
   COLUMN("fixed", "1", !(particles->inverse_mass[i] > 0))                                                              \
   COLUMN("moved_x", "m", moved.x)                                                                                      \
   COLUMN("moved_y", "m", moved.y)                                                                                      \
@@ -61,7 +61,7 @@ static bool particles_table(struct nb_table *table, const struct nb_model *model
     const size_t i = (size_t)particles->slot[k];
     if (nb_removed(model, i))
       continue;
-    const struct nb_vec x = nb_cell_place(model, i), v = nb_velocity_whole(model, i);
+    const struct nb_vec x = nb_cell_wrapped_position(model, i), v = nb_velocity_total(model, i);
     const struct nb_force force = nb_force_on(model, i);
     const struct nb_vec moved = from < 0 ? vec(0, 0) : nb_configuration_displacement(model, from, i);
     complete = nb_snapshot_row(table, model, stage, (const double[]){PARTICLE(NB_VALUE)});
@@ -123,7 +123,7 @@ static bool contacts_table(struct nb_table *table, const struct nb_model *model,
     const struct nb_vec e = vec(contacts->kept[NB_EX][c], contacts->kept[NB_EY][c]), t = vec_clockwise(e);
     const double shear = model->material_pairs[contacts->material_pair[c]].shear ? contacts->kept[NB_SHEAR][c] : 0;
     const struct nb_contact_load load = nb_contact_load(model, c);
-    const struct nb_vec x = nb_cell_place(model, (size_t)i);
+    const struct nb_vec x = nb_cell_wrapped_position(model, (size_t)i);
     const double arm = particles->surface[i].radius - overlap / 2;
     complete = nb_snapshot_row(table, model, stage, (const double[]){CONTACT(NB_VALUE)});
   }

@@ -104,10 +104,10 @@ static const double rounding = 1e-6;
 /* The overlap at which the normal law has this stiffness: by Hertz k_n = 2 E* (R* alpha)^(1/2), and no more than the law says. */
 static double overlap_with_stiffness(const struct nb_model *model, size_t c, double stiffness) {
   const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
-  const struct nb_pair values = nb_contacts_values(model, c, material_pair->next);
+  const struct nb_pair values = nb_contact_constants(model, c, material_pair->next);
   double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), none[NB_HISTORY] = {0};
   while (overlap > 0 && isfinite(overlap) &&
-         nb_normal_stiffest(material_pair->normal->normal(values, overlap, 0, none)) > (1 + rounding) * stiffness)
+         nb_normal_max_stiffness(material_pair->normal->normal(values, overlap, 0, none)) > (1 + rounding) * stiffness)
     overlap /= 2;
   return overlap;
 }
@@ -156,16 +156,16 @@ static const double proposed_fraction = 0.8;
 /* A step below what is sure to be stable, as the page says its own. */
 static void proposed_step(char *text, size_t size, const struct nb_model *model, double stable_overlap) {
   static const char *const of[] = {[NB_STEP_TIME] = " s",
-                                   [NB_STEP_CRITICAL] = " of single-contact",
-                                   [NB_STEP_SAFE] = " of stable",
-                                   [NB_STEP_CONTACT] = " per collision",
+                                   [NB_STEP_SINGLE_CONTACT] = " of single-contact",
+                                   [NB_STEP_STABLE] = " of stable",
+                                   [NB_STEP_COLLISION] = " per collision",
                                    [NB_STEP_RAYLEIGH] = " of rayleigh",
                                    [NB_STEP_RAYLEIGH_MEAN] = " of rayleigh-mean",
                                    [NB_STEP_RAYLEIGH_FIT] = " of rayleigh-fit",
                                    [NB_STEP_RAYLEIGH_FIT_MEAN] = " of rayleigh-fit-mean"};
   const struct nb_step *step = model->stage ? &model->stage->step : &model->scene->step;
   const double value = proposed_fraction * step->value * stable_overlap / model->step;
-  if (step->kind == NB_STEP_CONTACT)
+  if (step->kind == NB_STEP_COLLISION)
     snprintf(text, size, "step %.0f%s", ceil(1 / value), of[step->kind]);
   else
     snprintf(text, size, "step %.2g%s", value, step->kind || !model->scene->unitless ? of[step->kind] : "");

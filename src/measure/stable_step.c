@@ -61,14 +61,15 @@ static void update_next_properties(const struct nb_model *model) {
 }
 
 /* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
-static struct nb_stiff coefficients_at(const struct nb_model *model, const struct nb_material_pair *material_pair,
-                                       double overlap, double inverse_mass, double radius, bool deep,
-                                       double normal_history[], double shear_history[]) {
+static struct nb_coefficients coefficients_at(const struct nb_model *model,
+                                              const struct nb_material_pair *material_pair, double overlap,
+                                              double inverse_mass, double radius, bool deep, double normal_history[],
+                                              double shear_history[]) {
   struct nb_pair values = material_pair->next;
   values.radius = radius;
   struct nb_normal normal = model->next.normal->normal(values, overlap, 0, normal_history);
   normal.overlap = overlap;
-  struct nb_stiff k = {.kn = nb_normal_stiffest(normal)};
+  struct nb_coefficients k = {.kn = nb_normal_max_stiffness(normal)};
   if (material_pair->next_shear)
     k.ks = material_pair->next_shear->shear(values, normal, 0, shear_history).stiffness;
   if (!model->plan.dashpots)
@@ -88,7 +89,7 @@ static double inverse_mass(const struct nb_model *model, size_t c, bool wall) {
 /* The smallest overlap there is: what a pair that does not touch counts as. */
 static const double smallest_overlap = DBL_MIN;
 
-static struct nb_stiff coefficients_of(const struct nb_model *model, size_t c) {
+static struct nb_coefficients coefficients_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
   double normal_history[NB_HISTORY], shear_history[NB_HISTORY_MAX];
@@ -105,8 +106,8 @@ static struct nb_stiff coefficients_of(const struct nb_model *model, size_t c) {
   const double overlap = nb_overlap(model, c), least = model->next.normal->elastic ? 0 : smallest_overlap;
   return coefficients_at(model, material_pair, overlap > least ? overlap : least,
                          inverse_mass(model, c, material_pair->wall),
-                         nb_contacts_values(model, c, material_pair->next).radius,
-                         model->damping.deep > 0 && nb_deep_is(model, c), normal_history, shear_history);
+                         nb_contact_constants(model, c, material_pair->next).radius,
+                         model->damping.deep > 0 && nb_is_deep(model, c), normal_history, shear_history);
 }
 
 double nb_stability_limit(const struct nb_damping *damping) {
@@ -118,7 +119,7 @@ double nb_stability_limit(const struct nb_damping *damping) {
 }
 
 static double element_shear(const struct nb_element *element, double dt) {
-  const struct nb_stiff *k = &element->own;
+  const struct nb_coefficients *k = &element->own;
   if (!(k->ks > 0))
     return 0;
   const double ratio = (dt * k->ks + 2 * k->cs) / (dt * k->kn + 2 * k->cn);
@@ -145,7 +146,7 @@ static double largest_step(const struct nb_element *element, double limit) {
   }
 }
 
-static void add(struct nb_particle_sums *load, const struct nb_stiff *k, double radius) {
+static void add(struct nb_particle_sums *load, const struct nb_coefficients *k, double radius) {
   const double square = radius * radius;
   load->kn += k->kn, load->cn += k->cn;
   load->ks += k->ks * square, load->cs += k->cs * square;
@@ -212,7 +213,7 @@ struct nb_stable nb_stable_step_stage(const struct nb_model *model) {
 struct nb_element nb_element_of(const struct nb_model *model, size_t c) {
   const struct nb_particles *particles = &model->particles;
   const int i = model->contacts.a[c], j = model->contacts.b[c];
-  struct nb_element element = {.own = model->blocks.stiff[c]};
+  struct nb_element element = {.own = model->blocks.coefficients[c]};
   add_particle(&element, &model->stability->sums[i], particles->inverse_mass[i], particles->inverse_inertia[i]);
   if (!model->material_pairs[model->contacts.material_pair[c]].wall)
     add_particle(&element, &model->stability->sums[j], particles->inverse_mass[j], particles->inverse_inertia[j]);
@@ -230,7 +231,7 @@ struct nb_stable nb_stable_step(const struct nb_model *model) {
   memset(model->stability->sums, 0, particles->count * sizeof *model->stability->sums);
   for (size_t c = 0; c < contacts->count; c++) { /* in the order of numbers, whatever the storage */
     const int i = contacts->a[c], j = contacts->b[c];
-    const struct nb_stiff k = model->blocks.stiff[c] = coefficients_of(model, c);
+    const struct nb_coefficients k = model->blocks.coefficients[c] = coefficients_of(model, c);
     add(&model->stability->sums[i], &k, particles->surface[i].radius);
     if (!model->material_pairs[contacts->material_pair[c]].wall)
       add(&model->stability->sums[j], &k, particles->surface[j].radius);

@@ -80,17 +80,17 @@ bool nb_step_loaded(const struct nb_model *model) {
 
 /* What is wrong with such a step for elastic spheres; NULL: nothing. */
 static const char *objection(const struct nb_model *model, enum nb_step_kind kind, double unit) {
-  if (kind == NB_STEP_CONTACT && model->cell && nb_step_elastic(model))
+  if (kind == NB_STEP_COLLISION && model->cell && nb_step_elastic(model))
     return "which of their copies elastic spheres in a cell would meet first is not looked for";
   if (kind >= NB_STEP_RAYLEIGH && !(unit < INFINITY))
     return "no body that is free has `young`, so there are no waves";
   if (!nb_step_elastic(model))
     return NULL;
-  if (kind == NB_STEP_CRITICAL)
+  if (kind == NB_STEP_SINGLE_CONTACT)
     return "elastic spheres have no critical step: their stiffness grows with the load";
-  if (kind == NB_STEP_SAFE && !nb_step_loaded(model))
+  if (kind == NB_STEP_STABLE && !nb_step_loaded(model))
     return "what is safe follows from the stiffness of contacts, and elastic spheres that are not pressed have none";
-  if (kind == NB_STEP_CONTACT && !(unit < INFINITY))
+  if (kind == NB_STEP_COLLISION && !(unit < INFINITY))
     return "nothing approaches anything, so there is no contact to last";
   return NULL;
 }
@@ -105,18 +105,18 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   const int line = step->set ? 0 : step->line;
   char source[NB_NAME_SIZE];
   double unit = 1;
-  if (step->kind == NB_STEP_CONTACT && nb_step_elastic(model) && line == model->stability->step_line)
+  if (step->kind == NB_STEP_COLLISION && nb_step_elastic(model) && line == model->stability->step_line)
     return NB_OK;
   switch (step->kind) {
   case NB_STEP_TIME:
     break;
-  case NB_STEP_CRITICAL:
+  case NB_STEP_SINGLE_CONTACT:
     unit = model->critical;
     break;
-  case NB_STEP_SAFE:
+  case NB_STEP_STABLE:
     unit = model->stability->stable_step;
     break;
-  case NB_STEP_CONTACT:
+  case NB_STEP_COLLISION:
     unit = nb_step_collision(model);
     break;
   case NB_STEP_RAYLEIGH:
@@ -130,9 +130,9 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   const char *reason = objection(model, step->kind, unit);
   if (reason)
     return nb_error_set(error, NB_BAD_USE, "%s: %s: say %s", source_of(source, sizeof source, step), reason,
-                        step->kind >= NB_STEP_RAYLEIGH  ? "a time, or `F of stable`"
-                        : step->kind == NB_STEP_CONTACT ? "a time, or `F of rayleigh`"
-                                                        : "`N per collision` or `F of rayleigh`");
+                        step->kind >= NB_STEP_RAYLEIGH    ? "a time, or `F of stable`"
+                        : step->kind == NB_STEP_COLLISION ? "a time, or `F of rayleigh`"
+                                                          : "`N per collision` or `F of rayleigh`");
   model->step = step->value * unit;
   model->stability->step_line = line;
   if (!(model->step > 0) || !isfinite(model->step))

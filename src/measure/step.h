@@ -39,7 +39,7 @@ double nb_stability_limit(const struct nb_damping *damping); /* L of the global 
 
 /* A contact with the shares of mass that it has: everything dt^2 k + 2 dt c is made of. */
 struct nb_element {
-  struct nb_stiff own;
+  struct nb_coefficients own;
   double a, d; /* A, and the same of the dashpots: 1/s2, 1/s */
   double q, p; /* Q_i/I_i + Q_j/I_j, and the same of the dashpots */
 };

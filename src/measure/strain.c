@@ -93,11 +93,11 @@ void nb_measure_strain(const struct nb_model *model, struct nb_region_state *reg
 /* c at t_N, the mean over both half steps; `stored`: it is a part of the body's own velocity. */
 static struct nb_vec imposed(const struct nb_model *model, size_t i, bool *stored) {
   const struct nb_affine *affine = model->affine;
-  *stored = affine && model->previous_step > 0 && affine->remembered[affine->by[i]] == 0;
+  *stored = affine && model->previous_step > 0 && affine->separate[affine->source[i]] == 0;
   if (!*stored)
     return affine ? nb_imposed_now(model, i) : vec(0, 0);
   const struct nb_vec back = vec_scale(model->previous_step / 2, nb_velocity_half(model, i).velocity);
-  return nb_imposed_at(affine, i, vec_sub(model->particles.position[i], back));
+  return nb_imposed_velocity(affine, i, vec_sub(model->particles.position[i], back));
 }
 
 void nb_measure_speeds(const struct nb_model *model, struct nb_region_state *region) {

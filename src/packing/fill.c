@@ -57,7 +57,7 @@ static bool no_overlap_on_level(const struct nb_grid *grid, int level, const str
   }
   for (int64_t y = south; y <= north; y++)
     for (int64_t x = west; x <= east; x++)
-      NB_IN_BOX(grid, other, ((struct nb_box){level, x, y}))
+      NB_GRID_FOR_BOX(grid, other, ((struct nb_box){level, x, y}))
   if (overlap(particle, &particles[other]))
     return false;
   return true;
@@ -98,7 +98,7 @@ static bool place(struct nb_scene *scene, struct nb_fill *fill, struct nb_grid *
                   const struct nb_particle *like) {
   struct nb_particle *particle = &scene->particles[scene->particle_count];
   *particle = *like;
-  for (unsigned long attempt = 0; attempt < fill->tries; attempt++) {
+  for (unsigned long attempt = 0; attempt < fill->attempts; attempt++) {
     fill->made++;
     if (!draw_centre(particle, fill, random) || !no_overlap(grid, scene->particles, scene->particle_count))
       continue;
@@ -112,7 +112,8 @@ enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill,
   struct nb_grading *grading = &scene->gradings[fill->grading];
   struct nb_grid grid = {0};
   struct nb_random random = {fill->seed};
-  struct nb_particle *particles = nb_room(scene->particles, scene->particle_count, grading->count, sizeof *particles);
+  struct nb_particle *particles =
+      nb_array_reserve(scene->particles, scene->particle_count, grading->count, sizeof *particles);
   if (particles)
     scene->particles = particles;
   enum nb_fill_result result = particles && grid_create(&grid, scene, grading) ? NB_FILL_DONE : NB_FILL_NO_MEMORY;

@@ -11,7 +11,7 @@
  * centre comes from the first one by a product, not by sums, so that rounding does not grow along a row. */
 bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle first) {
   struct nb_particle *particles =
-      nb_room(scene->particles, scene->particle_count, lattice.nx * lattice.ny, sizeof *particles);
+      nb_array_reserve(scene->particles, scene->particle_count, lattice.nx * lattice.ny, sizeof *particles);
   if (!particles)
     return false;
   scene->particles = particles;

@@ -20,9 +20,9 @@
 struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
   double beta;
   switch (nb_damping_at(&model->damping, wall, &beta)) {
-  case NB_CONTACT_BETA:
+  case NB_CONTACT_STIFFNESS:
     return (struct nb_dashpot){.time = beta};
-  case NB_CONTACT_FRACTION:
+  case NB_CONTACT_R89_FRACTION:
     return (struct nb_dashpot){.time = beta * model->critical / 2};
   case NB_CONTACT_RATIO:
     return (struct nb_dashpot){.ratio = 2 * beta};
@@ -34,29 +34,31 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
 
 /* What makes the coefficients of a block. */
 struct dashpots {
-  struct nb_dashpot pot;
+  struct nb_dashpot dashpot;
   bool uses_damping_ratio, critical; /* some go with sqrt(M* k); some contacts may be too deep */
   const double *mass, *deep;
 };
 
-static inline NB_FORM double coefficient(const struct dashpots *of, double stiffness, size_t c) {
-  const double oscillation = of->uses_damping_ratio ? sqrt(of->mass[c] * stiffness) : 0; /* sqrt(M* k) */
-  return of->critical && of->deep[c] > 0 ? 2 * oscillation : of->pot.time * stiffness + of->pot.ratio * oscillation;
+static inline NB_FORM double coefficient(const struct dashpots *spec, double stiffness, size_t c) {
+  const double oscillation = spec->uses_damping_ratio ? sqrt(spec->mass[c] * stiffness) : 0; /* sqrt(M* k) */
+  return spec->critical && spec->deep[c] > 0 ? 2 * oscillation
+                                             : spec->dashpot.time * stiffness + spec->dashpot.ratio * oscillation;
 }
 
-static inline NB_FORM void damp(const struct nb_model *model, const struct nb_block *block, enum nb_dashpots form) {
-  const struct dashpots of = {.pot = nb_dashpot(model, block->material_pair->wall),
-                              .uses_damping_ratio = form >= NB_DASHPOTS_RATIO,
-                              .critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0,
-                              .mass = block->f[NB_MASS],
-                              .deep = block->f[NB_DEEP]};
+static inline NB_FORM void add_dashpots(const struct nb_model *model, const struct nb_block *block,
+                                        enum nb_dashpot_kind form) {
+  const struct dashpots spec = {.dashpot = nb_dashpot(model, block->material_pair->wall),
+                                .uses_damping_ratio = form >= NB_DASHPOTS_RATIO,
+                                .critical = form == NB_DASHPOTS_DEEP && model->damping.deep > 0,
+                                .mass = block->f[NB_MASS],
+                                .deep = block->f[NB_DEEP]};
   const double *normal = block->f[NB_NORMAL], *stiffness = block->f[NB_STIFFNESS];
   const double *dn = block->f[NB_NORMAL_INCREMENT];
   double *total_normal = block->f[NB_TOTAL_NORMAL];
   const double rate = model->previous_step > 0 ? 1 / model->previous_step : 0;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
-    total_normal[c] = normal[c] + coefficient(&of, stiffness[c], c) * (dn[c] * rate);
+    total_normal[c] = normal[c] + coefficient(&spec, stiffness[c], c) * (dn[c] * rate);
   }
   if (!block->material_pair->shear)
     return;
@@ -64,34 +66,36 @@ static inline NB_FORM void damp(const struct nb_model *model, const struct nb_bl
   const double *ds = block->f[NB_TANGENTIAL_INCREMENT], *sliding = block->f[NB_SLIDING],
                *overlap = block->f[NB_OVERLAP];
   double *total_shear = block->f[NB_TOTAL_SHEAR];
-  unsigned long met = 0;
+  unsigned long began = 0;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
-    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(&of, shear_stiffness[c], c) * (ds[c] * rate));
-    met += nb_met(overlap[c], dn[c]);
+    total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(&spec, shear_stiffness[c], c) * (ds[c] * rate));
+    began += nb_touch_began(overlap[c], dn[c]);
   }
-  for (size_t c = 0; c < block->n && met > 0; c++) { /* the few of which `slip` is not that of the whole step */
-    const double touched = nb_touched(overlap[c], dn[c]), moved = touched > 0 ? ds[c] / touched : ds[c];
-    if (nb_met(overlap[c], dn[c]))
-      total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(&of, shear_stiffness[c], c) * (moved * rate));
+  for (size_t c = 0; c < block->n && began > 0; c++) { /* the few of which `slip` is not that of the whole step */
+    const double fraction = nb_touch_fraction(overlap[c], dn[c]),
+                 displacement = fraction > 0 ? ds[c] / fraction : ds[c];
+    if (nb_touch_began(overlap[c], dn[c]))
+      total_shear[c] =
+          shear[c] + (1 - sliding[c]) * (coefficient(&spec, shear_stiffness[c], c) * (displacement * rate));
   }
 }
 
-static inline NB_FORM void of_times(const struct nb_model *model, const struct nb_block *block) {
-  damp(model, block, NB_DASHPOTS_TIME);
+static inline NB_FORM void stiffness_proportional(const struct nb_model *model, const struct nb_block *block) {
+  add_dashpots(model, block, NB_DASHPOTS_TIME);
 }
-static inline NB_FORM void of_oscillations(const struct nb_model *model, const struct nb_block *block) {
-  damp(model, block, NB_DASHPOTS_RATIO);
+static inline NB_FORM void ratio_of_critical(const struct nb_model *model, const struct nb_block *block) {
+  add_dashpots(model, block, NB_DASHPOTS_RATIO);
 }
-static inline NB_FORM void critical_where_deep(const struct nb_model *model, const struct nb_block *block) {
-  damp(model, block, NB_DASHPOTS_DEEP);
+static inline NB_FORM void critical_if_deep(const struct nb_model *model, const struct nb_block *block) {
+  add_dashpots(model, block, NB_DASHPOTS_DEEP);
 }
-NB_FORMS(of_times)
-NB_FORMS(of_oscillations)
-NB_FORMS(critical_where_deep)
+NB_FORMS(stiffness_proportional)
+NB_FORMS(ratio_of_critical)
+NB_FORMS(critical_if_deep)
 
 const struct nb_pass nb_pass_dashpots[] = {
-    {"dashpots", NB_FORMS_LIST(of_times)},
-    {"dashpots, shares of critical", NB_FORMS_LIST(of_oscillations)},
-    {"dashpots, critical where too deep", NB_FORMS_LIST(critical_where_deep)},
+    {"dashpots", NB_FORMS_LIST(stiffness_proportional)},
+    {"dashpots, shares of critical", NB_FORMS_LIST(ratio_of_critical)},
+    {"dashpots, critical where too deep", NB_FORMS_LIST(critical_if_deep)},
 };

@@ -10,7 +10,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
 
-static inline NB_FORM unsigned long above(const struct nb_block *block, double least) {
+static inline NB_FORM unsigned long count_above(const struct nb_block *block, double least) {
   const double *overlap = block->f[NB_OVERLAP];
   unsigned long count = 0;
   NB_WIDE
@@ -20,7 +20,7 @@ static inline NB_FORM unsigned long above(const struct nb_block *block, double l
   return count;
 }
 
-static inline NB_FORM unsigned long above_stable(const struct nb_block *block) {
+static inline NB_FORM unsigned long count_above_stable(const struct nb_block *block) {
   const double *overlap = block->f[NB_OVERLAP], *stable_overlap = block->f[NB_STABLE_OVERLAP];
   unsigned long count = 0;
   NB_WIDE
@@ -30,13 +30,13 @@ static inline NB_FORM unsigned long above_stable(const struct nb_block *block) {
   return count;
 }
 
-static inline NB_FORM void deep(const struct nb_model *model, const struct nb_block *block) {
+static inline NB_FORM void mark_deep(const struct nb_model *model, const struct nb_block *block) {
   const double *overlap = block->f[NB_OVERLAP];
   double *mark = block->f[NB_DEEP];
   const struct nb_surface *surface = model->particles.surface;
-  const double fraction = 2 * nb_deep_fraction(model), least = fraction * model->search.smallest;
+  const double fraction = 2 * nb_deep_fraction(model), least = fraction * model->search.smallest_radius;
   const double stable_overlap = block->stable_overlap ? block->stable_overlap->overlap : INFINITY;
-  const unsigned long any = above(block, least < stable_overlap ? least : stable_overlap);
+  const unsigned long any = count_above(block, least < stable_overlap ? least : stable_overlap);
   const size_t marks = model->damping.deep > 0 ? block->n : 0;
   NB_WIDE
   for (size_t c = 0; c < marks; c++) {
@@ -45,8 +45,8 @@ static inline NB_FORM void deep(const struct nb_model *model, const struct nb_bl
   if (any == 0)
     return;
   if (block->stable_overlap)
-    block->stable_overlap->above = above_stable(block);
-  if (above(block, least) == 0)
+    block->stable_overlap->above = count_above_stable(block);
+  if (count_above(block, least) == 0)
     return;
   for (size_t c = 0; c < block->n; c++) {
     const double a = surface[block->a[c]].radius, b = block->material_pair->wall ? a : surface[block->b[c]].radius;
@@ -54,6 +54,6 @@ static inline NB_FORM void deep(const struct nb_model *model, const struct nb_bl
     *block->deep += mark[c] > 0 ? 1 : 0;
   }
 }
-NB_FORMS(deep)
+NB_FORMS(mark_deep)
 
-const struct nb_pass nb_pass_deep = {"overlaps that are too deep", NB_FORMS_LIST(deep)};
+const struct nb_pass nb_pass_deep = {"overlaps that are too deep", NB_FORMS_LIST(mark_deep)};

@@ -7,9 +7,9 @@
 #include "pass.h"
 
 /* What the loop of square roots needs, fetched body by body first: bodies lie anywhere, a block's vectors side by side. */
-struct fetched {
+struct relative_motion {
   struct nb_vec apart[NB_BLOCK_SIZE], approach[NB_BLOCK_SIZE]; /* y - x, v_x - v_y */
-  double rolling[NB_BLOCK_SIZE];                               /* w_x R_x + w_y R_y */
+  double rotation[NB_BLOCK_SIZE];                              /* w_x R_x + w_y R_y */
 };
 
 /* `copies`: the second disc is the copy x_j + H m of a periodic cell, which is L H m faster. */
@@ -17,40 +17,40 @@ static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const stru
                                         enum nb_approach approach, bool copies) {
   const struct nb_vec *position = model->particles.position, *velocity = model->particles.velocity;
   const struct nb_surface *surface = model->particles.surface;
-  struct fetched here;
+  struct relative_motion relative;
   for (size_t c = 0; c < block->n; c++) {
     const int i = block->a[c], j = block->b[c];
-    vec_put(&here.apart[c], vec_both(&position[j]) - vec_both(&position[i]));
+    vec_put(&relative.apart[c], vec_both(&position[j]) - vec_both(&position[i]));
     if (approach >= NB_APPROACH_TANGENTIAL)
-      here.rolling[c] = surface[i].speed + surface[j].speed;
+      relative.rotation[c] = surface[i].speed + surface[j].speed;
     if (approach >= NB_APPROACH_NORMAL)
-      vec_put(&here.approach[c], vec_both(&velocity[i]) - vec_both(&velocity[j]));
+      vec_put(&relative.approach[c], vec_both(&velocity[i]) - vec_both(&velocity[j]));
     if (copies)
-      here.apart[c] = vec_add(here.apart[c], tensor_times(model->cell->h, block->image[c]));
+      relative.apart[c] = vec_add(relative.apart[c], tensor_times(model->cell->h, block->image[c]));
     if (copies && approach >= NB_APPROACH_NORMAL)
-      here.approach[c] = vec_sub(here.approach[c], tensor_times(model->cell->parting, block->image[c]));
+      relative.approach[c] = vec_sub(relative.approach[c], tensor_times(model->cell->image_velocity, block->image[c]));
   }
   double *overlap = block->f[NB_OVERLAP], *ex = block->f[NB_EX], *ey = block->f[NB_EY];
   const double *radius_sum = block->f[NB_RADIUS_SUM];
   double *dn = block->f[NB_NORMAL_INCREMENT], *ds = block->f[NB_TANGENTIAL_INCREMENT];
   const double dt = model->previous_step;
-  unsigned long met = 0;
+  unsigned long began = 0;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
-    const double distance = vec_length(here.apart[c]);
+    const double distance = vec_length(relative.apart[c]);
     const double alpha = radius_sum[c] - distance;
-    const struct nb_vec e = vec_scale(1 / distance, here.apart[c]);
+    const struct nb_vec e = vec_scale(1 / distance, relative.apart[c]);
     overlap[c] = alpha > 0 ? alpha : 0;
     ex[c] = e.x;
     ey[c] = e.y;
     if (approach >= NB_APPROACH_NORMAL)
-      dn[c] = vec_dot(here.approach[c], e) * dt;
+      dn[c] = vec_dot(relative.approach[c], e) * dt;
     if (approach >= NB_APPROACH_TANGENTIAL) {
-      ds[c] = (vec_dot(here.approach[c], vec_clockwise(e)) - here.rolling[c]) * dt;
-      met += nb_met(alpha, dn[c]);
+      ds[c] = (vec_dot(relative.approach[c], vec_clockwise(e)) - relative.rotation[c]) * dt;
+      began += nb_touch_began(alpha, dn[c]);
     }
   }
-  if (met)
+  if (began)
     nb_tangential_since_touch(block);
 }
 

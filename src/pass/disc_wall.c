@@ -16,7 +16,7 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
   double *overlap = block->f[NB_OVERLAP], *ex = block->f[NB_EX], *ey = block->f[NB_EY];
   double *dn = block->f[NB_NORMAL_INCREMENT], *ds = block->f[NB_TANGENTIAL_INCREMENT];
   const double dt = model->previous_step;
-  unsigned long met = 0;
+  unsigned long began = 0;
   NB_WIDE
   for (size_t c = 0; c < block->n; c++) {
     const int i = block->a[c], w = block->b[c];
@@ -33,10 +33,10 @@ static inline NB_FORM void disc_wall(const struct nb_model *model, const struct 
       dn[c] = vec_dot(v, e) * dt;
     if (approach >= NB_APPROACH_TANGENTIAL) {
       ds[c] = (vec_dot(v, vec_clockwise(e)) - surface[i].speed) * dt;
-      met += nb_met(alpha, dn[c]);
+      began += nb_touch_began(alpha, dn[c]);
     }
   }
-  if (met)
+  if (began)
     nb_tangential_since_touch(block);
 }
 

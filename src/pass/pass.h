@@ -9,12 +9,12 @@
 /* How much a geometry pass has to find out. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_NORMAL, NB_APPROACH_TANGENTIAL };
 /* What dashpots of some stage go with: k alone; sqrt(M* k) too; and whether the contact is deep. */
-enum nb_dashpots { NB_DASHPOTS_TIME, NB_DASHPOTS_RATIO, NB_DASHPOTS_DEEP };
+enum nb_dashpot_kind { NB_DASHPOTS_TIME, NB_DASHPOTS_RATIO, NB_DASHPOTS_DEEP };
 
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
 extern const struct nb_pass nb_pass_vertices;
 extern const struct nb_pass nb_pass_deep;
-extern const struct nb_pass nb_pass_dashpots[3]; /* by enum nb_dashpots */
+extern const struct nb_pass nb_pass_dashpots[3]; /* by enum nb_dashpot_kind */
 extern const struct nb_pass nb_pass_resolve[2];  /* without and with shear */
 /* What a contact's dashpots are: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */
 struct nb_dashpot {

@@ -3,13 +3,13 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
 
-static inline NB_FORM void mute(const struct nb_model *model, const struct nb_block *block) {
+static inline NB_FORM void suppress(const struct nb_model *model, const struct nb_block *block) {
   const int *suppressed = model->contacts.suppressed + (block->a - model->contacts.a);
   double *overlap = block->f[NB_OVERLAP];
   NB_WIDE
   for (size_t c = 0; c < block->n; c++)
     overlap[c] = suppressed[c] & 1 ? 0 : overlap[c];
 }
-NB_FORMS(mute)
+NB_FORMS(suppress)
 
-const struct nb_pass nb_pass_vertices = {"one contact at a common end of walls", NB_FORMS_LIST(mute)};
+const struct nb_pass nb_pass_vertices = {"one contact at a common end of walls", NB_FORMS_LIST(suppress)};

@@ -217,10 +217,10 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
 static int stage_of(const struct nb_use *use, const struct nb_outcome *outcome) {
   const struct nb_scene *scene = &outcome->runs[0].scene;
   char hint[NB_HINT_SIZE];
-  if (scene->path || outcome->run_count > 1) {
+  if (scene->contact_test || outcome->run_count > 1) {
     fprintf(stderr, "nineball: %s %s\n", use->pages[0],
-            scene->path ? "is a contact test: expected a page with a scene"
-                        : "has several runs: choose one, with --set NAME=VALUE for each sweep");
+            scene->contact_test ? "is a contact test: expected a page with a scene"
+                                : "has several runs: choose one, with --set NAME=VALUE for each sweep");
     return -1;
   }
   if (!use->stage)
@@ -346,7 +346,8 @@ enum nb_status nb_command_laws(const struct nb_use *use) {
   for (const struct nb_law *const *law = nb_laws(); *law; law++)
     printf("%-7s %-21s %s  %s\n%29s parameters of the materials: %s\n%29s %d history variables%s; %s%s\n", (*law)->kind,
            (*law)->name, (*law)->title, (*law)->source, "", (*law)->parameters[0] ? (*law)->parameters : "none", "",
-           (*law)->memory + (*law)->piece * (*law)->pieces, (*law)->piece > 0 ? " or as many as `memory` asks for" : "",
+           (*law)->history + (*law)->piece * (*law)->pieces,
+           (*law)->piece > 0 ? " or as many as `memory` asks for" : "",
            (*law)->stored ? "reports its stored energy" : "does not report stored energy",
            (*law)->non_conservative ? "; may create energy" : "");
   return NB_OK;

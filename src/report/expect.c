@@ -75,11 +75,11 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
 
 /* Behind `at`: a number of cycles, of a path of steps, or a time. */
 static bool take_moment(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
-  const char *const words[] = {scene->path ? "steps" : "cycles", scene->path ? "step" : "cycle"};
+  const char *const words[] = {scene->contact_test ? "steps" : "cycles", scene->contact_test ? "step" : "cycle"};
   const struct nb_token *number = nb_token_peek(reader);
   const bool counted = number && reader->next + 1 < reader->count &&
                        (strcmp(number[1].text, words[0]) == 0 || strcmp(number[1].text, words[1]) == 0);
-  if (scene->path && !counted)
+  if (scene->contact_test && !counted)
     return nb_expected(reader, "a contact test has no time: `at 10 steps`", "a number and `steps`");
   if (counted) {
     unsigned long count;
@@ -111,7 +111,7 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   if (measure->reducer != NB_LAST)
     nb_append(measure->label, sizeof measure->label, " %s", row->word);
   measure->unit = measure->reducer == NB_FREQUENCY ? "1/s" : nb_quantity_unit(quantity);
-  measure->vanishes = nb_quantity_vanishes(quantity);
+  measure->vanishes = nb_quantity_is_residual(quantity);
   if (!row->word && nb_token_skip(reader, "at"))
     return take_moment(reader, scene, measure) && take_stage(reader, scene, measure);
   return take_stage(reader, scene, measure);
@@ -267,7 +267,7 @@ static const struct nb_expectation_row rows[] = {
    "C.normal in part  expected 0 of C.normal max in strike within 0.01  [the discs separate]"},
   {"below", NB_LESS, "MEASURE below MEASURE", take_other, "Compares two measures of the same run.",
    "C.overlap in part  below  C.overlap max in strike"},
-  {"above", NB_MORE, "MEASURE above MEASURE", take_other, "Likewise.",
+  {"above", NB_ARRAY_APPEND, "MEASURE above MEASURE", take_other, "Likewise.",
    "C.normal max in strike  above  C.normal mean in strike"},
   {"increases", NB_INCREASES, "MEASURE increases with NAME {over SAMPLE}", take_trend,
    "NAME is a sweep: the measure increases from each of its values to the next, while other sweeps keep theirs. With `over` the runs of "
@@ -395,7 +395,7 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
   bool sought = true; /* a wrong line of two words was meant to name a reference: an expectation has three or more */
-  for (size_t line = 1; line <= page->line_count && !scene->followed; line++)
+  for (size_t line = 1; line <= page->line_count && !scene->path_replaced; line++)
     if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
       nb_statement_read(reader, nb_expect_keywords(), NB_IN_EXPECT, &reading);
       sought = sought && !(reader->bad && reader->count == 2);

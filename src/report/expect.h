@@ -38,7 +38,7 @@ enum nb_expectation_kind {
   NB_VERSUS,   /* the same for a curve, at every row */
   NB_EXPECTED, /* a tolerance of a number that the page gives */
   NB_LESS,     /* than another measure of the same run */
-  NB_MORE,
+  NB_ARRAY_APPEND,
   NB_INCREASES, /* from each value of a sweep to the next */
   NB_DECREASES,
   NB_CONSTANT, /* for all values of a sweep */
@@ -50,7 +50,7 @@ struct nb_expectation {
   enum nb_expectation_kind kind;
   struct nb_measure measure;
   struct nb_measure
-      other; /* NB_LESS, NB_MORE: the other one; NB_EXPECTED with `has_scale`: the number is a fraction of it */
+      other; /* NB_LESS, NB_ARRAY_APPEND: the other one; NB_EXPECTED with `has_scale`: the number is a fraction of it */
   bool has_scale;
   struct nb_tolerance tolerance;
   double number;             /* NB_EXPECTED: SI; NB_ORDER: the power */

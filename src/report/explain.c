@@ -26,7 +26,8 @@ static bool read_statement(struct nb_reader *reader, const struct nb_scene *scen
   struct nb_mistakes none = {0}; /* the page has been read before, without any */
   *reader = (struct nb_reader){.page = scene->page, .mistakes = &none, .unitless = scene->unitless};
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
-  const bool read = kind[line - 1] == 1 + (scene->path ? NB_BLOCK_PATH : NB_BLOCK_SCENE) && nb_line_read(reader, line);
+  const bool read =
+      kind[line - 1] == 1 + (scene->contact_test ? NB_BLOCK_PATH : NB_BLOCK_SCENE) && nb_line_read(reader, line);
   nb_mistakes_free(&none);
   reader->mistakes = NULL;
   return read;
@@ -58,7 +59,7 @@ static void explain_statements(FILE *out, const struct nb_scene *scene, size_t s
       end = (size_t)scene->stages[s].line;
   struct nb_reader reader;
   for (size_t k = opens ? (size_t)scene->start.line + 1 : line; k < end; k++) {
-    if ((k == line && !scene->path) || !read_statement(&reader, scene, k))
+    if ((k == line && !scene->contact_test) || !read_statement(&reader, scene, k))
       continue;
     fputs("    ", out);
     print_statement(out, &reader);
@@ -175,7 +176,7 @@ static void explain_history(FILE *out, const struct nb_model *model) {
   fprintf(out, "memory\n  %zu bytes a particle%s, %zu a contact (%zu kept fields, %zu history variables of laws)\n",
           per_particle, particles->spin ? "" : " (without rotation)", per_contact, bits(model->plan.kept) + 2, memory);
   fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK_SIZE,
-          isa_names[model->machine.isa], model->machine.busy, model->machine.busy == 1 ? "" : "s");
+          isa_names[model->machine.isa], model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
 }
 
 /* What a cycle does besides motion, search and forces, as the run begins. */
@@ -404,7 +405,7 @@ static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *sce
 
 enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
                           struct nb_warnings *warnings, struct nb_error *error) {
-  if (scene->path)
+  if (scene->contact_test)
     return explain_contact_test(out, scene, error);
   if (!nb_start_there(scene, options)) {
     explain_start(out, scene, options);

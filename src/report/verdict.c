@@ -12,7 +12,7 @@
 #include "verdict.h"
 
 static struct nb_check *new_check(struct nb_outcome *outcome) {
-  struct nb_check *checks = nb_room(outcome->checks, outcome->check_count, 1, sizeof *checks);
+  struct nb_check *checks = nb_array_reserve(outcome->checks, outcome->check_count, 1, sizeof *checks);
   if (!checks)
     return NULL;
   outcome->checks = checks;
@@ -215,7 +215,7 @@ static void judge(struct nb_check *check, const struct nb_outcome *outcome, size
     nb_check_sweep(check, outcome, r, index);
   else if (e->kind == NB_VERSUS)
     check_curve(check, run, e);
-  else if (e->kind == NB_LESS || e->kind == NB_MORE || e->kind == NB_REPORTED)
+  else if (e->kind == NB_LESS || e->kind == NB_ARRAY_APPEND || e->kind == NB_REPORTED)
     check_measures(check, run, e);
   else
     check_value(check, run, e);
@@ -244,7 +244,7 @@ static bool skip(struct nb_outcome *outcome, int line, const char *format, const
 /* The statements of expect blocks that nobody has read. */
 static bool skip_unread(struct nb_outcome *outcome) {
   const struct nb_page *page = &outcome->page;
-  const bool followed = outcome->runs[0].scene.followed;
+  const bool followed = outcome->runs[0].scene.path_replaced;
   bool all = true;
   for (size_t i = 0; i < page->line_count && all; i++) {
     const char *statement = page->lines[i] + strspn(page->lines[i], " \t>");

@@ -71,8 +71,8 @@ static void try_step(struct nb_contact_test *contact_test, double approach, doub
   next->n.overlap = overlap;
   next->s = (struct nb_shear){0};
   if (touching || contact_test->shear_doubles <= NB_HISTORY)
-    next->s = contact_test->shear->shear(contact_test->pair, next->n, (slip - now->slip) * nb_touched(overlap, dn),
-                                         next->shear_history);
+    next->s = contact_test->shear->shear(contact_test->pair, next->n,
+                                         (slip - now->slip) * nb_touch_fraction(overlap, dn), next->shear_history);
   if (!touching) {
     forget(next->normal_history, contact_test->normal_doubles);
     forget(next->shear_history, contact_test->shear_doubles);
@@ -82,7 +82,7 @@ static void try_step(struct nb_contact_test *contact_test, double approach, doub
 /* Makes the step that was tried last. */
 static void make_step(struct nb_contact_test *contact_test) {
   const struct nb_contact_test_state before = contact_test->now, *after = &contact_test->trial;
-  const double touched = nb_touched(after->n.overlap, after->approach - before.approach);
+  const double touched = nb_touch_fraction(after->n.overlap, after->approach - before.approach);
   contact_test->work_normal += (before.n.force + after->n.force) / 2 * (after->n.overlap - before.n.overlap);
   contact_test->work_shear += (before.s.force + after->s.force) / 2 * (after->slip - before.slip) * touched;
   contact_test->dissipated += contact_test->shear->dissipative ? after->s.dissipated : 0;
@@ -160,7 +160,7 @@ struct segment {
   double shear_from, shear_to;
 };
 
-static double end_of(const struct nb_aim *aim, double from) { return aim->by ? from + aim->value : aim->value; }
+static double end_of(const struct nb_target *aim, double from) { return aim->by ? from + aim->value : aim->value; }
 
 static struct segment segment_begin(const struct nb_contact_test *contact_test, const struct nb_stage *stage) {
   const struct nb_contact_test_state *now = &contact_test->now;
@@ -226,7 +226,7 @@ static bool observe(struct nb_table *table, const struct nb_contact_test *contac
 }
 
 static bool keep_snapshot(struct nb_result *result, const struct nb_contact_test *contact_test, int stage) {
-  struct nb_snapshot *snapshot = NB_MORE(result->snapshots, result->snapshot_count);
+  struct nb_snapshot *snapshot = NB_ARRAY_APPEND(result->snapshots, result->snapshot_count);
   return snapshot && nb_contact_test_snapshot(snapshot, contact_test, stage);
 }
 
@@ -240,7 +240,7 @@ static enum nb_status run_segment(struct nb_result *result, struct nb_contact_te
     if (status)
       return status;
     result->stage_cycles[index] = step;
-    if (stage->record && (step % stage->record == 0 || step == stage->cycles))
+    if (stage->record_interval && (step % stage->record_interval == 0 || step == stage->cycles))
       whole = observe(&result->table, contact_test, index);
   }
   if (whole && stage->snapshot)

@@ -27,14 +27,14 @@ HOOK(account_before, nb_balance_before_motion(model))
 HOOK(account_kick, nb_balance_after_motion(model))
 HOOK(account_forces, nb_balance_after_forces(model))
 HOOK(press, nb_boundary_after_motion(model))
-HOOK(count_deep, nb_deep_look(model))
+HOOK(count_deep, nb_deep_record_first(model))
 HOOK(find_fracc, nb_fracc_after_forces(model))
 HOOK(count_slid, nb_configuration_add_slip(model))
 
 /* Where the step does not carry all particles, those of the boundary are. */
 static enum nb_status affine_along(struct nb_model *model, struct nb_error *error) {
   (void)error;
-  if (!nb_affine_step(model) && model->drive)
+  if (!nb_affine_step(model) && model->boundary)
     nb_boundary_set_velocities(model);
   return NB_OK;
 }
@@ -50,11 +50,11 @@ static enum nb_status change(struct nb_model *model, struct nb_error *error) {
 
 /* After each search, and now and then without one. */
 static enum nb_status monitor(struct nb_model *model, struct nb_error *error) {
-  if (model->search.made != model->cycle && model->cycle % NB_STABILITY_CYCLES != 0)
+  if (model->search.last_cycle != model->cycle && model->cycle % NB_STABILITY_CYCLES != 0)
     return NB_OK;
   if (nb_stability_check(model, error))
     return error->status;
-  nb_guard_digits(model);
+  nb_guard_resolution(model);
   return NB_OK;
 }
 
@@ -66,7 +66,7 @@ static enum nb_status check_stiffening(struct nb_model *model, struct nb_error *
 #define WANTED(name, condition)                                                                                        \
   static bool name(const struct nb_model *model) { return condition; }
 WANTED(ramps_walls, nb_stage_ramps_walls(model))
-WANTED(has_boundary, model->drive != NULL)
+WANTED(has_boundary, model->boundary != NULL)
 WANTED(has_servo, model->affine && model->stage && model->stage->servo.line)
 WANTED(strains_box, nb_box_is_strained(model))
 WANTED(balances, model->balance != NULL)

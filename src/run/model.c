@@ -76,7 +76,7 @@ static void make_particles(struct nb_particles *b, const struct nb_scene *scene,
   const size_t n = b->count = scene->particle_count;
   b->number = integers(owner, n), b->slot = integers(owner, n), b->material = integers(owner, n);
   b->position = vectors(owner, n), b->velocity = vectors(owner, n);
-  b->surface = nb_own(owner, n, sizeof *b->surface), b->searched = vectors(owner, n);
+  b->surface = nb_own(owner, n, sizeof *b->surface), b->search_position = vectors(owner, n);
   b->mass = numbers(owner, n), b->inertia = numbers(owner, n);
   b->inverse_mass = numbers(owner, n), b->inverse_inertia = numbers(owner, n);
   if (has_spin(scene))
@@ -88,7 +88,7 @@ static void make_particles(struct nb_particles *b, const struct nb_scene *scene,
 static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct nb_owner *owner) {
   const size_t n = w->count = scene->wall_count;
   w->pivot = vectors(owner, n), w->point = vectors(owner, n), w->along = vectors(owner, n);
-  w->velocity = vectors(owner, n), w->turn = vectors(owner, n), w->searched = vectors(owner, 2 * n);
+  w->velocity = vectors(owner, n), w->turn = vectors(owner, n), w->search_position = vectors(owner, 2 * n);
   w->h0 = numbers(owner, n), w->h1 = numbers(owner, n), w->h2 = numbers(owner, n);
   w->spin = numbers(owner, n), w->angle = numbers(owner, n);
 }
@@ -142,9 +142,9 @@ static bool make_parts(struct nb_model *model, const struct nb_scene *scene, boo
       !nb_changes_create(model))
     return false;
   model->search.skin = skin_of(model);
-  model->search.smallest = INFINITY;
+  model->search.smallest_radius = INFINITY;
   for (size_t k = 0; k < scene->particle_count; k++)
-    model->search.smallest = fmin(model->search.smallest, scene->particles[k].radius);
+    model->search.smallest_radius = fmin(model->search.smallest_radius, scene->particles[k].radius);
   return nb_cell_create(model) && nb_configuration_create(model);
 }
 
@@ -153,12 +153,12 @@ static void begin(struct nb_model *model, const struct nb_scene *scene, const st
   model->critical = nb_step_single_contact(model);
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
-  model->central.strength = scene->gravity.central;
-  model->central.to = vec(scene->gravity.about_x, scene->gravity.about_y);
+  model->central.acceleration = scene->gravity.central;
+  model->central.point = vec(scene->gravity.about_x, scene->gravity.about_y);
   model->stability->allow_unstable = scene->allow_unstable;
-  model->plan.whole = options && options->whole;
+  model->plan.keep_all = options && options->keep_all;
   model->states = options ? options->states : NULL;
-  model->laws = model->next = nb_laws_at_start(scene);
+  model->laws = model->next = nb_laws_initial(scene);
 }
 
 /* The first list of contacts, and the step. */
@@ -176,8 +176,8 @@ static void begin_impact(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const struct nb_impact_state strike = nb_impact_incidence(scene);
   const int i = model->particles.slot[scene->monitors[scene->impact.monitor].a];
-  model->touch = scene->impact.phase * model->step;
-  model->particles.position[i] = vec_add(model->particles.position[i], vec_scale(-model->touch, strike.velocity));
+  model->impact_time = scene->impact.phase * model->step;
+  model->particles.position[i] = vec_add(model->particles.position[i], vec_scale(-model->impact_time, strike.velocity));
 }
 
 /* The forces at time 0: worked out, or as the state has them. */
@@ -186,7 +186,7 @@ static enum nb_status find_forces(struct nb_model *model, const struct nb_saved 
     return nb_saved_put_contacts(model, saved, error);
   if (model->scene->impact.line)
     begin_impact(model);
-  nb_forces(model), nb_deep_look(model);
+  nb_forces(model), nb_deep_record_first(model);
   return NB_OK;
 }
 
@@ -214,7 +214,7 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
     nb_saved_put(model, saved);
   if (find_contacts(model, saved, error) || find_forces(model, saved, error) || make_measures(model, error))
     return error->status;
-  nb_guard_digits(model);
+  nb_guard_resolution(model);
   nb_hooks_plan(model);
   return NB_OK;
 }

@@ -23,10 +23,10 @@ static void add(struct nb_material_pair *material_pair, nb_run_pass *run, int li
 
 /* The first line that damps contacts; 0: none does. */
 static int damped_line(const struct nb_damping *damping) {
-  return damping->contact_kind                         ? damping->contact_line
-         : damping->walls_apart && damping->walls_kind ? damping->walls_line
-         : damping->deep > 0                           ? damping->deep_line
-                                                       : 0;
+  return damping->contact_kind                            ? damping->contact_line
+         : damping->walls_separate && damping->walls_kind ? damping->walls_line
+         : damping->deep > 0                              ? damping->deep_line
+                                                          : 0;
 }
 
 static int first_damped_line(const struct nb_scene *scene) {
@@ -49,7 +49,7 @@ static bool uses_damping_ratio(const struct nb_damping *damping) {
          nb_damping_at(damping, true, &value) == NB_CONTACT_RATIO;
 }
 
-static enum nb_dashpots dashpots_of(const struct nb_scene *scene) {
+static enum nb_dashpot_kind dashpots_of(const struct nb_scene *scene) {
   bool oscillation = uses_damping_ratio(&scene->damping);
   for (size_t s = 0; s < scene->stage_count; s++)
     oscillation = oscillation || uses_damping_ratio(&scene->stages[s].damping);
@@ -81,7 +81,7 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   material_pair->pass_count = 0;
   if (stiffens(normal, shear))
     model->plan.kept |= NB_BIT(NB_STABLE_OVERLAP);
-  const enum nb_dashpots form = dashpots_of(scene);
+  const enum nb_dashpot_kind form = dashpots_of(scene);
   if (form >= NB_DASHPOTS_RATIO)
     model->plan.kept |= NB_BIT(NB_MASS);
   const struct nb_pass *geometry = geometry_of(model, material_pair);
@@ -120,13 +120,14 @@ static int larger(int a, int b) { return a > b ? a : b; }
 enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   struct nb_plan *plan = &model->plan;
-  model->vertices.any = nb_vertices_meet(scene);
+  model->vertices.any = nb_vertices_exist(scene);
   plan->elastic = model->laws.normal->elastic;
-  plan->memory.normal = plan->memory.shear = 0;
-  plan->memory.slid = (int)nb_configuration_count(model->configuration);
+  plan->history.normal = plan->history.shear = 0;
+  plan->history.slip_sum = (int)nb_configuration_count(model->configuration);
   plan->dashpots = first_damped_line(scene) > 0;
   plan->total_shear = plan->dashpots ? NB_TOTAL_SHEAR : NB_SHEAR;
-  plan->kept = (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->whole ? NB_SAVED_MASK : 0);
+  plan->kept =
+      (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
   if (nb_laws_elastic(scene)) /* whenever that is: of a law that goes it is asked once more what it has stored */
     plan->kept |= NB_BIT(NB_REDUCED);
   bool dissipative = false;
@@ -136,8 +137,8 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
     plan_material_pair(model, it);
     plan->has_friction = plan->has_friction || it->shear;
     dissipative = dissipative || (it->shear && it->shear->dissipative);
-    plan->memory.normal = larger(plan->memory.normal, nb_law_history(it->normal, it->values));
-    plan->memory.shear = larger(plan->memory.shear, nb_law_history(it->shear, it->values));
+    plan->history.normal = larger(plan->history.normal, nb_law_history(it->normal, it->values));
+    plan->history.shear = larger(plan->history.shear, nb_law_history(it->shear, it->values));
   }
   plan->kept = fewer(plan->kept | (plan->has_friction ? NB_BIT(plan->total_shear) : 0), dissipative, plan);
   free(model->blocks.scratch);

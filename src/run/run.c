@@ -32,7 +32,7 @@ static void tell(struct run *run, const struct nb_stage *stage) {
 
 /* Looked at every so many cycles, and at the last one there may be. */
 static bool holds(const struct nb_stage *stage, const struct nb_model *model) {
-  if (model->stage_cycle % stage->look != 0 && model->stage_cycle < stage->cycles)
+  if (model->stage_cycle % stage->check_interval != 0 && model->stage_cycle < stage->cycles)
     return false;
   for (size_t k = 0; k < stage->condition_count; k++) {
     const struct nb_condition *condition = &stage->conditions[k];
@@ -81,14 +81,14 @@ static enum nb_status run_cycle(struct run *run, int index, int *how, struct nb_
     return error->status;
   const bool over = model->stage_cycle >= stage->cycles;
   *how = (stage->condition_count ? holds(stage, model) : over) ? ENDED : over ? TOO_LATE : GOES_ON;
-  const bool due = stage->record && (model->stage_cycle % stage->record == 0 || *how != GOES_ON);
+  const bool due = stage->record_interval && (model->stage_cycle % stage->record_interval == 0 || *how != GOES_ON);
   if (due && !nb_observe(&run->result->table, model, index))
     return nb_error_memory(error);
   return *how == TOO_LATE ? never_ended(stage, model, error) : NB_OK;
 }
 
 static enum nb_status take_snapshot(struct run *run, int index, struct nb_error *error) {
-  struct nb_snapshot *snapshot = NB_MORE(run->result->snapshots, run->result->snapshot_count);
+  struct nb_snapshot *snapshot = NB_ARRAY_APPEND(run->result->snapshots, run->result->snapshot_count);
   return snapshot && nb_snapshot_take(snapshot, run->model, index) ? NB_OK : nb_error_memory(error);
 }
 
@@ -131,7 +131,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
     return error->status;
   run->from = run->model->cycle;
   enum nb_status status = NB_OK;
-  if (scene->stages[first].record && !nb_observe(&result->table, run->model, (int)first))
+  if (scene->stages[first].record_interval && !nb_observe(&result->table, run->model, (int)first))
     status = nb_error_memory(error);
   for (size_t s = first; s < scene->stage_count && !status; s++)
     status = run_stage(run, (int)s, error);
@@ -150,7 +150,7 @@ static enum nb_status run_scene(struct run *run, const struct nb_options *option
 
 enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, const struct nb_options *options,
                       const struct nb_progress *progress, struct nb_error *error) {
-  if (scene->path)
+  if (scene->contact_test)
     return nb_contact_test_run(result, scene, progress, error);
   *result = (struct nb_result){0};
   struct run run = {.result = result, .scene = scene, .teller.progress = progress};
@@ -162,7 +162,7 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
   struct nb_options whole = options ? *options : (struct nb_options){.threads = 1};
   struct nb_result result = {0};
   struct run run = {.result = &result, .scene = scene, .teller.progress = progress};
-  whole.whole = true;
+  whole.keep_all = true;
   const enum nb_status status = run_scene(&run, &whole, saved, error);
   nb_result_free(&result);
   return status;

@@ -23,7 +23,7 @@
 struct nb_changes {
   bool changing, driven;           /* properties, laws or gravity; velocities of walls */
   struct nb_pair *properties_from; /* per change, wall motion, and of gravity: what it was when the stage began */
-  struct nb_state *walls_from;
+  struct nb_velocities *walls_from;
   struct nb_vec gravity_from;
   struct nb_central central_from;
 };
@@ -105,7 +105,8 @@ static void walls_begin(struct nb_model *model, const struct nb_stage *stage) {
   model->changes->driven = false;
   for (size_t k = 0; k < stage->motion_count; k++) {
     const struct nb_wall_motion *to = &stage->motions[k];
-    model->changes->walls_from[k] = (struct nb_state){model->walls.velocity[to->wall], model->walls.spin[to->wall]};
+    model->changes->walls_from[k] =
+        (struct nb_velocities){model->walls.velocity[to->wall], model->walls.spin[to->wall]};
     if (!to->ramp)
       wall_goes(&model->walls, to);
     model->changes->driven = model->changes->driven || to->ramp;
@@ -117,7 +118,7 @@ void nb_stage_drive(struct nb_model *model) {
   const double fraction = ((double)model->stage_cycle + 0.5) / (double)stage->cycles;
   for (size_t k = 0; k < stage->motion_count; k++) {
     const struct nb_wall_motion *to = &stage->motions[k];
-    const struct nb_state *from = &model->changes->walls_from[k];
+    const struct nb_velocities *from = &model->changes->walls_from[k];
     if (!to->ramp)
       continue;
     model->walls.velocity[to->wall] = between(from->velocity, vec(to->vx, to->vy), fraction);
@@ -161,9 +162,10 @@ static void gravity_go(struct nb_model *model, double fraction) {
   const struct nb_central *from = &model->changes->central_from;
   model->gravity =
       fraction < 1 ? between(model->changes->gravity_from, vec(to->x, to->y), fraction) : vec(to->x, to->y);
-  model->central.strength = fraction < 1 ? from->strength + fraction * (to->central - from->strength) : to->central;
+  model->central.acceleration =
+      fraction < 1 ? from->acceleration + fraction * (to->central - from->acceleration) : to->central;
   if (to->central != 0)
-    model->central.to = vec(to->about_x, to->about_y);
+    model->central.point = vec(to->about_x, to->about_y);
 }
 
 /* Of the kick around the stage's t_0, previous_step/2 lies before it and step/2 after it. */
@@ -192,9 +194,9 @@ static enum nb_status begin_assembly(struct nb_model *model, const struct nb_sta
     return error->status;
   if (model->configuration && !nb_configuration_begin(model, index))
     return nb_error_memory(error);
-  if (stage->still)
+  if (stage->zero_velocities)
     stop_particles(model);
-  if (stage->reverse)
+  if (stage->reverse_velocities)
     turn_walls(model);
   return NB_OK;
 }
@@ -204,11 +206,11 @@ static enum nb_status begin_loading(struct nb_model *model, const struct nb_stag
   gravity_begin(model);
   if (model->affine)
     nb_affine_begin(model, stage);
-  if (model->drive && nb_boundary_begin(model, stage, error))
+  if (model->boundary && nb_boundary_begin(model, stage, error))
     return error->status;
   if (stage->servo.line)
     nb_servo_begin(model);
-  if (stage->reverse)
+  if (stage->reverse_velocities)
     turn_particles(model);
   return NB_OK;
 }

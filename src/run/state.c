@@ -107,25 +107,25 @@ static bool take_affine(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_affine *affine = model->affine;
   const struct nb_particles *particles = &model->particles;
   saved->centre = affine->centre;
-  for (int c = 0; c < NB_CARRIERS; c++)
-    saved->carriers[c] = (struct nb_saved_carrier){affine->requested[c], affine->rate[c], !(affine->remembered[c] > 0)};
+  for (int c = 0; c < NB_AFFINE_SOURCES; c++)
+    saved->carriers[c] = (struct nb_saved_carrier){affine->requested[c], affine->rate[c], !(affine->separate[c] > 0)};
   saved->imposed = calloc(particles->count + 1, sizeof *saved->imposed);
   if (!saved->imposed)
     return false;
   saved->imposed_count = particles->count;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    saved->imposed[k] = (struct nb_saved_imposed){(enum nb_carrier)affine->by[i], particles->imposed[i]};
+    saved->imposed[k] = (struct nb_saved_imposed){(enum nb_affine_source)affine->source[i], particles->imposed[i]};
   }
   return true;
 }
 
 static bool take_ring(struct nb_saved *saved, const struct nb_model *model) {
-  const struct nb_drive *drive = model->drive;
+  const struct nb_boundary_state *drive = model->boundary;
   const struct nb_ring *ring = &drive->ring;
   saved->ring = (struct nb_saved_ring){.is = true,
                                        .held = ring->held,
-                                       .pressing = model->particles.pressed != NULL,
+                                       .pressing = model->particles.boundary_force != NULL,
                                        .radius = ring->radius,
                                        .shape = ring->shape,
                                        .stress = drive->stress};
@@ -140,11 +140,11 @@ static bool take_ring(struct nb_saved *saved, const struct nb_model *model) {
 
 static enum nb_status take_driven(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
   saved->central = model->central;
-  saved->rotates = !model->drive || model->drive->rotates;
+  saved->rotates = !model->boundary || model->boundary->rotates;
   if (model->cell)
-    saved->cell = (struct nb_saved_cell){true, model->cell->h, model->cell->parting};
+    saved->cell = (struct nb_saved_cell){true, model->cell->h, model->cell->image_velocity};
   if ((model->affine && !take_affine(saved, model)) ||
-      (model->drive && model->drive->ring.begun && !take_ring(saved, model)))
+      (model->boundary && model->boundary->ring.exists && !take_ring(saved, model)))
     return nb_error_memory(error);
   return NB_OK;
 }
@@ -159,7 +159,7 @@ enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *mode
       .step = model->previous_step,
       .unitless = scene->unitless,
       .gravity = model->gravity,
-      .impact = {scene->impact.line > 0, model->touch},
+      .impact = {scene->impact.line > 0, model->impact_time},
       .pieces = (int)model->laws.pieces,
       .material_count = scene->material_count,
       .rule_count = model->properties.rule_count,
@@ -194,7 +194,7 @@ static bool same_particle(const struct nb_saved_particle *it, const struct nb_pa
   return moves && it->radius == particle->radius && it->shape == particle->shape && it->material == particle->material;
 }
 
-static bool same_laws(const struct nb_saved *saved, struct nb_in_force laws) {
+static bool same_laws(const struct nb_saved *saved, struct nb_active_laws laws) {
   return laws.normal && laws.shear && strcmp(laws.normal->name, saved->normal) == 0 &&
          strcmp(laws.shear->name, saved->shear) == 0 && (int)laws.pieces == saved->pieces;
 }
@@ -204,7 +204,7 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
   size_t rules = scene->pair_rule_count, removals = 0, k = 0;
   for (size_t s = 0; s < scene->stage_count; s++)
     rules += scene->stages[s].change_count, removals += scene->stages[s].removal_count;
-  struct nb_in_force laws = nb_laws_at_start(scene);
+  struct nb_active_laws laws = nb_laws_initial(scene);
   for (size_t s = 0; s < scene->start.stages; s++)
     laws = nb_laws_of(&scene->stages[s], laws);
   if (!same_laws(saved, laws))
@@ -274,7 +274,7 @@ void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
         nb_properties_pair(&model->properties, model->material_pairs[p].a, model->material_pairs[p].b);
   model->gravity = saved->gravity;
   model->cycle = saved->cycle, model->stage_cycle = saved->stage_cycle;
-  model->time = saved->time, model->touch = saved->impact.touch;
+  model->time = saved->time, model->impact_time = saved->impact.contact_time;
   model->critical = nb_step_single_contact(model);
   model->step = model->previous_step = saved->step;
 }
@@ -322,31 +322,31 @@ static void put_affine(struct nb_model *model, const struct nb_saved *saved) {
   struct nb_affine *affine = model->affine;
   struct nb_particles *particles = &model->particles;
   affine->centre = saved->centre;
-  for (int c = 0; c < NB_CARRIERS; c++) {
+  for (int c = 0; c < NB_AFFINE_SOURCES; c++) {
     affine->requested[c] = saved->carriers[c].requested;
-    affine->rate[c] = affine->level[c] = saved->carriers[c].rate;
-    affine->remembered[c] = saved->carriers[c].literal ? 0 : 1;
+    affine->rate[c] = affine->base_rate[c] = saved->carriers[c].rate;
+    affine->separate[c] = saved->carriers[c].accumulated ? 0 : 1;
   }
   for (size_t k = 0; k < saved->imposed_count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    nb_affine_by(affine, i, saved->imposed[k].by);
+    nb_affine_assign(affine, i, saved->imposed[k].by);
     particles->imposed[i] = saved->imposed[k].along;
-    if (affine->by[i] == NB_CARRIER_BOUNDARY)
+    if (affine->source[i] == NB_AFFINE_BOUNDARY)
       particles->inverse_mass[i] = particles->inverse_inertia[i] = 0;
   }
 }
 
 static void put_ring(struct nb_model *model, const struct nb_saved_ring *saved) {
-  struct nb_drive *drive = model->drive;
+  struct nb_boundary_state *drive = model->boundary;
   struct nb_ring *ring = &drive->ring;
-  ring->begun = true, ring->held = saved->held;
+  ring->exists = true, ring->held = saved->held;
   ring->radius = saved->radius, ring->shape = saved->shape;
   ring->count = saved->member_count;
   for (size_t k = 0; k < ring->count; k++)
     ring->member[k] = model->particles.slot[saved->members[k]];
   drive->stress = saved->stress;
-  model->particles.pressed = saved->pressing ? drive->pressed : NULL;
-  if (model->particles.pressed)
+  model->particles.boundary_force = saved->pressing ? drive->boundary_force : NULL;
+  if (model->particles.boundary_force)
     nb_boundary_set_forces(model);
 }
 
@@ -354,9 +354,9 @@ static void put_ring(struct nb_model *model, const struct nb_saved_ring *saved) 
 static bool driven_alike(const struct nb_model *model, const struct nb_saved *saved) {
   if (saved->imposed_count != 0 && (saved->imposed_count != model->particles.count || !model->affine))
     return false;
-  if (!model->drive)
+  if (!model->boundary)
     return saved->cell.is == (model->cell != NULL) && !saved->ring.is && saved->rotates;
-  return saved->cell.is == (model->cell != NULL) && (model->drive->pressed || !saved->ring.pressing);
+  return saved->cell.is == (model->cell != NULL) && (model->boundary->boundary_force || !saved->ring.pressing);
 }
 
 enum nb_status nb_saved_put_driven(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
@@ -365,13 +365,13 @@ enum nb_status nb_saved_put_driven(struct nb_model *model, const struct nb_saved
     return nb_error_set(error, NB_BAD_USE, "the state has a cell or a boundary otherwise than the page");
   model->central = saved->central;
   if (saved->cell.is)
-    model->cell->h = saved->cell.h, model->cell->parting = saved->cell.parting;
+    model->cell->h = saved->cell.h, model->cell->image_velocity = saved->cell.image_velocity;
   if (saved->imposed_count > 0)
     put_affine(model, saved);
   if (saved->ring.is)
     put_ring(model, &saved->ring);
-  if (model->drive)
-    model->drive->rotates = saved->rotates;
+  if (model->boundary)
+    model->boundary->rotates = saved->rotates;
   for (size_t i = 0; i < particles->count && !saved->rotates; i++)
     particles->inverse_inertia[i] = 0;
   return NB_OK;

@@ -7,7 +7,7 @@
 #include "core/model.h"
 #include "input/state_file.h"
 
-/* All of the model, which must have been made with options.whole; free it in any case. */
+/* All of the model, which must have been made with options.keep_all; free it in any case. */
 enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error);
 /* NB_BAD_USE when it is not of this scene, which says what does not fit; `path` for the message. */
 enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,

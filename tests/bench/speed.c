@@ -39,9 +39,9 @@ static void make_scene(struct nb_scene *scene, int side, double friction, double
   scene->walls[3] = (struct nb_wall){.y = height / 2, .ey = -1, .h1 = -height / 2, .h2 = height / 2, .vx = v};
   strcpy(scene->normal, "linear");
   strcpy(scene->shear, "linear");
-  scene->step = (struct nb_step){.kind = NB_STEP_CRITICAL, .value = 0.05};
+  scene->step = (struct nb_step){.kind = NB_STEP_SINGLE_CONTACT, .value = 0.05};
   if (beta > 0)
-    scene->damping = (struct nb_damping){.contact_kind = NB_CONTACT_BETA, .contact = beta, .contact_line = 1};
+    scene->damping = (struct nb_damping){.contact_kind = NB_CONTACT_STIFFNESS, .contact = beta, .contact_line = 1};
   scene->stages[0] = (struct nb_stage){
       .name = "squeeze", .cycles = cycles, .snapshot_from = -1, .step = scene->step, .damping = scene->damping};
 }

@@ -126,7 +126,7 @@ static void hold_saved(const struct nb_saved *saved) {
 /* The page goes on from it, until something stops it. Returns whether all cycles were run. */
 static bool go_on(const struct nb_scene *scene, const struct nb_saved *saved) {
   struct nb_error error = {NB_OK, ""};
-  struct nb_model *model = nb_model_resume(scene, &(struct nb_options){.threads = 1, .whole = true}, saved, &error);
+  struct nb_model *model = nb_model_resume(scene, &(struct nb_options){.threads = 1, .keep_all = true}, saved, &error);
   fuzz_hold(model || error.status, "without a model there is an error");
   enum nb_status status = model ? nb_stage_begin(model, &scene->stages[1], &error) : error.status;
   for (int k = 0; k < CYCLES && !status; k++)
