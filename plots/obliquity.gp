@@ -1,4 +1,4 @@
-# Shear force against normal force, each over the mean normal force, and the limit: on the line contacts slide
+# Shear force T against normal force N, each over the mean normal force, and the limit: on the line contacts slide
 # [R89 figure 6.19]. The page says before
 #
 #   contacts = '$rest_contacts'; friction = 0.3
@@ -6,8 +6,8 @@ unset key
 set size noratio
 set border 3
 set tics nomirror
-set xlabel 'normal force over its mean'
-set ylabel 'shear force over the same'
+set xlabel 'N over mean N'
+set ylabel 'T over mean N'
 stats @contacts using 11 name 'push' nooutput
 plot [0:*] [0:*] @contacts using ($11 / push_mean):(abs($12) / push_mean) with points pt 7 ps 0.5 lc rgb '#0072b2', \
      friction * x with lines lc rgb '#888888'
