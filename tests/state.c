@@ -192,6 +192,34 @@ static void other_names_do_not_fit(void) {
   written_free(&it);
 }
 
+/* A contact of the state between what is far apart in it, with a particle and with a wall. */
+static void contacts_that_are_apart_do_not_fit(void) {
+  struct words page = {0};
+  struct written it;
+  struct nb_saved saved;
+  struct nb_error error = {NB_OK, ""};
+  words_add(&page, "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\n"
+                   "disc 9 0 radius 1 m\nwall w 50 -9 to 50 9 m\nrecord time\nstep 0.01\nstage a\ncycles 1\n"
+                   "stage b\ncycles 1\n");
+  written_scene(&it, &page);
+  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(saved.contact_count, 1);
+  nb_model_free(model);
+  it.scene.start.stages = 1;
+  static const char *const ends[] = {"particle 1 with particle 3", "particle 1 with wall 1"};
+  for (int wall = 0; wall < 2; wall++) {
+    saved.contacts[0].wall = wall, saved.contacts[0].b = wall ? 0 : 2;
+    CU_ASSERT_PTR_NULL(nb_model_resume(&it.scene, &(struct nb_options){.threads = 1}, &saved, &error));
+    CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
+    CU_ASSERT(strstr(error.text, ends[wall]) != NULL);
+  }
+  nb_saved_free(&saved);
+  it.scene.start.stages = 0;
+  written_free(&it);
+}
+
 /* Without dashpots what contacts feel is what the laws say: a page that goes on with dashpots reads it. */
 static void contact_forces_without_dashpots(void) {
   struct written it;
@@ -282,6 +310,7 @@ void suite_state(void) {
   CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
   CU_add_test(suite, "other bodies do not fit", other_particles_do_not_fit);
   CU_add_test(suite, "other names do not fit", other_names_do_not_fit);
+  CU_add_test(suite, "contacts that are apart do not fit", contacts_that_are_apart_do_not_fit);
   CU_add_test(suite, "what is felt without dashpots", contact_forces_without_dashpots);
   CU_add_test(suite, "the step before goes on", the_step_before_goes_on);
   CU_add_test(suite, "what is remembered behind a 0", what_is_remembered_behind_a_0);

@@ -312,8 +312,8 @@ enum nb_status nb_saved_put_contacts(struct nb_model *model, const struct nb_sav
     if (c >= 0)
       put_contact(&model->contacts, (size_t)c, it, saved->memory);
     else if (it->field[NB_OVERLAP] > 0)
-      return nb_error_set(error, NB_BAD_USE, "the state has a contact of body %d with %s %d, which are apart in it",
-                          it->a + 1, it->wall ? "wall" : "body", it->b + 1);
+      return nb_error_set(error, NB_BAD_USE, "the state has a contact of particle %d with %s %d, which are apart in it",
+                          it->a + 1, it->wall ? "wall" : "particle", it->b + 1);
   }
   return NB_OK;
 }
