@@ -270,7 +270,8 @@ static const struct nb_expectation_row rows[] = {
   {"above", NB_ARRAY_APPEND, "MEASURE above MEASURE", take_other, "Likewise.",
    "C.normal max in strike  above  C.normal mean in strike"},
   {"increases", NB_INCREASES, "MEASURE increases with NAME {over SAMPLE}", take_trend,
-   "NAME is a sweep: the measure increases from each of its values to the next, while other sweeps keep theirs. With `over` the runs of "
+   "NAME is a sweep: the measure increases from each of its values to the next larger one, while other sweeps keep theirs; words keep the "
+   "order of the sweep. With `over` the runs of "
    "the sweep SAMPLE are realizations of one case: the mean of their differences is above 0 with 95 % confidence (Student).",
    "C.normal max in strike  increases with speed"},
   {"decreases", NB_DECREASES, "MEASURE decreases with NAME {over SAMPLE}", take_trend, "Likewise.",

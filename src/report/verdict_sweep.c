@@ -1,6 +1,6 @@
 /* Expectations about several runs of a sweep.
  *
- *   increases, decreases with N      from each value of N to the next
+ *   increases, decreases with N      from each value of N to the next larger one; words keep the order in which the sweep has them
  *   constant with N within           the largest less the smallest; a percentage is of the mean
  *   order P in N within              P is the slope of the straight line nearest to log(error) over log(N)
  *
@@ -97,6 +97,7 @@ struct group {
   const struct nb_outcome *outcome;
   size_t first, index; /* the first run, and which of its expectations */
   const struct nb_expectation *e;
+  bool words; /* some value of the swept name is a word */
 };
 
 /* Whether run r differs from run `as` in these names only. */
@@ -107,6 +108,24 @@ static bool is_in(const struct group *group, size_t r, size_t as, const char *na
 /* What is swept along, in run r, as it was written. */
 static const char *swept(const struct group *group, size_t r) {
   return binding_of(&group->outcome->runs[r], group->e->against)->text;
+}
+
+/* Whether run a comes before run b along the swept name: by its values, or as the sweep has them where one is a word. */
+static bool is_before(const struct group *group, size_t a, size_t b) {
+  const double x = binding_of(&group->outcome->runs[a], group->e->against)->value;
+  const double y = binding_of(&group->outcome->runs[b], group->e->against)->value;
+  return group->words || x == y ? a < b : x < y;
+}
+
+/* The run that follows run r along the swept name, the first one for r = run_count; run_count behind the last. */
+static size_t next_run(const struct group *group, size_t r) {
+  const size_t runs = group->outcome->run_count;
+  size_t next = runs;
+  for (size_t k = group->first; k < runs; k++)
+    if (is_in(group, k, group->first, group->e->against, "") && (r == runs || is_before(group, r, k)) &&
+        (next == runs || is_before(group, k, next)))
+      next = k;
+  return next;
 }
 
 /* Of run r; false with words when it cannot be formed. */
@@ -139,10 +158,9 @@ static void check_trend(const struct group *group) {
   bool ordered = true;
   char unit[NB_NAME_SIZE];
   nb_check_unit(unit, &group->outcome->runs[group->first], e);
-  for (size_t r = group->first; r < group->outcome->run_count; r++) {
+  const size_t runs = group->outcome->run_count;
+  for (size_t r = next_run(group, runs); r < runs; r = next_run(group, r)) {
     double seen;
-    if (!is_in(group, r, group->first, e->against, ""))
-      continue;
     if (!value_of(&seen, group, r))
       return;
     if (all.count > 0)
@@ -260,12 +278,8 @@ static bool holds(const struct group *group, size_t from, size_t to, bool *forme
 static void check_differences(const struct group *group) {
   const size_t runs = group->outcome->run_count;
   bool all = true, formed = true;
-  for (size_t from = group->first; from < runs; from++) {
-    if (!is_in(group, from, group->first, group->e->against, ""))
-      continue;
-    for (size_t to = from + 1; to < runs; to++) {
-      if (!is_in(group, to, group->first, group->e->against, ""))
-        continue;
+  for (size_t from = next_run(group, runs); from < runs; from = next_run(group, from)) {
+    for (size_t to = next_run(group, from); to < runs; to = next_run(group, to)) {
       all = holds(group, from, to, &formed) && all;
       if (!formed)
         return;
@@ -278,7 +292,9 @@ static void check_differences(const struct group *group) {
 
 void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
   const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
-  const struct group group = {check, outcome, first, index, e};
+  struct group group = {check, outcome, first, index, e, false};
+  for (size_t r = first; r < outcome->run_count && along_sweep(e->kind); r++)
+    group.words = group.words || isnan(binding_of(&outcome->runs[r], e->against)->value);
   if (e->sample[0])
     (e->kind == NB_EXPECTED ? check_position : check_differences)(&group);
   else
