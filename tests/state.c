@@ -202,7 +202,7 @@ static void contacts_that_are_apart_do_not_fit(void) {
                    "disc 9 0 radius 1 m\nwall w 50 -9 to 50 9 m\nrecord time\nstep 0.01\nstage a\ncycles 1\n"
                    "stage b\ncycles 1\n");
   written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.whole = true, .threads = 1});
+  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
   CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL_FATAL(saved.contact_count, 1);
