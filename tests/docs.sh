@@ -1,11 +1,11 @@
 #!/bin/sh
-# The documents are true: links lead somewhere, and every command that is
-# shown can be given and ends as the text says. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+# Tests the documents: every link leads to a file or heading, and every command ends with the exit status that the text
+# says. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
-# A command must end with status 0, or with the one its comment names: `nineball check mine.md  # exit status 1`. Those
-# of one document run one after the other in a folder of their own that has cases/ and plots/. What installs, configures
-# or builds is not run here: of setup and make the targets must exist, of other programs of the tree the file. A page whose comment says that it
-# takes minutes is explained instead; make check-long runs it.
+# A command must end with status 0, or with the one its comment names: `nineball check mine.md  # exit status 1`. The
+# commands of one document run one after the other, in a folder of their own with cases/ and plots/. Commands that
+# install, configure or build are not run here: the targets of setup and make must exist, and the files of other
+# programs. A page whose comment says that it takes minutes is explained instead of run; make check-long runs it.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -16,15 +16,16 @@ documents="README.md HACKING.md NEWS $(echo docs/*.md cases/*.md cases/*/*.md)"
 
 # ---- links ----
 
-# The anchors of a document: its headings, in small letters, blanks as -, without signs; the second of one name ends in -1.
+# The anchors of a document, as a forge makes them of the headings: small letters, spaces as -, without punctuation; the
+# second one of a name ends in -1.
 anchors() {
   awk '/^(```|~~~)/ { inside = !inside; next }
     !inside && /^#+ / {
-      sub(/^#+ +/, ""); gsub(/\]\([^)]*\)/, ""); $0 = tolower($0); gsub(/[][!-,.\/:-@\\^`{|}~]/, ""); gsub(/ /, "-")
+      sub(/^#+ +/, ""); gsub(/\]\([^)]*\)/, ""); $0 = tolower($0); gsub(/[][!-,.\/:-@\\^`{|}~]|–|—|…|’|“|”/, ""); gsub(/ /, "-")
       print $0 (seen[$0]++ ? "-" seen[$0] - 1 : "") }' "$1"
 }
 
-# links DOCUMENT...: says which lead nowhere.
+# links DOCUMENT...: prints the broken ones.
 links() {
   for document in "$@"; do
     grep -o ']([^) ]*)' "$document" | sed 's/^](//; s/)$//' | grep -v '^[a-z]*:' | sort -u |
@@ -32,8 +33,8 @@ links() {
         file=$(dirname "$document")/${link%%#*}
         test "${link%%#*}" || file=$document
         case $link in
-        *#*) anchors "$file" 2>/dev/null | grep -qxF -e "${link#*#}" || echo "$document links to $link, a heading that is not there" ;;
-        *) test -e "$file" || echo "$document links to $link, which is not there" ;;
+        *#*) anchors "$file" 2>/dev/null | grep -qxF -e "${link#*#}" || echo "$document links to $link: there is no such heading" ;;
+        *) test -e "$file" || echo "$document links to $link: there is no such file" ;;
         esac
       done
   done
@@ -42,13 +43,13 @@ links $documents >"$work/said"
 test ! -s "$work/said"
 result $? "links between documents"
 
-# Of these three links two lead nowhere, and of these four anchors two.
+# Of these four links to files two are broken, and of these five anchors two.
 mkdir "$work/links"
-printf '# A *small* `thing`: [what](b.md) it is\n## Twice\n## Twice\n[b](b.md) [c](c.md) [d](../links/b.md) [e](d/b.md)\n' >"$work/links/a.md"
-printf '[1](a.md#a-small-thing-what-it-is) [2](a.md#twice-1) [3](a.md#twice-2) [4](#here)\n```\n# Here\n```\n' >"$work/links/b.md"
-links "$work/links/a.md" "$work/links/b.md" | sed 's/.* to //; s/,.*//' | tr '\n' ' ' >"$work/said"
+printf '# A *small* `thing`: [what](b.md) it is\n## Twice\n## Twice\n## Figures 1–3\n[b](b.md) [c](c.md) [d](../links/b.md) [e](d/b.md)\n' >"$work/links/a.md"
+printf '[1](a.md#a-small-thing-what-it-is) [2](a.md#twice-1) [3](a.md#twice-2) [4](#here) [5](a.md#figures-13)\n```\n# Here\n```\n' >"$work/links/b.md"
+links "$work/links/a.md" "$work/links/b.md" | sed 's/.* to //; s/: .*//' | tr '\n' ' ' >"$work/said"
 test "$(cat "$work/said")" = 'c.md d/b.md #here a.md#twice-2 '
-result $? "and a link that leads nowhere is seen"
+result $? "and a link that leads nowhere is found"
 
 # ---- recipes of figures ----
 
@@ -65,7 +66,7 @@ docs/cases.sh "$work/renewed" >"$work/said" 2>&1 && for list in cases/README.md 
   diff -u "$list" "$work/renewed/$list"
 done >"$work/said"
 test ! -s "$work/said"
-result $? 'the lists of cases are what docs/cases.sh makes'
+result $? 'the lists of cases are as docs/cases.sh makes them'
 
 # ---- commands ----
 
@@ -78,7 +79,7 @@ is_target() {
   esac
 }
 
-# What is not run: `./setup check && make -C build report`. Every part must name what exists.
+# A command that is not run, such as `./setup check && make -C build report`: every part of it must exist.
 exists() {
   echo "$1" | sed 's/&&/\n/g' | while read -r program arguments; do
     case $program in
@@ -110,8 +111,8 @@ run() {
   test $status -eq "${wanted:-0}"
 }
 
-# HACKING.md ends with an example that has a test of its own, which changes the tree.
-without_example() { sed '/^## A worked example/,$d' "$1"; }
+# The examples that add files to the tree are run by tests/hacking.sh.
+without_example() { sed '/^## A worked example/,$d; /^## Add a law of your own/,/^## Write a loading programme/d' "$1"; }
 
 for document in $documents; do
   without_example "$document" >"$work/document"

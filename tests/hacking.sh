@@ -1,12 +1,13 @@
 #!/bin/sh
-# Carries out the worked example of HACKING.md, to the letter, in a copy of the source tree: writes its files, puts its
-# lines into the lists of build-aux/lists.mk, and gives its commands. TAP. $srcdir is the top of the source tree.
+# Follows the worked example of HACKING.md, and the law of docs/TUTORIAL.md, in a copy of the source tree: writes their
+# files, adds their lines to the lists of build-aux/lists.mk, and runs their commands. TAP. $srcdir is the top of the
+# source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
 cd "${srcdir:-.}" || exit 1
 command -v automake >/dev/null || {
-  echo "1..0 # SKIP automake is missing, and the lists of build-aux/lists.mk cannot change without"
+  echo "1..0 # SKIP automake is missing; it is needed when a list of build-aux/lists.mk changes"
   exit 0
 }
 work=$(mktemp -d) || exit 1
@@ -27,7 +28,7 @@ result() {
   fi
 }
 
-# A copy without what builds leave behind, times kept so that autotools are run only where something changed.
+# The copy contains no files of a build. File times are kept, so the autotools run only where something changed.
 mkdir "$tree"
 for entry in setup autogen.sh configure.ac Makefile.am README.md HACKING.md NEWS COPYING .ci .clang-format src cases tests docs plots \
   m4 build-aux configure Makefile.in aclocal.m4 config.h.in; do
@@ -37,12 +38,15 @@ chmod -R u+w "$tree"
 test -f "$tree/Makefile.am"
 result $? "the tree is copied"
 
-sed -n '/^## A worked example/,$p' HACKING.md >"$work/example.md"
+{
+  sed -n '/^## A worked example/,$p' HACKING.md
+  sed -n '/^## Write a page of your own/,/^## Write a loading programme/p' docs/TUTORIAL.md
+} >"$work/example.md"
 awk -v into="$tree" -f tests/fences.awk "$work/example.md" >"$work/lists" && test -s "$work/lists"
-result $? "the example's files are written"
+result $? "the files of the examples are written"
 
-# `FILE LIST LINE`: the line goes behind the first of `LIST = \` of a Makefile, `#define LIST(ROW) \`, `#include LIST`, `struct LIST {`, or
-# `LIST[] = {`.
+# `FILE LIST LINE`: the line is inserted after the first `LIST = \` of a Makefile, `#define LIST(ROW) \`, `#include LIST`,
+# `struct LIST {` or `LIST[] = {`.
 while read -r file list line; do
   list=$list line=$line awk '
     { print }
@@ -60,9 +64,11 @@ cd "$tree" || exit 1
 } >"$work/said" 2>&1
 result $? "configure"
 
-awk -f tests/fences.awk "$work/example.md" >"$work/commands"
+# Of the tutorial only the commands of the law: tests/docs.sh runs the others.
+sed '/^## Write a page of your own/,/^## Add a law of your own/d' "$work/example.md" | awk -f tests/fences.awk >"$work/commands"
 test -s "$work/commands"
-result $? "the example has commands"
+result $? "the examples have commands"
+PATH=$tree/build:$PATH
 while IFS='	' read -r line command; do
   wanted=$(echo "$command" | sed -n 's/.*#.*exit status \([0-9]\).*/\1/p')
   eval "$command" >"$work/said" 2>&1 </dev/null
@@ -72,12 +78,12 @@ while IFS='	' read -r line command; do
   result $? "$(echo "$command" | sed 's/ *#.*//')"
 done <"$work/commands"
 
-# The suites that go over the register of laws take the new one in without being told.
+# The suites that test all laws of the register include the new ones.
 suites=$(grep -lE 'nb_laws|OF_NORMAL' tests/*.c | tr '\n' ' ')
 if grep -q "^CUNIT_LIBS = ." build/Makefile && test -n "$suites"; then
   sed -i "/^SUITES = /,/[^\\\\]\$/d" build-aux/lists.mk
   echo "SUITES = $suites" >>build-aux/lists.mk
   { make -C build suites-register.h && make -C build -j2 tests/unit; } >"$work/said" 2>&1 && build/tests/unit >"$work/said" 2>&1
-  result $? "the law keeps the contract of laws"
+  result $? "the laws pass the tests of all laws"
 fi
 echo "1..$n"

@@ -40,7 +40,7 @@ result $? "no file includes one of a later module"
 if command -v nm >/dev/null && ls src/core/*.o >/dev/null 2>&1; then
   for object in src/*/*.o; do
     module=${object#src/} file=${object##*/}
-    test -f "$srcdir/src/${module%%/*}/$(echo "${file%.o}" | sed 's/^libjudges_a-//').c" || continue
+    test -f "$srcdir/src/${module%%/*}/$(echo "${file%.o}" | sed 's/^librefs_a-//').c" || continue
     nm "$object" 2>/dev/null | awk -v o="$object" -v m="${module%%/*}" 'NF == 3 && $2 ~ /[TDRB]/ { print "D", o, m, $3 } $1 == "U" { print "U", o, m, $2 }'
   done >"$work/symbols"
   awk '$1 == "D" { module[$4] = $3; next } { use[NR] = $0 }
