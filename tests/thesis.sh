@@ -1,13 +1,13 @@
 #!/bin/sh
-# docs/THESIS.md has a row for every figure of R89's chapter 6, the pages it names are cases, and where it claims to show a figure one of
-# these pages says in its heading that it is about that figure. TAP. $srcdir is the top of the source tree.
+# docs/THESIS.md has a row for every figure of chapter 6 of R89, and its links lead to cases. If a row has a verdict, one of its
+# cases cites the figure below its title. TAP. $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
 . "${srcdir:-.}/tests/tap"
 table=docs/THESIS.md
 
-# The figures that a text names: `figures 6.31–6.33, 6.35` gives 6.31 6.32 6.33 6.35.
+# The figures named in a text: `figures 6.31–6.33, 6.35` gives 6.31 6.32 6.33 6.35.
 figures() {
   sed 's/–/ - /g; s/[^0-9. -]/ /g' | awk '{
     for (k = 1; k <= NF; k++) {
@@ -22,33 +22,33 @@ figures() {
   }'
 }
 
-grep -E '^\| ([0-9]|section)' $table >"$work/rows" # figures, and statements that are about none
+grep -E '^\| ([0-9]|section)' $table >"$work/rows" # the rows of figures, and of other statements
 
 { echo 4.1 && awk 'BEGIN { for (f = 1; f <= 43; f++) print "6." f }'; } >"$work/wanted"
 grep '^| [0-9]' "$work/rows" | cut -d '|' -f 2 | figures >"$work/there"
 diff "$work/wanted" "$work/there" >"$work/said"
-result $? "a row for every figure, in their order, and none twice"
+result $? "one row for every figure, in their order"
 
 while IFS= read -r row; do
   mine=$(echo "$row" | grep '^| [0-9]' | cut -d '|' -f 2 | figures)
   shown=$(echo "$row" | cut -d '|' -f 3 | grep -o 'cases/[^)]*\.md')
   verdict=$(echo "$row" | cut -d '|' -f 6)
   for page in $(echo "$row" | grep -o 'cases/[^)]*\.md'); do
-    grep -q "^  $page\( \\\\\)*$" build-aux/lists.mk || echo "${row%%" |"*}: $page is no case"
+    grep -q "^  $page\( \\\\\)*$" build-aux/lists.mk || echo "${row%%" |"*}: $page is not a case"
   done
   case $verdict in
-  *'**holds**'* | *'**among ours**'* | *'**in part**'* | *'**does not**'*)
+  *'**holds**'* | *'**in part**'* | *'**does not hold**'*)
     for figure in $mine; do
       for page in $shown; do
         grep -m 1 '^\[' "$page" | grep -o 'figure.*' | sed 's/section.*//' | figures
-      done | grep -Fqx "$figure" || echo "$figure: no page named in its row is about it"
+      done | grep -Fqx "$figure" || echo "$figure: no case of its row cites it"
     done
     ;;
   *'**not shown**'*) ;;
-  *) echo "${row%%" |"*}: there is no verdict" ;;
+  *) echo "${row%%" |"*}: no verdict" ;;
   esac
 done <"$work/rows" >"$work/said"
 test ! -s "$work/said"
-result $? "pages that are there, about the figure, and a verdict"
+result $? "every row links to cases that cite the figure, and has a verdict"
 
 echo "1..$n"
