@@ -1,16 +1,17 @@
-/* Bodies that are carried along.                                     [R89 4.5.2]
+/* Imposed affine motion.                                            [R89 4.5.2]
  *
  *   u = v + c,   c = L (x - x_0)                                                   [R89 4.41]
  *
- *   u    velocity of a body, m/s          v    its own part of it, which forces and damping change (motion.c)
- *   L    strain rate, 1/s                 x_0  the centre of the cell, of the boundary, or the origin of the page, m
+ *   u    total velocity of a particle, m/s     v    its own velocity, which forces and damping change (motion.c), m/s
+ *   L    strain rate, 1/s                      x_0  centre of the cell or of the boundary, else the origin of the page, m
  *
- * All bodies of a periodic cell have the cell's L (cell.c). Where there is none, the boundary's bodies have the boundary's, and no
- * v while it holds them (boundary.c); all others that are free have the continuum's. What is carried with v at rest stays so, as in
- * a continuum; v is damped as everything is. When L jumps at the begin of a stage, v stays what it was.
+ * L depends on the particle. All particles of a periodic cell have the cell's (cell.c). Without a cell the particles of
+ * a held boundary have the boundary's, with v = 0 (boundary.c), and all other free particles have that of `affine
+ * strain`. v does not change when L jumps at the beginning of a stage.
  *
- * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43] and keeps the sum as the new velocity (`accumulated`): then c is added again in
- * every cycle, and is an acceleration L (x - x_0)/dt, under which what is at rest moves away as exp(sqrt(L/dt) t).
+ * R89 writes x' = x' + c_11 x + c_12 y [R89 4.43] and stores the sum as the new velocity (`accumulated`). Then c is
+ * added again in every cycle and acts as an acceleration L (x - x_0)/dt: a particle at rest moves away as
+ * exp(sqrt(L/dt) t).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -36,7 +37,7 @@ enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) 
   if (model->owner.failed)
     return nb_error_memory(error);
   affine->source = by;
-  affine->free_before = true; /* not known */
+  affine->free_before = true; /* a saved state does not tell */
   affine->centre = model->cell ? model->cell->centre : vec(scene->origin_x, scene->origin_y);
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
     affine->separate[c] = 1;
@@ -48,7 +49,7 @@ enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) 
   return NB_OK;
 }
 
-/* In 1/s, with the step of this stage. */
+/* In 1/s. */
 static struct nb_tensor rate_of(const struct nb_model *model, const struct nb_strain_rate *strain) {
   return tensor_scale(strain->per_cycle ? 1 / model->step : 1, tensor(strain->xx, strain->xy, strain->yx, strain->yy));
 }
@@ -74,7 +75,7 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
     affine->rate[c] = affine->base_rate[c] = rate_of(model, &requested[c]);
 }
 
-/* Whether one rate, and one way to remember it, stands for those of all that are carried. */
+/* Whether all particles with an imposed motion have the same L, and all of them accumulate c or none. */
 static bool same_rate(const struct nb_affine *affine, enum nb_affine_source one) {
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
     if (affine->used[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[one])) != 0 ||

@@ -1,21 +1,25 @@
-/* The boundary of an assembly: a ring of its own bodies; and rotation.             [R89 6.4.1, 6.5.1]
+/* The boundary of an assembly, a ring of its own particles; and rotation.             [R89 6.4.1, 6.5.1]
  *
- * A circle is drawn when the boundary begins. Bodies whose centres are on it or beyond belong to it. While they are held they have the
- * boundary's strain rate (affine.c) and no velocity of their own: their mass counts as infinite, they do not turn, and there is no
- * force between two of them. With x at the step's begin their centres go as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), and the circle is
- * carried along with them: then it is the ellipse x = x_0 + S X, |X| = R, with S_(N+1) = (1 + L dt) S_N. A body whose centre comes
- * to lie on it or beyond, which so has more than half crossed it, belongs to the boundary from then on.
+ * A circle defines the boundary when it begins: the free particles whose centres are on it or outside belong to it.
+ * While they are held they follow the boundary's strain rate (affine.c) and have no velocity of their own. Their mass
+ * counts as infinite, they do not rotate, and there is no force between two of them. With x at the beginning of a step
+ * their centres move as
  *
- * Who may do so before the next search is listed after each: who is nearer to the circle than the skin. So no result depends
- * on the skin, and in a cycle only those few are looked at.
+ *   x_(N+1) - x_0 = (1 + L dt)(x_N - x_0)
  *
- * The polygon through the centres of its bodies, counterclockwise, has the area
+ * and the circle deforms with them into the ellipse x = x_0 + S X, |X| = R, with S_(N+1) = (1 + L dt) S_N. A particle
+ * whose centre comes to lie on the ellipse or outside belongs to the boundary from then on.
+ *
+ * After each search the particles closer to the ellipse than the skin are listed as candidates, because only they can
+ * cross it before the next search. So each cycle checks few particles, and no result depends on the skin.
+ *
+ * The polygon through the centres of the boundary's particles, counterclockwise, has the area
  *
  *   A = sum (x_i y_(i+1) - x_(i+1) y_i)/2
  *
- * and each of them stands for half of its two sides, outward n l = ((x_(i+1) - x_(i-1))/2 turned clockwise). A stress s on the
- * boundary, compression positive, is the force -s n l h on each, h the thickness; together sum F_i X_j = -s A h, and no force
- * is left over. What it encloses and the stress on it: measure/boundary.c.
+ * and each particle represents half of its two sides: n l = ((x_(i+1) - x_(i-1))/2 rotated clockwise), n the outward
+ * normal. A stress s on the boundary, compression positive, is the force -s n l h on each particle, h the thickness, m.
+ * The sum of these forces is 0, and sum F_i X_j = -s A h. Area and stress are measured in measure/boundary.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -26,7 +30,8 @@
 
 /* ---- the circle ---- */
 
-/* Nearer to the circle than this share of its radius, 1, counts as on it: a page may put bodies there, and rounding leaves some 1e-16. */
+/* A centre closer to the circle than this fraction of the radius is on it. A page may place particles there, with
+ * rounding of 1e-16. */
 static const double on_circle = 1e-12;
 
 static bool is_outside(const struct nb_model *model, struct nb_vec x, double margin) {
@@ -37,12 +42,12 @@ static bool is_outside(const struct nb_model *model, struct nb_vec x, double mar
 
 static double size(struct nb_tensor a) { return sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy); }
 
-/* Whether the body in that slot may belong to it: what a page holds, and what is gone, does not. */
+/* Fixed and removed particles cannot belong to the boundary. */
 static bool may_join(const struct nb_model *model, size_t i) {
   return model->particles.inverse_mass[i] > 0 && model->affine->source[i] == NB_AFFINE_FREE;
 }
 
-/* ---- one body ---- */
+/* ---- one particle ---- */
 
 static void set_spin(struct nb_particles *particles, size_t i, double spin) {
   if (particles->spin)
@@ -53,7 +58,7 @@ static void set_spin(struct nb_particles *particles, size_t i, double spin) {
 static void attach(struct nb_model *model, int slot) {
   struct nb_particles *particles = &model->particles;
   const size_t i = (size_t)slot;
-  if (model->terms) /* what is held has no kinetic energy in the account */
+  if (model->terms) /* the energy balance has no kinetic energy of held particles */
     nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_kinetic_of(model, i));
   nb_affine_assign(model->affine, i, NB_AFFINE_BOUNDARY);
   particles->imposed[i] = particles->velocity[i] = nb_imposed_velocity(model->affine, i, particles->position[i]);
@@ -73,11 +78,11 @@ static void detach(struct nb_model *model, int slot) {
     nb_sum_add(&model->terms[NB_TERM_REMOVED], -nb_energy_kinetic_of(model, i));
 }
 
-/* ---- who belongs to it ---- */
+/* ---- members ---- */
 
 static bool in_lower_half(struct nb_vec a) { return a.y < 0 || (a.y == 0 && a.x < 0); }
 
-/* Whether slot i comes before slot j, counterclockwise from the east. */
+/* Whether slot i comes before slot j, counterclockwise from the x axis. */
 static bool comes_before(const struct nb_model *model, int i, int j) {
   const struct nb_vec a = vec_sub(model->particles.position[i], model->affine->centre);
   const struct nb_vec b = vec_sub(model->particles.position[j], model->affine->centre);
@@ -195,7 +200,7 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
 
 /* ---- a stage ---- */
 
-/* Pairs of bodies that are both held are about to leave the list, with what their springs hold. */
+/* The search is about to drop the pairs of held particles from the list, with the energy of their springs. */
 static void count_removed_springs(struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse = model->particles.inverse_mass;
@@ -214,7 +219,6 @@ static enum nb_status search_again(struct nb_model *model, struct nb_error *erro
   return status ? status : nb_balance_new_overlaps(model, error);
 }
 
-/* All free bodies stop turning and stay so, or turn again. */
 static void rotation_begin(struct nb_model *model, bool rotates) {
   struct nb_particles *particles = &model->particles;
   model->boundary->rotates = rotates;
@@ -232,8 +236,8 @@ static void rotation_begin(struct nb_model *model, bool rotates) {
   nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
-/* A stress begins or ends at t_0, and leaves the velocities of t_0 as they were. The half of the kick around t_0 that lies behind it
- * is without one that begins, and with one that ends. */
+/* A stress begins or ends at t_0 without changing the velocities at t_0: the half kick before t_0 excludes a stress
+ * that begins and includes one that ends. */
 static void switch_stress(struct nb_model *model, bool on) {
   struct nb_boundary_state *drive = model->boundary;
   if (on)
@@ -273,7 +277,7 @@ enum nb_status nb_boundary_begin(struct nb_model *model, const struct nb_stage *
   return status;
 }
 
-/* ---- who crosses it ---- */
+/* ---- particles that cross it ---- */
 
 static void list_candidates(struct nb_model *model) {
   struct nb_ring *ring = &model->boundary->ring;
@@ -288,7 +292,6 @@ static void list_candidates(struct nb_model *model) {
   ring->listed_search = model->search.count;
 }
 
-/* Takes in who has crossed the circle since it was last asked. */
 enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error *error) {
   struct nb_ring *ring = &model->boundary->ring;
   if (!ring->held)
@@ -308,14 +311,14 @@ enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error
     attach(model, ring->candidates[k]);
     add_member(model, ring->candidates[k]);
   }
-  ring->listed_search = 0; /* they are on the list no more */
+  ring->listed_search = 0; /* the new members are no candidates any more */
   const enum nb_status status = search_again(model, error);
   if (!status)
     nb_balance_exclude(model, false);
   return status;
 }
 
-/* u - c_(N-1/2) + c_(N+1/2) is all that happens to the velocity of what it holds (motion.c). */
+/* The motion of a held particle is u - c_(N-1/2) + c_(N+1/2) (motion.c). */
 void nb_boundary_set_velocities(struct nb_model *model) {
   const struct nb_ring *ring = &model->boundary->ring;
   struct nb_particles *particles = &model->particles;

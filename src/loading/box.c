@@ -1,19 +1,19 @@
-/* A box whose walls are controlled by strain.
+/* A box of four walls that follow a strain rate.
  *
  *   v_P = n n.L (P - x_0)         dh = e.L e h dt
  *
- *   P    a point of a wall, its middle unless the page says otherwise, m     n, e   unit vectors across the wall and along it
- *   x_0  the middle between opposite walls, m                                h      of its two ends, from P, m
+ *   P    point of a wall, its middle unless the page gives another, m        n, e   unit vectors normal to the wall and along it
+ *   x_0  the middle between opposite walls, m                                h      distance of an end of the wall from P, m
  *   L    strain rate, extension positive, 1/s
  *
- * So with x at the step's begin the corners go as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), and stay closed. A wall is rigid: it becomes longer or
- * shorter at its ends, and what touches it feels v_P alone.
+ * With x at the beginning of a step the corners move as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), so they stay closed. The
+ * walls grow or shrink at their ends; a particle that touches one sees the velocity v_P only.
  *
- * The stress on the box is that of the forces F of its walls on bodies, at the points X where they touch,
+ * The stress of the box is computed from the forces F of its walls on particles, at the points of contact X:
  *
- *   s_ij = -(1/A h) sum F_i (X - x_0)_j        compression positive, A the box's area, h the thickness
+ *   s_ij = -(1/A h) sum F_i (X - x_0)_j        compression positive, A the box's area, m2, h the thickness, m
  *
- * At rest and without gravity it is the mean stress of all that is in it.                             [R89 4.45]
+ * At rest and without gravity it equals the mean stress of the assembly inside.                       [R89 4.45]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "loading.h"
@@ -21,7 +21,7 @@
 #include "core/affine.h"
 #include "measure/region.h"
 
-enum { SIDES = 4 }; /* opposite ones are two apart */
+enum { SIDES = 4 }; /* opposite sides: w and w + 2 */
 
 int nb_box_first_wall(const struct nb_scene *scene) {
   for (size_t w = 0; w + SIDES <= scene->wall_count; w++)

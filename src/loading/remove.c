@@ -1,20 +1,21 @@
-/* Bodies that are taken out of the scene when a stage begins.
+/* Particles that a stage removes when it begins, at t_0.
  *
- * What is taken out keeps its number and its last place. From the stage's t_0 on it does not move, touches nothing and
- * weighs nothing: it stands still with no end of mass, and the search that follows at once lists none of its contacts.
+ * A removed particle keeps its number and its last position. From t_0 on it does not move, has no contacts and no
+ * weight: its mass counts as infinite, and the search that follows at once lists none of its contacts.
  *
- * The kick around t_0 lasts from half a step before it to half a step after it. What the body pushed until t_0 is the half
- * before it: its neighbours are given that at once (motion.c), so that the velocities of t_0 are what they were, and the
- * kick to come is without it. So the error of the step stays of second order.
+ * The kick around t_0 lasts from half a step before t_0 to half a step after it. The forces of the removed particle act
+ * during the first half alone. That half is applied to its neighbours at once (motion.c), so the velocities at t_0 do
+ * not change and the next kick has no such force. This keeps the error of the motion of second order in the step.
  *
- * It carries away its kinetic energy at t_0 and what the springs of its contacts hold then, by the laws' state functions.
+ * energy.removed receives its kinetic energy at t_0 and the energy stored in its contacts, by the laws' state
+ * functions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/contacts.h"
 #include "loading.h"
 #include "measure/energy.h"
 
-/* Contact c ends: what it did until now is done, and it reads as if it did not touch. */
+/* Applies the first half kick of contact c to its particles and sets the contact's fields to those of an open one. */
 static void end_contact(struct nb_model *model, size_t c) {
   struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;

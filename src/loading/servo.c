@@ -1,28 +1,30 @@
-/* The servo: strain rates that bring a measured stress to where it should be.   [R89 4.1, 6.4.2]
+/* The servo: feedback control of the strain rate until a measured stress has its target value.   [R89 4.1, 6.4.2]
  *
- *   L_ij = P_ij + Z_ij                       added to the rates that the stage asks for, of the components that are servoed
+ *   L_ij = P_ij + Z_ij                       added to the strain rate of the stage, in the controlled components
  *   P_ij = (s_ij - s0_ij)/(2 B T),           dZ_ij/dt = P_ij/(16 T)
  *
- *   s, s0  stress, measured and wanted, compression positive, Pa
- *   B      stiffness against a change of area of an assembly all of whose bodies follow the strain, Pa
- *          dp = -B tr(L) dt,   B = sum k_n l^2/(4 A h): over contacts, k_n their normal stiffness, l the way from centre to centre,
- *          or, of a box, from a centre to the wall
- *   T      2 R (rho/B)^(1/2), R the boundary's mean radius; of a cell or a box A^(1/2) in the place of 2 R: a wave of pressure goes across
- *          the assembly in it, s
+ *   s, s0  measured and target stress, compression positive, Pa
+ *   B      stiffness against a change of area if all particles follow the strain, Pa: dp = -B tr(L) dt,
+ *          B = sum k_n l^2/(4 A h) over the contacts that touch; k_n normal stiffness, l distance of the centres, of a box also
+ *          from a centre to a wall, A area of the boundary, the cell or the box, h thickness
+ *   T      time in which a pressure wave crosses the assembly, s: 2 R (rho/B)^(1/2), R the boundary's mean radius; for a cell or a
+ *          box A^(1/2) replaces 2 R
  *
- * With an assembly of stiffness f B, 0 < f <= 1 since bodies that may give way are softer than B, what is off goes with
+ * Particles that give way make the assembly softer: its stiffness is f B with 0 < f <= 1, and the error e of the stress
+ * obeys
  *
- *   e'' + f e'/T + f e/(16 T^2) = 0          r = f (1 -+ (1 - 1/4f)^(1/2))/2T
+ *   e'' + f e'/T + f e/(16 T^2) = 0          with decay rates r = f (1 -+ (1 - 1/4f)^(1/2))/2T
  *
- * Both rates r are positive: it is stable for every f, and does not swing for f >= 1/4; T is the shortest time in which the middle can
- * have answered. P alone leaves a steady dilatation e_v off by B T e_v; Z comes to be what that takes. It begins at -a P,
- * a = (1 - (3/4)^(1/2))/2, which is the fast of the two ways for f = 1, exp(-0.93 t/T): so coming from afar gathers nothing that goes beyond.
+ * This is stable for every f and does not oscillate for f >= 1/4. T is the shortest time in which the middle of the
+ * assembly can respond. P alone would leave the error B T e_v at a steady dilatation rate e_v; Z removes it. Z begins
+ * at -a P, a = (1 - (3/4)^(1/2))/2, which selects the faster decay for f = 1, exp(-0.93 t/T), so that Z does not
+ * overshoot.
  *
- * The components that are servoed, and the bound `at most`, are those of the servo's own axes, which `transform` turns and mirrors
+ * Controlled components and the bound `at most` refer to the servo's own axes, which `transform` rotates and mirrors
  * with the scene.
  *
- * As B falls to 0 with the load the rates would go beyond all bounds: none of them is larger than `at most`, all are reduced alike, and Z
- * begins anew.
+ * As B falls to 0 with the load, P would grow without bound. So no component of L exceeds `at most`: all are reduced by
+ * the same factor, and Z begins again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/names.h"
@@ -30,7 +32,7 @@
 #include "measure/boundary.h"
 #include "measure/region.h"
 
-/* B, Pa, and M/(A h), kg/m3: of all that is there. */
+/* B, Pa. */
 static double stiffness(const struct nb_model *model, const struct nb_servo *servo, double volume) {
   const struct nb_contacts *contacts = &model->contacts;
   double sum = 0;
@@ -46,6 +48,7 @@ static double stiffness(const struct nb_model *model, const struct nb_servo *ser
   return sum / (4 * volume);
 }
 
+/* kg/m3: mass of all particles over the volume. */
 static double density(const struct nb_model *model, double volume) {
   double sum = 0;
   for (size_t k = 0; k < model->particles.count; k++)
@@ -54,12 +57,12 @@ static double density(const struct nb_model *model, double volume) {
   return sum / volume;
 }
 
-/* The axes of the servo are the columns. */
+/* The columns are the axes of the servo. */
 static struct nb_tensor axes(const struct nb_servo *servo) {
   return tensor(servo->east[0], servo->north[0], servo->east[1], servo->north[1]);
 }
 
-/* The stress that the servo looks at, in the axes of the servo, Pa. */
+/* Measured stress in the axes of the servo, Pa. */
 static struct nb_tensor stress(const struct nb_model *model, const struct nb_servo *servo) {
   double measured[4];
   for (int k = 0; k < 4; k++)
@@ -67,7 +70,7 @@ static struct nb_tensor stress(const struct nb_model *model, const struct nb_ser
   return tensor_turned(tensor_transpose(axes(servo)), tensor(measured[0], measured[1], measured[2], measured[3]));
 }
 
-/* What is off, in the axes of the servo, Pa, and 0 where nothing is held. */
+/* s - s0 in the axes of the servo, Pa; 0 in components that are not controlled. */
 static struct nb_tensor stress_error(const struct nb_model *model, const struct nb_servo *servo, double fraction) {
   const struct nb_servo_from *from = &model->affine->servo_from;
   const struct nb_tensor measured = stress(model, servo);
@@ -91,18 +94,18 @@ bool nb_servo_scales(const struct nb_model *model, const struct nb_servo *servo,
   const double width = servo->cell || servo->box ? sqrt(area) : 2 * nb_boundary_radius(model);
   const double volume = area * nb_thickness(model);
   *b = stiffness(model, servo, volume);
-  *t = width * sqrt(density(model, volume) / *b); /* without end, where nothing is pressed */
+  *t = width * sqrt(density(model, volume) / *b); /* infinite if nothing touches */
   return *b > 0;
 }
 
-/* What is to be added to the strain rates now, in the axes of the servo, 1/s. */
+/* Strain rate to be added, in the axes of the servo, 1/s. */
 static struct nb_tensor correction(struct nb_model *model, const struct nb_servo *servo, double fraction) {
   const double limit = servo->per_cycle ? servo->max_rate / model->step : servo->max_rate;
   double b, t;
   nb_servo_scales(model, servo, &b, &t);
   struct nb_servo_from *from = &model->affine->servo_from;
   const struct nb_tensor error = stress_error(model, servo, fraction);
-  /* b may be 0, and then t has no end: what is left is the direction */
+  /* With b = 0, t is infinite, and only the direction of the error counts. */
   const double largest = tensor_largest(error), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
   const bool too_fast = largest > 0 && rate * largest > limit;
   const struct nb_tensor p = tensor_scale(too_fast ? limit / largest : largest > 0 ? rate : 0, error);

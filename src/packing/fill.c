@@ -1,16 +1,17 @@
-/* Random packings: bodies of a grading, one after the other, each where none of those before it is.
+/* Random packings: particles of a grading, placed one after the other without overlap.
  *
- * Largest first. A centre is drawn evenly over the places where the body lies wholly inside the circle or the box; when it
- * would overlap a body that is there, another one is drawn, up to `tries` for each body. When none will do, the old
- * generator stops (R89, section 6.4.1), and the new one goes on with the next smaller size (R89, section 4.4).
+ * The largest size comes first. A centre is drawn from a uniform distribution over the positions at which the whole
+ * particle is inside the circle or the box. If the particle would overlap one that is already there, another centre is
+ * drawn, up to `attempts` times per particle. If all attempts fail, R89's old generator stops (R89, section 6.4.1), and
+ * the new one continues with the next smaller size (R89, section 4.4).
  *
- * No initial contacts (R89, section 6.4): d^2 >= (R_x + R_y)^2 as rounded, of the very positions that the scene gets. The root is
- * rounded correctly, so R_x + R_y - d is not above 0 there either.
+ * There are no initial contacts (R89, section 6.4): d^2 >= (R_x + R_y)^2 as rounded, for the very positions in the
+ * scene. Since the square root is correctly rounded, R_x + R_y - d is not positive there either.
  *
- * A circle is filled by drawing from the square about it and leaving out its corners, which takes + - x / alone. With
- * SplitMix64 the positions are the same bits on every machine.
+ * A centre in a circle is drawn by rejection from the surrounding square, which takes + - * / alone. With SplitMix64
+ * the positions have the same bits on every machine.
  *
- * Bodies lie in boxes on levels by size (core/grid.h), so that a box never holds many, however wide the grading.
+ * Particles are in a grid with levels by size (core/grid.h), so that no box holds many, however wide the grading.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -40,7 +41,7 @@ static bool overlap(const struct nb_particle *a, const struct nb_particle *b) {
   return dx * dx + dy * dy < apart * apart;
 }
 
-/* Whether the body, which is to be number `count`, overlaps none of those on a level. */
+/* Whether particle `count` (not placed yet) overlaps none of those on a level of the grid. */
 static bool no_overlap_on_level(const struct nb_grid *grid, int level, const struct nb_particle *particles,
                                 size_t count) {
   const struct nb_particle *particle = &particles[count];
@@ -49,7 +50,7 @@ static bool no_overlap_on_level(const struct nb_grid *grid, int level, const str
                 east = nb_grid_place(grid, level, particle->x + range);
   const int64_t south = nb_grid_place(grid, level, particle->y - range),
                 north = nb_grid_place(grid, level, particle->y + range);
-  if ((double)(east - west) * (double)(north - south) > (double)count) { /* it is far larger than they are */
+  if ((double)(east - west) * (double)(north - south) > (double)count) { /* it is far larger than those of the level */
     for (size_t k = 0; k < count; k++)
       if (overlap(particle, &particles[k]))
         return false;
@@ -70,7 +71,7 @@ static bool no_overlap(const struct nb_grid *grid, const struct nb_particle *par
   return true;
 }
 
-/* Draws a centre; false when rounding has put the body across the edge. */
+/* False if rounding has put the particle across the edge. */
 static bool draw_centre(struct nb_particle *particle, const struct nb_fill *fill, struct nb_random *random) {
   const double r = particle->radius;
   if (!fill->circle) {
@@ -93,7 +94,7 @@ static bool fits(const struct nb_fill *fill, double radius) {
   return fill->circle ? fill->radius >= radius : fill->x1 - fill->x >= 2 * radius && fill->y1 - fill->y >= 2 * radius;
 }
 
-/* One more body, in the room that is there for it behind the last one. */
+/* Places one more particle; memory for it is reserved. False if all attempts fail. */
 static bool place(struct nb_scene *scene, struct nb_fill *fill, struct nb_grid *grid, struct nb_random *random,
                   const struct nb_particle *like) {
   struct nb_particle *particle = &scene->particles[scene->particle_count];

@@ -5,7 +5,7 @@
 
 #include "core/names.h"
 
-/* Of the sizes that the watch names, all or one: how many were wanted and placed. */
+/* Number of particles, over all sizes of the monitored grading or of one size. */
 struct sum {
   double wanted, placed;
 };
@@ -37,7 +37,7 @@ static double attempts(const struct nb_model *model, const struct nb_monitor *mo
       made += (double)model->scene->fills[f].made;
   return made;
 }
-/* Between the outlines of two bodies that may touch, in a cell those of the nearest copies. */
+/* Gap between two particles that may touch, in a cell between the nearest copies, m. */
 static double gap_between(const struct nb_model *model, const struct nb_wrap *wrap, int i, int j) {
   const struct nb_particles *particles = &model->particles;
   if (nb_removed(model, (size_t)i) || nb_removed(model, (size_t)j) ||
@@ -48,14 +48,14 @@ static double gap_between(const struct nb_model *model, const struct nb_wrap *wr
   return vec_length(nearest) - (particles->surface[i].radius + particles->surface[j].radius);
 }
 
-/* Those that are not listed do not touch, but may be nearer than some that are. */
+/* Pairs that are not listed do not touch, but their gap may be smaller than that of listed ones. */
 static double gap(const struct nb_model *model, const struct nb_monitor *monitor) {
   (void)monitor;
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_wrap wrap = model->cell ? nb_cell_wrap(model->cell) : (struct nb_wrap){.h = {0, 0, 0, 0}};
   const int n = (int)model->particles.count;
   double least = model->search.skin;
-  wrap.centre = vec(0, 0); /* of differences */
+  wrap.centre = vec(0, 0); /* differences are wrapped, not positions */
   for (size_t c = 0; c < contacts->wall_from; c++)
     least = fmin(least, gap_between(model, &wrap, contacts->a[c], contacts->b[c]));
   for (int i = 0; i < n && least > 0; i++)

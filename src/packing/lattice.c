@@ -1,4 +1,4 @@
-/* Packings: lattices, square or hexagonal.
+/* Lattice packings, square or hexagonal.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -6,9 +6,10 @@
 #include "core/array.h"
 #include "packing.h"
 
-/* Numbered row by row from the south-west: 1 .. nx to the east, then the next row north. In a hexagonal one every second
- * row is half a spacing to the east, and rows are sqrt(3)/2 of it apart, so that all six neighbours are equally far. Each
- * centre comes from the first one by a product, not by sums, so that rounding does not grow along a row. */
+/* Particles are numbered row by row: the first row 1 .. nx in x, then the next row in y. In a hexagonal lattice
+ * every second row is shifted by half a spacing in x, and rows are sqrt(3)/2 spacings apart, so all six neighbours
+ * have the same distance. Each centre is the first one plus a product, not a running sum, so rounding does not grow
+ * along a row. */
 bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle first) {
   struct nb_particle *particles =
       nb_array_reserve(scene->particles, scene->particle_count, lattice.nx * lattice.ny, sizeof *particles);

@@ -1,9 +1,9 @@
-/* SplitMix64: the state goes on by an odd constant, so that it takes all 2^64 values; what is handed out is that state with
- * its bits mixed, one for one. Steele, Lea and Flood, Fast splittable pseudorandom number generators, OOPSLA 2014, with the
- * mixing constants of Stafford's variant 13, as java.util.SplittableRandom has them. Neighbouring seeds are far apart after
- * the mixing, so 1, 2, 3 do as seeds.
+/* SplitMix64: the state is increased by an odd constant, so it takes all 2^64 values; the result is the state with its
+ * bits mixed by a bijection. Steele, Lea and Flood, Fast splittable pseudorandom number generators, OOPSLA 2014, with
+ * the mixing constants of Stafford's variant 13, as in java.util.SplittableRandom. The mixing separates neighbouring
+ * seeds, so 1, 2, 3 are good seeds.
  *
- * Integers and one exact division by a power of two: no compiler and no machine can see it otherwise.
+ * Integers and one exact division by a power of two give the same bits with every compiler on every machine.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "random_numbers.h"

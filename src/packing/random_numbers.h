@@ -7,10 +7,10 @@
 #include <stdint.h>
 
 struct nb_random {
-  uint64_t state; /* at first the seed, any */
+  uint64_t state; /* initially the seed, any value */
 };
 
-uint64_t nb_random_bits(struct nb_random *random);   /* 64 of them */
-double nb_random_fraction(struct nb_random *random); /* evenly, 0 <= share < 1, in steps of 2^-53 */
+uint64_t nb_random_bits(struct nb_random *random);   /* 64 random bits */
+double nb_random_fraction(struct nb_random *random); /* uniform in [0, 1), a multiple of 2^-53 */
 
 #endif
