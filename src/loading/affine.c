@@ -2,8 +2,8 @@
  *
  *   u = v + c,   c = L (x - x_0)                                                   [R89 4.41]
  *
- *   u    total velocity of a particle, m/s     v    its own velocity, which forces and damping change (motion.c), m/s
- *   L    strain rate, 1/s                      x_0  centre of the cell or of the boundary, else the origin of the page, m
+ *   u    total velocity of a particle, m/s     v    own velocity, which forces and damping change (motion.c), m/s
+ *   L    strain rate, 1/s                      x_0  centre of the cell or of the boundary, else the origin, m
  *
  * L depends on the particle. All particles of a periodic cell have the cell's (cell.c). Without a cell the particles of
  * a held boundary have the boundary's, with v = 0 (boundary.c), and all other free particles have that of `affine

@@ -10,8 +10,9 @@
  * and the circle deforms with them into the ellipse x = x_0 + S X, |X| = R, with S_(N+1) = (1 + L dt) S_N. A particle
  * whose centre comes to lie on the ellipse or outside belongs to the boundary from then on.
  *
- * After each search the particles closer to the ellipse than the skin are listed as candidates, because only they can
- * cross it before the next search. So each cycle checks few particles, and no result depends on the skin.
+ * After each search, and when the ellipse has moved by half the skin, the particles closer to it than the skin are
+ * listed as candidates, because only they can cross it meanwhile. So each cycle checks few particles, and no result
+ * depends on the skin.
  *
  * The polygon through the centres of the boundary's particles, counterclockwise, has the area
  *
@@ -318,7 +319,7 @@ enum nb_status nb_boundary_before_motion(struct nb_model *model, struct nb_error
   return status;
 }
 
-/* The motion of a held particle is u - c_(N-1/2) + c_(N+1/2) (motion.c). */
+/* The velocity of a held particle changes by c_(N+1/2) - c_(N-1/2) and nothing else (motion.c). */
 void nb_boundary_set_velocities(struct nb_model *model) {
   const struct nb_ring *ring = &model->boundary->ring;
   struct nb_particles *particles = &model->particles;

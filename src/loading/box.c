@@ -2,8 +2,10 @@
  *
  *   v_P = n n.L (P - x_0)         dh = e.L e h dt
  *
- *   P    point of a wall, its middle unless the page gives another, m        n, e   unit vectors normal to the wall and along it
- *   x_0  the middle between opposite walls, m                                h      distance of an end of the wall from P, m
+ *   P    point of a wall, its middle unless the page gives another, m
+ *   x_0  the middle between opposite walls, m
+ *   n, e unit vectors normal to the wall and along it
+ *   h    distance of an end of the wall from P, m
  *   L    strain rate, extension positive, 1/s
  *
  * With x at the beginning of a step the corners move as x_(N+1) - x_0 = (1 + L dt)(x_N - x_0), so they stay closed. The

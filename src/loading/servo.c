@@ -5,10 +5,10 @@
  *
  *   s, s0  measured and target stress, compression positive, Pa
  *   B      stiffness against a change of area if all particles follow the strain, Pa: dp = -B tr(L) dt,
- *          B = sum k_n l^2/(4 A h) over the contacts that touch; k_n normal stiffness, l distance of the centres, of a box also
- *          from a centre to a wall, A area of the boundary, the cell or the box, h thickness
- *   T      time in which a pressure wave crosses the assembly, s: 2 R (rho/B)^(1/2), R the boundary's mean radius; for a cell or a
- *          box A^(1/2) replaces 2 R
+ *          B = sum k_n l^2/(4 A h) over the contacts that touch; k_n normal stiffness, l distance of the centres,
+ *          of a box also from a centre to a wall, A area of the boundary, the cell or the box, h thickness
+ *   T      time in which a pressure wave crosses the assembly, s: 2 R (rho/B)^(1/2), R the boundary's mean radius;
+ *          for a cell or a box A^(1/2) replaces 2 R
  *
  * Particles that give way make the assembly softer: its stiffness is f B with 0 < f <= 1, and the error e of the stress
  * obeys

@@ -1,15 +1,14 @@
-/* How much of a disc lies inside a circle or a polygon: exact, by closed forms.
+/* Area of a disc inside a circle or a polygon, exact, by closed forms.
  *
- * Two circles of radii r and R whose centres are d apart and which cut each other have two segments in common,
+ * Two circles of radii r and R whose centres are d apart and which intersect have two circular segments in common:
  *   A = r^2 (a - sin a cos a) + R^2 (b - sin b cos b)
- * where a is half the angle under which r's centre sees the chord. From the triangle r, R, d, without the loss of figures that
- * its cosine has where the circles hardly cut:
+ * a is half the angle that the common chord subtends at the centre of r. The formula
  *   tan^2(a/2) = (R^2 - (d - r)^2)/((d + r)^2 - R^2),      and b with r and R exchanged,
- * and R - r is formed first, for circles that are nearly the same.
+ * avoids the cancellation that the cosine of a suffers where the circles hardly intersect. R - r is computed first, for
+ * circles that are nearly equal.
  *
- * A disc and a polygon: the sum over the edges of what the disc has in common with the triangle of its centre and the edge,
- * counted negative where the edge runs clockwise. Where the edge is outside, the triangle holds a sector; where it is inside,
- * a triangle.
+ * A disc and a polygon: the sum over the edges of the area that the disc shares with the triangle of its centre and the
+ * edge, negative where the edge runs clockwise. Outside the disc an edge contributes a sector, inside a triangle.
  *
  *   areas m2, lengths m, angles rad
  *
@@ -18,7 +17,7 @@
 
 double nb_area_of_disc(double radius) { return NB_PI * radius * radius; }
 
-/* Of the circle r, beyond the chord that the circle R cuts off. */
+/* Segment of the circle r that the circle R cuts off. */
 static double segment(double r, double R, double d) {
   const double difference = R - r, numerator = (R + r - d) * (d + difference),
                denominator = (d - difference) * (d + r + R);
@@ -40,7 +39,7 @@ static double sector(struct nb_vec a, struct nb_vec b, double r) {
   return r * r * atan2(cross(a, b), vec_dot(a, b)) / 2;
 }
 
-/* Of the disc about the origin and the triangle of the origin, a and b. */
+/* Area that the disc about the origin shares with the triangle of the origin, a and b. */
 static double area_at_edge(struct nb_vec a, struct nb_vec b, double r) {
   const struct nb_vec along = vec_sub(b, a);
   const double square = vec_dot(along, along), middle = vec_dot(a, along);

@@ -1,39 +1,41 @@
-/* The two balances of a run: what has been done since the start, each term from its own definition.
+/* The work balance and the energy balance of a run: sums since the start, each term computed from its own definition.
  *
- * work      K_(N-1/2) - K_0 = sum over kicks of all forces' work. A kick changes a body's velocity from v- to v+ by
- *           the impulse J = F tau and what global damping takes, so its kinetic energy by J.(v- + v+)/2: force times
- *           the way at the mean of the half-step velocities. That holds for any step, the half first kick too
- *           (tau = dt/2, v- = v_0); the residual is rounding.
+ * work      K_(N-1/2) - K_0 = sum over kicks of the work of all forces. A kick changes a particle's velocity from v- to
+ *           v+ by the impulse J = F tau and the loss by mass-proportional damping, hence its kinetic energy by
+ *           J.(v- + v+)/2. This holds for any step, including the half kick at the start (tau = dt/2, v- = v_0); the
+ *           residual is rounding.
  *
- * energy    K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - driven - changed, all at t_N. U is a state function
- *           (energy.c). Forces that depend on velocity or are given act at t_N, at the velocity of t_N, over the kick
- *           around it; what slides does so over the step from t_N to t_(N+1), at the mean of the two forces:
+ * energy    K + U - (K + U)_0 + frictional + damped + removed - walls - gravity - imposed - changed, at t_N. U is a
+ *           state function (energy.c). Forces that depend on velocity or are prescribed act at t_N with the velocity
+ *           of t_N, over the kick around it; friction acts over the step from t_N to t_(N+1), with the mean of the two
+ *           forces:
  *
- *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of global damping, over kicks      [CS79 26-36]
- *             walls       F.V tau  of walls, and of fixed bodies that move, over kicks
+ *             damped      D_n dn + D_s ds  of dashpots, C v.v tau of mass-proportional damping, over kicks
+ *                                                                                                     [CS79 26-36]
+ *             walls       F.V tau  of walls, and of fixed particles that move, over kicks
  *             gravity     m g.(v + c) tau  over kicks
- *             driven      what carries bodies along, and stress on a boundary times v tau, over kicks
- *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or part with their spring bent, over steps
- *                         what a law says that knows micro-slip
- *             sliding     the part of that in which a contact slides as a whole
+ *             imposed     work of the imposed motion; stress on a boundary times v tau, over kicks
+ *             frictional  F_s (ds - dF_s/k_s)  of contacts that slide, or open with a loaded shear spring, over steps;
+ *                         with micro-slip the dissipation that the law returns
+ *             sliding     the part of it in steps in which the contact slides as a whole
  *             shear       F_s ds  over steps
  *
- *           The residual is the error of the integration. A kick reaches half a step beyond t_N: a term that is
- *           asked for at t_N has only the half behind it in it (tail).
+ *           The residual is the error of the time integration. A kick lasts until half a step after t_N: a reading at
+ *           t_N contains the half of it before t_N only.
  *
- * What carries bodies along works with -sum over bodies of (F + m g).c + sum over contacts of f.(L H m):
+ * The work of the imposed motion is -sum over particles of (F + m g).c + sum over contacts of f.(L H m):
  *
- *   F   sum of a body's contact forces, N        c     what carries it along, m/s (affine.h)
- *   f   force on the first body of a contact, N  L H m what a copy of the second is faster by in a cell, m/s (cell.h)
+ *   F   sum of the contact forces on a particle, N         c     its imposed velocity, m/s (affine.h)
+ *   f   force on the first particle of a contact, N        L H m extra velocity of a copy of the second in a cell, m/s
  *
- * K is that of the bodies' own velocities v: what carries them bears what forces do along c. So it works on bodies that a
- * boundary holds just as on free ones; and in a cell, without gravity, the sum is that of f.(L l) over contacts, -V sigma_ij L_ij
- * with sigma compression positive and l from centre to centre. Over the kick around t_N a body is carried by c_(N-1/2) for half the
- * step behind, and by c_(N+1/2) for half the step ahead.
+ * K is that of the particles' own velocities v, so the imposed motion supplies the work of the forces along c, on
+ * particles held by a boundary as on free ones. In a cell without gravity the sum is that of f.(L l) over contacts, -V
+ * sigma_ij L_ij, with sigma compression positive and l from centre to centre. During the kick around t_N the imposed
+ * velocity is c_(N-1/2) in the first half and c_(N+1/2) in the second.
  *
- * A shear law without stored energy has its shear work in the residual where the others have U_s and frictional.
- * Sums run over bodies in the order of numbers and over contacts in theirs, by one thread, and carry what rounding
- * cuts off (Neumaier 1974): the same bits on any number of threads.
+ * The shear work of a shear law without stored energy is in the residual in place of U_s and frictional. One thread
+ * computes the sums, over particles and contacts in the order of their numbers, with compensation of rounding (Neumaier
+ * 1974): the same bits with any number of threads.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -45,7 +47,7 @@
 
 /* ---- set up ---- */
 
-/* The first law of the scene that stores no energy; NULL: all do. */
+/* First law of the scene without stored energy; NULL: none. */
 static const struct nb_law *law_without_energy(const struct nb_model *model, bool normal) {
   for (size_t p = 0; p < model->material_pair_count; p++) {
     const struct nb_law *law = normal ? model->material_pairs[p].normal : model->material_pairs[p].shear;
@@ -55,7 +57,7 @@ static const struct nb_law *law_without_energy(const struct nb_model *model, boo
   return NULL;
 }
 
-/* An error where an energy is asked for that a law of the scene does not know. */
+/* Error if a requested energy is not defined for a law of the scene. */
 static enum nb_status check_stored_energy(const struct nb_model *model, struct nb_error *error) {
   const unsigned requested = model->plan.requested;
   const struct nb_law *normal = law_without_energy(model, true), *shear = law_without_energy(model, false);
@@ -85,7 +87,7 @@ static bool allocate(struct nb_model *model) {
   return b->particles && b->walls && b->values && (model->terms || !energy);
 }
 
-/* The walls' velocities over the step that ends at t_N. */
+/* Wall velocities over the step that ends at t_N. */
 static void record_walls(const struct nb_model *model) {
   for (size_t w = 0; w < model->walls.count; w++)
     model->balance->walls[w].speed = (struct nb_velocities){model->walls.velocity[w], model->walls.spin[w]};
@@ -104,7 +106,7 @@ enum nb_status nb_balance_create(struct nb_model *model, struct nb_error *error)
   if (!model->terms)
     return NB_OK;
   b->initial_energy = nb_energy_kinetic(model) + nb_energy_stored(model);
-  struct nb_sum first_half[NB_TERMS] = {{0}}; /* a state's last step is none of this run's */
+  struct nb_sum first_half[NB_TERMS] = {{0}}; /* the last step of a saved state is not part of this run */
   nb_balance_add_half_kick(first_half, model);
   for (int t = 0; t < NB_TERMS; t++)
     nb_sum_add(&model->terms[t], -first_half[t].sum);
@@ -120,12 +122,12 @@ void nb_balance_free(struct nb_model *model) {
   model->balance = NULL, model->terms = NULL;
 }
 
-/* ---- a kick: what bodies and contacts feel at t_N, over the time around it ---- */
+/* ---- a kick: the forces at t_N act over the time around it ---- */
 
 struct kick {
-  double first_half, second_half; /* before t_N and after it, s: what is counted */
-  double time, fraction;          /* of the whole kick, s; how much of it that is */
-  double before;                  /* the share of it that is damped as before the stage */
+  double first_half, second_half; /* parts before and after t_N that count, s */
+  double time, fraction;          /* of the whole kick, s; counted fraction of it */
+  double fraction_before;         /* fraction of it with the damping of before the stage */
 };
 
 static struct kick whole_kick(const struct nb_model *model) {
@@ -133,13 +135,13 @@ static struct kick whole_kick(const struct nb_model *model) {
   return (struct kick){first_half, second_half, first_half + second_half, 1, nb_kick_fraction_before(model)};
 }
 
-/* The half that lies behind t_N, as it will be when nothing else happens. */
+/* The half before t_N, as if no stage followed. */
 static struct kick half_kick(const struct nb_model *model) {
   return (struct kick){model->previous_step / 2, 0, model->previous_step, 0.5, 1};
 }
 
-/* How far bodies are carried along over a kick. */
-static void affine(const struct nb_model *model, struct kick kick) {
+/* Imposed displacements over a kick. */
+static void set_imposed_displacements(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   const struct nb_cell *cell = model->cell;
   for (size_t i = 0; i < model->particles.count && model->affine; i++)
@@ -152,12 +154,12 @@ static void affine(const struct nb_model *model, struct kick kick) {
                    tensor_scale(kick.second_half, tensor_product(model->affine->rate[NB_AFFINE_CELL], cell->h)));
 }
 
-/* The copy that a contact is with is carried so much more. */
+/* Extra displacement of the copy that takes part in contact c, m. */
 static struct nb_vec copy_displacement(const struct nb_model *model, size_t c) {
   return model->cell ? tensor_times(model->balance->copy_displacement, model->contacts.image[c]) : vec(0, 0);
 }
 
-/* Where all is at t_N, and how fast. */
+/* Positions and velocities at t_N. */
 static void record_state(const struct nb_model *model, struct kick kick) {
   struct nb_balance *b = model->balance;
   for (size_t i = 0; i < model->particles.count; i++) {
@@ -167,20 +169,20 @@ static void record_state(const struct nb_model *model, struct kick kick) {
   }
   for (size_t w = 0; w < model->walls.count; w++)
     b->walls[w].pivot = model->walls.pivot[w];
-  affine(model, kick);
+  set_imposed_displacements(model, kick);
 }
 
-/* What stays in a body's own velocity of what carries it along (affine.h), m/s. */
+/* Imposed velocity that accumulates in a particle's own velocity (affine.h), m/s. */
 static struct nb_vec accumulated(const struct nb_model *model, size_t i) {
   return model->affine ? nb_affine_accumulated(model->affine, i, model->balance->particles[i].position) : vec(0, 0);
 }
 
-/* What global damping takes from a body in a kick with that mean velocity: its impulse, against the motion, times that. */
+/* Energy that mass-proportional damping takes from a particle in a kick: its impulse times the mean velocity. */
 static double damping_loss(const struct nb_model *model, size_t i, struct nb_velocities old, struct nb_velocities mean,
                            struct nb_force force, struct kick kick) {
   const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), old.velocity);
   const struct nb_velocities new = {vec_sub(after, accumulated(model, i)), 2 * mean.spin - old.spin};
-  const struct nb_damping_losses by = nb_damping_losses(model, kick.time, kick.before);
+  const struct nb_damping_losses by = nb_damping_losses(model, kick.time, kick.fraction_before);
   const struct nb_vec kept = vec_add(vec_scale(by.old, old.velocity), vec_scale(by.new, new.velocity));
   const struct nb_vec linear =
       vec_add(vec_scale(model->particles.mass[i], kept), vec_scale(by.impulse * kick.time, force.force));
@@ -189,7 +191,7 @@ static double damping_loss(const struct nb_model *model, size_t i, struct nb_vel
   return vec_dot(linear, mean.velocity) + angular * mean.spin;
 }
 
-/* What that, and stress on a boundary, give a body in such a kick. */
+/* Energy that accumulated motion and a boundary stress give a particle in a kick. */
 static double imposed_work(const struct nb_model *model, size_t i, struct nb_vec mean, double time) {
   struct nb_vec impulse = vec_scale(model->particles.mass[i], accumulated(model, i));
   if (model->particles.boundary_force)
@@ -247,7 +249,7 @@ static struct nb_vec wall_displacement(const struct nb_model *model, struct kick
   return vec_add(vec_scale(kick.first_half, old), vec_scale(kick.second_half, new));
 }
 
-/* Dashpots and walls. */
+/* Work of dashpots and walls. */
 static void add_contacts(struct nb_sum terms[], const struct nb_model *model, struct kick kick) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_balance *b = model->balance;
@@ -282,7 +284,7 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
   }
 }
 
-/* What carries bodies along. */
+/* Work of the imposed motion. */
 static void add_imposed(struct nb_sum terms[], const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count && model->affine; k++) {
@@ -321,7 +323,7 @@ void nb_balance_add_half_kick(struct nb_sum terms[], const struct nb_model *mode
   add_terms(terms, model, kick);
 }
 
-/* ---- what is read ---- */
+/* ---- readings ---- */
 
 double nb_balance_term(const struct nb_model *model, enum nb_term term) {
   struct nb_sum now[NB_TERMS];

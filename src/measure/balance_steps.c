@@ -1,26 +1,27 @@
-/* The terms of the energy balance that belong to steps and stages: what slides, springs that are changed under load or are there all at
- * once, and velocities that jump.
+/* Terms of the energy balance that belong to steps and stages: friction, springs that change under load or appear
+ * loaded, and velocities that jump.
  *
  *   shear       (F_s' + F_s)/2 ds                             from t_N to t_(N+1), primes at its end
- *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: slip less what the spring took of it;
- *               what the law says that it lost                of a law that knows micro-slip
+ *   frictional  (F_s' + F_s)/2 (ds - (F_s' - F_s)/k_s)        where it slides: slip less the elastic displacement
+ *               the dissipation that the law returns         of a law with micro-slip
  *   sliding     the same of steps at whose end the contact slides as a whole
  *
- * A contact whose outlines part loses what its spring still held: F_s' = 0, and it slides by that as well. Without
- * sliding the bracket is 0 but for rounding, and nothing is added.
+ * A contact that opens loses the energy of its shear spring: F_s' = 0, which counts as sliding. Without sliding the
+ * bracket is 0 except for rounding, and nothing is added.
  *
- * When a stage changes k_n or k_s, springs under load gain U_n(new) - U_n(old) at the same overlap and
- * U_s(new) - U_s(old) at the same force. The force of the step is the mean of an old and a new one, so the normal gain
- * is the mean of those at the two ends; the shear spring is new for the whole step. Another law is the same: U_n by the new one less
- * U_n by the old one. Another shear law begins with nothing: U_s is gone at t_N, and so is F_s ds/2, which the old force still does.
+ * When a stage changes k_n or k_s, the energy of loaded springs changes by U_n(new) - U_n(old) at the same overlap and
+ * U_s(new) - U_s(old) at the same force. The force of the step is the mean of an old and a new one, so the change of
+ * the normal energy is the mean of those at the two ends; the shear spring is new for the whole step. A new normal law
+ * counts likewise: U_n of the new law less U_n of the old one. A new shear law begins without displacement: U_s is lost
+ * at t_N, and so is the work F_s ds/2 of the old force in the first half of the step.
  *
- * Two bodies of a boundary that lets go of them may overlap although they were on no list. At t_N they have overlapped by alpha without a
- * force; at t_(N+1) they push with F_n(alpha'). The force of the step is the mean of none and that, so what is put in from outside is
- * the mean of what the spring would have held at the two ends:
+ * Two particles of a boundary that is released may overlap although they were not listed. At t_N they overlap by alpha
+ * without a force; at t_(N+1) the force is F_n(alpha'). The force of the step is the mean of 0 and that, so the energy
+ * supplied is the mean of the spring energies at the two ends:
  *
  *   energy.changed += (U_n(alpha) + U_n(alpha'))/2
  *
- * Their shear springs begin with nothing, and what they hold is work from the first step on.
+ * Their shear springs begin unloaded and count as work from the first step on.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -32,7 +33,7 @@ static double field(const struct nb_model *model, enum nb_field which, size_t c)
   return model->contacts.kept[which] ? model->contacts.kept[which][c] : 0;
 }
 
-/* Half of the step goes against the force of the old law, which nothing holds any more. */
+/* Work of the old law's force in the first half of the step; the new law does not store it. */
 static void end_old_law(struct nb_model *model, double old_force, double ds) {
   const bool stored = model->balance->laws.shear->stored != NULL;
   nb_sum_add(&model->terms[NB_TERM_SHEAR], old_force * ds / 2);
@@ -59,7 +60,7 @@ static void add_shear_work(struct nb_model *model, size_t c) {
     nb_sum_add(&model->terms[NB_TERM_UNSTORED], mean * ds);
   else if (law->dissipative)
     dissipated = field(model, NB_DISSIPATED, c);
-  else if (!(stiffness > 0)) /* parted */
+  else if (!(stiffness > 0)) /* opened */
     dissipated = mean * (ds + old_force / old_stiffness);
   else if (sliding)
     dissipated = mean * (ds - (new_force - old_force) / stiffness);
@@ -68,7 +69,7 @@ static void add_shear_work(struct nb_model *model, size_t c) {
     nb_sum_add(&model->terms[NB_TERM_SLIDING], dissipated);
 }
 
-/* U_n of a contact by a law that is given `values` and remembers `memory`, which a law may write into. */
+/* U_n of a contact, J; the law may write into `history`. */
 static double normal_energy(const struct nb_law *law, struct nb_pair values, double overlap, double history[]) {
   if (!(overlap > 0) || !law->stored)
     return 0;
@@ -77,7 +78,7 @@ static double normal_energy(const struct nb_law *law, struct nb_pair values, dou
   return law->stored(values, n, history);
 }
 
-/* What contact c remembers for its normal law, copied. */
+/* Copies the history of contact c's normal law. */
 static void history_of(double history[], const struct nb_model *model, size_t c) {
   double buffer[NB_HISTORY];
   memcpy(history, nb_history_read(&model->contacts.normal_history, c, buffer), NB_HISTORY * sizeof *history);
@@ -91,7 +92,7 @@ static bool equal_properties(struct nb_pair a, struct nb_pair b) {
   return all;
 }
 
-/* What the springs of overlaps have gained by the change, at the overlaps that contacts have now. */
+/* Change of U_n by the stage at the present overlaps, J. */
 static double normal_energy_change(const struct nb_model *model) {
   struct nb_sum sum = {0};
   for (size_t c = 0; c < model->contacts.count; c++) {
@@ -109,7 +110,7 @@ static double normal_energy_change(const struct nb_model *model) {
   return sum.sum + sum.rest;
 }
 
-/* What the shear springs hold: less when their stiffness rises, and nothing when a stage takes friction away or another law comes. */
+/* U_s of all contacts, J: less if the stiffness increases, 0 if a stage removes friction or changes the law. */
 static double shear_energy(const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   struct nb_sum sum = {0};
@@ -143,9 +144,9 @@ void nb_balance_change(struct nb_model *model, bool before) {
   b->shear_law_changed = !before && (b->laws.shear != model->laws.shear || b->laws.pieces != model->laws.pieces);
 }
 
-/* ---- springs that are there all at once ---- */
+/* ---- springs that appear loaded ---- */
 
-/* U_n of contact c at an overlap, of a law that remembers nothing yet. */
+/* U_n of contact c at an overlap, without history, J. */
 static double normal_energy_at(const struct nb_model *model, size_t c, double overlap) {
   const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
   double history[NB_HISTORY] = {0};
@@ -206,9 +207,9 @@ void nb_balance_after_forces(struct nb_model *model) {
     end_new_overlaps(model);
 }
 
-/* ---- what makes velocities jump ---- */
+/* ---- velocities that jump ---- */
 
-/* Kinetic energy that is there or gone without a force does not count as work; what was read before is read after. */
+/* Kinetic energy that appears or vanishes without a force does not count as work: the readings do not change. */
 void nb_balance_exclude(struct nb_model *model, bool before) {
   struct nb_balance *b = model->balance;
   const double sign = before ? -1 : 1;
@@ -223,7 +224,7 @@ void nb_balance_exclude(struct nb_model *model, bool before) {
     nb_sum_add(&model->terms[t], -sign * first_half[t].sum);
 }
 
-/* It is put in from outside. */
+/* The kinetic energy counts as supplied from outside. */
 void nb_balance_jump(struct nb_model *model, enum nb_term term, bool before) {
   nb_balance_exclude(model, before);
   if (model->terms)

@@ -1,9 +1,11 @@
-/* What the boundary of an assembly encloses, and the stress on it.             [R89 6.4.1]
+/* Area of the boundary of an assembly, and the stress on it.             [R89 6.4.1]
  *
- * The polygon through the centres of its particles has the area A = sum (x_i y_(i+1) - x_(i+1) y_i)/2. The stress that the
- * assembly makes is measured from the contact forces F on the boundary's particles, compression positive:
+ * The polygon through the centres of its particles has the area A = sum (x_i y_(i+1) - x_(i+1) y_i)/2. The stress of
+ * the assembly is computed from the contact forces F on the boundary's particles, compression positive:
  *
- *   s_ij = sum F_i X_j / (A h)          the same as by all contacts, sum f_i l_j / (A h), while the particles inside are at rest
+ *   s_ij = sum F_i X_j / (A h)
+ *
+ * It equals the stress from all contacts, sum f_i l_j / (A h), while the particles inside are in equilibrium.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "boundary.h"

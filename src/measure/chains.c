@@ -1,19 +1,19 @@
-/* Force chains of a region: how many bodies are in them, and how straight they are.       (R89, section 6.4.3)
+/* Force chains of a region: their number, length and straightness.       (R89, section 6.4.3)
  *
- * As Peters, Muthuswamy, Wibowo and Tordesillas (2005, Phys. Rev. E 72, 041307) find them, from the stress of each body:
+ * After Peters, Muthuswamy, Wibowo and Tordesillas (2005, Phys. Rev. E 72, 041307), from the stress of each particle:
  *   sigma^p_ij = -(1/V_p) sum over its contacts f_i l_j                as in stress.c
- *   strong      its major principal stress is above the mean of those of all bodies inside
- *   link        a contact of two strong bodies that lies within 45 degrees of the major axes of both
- *   chain       three bodies or more that hang together by links
+ *   strong      its major principal stress is above the mean of all particles inside
+ *   link        a contact of two strong particles within 45 degrees of the major axes of both
+ *   chain       three or more particles connected by links
  *
- *   turn        angle between two successive links, one ahead and one behind of the body that they share: 0 goes straight on.
- *               Where several links go ahead or come from behind each pair of them counts, so no branch is chosen
- *   length      bodies of a chain          share      of the bodies inside, those in chains
+ *   bend        angle between two successive links, on opposite sides of the particle that they share; 0 is straight.
+ *               At a branch every pair counts, so none is preferred
+ *   length      particles of a chain          fraction      of the particles inside, those in chains
  *
- * The bodies are those inside that are free. With d the angle from the major axis, d < 45 degrees is cos 2d > 0, which takes
- * neither axis nor angle; and then two links lie on different sides of the body where the angle between them is obtuse. A body
- * whose stress has no axis, the same all round, has no links. Where all bodies carry alike, rounding says which of them are above
- * the mean.
+ * Only free particles inside count. With d the angle from the major axis, d < 45 degrees is equivalent to cos 2d > 0,
+ * which needs neither the axis nor the angle. Two links are on opposite sides of the particle if the angle between them
+ * is obtuse. A particle with isotropic stress has no links. If all particles have the same stress, rounding decides
+ * which are above the mean.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -23,7 +23,7 @@
 struct nb_chain_particle {
   struct nb_tensor stress; /* Pa */
   bool strong;
-  int root, particles; /* slot of the body that stands for its chain; there: how many there are */
+  int root, particles; /* slot of the chain's representative (union-find); there: particles of the chain */
 };
 
 bool nb_chains_create(struct nb_model *model) {
@@ -31,7 +31,7 @@ bool nb_chains_create(struct nb_model *model) {
   return model->regions->chain_particles != NULL;
 }
 
-/* Answers how many bodies there are. */
+/* Returns the number of free particles inside. */
 static double find_strong(const struct nb_model *model, const struct nb_region_state *region) {
   struct nb_chain_particle *chain_particles = model->regions->chain_particles;
   const struct nb_particles *particles = &model->particles;
@@ -77,7 +77,7 @@ static void merge(struct nb_chain_particle *chain_particles, int i, int j) {
   chain_particles[a].particles += chain_particles[b].particles;
 }
 
-/* The links of the body that come behind this one, each as a pair with it. */
+/* Adds the pairs of this link and the particle's further ones. */
 static void add_bends(const struct nb_model *model, struct nb_ends ends, const struct nb_end *link, double *bends,
                       double *pairs) {
   struct nb_end other;

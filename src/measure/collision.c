@@ -1,14 +1,16 @@
-/* Who is going to meet whom, and how long they will stay together by Hertz's law (hertz_impact.h).
+/* Collision prediction: which pairs collide at the present velocities, and the duration by Hertz's law
+ * (hertz_impact.h).
  *
- * When all go straight on as they go now, two bodies at y - x = d, closing at w = v_x - v_y, touch if w.d > 0 and the line
- * of their flight passes closer than s = R_x + R_y. Then they close along their line of centres at
+ * Two particles with d = y - x between their centres and the approach velocity w = v_x - v_y touch if w.d > 0 and their
+ * straight paths pass closer than s = R_x + R_y. Then the approach velocity along the line of centres is
  *
  *   v = sqrt(w^2 - (w x d)^2/s^2)
  *
- * and a wall is met along its normal, or at an end like a body of no radius. What touches already closes at v = w.d/D.
+ * A wall is hit along its normal, or at an end like a particle without radius. A pair that touches already approaches
+ * at v = w.d/D.
  *
- * Walls go as the first stage sets them going. Gravity, turning walls on their way and other bodies in between are left out.
- * Every body that moves is tried with every other, once: a million that fly apart take long.
+ * Walls move as in the first stage. The prediction neglects gravity, the rotation of walls on their way and particles
+ * in between. It tries every moving particle with every other one once, so a gas of a million particles takes long.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -16,32 +18,31 @@
 #include "core/hertz_impact.h"
 #include "step.h"
 
-/* How two that are to meet do. */
 struct approach {
-  double speed; /* closing, along the line of centres, m/s; 0: they do not meet */
-  double time;  /* until then, s */
+  double speed; /* approach velocity along the line of centres, m/s; 0: no collision */
+  double time;  /* until touch, s */
 };
 
 static struct approach no_collision(void) { return (struct approach){0, INFINITY}; }
 
 static double cross(struct nb_vec a, struct nb_vec b) { return a.x * b.y - a.y * b.x; }
 
-/* Two circles whose radii sum up to `reach`, `apart` from one centre to the other. */
-static struct approach circles_approach(struct nb_vec apart, struct nb_vec dn, double radius_sum) {
-  const double distance = vec_length(apart), along = vec_dot(dn, apart);
+/* `apart`: from the first centre to the second, m; `relative`: velocity of the first less that of the second, m/s. */
+static struct approach circles_approach(struct nb_vec apart, struct nb_vec relative, double radius_sum) {
+  const double distance = vec_length(apart), along = vec_dot(relative, apart);
   if (!(along > 0))
     return no_collision();
   if (distance <= radius_sum)
     return (struct approach){along / distance, 0};
-  const double size = vec_length(dn), aside = cross(dn, apart) / radius_sum;
+  const double size = vec_length(relative), aside = cross(relative, apart) / radius_sum;
   const double square = (size - aside) * (size + aside);
   if (!(square > 0))
     return no_collision();
-  const double speed = sqrt(square); /* the way left is what is between the centres' foot and the point of touch */
+  const double speed = sqrt(square);
   return (struct approach){speed, (along / size - speed * radius_sum / size) / size};
 }
 
-/* The velocities that walls have in the first stage, before it has begun. */
+/* Velocities of a wall in the first stage, also before the stage has begun. */
 static struct nb_velocities wall_state(const struct nb_model *model, int wall) {
   struct nb_velocities state = {model->walls.velocity[wall], model->walls.spin[wall]};
   const struct nb_stage *first = &model->scene->stages[0];
@@ -59,21 +60,21 @@ static struct approach wall_approach(const struct nb_model *model, struct nb_vec
   const struct nb_velocities state = wall_state(model, w);
   const struct nb_vec nearest = nb_wall_nearest(walls, w, position);
   const struct nb_vec arm = vec_sub(nearest, walls->pivot[w]);
-  const struct nb_vec dn = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
-  /* Its face: the foot of the centre is on the wall when they touch. */
-  const double side = cross(along, from), height = fabs(side), speed = -copysign(1, side) * cross(along, dn);
-  const double time = height > radius ? (height - radius) / speed : 0, foot = s + vec_dot(dn, along) * time;
+  const struct nb_vec relative = vec_sub(velocity, vec_add(state.velocity, vec_scale(state.spin, vec(-arm.y, arm.x))));
+  /* The particle hits the face if its centre projects onto the wall at touch. */
+  const double side = cross(along, from), height = fabs(side), speed = -copysign(1, side) * cross(along, relative);
+  const double time = height > radius ? (height - radius) / speed : 0, foot = s + vec_dot(relative, along) * time;
   if (speed > 0 && foot >= walls->h1[w] && foot <= walls->h2[w])
     return (struct approach){speed, time};
   struct approach first = no_collision();
   for (int end = 0; end < 2; end++) {
-    const struct approach there = circles_approach(vec_sub(nb_wall_end(walls, w, end), position), dn, radius);
+    const struct approach there = circles_approach(vec_sub(nb_wall_end(walls, w, end), position), relative, radius);
     first = there.time < first.time ? there : first;
   }
   return first;
 }
 
-/* Of elastic spheres, s. */
+/* Duration of a collision of elastic spheres, s. */
 static double duration(double young, double radius, double mass, double speed) {
   return nb_hertz_duration(nb_hertz_depth(young, radius, mass, speed), speed);
 }
@@ -85,7 +86,7 @@ static void keep_shorter(struct nb_collision *shortest, struct nb_collision othe
     *shortest = other;
 }
 
-/* E* of bodies of these materials, or of one at a wall. */
+/* E* of two materials, Pa. */
 static double effective_young(const struct nb_model *model, int a, int b) {
   return nb_properties_pair(&model->properties, a, b).young;
 }
@@ -131,7 +132,7 @@ struct nb_collision nb_collision_shortest(const struct nb_model *model) {
     return shortest;
   for (size_t i = 0; i < n; i++)
     velocity[i] = nb_velocity_total(model, i);
-  for (size_t k = 0; k < n; k++) { /* in the order of numbers: of two that last as long the first one counts */
+  for (size_t k = 0; k < n; k++) { /* in the order of numbers: of equal durations the first one counts */
     const size_t i = (size_t)model->particles.slot[k];
     if (moving(velocity[i]))
       try_particles(&shortest, model, velocity, i);

@@ -1,15 +1,16 @@
-/* What has changed since a stage began.                                               [R89 4.2, figure 6.35]
+/* Changes since the beginning of a stage, for snapshots with `from`.                       [R89 4.2, figure 6.35]
  *
- *   moved, turned   of a body: its place and angle less those of then
- *   slid            of a contact: sum of |ds| over the steps that it ends sliding, which are those since that stage began and
- *                   since the bodies came to touch; in a step in which sliding begins that includes what the spring took up
- *   lattice         lines from centre to centre of bodies that touch, or to where a wall is nearest: the space lattice that is
- *                   equivalent to the assembly. kind: 0 contacts of then and now, 1 new ones, -1 lost ones, between the
- *                   places of now
+ *   displacement, rotation   of a particle: present position and angle less those at the beginning of the stage
+ *   slip                     of a contact: sum of |ds| over the steps at whose end it slides, since the stage began and
+ *                            since the contact closed; the step in which sliding begins includes the elastic
+ *                            displacement
+ *   lattice                  the space lattice that is equivalent to the assembly: lines between the centres of
+ *                            particles in contact, or from a centre to the nearest point of a wall, at the present
+ *                            positions. kind: 0 for contacts of both times, 1 new, -1 lost
  *
- * One that parts and comes back between the two is kept; it has slid since it came back. What has slid stands beside what the
- * laws remember of a contact, one number for each such stage, and goes through searches with it. A scene without
- * `snapshot from` has none of this.
+ * A contact that opens and closes again in between is not lost; its slip counts from the last closing. The slip of a
+ * contact is kept beside the history of its laws, one number for each such stage, and survives searches with it. A
+ * scene without `snapshot from` has no such data.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "configuration.h"
@@ -118,7 +119,7 @@ void nb_configuration_add_slip(struct nb_model *model) {
     }
 }
 
-/* ---- what is asked ---- */
+/* ---- readings ---- */
 
 static const struct reference *reference_of(const struct nb_model *model, int stage) {
   return &model->configuration->list[index_of(model->configuration, stage)];
@@ -151,7 +152,7 @@ struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_p
   return vec_add(apart, tensor_times(model->cell->h, nb_wrap_image(&wrap, apart)));
 }
 
-/* Both lists are in the order of contacts: one walk along both. */
+/* Both lists are in the order of contacts: the walk merges them. */
 bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbour_pair *pair, int *kind) {
   const struct nb_contacts *contacts = &walk->model->contacts;
   while (walk->now < contacts->count && !nb_touches(contacts, walk->now))

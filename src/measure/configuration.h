@@ -1,4 +1,4 @@
-/* What has changed since a stage began: for snapshots that say `from STAGE`.
+/* Changes since the beginning of a stage, for snapshots with `from STAGE`: configuration.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CONFIGURATION_H
@@ -8,30 +8,29 @@
 #include "snapshot.h"
 
 bool nb_configuration_create(
-    struct nb_model *model); /* leaves model->since NULL where no snapshot asks; false: no memory */
+    struct nb_model *model); /* leaves model->configuration NULL without such snapshots; false: no memory */
 void nb_configuration_free(struct nb_configuration *configuration);
-size_t
-nb_configuration_count(const struct nb_configuration *configuration); /* how many such stages there are; 0 of NULL */
-bool nb_configuration_begin(struct nb_model *model, int stage);       /* a stage begins; false: no memory */
-void nb_configuration_add_slip(struct nb_model *model); /* after the forces: what has slid in the step behind */
+size_t nb_configuration_count(const struct nb_configuration *configuration); /* number of such stages; 0 for NULL */
+bool nb_configuration_begin(struct nb_model *model, int stage);              /* a stage begins; false: no memory */
+void nb_configuration_add_slip(struct nb_model *model);                      /* of the last step; after the forces */
 
-/* A body or a contact since that stage began, which some snapshot is `from`. */
+/* Since the beginning of a stage that some snapshot names after `from`. */
 struct nb_vec nb_configuration_displacement(const struct nb_model *model, int stage, size_t slot); /* m */
 double nb_configuration_rotation(const struct nb_model *model, int stage, size_t slot); /* rad, counterclockwise */
-double nb_configuration_slip(const struct nb_model *model, int stage, size_t contact);  /* m, sizes added up */
+double nb_configuration_slip(const struct nb_model *model, int stage, size_t contact);  /* m */
 bool nb_configuration_lattice(struct nb_table *table, const struct nb_model *model, int stage,
                               int from); /* false: no memory */
 
-/* What touches now beside what touched then, in the order of contacts. kind: 0 both, 1 now alone, -1 then alone. */
+/* Walk over contacts that touch now or touched at the reference, in order. kind: 0 both, 1 now only, -1 then only. */
 struct nb_configuration_walk {
   const struct nb_model *model;
   const struct nb_neighbour_pairs *reference;
-  size_t now, past; /* where it is in the contacts, and in `then` */
+  size_t now, past; /* indices in the contacts and in `reference` */
 };
 bool nb_configuration_next(struct nb_configuration_walk *walk, struct nb_neighbour_pair *pair, int *kind);
 bool nb_touching_pairs(struct nb_neighbour_pairs *touching,
-                       const struct nb_model *model); /* of now; false: no memory */
-/* From the first centre to the second one, to the copy of it that is nearest, or to the nearest point of the wall; m. */
+                       const struct nb_model *model); /* pairs that touch now; false: no memory */
+/* From the first centre to the second one, in a cell to its nearest copy, or to the nearest point of the wall; m. */
 struct nb_vec nb_pair_branch(const struct nb_model *model, struct nb_neighbour_pair pair);
 
 #endif

@@ -1,16 +1,17 @@
-/* How many contacts a body of a region has.
+/* Coordination number of a region.
  *
- *   coordination          2M/N          ends of contacts on the bodies inside, over those bodies
- *   coordination.loaded                 the same without rattlers, and without their contacts
+ *   coordination               2M/N     contact ends on the particles inside, over these particles
+ *   coordination.mechanical             the same without rattlers and their contacts
  *
- * A rattler has fewer than two contacts with bodies that are none, or with walls: what is left of all bodies, inside or not,
- * when those with fewer than two contacts are taken away until no more go. What is fixed is never a rattler. (Two contacts
- * that are not opposite each other do not hold a body either; nothing that is pressed has such ones without friction.)
+ * A rattler has fewer than two contacts, not counting contacts with other rattlers. Rattlers are found by removing
+ * particles with fewer than two contacts, inside the region or not, until no more go. Fixed particles are no rattlers.
+ * (Two contacts that are not opposite do not hold a particle either; without friction no loaded particle has such
+ * contacts.)
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
 
-/* The body at the other end; -1: a wall. */
+/* Slot of the particle at the other end; -1: a wall. */
 static int partner(const struct nb_model *model, size_t contact, size_t slot) {
   const struct nb_contacts *contacts = &model->contacts;
   if (model->material_pairs[contacts->material_pair[contact]].wall)
@@ -22,7 +23,7 @@ static bool is_rattler(const struct nb_model *model, size_t slot) {
   return model->particles.inverse_mass[slot] > 0 && model->regions->touching[slot] < 2;
 }
 
-/* Leaves in `touching` how many contacts each body has with others that are no rattlers, -1 for a rattler. */
+/* Sets `touching` to the number of contacts with walls and particles that are no rattlers; -1 for a rattler. */
 static void find_rattlers(const struct nb_model *model) {
   int *touching = model->regions->touching, *queue = model->regions->queue;
   size_t queued = 0;
@@ -53,7 +54,7 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_stat
   *it = (struct nb_coordination){0};
   find_rattlers(model);
   const int *touching = model->regions->touching;
-  double loaded = 0; /* bodies */
+  double loaded = 0; /* number of particles that are no rattlers */
   for (size_t k = 0, i; nb_region_next(model, region, &k, &i);) {
     it->particles++;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;

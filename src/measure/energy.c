@@ -1,10 +1,11 @@
-/* What bodies and contacts have at a moment: energy and momentum.
+/* Energy and momentum of particles and contacts at t_N.
  *
- *   K = sum (m v^2 + I w^2)/2                   v, w those of t_N, the mean of the two half steps [CS79 31]
+ *   K = sum (m v^2 + I w^2)/2                   v, w at t_N, the mean of the two half steps [CS79 31]
  *   U = sum (U_n + U_s)                         the laws' state functions: F_n^2/2k_n and F_s^2/2k_s for springs
  *   p = sum m v,   L = sum (m x x v + I w)      about the origin
  *
- * Velocities are those without the imposed motion (affine.c). Sums run in the order of numbers, over bodies that are free.
+ * The velocities exclude the imposed motion (affine.c). The sums run over free particles, in the order of their
+ * numbers.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "energy.h"
@@ -13,7 +14,7 @@ static double kinetic_of(const struct nb_particles *particles, size_t i, struct 
   return (particles->mass[i] * vec_dot(v.velocity, v.velocity) + particles->inertia[i] * (v.spin * v.spin)) / 2;
 }
 
-/* for (size_t k = 0, i; next_free(bodies, &k, &i);): slot i of each body that is free, in the order of numbers. */
+/* for (size_t k = 0, i; next_free(bodies, &k, &i);): slot i of each free particle, in the order of numbers. */
 static bool next_free(const struct nb_particles *particles, size_t *k, size_t *slot) {
   while (*k < particles->count) {
     *slot = (size_t)particles->slot[(*k)++];
@@ -40,7 +41,7 @@ double nb_energy_kinetic_of(const struct nb_model *model, size_t slot) {
                                                  : 0;
 }
 
-/* Adds to a sum what the springs of contact c hold. */
+/* Adds the energy stored in contact c. */
 static void add_stored(double *sum, const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   if (!nb_touches(contacts, c))

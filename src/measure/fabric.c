@@ -3,27 +3,28 @@
  *   Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>          mean over the contacts        [R89 4.47, 4.48]
  *   F_ij = F_kk Phi_ij,   F_kk = 2M R/V                                                       [R89 4.45, 4.46]
  *
- *   n     contact normal, 1         M  contacts: 2M of their ends are on the bodies inside
- *   R     mean radius of the bodies inside, m         V  area times thickness, m3
+ *   n     contact normal, 1                           M  number of contacts: 2M of their ends are on particles inside
+ *   R     mean radius of the particles inside, m      V  area times thickness, m3
  *
- * The mean is over the ends of contacts on the bodies inside, so that a contact of two of them counts twice and one with a wall
- * or with a body outside once; in an assembly without walls that is R89's mean over contacts. Weighted by the normal
- * force F_n it is sum F_n n_i n_j over sum F_n, by the shear force sum |F_s| n_i n_j over sum |F_s|; of contacts that slide it is over those with |F_s| at 0.99 of its limit or above, as sliding.near
- * of loads.c. Traces are 1 all four times.
+ * The mean is over the contact ends on particles inside: a contact of two of them counts twice, one with a wall or with
+ * a particle outside once. In an assembly without walls that is R89's mean over contacts. Weighted by the normal force,
+ * Phi is sum F_n n_i n_j over sum F_n; weighted by the shear force, sum |F_s| n_i n_j over sum |F_s|. Phi of sliding
+ * contacts is the mean over those with |F_s| at 0.99 of its limit or above, as sliding.near of loads.c. The trace is 1
+ * in all four cases.
  *
- * n contacts evenly round a body give Phi_ij = delta_ij/2 for n of 3 or more, Phi_xxxx = 3/8 and Phi_xxyy = 1/8 for 3, 5 or more.
+ * n contacts evenly spaced round a particle give Phi_ij = delta_ij/2 for n >= 3, and Phi_xxxx = 3/8 and Phi_xxyy = 1/8
+ * for n = 3 and n >= 5.
  *
- * Contacts lost and new [R89 figure 6.35] have the mean over their ends likewise:
+ * Lost and new contacts [R89 figure 6.35] have the mean over their ends likewise:
  *
- *   lost   touched as the region's `from` stage began, or the run, and does not now
- *   new    touches now and did not then: what has parted and met again in between is neither
- *   n      unit vector between the centres of now, or to the nearest point of the wall
+ *   lost   touched when the region's `from` stage began, or the run, and does not now
+ *   new    touches now and did not then; a contact that opened and closed again in between is neither
+ *   n      unit vector between the present centres, or to the nearest point of the wall
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "configuration.h"
 #include "region.h"
 
-/* Adds an end with a weight. */
 static void add(struct nb_anisotropy *phi, double *sum, double weight, struct nb_vec n) {
   phi->second = tensor_add(phi->second, tensor_scale(weight, tensor_outer(n, n)));
   phi->xxxx += weight * n.x * n.x * n.x * n.x;
@@ -65,7 +66,7 @@ void nb_measure_fabric(const struct nb_model *model, struct nb_region_state *reg
   fabric->kk = volume > 0 ? ends_count * mean_radius(model, region) / volume : 0;
 }
 
-/* ---- contacts lost and new ---- */
+/* ---- lost and new contacts ---- */
 
 enum nb_status nb_changed_contacts_begin(struct nb_model *model, int stage, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;

@@ -1,15 +1,17 @@
-/* FRACC, the share of a critical step that R89 finds from the motion of each body.                   [R89 4.35-4.40]
+/* FRACC, the fraction of a critical step that R89 estimates from the motion of each particle.        [R89 4.35-4.40]
  *
  *   K = dSF/dx,   dx = |v| dt                                          [R89 4.35, 4.36]
  *   dSF = |SF|_new - |SF|_old                                          [R89 4.38, 4.39]
  *   FRACC = dt/(2 (M dx/|dSF|)^(1/2))                                  [R89 4.37, 4.40]
  *
- * SF is the sum of a body's contact forces. Read with the absolute value of dSF, and no word on bodies with dx = 0; v is the
- * velocity over the step between the two forces. Of all free bodies the largest, of the cycle behind.
+ * SF is the sum of the contact forces on a particle, N; v the velocity over the step between the two forces, m/s. FRACC
+ * is the largest value of all free particles in the last cycle. R89 does not treat dSF < 0 and dx = 0: here dSF has its
+ * absolute value, and particles with dx = 0 do not count.
  *
- * Range    dSF is a difference of sizes: a force that turns, or changes its sign, is not seen. The swing that grows first when a
- *          step is too long changes its sign every cycle. And a body that hardly moves while its neighbours do has a K without
- *          bound. So FRACC is no bound for anything; cases/5-numerics/fracc.md. What is sure to be stable: stable_step.c.
+ * Range    dSF is a difference of magnitudes: it misses forces that rotate or change sign, and the oscillation that
+ *          grows first when a step is too long changes its sign every cycle. A particle that hardly moves while its
+ *          neighbours do has an unbounded K. So FRACC is not a stability bound; see cases/5-numerics/fracc.md and
+ *          stable_step.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"

@@ -1,11 +1,13 @@
-/* What an impact is measured by, in Maw's dimensionless numbers.                         [R89 5.9, 5.11, 5.12, 5.15]
+/* Measures of an impact, in Maw's dimensionless numbers.                         [R89 5.9, 5.11, 5.12, 5.15]
  *
- *   psi = V_T/(mu kappa V_N)       V_T of the point that touches, now, V_N at incidence: psi1 at first, psi2 at the end
+ *   psi = V_T/(mu kappa V_N)       V_T present tangential velocity of the contact, V_N normal velocity at incidence:
+ *                                  psi1 at first touch, psi2 at the end
  *   kappa = (E* / G*)/4            between like materials (2 - nu)/(2 (1 - nu)); of linear springs k_n/k_s
  *   N_max = (5/4) M V_N^2/alpha_max;  alpha_max and T_c as in hertz_impact.h
  *   linear springs:  T_c = pi sqrt(M/k_n),   N_max = V_N sqrt(M k_n)
  *
- * M is the reduced mass, R* the reduced radius. All follow from the scene: a run keeps nothing for them but when it begins.
+ * M is the reduced mass, R* the reduced radius. All follow from the scene: a run stores nothing for them but the time
+ * of first touch.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "impact.h"
@@ -13,7 +15,7 @@
 #include "core/names.h"
 #include "laws/laws_now.h"
 
-/* V_N, V_T and the rest of incidence are those of the scene's velocities; N_max and T_c as if nothing were lost. */
+/* N_max, T_c and kappa of the impact without dissipation. */
 static void elastic(struct nb_impact_state *incidence, struct nb_pair pair) {
   const double v = incidence->normal_v, m = incidence->mass;
   if (pair.young > 0) {
@@ -67,12 +69,12 @@ struct nb_impact_state nb_impact_incidence(const struct nb_scene *scene) {
 
 struct progress {
   struct nb_impact_state incidence;
-  double direction;              /* 1, or -1 where the contact arrives against the tangent */
+  double direction;              /* sign of V_T at incidence: 1 or -1 */
   double elapsed;                /* since first touch, s */
-  struct nb_vec displacement, v; /* of the body since then, and its velocity now, relative to what is struck; m, m/s */
-  double rolled, surface;        /* sum of R theta since then, m; and of R w now, m/s */
-  double normal_f, shear_f;      /* N; T against the motion at incidence */
-  double rotational_energy;      /* energy of rotation, J */
+  struct nb_vec displacement, v; /* since first touch, m, and present velocity, m/s, relative to the other partner */
+  double rolled, surface;        /* sum of R theta since first touch, m, and of R w, m/s */
+  double normal_f, shear_f;      /* F_n, F_s, N */
+  double rotational_energy;      /* J */
 };
 
 static double field(const struct nb_model *model, long contact, enum nb_field which) {
@@ -115,11 +117,11 @@ static struct progress progress(const struct nb_model *model) {
     return expression;                                                                                                 \
   }
 static double psi(const struct nb_impact_state *s, double v) { return v / (s->friction * s->kappa * s->normal_v); }
-/* The contact's velocity along the tangent of first touch, in the sense of incidence. */
+/* Tangential velocity of the contact, positive in the direction at incidence, m/s. */
 static double along(const struct progress *it) {
   return it->direction * (vec_dot(it->v, it->incidence.tangent) + it->surface);
 }
-/* Free flight after parting tells when that was: the gap by the speed. */
+/* After the contact has opened, the gap over the speed is the time since then. */
 static double duration_now(const struct progress *it) {
   const double gap = vec_dot(it->displacement, it->incidence.normal), v = vec_dot(it->v, it->incidence.normal);
   return it->elapsed - (gap > 0 && v > 0 ? gap / v : 0);

@@ -1,23 +1,25 @@
-/* What the contacts of a region carry: those that touch and of which one body at least is inside, each once.
+/* Forces of the contacts of a region. A contact counts once if it touches and at least one of its particles is inside.
  *
- *   normal, shear      F_n and |F_s|, N, as the laws say, dashpots not included
+ *   normal, shear      F_n and |F_s| of the laws, without dashpots, N
  *   contact_stress     F_n/(pi a^2), Pa        contact_shear   |F_s|/(pi a^2), Pa          [R89 4.6]
- *   contact_ratio      a over the smaller radius, 1; a wall has none                       [R89 4.6]
- *   obliquity          |F_s|/(mu F_n + c), 1: 1 where a contact slides                     [R89 figure 6.18]
- *   sliding            share of the contacts whose law says that F_s is at its limit [CS79 19]
- *   sliding.near       share of those with |F_s| at 0.99 of the limit mu F_n + c or above
- *   unbalance          mean size of the force sum on a free body, weight and stress on a boundary included, over mean F_n
+ *   contact_ratio      a over the smaller radius, 1                                        [R89 4.6]
+ *   obliquity          |F_s|/(mu F_n + c), 1; 1 if a contact slides                        [R89 figure 6.18]
+ *   sliding            fraction of the contacts whose law reports F_s at its limit         [CS79 19]
+ *   sliding.near       fraction of those with |F_s| at 0.99 of the limit mu F_n + c or above
+ *   unbalanced.mean    mean magnitude of the force sum on a free particle, weight and boundary stress included, over
+ *                      mean F_n
  *
- *   a   radius of the contact circle, m: laws that know none, such as `linear`, have no contact stress (0)
+ *   a   radius of the contact circle, m; laws without one, such as `linear`, have no contact stress (0)
  *
- * The two definitions of sliding differ much: a contact at its limit leaves it when it is unloaded in shear by anything. What
- * has no limit, since nothing rubs, does not slide.
+ * The two definitions of sliding differ much, because any unloading in shear takes a contact away from its limit. A
+ * contact without friction has no limit and does not slide.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
 
 struct sums {
-  double sum, count, max, min, first, square; /* of what is off the first: squares of forces far from 0 would cancel */
+  double sum, count, max, min, first,
+      square; /* square: sum of squared deviations from the first value, to avoid cancellation */
 };
 
 static void add(struct sums *sums, double value) {
@@ -74,8 +76,8 @@ void nb_measure_loads(const struct nb_model *model, struct nb_region_state *regi
   loads->unbalanced_mean = loads->normal.mean > 0 ? loads->unbalanced_force / loads->normal.mean : 0;
 }
 
-/* From which share of its limit on, 1, a shear force counts as near it: a convention, which the quantities' help states. At 1 there would
- * be only contacts that have not been unloaded at all. */
+/* A shear force at this fraction of its limit or above counts as near it. The value is a convention, which the
+ * quantities' help states. With 1 only contacts that have not been unloaded at all would count. */
 static const double near_limit = 0.99;
 
 struct nb_contact_load nb_contact_load(const struct nb_model *model, size_t contact) {

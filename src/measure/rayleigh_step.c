@@ -1,19 +1,19 @@
-/* The time that a surface wave takes half round a sphere: R89's step.                                  [R89 4.29-4.34]
+/* The Rayleigh step: time in which a surface wave travels half round a sphere.                     [R89 4.29-4.34]
  *
  *   t_R = pi R (rho/G)^(1/2) / alpha                                   [R89 4.33]
  *
- *   R      radius, m: of the sphere for which t_R is shortest, or the mean of all, with the means of rho, G and nu
+ *   R      radius, m: of the sphere with the shortest t_R, or the mean of all, with the means of rho, G and nu
  *   rho    density, kg/m3
  *   G      shear modulus E/2(1 + nu), Pa
- *   alpha  speed of Rayleigh's wave over that of shear waves, c_2 = (G/rho)^(1/2); the root of
+ *   alpha  speed of Rayleigh waves over that of shear waves, c_2 = (G/rho)^(1/2); the root of
  *
  *            (2 - alpha^2)^2 = 4 (1 - alpha^2)^(1/2) (1 - q alpha^2)^(1/2),   q = c_2^2/c_1^2 = (1 - 2 nu)/(2 (1 - nu))
  *
- *          between 0.87 (nu = 0: 0.874032) and 0.96 (nu = 0.5: 0.955313). [R89 4.32] is its square, which has other roots
- *          as well. R89 computes with the line 0.1631 nu + 0.876605 [R89 4.34], 0.22 % too small to 0.30 % too large.
+ *          between 0.87 (nu = 0: 0.874032) and 0.96 (nu = 0.5: 0.955313). [R89 4.32] is its square, which has other
+ *          roots, too. R89 uses the line 0.1631 nu + 0.876605 [R89 4.34], 0.22 % too small to 0.30 % too large.
  *
- * Range      nothing of it knows a contact: what is left of one is a share that goes with speed^(1/5), see step.c. Bodies that
- *            are fixed, and materials that are rigid, do not count.
+ * Range      t_R does not depend on contacts. As a fraction of the duration of a collision it is proportional to
+ *            speed^(1/5), see step.c. Fixed particles and rigid materials do not count.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"
@@ -21,7 +21,7 @@
 double nb_rayleigh_root(double poisson) {
   const double q = (1 - 2 * poisson) / (2 * (1 - poisson));
   double low = 0.87, high = 0.96;
-  for (;;) { /* below the root the left side is the smaller one */
+  for (;;) { /* below the root the left side is smaller */
     const double alpha = low + (high - low) / 2, square = alpha * alpha, left = (2 - square) * (2 - square);
     if (!(alpha > low && alpha < high))
       return low;
@@ -48,7 +48,7 @@ double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean) {
   const struct nb_particles *particles = &model->particles;
   struct sphere sum = {0};
   double shortest = INFINITY, count = 0;
-  for (size_t k = 0; k < particles->count; k++) { /* in the order of numbers: so are the sums */
+  for (size_t k = 0; k < particles->count; k++) { /* the sums run in the order of numbers */
     const int i = particles->slot[k];
     const struct nb_material *material = &model->scene->materials[particles->material[i]];
     if (!(particles->inverse_mass[i] > 0 && material->young > 0 && material->young < INFINITY))

@@ -1,18 +1,18 @@
-/* Regions: which bodies are inside, area, thickness, porosity, and the ends of their contacts.
+/* Regions: particles inside, area, thickness, porosity, and contact ends.
  *
- * A body is inside when its centre is. The thickness, normal to the plane, is the mean over all bodies, inside or not, of
- * what each measures there: a sphere its diameter [R89 4.4], a disc 1 m.
+ * A particle is inside if its centre is. The thickness, normal to the plane, is the mean over all particles of the
+ * scene: a sphere counts with its diameter [R89 4.4], a disc with 1 m.
  *
- *   areal     n = 1 - sum A_p/A              A_p  of each outline what is inside, exactly, m2; A  of the region, m2
- *   volume    n = 1 - sum V_p (A_p/pi R^2)/(A s)    V_p  volume, m3, 4/3 pi R^3 or pi R^2 times 1 m; s  thickness, m
- *   voids     e = n/(1 - n), void ratio, of the areal one
+ *   areal       n = 1 - sum A_p/A                   A_p  exact area of a particle's outline inside; A of the region, m2
+ *   volume      n = 1 - sum V_p (A_p/pi R^2)/(A s)  V_p  4/3 pi R^3 or pi R^2 times 1 m, m3; s  thickness, m
+ *   void_ratio  e = n/(1 - n), of the areal porosity
  *
- * Where outlines overlap that is counted for both bodies, so what is deep in itself has less porosity than the plane's uncovered
- * part. The volume of a sphere that the region's edge cuts is counted by the share of its outline that is inside.
+ * The overlap of two particles counts for both, so large overlaps make the porosity smaller than the uncovered fraction
+ * of the plane. A sphere at the region's edge counts with the fraction of its outline that is inside.
  *
- * `inside F` is the circle about the boundary's centre whose radius is F of the boundary's mean radius now.
- * `all` is the smallest box upright on the page, before `transform` turns the scene, that holds the outlines of all bodies, or the
- * periodic cell.
+ * `inside F` is the circle about the boundary's centre with F times the boundary's present mean radius. `all` is the
+ * periodic cell, or the bounding box of all particles, with its sides along the page's axes before `transform` rotates
+ * the scene.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
@@ -61,7 +61,7 @@ enum nb_status nb_regions_stage(struct nb_model *model, int stage, struct nb_err
   return nb_changed_contacts_begin(model, stage, error);
 }
 
-/* ---- where it is ---- */
+/* ---- geometry ---- */
 
 static void box(struct nb_region_state *now, struct nb_vec centre, struct nb_vec along, struct nb_vec half) {
   const struct nb_vec left = vec(-along.y, along.x);
@@ -105,7 +105,7 @@ struct nb_region_state *nb_region_state(const struct nb_model *model, int region
     now->centre = vec(it->x, it->y), now->radius = it->radius;
     now->area = nb_area_of_disc(it->radius);
     break;
-  case NB_REGION_INSIDE: /* nothing, while there is no boundary */
+  case NB_REGION_INSIDE: /* empty without a boundary */
     if (nb_boundary_exists(model))
       now->centre = model->affine->centre, now->radius = it->radius * nb_boundary_radius(model);
     else
@@ -124,9 +124,9 @@ struct nb_region_state *nb_region_state(const struct nb_model *model, int region
   return now;
 }
 
-/* ---- what is inside ---- */
+/* ---- particles inside ---- */
 
-/* In a periodic cell the copy that is nearest to the region's middle. */
+/* In a periodic cell the position of the copy nearest to the region's centre, m. */
 static struct nb_vec position_of(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   if (!model->cell)
     return model->particles.position[slot];
@@ -156,7 +156,7 @@ bool nb_region_next(const struct nb_model *model, const struct nb_region_state *
   return false;
 }
 
-/* Of the body's outline what is inside, m2. */
+/* Area of a particle's outline inside the region, m2. */
 static double area_inside(const struct nb_model *model, const struct nb_region_state *region, size_t slot) {
   const double radius = model->particles.surface[slot].radius;
   const struct nb_vec x = position_of(model, region, slot);
@@ -169,7 +169,7 @@ static double area_inside(const struct nb_model *model, const struct nb_region_s
   return nb_area_in_polygon(x, radius, region->corners, 4);
 }
 
-/* ---- ends of contacts ---- */
+/* ---- contact ends ---- */
 
 struct nb_ends nb_ends_begin(const struct nb_model *model, const struct nb_region_state *region) {
   return (struct nb_ends){.model = model, .region = region};

@@ -1,4 +1,4 @@
-/* What can be asked of a region: each row names the measure that works it out, and where in struct nb_region_state it is then.
+/* Quantities of a region: each row names its measure and its place in struct nb_region_state.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

@@ -1,8 +1,8 @@
-/* Snapshots: all bodies, walls and contacts at one moment, and rings of regions that have some.
+/* Snapshots: tables of all particles, walls and contacts at one time, and of the rings of regions.
  *
- *   rings   porosity ring by ring, and of all within, about the region's centre [R89 figure 6.5]
+ *   rings   porosity of each ring about the region's centre, and of all inside its outer radius [R89 figure 6.5]
  *
- * A kind of table is a list of columns: each with its name, its unit and what stands in a row.
+ * Each table is a list of columns with name, unit and value.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "snapshot.h"
@@ -33,7 +33,7 @@ bool nb_snapshot_row(struct nb_table *table, const struct nb_model *model, int s
   return row;
 }
 
-/* The last three of `from`. */
+/* The last three columns: only with `from`. */
 #define PARTICLE(COLUMN)                                                                                               \
   COLUMN("particle", "1", (double)k + 1)                                                                               \
   COLUMN("x", "m", x.x)                                                                                                \
@@ -79,10 +79,10 @@ static bool walls_table(struct nb_table *table, const struct nb_model *model, in
   return complete;
 }
 
-/* Contacts that touch. b is 0 where the second is a wall, and then `wall` counts from 1. x, y is half-way between the two
- * outlines [CS79 figure 1]; ra, rb are the radii (0 for a wall), fx, fy the elastic force on the first; angle is e's.
- * radius is that of the contact circle, ratio the same over the smaller body's, limit mu F_n + c, obliquity |F_s| over it.
- * The last one is of `from`. */
+/* Contacts that touch. b is 0 where the second is a wall, and then `wall` counts from 1. x, y is half-way between the
+ * two outlines [CS79 figure 1]; ra, rb are the radii (0 for a wall), fx, fy the elastic force on the first; angle is
+ * e's. radius is that of the contact circle, ratio the same over the smaller body's, limit mu F_n + c, obliquity |F_s|
+ * over it. The last one is of `from`. */
 #define CONTACT(COLUMN)                                                                                                \
   COLUMN("a", "1", particles->number[i])                                                                               \
   COLUMN("b", "1", wall ? 0 : particles->number[b])                                                                    \
@@ -130,7 +130,7 @@ static bool contacts_table(struct nb_table *table, const struct nb_model *model,
   return complete;
 }
 
-/* What outlines cover of a circle about the region's centre, m2. */
+/* Area that particles cover inside a circle about the region's centre, m2. */
 static double covered_area(const struct nb_model *model, struct nb_vec centre, double radius) {
   double area = 0;
   for (size_t k = 0; k < model->particles.count; k++) {

@@ -6,13 +6,13 @@
 
 #include "core/model.h"
 
-/* All answer false when memory is out. */
+/* All return false without memory. */
 bool nb_snapshot_take(struct nb_snapshot *snapshot, const struct nb_model *model, int stage);
 void nb_snapshot_free(struct nb_snapshot *snapshot);
-/* Its tables one by one, those that it has; false past the last. */
+/* The tables that the snapshot has, one by one; false after the last. */
 bool nb_snapshot_part(const struct nb_snapshot *snapshot, int part, const char **name, const struct nb_table **table);
 
-/* A column. Where a table's columns are a list with name, unit and value, these make its heads and its rows. */
+/* A column. The macros make the heads and the rows of a table from a list of columns with name, unit and value. */
 struct nb_table_column {
   const char *name, *unit;
 };

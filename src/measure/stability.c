@@ -1,29 +1,31 @@
-/* The watch over the step: at each stage's begin, after each search, every NB_WATCH_CYCLES, and as soon as elastic spheres have
- * got so stiff that it might be too long. What is sure to be stable, and L: stable_step.c.
+/* The stability check: it compares the step with the guaranteed stable step when a stage begins, after each search,
+ * every NB_STABILITY_CYCLES cycles, and when elastic spheres have stiffened so much that the step may have become too
+ * long. The guaranteed stable step and L: stable_step.c.
  *
- * A contact of elastic spheres stiffens as it is pressed. When the watch has looked, it knows how much that may be. With
+ * A contact of elastic spheres stiffens with its overlap. So a check also computes how large each overlap may become
+ * before the next check is needed. With
  *
- *   q = dt^2 k_n + 2 dt c_n        of a contact now, and h >= (dt k_s + 2 c_s)/(dt k_n + 2 c_n) of all of them, ever
- *   S = sum q over a body's contacts, n of them, touching or not
+ *   q = dt^2 k_n + 2 dt c_n        of a contact now, and h >= (dt k_s + 2 c_s)/(dt k_n + 2 c_n) of all at all times
+ *   S = sum q over the n contacts of a particle, touching or not
  *
  * the step is stable as long as, for all contacts,
  *
  *   S_i/m_i + S_j/m_j  <=  L        and        h (S_i (1/m_i + R_i^2/I_i) + S_j (1/m_j + R_j^2/I_j))  <=  L
  *
- * What a contact leaves of L is shared by its bodies, half each, and a body takes the least that one of its contacts leaves
- * it and shares it out to all of them alike. So q of a contact may grow by
+ * What a contact leaves of L is divided equally between its two particles. The smallest remainder of a particle is
+ * divided equally among all its contacts. So q of a contact may increase by
  *
- *   min over its bodies of  (least left)/n / max(1/m, h (1/m + R^2/I))
+ *   min over its particles of  (smallest remainder)/n / max(1/m, h (1/m + R^2/I))
  *
- * and the step stays stable while each keeps below that, whatever the others do: NB_SURE is the overlap of that q. A pass
- * compares overlaps with it (pass/deep.c), and only a contact that is above makes the watch look again, before its force has
- * moved anything.
+ * and the step remains stable while every contact stays below its limit. NB_STABLE_OVERLAP is the overlap of that q. A
+ * kernel compares overlaps with it (pass/deep.c). The first contact above it triggers a new check, before its force has
+ * moved a particle.
  *
- * h is k_s/k_n = 4 G-star/E-star where there are no dashpots; with dashpots of sqrt(M-star k) it lies between that and its root.
+ * h is k_s/k_n = 4 G-star/E-star without dashpots; with dashpots of sqrt(M-star k) it lies between that and its root.
  *
- * Range     normal laws whose stiffness grows with the overlap, by which Hertz's by increments is not meant, as it has its own
- *           from the force; and shear laws of elastic spheres, or none: others have a k_s that does not go with k_n. What is out
- *           of this range is looked at as springs are, which keep their stiffness.
+ * Range     normal laws whose stiffness increases with the overlap, except Hertz's law by increments, whose stiffness
+ *           follows from the force; and shear laws of elastic spheres, or none: the k_s of others is not proportional
+ *           to k_n. Other contacts are checked like springs, whose stiffness is constant.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -48,7 +50,7 @@ void nb_stable_text(char *text, size_t size, const struct nb_model *model, const
     snprintf(text + strlen(text), size - strlen(text), ", as if they touched");
 }
 
-/* ---- what is sure until the next look ---- */
+/* ---- overlaps up to which the step stays stable ---- */
 
 bool nb_stability_overlaps(struct nb_model *model) {
   unsigned long above = 0;
@@ -57,7 +59,7 @@ bool nb_stability_overlaps(struct nb_model *model) {
   return above == 0;
 }
 
-/* h: the largest ratio that there can be. */
+/* h, the largest possible ratio. */
 static double max_stiffness_ratio(const struct nb_model *model) {
   double most = 0;
   for (size_t p = 0; p < model->material_pair_count; p++) {
@@ -69,14 +71,14 @@ static double max_stiffness_ratio(const struct nb_model *model) {
   return model->plan.dashpots && most < 1 ? sqrt(most) : most;
 }
 
-/* The k_n of a q:  dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q,  a square in k^(1/2). */
+/* The k_n of a q:  dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q,  a quadratic equation in k^(1/2). */
 static double stiffness_of(const struct nb_model *model, size_t c, double q) {
   const double dt = model->step;
   struct nb_dashpot pot = {0};
   if (model->plan.dashpots)
     pot = nb_dashpot(model, model->material_pairs[model->contacts.material_pair[c]].wall);
   if (model->damping.deep > 0)
-    pot.ratio = pot.ratio > 2 ? pot.ratio : 2; /* it may get deep */
+    pot.ratio = pot.ratio > 2 ? pot.ratio : 2; /* it may become deep */
   const double square = dt * dt + 2 * dt * pot.time;
   const double line = pot.ratio > 0 ? 2 * dt * pot.ratio * sqrt(model->contacts.kept[NB_MASS][c]) : 0;
   const double root = 2 * q / (line + sqrt(line * line + 4 * square * q));
@@ -85,7 +87,7 @@ static double stiffness_of(const struct nb_model *model, size_t c, double q) {
 
 static double smaller(double a, double b) { return a < b ? a : b; }
 
-/* Those of a contact's bodies that are free: one or two. */
+/* Slots of the free particles of a contact, one or two; returns their number. */
 static int free_particles(const struct nb_model *model, size_t c, int slots[2]) {
   const struct nb_contacts *contacts = &model->contacts;
   const double *inverse_mass = model->particles.inverse_mass;
@@ -97,11 +99,12 @@ static int free_particles(const struct nb_model *model, size_t c, int slots[2]) 
   return n;
 }
 
-/* By which share, 1, a law's stiffness may exceed the one asked for, since roots are rounded (1e-16): the step, which goes with its
- * root, then exceeds the limit by at most half of that. */
+/* Tolerated relative excess of a law's stiffness over the required one, because roots are rounded (1e-16). The step
+ * varies with the root of the stiffness, so it exceeds the limit by at most half of that. */
 static const double rounding = 1e-6;
 
-/* The overlap at which the normal law has this stiffness: by Hertz k_n = 2 E* (R* alpha)^(1/2), and no more than the law says. */
+/* Overlap at which the normal law has this stiffness, m: by Hertz k_n = 2 E* (R* alpha)^(1/2), less if the law is
+ * stiffer. */
 static double overlap_with_stiffness(const struct nb_model *model, size_t c, double stiffness) {
   const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
   const struct nb_pair values = nb_contact_constants(model, c, material_pair->next);
@@ -125,7 +128,7 @@ static void set_update_limit(struct nb_model *model) {
     const int n = free_particles(model, c, slots);
     const double normal = nb_element_normal(&element, dt), shear = h * normal + nb_element_rotational(&element, dt);
     const double left = limit - (shear > normal ? shear : normal);
-    const bool apart = !(element.own.kn > 0) && !(left > 0); /* looked at as soon as they touch */
+    const bool apart = !(element.own.kn > 0) && !(left > 0); /* checked again as soon as they touch */
     for (int k = 0; k < n && !apart; k++)
       model->stability->sums[slots[k]].remainder =
           smaller(model->stability->sums[slots[k]].remainder, left > 0 ? left / n : 0);
@@ -150,10 +153,10 @@ static void set_update_limit(struct nb_model *model) {
     }
 }
 
-/* Of the largest stable step, 1: what a message proposes, so that contacts may stiffen by half (1/0.8^2) before the next one. */
+/* Fraction of the stable step that a message proposes, so that contacts may stiffen by half (1/0.8^2). */
 static const double proposed_fraction = 0.8;
 
-/* A step below what is sure to be stable, as the page says its own. */
+/* A step below the stable one, written in the form of the page's own. */
 static void proposed_step(char *text, size_t size, const struct nb_model *model, double stable_overlap) {
   static const char *const of[] = {[NB_STEP_TIME] = " s",
                                    [NB_STEP_SINGLE_CONTACT] = " of single-contact",
@@ -171,7 +174,7 @@ static void proposed_step(char *text, size_t size, const struct nb_model *model,
     snprintf(text, size, "step %.2g%s", value, step->kind || !model->scene->unitless ? of[step->kind] : "");
 }
 
-/* A step that is the bound itself is not above it for the rounding of a share of it. */
+/* A step equal to the bound must not exceed it by rounding of `step F of stable`. */
 static enum nb_status check_step(const struct nb_model *model, const struct nb_stable *stable, struct nb_error *error) {
   if (model->step <= stable->step * (1 + 4 * DBL_EPSILON))
     return NB_OK;

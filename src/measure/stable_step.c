@@ -1,38 +1,40 @@
-/* The largest step that is sure to be stable.
+/* The guaranteed stable step.
  *
- * A free vibration x_n = z^n u of the cycle [CS79 20-36], with the global damping's factors `keep` and `push` of
- * motion.c, obeys
+ * A free vibration x_n = z^n u of the cycle [CS79 20-36], with the factors `keep` and `push` of mass-proportional
+ * damping (motion.c), obeys
  *
  *   z^2 - (1 + keep) z + keep  +  push dt^2 k z  +  push dt c (z - 1)  =  0,      k = u'K u/u'M u,  c = u'C u/u'M u
  *
- * K the springs, C the dashpots, which lag half a step. No z leaves the unit circle as long as, for every u,
+ * K the springs, C the dashpots, which lag by half a step. No z leaves the unit circle as long as, for every u,
  *
  *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/push = 4 undamped and with [CS79 34-36]
  *
- * and the first to leave it does so at z = -1: velocities that change their sign every cycle. So a dashpot acts as a
- * spring of 2 c/dt more, and CS79's global damping, which is centred, costs nothing.
+ * and the first one leaves it at z = -1, a motion that changes its sign every cycle. So a dashpot acts like an
+ * additional spring 2 c/dt, and CS79's mass-proportional damping, which is centred in time, does not lower the limit.
  *
- * The largest k of a whole network is at most that of its stiffest part when the mass of each body is shared out among
- * its contacts, in any way: Rayleigh's quotient is a mean of those of the parts. Shared in the ratio of the normal
- * springs, the moments of inertia in the ratio of k_s R^2, the parts are single contacts in closed form: with
+ * The largest k of the network is at most that of its stiffest part if the mass of each particle is distributed over
+ * its contacts in any way, because Rayleigh's quotient is a weighted mean of the quotients of the parts. Masses are
+ * distributed in proportion to k_n and moments of inertia in proportion to k_s R^2. Then the parts are single contacts
+ * with a closed form: with
  *
- *   S = sum k_n,  Q = sum k_s R^2  over the contacts of a body,      A = S_i/m_i + S_j/m_j      (none of a wall)
+ *   S = sum k_n,  Q = sum k_s R^2  over the contacts of a particle,      A = S_i/m_i + S_j/m_j      (0 for a wall)
  *   omega^2 = max over contacts of  A  and  (k_s/k_n) A + Q_i/I_i + Q_j/I_j
  *
  *   dt = (2/omega) (sqrt(1 + xi^2) - xi),   xi = beta omega/2           for dashpots of beta k
  *
- * and for other dashpots the root of the same with k + 2 c/dt in place of k, which one cannot write down.
+ * and for other dashpots the root of the same inequality with k + 2 c/dt in place of k, which has no closed form.
  *
- * Every pair that is listed counts, touching or not, so that the bound holds until the next search whatever closes or
- * opens; what does not touch counts as if it just did. As a stage begins all pairs that could meet count as well: the lightest
- * particles of any two materials, however far they are apart. Else the step could be too long for the first contact there is. Left out: that contacts turn, of the order of overlap over
- * radius; a contact that slides is softer.
+ * All listed pairs count, touching or not, so the bound holds until the next search whatever closes or opens; pairs
+ * that do not touch count as if they just did. When a stage begins, pairs that could meet later count as well: the
+ * lightest particles of every two materials, however far apart. Otherwise the step could be too long for the first
+ * contact that forms. The bound neglects the rotation of contacts, of the order of overlap over radius, and that
+ * sliding contacts are softer.
  *
- * To find it costs a few cycles' work, of elastic spheres up to a dozen. When a run does so: stability.c.
+ * It costs as much as a few cycles, with elastic spheres up to a dozen. stability.c decides when to compute it.
  *
  * Source     the element bound of finite elements (Irons and Treharne 1971).
- * Range      k_n > 0; laws whose stiffness changes are taken as stiff as they can get at this overlap, loading or unloading (law.h);
- *            stability.c knows until which overlap.
+ * Range      k_n > 0. A law with variable stiffness counts with the largest one at the present overlap, loading or
+ *            unloading (law.h); stability.c finds the overlap up to which that holds.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -50,7 +52,7 @@ bool nb_stability_create(struct nb_model *model) {
   return true;
 }
 
-/* A stage may have changed properties and laws since the last forces. */
+/* A stage may have changed properties and laws since the last force calculation. */
 static void update_next_properties(const struct nb_model *model) {
   const struct nb_law *shear = strcmp(model->next.shear->name, "none") == 0 ? NULL : model->next.shear;
   for (size_t p = 0; p < model->material_pair_count; p++) {
@@ -60,7 +62,7 @@ static void update_next_properties(const struct nb_model *model) {
   }
 }
 
-/* What two laws and the dashpots in force make of an overlap; memory as the contact has it, or none. */
+/* Stiffnesses and damping coefficients at an overlap, with the contact's history or none. */
 static struct nb_coefficients coefficients_at(const struct nb_model *model,
                                               const struct nb_material_pair *material_pair, double overlap,
                                               double inverse_mass, double radius, bool deep, double normal_history[],
@@ -86,20 +88,20 @@ static double inverse_mass(const struct nb_model *model, size_t c, bool wall) {
   return inverse[model->contacts.a[c]] + (wall ? 0 : inverse[model->contacts.b[c]]);
 }
 
-/* The smallest overlap there is: what a pair that does not touch counts as. */
+/* Smallest positive overlap, with which a pair that does not touch counts, m. */
 static const double smallest_overlap = DBL_MIN;
 
 static struct nb_coefficients coefficients_of(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_material_pair *material_pair = &model->material_pairs[contacts->material_pair[c]];
   double normal_history[NB_HISTORY], shear_history[NB_HISTORY_MAX];
-  for (int shear = 0; shear < 2; shear++) { /* laws write into what they remember, and nothing has happened */
+  for (int shear = 0; shear < 2; shear++) { /* copies, because laws write into their history */
     const struct nb_history *history = shear ? &contacts->shear_history : &contacts->normal_history;
     double buffer[NB_HISTORY], *to = shear ? shear_history : normal_history;
     const int doubles = history->doubles > NB_HISTORY ? history->doubles : NB_HISTORY;
     const bool changes = shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model);
     if (changes)
-      memset(to, 0, NB_HISTORY * sizeof *to); /* and of a row the first double is all that is looked at */
+      memset(to, 0, NB_HISTORY * sizeof *to); /* of a longer row laws read the first double only: 0 is no history */
     else
       memcpy(to, nb_history_read(history, c, buffer), (size_t)doubles * sizeof *to);
   }
@@ -114,7 +116,7 @@ double nb_stability_limit(const struct nb_damping *damping) {
   if (damping->global_kind == NB_GLOBAL_CON1_VELOCITY)
     return 2 * (1 + damping->global);
   if (damping->global_kind == NB_GLOBAL_CON1_ALL)
-    return 2 * (1 + damping->global) / damping->global; /* without end when nothing moves */
+    return 2 * (1 + damping->global) / damping->global; /* infinite when nothing moves */
   return 4;
 }
 
@@ -128,7 +130,7 @@ static double element_shear(const struct nb_element *element, double dt) {
 
 static double larger(double a, double b) { return a > b ? a : b; }
 
-/* The largest dt with both below L, and none longer than without dashpots. Both grow with dt. */
+/* Largest dt with both below L, at most that without dashpots. Both increase with dt. */
 static double largest_step(const struct nb_element *element, double limit) {
   const double ratio = element->own.ks / element->own.kn;
   const double square = larger(element->a, element->own.ks > 0 ? ratio * element->a + element->q : 0);
@@ -152,7 +154,7 @@ static void add(struct nb_particle_sums *load, const struct nb_coefficients *k, 
   load->ks += k->ks * square, load->cs += k->cs * square;
 }
 
-/* A body's contribution to its contact. */
+/* Adds the terms of one particle of the contact. */
 static void add_particle(struct nb_element *element, const struct nb_particle_sums *load, double inverse_mass_,
                          double inverse_inertia) {
   element->a += load->kn * inverse_mass_, element->d += load->cn * inverse_mass_;
@@ -162,7 +164,7 @@ static void add_particle(struct nb_element *element, const struct nb_particle_su
 static void keep_smaller(struct nb_stable *stable, const struct nb_element *element, double limit, int a, int b,
                          const struct nb_material_pair *material_pair) {
   const double step = stable->step;
-  /* Most contacts are not the smallest, which is told without looking for a root. */
+  /* Most contacts do not limit the step, which this shows without solving for a root. */
   if (isfinite(step) && larger(nb_element_normal(element, step), element_shear(element, step)) <= limit)
     return;
   *stable = (struct nb_stable){.step = largest_step(element, limit), .a = a, .b = b, .material_pair = material_pair};
@@ -229,7 +231,7 @@ struct nb_stable nb_stable_step(const struct nb_model *model) {
     return nb_stable_step_apart(model);
   update_next_properties(model);
   memset(model->stability->sums, 0, particles->count * sizeof *model->stability->sums);
-  for (size_t c = 0; c < contacts->count; c++) { /* in the order of numbers, whatever the storage */
+  for (size_t c = 0; c < contacts->count; c++) { /* in the order of particle numbers, whatever the storage */
     const int i = contacts->a[c], j = contacts->b[c];
     const struct nb_coefficients k = model->blocks.coefficients[c] = coefficients_of(model, c);
     add(&model->stability->sums[i], &k, particles->surface[i].radius);

@@ -1,19 +1,19 @@
-/* What a step is a share of.
+/* Units of the time step.
  *
- *   critical   t_c = 2 sqrt(m/k)                                                  [CS79, Motion]
- *              with the smallest mass that is free to move and the largest normal stiffness between materials of the
- *              scene: the limit of one mass on one spring; a body between several contacts has less
- *   safe       what is sure to be stable with the contacts and the damping of the stage's begin, see stable_step.c
- *   contact    how long two bodies stay together that meet head-on without damping, the shortest there can be:
- *              linear springs   pi sqrt(M/k_n), half a swing of the reduced mass M = m_x m_y/(m_x + m_y) on the spring; of
- *                               any two materials the lightest bodies, and of those pairs the one that parts first
- *              elastic spheres  Hertz's 2.943 alpha_max/v, which goes with the speed: of all pairs that would meet if
- *                               everything went straight on as the stage begins whose step it is, see collision.c
+ *   single-contact  t_c = 2 sqrt(m/k)                                                  [CS79, Motion]
+ *              with the smallest free mass and the largest normal stiffness between materials of the scene: the limit
+ *              of one mass on one spring; a particle with several contacts has a smaller limit
+ *   stable     the guaranteed stable step with the contacts and the damping at the beginning of the stage, see
+ *              stable_step.c
+ *   collision  duration of the shortest possible head-on collision of two particles without damping:
+ *              linear springs   pi sqrt(M/k_n), half an oscillation of the reduced mass M = m_x m_y/(m_x + m_y) on the
+ *                               spring, the shortest over the lightest particles of every two materials
+ *              elastic spheres  Hertz's 2.943 alpha_max/v, which depends on the speed: the shortest of the collisions
+ *                               predicted at the beginning of the stage that sets the step, see collision.c
+ *   rayleigh   travel time of a surface wave half round a sphere, see rayleigh_step.c                   [R89 4.33]
  *
- *   rayleigh   how long a surface wave takes half round a sphere, see rayleigh_step.c                   [R89 4.33]
- *
- * Elastic spheres have no stiffness while they do not touch. So none is critical, and only what is pressed tells what is
- * safe. Their contact's duration is that of the stage that says it; later stages keep the step, whatever moves by then.
+ * Elastic spheres that do not touch have no stiffness. So they have no single-contact step, and `stable` needs loaded
+ * contacts. Later stages keep a step that was set `per collision`, whatever moves by then.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "step.h"
@@ -67,7 +67,7 @@ bool nb_step_elastic(const struct nb_model *model) {
   return model->material_pair_count > 0 && model->next.normal->elastic;
 }
 
-/* The longest that elastic spheres may overlap by rounding, as a share of the radius: it makes no stiffness to speak of. */
+/* Largest overlap of elastic spheres that counts as rounding, over the radius; its stiffness is negligible. */
 static const double rounding_overlap = 1e-9;
 
 bool nb_step_loaded(const struct nb_model *model) {
@@ -78,7 +78,7 @@ bool nb_step_loaded(const struct nb_model *model) {
   return false;
 }
 
-/* What is wrong with such a step for elastic spheres; NULL: nothing. */
+/* Why such a step cannot be used; NULL: it can. */
 static const char *objection(const struct nb_model *model, enum nb_step_kind kind, double unit) {
   if (kind == NB_STEP_COLLISION && model->cell && nb_step_elastic(model))
     return "which of their copies elastic spheres in a cell would meet first is not looked for";
@@ -95,7 +95,7 @@ static const char *objection(const struct nb_model *model, enum nb_step_kind kin
   return NULL;
 }
 
-/* "line 7", or where else it stands. */
+/* "line 7" or "--set". */
 static const char *source_of(char *text, size_t size, const struct nb_step *step) {
   snprintf(text, size, step->set ? "--set" : "line %d", step->line);
   return text;

@@ -1,4 +1,4 @@
-/* How long a step is: what it may be a share of, and the watch over it.
+/* The time step: its units, and the stability check.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_STEP_H
@@ -7,43 +7,42 @@
 #include "laws/laws_now.h"
 #include "pass/pass.h"
 
-/* What the stable step is found from, and the watch over it: step.c, stable_step.c, stability.c. */
+/* State of the stability check: step.c, stable_step.c, stability.c. */
 struct nb_stability {
-  int step_line;                 /* of the statement that says how long a step is; -1: none has been worked out yet */
-  double stable_step;            /* largest step sure to be stable as this stage began, s */
-  bool allow_unstable;           /* the step is not watched now */
-  unsigned long checks;          /* how often the watch has worked out the safe step */
-  struct nb_particle_sums *sums; /* per slot, room for stable_step.c */
+  int step_line;                 /* line of the statement that has set the step; -1: none yet */
+  double stable_step;            /* guaranteed stable step at the beginning of this stage, s */
+  bool allow_unstable;           /* no check in this stage */
+  unsigned long checks;          /* number of checks so far */
+  struct nb_particle_sums *sums; /* workspace of stable_step.c, per slot */
 };
 bool nb_stability_create(struct nb_model *model); /* false: no memory */
 
 /* stable_step.c */
 struct nb_particle_sums {
-  double kn, ks, cn, cs; /* sums over a body's contacts: k_n, k_s R^2, and the same of dashpots */
-  double remainder;      /* of L by the contact that leaves least: stability.c */
+  double kn, ks, cn, cs; /* sums over a particle's contacts: k_n, k_s R^2, and likewise c_n, c_s R^2 */
+  double remainder;      /* smallest remainder of L over its contacts: stability.c */
 };
-/* The largest step that is sure to be stable with the contacts and the damping of now, and which contact sets it. */
+/* The guaranteed stable step with the present contacts and damping, and the contact that limits it. */
 struct nb_stable {
-  double step;     /* s; infinite when nothing can vibrate */
-  int a, b;        /* slots, b a wall where the pairing is with walls; b or both -1: nothing is near */
-  bool apart;      /* of a pair as if it touched */
-  bool rotational; /* its shear and spin set it, not its normal motion */
+  double step;                                  /* s; infinite when nothing can vibrate */
+  int a, b;                                     /* slots, b a wall if the material pair has one; b or both -1: none */
+  bool apart;                                   /* a pair that counts as if it touched */
+  bool rotational;                              /* limited by shear and rotation, not by normal motion */
   const struct nb_material_pair *material_pair; /* of that contact */
 };
 struct nb_stable nb_stable_step(const struct nb_model *model);
-/* Of all pairs that could meet: the lightest particles of each two materials, as if they touched, whether they are near or not. */
+/* Of pairs that could meet later: the lightest particles of every two materials, as if they touched. */
 struct nb_stable nb_stable_step_apart(const struct nb_model *model);
-struct nb_stable
-nb_stable_step_stage(const struct nb_model *model); /* the smaller of both: what a stage may have as its step */
-double nb_stability_limit(const struct nb_damping *damping); /* L of the global damping in force */
+struct nb_stable nb_stable_step_stage(const struct nb_model *model); /* the smaller of both: limit for a stage */
+double nb_stability_limit(const struct nb_damping *damping);         /* L of stable_step.c, 1 */
 
-/* A contact with the shares of mass that it has: everything dt^2 k + 2 dt c is made of. */
+/* A contact with its part of the masses: the terms of dt^2 k + 2 dt c. */
 struct nb_element {
   struct nb_coefficients own;
-  double a, d; /* A, and the same of the dashpots: 1/s2, 1/s */
+  double a, d; /* A, 1/s2, and the same of the dashpots, 1/s */
   double q, p; /* Q_i/I_i + Q_j/I_j, and the same of the dashpots */
 };
-struct nb_element nb_element_of(const struct nb_model *model, size_t contact); /* with what nb_stable_step has found */
+struct nb_element nb_element_of(const struct nb_model *model, size_t contact); /* after nb_stable_step */
 static inline double nb_element_normal(const struct nb_element *element, double dt) {
   return dt * (dt * element->a + 2 * element->d);
 }
@@ -53,42 +52,42 @@ static inline double nb_element_rotational(const struct nb_element *element, dou
 /* "turning of body 5 at wall east" */
 void nb_stable_text(char *text, size_t size, const struct nb_model *model, const struct nb_stable *stable);
 
-/* stability.c: whether the step is still sure to be stable */
-bool nb_stability_overlaps(struct nb_model *model); /* after the forces: no contact is deeper than its NB_SURE */
-/* NB_BROKEN when the step is above the safe one, unless the page allows it; what is sure from there on. */
-enum { NB_STABILITY_CYCLES = 1000 }; /* between two looks without a search */
+/* ---- stability.c ---- */
+bool nb_stability_overlaps(struct nb_model *model); /* after the forces: no overlap exceeds its NB_STABLE_OVERLAP */
+enum { NB_STABILITY_CYCLES = 1000 };                /* between two checks without a search */
+/* NB_BROKEN if the step is above the stable one, unless the page allows it; else sets the stable overlaps. */
 enum nb_status nb_stability_check(struct nb_model *model, struct nb_error *error);
-/* The same as a stage begins, for pairs that are apart too. */
+/* The same when a stage begins, with pairs that could meet later. */
 enum nb_status nb_stability_begin(struct nb_model *model, const struct nb_stable *apart, struct nb_error *error);
 
-/* collision.c: of elastic spheres, what meets for the shortest time when all go straight on */
+/* collision.c: the shortest collision of elastic spheres predicted at the present velocities */
 struct nb_collision {
-  double duration, speed; /* s; infinite when nothing meets; closing at touch, m/s */
-  int a, b;               /* slots, b a wall where */
+  double duration, speed; /* s, infinite without a collision; approach velocity at touch, m/s */
+  int a, b;               /* slots, b a wall if `wall` */
   bool wall;
 };
 struct nb_collision nb_collision_shortest(const struct nb_model *model);
 
 /* rayleigh_step.c */
-double nb_rayleigh_root(double poisson); /* speed of Rayleigh's wave over that of shear waves [R89 4.32] */
-double nb_rayleigh_fit(double poisson);  /* the same by [R89 4.34] */
-/* Half round the smallest sphere, or one that is the mean of all, s; infinite where none is elastic [R89 4.33]. */
+double nb_rayleigh_root(double poisson); /* speed of Rayleigh waves over that of shear waves [R89 4.32] */
+double nb_rayleigh_fit(double poisson);  /* R89's fit of it [R89 4.34] */
+/* t_R of the smallest sphere or of the mean sphere, s; infinite without elastic spheres [R89 4.33]. */
 double nb_step_rayleigh(const struct nb_model *model, bool fit, bool mean);
 
 /* fracc.c */
 struct nb_fracc {
-  double largest;         /* of the cycle behind */
+  double largest;         /* of the last cycle */
   double *previous_force; /* per slot |SF| then, N */
 };
 bool nb_fracc_create(struct nb_model *model);       /* false: no memory */
 void nb_fracc_after_forces(struct nb_model *model); /* after the forces */
 
 /* step.c */
-bool nb_step_elastic(const struct nb_model *model);     /* the normal law ahead is one of elastic spheres */
-bool nb_step_loaded(const struct nb_model *model);      /* some of them are, by more than rounding */
-double nb_step_collision(const struct nb_model *model); /* duration of the shortest contact there can be, s */
+bool nb_step_elastic(const struct nb_model *model);     /* the next normal law is one of elastic spheres */
+bool nb_step_loaded(const struct nb_model *model);      /* some contact overlaps by more than rounding */
+double nb_step_collision(const struct nb_model *model); /* duration of the shortest possible collision, s */
 double nb_step_single_contact(const struct nb_model *model);
-/* Slots of the lightest bodies of the two materials of a pairing; -1 where there is none, or the second is a wall. */
+/* Slots of the lightest particles of the two materials of a pair; -1: none, or the second is a wall. */
 void nb_step_lightest(const struct nb_model *model, const struct nb_material_pair *material_pair, int lightest[2]);
 enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, struct nb_error *error);
 

@@ -1,22 +1,24 @@
-/* How the bodies of a region have moved, the strain that fits best, and how fast they go.
+/* Strain and speeds of the particles of a region.
+ *
+ * The strain is fitted to the displacements by least squares:
  *
  *   u_i = a_i + G_ij X_j,   sum |u - a - G X|^2 least   =>   G = (sum u X')(sum X' X')^-1
  *
- *   X    where a body was when strain began: at the start, or as the stage begins that `from` names, m
- *   X'   from the mean of all X      u  how far it has come since, m      G  displacement gradient, 1
+ *   X    position when strain began: at the start, or at the beginning of the stage after `from`, m
+ *   X'   from the mean of all X, m      u  displacement since then, m      G  displacement gradient, 1
  *
- * The bodies are those that were inside then and are not gone; they are followed wherever they go. Strain is small strain of
- * that moment's lengths, e_ij = (G_ij + G_ji)/2; extension is positive, as in a rate of strain, while of a stress compression is.
- * Three bodies that do not lie in a line are the fewest that have one.
+ * The particles are those that were inside then and have not been removed, wherever they are now. Strain is small
+ * strain relative to that time, e_ij = (G_ij + G_ji)/2, extension positive as in a strain rate; stress is positive in
+ * compression. At least three particles that are not collinear are needed.
  *
- * Speeds of the free bodies are those beyond what carries them along:                                          [R89 6.5.1]
+ * Speeds are those of the free particles relative to the imposed motion:                        [R89 6.5.1]
  *
  *   w = u - c,   c = L (x - x_0)
  *
- *   u   velocity of a body at t_N, m/s      c   what carries it along then, the mean over both half steps, m/s; 0 where nothing does
+ *   u   velocity at t_N, m/s      c   imposed velocity at t_N, the mean over both half steps, m/s; 0 if none
  *
- * R89's *perturbation velocities* are w, its *fixed imposed velocities* c. `speed.ratio` is mean |w| over mean |c|.
- * Where c is added to u for good (`accumulated`) w is still u - c, so that both codings are measured alike.
+ * R89's perturbation velocities are w, its fixed imposed velocities c. `speed.ratio` is mean |w| over mean |c|. With
+ * `accumulated`, where c is added to u permanently, w is still u - c, so both codings are measured alike.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "core/affine.h"
@@ -45,8 +47,8 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
   return NB_OK;
 }
 
-/* Bodies lie in a line where 1 - r^2 is less than this, r the correlation of their x and y, 1: well above what rounding leaves of it, some
- * 1e-15, and far below that of any packing. */
+/* Particles are collinear if 1 - r^2 is below this, r the correlation of their x and y: well above the rounding error
+ * of 1e-15, and far below the value of any packing. */
 static const double collinear = 1e-12;
 
 static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec from[]) {
@@ -75,7 +77,7 @@ static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec fr
     square = tensor_add(square, tensor_outer(place, place));
   }
   const double det = square.xx * square.yy - square.xy * square.yx;
-  if (!(det > collinear * square.xx * square.yy)) /* nothing is known of the strain across the line */
+  if (!(det > collinear * square.xx * square.yy)) /* the strain across the line is not determined */
     return tensor(0, 0, 0, 0);
   return tensor_scale(1 / det, tensor(product.xx * square.yy - product.xy * square.yx,
                                       product.xy * square.xx - product.xx * square.xy,
@@ -90,7 +92,7 @@ void nb_measure_strain(const struct nb_model *model, struct nb_region_state *reg
 
 /* ---- speeds ---- */
 
-/* c at t_N, the mean over both half steps; `stored`: it is a part of the body's own velocity. */
+/* c at t_N, the mean over both half steps, m/s; `stored`: the particle's own velocity contains it. */
 static struct nb_vec imposed(const struct nb_model *model, size_t i, bool *stored) {
   const struct nb_affine *affine = model->affine;
   *stored = affine && model->previous_step > 0 && affine->separate[affine->source[i]] == 0;

@@ -1,26 +1,27 @@
 /* Stress of a region and its parts; compression is positive.                          [R89 4.6]
  *
- * By particles: what body p feels at its contacts gives it the stress
+ * By particles: the contact forces give particle p the stress
  *   sigma^p_ij = -(1/V_p) sum over its contacts f_i l_j
- * and the region has the mean over its volume, voids at zero stress: sum over p of V_p sigma^p_ij, over V.
+ * and the region has the mean over its volume, with zero stress in the voids: the sum over p of V_p sigma^p_ij, over V.
  *
- * By contacts: each contact of two bodies inside once, with the whole branch from centre to centre; one with a wall or with a
- * body outside with the part of the branch that is inside. The same sum in another order, from other numbers: the branch is the
- * difference of two positions, the force is the vector that moves the bodies.
+ * By contacts: a contact of two particles inside counts once, with the whole branch from centre to centre; one with a
+ * wall or a particle outside with the part of the branch inside. The sum has another order and uses other numbers: the
+ * branch is the difference of two positions, the force the vector that moves the particles.
  *   sigma_ij = -(1/V) sum over contacts f_i d_j
  *
- * Parts, each a sum of its own. The contact force on the body is -(N e + T t), e the outward normal, t = (e2, -e1):
- *   normal_ij    (1/V) sum N l e_i e_j            shear_ij     (1/V) sum T l t_i e_j          normal + shear = stress
- *   fabric_ij    (1/V) <N> sum l e_i e_j          variation_ij (1/V) sum (N - <N>) l e_i e_j  fabric + variation = normal
- * as Cundall and Strack (1983) and Barnes (1985) part it. `fabric` is what the same contacts would carry if all normal forces were alike, `variation` what the strong ones carry more.
+ * Parts, each summed separately. The contact force on the particle is -(N e + T t), e the outward normal, t = (e2,
+ * -e1):
+ *   normal_ij  (1/V) sum N l e_i e_j      shear_ij     (1/V) sum T l t_i e_j          normal + shear = stress
+ *   fabric_ij  (1/V) <N> sum l e_i e_j    variation_ij (1/V) sum (N - <N>) l e_i e_j  fabric + variation = normal
+ * after Cundall and Strack (1983) and Barnes (1985). `fabric` is the stress if all normal forces were equal,
+ * `variation` the contribution of their deviation from the mean.
  *
- *   f      force on the body at a contact, N, dashpots included     l  from its centre to the contact, m, l = l e
- *   d      from the contact's first body to the second, m           V  area times thickness, m3
- *   <N>    mean over the ends of contacts on the bodies inside, N
+ *   f      force on the particle at a contact, N, with dashpots     l  from its centre to the contact, m, l = l e
+ *   d      from the contact's first particle to the second, m       V  area times thickness, m3
+ *   <N>    mean over the contact ends on particles inside, N
  *
- * Share of a part: its deviator in the principal directions of the whole stress, over the whole deviator; shares of parts that
- * sum to the whole sum to 1.
- * sin Phi = (sigma_1 - sigma_2)/(sigma_1 + sigma_2).
+ * Fraction of a part: its deviator in the principal directions of the total stress, over the total deviator. Fractions
+ * of parts that add up to the total add up to 1. sin Phi = (sigma_1 - sigma_2)/(sigma_1 + sigma_2).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "region.h"
@@ -89,13 +90,13 @@ static double sin_phi(struct nb_tensor stress) {
   return mean != 0 ? tensor_radius(stress) / mean : 0;
 }
 
-/* Both deviators are vectors on Mohr's circle: the part's along the whole's. */
+/* Both deviators are vectors in Mohr's plane: projection of the part's on the total's. */
 static double fraction(struct nb_tensor part, struct nb_tensor whole) {
   const double apart = whole.xx - whole.yy, mixed = whole.xy + whole.yx, square = apart * apart + mixed * mixed;
   return square > 0 ? ((part.xx - part.yy) * apart + (part.xy + part.yx) * mixed) / square : 0;
 }
 
-/* The largest component of what should be 0: by particles less by contacts, parts less what they sum to. */
+/* Largest component of differences that should be 0: by particles less by contacts, sums of parts less their total. */
 static double residual(const struct nb_stress *stress) {
   const struct nb_tensor normal = stress->part[NB_STRESS_NORMAL].stress, shear = stress->part[NB_STRESS_SHEAR].stress;
   const struct nb_tensor fabric = stress->part[NB_STRESS_FABRIC].stress;
