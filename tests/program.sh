@@ -266,7 +266,7 @@ verdict 'laws and list'
 run 0 explain "$pages/same-bits.md"
 out 'run friction=0'
 out 'run friction=0.4'
-out 'disc-disc, overlap, closing and slip'
+out 'disc-disc, overlap and both increments'
 out 'shear linear                             line 13'
 out '0.05 of it'
 out '1500 cycles'

@@ -1,4 +1,4 @@
-/* What carries bodies along: a velocity c = L (x - x_0) besides their own.      [R89 4.41]
+/* Affine (imposed) motion: a velocity c = L (x - x_0) besides the particle's own.      [R89 4.41]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_AFFINE_H
@@ -7,8 +7,8 @@
 #include "model.h"
 #include "tensor.h"
 
-/* What a body is carried along by: a cell carries all its bodies, else the boundary its own, the continuum what is free. A box has
- * a strain rate likewise, which carries its walls. */
+/* Which strain rate applies to a particle: in a cell the cell's; otherwise the boundary's for its particles, and that
+ * of `affine strain` for the free ones. The box has a strain rate too, which moves its walls. */
 enum nb_affine_source {
   NB_AFFINE_NONE,
   NB_AFFINE_FREE,
@@ -19,23 +19,23 @@ enum nb_affine_source {
 };
 
 struct nb_affine {
-  struct nb_vec centre;                               /* what the strain rates are about, m */
+  struct nb_vec centre;                               /* x_0, m */
   struct nb_tensor rate[NB_AFFINE_SOURCES];           /* over the step ahead, 1/s */
-  struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* what the stage asks for, before any servo, 1/s */
-  struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* by the page */
-  double separate[NB_AFFINE_SOURCES]; /* 1: what carried a body is no part of its own velocity; 0: it stays in it */
+  struct nb_tensor base_rate[NB_AFFINE_SOURCES];      /* L of the stage before any servo, 1/s */
+  struct nb_strain_rate requested[NB_AFFINE_SOURCES]; /* as the page gives it */
+  double separate[NB_AFFINE_SOURCES]; /* 1: c is kept apart from the particle's own velocity; 0: it is added to it */
   unsigned char *source;              /* per slot: enum nb_affine_source */
-  bool used[NB_AFFINE_SOURCES];       /* some body, now or before */
-  bool all, free_before;              /* the step goes through all bodies; free ones were carried in the one behind */
-  bool uniform;                       /* all bodies have the same rate */
+  bool used[NB_AFFINE_SOURCES];       /* by some particle, now or before */
+  bool all, free_before;              /* all particles move affinely in this step; free ones did in the previous one */
+  bool uniform;                       /* all particles have the same rate */
   struct nb_servo_from {
-    double stress[3];          /* Pa: where the stresses that are servoed began */
+    double stress[3];          /* Pa: of the controlled stresses when the servo began */
     struct nb_tensor integral; /* Z of servo.c, 1/s */
-    bool begun;                /* it has been set */
+    bool begun;                /* these are set */
   } servo_from;
 };
 
-/* c of what carries the body in that slot, were it at x. */
+/* c of the particle in that slot at the position x. */
 static inline struct nb_vec nb_imposed_velocity(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
   return tensor_times(affine->rate[affine->source[slot]], vec_sub(x, affine->centre));
 }
@@ -45,7 +45,8 @@ static inline void nb_affine_assign(struct nb_affine *affine, size_t slot, enum 
   affine->used[carrier] = true;
 }
 
-/* Of the c of a body at x: what is no part of its own velocity afterwards, and what is (`accumulated`), m/s. */
+/* The part of c that is kept apart from the particle's own velocity, and the part that is added to it
+ * (`accumulated`), m/s. */
 static inline struct nb_vec nb_affine_separate(const struct nb_affine *affine, size_t slot, struct nb_vec x) {
   return vec_scale(affine->separate[affine->source[slot]], nb_imposed_velocity(affine, slot, x));
 }

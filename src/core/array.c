@@ -1,4 +1,4 @@
-/* Arrays for wide loops, and ones that grow.
+/* Aligned arrays for vectorised loops, and growing arrays.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "array.h"
@@ -8,10 +8,10 @@
 #include <string.h>
 
 void *nb_array(size_t count, size_t size) {
-  const size_t line = 64; /* a cache line, and the widest load */
+  const size_t line = 64; /* a cache line, and the widest vector load */
   if (size && count > (SIZE_MAX - line) / size)
     return NULL;
-  const size_t bytes = (count * size + line) / line * line; /* never nothing */
+  const size_t bytes = (count * size + line) / line * line; /* at least one line */
   void *array = aligned_alloc(line, bytes);
   if (array)
     memset(array, 0, bytes);
@@ -19,7 +19,7 @@ void *nb_array(size_t count, size_t size) {
 }
 
 void *nb_array_reserve(void *array, size_t count, size_t more, size_t element) {
-  /* The array always has room for the power of two that holds it, so its capacity need not be kept. */
+  /* The capacity is always the next power of two, so it need not be stored. */
   if (more == 1 && count > 8 && (count & (count - 1)) != 0)
     return array;
   size_t have = 0, need = 8;
@@ -33,7 +33,9 @@ void *nb_array_reserve(void *array, size_t count, size_t more, size_t element) {
 
 bool nb_array_grow(void *array, size_t count, size_t element) {
   void *things;
-  memcpy(&things, array, sizeof things); /* a pointer to void need not look like the others */
+  memcpy(
+      &things, array,
+      sizeof things); /* `array` points to a pointer of any type, which may have another representation than void * */
   things = nb_array_reserve(things, count, 1, element);
   if (things)
     memcpy(array, &things, sizeof things);

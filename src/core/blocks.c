@@ -1,4 +1,4 @@
-/* The blocks that the force calculation goes through: contacts of one pairing, shared out to the threads.
+/* The blocks of the force calculation: contacts of one material pair, divided among the threads.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -6,7 +6,7 @@
 static bool stable_overlap_begin(struct nb_model *model, size_t blocks) {
   model->blocks.stable_overlap = nb_own(&model->contacts.owner, blocks, sizeof *model->blocks.stable_overlap);
   for (size_t v = 0; model->blocks.stable_overlap && v < blocks; v++)
-    model->blocks.stable_overlap[v].overlap = INFINITY; /* no step has been judged yet */
+    model->blocks.stable_overlap[v].overlap = INFINITY; /* until the step has been checked */
   return model->blocks.stable_overlap != NULL;
 }
 
@@ -18,7 +18,7 @@ static struct nb_block block_of(const struct nb_model *model, size_t from, size_
   block.material_pair = &model->material_pairs[contacts->material_pair[from]];
   for (int f = 0; f < NB_FIELDS; f++)
     block.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK_SIZE;
-  block.f[NB_DISSIPATED] = contacts->kept[NB_DISSIPATED] ? block.f[NB_DISSIPATED] : NULL; /* nobody asks what is lost */
+  block.f[NB_DISSIPATED] = contacts->kept[NB_DISSIPATED] ? block.f[NB_DISSIPATED] : NULL; /* not requested */
   if (!model->plan.dashpots)
     block.f[NB_TOTAL_NORMAL] = block.f[NB_NORMAL], block.f[NB_TOTAL_SHEAR] = block.f[NB_SHEAR];
   block.normal_history = nb_history_from(&contacts->normal_history, from);
@@ -26,7 +26,7 @@ static struct nb_block block_of(const struct nb_model *model, size_t from, size_
   return block;
 }
 
-/* Where the blocks begin, runs of one pairing, and where the last one ends; how many they are. */
+/* Starts of the blocks, and the end of the last one; returns their number. */
 static size_t find_starts(size_t start[], const struct nb_contacts *contacts) {
   size_t n = 0;
   for (size_t c = 0; c < contacts->count; c++)
@@ -36,7 +36,7 @@ static size_t find_starts(size_t start[], const struct nb_contacts *contacts) {
   return n;
 }
 
-/* What is counted and watched block by block, where the plan asks for it. */
+/* Counters for each block, as far as the plan needs them. */
 static bool create_counters(struct nb_model *model, size_t blocks) {
   const bool watched = model->plan.kept & NB_BIT(NB_STABLE_OVERLAP);
   if (!model->plan.elastic)
@@ -45,11 +45,10 @@ static bool create_counters(struct nb_model *model, size_t blocks) {
   return (!model->plan.elastic || nb_deep_begin(model, blocks)) && (!watched || stable_overlap_begin(model, blocks));
 }
 
-/* Thread t of T works on views n t/T to n (t+1)/T, each thread in scratch of its own. */
+/* Thread t of T computes blocks n t/T to n (t+1)/T, with scratch memory of its own. */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_contacts *contacts = &model->contacts;
-  const size_t fraction =
-      contacts->count / NB_CONTACTS_PER_THREAD; /* a thread with less to do waits longer than it works */
+  const size_t fraction = contacts->count / NB_CONTACTS_PER_THREAD; /* a thread with fewer waits longer than it works */
   model->machine.threads_used = fraction < 1                                ? 1
                                 : fraction < (size_t)model->machine.threads ? (int)fraction
                                                                             : model->machine.threads;

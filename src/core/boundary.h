@@ -1,5 +1,5 @@
-/* The boundary of an assembly: which particles belong to it, and whether particles turn. loading/boundary.c sets it; measure/boundary.c
- * says what it encloses and the stress on it.
+/* The boundary of an assembly: which particles belong to it, its loading, and whether particles rotate. loading/boundary.c sets it;
+ * measure/boundary.c computes the enclosed area and the stress on it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_BOUNDARY_H
@@ -8,22 +8,22 @@
 #include "affine.h"
 
 struct nb_ring {
-  bool exists, held;      /* there is one; its bodies follow the strain rate */
-  double radius;          /* of the circle as it was when it began, m */
-  struct nb_tensor shape; /* what the circle has been carried to: x = centre + shape X, |X| = radius; 1 */
-  int *member;            /* slots of its bodies, counterclockwise; room for all */
-  size_t count;           /* how many */
-  int *candidates;        /* slots of bodies that may come to cross it before they are looked for again, by number */
-  size_t candidate_count; /* room for all */
-  struct nb_tensor listed_shape;    /* its shape then, */
-  unsigned long long listed_search; /* and after which search that was; 0: never */
+  bool exists, held;             /* there is a boundary; its particles follow the strain rate */
+  double radius;                 /* of the circle when the boundary began, m */
+  struct nb_tensor shape;        /* deformation of the circle since then: x = centre + shape X, |X| = radius; 1 */
+  int *member;                   /* slots of its particles, counterclockwise; capacity for all */
+  size_t count;                  /* number of its particles */
+  int *candidates;               /* slots of particles that may cross the circle before the next listing, by number */
+  size_t candidate_count;        /* capacity for all */
+  struct nb_tensor listed_shape; /* shape at the last listing */
+  unsigned long long listed_search; /* number of the search before it; 0: never */
 };
 
 struct nb_boundary_state {
-  struct nb_vec *boundary_force; /* per slot: force of a stress on the boundary, N, in force where model->bodies.pressed
-                            is this; NULL: no stage has one */
-  struct nb_tensor stress;       /* and which, Pa */
-  bool rotates;                  /* `rotation on` */
+  struct nb_vec *
+      boundary_force; /* for each slot, N: force of a stress on the boundary; model->particles points here while it acts; NULL: no stage has one */
+  struct nb_tensor stress; /* that stress, Pa */
+  bool rotates;            /* `rotation on` */
   struct nb_ring ring;
 };
 

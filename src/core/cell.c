@@ -1,22 +1,22 @@
 /* The periodic cell.                                                      [R89 2.3, 4.5.2]
  *
  *   H <- (1 + L dt) H                    L = c_ij, the strain rate tensor                    [R89 4.43, 4.44]
- *   c_i = L (x_i - x_0)                  imposed velocity of a particle, besides its own velocity v_i (affine.c)
+ *   c_i = L (x_i - x_0)                  affine velocity of a particle, besides its own velocity v_i (affine.h)
  *   x_i <- x_i + (v_i + c_i) dt          so x_i - x_0 = H s keeps its s when v = 0: a uniform strain
- *   x_j + H m,   v_j + c_j + L H m       place and velocity of the copy of j that i meets
+ *   x_j + H m,   v_j + c_j + L H m       position and velocity of the image of j that i touches
  *
- * v is what forces change. It is the same of all copies of a body, whose whole velocities differ by L H m.
+ * Forces change v only. It is the same for all images of a particle; their total velocities differ by L H m.
  *
- * Nothing is ever put back into the cell: a body goes where it goes, and a contact knows by two whole numbers which copy of its
- * second body the first one meets. So no position and no velocity jumps, contacts remember what they remember, and when contacts
- * are looked for changes no bit. What is drawn is wrapped: the copy inside the cell.
+ * Particles are never moved back into the cell. A contact stores two integers that identify the image of its second
+ * particle. So positions and velocities never jump, contact histories stay valid, and the time of a search changes no
+ * bit of the results. Figures show the image inside the cell.
  *
- * A body near another has one copy there and no more as long as every copy of a body is farther from it than twice the reach of
- * a contact, the largest diameter and the skin. A cell that has been sheared far is as good as an upright one with the same
- * copies (Lagrange, Gauss); the height of that one is what must be twice as much.
+ * A pair has at most one contact if all images of a particle are farther apart than twice the range of a contact, which is
+ * the largest diameter plus the skin. A sheared cell is equivalent to the reduced one with the same images (Lagrange, Gauss),
+ * so the height of the reduced cell must be at least that large.
  *
- * A pair that was apart by d at the last search, and not listed, is apart by F d + what the two have gone since besides being
- * carried by F. So straining alone costs a search only when ||F - 1|| (D + skin) comes to the skin.
+ * A pair that was a distance d apart at the last search, and not listed, is now apart by F d plus the two displacements
+ * relative to the affine motion. So strain alone requires a search only when ||F - 1|| (D + skin) reaches the skin.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "affine.h"
@@ -46,7 +46,7 @@ void nb_cell_reset_travel(struct nb_cell *cell, double skin) {
 int nb_cell_move(struct nb_model *model) {
   struct nb_cell *cell = model->cell;
   if (!(model->search.skin < INFINITY))
-    cell->deformation = one; /* nothing is searched for */
+    cell->deformation = one; /* there is no search */
   const struct nb_tensor rate = model->affine->rate[NB_AFFINE_CELL], step = tensor_scale(model->step, rate);
   cell->image_velocity = tensor_product(rate, cell->h);
   cell->h = tensor_add(cell->h, tensor_product(step, cell->h));
@@ -60,16 +60,17 @@ int nb_cell_move(struct nb_model *model) {
   return left <= 0;
 }
 
-/* ---- which copy ---- */
+/* ---- images ---- */
 
-/* A side that becomes shorter by less than this share of its square, 1, is as short as rounding, 1e-16, can tell: so the search for
- * the shortest sides ends. */
+/* A side whose square shrinks by less than this fraction, 1, counts as shortest: rounding, 1e-16, could otherwise
+ * repeat the reduction without end. */
 static const double reduction_tolerance = 1e-12;
 
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {
   struct nb_wrap wrap = {.centre = cell->centre};
   struct nb_vec a = vec(cell->h.xx, cell->h.yx), b = vec(cell->h.xy, cell->h.yy), na = vec(1, 0), nb = vec(0, 1);
-  for (bool on = true; on;) { /* the longer less whole numbers of the shorter, until it is as short as can be */
+  for (bool on = true;
+       on;) { /* subtract integer multiples of the shorter side from the longer one until neither shrinks */
     const bool second = vec_dot(b, b) >= vec_dot(a, a);
     struct nb_vec *longer = second ? &b : &a, *shorter = second ? &a : &b;
     const double n = floor(vec_dot(*longer, *shorter) / vec_dot(*shorter, *shorter) + 0.5);
@@ -91,7 +92,7 @@ double nb_wrap_width(const struct nb_wrap *wrap) {
   return fabs(tensor_determinant(wrap->h)) / (a > b ? a : b);
 }
 
-/* H m of the nearest copy: m of `wrap`. */
+/* The integers m of the nearest image, in sides of `wrap`. */
 static struct nb_vec sides(const struct nb_wrap *wrap, struct nb_vec apart) {
   const struct nb_vec s = tensor_times(wrap->inverse, apart);
   return vec(-floor(s.x + 0.5), -floor(s.y + 0.5));
@@ -123,7 +124,7 @@ enum nb_status nb_cell_check_width(const struct nb_model *model, struct nb_error
                       model->scene->cell.line, width, model->cycle, model->time, least);
 }
 
-/* ---- what is asked for ---- */
+/* ---- measures ---- */
 
 double nb_cell_area(const struct nb_cell *cell) { return fabs(tensor_determinant(cell->h)); }
 double nb_cell_area_first(const struct nb_cell *cell) { return fabs(tensor_determinant(cell->initial_h)); }

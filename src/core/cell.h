@@ -1,7 +1,7 @@
-/* A periodic cell: copies of it fill the plane, and it is strained as it stands.        [R89 2.3, 4.5.2]
+/* A periodic cell that is strained affinely.        [R89 2.3, 4.5.2]
  *
- * The two sides of the cell are the columns of H. There is a copy of every body at x + H m for every pair m of whole
- * numbers, which moves as the body does but for what straining puts between them. All else is in cell.c.
+ * The two sides of the cell are the columns of H. Every particle has an image at x + H m for each pair m of integers. The
+ * images move as the particle does, except for the velocity that straining adds between them. See cell.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CELL_H
@@ -10,35 +10,36 @@
 #include "tensor.h"
 
 struct nb_cell {
-  struct nb_vec centre;          /* the point that straining leaves where it is, m */
-  struct nb_tensor h, initial_h; /* H now, and at time 0, m */
+  struct nb_vec centre;          /* the point that straining does not move, m */
+  struct nb_tensor h, initial_h; /* H now and at time 0, m */
   struct nb_tensor
-      image_velocity; /* L H over the step behind: a copy m sides on is faster than its body by this times m, m/s */
-  struct nb_tensor deformation;        /* F since the last search, 1 */
-  double travel_limit, largest_radius; /* how far a body may go from where that carries it, and the largest radius, m */
+      image_velocity; /* L H in the last step: an image m sides away is faster than its particle by this times m, m/s */
+  struct nb_tensor deformation; /* F since the last search, 1 */
+  double travel_limit,
+      largest_radius; /* how far a particle may move relative to the affine motion before the next search; the largest radius; m */
 };
 
 struct nb_model;
 struct nb_error;
 
-bool nb_cell_create(struct nb_model *model); /* leaves model->cell NULL where the scene has none; false: no memory */
-/* Before the motion: H over the step ahead. Answers 1 when it has been strained too far for the list of contacts. */
+bool nb_cell_create(struct nb_model *model); /* leaves model->cell NULL in a scene without one; false: no memory */
+/* Before the motion: advances H by one step. Returns 1 when the strain requires a new search. */
 int nb_cell_move(struct nb_model *model);
-/* Before a search: whether the cell is wide enough for a pair to meet in one place alone. */
+/* Before a search: an error when the cell is so narrow that a pair could have two contacts. */
 enum nb_status nb_cell_check_width(const struct nb_model *model, struct nb_error *error);
 void nb_cell_reset_travel(struct nb_cell *cell, double skin);
-/* The cell that is nearest to upright, of all whose copies fill the plane alike. */
+/* The equivalent cell with the shortest sides: it generates the same images. */
 struct nb_wrap {
   struct nb_vec centre;
-  struct nb_tensor h, inverse; /* its sides; m, 1/m */
-  struct nb_tensor whole;      /* they are H times these whole numbers */
+  struct nb_tensor h, inverse; /* its sides, m; 1/m */
+  struct nb_tensor whole;      /* its sides are H times these integers */
 };
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell);
-double nb_wrap_width(const struct nb_wrap *wrap);                      /* the smaller height of it, m */
-struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x); /* the copy of x in it */
+double nb_wrap_width(const struct nb_wrap *wrap);                      /* its smaller height, m */
+struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x); /* the image of x inside it */
 struct nb_vec nb_cell_wrapped_position(const struct nb_model *model,
-                                       size_t slot); /* of a body; without a cell where it is */
-/* m, in sides of H: that copy of what lies `apart` from a body is the nearest one to it. */
+                                       size_t slot); /* of a particle; without a cell its position */
+/* m, in sides of H, of the image nearest to a particle, for a particle `apart` from it. */
 struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart);
 
 double nb_cell_area(const struct nb_cell *cell),

@@ -1,5 +1,5 @@
-/* Whatever comes from a page, a file name, a state or gnuplot and goes to a terminal is cleaned here: a control character there
- * could move the cursor, hide what was said before, or be typed as if by the user.
+/* Cleans every text from a page, a file name, a state or gnuplot before it goes to a terminal: a control character could move the
+ * cursor, hide earlier output, or act as typed input.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "clean.h"
@@ -8,14 +8,14 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Bytes of a character, by its first one; 0: no character begins so. */
+/* Bytes of a character, from its first one; 0: not the first byte of a character. */
 static size_t length_of(unsigned char first) {
   return first < 0x80 ? 1 : (first & 0xE0) == 0xC0 ? 2 : (first & 0xF0) == 0xE0 ? 3 : (first & 0xF8) == 0xF0 ? 4 : 0;
 }
 
 static bool is_control(unsigned long code) { return (code < 0x20 && code != '\t') || (code >= 0x7F && code < 0xA0); }
 
-/* How many bytes of UTF-8 make the character at c (RFC 3629, without control characters but tab); 0: none. */
+/* Bytes of the UTF-8 character at c (RFC 3629, no control characters except tab); 0: invalid. */
 static size_t character(const unsigned char *c, size_t left) {
   static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
   const size_t n = length_of(c[0]);

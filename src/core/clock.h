@@ -1,4 +1,4 @@
-/* The clock on the wall, for what a run costs; no result depends on it.
+/* Wall-clock time, to report how long a run takes; no result depends on it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CLOCK_H
@@ -6,7 +6,7 @@
 
 #include <time.h>
 
-/* Since some moment of the past, s. */
+/* Seconds since an arbitrary time. */
 static inline double nb_clock(void) {
   struct timespec t;
   timespec_get(&t, TIME_UTC);

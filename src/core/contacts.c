@@ -1,4 +1,4 @@
-/* The list of contacts, kept through a search, and which of them a body has.
+/* The list of contacts, its renewal after a search, and the contacts of each particle.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <limits.h>
@@ -18,7 +18,7 @@ int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, 
   return by[0] ? by[0] : by[1] ? by[1] : by[2];
 }
 
-/* What the energy balance compares with the step before. */
+/* What the energy balance compares with the previous step. */
 static void copy_energy_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
   for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
@@ -26,7 +26,7 @@ static void copy_energy_fields(struct nb_contacts *now, size_t c, const struct n
       now->kept[fields[f]][c] = old->kept[fields[f]][o];
 }
 
-/* But M*: a body may have become a boundary's. */
+/* Except M*: a particle may have become part of a boundary, with infinite mass. */
 static void copy_all_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   now->force[c] = old->force[o];
   for (int f = 0; f < NB_FIELDS; f++)
@@ -34,7 +34,7 @@ static void copy_all_fields(struct nb_contacts *now, size_t c, const struct nb_c
       now->kept[f][c] = old->kept[f][o];
 }
 
-/* The old and the new list are in the same order: one walk along both finds what stays. */
+/* The old and the new list have the same order, so one pass through both finds the pairs that stay. */
 static void copy_histories(const struct nb_model *model, const struct nb_contacts *old, struct nb_contacts *now) {
   size_t o = 0;
   for (size_t c = 0; c < now->count; c++) {
@@ -59,7 +59,7 @@ static void copy_histories(const struct nb_model *model, const struct nb_contact
   }
 }
 
-/* Fixed bodies and walls count as of infinite mass, walls as of infinite radius too. One of a pair is free. */
+/* Fixed particles and walls have infinite mass, walls also an infinite radius. One particle of a pair is free. */
 static void find_constants(struct nb_contacts *contacts, size_t c, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const int a = contacts->a[c], b = contacts->b[c];
@@ -72,7 +72,7 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
     contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, particles->surface[b].radius);
 }
 
-/* Of a pair that is near one copy is, and it is the nearest. */
+/* At most one image of a listed pair is near, and it is the nearest. */
 static void find_images(struct nb_contacts *contacts, const struct nb_model *model) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
   const struct nb_vec *x = model->particles.position;
@@ -100,7 +100,7 @@ static void create_arrays(struct nb_contacts *contacts, const struct nb_model *m
   contacts->of.entry = nb_own(owner, 2 * n, sizeof(int));
 }
 
-/* Which of the pairs becomes which contact: as they come, but pairing by pairing. */
+/* The index of each pair's contact: in the order of the pairs, grouped by material pair. */
 static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pairs, const struct nb_model *model) {
   int *next = nb_array(model->material_pair_count + 1, sizeof *next);
   if (!next)
@@ -115,9 +115,9 @@ static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pair
   return true;
 }
 
-/* The contacts of each body in the order of its partners' numbers, walls last: the order in which forces are summed. Partners
- * with smaller numbers come first, so the contacts in which the body is the second one are the first of its entries. That is the
- * order of the pairs. */
+/* The contacts of each particle in the order of the partners' numbers, walls last, which is the order of force
+ * summation. Partners with smaller numbers come first, so the contacts in which the particle is the second one precede
+ * the others. `pairs` has that order already. */
 static void fill_incidence(struct nb_incidence *of, const struct nb_neighbour_pairs *pairs, const int contact[],
                            const struct nb_model *model) {
   for (size_t p = 0; p < pairs->count; p++) {

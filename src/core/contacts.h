@@ -1,4 +1,4 @@
-/* The list of contacts, and which of them a body has: contacts.c.
+/* The list of contacts, and the contacts of each particle: contacts.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CONTACTS_H
@@ -7,30 +7,30 @@
 #include "block.h"
 #include "tensor.h"
 
-/* For the motion half: which contacts a body has. */
+/* The contacts of each particle, for the integration of motion. */
 struct nb_incidence {
-  int *first;  /* slot -> its first entry; one more than bodies */
-  int *middle; /* slot -> the first entry in which it is the contact's first body */
-  int *entry;  /* contact */
+  int *first;  /* slot -> its first entry; one more than particles */
+  int *middle; /* slot -> its first entry in which it is the contact's first particle */
+  int *entry;  /* index of the contact */
 };
 
-/* Every pair that is near: touching, or closer than the skin. Sorted by pairing, then number of a, then of b. */
+/* Every pair closer than the skin, touching or not. Sorted by material pair, then by the number of a, then of b. */
 struct nb_contacts {
-  struct nb_owner owner; /* of the arrays, and of the blocks that they are cut into */
+  struct nb_owner owner; /* of these arrays, and of the blocks */
   size_t count;
-  int *a, *b;         /* slots; a has the smaller number; b a wall's index where the pairing is with walls */
-  int *material_pair; /* index */
-  int *suppressed;    /* 1 where another wall's contact with this body stands for it (wall_vertices.c); NULL: nowhere */
-  struct nb_vec *image;    /* m: the second body is met at x + H m, H the cell's sides; NULL without a cell */
-  struct nb_vec *force;    /* on the first body, dashpots included, N */
-  double *kept[NB_FIELDS]; /* the fields that outlive their block, else NULL */
-  size_t wall_from;        /* the first contact with a wall: they are the last ones */
-  struct nb_incidence of;  /* which of them a body has */
+  int *a, *b;              /* slots; a has the smaller number; b is a wall's index in a pair with walls */
+  int *material_pair;      /* index */
+  int *suppressed;         /* 1 where another wall's contact replaces this one (wall_vertices.c); NULL: nowhere */
+  struct nb_vec *image;    /* m: the second particle's image is at x + H m, H the cell's sides; NULL without a cell */
+  struct nb_vec *force;    /* on the first particle, with dashpots, N */
+  double *kept[NB_FIELDS]; /* the fields that are kept after the pass; else NULL */
+  size_t wall_from;        /* first contact with a wall; all later ones are with walls */
+  struct nb_incidence of;  /* the contacts of each particle */
   struct nb_history normal_history, shear_history,
-      slip_sum; /* slid: m, since each stage that a snapshot is from, configuration.c */
+      slip_sum; /* m, tangential displacement since each reference stage, configuration.c */
 };
 
-/* Those of one body, in the order in which forces are summed: of its partners' numbers, walls last. */
+/* The contacts of one particle in the order in which forces are summed: by the partner's number, walls last. */
 struct nb_contact_range {
   const int *first, *middle, *end;
 };
@@ -39,26 +39,26 @@ static inline struct nb_contact_range nb_contact_range(const struct nb_incidence
                                    all->entry + all->first[slot + 1]};
 }
 
-/* Two bodies, or a body and a wall, that are near; before they are contacts. */
+/* Two particles, or a particle and a wall, closer than the skin; not yet contacts. */
 struct nb_neighbour_pair {
   int a, b, material_pair; /* as in struct nb_contacts */
 };
 struct nb_neighbour_pairs {
-  struct nb_neighbour_pair *list; /* owned by who searches */
+  struct nb_neighbour_pair *list; /* owned by the caller of the search */
   size_t count;
 };
-/* The place of b among the partners of a: its number, walls last. */
+/* Sort key of b among the partners of a: its number, walls last. */
 int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair);
-/* The order of the list; < 0, 0, > 0: by pairing, then number of a, then of b. */
+/* Compares by material pair, number of a, number of b; < 0, 0, > 0. */
 int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q);
-/* Takes over a new list, sorted by the number of a, then by partners; contacts that were there before keep their memory. False: out of
- * memory, nothing changed. */
+/* Replaces the list by a new one, sorted by the number of a, then by partners; pairs that stay keep their history.
+ * False: out of memory, nothing changed. */
 bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *pairs);
 static inline bool nb_touches(const struct nb_contacts *contacts, size_t contact) {
   return contacts->kept[NB_OVERLAP][contact] > 0;
 }
 static inline int nb_coordination_number(const struct nb_contacts *contacts,
-                                         size_t slot) { /* how many contacts a body has */
+                                         size_t slot) { /* number of contacts that touch */
   const struct nb_contact_range range = nb_contact_range(&contacts->of, slot);
   int count = 0;
   for (const int *c = range.first; c < range.end; c++)
@@ -66,13 +66,12 @@ static inline int nb_coordination_number(const struct nb_contacts *contacts,
   return count;
 }
 
-long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not near */
-/* Of two bodies: from the centre of the first to that of the second, or of the copy of it that is met, m. */
+long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall); /* of two slots; -1: not listed */
+/* Branch vector between two particles: from the first centre to the second, or to its image, m. */
 struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact);
-struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs of bodies: -sum f_i l_j, N m */
-double nb_overlap(const struct nb_model *model,
-                  size_t contact); /* of positions as they are; < 0 where they are apart, m */
-/* What the laws of a contact are given: the constants of its pairing, and those of its own. */
+struct nb_tensor nb_contacts_virial(const struct nb_model *model); /* of pairs of particles: -sum f_i l_j, N m */
+double nb_overlap(const struct nb_model *model, size_t contact);   /* at the current positions; < 0: a gap, m */
+/* The parameters that a contact's laws read: those of its material pair, and its own R*. */
 struct nb_pair nb_contact_constants(const struct nb_model *model, size_t contact, struct nb_pair values);
 
 #endif

@@ -1,12 +1,12 @@
 /* The calculation cycle [CS79, The calculation cycle].
  *
  *   Motion     Newton's second law gives, from the forces at t_N, the velocities at t_(N+1/2) and the positions at t_(N+1);
- *              walls move as they are told.
- *   Contacts   If something has moved far enough, the pairs that are near are looked for again.
- *   Forces     The force-displacement laws give the forces at t_(N+1) from the positions, and what the velocities did since.
+ *              walls move with their given velocities.
+ *   Contacts   If something has moved far enough, a search renews the list of contacts.
+ *   Forces     The force-displacement laws give the forces at t_(N+1) from positions and velocities.
  *
- * Forces and positions of one cycle belong to the same time. Blocks of contacts, then bodies, are shared out to the threads
- * in fixed parts; every contact and every body is worked out by one of them alone, so their number changes no bit.
+ * Forces and positions of a cycle belong to the same time. Threads get fixed ranges of blocks, then of particles. Each
+ * contact and each particle is computed by one thread alone, so the number of threads changes no bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
@@ -37,7 +37,7 @@ void nb_forces(struct nb_model *model) {
   model->updates += model->contacts.count;
 }
 
-/* Returns how many particles and walls have moved too far for the list of contacts. */
+/* Returns the number of particles and walls that require a new search. */
 static int motion(struct nb_model *model) {
   const int threads = model->machine.threads_used;
   int out = nb_motion_walls(model);
@@ -59,7 +59,7 @@ static enum nb_status hooks(struct nb_model *model, enum nb_when when, struct nb
   return status;
 }
 
-/* A hook may have searched already. */
+/* No second search in this cycle: a hook may have made one. */
 static enum nb_status search(struct nb_model *model, bool out, struct nb_error *error) {
   if (out && model->search.last_cycle != model->cycle)
     return nb_neighbours_search(model, error);

@@ -1,4 +1,4 @@
-/* What damps a contact, as a page says it for all contacts or for those with walls apart.
+/* The contact damping of a page: one for all contacts, or a separate one for contacts with walls.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "nineball.h"

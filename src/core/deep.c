@@ -1,15 +1,14 @@
-/* How often elastic spheres were pressed too deeply, and which were the first.                              [R89 6.4.3]
+/* Counts contacts of elastic spheres with too large an overlap, and describes the first.                              [R89 6.4.3]
  *
- * R89 takes an overlap above 7 % of the smaller diameter for the beginning of plastic flow, damps such a contact critically,
- * and prints how often as a warning. Hertz's force and the exact one of two spheres part there as well: a, by Hertz
- * (R* alpha)^(1/2), is more than a third of the radius.
+ * R89 assumes plastic flow above an overlap of 7 % of the smaller diameter, damps such a contact critically, and prints
+ * their number as a warning. Hertz theory is inaccurate there too: a, by Hertz (R* alpha)^(1/2), exceeds a third of the radius.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
 #include "model.h"
 
-/* Of the smaller diameter, 1: where R89 takes plastic flow to begin [R89 6.4.3]. */
+/* Of the smaller diameter, 1: the onset of plastic flow in [R89 6.4.3]. */
 static const double default_fraction = 0.07;
 
 double nb_deep_fraction(const struct nb_model *model) {
@@ -38,7 +37,7 @@ void nb_deep_end(struct nb_model *model) {
   model->deep.counts = NULL;
 }
 
-/* As the pass does it. */
+/* The same test as in pass/deep.c. */
 bool nb_is_deep(const struct nb_model *model, size_t c) {
   const struct nb_contacts *contacts = &model->contacts;
   const double a = model->particles.surface[contacts->a[c]].radius;

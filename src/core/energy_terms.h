@@ -1,4 +1,4 @@
-/* Terms of the energy balance since the start: each part of the program adds its own (measure/balance.c keeps and reads them).
+/* Terms of the energy balance since the start. Each module adds its own; measure/balance.c owns and reads them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_ENERGY_TERMS_H
@@ -6,22 +6,22 @@
 
 #include <math.h>
 
-/* Each from its own definition, J. */
+/* Each is computed from its own definition, J. */
 enum nb_term {
-  NB_TERM_DAMPED,     /* dashpot force times relative velocity, and what global damping takes */
-  NB_TERM_WALLS,      /* force of walls and of fixed bodies that move, times their velocity */
-  NB_TERM_GRAVITY,    /* weight times velocity */
-  NB_TERM_FRICTIONAL, /* shear force times sliding displacement, or what the law says, of laws that store energy */
-  NB_TERM_SLIDING,    /* of that, what is lost in steps that end with the contact sliding as a whole */
-  NB_TERM_SHEAR,      /* work against the shear forces of all laws */
-  NB_TERM_UNSTORED,   /* the same of laws that have no stored energy only */
-  NB_TERM_CHANGED, /* put in from outside: `zero velocities`, `reverse velocities`, springs that a stage has made stiffer or softer */
-  NB_TERM_REMOVED, /* kinetic energy of bodies that were taken out, and what their springs held; of those that are held */
-  NB_TERM_IMPOSED, /* what carries bodies along, and stress on a boundary, times velocity */
+  NB_TERM_DAMPED,  /* work of dashpots and of global damping */
+  NB_TERM_WALLS,   /* work of walls and of fixed particles that move */
+  NB_TERM_GRAVITY, /* work of gravity */
+  NB_TERM_FRICTIONAL, /* shear force times sliding displacement; of laws with stored energy what they report as dissipated */
+  NB_TERM_SLIDING,  /* part of it in steps that end with the contact sliding */
+  NB_TERM_SHEAR,    /* work against the shear forces of all laws */
+  NB_TERM_UNSTORED, /* the same, only of laws without stored energy */
+  NB_TERM_CHANGED,  /* added by `zero velocities`, `reverse velocities`, and stages that change stiffnesses */
+  NB_TERM_REMOVED, /* of removed particles: kinetic energy and that of their springs; also of particles that become held */
+  NB_TERM_IMPOSED, /* work of affine motion and of stress on a boundary */
   NB_TERMS
 };
 
-/* A sum that carries what rounding cuts off (Neumaier 1974). */
+/* A sum with compensation of rounding errors (Neumaier 1974). */
 struct nb_sum {
   double sum, rest;
 };

@@ -1,4 +1,4 @@
-/* One error, in words.
+/* Error messages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <errno.h>
@@ -15,7 +15,7 @@ enum nb_status nb_error_set(struct nb_error *error, enum nb_status status, const
     va_start(arguments, format);
     vsnprintf(error->text, sizeof error->text, format, arguments);
     va_end(arguments);
-    nb_clean(error->text, strlen(error->text), &byte); /* names of files, and what stands in them */
+    nb_clean(error->text, strlen(error->text), &byte); /* file names, and quoted contents of files */
     error->status = status;
   }
   return status;

@@ -1,4 +1,4 @@
-/* Families of quantities: what each suffix means, and the value of any quantity.
+/* Families of quantities: the meaning of each suffix, and the value of any quantity.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "names.h"

@@ -1,4 +1,4 @@
-/* Boxes on levels: made, and filled.
+/* A grid with several levels of boxes: creation and insertion.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "grid.h"

@@ -1,8 +1,8 @@
-/* Square boxes by which things in the plane are found again: for the search of near pairs and for random filling.
+/* A grid of square boxes on several levels, to find objects near a point: for the neighbour search and for random filling.
  *
- * A box is found by a hash of its whole-number co-ordinates, so a scene may lie anywhere and have no edge. There are levels of
- * boxes, each half as wide as the one before: a thing lives on the finest level whose boxes are as wide as it is. So a few
- * large things among many small ones cost the small ones nothing.
+ * A box is found by a hash of its integer coordinates, so the grid needs no origin and no extent. Each level has boxes
+ * half as wide as the level above it. An object belongs to the finest level whose boxes are at least as wide as the object, so a few
+ * large objects do not slow down the search among many small ones.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_GRID_H
@@ -14,7 +14,7 @@
 
 #include "vec.h"
 
-enum { NB_GRID_LEVELS = 24 }; /* the last one takes all that is smaller than 2^-23 of the widest */
+enum { NB_GRID_LEVELS = 24 }; /* the last level takes all that is smaller than 2^-23 of the largest */
 
 struct nb_box {
   int level;
@@ -22,22 +22,22 @@ struct nb_box {
 };
 
 struct nb_grid {
-  double width[NB_GRID_LEVELS]; /* of a level's boxes, m */
-  size_t count[NB_GRID_LEVELS]; /* of the things on it */
-  size_t mask;                  /* buckets - 1, a power of two less one */
-  int *first;                   /* per bucket: the thing that came last, -1: none; */
+  double width[NB_GRID_LEVELS]; /* of the boxes of a level, m */
+  size_t count[NB_GRID_LEVELS]; /* items on a level */
+  size_t mask;                  /* buckets - 1; the number of buckets is a power of two */
+  int *first;                   /* for each bucket: the item added last, -1: none */
   struct nb_grid_entry {
     struct nb_box box;
-    int next; /* and the one that came before, of this bucket */
-  } * entry;  /* per thing */
+    int next; /* the item added before it to this bucket */
+  } * entry;  /* for each item */
 };
 
-/* For so many things, of which the widest is so wide, m; false: no memory. */
+/* For so many items, the largest of this width, m; false: no memory. */
 bool nb_grid_create(struct nb_grid *grid, size_t items, double largest_width);
 void nb_grid_free(struct nb_grid *grid);
 void nb_grid_add(struct nb_grid *grid, int item, struct nb_vec at, double width);
 
-/* Farther out than whole numbers go in a double, the last box takes all: they are still in order, and compared by distance. */
+/* Coordinates beyond the integers of a double share the last box: their order is kept, and distances decide. */
 static inline int64_t nb_grid_place(const struct nb_grid *grid, int level, double x) {
   const double widths = x / grid->width[level], last = 9007199254740992;
   return (int64_t)(widths < -last ? -last : widths > last ? last : floor(widths));
@@ -50,7 +50,7 @@ static inline size_t nb_grid_bucket(const struct nb_grid *grid, struct nb_box bo
   return (size_t)h & grid->mask;
 }
 
-/* Of the thing and those before it in its bucket the first one in that box; -1: none. */
+/* The first item in that box among `item` and those before it in its bucket; -1: none. */
 static inline int nb_grid_next(const struct nb_grid *grid, int item, struct nb_box box) {
   while (item >= 0) {
     const struct nb_grid_entry *entry = &grid->entry[item];
@@ -61,7 +61,7 @@ static inline int nb_grid_next(const struct nb_grid *grid, int item, struct nb_b
   return item;
 }
 
-/* All things in a box. */
+/* Loops over all items in a box. */
 #define NB_GRID_FOR_BOX(grid, item, where)                                                                             \
   for (int item = nb_grid_next(grid, (grid)->first[nb_grid_bucket(grid, where)], where); item >= 0;                    \
        item = nb_grid_next(grid, (grid)->entry[item].next, where))

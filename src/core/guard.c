@@ -1,32 +1,32 @@
-/* The guards: what must not happen, because particles would pass through each other, or through walls, without a force.
+/* Guards: conditions under which particles could pass through each other, or through walls, without a force.
  *
- *   way      no particle moves by more than its radius in one step
- *   overlap  no two particles overlap by more than the smaller radius, that is, d >= max(R_i, R_j) for the distance d
- *   turn     no wall turns by so much in one step that the arc of its far end, at a distance h from the point that it turns
- *            about, is farther from the chord than the smallest radius r:  angle^2 h/8 <= r, with h no less than r
+ *   displacement  no particle moves by more than its radius in one step
+ *   overlap       no two particles overlap by more than the smaller radius, that is, d >= max(R_i, R_j) for the distance d
+ *   rotation      no wall rotates so far in one step that the arc of its far end, at a distance h from the centre of rotation,
+ *                 is farther from the chord than the smallest radius r:  angle^2 h/8 <= r, with h at least r
  *
- * Together they keep two particles from changing sides. They begin a step at a distance d >= max(R_i, R_j) and approach by
- * R_i + R_j at most, so a pair that has changed sides is at a distance of at most R_i + R_j - d <= min(R_i, R_j): there the
- * overlap is too large, and the run stops. Whether the centre of a particle has crossed a wall is asked in walls.c, by the two
- * sides that it is on at the ends of the step; that is an answer as long as the wall turns by less than pi, here at most 8^(1/2).
+ * Together they prevent two particles from changing sides. A step begins with a distance d >= max(R_i, R_j), and the two approach by
+ * at most R_i + R_j. A pair that changed sides is then at a distance of at most R_i + R_j - d <= min(R_i, R_j), where the overlap
+ * is too large and the run stops. walls.c tests whether a particle's centre crossed a wall, from its sides at both ends of the
+ * step; that is valid while the wall rotates by less than pi per step, here by at most 8^(1/2).
  *
- * The guards cost nothing while nothing is in danger. The motion reports who has moved by half the skin since the last search;
- * who moves by a radius in one step is among them as long as no radius is below the skin, so only then the steps are measured,
- * and in every cycle where the skin is wider. A search has the distances of all pairs, and two particles approach by the skin at
- * most until the next one; so the listed pairs are measured in every cycle only when the search has seen one within the skin of
- * its limit.
+ * The guards cost almost nothing in a safe run. The motion reports particles that moved by half the skin since the last search. They
+ * include all that moved by a radius in one step, as long as no radius is smaller than the skin. So steps are measured only at
+ * a search, and in every cycle where the skin is wider than a radius. A search computes the distances of all pairs, and two particles
+ * approach by at most the skin until the next one. So listed pairs are measured in every cycle only when the last search
+ * found one within the skin of its limit.
  *
- * A force is as good as the overlap that it comes from, and that is a difference of positions. Each of them is rounded to a
- * multiple of its ulp, which grows with the distance from the origin. There is a warning when the ulp exceeds a thousandth of the
- * mean overlap: then a force is off by up to about 0.1 %. Overlaps below 1e-9 of a radius are those of particles that just touch,
- * and do not count; where nothing else touches, a thousandth of the smallest radius stands for the overlap to come.
+ * An overlap is a difference of positions, and each coordinate is rounded to a multiple of its ulp, which grows with the distance from
+ * the origin. The program warns when the ulp exceeds a thousandth of the mean overlap: forces are then off by up to about 0.1 %.
+ * Overlaps below 1e-9 of a radius come from rounding and do not count. Without any contact, a thousandth of the smallest
+ * radius is used as the expected overlap.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"
 
 static int line_of(const struct nb_model *model, int number) { return model->scene->particles[number - 1].line; }
 
-/* Without what a periodic cell carries along: its copies are carried with it. */
+/* Without the cell's affine motion, which moves the images too. */
 static double displacement_of(const struct nb_model *model, int i) {
   const struct nb_vec v = model->particles.velocity[i];
   return model->previous_step * vec_length(model->cell ? vec_sub(v, model->particles.imposed[i]) : v);
@@ -35,7 +35,7 @@ static double displacement_of(const struct nb_model *model, int i) {
 enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error) {
   for (size_t k = 0; k < model->particles.count; k++) {
     const struct nb_vec x = model->particles.position[model->particles.slot[k]];
-    if (!(x.x - x.x == 0 && x.y - x.y == 0)) /* infinity less itself is NaN too */
+    if (!(x.x - x.x == 0 && x.y - x.y == 0)) /* infinity minus itself is NaN too */
       return nb_error_set(error, NB_BROKEN,
                           "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at %g s; the step "
                           "is %g s, the critical one %g s: try a smaller step",
@@ -119,8 +119,8 @@ static double coordinate(const struct nb_model *model, int i) {
 
 static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
-/* The coarsest that a coordinate may be, as a share of the mean overlap, 1: a force is then off by 0.1 %. Overlaps below the second
- * one's share of a radius, 1, are those of particles that just touch: rounding put them there. */
+/* Coarsest resolution of a coordinate, as a fraction of the mean overlap, 1: forces are then off by 0.1 %. Overlaps
+ * below the second number, as a fraction of the radius, 1, come from rounding. */
 static const double resolution_limit = 1e-3, touch_limit = 1e-9;
 
 void nb_guard_resolution(struct nb_model *model) {

@@ -1,17 +1,17 @@
-/* How two elastic spheres meet: R*, and how deep and how long without damping.                 [R89 4.5, 5.9, 5.12]
+/* Normal impact of two elastic spheres without damping: R*, greatest overlap and duration.                 [R89 4.5, 5.9, 5.12]
  *
- *   R* = R_1 R_2/(R_1 + R_2), of a sphere at a wall its own
+ *   R* = R_1 R_2/(R_1 + R_2), R_1 for a sphere at a wall
  *
- * Closing at v they stop at the overlap A, where the energy of [R89 3.13] is that of the motion,
+ * The overlap A at which a pair with approach velocity v stops follows from the energy of [R89 3.13],
  *
  *   M* v^2/2 = (8/15) E* R*^(1/2) A^(5/2),      A = (15 M* v^2/(16 E* R*^(1/2)))^(2/5)
  *
- * and part after
+ * and the contact lasts
  *
  *   t = 2 integral from 0 to A of d(alpha)/(v (1 - (alpha/A)^(5/2))^(1/2)) = c A/v
  *   c = (4/5) B(2/5, 1/2) = (4/5) pi^(1/2) Gamma(2/5)/Gamma(9/10) = 2.9432751843247047
  *
- * c is written out, since not all libraries round tgamma alike.
+ * c is a literal because libraries round tgamma differently.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_HERTZ_IMPACT_H
@@ -21,7 +21,7 @@
 
 static inline double nb_reduced_radius(double one, double other) { return one * other / (one + other); }
 
-/* A, m: of E* in Pa, R* in m, M* in kg, v in m/s. */
+/* A, m; E* in Pa, R* in m, M* in kg, v in m/s. */
 static inline double nb_hertz_depth(double young, double radius, double mass, double speed) {
   return pow(15 * mass * speed * speed / (16 * young * sqrt(radius)), 0.4);
 }

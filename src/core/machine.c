@@ -1,4 +1,4 @@
-/* What of the machine a model uses: its instruction set and so many threads. No result depends on it.
+/* Selects the instruction set and the number of threads. No result depends on them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

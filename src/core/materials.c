@@ -1,4 +1,4 @@
-/* What follows from a body's shape and density.
+/* Mass and moment of inertia of a particle, from its shape and density.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "model.h"

@@ -1,4 +1,4 @@
-/* What the laws remember of their contacts: see struct nb_memory in block.h.
+/* Contact histories: see struct nb_history in block.h.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

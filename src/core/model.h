@@ -1,8 +1,8 @@
-/* What runs: a scene made into arrays and a plan. Inside the library only; users see `struct nb_model` as a name.
+/* A running simulation: the scene as arrays, with a plan of the passes. Internal to the library; users see `struct nb_model` as an opaque type.
  *
- * A body's slot is where its numbers are stored, its number (1, 2, ...) never changes. Results depend on
- * numbers alone: sums over a body's contacts run in the order of the other body's number, walls last, so neither storage
- * order nor search nor threads change a bit of them.
+ * A particle's slot is the index of its data in the arrays; its number (1, 2, ...) never changes. Results depend on
+ * numbers only: sums over a particle's contacts run in the order of the partners' numbers, walls last, so storage order,
+ * search and threads do not change a bit of them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_MODEL_H
@@ -17,143 +17,144 @@
 #include "vec.h"
 #include "walls.h"
 
-/* What a contact reads of a particle besides position and velocity. */
+/* The particle data besides position and velocity that every contact reads. */
 struct nb_surface {
-  double radius, speed; /* R, m; w R, m/s: w as old as the velocity, 0 without rotation */
+  double radius, speed; /* R, m; R w, m/s, of the same time as the velocity, 0 without rotation */
 };
 static inline struct nb_surface nb_surface(double radius, double speed) { return (struct nb_surface){radius, speed}; }
 
 struct nb_particles {
   size_t count;
-  int *number;                            /* slot -> number */
-  int *slot;                              /* number - 1 -> slot */
-  struct nb_vec *position;                /* m */
-  struct nb_vec *velocity;                /* at the half step behind, t_(N-1/2), m/s */
-  struct nb_surface *surface;             /* radius and surface speed */
-  double *spin, *angle;                   /* rad/s, as old as the velocity; rad. NULL in a scene without spin */
-  double *mass, *inertia;                 /* kg, kg m2 */
-  double *inverse_mass, *inverse_inertia; /* 0 for what is fixed */
+  int *number;                /* slot -> number */
+  int *slot;                  /* number - 1 -> slot */
+  struct nb_vec *position;    /* m */
+  struct nb_vec *velocity;    /* of the last half step, t_(N-1/2), m/s */
+  struct nb_surface *surface; /* radius and surface speed */
+  double *spin, *angle;       /* rad/s, of the same time as the velocity; rad. NULL in a scene without rotation */
+  double *mass, *inertia;     /* kg, kg m2 */
+  double *inverse_mass, *inverse_inertia; /* 0 for fixed particles */
   int *material;
-  struct nb_vec *search_position; /* where they were at the last search */
-  struct nb_vec *imposed; /* c, the part of the velocity that carries it along, m/s; NULL: nothing does (affine.h) */
+  struct nb_vec *search_position; /* positions at the last search, m */
+  struct nb_vec *imposed;         /* c, the affine part of the velocity, m/s; NULL: none (affine.h) */
   const struct nb_vec
-      *boundary_force; /* per slot: force of a stress on the boundary, N; NULL: there is none (loading/boundary.c) */
-  bool *removed;       /* taken out of the scene (remove.c); NULL where no stage takes any out */
+      *boundary_force; /* for each slot: force of a stress on the boundary, N; NULL: none (loading/boundary.c) */
+  bool *removed;       /* removed from the scene (remove.c); NULL when no stage removes any */
 };
 
-/* How a body or a wall moves. */
+/* Velocity, m/s, and spin, rad/s, of a particle or a wall. */
 struct nb_velocities {
   struct nb_vec velocity;
   double spin;
 };
 
-/* A pass of the force half, for each instruction set. */
+/* A pass of the force calculation, compiled for each instruction set. */
 struct nb_pass {
   const char *name;
   nb_run_pass *run[NB_ISAS];
 };
 enum { NB_PASSES = 7, NB_THREADS = 256, NB_CONTACTS_PER_THREAD = 128 };
 
-/* Contacts between two materials, or between a material and a wall's: their constants and the passes they need. */
+/* Contacts between two materials, or between a material and the walls' one: their parameters and passes. */
 struct nb_material_pair {
-  struct nb_pair values;               /* first: what laws are given */
-  int a, b;                            /* materials; */
-  bool wall;                           /* b belongs to walls */
-  const struct nb_law *normal, *shear; /* shear NULL: no friction, or none asked for */
+  struct nb_pair values;               /* must be first: the parameters that laws read */
+  int a, b;                            /* materials */
+  bool wall;                           /* b is the material of walls */
+  const struct nb_law *normal, *shear; /* shear NULL: no friction, or law `none` */
   struct nb_planned {
-    nb_run_pass *run; /* the form for this machine */
+    nb_run_pass *run; /* compiled for the selected instruction set */
     char name[NB_NAME_SIZE];
-    int line; /* of the page that asked for it; 0: it follows from the rest */
+    int line; /* line of the page that requires it; 0: required by another part of the scene */
   } passes[NB_PASSES];
   int pass_count;
-  struct nb_pair next;             /* values at the next forces, */
-  const struct nb_law *next_shear; /* and the law that they ask for: for stable_step.c */
+  struct nb_pair next;             /* values for the next forces, */
+  const struct nb_law *next_shear; /* and their shear law: for stable_step.c */
 };
 
-/* Materials and pairs as they are now; stages change them. */
+/* The current materials and pairs; stages change them. */
 struct nb_properties {
-  struct nb_material *materials; /* as the scene's; */
-  struct nb_pair_rule *rules;    /* the scene's and those that stages have added */
+  struct nb_material *materials; /* initially those of the scene */
+  struct nb_pair_rule *rules;    /* those of the scene, and those added by stages */
   size_t rule_count;
-  double pieces; /* of struct nb_pair; the same for all pairs */
+  double pieces; /* as in struct nb_pair; the same for all pairs */
 };
 
-/* The laws that all contacts follow. */
+/* The laws of all contacts. */
 struct nb_active_laws {
   const struct nb_law *normal, *shear;
-  int normal_line, shear_line; /* of the page that says so; 0: none */
-  double pieces;               /* as struct nb_pair has it */
+  int normal_line, shear_line; /* lines of the page; 0: none */
+  double pieces;               /* as in struct nb_pair */
 };
 
-/* What of the machine is used: machine.c. */
+/* Use of the processor: machine.c. */
 struct nb_machine {
   enum nb_isa isa;
-  int threads;      /* there may be */
-  int threads_used; /* threads that work on as many contacts as there are now, NB_CONTACTS_PER_THREAD each or more */
+  int threads;      /* upper limit */
+  int threads_used; /* threads for the current number of contacts, at least NB_CONTACTS_PER_THREAD each */
 };
 
-/* What contacts need now, as run/plan.c finds it. */
+/* What the contacts need now; run/plan.c finds it. */
 struct nb_plan {
-  unsigned requested;        /* set of fields, and of NB_ASKS_, that columns and conditions read */
-  unsigned kept;             /* set of fields that are kept */
-  enum nb_field total_shear; /* holds the shear force that bodies feel: NB_DRAG, or NB_SHEAR without dashpots */
+  unsigned requested; /* set of fields, and of NB_REQUEST_ bits, that columns and conditions read */
+  unsigned kept;      /* set of fields that are kept for all contacts */
+  enum nb_field
+      total_shear; /* the field with the shear force that acts: NB_TOTAL_SHEAR, or NB_SHEAR without dashpots */
   struct {
     int normal, shear, slip_sum;
-  } history;         /* doubles that a contact remembers: for its laws, and for configuration.c */
-  bool keep_all;     /* all is kept that a saved state holds */
-  bool elastic;      /* the normal law is one of elastic spheres */
-  bool has_friction; /* some pairing has a shear law now */
+  } history;         /* doubles per contact: histories of its laws, and displacement for configuration.c */
+  bool keep_all;     /* keep all fields that a saved state contains */
+  bool elastic;      /* the normal law is for elastic spheres */
+  bool has_friction; /* some material pair has a shear law now */
   bool dashpots;     /* some stage has contact damping */
 };
 
-/* A contact's springs, N/m, and dashpots, N s/m. */
+/* Stiffnesses of a contact, N/m, and dashpot coefficients, N s/m. */
 struct nb_coefficients {
   double kn, ks, cn, cs;
 };
 
-/* What the force calculation goes through: blocks.c. */
+/* The blocks of the force calculation: blocks.c. */
 struct nb_blocks {
   struct nb_block *list; /* one per block */
   size_t count;
-  double *scratch; /* per thread NB_FIELDS * NB_BLOCK doubles */
+  double *scratch; /* for each thread NB_FIELDS * NB_BLOCK_SIZE doubles */
   struct nb_stable_overlap {
-    double overlap;                     /* the smallest of a block's NB_SURE, m */
-    unsigned long above;                /* its contacts that are deeper than theirs */
-    double padding[6];                  /* those of two threads lie in lines of their own */
-  } * stable_overlap;                   /* per block; NULL: nothing that is watched gets stiffer */
-  struct nb_coefficients *coefficients; /* per contact: room for measure/stable_step.c */
+    double overlap;                     /* smallest NB_STABLE_OVERLAP of the block, m */
+    unsigned long above;                /* contacts above their own NB_STABLE_OVERLAP */
+    double padding[6];                  /* two threads must not write to the same cache line */
+  } * stable_overlap;                   /* for each block; NULL: no checked contact stiffens with overlap */
+  struct nb_coefficients *coefficients; /* for each contact: working memory of measure/stable_step.c */
 };
 
-/* The search for near pairs, and what it has found: neighbours.c, guard.c. */
+/* The neighbour search and its results: neighbours.c, guard.c. */
 struct nb_search {
-  double
-      skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, nothing is search_position */
-  double smallest_radius;               /* radius of all particles, m */
-  unsigned long last_cycle;             /* the cycle in which the list was made */
-  unsigned long long count, candidates; /* searches; pairs whose distance they have measured */
-  bool keep_forces;                     /* no forces follow the search to come: contacts keep those that they have */
-  bool check_walls;   /* some centre was within the skin of a wall: it may cross it before the next search */
-  bool check_pairs;   /* some pair was within the skin of the overlap that guard.c allows */
-  bool coarse_warned; /* positions are too coarse for the overlaps, and the warning has been given */
+  double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, and there is no search */
+  double smallest_radius;               /* of all particles, m */
+  unsigned long last_cycle;             /* cycle of the last search */
+  unsigned long long count, candidates; /* searches; distances computed in them */
+  bool keep_forces;                     /* no forces follow the next search: contacts keep their current ones */
+  bool check_walls;                     /* a centre was within the skin of a wall: test crossings in every cycle */
+  bool
+      check_pairs; /* a pair was within the skin of the largest overlap that guard.c allows: test pairs in every cycle */
+  bool coarse_warned; /* the warning about coarse positions has been given */
 };
 
-/* Where a disc may touch a common end of two walls. */
+/* A vertex, the common end of two walls, that a disc may touch. */
 struct nb_vertex {
-  int c, d;       /* contacts of one body with two walls */
-  int at_c, at_d; /* which end of each wall is their common one, 0 or 1 */
+  int c, d;       /* contacts of one particle with the two walls */
+  int at_c, at_d; /* the end of each wall, 0 or 1 */
 };
 struct nb_vertices {
   bool any;               /* two walls have a common end */
-  struct nb_vertex *list; /* where a disc may touch one before the next search */
+  struct nb_vertex *list; /* those that a disc may touch before the next search */
   size_t count;
 };
 
-/* Something optional that a cycle does, in its place: what a scene does not use is not in the list. Made by run/hooks.c. */
+/* Optional actions at fixed places of a cycle. Only those that a scene uses are in the list; run/hooks.c makes it. */
 enum nb_when {
-  NB_BEFORE_MOTION, /* loads for the step ahead */
-  NB_AFTER_MOTION,  /* while the forces and steps are still those of the kick */
-  NB_BEFORE_SEARCH, /* positions and time are those of the forces to come */
-  NB_BEFORE_FORCES, /* and the list of contacts is too */
+  NB_BEFORE_MOTION, /* loading for the next step */
+  NB_AFTER_MOTION,  /* forces and steps are still those of the kick */
+  NB_BEFORE_SEARCH, /* positions and time are those of the next forces */
+  NB_BEFORE_FORCES, /* so is the list of contacts */
   NB_AFTER_FORCES,
   NB_WHENS
 };
@@ -166,17 +167,17 @@ struct nb_hooks {
   } list[NB_HOOKS];
 };
 
-/* A run. Each part has one owner, which alone changes it. */
+/* A run. Each part is changed only by its owner, the file in its comment. */
 struct nb_model {
   const struct nb_scene *scene;
-  struct nb_owner owner; /* of all that is made once and lives as long as the model */
+  struct nb_owner owner; /* of everything that is allocated once for the life of the model */
   struct nb_machine machine;
   struct nb_particles particles;    /* motion.c */
   struct nb_walls walls;            /* walls.c */
-  struct nb_cell *cell;             /* cell.c; NULL: the plane has no copies */
+  struct nb_cell *cell;             /* cell.c; NULL: not periodic */
   struct nb_vertices vertices;      /* wall_vertices.c */
   struct nb_properties properties;  /* properties.c */
-  struct nb_active_laws laws, next; /* of the forces behind, and of those ahead: a stage may change them (laws_now.c) */
+  struct nb_active_laws laws, next; /* of the last forces, and of the next: a stage may change them (laws_now.c) */
   struct nb_material_pair *material_pairs; /* plan.c */
   size_t material_pair_count;
   struct nb_plan plan;
@@ -186,53 +187,54 @@ struct nb_model {
   struct nb_hooks hooks[NB_WHENS];
 
   unsigned long cycle;        /* cycle.c, from here */
-  unsigned long stage_cycle;  /* since the stage began */
-  double stage_time, time;    /* at the begin of the stage; plus its cycles times the step, s */
-  double step, previous_step; /* dt of the step ahead, and of the one behind (0 at the start), s */
-  unsigned long long updates; /* of contacts; to here */
+  unsigned long stage_cycle;  /* cycles since the begin of the stage */
+  double stage_time, time;    /* at the begin of the stage; now, s */
+  double step, previous_step; /* dt of the next and of the last step (0 at the start), s */
+  unsigned long long updates; /* contact updates; to here */
   double critical;            /* 2 sqrt(m/k), s (measure/step.c) */
 
-  const struct nb_stage *stage;              /* run/stage.c, from here: the one that runs, NULL before the first */
-  struct nb_changes *changes;                /* what it changes little by little */
-  struct nb_damping damping, damping_before; /* of this stage; of the one before */
-  struct nb_vec gravity;                     /* over the kick to come, m/s2 */
+  const struct nb_stage *stage;              /* run/stage.c, from here: the current stage, NULL before the first */
+  struct nb_changes *changes;                /* its ramps */
+  struct nb_damping damping, damping_before; /* of this stage; of the previous one */
+  struct nb_vec gravity;                     /* for the next kick, m/s2 */
   struct nb_central {
-    double acceleration; /* m/s2; 0: none */
-    struct nb_vec point; /* the point, m */
-  } central;             /* likewise; to here */
+    double acceleration; /* towards the point, m/s2; 0: none */
+    struct nb_vec point; /* m */
+  } central;             /* for the next kick; to here */
 
-  struct nb_affine *affine;           /* affine.h; NULL: nothing is carried along */
-  struct nb_boundary_state *boundary; /* boundary.h; NULL: there is no boundary, and bodies turn */
-  struct nb_stability *stability;     /* measure/step.h */
-  struct nb_sum *terms;               /* core/energy_terms.h, NB_TERMS of them; NULL: no column and no condition asks */
-  struct nb_balance *balance;         /* measure/energy.h; NULL: no column and no condition asks for one */
-  struct nb_regions *regions;         /* measure/region.h; NULL: the scene has none */
-  struct nb_configuration *configuration; /* measure/configuration.h; NULL: no snapshot asks what has changed */
-  struct nb_fracc *fracc;                 /* measure/fracc.c; NULL: nobody asks */
+  struct nb_affine *affine;               /* affine.h; NULL: no affine motion */
+  struct nb_boundary_state *boundary;     /* boundary.h; NULL: no boundary, and particles rotate */
+  struct nb_stability *stability;         /* measure/step.h */
+  struct nb_sum *terms;                   /* core/energy_terms.h, NB_TERMS of them; NULL: not requested */
+  struct nb_balance *balance;             /* measure/energy.h; NULL: not requested */
+  struct nb_regions *regions;             /* measure/region.h; NULL: the scene has none */
+  struct nb_configuration *configuration; /* measure/configuration.h; NULL: no snapshot requests changes */
+  struct nb_fracc *fracc;                 /* measure/fracc.c; NULL: not requested */
   struct nb_deep {
-    unsigned long *counts;        /* per block since the last search, NB_DEEP_STRIDE apart; NULL: nothing is elastic */
-    unsigned long long count;     /* contact updates too deep until then */
-    char first[3 * NB_NAME_SIZE]; /* the first of them, in words; empty: none yet */
+    unsigned long
+        *counts; /* for each block since the last search, at a stride of NB_DEEP_STRIDE; NULL: no elastic law */
+    unsigned long long count;     /* contact updates with too large an overlap, until then */
+    char first[3 * NB_NAME_SIZE]; /* description of the first; empty: none yet */
   } deep;                         /* deep.c */
-  struct nb_warnings warnings;    /* of this model, not of its scene */
-  double impact_time;             /* when what `impact` makes first touches, s (measure/impact.c) */
-  const char *states;             /* folder of saved states; NULL: the usual one (run/restart.c) */
+  struct nb_warnings warnings;    /* of this model only; the scene has its own */
+  double impact_time;             /* when the sphere of `impact` touches, s (measure/impact.c) */
+  const char *states;             /* folder of saved states; NULL: the default (run/restart.c) */
 };
 
-/* machine.c: instruction set and threads, as the options say */
+/* machine.c: instruction set and threads, from the options */
 enum nb_status nb_machine_choose(struct nb_model *model, const struct nb_options *options, struct nb_error *error);
 
-/* blocks.c: the contacts in blocks of one pairing, after each search */
+/* blocks.c: divides the contacts into blocks, after each search */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error);
 
-/* What columns and conditions ask for besides fields, in model->plan.asked: */
+/* What columns and conditions request besides fields, in model->plan.requested: */
 #define NB_REQUEST_FRACC (1u << 27)  /* fracc.c */
 #define NB_REQUEST_STRAIN (1u << 28) /* strain.c */
 #define NB_REQUEST_WORK (1u << 29)   /* the work balance, energy.h */
 #define NB_REQUEST_ENERGY (1u << 30) /* the energy balance */
-#define NB_REQUEST_STORED (1u << 31) /* energies that only a law with stored energy has */
+#define NB_REQUEST_STORED (1u << 31) /* energies that require laws with stored energy */
 
-/* Whether a stage has taken it out of the scene (loading/remove.c). */
+/* Whether a stage has removed the particle (loading/remove.c). */
 static inline bool nb_removed(const struct nb_model *model, size_t slot) {
   return model->particles.removed && model->particles.removed[slot];
 }
@@ -240,70 +242,73 @@ static inline bool nb_removed(const struct nb_model *model, size_t slot) {
 /* materials.c */
 double nb_particle_mass(const struct nb_scene *scene, const struct nb_particle *particle);    /* kg */
 double nb_particle_inertia(const struct nb_scene *scene, const struct nb_particle *particle); /* kg m2 */
-double nb_thickness(const struct nb_model *model); /* of discs 1 m, of spheres the mean diameter, m */
+double nb_thickness(const struct nb_model *model); /* discs 1 m; spheres their mean diameter, m */
 
-/* guard.c: particles do not pass through each other, or through walls */
-/* NB_BROKEN when a position is NaN or infinite; when a particle moved, or a wall turned, too far in the step behind. */
+/* guard.c: prevents particles from passing through each other or through walls */
+/* NB_BROKEN when a position is NaN or infinite; when a particle moved, or a wall rotated, too far in the last step.
+ * */
 enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error);
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error);
-/* An error when a listed pair of particles overlaps by more than the smaller radius. */
+/* NB_BROKEN (at cycle 0 NB_BAD_USE) when a listed pair of particles overlaps by more than the smaller radius. */
 enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *error);
 
-/* All that must be asked in a cycle without a search. */
+/* The checks of a cycle without a search. */
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error);
 
-/* Warns when positions are too coarse for the overlaps that there are now. */
+/* Warns when the resolution of positions is too coarse for the current overlaps. */
 void nb_guard_resolution(struct nb_model *model);
 
-/* neighbours.c: makes the list of contacts anew, if no guard objects */
+/* neighbours.c: the guards, then a new list of contacts */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
 
 /* motion.c */
-/* Both answer how many bodies or walls are farther from where the last search found them than half the skin, or nowhere. */
+/* Both return the number of particles or walls that moved by more than half the skin since the last search, or to
+ * NaN. */
 int nb_motion_part(struct nb_model *model, int part, int parts);
 int nb_motion_walls(struct nb_model *model);    /* walls.c */
-void nb_motion_reverse(struct nb_model *model); /* bodies go back the way they came; once the step ahead is known */
+void nb_motion_reverse(struct nb_model *model); /* time reversal; the length of the next step must be known */
 struct nb_force {
   struct nb_vec force; /* N */
   double moment;       /* N m, counterclockwise */
 };
-struct nb_force nb_force_on(const struct nb_model *model, size_t slot); /* sum over its contacts, N, N m */
-struct nb_velocities nb_velocity_half(const struct nb_model *model,
-                                      size_t slot); /* at the half step behind, likewise */
-struct nb_velocities
-nb_velocity_now(const struct nb_model *model,
-                size_t slot); /* at t_N: mean of the half steps [CS79 31]; without what carries it */
-struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot);    /* what carries it, likewise, m/s */
-struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot); /* with what carries it, likewise, m/s */
+struct nb_force nb_force_on(const struct nb_model *model, size_t slot);           /* sum over its contacts, N, N m */
+struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot); /* at the last half step */
+struct nb_velocities nb_velocity_now(const struct nb_model *model,
+                                     size_t slot); /* at t_N: mean of the half steps [CS79 31]; without affine motion */
+struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot);    /* affine velocity at t_N, m/s */
+struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot); /* with affine motion, at t_N, m/s */
 
-struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec x); /* m g, were the body at x, N */
-struct nb_vec nb_unbalanced_force(const struct nb_model *model, size_t slot);        /* all that a free body feels, N */
+struct nb_vec nb_weight(const struct nb_model *model, size_t slot,
+                        struct nb_vec x); /* weight of the particle at the position x, N */
+struct nb_vec nb_unbalanced_force(const struct nb_model *model,
+                                  size_t slot); /* unbalanced force on a free particle, N */
 
-/* Gives a body what a force and a moment that end at t_N have done until then: its velocities at t_N stay what they were. */
+/* The first sets a particle's velocities at t_N. The second keeps them when a force and a moment cease to act at t_N,
+ * by moving their effect into the half-step velocities. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now);
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */
-bool nb_rotates_too_far(const struct nb_model *model, size_t wall, double angle); /* too far for one step, rad */
-void nb_walls_reset_travel(struct nb_walls *walls); /* remembers where their ends are now */
-/* NB_BROKEN when the centre of a body has crossed a wall in the step behind: of the pairs listed, or of all there are. */
+bool nb_rotates_too_far(const struct nb_model *model, size_t wall, double angle); /* for one step, rad */
+void nb_walls_reset_travel(struct nb_walls *walls); /* stores the ends as the reference of travel */
+/* NB_BROKEN when the centre of a particle crossed a wall in the last step; of listed pairs, or of all. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
 
 /* wall_vertices.c */
 bool nb_vertices_exist(const struct nb_scene *scene); /* two walls have a common end */
 bool nb_vertices_find(struct nb_model *model);        /* after a search; false: no memory */
-void nb_vertices_suppress(struct nb_model *model);    /* before the forces: which contacts are muted now */
+void nb_vertices_suppress(struct nb_model *model);    /* before the forces: finds the suppressed contacts */
 
-/* deep.c: overlaps that are too deep for elastic spheres */
-enum { NB_DEEP_STRIDE = 8 };                               /* counts of two threads lie in lines of their own */
+/* deep.c: overlaps beyond the range of Hertz theory */
+enum { NB_DEEP_STRIDE = 8 }; /* in counters: two threads must not write to the same cache line */
 double nb_deep_fraction(const struct nb_model *model);     /* of the smaller diameter: the page's, or 7 % [R89 6.4.3] */
-bool nb_deep_begin(struct nb_model *model, size_t blocks); /* counts anew, after a search; false: no memory */
-void nb_deep_end(struct nb_model *model);                  /* nothing is elastic any more */
-void nb_deep_record_first(struct nb_model *model);         /* after the forces: which is the first */
+bool nb_deep_begin(struct nb_model *model, size_t blocks); /* new counters, after a search; false: no memory */
+void nb_deep_end(struct nb_model *model);                  /* there is no elastic law any more */
+void nb_deep_record_first(struct nb_model *model);         /* after the forces: describes the first one */
 bool nb_is_deep(const struct nb_model *model, size_t contact);
 unsigned long long nb_deep_count(const struct nb_model *model);
 
-/* cycle.c: the force calculation, for positions as they are */
+/* cycle.c: the force calculation at the current positions */
 void nb_forces(struct nb_model *model);
 
 #endif

@@ -1,34 +1,34 @@
-/* The motion half of a cycle.                                        [CS79 20-25, 29-36]
+/* Integration of motion.                                             [CS79 20-25, 29-36]
  *
  *   v_(N+1/2) = v_(N-1/2) + (sum F / m)_N dt,    x_(N+1) = x_N + v_(N+1/2) dt            22, 22a
  *   w_(N+1/2) = w_(N-1/2) + (sum M / I)_N dt,    theta_(N+1) = theta_N + w_(N+1/2) dt    23, 23a
  *
- * Gravity adds m g to sum F. With global damping the old velocity is multiplied by `keep`, the force by `push`:
+ * Gravity adds m g to sum F. Global damping multiplies the old velocity by `keep` and the force by `impulse`:
  *
- *   C = alpha m        keep = (1 - alpha dt/2)/(1 + alpha dt/2),   push = 1/(1 + alpha dt/2)     34-36
- *   CON1, as CS79      keep = CON1/(2 - CON1),   push = 1/(2 - CON1)       the same with alpha dt/2 = 1 - CON1
- *   CON1, velocity     keep = CON1,              push = 1
- *   CON1, all          keep = CON1,              push = CON1
+ *   C = alpha m        keep = (1 - alpha dt/2)/(1 + alpha dt/2),   impulse = 1/(1 + alpha dt/2)     34-36
+ *   CON1, as CS79      keep = CON1/(2 - CON1),   impulse = 1/(2 - CON1)       the same with alpha dt/2 = 1 - CON1
+ *   CON1, velocity     keep = CON1,              impulse = 1
+ *   CON1, all          keep = CON1,              impulse = CON1
  *
- * A body that is carried along has a velocity u = v + c, c = L (x_N - x_0) over the step from t_N: what carries it, a strain
- * rate L about x_0 [R89 4.41]. Forces and damping act on v:
+ * With affine motion the total velocity is u = v + c, where c = L (x_N - x_0) in the step from t_N, and L is a strain rate
+ * about x_0 [R89 4.41]. Forces and damping act on v:
  *
- *   u_(N+1/2) = keep (u_(N-1/2) - c_(N-1/2)) + push (sum F / m)_N dt + c_(N+1/2)
+ *   u_(N+1/2) = keep (u_(N-1/2) - c_(N-1/2)) + impulse (sum F / m)_N dt + c_(N+1/2)
  *
- * Contacts see u, so L z dt of two bodies that are z apart [R89 4.42], without knowing of it. What is held by a boundary has
- * no v. A scene in which nothing but a boundary is carried has the loop without c.
+ * Contacts read u; the affine part of the relative displacement of two particles with separation z is L z dt [R89 4.42].
+ * Particles held by a boundary have v = 0. A scene in which only a boundary moves affinely uses the loop without c.
  *
- * The velocities of a page belong to time 0, those of the scheme to half steps: the first kick lasts half a step, and one
- * between two steps of unlike length the mean of both. BALL starts from rest without forces, where that is the same.
+ * A page's velocities belong to time 0, those of the scheme to half steps. So the first kick lasts half a step, and a kick
+ * between two steps of unequal length lasts their mean. BALL starts from rest without forces, where both are the same.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "motion.h"
 
-/* What there is of a bunch of bodies while they are moved: it stays in the first-level cache. */
+/* Working memory for a batch of particles; it stays in the first-level cache. */
 enum { BATCH_SIZE = 128 };
 struct batch {
   struct nb_vec force[BATCH_SIZE], c[BATCH_SIZE];                            /* N, m/s */
-  double moment[BATCH_SIZE];                                                 /* N: over the radius */
+  double moment[BATCH_SIZE];                                                 /* N: divided by the radius */
   double keep[2 * BATCH_SIZE], kick[2 * BATCH_SIZE], travel[2 * BATCH_SIZE]; /* for each component */
 };
 
@@ -46,7 +46,7 @@ static inline NB_FORM void sum_forces(struct batch *batch, const struct nb_conta
   }
 }
 
-/* m g, when there is any [CS79, Motion]. */
+/* m g [CS79, Motion]. */
 static void add_weight(struct batch *batch, const double *mass, struct nb_vec gravity, size_t n) {
   for (size_t k = 0; k < n; k++)
     batch->force[k] = vec_add(batch->force[k], vec_scale(mass[k], gravity));
@@ -62,22 +62,23 @@ static void add_boundary_force(struct batch *batch, const struct nb_vec *boundar
     batch->force[k] = vec_add(batch->force[k], boundary_force[k]);
 }
 
-/* What one thread needs for its bodies. */
+/* The arguments of one thread. */
 struct task {
-  struct nb_particles particles; /* a copy: no store through one pointer can be thought to change another */
+  struct nb_particles particles; /* a copy: the compiler knows that stores to particle data do not change it */
   const struct nb_incidence *incidence;
   struct nb_kick_factors factors;
   struct nb_vec gravity; /* m/s2 */
   struct nb_central central;
   const struct nb_vec *boundary_force; /* NULL: no stress on a boundary */
-  const struct nb_affine *affine;      /* NULL: nothing is carried along */
-  bool along;                          /* the step carries all bodies */
-  bool cell;                           /* there is one */
-  double time, step, travel_limit; /* of the kick and of the drift, s; how far a body may go without a new search, m */
+  const struct nb_affine *affine;      /* NULL: no affine motion */
+  bool along;                          /* all particles move affinely */
+  bool cell;                           /* periodic */
+  double time, step,
+      travel_limit; /* duration of the kick and of the drift, s; distance that requires a new search, m */
 };
 
-/* v, without what carries the body, and c over the step to come, of which with `accumulated` nothing is remembered: it stays in v.
- * `alike`: one rate is that of all. */
+/* Own velocity v without c, and c of the next step. With `accumulated`, c stays part of v. `alike`: all particles
+ * have the same rate. */
 static inline NB_FORM void add_affine(const struct task *task, struct batch *batch, size_t from, size_t n, bool alike) {
   struct nb_vec *velocity = task->particles.velocity + from, *imposed = task->particles.imposed + from;
   const struct nb_vec *position = task->particles.position + from;
@@ -92,9 +93,9 @@ static inline NB_FORM void add_affine(const struct task *task, struct batch *bat
   }
 }
 
-/* Kick and drift, 22, 22a, and what fixed bodies do: they go on as they go, no force and no damping reaches them. `along`: of
- * bodies that are carried along. Answers how many are out of reach of the last search, or nowhere: what is not a number is
- * within no reach. Components are taken one after the other, the loops are wide. */
+/* Kick and drift, 22, 22a. Fixed particles keep their velocity: neither force nor damping acts on them. `along`: with
+ * affine motion. Returns the number of particles that moved beyond the travel limit; NaN compares as beyond it. Vector
+ * components are processed as one array, so the loops vectorise. */
 static inline NB_FORM int drift(const struct task *task, struct batch *batch, size_t from, size_t n, bool along) {
   const double *mass = task->particles.inverse_mass + from,
                *search_position = vec_flat(task->particles.search_position + from);
@@ -124,7 +125,7 @@ static inline NB_FORM int drift(const struct task *task, struct batch *batch, si
   return out;
 }
 
-/* Whether anything turns: without shear forces nothing begins to. */
+/* Whether any particle rotates: without shear forces none begins to. */
 static inline NB_FORM bool any_spin(const double *spin, size_t n) {
   unsigned long count = 0;
   NB_WIDE
@@ -134,7 +135,7 @@ static inline NB_FORM bool any_spin(const double *spin, size_t n) {
   return count > 0;
 }
 
-/* The same for turning, 23, 23a. */
+/* The same for rotation, 23, 23a. */
 static inline NB_FORM void rotate(const struct task *task, const struct batch *batch, size_t from, size_t n) {
   const double *inertia = task->particles.inverse_inertia + from;
   double *spin = task->particles.spin + from, *angle = task->particles.angle + from;
@@ -151,7 +152,8 @@ static inline NB_FORM void rotate(const struct task *task, const struct batch *b
     surface[k].speed = spin[k] * surface[k].radius;
 }
 
-/* A cell carries the whole list of contacts: so the places of the last search, and the reach is for what bodies do besides. */
+/* A cell moves the positions of the last search affinely too, so travel_limit applies to the motion relative to it.
+ * */
 static inline NB_FORM void move_list(const struct task *task, size_t from, size_t n) {
   struct nb_vec *search_position = task->particles.search_position;
   for (size_t k = from; k < from + n; k++)

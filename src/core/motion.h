@@ -1,4 +1,4 @@
-/* What the motion of bodies is made of: shared by motion.c, which moves them, and velocity.c, which says how they move.
+/* Parts of the integration of motion that motion.c (moves particles) and velocity.c (computes velocities) share.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_MOTION_H
@@ -8,7 +8,8 @@
 
 static inline double nb_kick_time(const struct nb_model *model) { return (model->previous_step + model->step) / 2; }
 
-/* What global damping takes in a kick of dt seconds: shares of m v-, of m v+ and of the forces' impulse. */
+/* What global damping removes in a kick of dt seconds, as fractions: of m v-, of m v+, and of the impulse of the
+ * forces. */
 struct nb_damping_losses {
   double old, new, impulse;
 };
@@ -16,7 +17,7 @@ struct nb_damping_losses {
 static inline struct nb_damping_losses nb_damping_losses_of(const struct nb_damping *damping, double dt) {
   const double g = damping->global, half = g * dt / 2;
   switch (damping->global_kind) {
-  case NB_GLOBAL_MASS: /* C = alpha m on the mean velocity [CS79 34] */
+  case NB_GLOBAL_MASS: /* C = alpha m, applied to the mean velocity [CS79 34] */
     return (struct nb_damping_losses){half, half, 0};
   case NB_GLOBAL_CON1_CS79: /* alpha dt/2 = 1 - CON1 */
     return (struct nb_damping_losses){1 - g, 1 - g, 0};
@@ -30,7 +31,8 @@ static inline struct nb_damping_losses nb_damping_losses_of(const struct nb_damp
   return (struct nb_damping_losses){0, 0, 0};
 }
 
-/* Of the kick around a stage's t_0 the part before t_0 is damped as the stage before was: `before` is its share of the kick. */
+/* In the kick around a stage's begin t_0 the part before t_0, the fraction `before`, has the damping of the previous
+ * stage. */
 static inline struct nb_damping_losses nb_damping_losses(const struct nb_model *model, double dt, double before) {
   const struct nb_damping_losses now = nb_damping_losses_of(&model->damping, dt);
   if (model->stage_cycle > 0 || before == 0 ||
@@ -55,10 +57,10 @@ static inline struct nb_kick_factors nb_kick_factors(const struct nb_model *mode
   return (struct nb_kick_factors){(1 - lost.old) / (1 + lost.new), (1 - lost.impulse) / (1 + lost.new)};
 }
 
-/* Where the forces on bodies are found. */
+/* Arrays of the contact forces. */
 struct nb_contact_forces {
   const struct nb_vec *force;
-  const double *total_shear; /* NULL: no shear */
+  const double *total_shear; /* NULL: no shear forces */
 };
 
 static inline struct nb_contact_forces nb_contact_forces_of(const struct nb_model *model) {
@@ -66,8 +68,8 @@ static inline struct nb_contact_forces nb_contact_forces_of(const struct nb_mode
                                     model->plan.has_friction ? model->contacts.kept[model->plan.total_shear] : NULL};
 }
 
-/* The force stored is the one on the contact's first body, so where a body is second it feels the opposite. The shear forces
- * F_s are counterclockwise on both [CS79, The force-displacement law]: their sum is left in `moment`, without the radius. */
+/* The stored force is the one on the contact's first particle; the second one gets the opposite. The shear force F_s
+ * is counterclockwise on both [CS79, The force-displacement law]; `moment` is the sum of F_s, without the radius. */
 static inline NB_FORM struct nb_force nb_contact_force_sum(struct nb_contact_forces contact_forces,
                                                            struct nb_contact_range its, bool rotates) {
   struct nb_force sum = {.moment = 0};
@@ -87,7 +89,7 @@ static inline NB_FORM struct nb_force nb_contact_force_sum(struct nb_contact_for
 
 static inline bool nb_has_gravity(struct nb_vec gravity) { return gravity.x != 0 || gravity.y != 0; }
 
-/* m G towards the point; nothing at the point itself. */
+/* m G towards the point; zero at the point itself. */
 static inline struct nb_vec nb_central_force(const struct nb_central *gravity, double mass, struct nb_vec x) {
   const struct nb_vec travel = vec_sub(gravity->point, x);
   const double distance = vec_length(travel);

@@ -1,16 +1,15 @@
-/* The list of pairs that may come to touch: bodies, and bodies and walls, that are nearer than the skin.  [CS79; R89 4.3.1, TOL]
+/* The neighbour list: pairs of particles, and of particles and walls, that are closer than the skin.  [CS79; R89 4.3.1, TOL]
  *
- * All pairs closer than the skin are listed, touching or not. As long as no body and no wall is farther than half the skin
- * from where it was then, a pair that is not listed cannot touch. A scene in which nothing travels is search_position once, when it
- * is made; one in which nothing is free to touch anything has an infinite skin and is never search_position. A contact that was
- * listed before keeps its memory.
+ * All pairs closer than the skin are listed, touching or not. Until a particle or a wall has moved by more than half the
+ * skin, a pair that is not listed cannot touch. A scene without motion is searched once, when it is created. If no free particle can
+ * touch anything, the skin is infinite and there is no search. A contact that stays in the list keeps its history.
  *
- * Bodies lie in boxes on levels by size (grid.h), each on the finest level whose boxes are as wide as it is and the skin. A body
- * looks at the nine boxes around it on its own level, and on those of larger bodies, as far as there are any. Scenes of a few
- * bodies have no boxes.
+ * Particles are in a grid of boxes with levels by size (grid.h), each on the finest level whose boxes are at least as wide as its
+ * diameter plus the skin. For each particle the nine boxes around it are searched, on its own level and on those of larger
+ * particles. Scenes of a few particles need no grid.
  *
- * In a periodic cell (cell.c) bodies count as where their copy in the cell is. Whichever of its copies comes near the cell
- * looks around as well, and that finds every pair once.
+ * In a periodic cell (cell.c) each particle is represented by its image in the cell. The search starts also from those of
+ * its images that are near the cell, which finds every pair once.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -19,12 +18,12 @@
 #include "grid.h"
 #include "model.h"
 
-enum { GRID_MIN_PARTICLES = 16 }; /* bodies without boxes */
+enum { GRID_MIN_PARTICLES = 16 }; /* with fewer all pairs are tested */
 
 struct search {
   struct nb_grid grid;
-  struct nb_wrap wrap;    /* of the periodic cell that bodies are in; */
-  struct nb_vec *wrapped; /* per slot: where its copy in the cell is, m; NULL without a cell */
+  struct nb_wrap wrap;    /* of the periodic cell; */
+  struct nb_vec *wrapped; /* for each slot: its image in the cell, m; NULL without a cell */
 };
 
 static bool wrap_positions(struct search *search, const struct nb_model *model) {
@@ -71,7 +70,7 @@ static int material_pair_of(const struct nb_model *model, int material_a, int ma
   return -1;
 }
 
-/* Bodies i and j, `apart` from each other, are listed when they are near, the one with the smaller number first. */
+/* Lists particles i and j, separated by `apart`, if they are near; the one with the smaller number first. */
 static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *model, int i, int j,
                            struct nb_vec apart) {
   const struct nb_particles *particles = &model->particles;
@@ -88,13 +87,13 @@ static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *mo
   return pairs_add(pairs, a, b, material_pair_of(model, particles->material[a], particles->material[b], false));
 }
 
-/* Who looks around, and from where: it is at `from`, or a copy of it is. */
+/* A particle, and the position, its own or an image's, from which to search. */
 struct observer {
   int i;
   struct nb_vec from; /* m */
 };
 
-/* The bodies of one box: all of them when they are larger than i, those with larger numbers on its own level. */
+/* Tests the particles of one box: all larger ones, and those of the same level with larger numbers. */
 static bool neighbours_in_box(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                               struct observer observer, struct nb_box box) {
   const int *number = model->particles.number;
@@ -123,11 +122,11 @@ static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model 
   return true;
 }
 
-/* How much farther out, 1, copies are looked for than a contact reaches: none is missed by rounding, 1e-16, and one too many costs a
- * look at its box. */
+/* Images are searched for up to this fraction, 1, beyond the range of a contact: rounding, 1e-16, then misses none.
+ * */
 static const double image_margin = 1e-12;
 
-/* From each of the nine copies of i that lies in the cell, or no farther outside than a contact reaches. */
+/* Searches from those of the nine images of i that are in the cell or within the range of a contact. */
 static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
                              int i) {
   const struct nb_wrap *wrap = &search->wrap;
@@ -157,7 +156,7 @@ static bool neighbour_walls(struct nb_neighbour_pairs *pairs, struct nb_model *m
   return true;
 }
 
-/* Adds every pair that is near, once, in no order; false: no memory. */
+/* Adds every near pair once, unsorted; false: no memory. */
 static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const struct nb_vec *x = particles->position;
@@ -180,7 +179,8 @@ static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model)
   return ok;
 }
 
-/* By the number of the first body: counted out. Those of one body, a few, by insertion in the order in which it sums forces. */
+/* Counting sort by the number of the first particle, then insertion sort of each particle's few pairs in the order of
+ * force summation. */
 static bool sort_pairs(struct nb_neighbour_pairs *pairs, const struct nb_model *model) {
   const size_t n = pairs->count, particles = model->particles.count;
   const int *number = model->particles.number;
@@ -227,7 +227,7 @@ enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *err
     nb_cell_reset_travel(model->cell, model->search.skin);
   model->search.count += searching;
   model->search.last_cycle = model->cycle;
-  /* Before the guard, which may end the run: the old blocks went with the old contacts. */
+  /* Before the guard, which may end the run: the old blocks were freed with the old contacts. */
   if (nb_blocks_create(model, error))
     return error->status;
   return model->search.check_pairs ? nb_guard_pairs(model, error) : NB_OK;

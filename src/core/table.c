@@ -1,4 +1,4 @@
-/* Tables: rows of named columns.
+/* Tables with named columns.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

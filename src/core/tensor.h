@@ -1,10 +1,10 @@
-/* Tensors of second order in the plane, by value: stress, fabric, velocity gradient.
+/* Second-order tensors in the plane, by value: stress, fabric, velocity gradient.
  *
- * Principal values and direction are those of the symmetric part, as on Mohr's circle [R89 figure 4.1]:
+ * Principal values and direction are those of the symmetric part, from Mohr's circle [R89 figure 4.1]:
  *   T_1,2 = (T_xx + T_yy)/2 +- r                        major and minor               [R89 4.52, 4.53]
  *   r = sqrt((T_xy + T_yx)^2 + (T_xx - T_yy)^2)/2       radius of the circle
- *   theta = 1/2 arctan((T_xy + T_yx)/(T_xx - T_yy))     from x to the major one's axis, counterclockwise [R89 4.54]
- * With the arctangent of the quotient alone theta may be the minor one's; here the quadrant decides, -pi/2 < theta <= pi/2.
+ *   theta = 1/2 arctan((T_xy + T_yx)/(T_xx - T_yy))     from x to the major axis, counterclockwise [R89 4.54]
+ * The arctangent of the quotient may give the minor axis; atan2 gives the major one, -pi/2 < theta <= pi/2.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_TENSOR_H
@@ -28,7 +28,7 @@ static inline struct nb_tensor tensor_sub(struct nb_tensor a, struct nb_tensor b
 static inline struct nb_tensor tensor_scale(double s, struct nb_tensor a) {
   return tensor(s * a.xx, s * a.xy, s * a.yx, s * a.yy);
 }
-/* T_ij v_j: what a velocity gradient makes of a place. */
+/* T_ij v_j: velocity at a position, from a velocity gradient. */
 static inline struct nb_vec tensor_times(struct nb_tensor a, struct nb_vec v) {
   return vec(a.xx * v.x + a.xy * v.y, a.yx * v.x + a.yy * v.y);
 }
@@ -44,7 +44,7 @@ static inline double tensor_determinant(struct nb_tensor a) { return a.xx * a.yy
 static inline struct nb_tensor tensor_inverse(struct nb_tensor a) {
   return tensor_scale(1 / tensor_determinant(a), tensor(a.yy, -a.xy, -a.yx, a.xx));
 }
-/* a_i b_j: what one contact adds to a stress, or one normal to a fabric. */
+/* a_i b_j: the contribution of one contact to a stress, or of one normal to a fabric. */
 static inline struct nb_tensor tensor_outer(struct nb_vec a, struct nb_vec b) {
   return tensor(a.x * b.x, a.x * b.y, a.y * b.x, a.y * b.y);
 }
@@ -53,7 +53,7 @@ static inline struct nb_tensor tensor_symmetric(struct nb_tensor a) {
   return tensor(a.xx, mixed, mixed, a.yy);
 }
 static inline double tensor_trace(struct nb_tensor a) { return a.xx + a.yy; }
-static inline double tensor_largest(struct nb_tensor a) { /* of its components, without sign */
+static inline double tensor_largest(struct nb_tensor a) { /* largest absolute value of a component */
   const double parts[] = {fabs(a.xx), fabs(a.xy), fabs(a.yx), fabs(a.yy)};
   double most = 0;
   for (int k = 0; k < 4; k++)
@@ -68,9 +68,9 @@ static inline double tensor_radius(struct nb_tensor a) {
 }
 static inline double tensor_major(struct nb_tensor a) { return tensor_mean(a) + tensor_radius(a); }
 static inline double tensor_minor(struct nb_tensor a) { return tensor_mean(a) - tensor_radius(a); }
-static inline double tensor_angle(struct nb_tensor a) { /* rad; 0 where all directions are alike */
+static inline double tensor_angle(struct nb_tensor a) { /* rad; 0 for an isotropic tensor */
   const double angle = atan2(a.xy + a.yx, a.xx - a.yy) / 2;
-  return angle > -1.57079632679489661923 ? angle : 1.57079632679489661923; /* a minus in front of a zero */
+  return angle > -1.57079632679489661923 ? angle : 1.57079632679489661923; /* atan2 of a negative zero */
 }
 
 #endif

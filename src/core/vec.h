@@ -21,10 +21,10 @@ static inline double vec_dot(struct nb_vec a, struct nb_vec b) { return a.x * b.
 static inline double vec_length(struct nb_vec a) { return sqrt(a.x * a.x + a.y * a.y); }
 /* Turned clockwise by 90 degrees: t = (e2, -e1) [CS79 10]. */
 static inline struct nb_vec vec_clockwise(struct nb_vec e) { return vec(e.y, -e.x); }
-/* The components of vectors in a row, one after the other. */
+/* The components of an array of vectors as one array. */
 static inline double *vec_flat(struct nb_vec *first) { return (double *)(void *)first; }
 
-/* Both components in one register, for loops that fetch vectors from all over: the same sums, half the instructions. */
+/* Both components in one register, for loops that gather vectors: the same sums with half the instructions. */
 typedef double nb_both __attribute__((vector_size(2 * sizeof(double)), may_alias));
 static inline nb_both vec_both(const struct nb_vec *at) { return *(const nb_both *)(const void *)at; }
 static inline void vec_put(struct nb_vec *at, nb_both both) { *(nb_both *)(void *)at = both; }

@@ -1,4 +1,4 @@
-/* What bodies feel, and how they move now: their velocities at t_N, between two half steps.                   [CS79 31]
+/* Forces on particles, and velocities at t_N, between two half steps.                   [CS79 31]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "motion.h"
@@ -18,7 +18,7 @@ struct nb_vec nb_weight(const struct nb_model *model, size_t slot, struct nb_vec
              : weight;
 }
 
-/* With m g and what presses on a boundary: all that a free body feels. */
+/* Adds the weight and the force of a stress on the boundary. */
 static struct nb_force all_forces(const struct nb_model *model, size_t slot, struct nb_force sum) {
   if (nb_has_gravity(model->gravity) || model->central.acceleration != 0)
     sum.force = vec_add(sum.force, nb_weight(model, slot, model->particles.position[slot]));
@@ -38,7 +38,7 @@ struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot)
                                 particles->spin ? particles->spin[slot] : 0};
 }
 
-/* Its own velocity after a kick. What is fixed goes on as it goes: no force and no damping reaches it. */
+/* Own velocities after a kick. Those of a fixed particle stay: neither force nor damping acts on it. */
 static struct nb_velocities kicked_velocities(const struct nb_model *model, size_t slot, struct nb_kick_factors f,
                                               double time) {
   const struct nb_particles *particles = &model->particles;
@@ -60,7 +60,7 @@ struct nb_velocities nb_velocity_now(const struct nb_model *model, size_t slot) 
   const struct nb_velocities before = nb_velocity_half(model, slot);
   const double dt = model->previous_step;
   if (!(dt > 0))
-    return before; /* the start: a page's velocities are those of time 0 */
+    return before; /* at the start a page's velocities are those of time 0 */
   const struct nb_velocities next = kicked_velocities(model, slot, nb_kick_factors(model, dt, 1), dt);
   return (struct nb_velocities){vec_scale(0.5, vec_add(before.velocity, next.velocity)), (before.spin + next.spin) / 2};
 }
@@ -76,7 +76,7 @@ struct nb_vec nb_velocity_total(const struct nb_model *model, size_t slot) {
   return vec_add(nb_velocity_now(model, slot).velocity, nb_imposed_now(model, slot));
 }
 
-/* v_N = (v- + v+)/2 with v+ = keep v- + push (F/m) dt: a force less is made up for by so much more of v-. */
+/* v_N = (v- + v+)/2 with v+ = keep v- + impulse (F/m) dt. When a force ceases, a larger v- makes up for it. */
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending) {
   struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;
@@ -88,13 +88,13 @@ void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force
     particles->spin[slot] += time * particles->inverse_inertia[slot] * ending.moment;
 }
 
-/* The velocity behind with which a body has this one at t_N, by the forces that it has now. */
+/* Solves for the half-step velocity behind that gives `now` at t_N under the current forces. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now) {
   struct nb_particles *particles = &model->particles;
   const double dt = model->previous_step;
   const struct nb_vec v = nb_velocity_half(model, slot).velocity;
   const struct nb_kick_factors f = nb_kick_factors(model, dt, 1);
-  const struct nb_velocities next = kicked_velocities(model, slot, f, dt); /* keep v + what else there is */
+  const struct nb_velocities next = kicked_velocities(model, slot, f, dt); /* keep v + the other terms */
   const double spin_kept = particles->inverse_inertia[slot] > 0 ? f.keep : 1;
   const struct nb_vec rest = vec_sub(next.velocity, vec_scale(f.keep, v));
   const double turned = next.spin - spin_kept * (particles->spin ? particles->spin[slot] : 0);
@@ -106,8 +106,8 @@ void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_veloc
     particles->spin[slot] = (2 * now.spin - turned) / (1 + spin_kept);
 }
 
-/* A kick by the forces at t_N makes v_(N+1/2) of v_(N-1/2). For it to make -v_(N-1/2), which leads back to x_(N-1), the velocity
- * behind must become -v_(N+1/2). At the start there is none behind: the velocities are those of time 0. */
+/* A kick by the forces at t_N turns v_(N-1/2) into v_(N+1/2). To obtain -v_(N-1/2), which leads back to x_(N-1), the
+ * velocity before the kick must be -v_(N+1/2). At the start the velocities are those of time 0. */
 void nb_motion_reverse(struct nb_model *model) {
   struct nb_particles *particles = &model->particles;
   const double time = nb_kick_time(model);
@@ -119,6 +119,6 @@ void nb_motion_reverse(struct nb_model *model) {
     if (particles->imposed)
       particles->velocity[i] = vec_add(particles->velocity[i], particles->imposed[i]);
     if (particles->spin)
-      particles->spin[i] = -v.spin; /* the next motion makes the speed of the rim of it */
+      particles->spin[i] = -v.spin; /* the next motion updates the surface speed */
   }
 }

@@ -1,16 +1,17 @@
-/* One contact at a common end of two walls.
+/* A single contact at a vertex, the common end of two walls.
  *
- * A disc that rolls from one wall on to the next passes their common end E. There both walls are near: on one the nearest
- * point is E, on the other E or a point inside. Counted twice, the disc would be pushed twice. So, of two walls that meet,
+ * When a disc rolls from one wall onto the next, both walls are near at the vertex E. The nearest point of the first wall
+ * is E, that of the other is E or a point inside. Two contacts would push the disc twice. Therefore
  *
- *   a contact at E is muted (it counts as not touching) when the disc stands before the inside of the other wall,
- *   and of two contacts at E that of the wall which the page defines first stays.
+ *   a contact at E is suppressed (treated as not touching) when the nearest point of the other wall is inside that wall;
+ *   of two contacts at E that of the wall defined first on the page is kept.
  *
- * Two contacts before the insides of two walls, in a corner that a disc is pressed into, are two. Where a disc goes over from one
- * wall to the other, the contact that falls silent hands what its laws remember to the one that speaks up, so that neither
- * the normal nor the shear force jumps on a straight joint or around an outer corner.
+ * A disc pressed into a corner touches the insides of both walls and keeps two contacts. When a disc passes from one wall to
+ * the other, the contact that becomes suppressed passes its history to the one that becomes active. So neither the normal
+ * nor the shear force jumps at a vertex of a straight line or at an outer corner.
  *
- * Two ends are a common one while they are closer than `coincidence_limit` and what rounding adds far from the origin. Ends that are apart at time 0 are never taken as one.
+ * Two ends form a vertex while their distance is below `coincidence_limit` plus the rounding of coordinates far from the origin. Ends
+ * that are apart at time 0 never do.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -18,9 +19,10 @@
 
 #include "model.h"
 
-enum { NOW = 1, BEFORE = 2 }; /* bits of what is muted: in these forces, and in the ones before */
+enum { NOW = 1, BEFORE = 2 }; /* bits of `suppressed`: in the current forces, and in the previous ones */
 
-/* Two ends nearer than this share of the disc's radius, 1, are one: the largest error that this makes in an overlap. */
+/* Ends closer than this fraction of the disc's radius, 1, form a vertex: the largest error this causes in an overlap.
+ * */
 static const double coincidence_limit = 1e-9;
 
 static double coincidence_distance(struct nb_vec end, double radius) {
@@ -48,9 +50,9 @@ bool nb_vertices_exist(const struct nb_scene *scene) {
   return false;
 }
 
-/* ---- which there are ---- */
+/* ---- finding vertices ---- */
 
-/* Contacts c and d of one body: do their walls meet where it may touch before the next search? */
+/* Adds the vertices of the walls of contacts c and d, of one particle, that it may touch before the next search. */
 static bool find_vertices(struct nb_model *model, int c, int d) {
   const struct nb_contacts *contacts = &model->contacts;
   const int i = contacts->a[c];
@@ -69,7 +71,7 @@ static bool find_vertices(struct nb_model *model, int c, int d) {
   return true;
 }
 
-/* Contacts that meet no other are heard; those that do go on as before. */
+/* Contacts without a vertex are active; the others keep their state. */
 static void reset_other_contacts(struct nb_model *model) {
   int *suppressed = model->contacts.suppressed;
   for (size_t c = model->contacts.wall_from; c < model->contacts.count; c++)
@@ -95,9 +97,9 @@ bool nb_vertices_find(struct nb_model *model) {
   return true;
 }
 
-/* ---- what they do ---- */
+/* ---- suppressing contacts ---- */
 
-/* Whether the point of the wall that is nearest to the body is that end. */
+/* Whether that end is the wall's nearest point to the particle. */
 static bool nearest_is_end(const struct nb_model *model, int contact, int end) {
   const struct nb_walls *walls = &model->walls;
   const int i = model->contacts.a[contact], w = model->contacts.b[contact];
@@ -107,15 +109,15 @@ static bool nearest_is_end(const struct nb_model *model, int contact, int end) {
   return end ? s >= walls->h2[w] - tolerance : s <= walls->h1[w] + tolerance;
 }
 
-/* The contact that is muted; -1: neither. */
+/* The contact to suppress; -1: neither. */
 static int suppressed_contact(const struct nb_model *model, const struct nb_vertex *vertex) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_vec one = nb_wall_end(&model->walls, contacts->b[vertex->c], vertex->at_c);
   const struct nb_vec other = nb_wall_end(&model->walls, contacts->b[vertex->d], vertex->at_d);
   if (!coincident(one, other, model->particles.surface[contacts->a[vertex->c]].radius))
-    return -1; /* the walls have parted */
+    return -1; /* the walls have separated */
   if (nearest_is_end(model, vertex->d, vertex->at_d))
-    return vertex->d; /* there is nothing that the first wall's contact does not say, at E or before its inside */
+    return vertex->d; /* the first wall's contact, at E or inside, suffices */
   return nearest_is_end(model, vertex->c, vertex->at_c) ? vertex->c : -1;
 }
 

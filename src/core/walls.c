@@ -1,16 +1,15 @@
-/* How walls move, and what must not happen: that a body goes through one.      [CS79, Input parameters; figure 4]
+/* Motion of walls, and the test that no particle passes through one.      [CS79, Input parameters; figure 4]
  *
- *   P <- P + v_P dt,    e <- e turned by (dalpha/dt) dt about P
+ *   P <- P + v_P dt,    e <- e rotated by (dalpha/dt) dt about P
  *
- * The turn is exact: e is rotated by the angle and made of length 1 again, so a wall neither grows nor drifts outwards,
- * however long it turns. What a body feels of it is the velocity of its point Q, v_P + (dalpha/dt) x (Q - P), taken over the
- * step behind as the velocity of the body is: the way of that point by the step, a chord and not a tangent.
+ * The rotation is exact: e is rotated by the angle and normalised, so a wall neither grows nor drifts. Contacts use the
+ * velocity of the wall's point Q, v_P + (dalpha/dt) x (Q - P), averaged over the last step as the particle's velocity
+ * is: the displacement of that point over the step, a chord and not a tangent.
  *
- * A wall pushes a disc to the side that its centre is on. A centre that has come to the other side would be pushed on: the
- * disc is lost, because it was too fast for the step or pressed harder than its radius. That is looked for, in the frame of
- * the wall, at both ends of the step, for all pairs whenever something has gone so far that contacts are looked for anew.
- * Before that a body and a wall come nearer by the skin at most; so only where a centre was within the skin of a wall at the
- * last search are the listed pairs looked at in every cycle.
+ * A wall pushes a disc towards the side of its centre. If the centre crosses to the other side, the disc is pushed through:
+ * it was too fast for the step, or its overlap exceeded its radius. The test compares the sides of the centre, in the frame
+ * of the wall, at both ends of the step. It covers all pairs at each search. Between searches a particle and a wall approach by
+ * at most the skin, so listed pairs are tested in every cycle only if a centre was within the skin of a wall at the last search.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -23,14 +22,15 @@ static struct nb_vec rotated(struct nb_vec e, struct nb_vec by) {
   return vec_scale(1 / vec_length(to), to);
 }
 
-/* The arc of its far end leaves the chord by more than the smallest radius: guard.c says why. */
+/* The arc of the wall's far end departs from the chord by more than the smallest radius; see guard.c. */
 bool nb_rotates_too_far(const struct nb_model *model, size_t w, double angle) {
   const struct nb_walls *walls = &model->walls;
   const double end = fabs(walls->h0[w]) + fmax(fabs(walls->h1[w]), fabs(walls->h2[w]));
   return angle * angle * fmax(end, model->search.smallest_radius) > 8 * model->search.smallest_radius;
 }
 
-/* Returns how many walls have an end farther from where the last search found it than half the skin, or moved too far. */
+/* Returns the number of walls with an end that moved by more than half the skin since the last search, or that
+ * rotated too far. */
 int nb_motion_walls(struct nb_model *model) {
   struct nb_walls *walls = &model->walls;
   int out = 0;
@@ -45,7 +45,7 @@ int nb_motion_walls(struct nb_model *model) {
     }
     walls->angle[w] += angle;
     walls->point[w] = vec_add(walls->pivot[w], vec_scale(-walls->h0[w], vec_clockwise(walls->along[w])));
-    bool far = nb_rotates_too_far(model, w, angle); /* its ends may be where they were */
+    bool far = nb_rotates_too_far(model, w, angle); /* after a full turn the ends are where they were */
     for (int end = 0; end < 2; end++)
       far = far || !(vec_length(vec_sub(nb_wall_end(walls, (int)w, end),
                                         walls->search_position[2 * w + (size_t)end])) <= model->search.skin / 2);
@@ -60,13 +60,13 @@ void nb_walls_reset_travel(struct nb_walls *walls) {
       walls->search_position[2 * w + (size_t)end] = nb_wall_end(walls, (int)w, end);
 }
 
-/* Where a point stands to a wall: along it, and to the left of it, m. */
+/* Coordinates of a point relative to a wall: along it, and to its left, m. */
 static struct nb_vec wall_coordinates(struct nb_vec x, struct nb_vec pivot, struct nb_vec along, double h0) {
   const struct nb_vec from_p = vec_sub(x, pivot);
   return vec(vec_dot(from_p, along), -vec_dot(from_p, vec_clockwise(along)) - h0);
 }
 
-/* False when body i is farther from the line of wall w than it and the wall can have come in a step: nearly always. */
+/* False when particle i is farther from the line of wall w than both can move in a step, which is the common case. */
 static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
   const struct nb_walls *walls = &model->walls;
   const struct nb_vec x = model->particles.position[i], v = vec_sub(model->particles.velocity[i], walls->velocity[w]);
@@ -76,11 +76,11 @@ static inline bool may_cross(const struct nb_model *model, size_t i, size_t w) {
   return !(away > 2 * model->previous_step * (fabs(v.x) + fabs(v.y) + turn));
 }
 
-/* A crossing this share of a wall's length, 1, beyond its end counts as one: no particle slips through the joint of two walls.
- * Far above the rounding of a coordinate, 1e-16, and far below any gap that a page could mean. */
+/* A crossing up to this fraction of a wall's length, 1, beyond its end counts: no particle slips through a vertex.
+ * Far above the rounding of a coordinate, 1e-16, and far below any intended gap. */
 static const double beyond_end = 1e-12;
 
-/* Whether the centre of body i has come from one side of wall w to the other between its ends, or upon it. */
+/* Whether the centre of particle i came from one side of wall w to the other between its ends, or onto it. */
 static bool crossed(const struct nb_model *model, size_t i, size_t w, double *displacement) {
   const struct nb_walls *walls = &model->walls;
   const double dt = model->previous_step, h0 = walls->h0[w];
@@ -120,7 +120,7 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
 static enum nb_status check_crossing(const struct nb_model *model, size_t i, size_t w, struct nb_error *error) {
   double displacement;
   if (!may_cross(model, i, w) || !(model->particles.inverse_mass[i] > 0) || !crossed(model, i, w, &displacement))
-    return NB_OK; /* what is fixed goes through whatever is in its way */
+    return NB_OK; /* fixed particles may pass through walls */
   return crossing_error(model, i, w, displacement, error);
 }
 

@@ -1,6 +1,6 @@
-/* Warnings: what a page may mean, but hardly does; and numbers that cannot be trusted.
+/* Warnings: doubtful statements of a page, and numbers with too few valid digits.
  *
- * Each is said once. A list holds NB_WARNINGS of them; the others are dropped, as the first ones are what a user needs.
+ * Each is given once. A list holds the first NB_WARNINGS of them; further ones are dropped.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdarg.h>

@@ -1,18 +1,18 @@
-/* Contact dashpots, added to what is felt and never to what is remembered.       [CS79 24-28; R89 4.3, 4.13]
+/* Contact dashpots: added to the contact force, never to the contact history.       [CS79 24-28; R89 4.3, 4.13]
  *
  *   D_n = c_n dn/dt,   D_s = c_s ds/dt                                  [CS79 26, 27]
  *   c = beta k                  `damping stiffness`, beta a time       [CS79 28]
  *   c = beta k t_c/2            `damping r89-fraction`: dN beta/(2 FRAC) is this, since dt = FRAC t_c  [R89 4.3, 4.4]
  *   c = beta 2 sqrt(M* k)       `damping ratio`, a fraction of critical  [R89 4.13, 4.19]
- *   c = 2 sqrt(M* k)            in the place of these where a contact is deep and the page says `critical beyond overlap` [R89 6.4.3]
+ *   c = 2 sqrt(M* k)            instead of these for a deep contact with `critical beyond overlap` [R89 6.4.3]
  *
- * k is k_n for c_n, k_s for c_s; between elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.
+ * k is k_n for c_n and k_s for c_s; for elastic spheres 2 E* a and 8 G* a. Contacts with walls may have their own beta.
  *
- * Where no stage says a share of critical, M* is not kept and no root taken.
+ * Scenes without damping ratios keep no M* and take no roots.
  *
- * The stiffnesses are the ones that the laws answered this cycle. D_s is off while the contact slides [CS79, Damping]; F_n + D_n
- * may be tensile. ds/dt is that of the whole step behind, though the slip of the step in which two bodies meet counts for a part
- * of it only. The limit of F_s has been taken from F_n alone before this pass.
+ * The stiffnesses are those that the laws returned in this cycle. D_s is 0 while the contact slides [CS79, Damping]; F_n + D_n
+ * may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law used only a part of
+ * ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
@@ -32,10 +32,10 @@ struct nb_dashpot nb_dashpot(const struct nb_model *model, bool wall) {
   return (struct nb_dashpot){0};
 }
 
-/* What makes the coefficients of a block. */
+/* The coefficients of a block. */
 struct dashpots {
   struct nb_dashpot dashpot;
-  bool uses_damping_ratio, critical; /* some go with sqrt(M* k); some contacts may be too deep */
+  bool uses_damping_ratio, critical; /* some use sqrt(M* k); some contacts may be too deep */
   const double *mass, *deep;
 };
 
@@ -72,7 +72,7 @@ static inline NB_FORM void add_dashpots(const struct nb_model *model, const stru
     total_shear[c] = shear[c] + (1 - sliding[c]) * (coefficient(&spec, shear_stiffness[c], c) * (ds[c] * rate));
     began += nb_touch_began(overlap[c], dn[c]);
   }
-  for (size_t c = 0; c < block->n && began > 0; c++) { /* the few of which `slip` is not that of the whole step */
+  for (size_t c = 0; c < block->n && began > 0; c++) { /* new contacts, whose ds is not that of the whole step */
     const double fraction = nb_touch_fraction(overlap[c], dn[c]),
                  displacement = fraction > 0 ? ds[c] / fraction : ds[c];
     if (nb_touch_began(overlap[c], dn[c]))
@@ -96,6 +96,6 @@ NB_FORMS(critical_if_deep)
 
 const struct nb_pass nb_pass_dashpots[] = {
     {"dashpots", NB_FORMS_LIST(stiffness_proportional)},
-    {"dashpots, shares of critical", NB_FORMS_LIST(ratio_of_critical)},
-    {"dashpots, critical where too deep", NB_FORMS_LIST(critical_if_deep)},
+    {"dashpots, damping ratio", NB_FORMS_LIST(ratio_of_critical)},
+    {"dashpots, critical beyond overlap", NB_FORMS_LIST(critical_if_deep)},
 };

@@ -1,11 +1,11 @@
-/* Contacts pressed more deeply than elastic spheres are good for [R89 6.4.3], or than the step was sure to be stable for (stability.c).
+/* Counts contacts with an overlap beyond the range of Hertz theory [R89 6.4.3], or beyond the stable overlap of the step (stability.c).
  *
- *   alpha > s 2 min(R_x, R_y)       s = 7 % of the smaller diameter, or what the page says
- *   alpha > NB_SURE
+ *   alpha > s 2 min(R_x, R_y)       s = 7 % of the smaller diameter, or the page's fraction
+ *   alpha > NB_STABLE_OVERLAP
  *
- * Each cycle in which a contact is so deep counts once. Where the page damps such contacts critically, the pass says which they
- * are: 1 in NB_DEEP, else 0. A block with no overlap above that of the smallest body of all, nor the least sure of its contacts,
- * has none, which is told in one loop.
+ * A deep contact counts once per cycle. Where the page damps such contacts critically, the pass sets NB_DEEP to 1 for them,
+ * else to 0. A first loop compares with the limit of the smallest particle and with the block's smallest stable overlap;
+ * most blocks need no more.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
@@ -56,4 +56,4 @@ static inline NB_FORM void mark_deep(const struct nb_model *model, const struct 
 }
 NB_FORMS(mark_deep)
 
-const struct nb_pass nb_pass_deep = {"overlaps that are too deep", NB_FORMS_LIST(mark_deep)};
+const struct nb_pass nb_pass_deep = {"large overlaps", NB_FORMS_LIST(mark_deep)};

@@ -5,8 +5,8 @@
  *   dn = (v_x - v_y).e dt                                              14
  *   ds = ((v_x - v_y).t - (w_x R_x + w_y R_y)) dt                      15
  *
- * v, w are the velocities over the step behind, so dn and ds are what happened since the last forces. A scene without
- * dashpots needs no dn, one without friction no ds: three forms of one loop.
+ * v, w are the velocities of the last step, so dn and ds are the increments since the last forces. A scene without
+ * dashpots needs no dn, one without friction no ds: the loop exists in three forms.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"
@@ -26,6 +26,6 @@ NB_FORMS(with_tangential_increment)
 
 const struct nb_pass nb_pass_disc_disc[] = {
     {"disc-disc, overlap", NB_FORMS_LIST(overlap_only)},
-    {"disc-disc, overlap and closing", NB_FORMS_LIST(with_normal_increment)},
-    {"disc-disc, overlap, closing and slip", NB_FORMS_LIST(with_tangential_increment)},
+    {"disc-disc, overlap and normal increment", NB_FORMS_LIST(with_normal_increment)},
+    {"disc-disc, overlap and both increments", NB_FORMS_LIST(with_tangential_increment)},
 };

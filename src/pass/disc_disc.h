@@ -1,4 +1,4 @@
-/* Geometry of two discs, or of a disc and a copy of one: the loop of disc_disc.c and periodic.c.        [CS79 8-15]
+/* Geometry of two discs, or of a disc and an image of one: the loop of disc_disc.c and periodic.c.        [CS79 8-15]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_DISC_DISC_H
@@ -6,13 +6,13 @@
 
 #include "pass.h"
 
-/* What the loop of square roots needs, fetched body by body first: bodies lie anywhere, a block's vectors side by side. */
+/* Vectors of a block, gathered from the particles first, so that the loop with the square roots vectorises. */
 struct relative_motion {
   struct nb_vec apart[NB_BLOCK_SIZE], approach[NB_BLOCK_SIZE]; /* y - x, v_x - v_y */
   double rotation[NB_BLOCK_SIZE];                              /* w_x R_x + w_y R_y */
 };
 
-/* `copies`: the second disc is the copy x_j + H m of a periodic cell, which is L H m faster. */
+/* `copies`: the second disc is the image x_j + H m in a periodic cell, whose velocity is larger by L H m. */
 static inline NB_FORM void nb_disc_disc(const struct nb_model *model, const struct nb_block *block,
                                         enum nb_approach approach, bool copies) {
   const struct nb_vec *position = model->particles.position, *velocity = model->particles.velocity;

@@ -1,7 +1,7 @@
 /* Geometry of a disc and a wall.                                     [CS79 figure 1, figure 4]
  *
- * The wall is the segment from P + h1 e_w to P + h2 e_w; the disc meets its nearest point Q, inside the segment or one of
- * its ends, which moves with v_Q = v_P + (dalpha/dt) x (Q - P). With D = |Q - x| the contact is a disc's with that point:
+ * The wall is the segment from P + h1 e_w to P + h2 e_w. The disc touches its nearest point Q, inside the segment or at
+ * an end, which moves with v_Q = v_P + (dalpha/dt) x (Q - P). With D = |Q - x|:
  *
  *   e = (Q - x)/D,   alpha = R - D,   dn = (v - v_Q).e dt,   ds = ((v - v_Q).t - w R) dt        [CS79 12-15, R_y = 0]
  *
@@ -55,6 +55,6 @@ NB_FORMS(with_tangential_increment)
 
 const struct nb_pass nb_pass_disc_wall[] = {
     {"disc-wall, overlap", NB_FORMS_LIST(overlap_only)},
-    {"disc-wall, overlap and closing", NB_FORMS_LIST(with_normal_increment)},
-    {"disc-wall, overlap, closing and slip", NB_FORMS_LIST(with_tangential_increment)},
+    {"disc-wall, overlap and normal increment", NB_FORMS_LIST(with_normal_increment)},
+    {"disc-wall, overlap and both increments", NB_FORMS_LIST(with_tangential_increment)},
 };

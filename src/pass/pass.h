@@ -1,4 +1,4 @@
-/* The passes that the plan chooses from.
+/* The passes that a plan is made of.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_PASS_H
@@ -6,9 +6,9 @@
 
 #include "core/model.h"
 
-/* How much a geometry pass has to find out. */
+/* What a geometry pass computes: overlap; also dn; also ds. */
 enum nb_approach { NB_APPROACH_OVERLAP, NB_APPROACH_NORMAL, NB_APPROACH_TANGENTIAL };
-/* What dashpots of some stage go with: k alone; sqrt(M* k) too; and whether the contact is deep. */
+/* What the dashpots of the scene depend on: k only; also sqrt(M* k); also whether the contact is deep. */
 enum nb_dashpot_kind { NB_DASHPOTS_TIME, NB_DASHPOTS_RATIO, NB_DASHPOTS_DEEP };
 
 extern const struct nb_pass nb_pass_disc_disc[3], nb_pass_periodic[3], nb_pass_disc_wall[3]; /* by enum nb_approach */
@@ -16,7 +16,7 @@ extern const struct nb_pass nb_pass_vertices;
 extern const struct nb_pass nb_pass_deep;
 extern const struct nb_pass nb_pass_dashpots[3]; /* by enum nb_dashpot_kind */
 extern const struct nb_pass nb_pass_resolve[2];  /* without and with shear */
-/* What a contact's dashpots are: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */
+/* Dashpot coefficients of a contact: D_n = time k_n dn/dt + ratio sqrt(M* k_n) dn/dt. */
 struct nb_dashpot {
   double time, ratio;
 };

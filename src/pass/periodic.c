@@ -1,11 +1,11 @@
-/* Geometry of a disc and a copy of one, in a periodic cell.                            [CS79 8-15; R89 4.5.2]
+/* Geometry of a disc and an image of one, in a periodic cell.                            [CS79 8-15; R89 4.5.2]
  *
- *   y + H m - x   in place of y - x,      v_y + L H m   in place of v_y
+ *   y + H m - x   instead of y - x,      v_y + L H m   instead of v_y
  *
- *   H   the cell's sides as columns, m       m   two whole numbers: how many sides on the copy is
- *   L   strain rate of the cell over the step behind, 1/s
+ *   H   the cell's sides as columns, m       m   two integers: the image is m sides away
+ *   L   strain rate of the cell in the last step, 1/s
  *
- * All else is what disc_disc.c has.
+ * Otherwise as disc_disc.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "disc_disc.h"
@@ -24,7 +24,7 @@ NB_FORMS(with_normal_increment)
 NB_FORMS(with_tangential_increment)
 
 const struct nb_pass nb_pass_periodic[] = {
-    {"disc-copy, overlap", NB_FORMS_LIST(overlap_only)},
-    {"disc-copy, overlap and closing", NB_FORMS_LIST(with_normal_increment)},
-    {"disc-copy, overlap, closing and slip", NB_FORMS_LIST(with_tangential_increment)},
+    {"disc-image, overlap", NB_FORMS_LIST(overlap_only)},
+    {"disc-image, overlap and normal increment", NB_FORMS_LIST(with_normal_increment)},
+    {"disc-image, overlap and both increments", NB_FORMS_LIST(with_tangential_increment)},
 };

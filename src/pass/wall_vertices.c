@@ -1,4 +1,4 @@
-/* Contacts with a common end of two walls: one of them counts (wall_vertices.c), the others have no overlap.
+/* Suppressed contacts at vertices of walls (core/wall_vertices.c) get no overlap.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"
@@ -12,4 +12,4 @@ static inline NB_FORM void suppress(const struct nb_model *model, const struct n
 }
 NB_FORMS(suppress)
 
-const struct nb_pass nb_pass_vertices = {"one contact at a common end of walls", NB_FORMS_LIST(suppress)};
+const struct nb_pass nb_pass_vertices = {"single contact at wall vertices", NB_FORMS_LIST(suppress)};
