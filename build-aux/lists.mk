@@ -262,6 +262,7 @@ SUITES = \
   tests/statements.c \
   tests/refs.c tests/refs_covers.c tests/refs_features.c \
   tests/refs_nine.c \
+  tests/refs_rotation.c \
   tests/refs_row.c \
   tests/refs_impact.c \
   tests/refs_damped.c \

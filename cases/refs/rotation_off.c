@@ -1,14 +1,17 @@
-/* Reference: a body that slides on a floor, while it may turn and while it may not; rigid bodies and Coulomb's friction.
+/* Reference: a disc or sphere slides on a floor, with and without rotation; rigid, with Coulomb friction.
  *
- *   v' = -mu g            as long as it slides, whatever it does besides
- *   w = 0                 with `rotation off`, from the moment on that a stage says so
- *   R w' = -q mu g        with rotation, q = m R^2/I: 2 for a disc, 5/2 for a sphere; so the slip s' = v + R w falls by (1 + q) mu g a
- *                         second, and is gone after s'/((1 + q) mu g): then it rolls, with v = -R w and no friction
+ *   v' = -mu g            while it slides
+ *   w = 0                 from a stage with `rotation off` on
+ *   R w' = -q mu g        with rotation, q = m R^2/I: 2 for a disc, 5/2 for a sphere
  *
- * mu is what `pair` says of the two materials, in the scene and in stages. A stage with `until` ends when the slip is gone.
+ * The slip velocity is s' = v + R w. With rotation it falls by (1 + q) mu g per second until the particle rolls, v = -R w; without
+ * rotation s' = v falls by mu g per second until the particle stops. A stage with `until C.sliding below X` ends then.
+ * mu is the friction of `pair`, in the scene or in a stage.
  *
- * Known, when NAME watches the body: NAME.vx, NAME.spin in each stage, at its end; `time in STAGE` of one that ends when the slip is gone;
- *   energy.changed in STAGE     -I w^2/2 of the spins that have been stopped
+ * Returns, for D that monitors the particle:
+ *   D.vx, D.spin in STAGE       at the end of each stage
+ *   time in STAGE               of a stage with `until`
+ *   energy.changed in STAGE     minus the rotational energy I w^2/2 that `rotation off` has removed
  *
  * Source   elementary; the end of sliding as in slide_to_roll.c [MFiX DEM-04].
  *
@@ -19,39 +22,47 @@
 #include "reference.h"
 
 struct motion {
-  double v, w, slip;           /* m/s, rad/s, m/s */
+  double v, w, slip;           /* m/s, rad/s; s', m/s */
   double q, r, g, mu, inertia; /* 1, m, m/s2, 1, kg m2 */
-  double time, stopped;        /* s; J */
-  bool turns;
+  double time, removed;        /* s; rotational energy, J */
+  bool rotates;
 };
 
-/* On for so long, sliding or rolling. */
-static void go(struct motion *m, double time) {
-  const double brake = m->mu * m->g, slides = m->turns ? m->slip / ((1 + m->q) * brake) : m->v / brake;
-  const double t = fmin(time, slides);
-  m->v -= brake * t;
-  if (m->turns)
-    m->w -= m->q * brake * t / m->r;
-  m->slip = t < slides ? m->v + m->r * m->w : 0;
+/* s, from now to the end of sliding */
+static double sliding_time(const struct motion *m) { return m->slip / ((m->rotates ? 1 + m->q : 1) * m->mu * m->g); }
+
+static void advance(struct motion *m, double time) {
+  const double sliding = sliding_time(m), t = fmin(time, sliding), deceleration = m->mu * m->g;
+  m->v -= deceleration * t;
+  if (m->rotates)
+    m->w -= m->q * deceleration * t / m->r;
+  if (t == sliding && !m->rotates)
+    m->v = 0;
   m->time += time;
 }
 
-/* What the stage changes at its begin; false when it is something else too. */
-static bool begin(struct motion *m, const struct nb_stage *stage) {
+/* Applies what the stage changes at its begin; false: it changes something else, too. */
+static bool begin_stage(struct motion *m, const struct nb_stage *stage) {
   if (stage->rotation == NB_ROTATION_OFF) {
-    m->stopped += m->turns ? m->inertia * m->w * m->w / 2 : 0;
-    m->w = 0, m->turns = false;
+    m->removed += m->rotates ? m->inertia * m->w * m->w / 2 : 0;
+    m->w = 0, m->rotates = false;
   }
-  m->turns = m->turns || stage->rotation == NB_ROTATION_ON;
-  m->slip = m->v + m->r * m->w;
+  m->rotates = m->rotates || stage->rotation == NB_ROTATION_ON;
+  const double slip = m->v + m->r * m->w;
+  m->slip = fabs(slip) > 1e-12 * fmax(m->v, fabs(m->r * m->w)) ? slip : 0; /* rolling: only rounding is left */
   for (size_t k = 0; k < stage->change_count; k++) {
     const struct nb_change *change = &stage->changes[k];
     if (change->b < 0 || change->ramp || !isnan(change->kn) || !isnan(change->ks) || !isnan(change->cohesion))
       return false;
     m->mu = change->friction;
   }
-  return stage->step.kind == NB_STEP_TIME && !stage->motion_count && !stage->gravity.line &&
-         stage->condition_count <= 1;
+  return stage->step.kind == NB_STEP_TIME && !stage->motion_count && !stage->gravity.line;
+}
+
+static bool ends_with_sliding(const struct nb_stage *stage) {
+  const char *quantity = strrchr(stage->conditions[0].name, '.');
+  return stage->condition_count == 1 && stage->conditions[0].relation == NB_BELOW && quantity &&
+         strcmp(quantity, ".sliding") == 0;
 }
 
 static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const char *stage, const char *what,
@@ -70,32 +81,35 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       scene->walls[0].y > particle->y || scene->gravity.x != 0 || !(scene->gravity.y < 0) || !(particle->vx > 0) ||
       particle->vy != 0)
     return nb_error_set(error, NB_BAD_USE,
-                        "rotation_off wants one body that moves east on a level floor, under gravity");
+                        "rotation_off is for one particle that moves in +x on a level floor, under gravity");
   const struct matter_pair pair = matter_pair(scene, particle->material, scene->walls[0].material);
-  struct motion m = {.v = particle->vx, .w = particle->spin, .r = particle->radius, .mu = pair.friction, .turns = true};
+  struct motion m = {
+      .v = particle->vx, .w = particle->spin, .r = particle->radius, .mu = pair.friction, .rotates = true};
   m.g = -scene->gravity.y, m.inertia = matter_inertia(scene, particle);
   m.q = matter_mass(scene, particle) * m.r * m.r / m.inertia;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     char name[2 * NB_NAME_SIZE];
-    if (!begin(&m, stage) || !(m.mu > 0) || m.slip < 0)
+    if (!begin_stage(&m, stage) || !(m.mu > 0) || m.slip < 0)
       return nb_error_set(error, NB_BAD_USE,
-                          "rotation_off wants stages of a step that is a time, which change rotation and the friction "
-                          "of the pair alone, and slip to the east");
-    go(&m, stage->condition_count ? m.slip / ((1 + m.q) * m.mu * m.g) : (double)stage->cycles * stage->step.value);
+                          "rotation_off is for a step in seconds, stages that change only `rotation` and the friction "
+                          "of the pair, and slip in +x");
+    if (stage->condition_count && !ends_with_sliding(stage))
+      return nb_error_set(error, NB_BAD_USE, "rotation_off is for stages that end with `until C.sliding below X`");
+    advance(&m, stage->condition_count ? sliding_time(&m) : (double)stage->cycles * stage->step.value);
     add_value(solution, scene, stage->name, "vx", m.v), add_value(solution, scene, stage->name, "spin", m.w);
     snprintf(name, sizeof name, "time in %s", stage->name);
     if (stage->condition_count)
       solution_value(solution, m.time, name);
     snprintf(name, sizeof name, "energy.changed in %s", stage->name);
-    solution_value(solution, -m.stopped, name);
+    solution_value(solution, -m.removed, name);
   }
   return solution_full(solution, error);
 }
 
 const struct nb_reference reference_rotation_off = {
     .name = "rotation_off",
-    .title = "a body that slides, while it may turn and while it may not: Coulomb's friction of rigid bodies",
+    .title = "a rigid particle sliding on a floor with Coulomb friction, with and without rotation",
     .source = "-",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_FRICTION, HAS_CONTACT_DAMPING, HAS_ROTATION_OFF,
                 HAS_UNTIL, HAS_DAMPING_CHANGE, HAS_MATERIAL_CHANGE},
