@@ -92,6 +92,29 @@ static void progress(void) {
   }
 }
 
+/* The same law with another memory size: the note names the size, which is all that changes. */
+static void note_of_memory_size(void) {
+  static const char scene[] = "material m density 1 kg/m3 young 1 Pa poisson 0.25 friction 0.5\nnormal hertz\n"
+                              "shear mindlin_deresiewicz%s\nsphere 0 m 0 m radius 1 m m velocity 1 m/s 0 m/s\n"
+                              "monitor A sphere 1\nstep 1 ms\nrecord time A.x\nstage one\ncycles 5\nstage two\n"
+                              "shear mindlin_deresiewicz memory 6\ncycles 5";
+  for (int given = 0; given < 2; given++) {
+    struct heard heard = {0};
+    const struct nb_progress progress = {call, note, &heard};
+    struct nb_outcome outcome;
+    char text[sizeof scene + 32], expected[256];
+    snprintf(text, sizeof text, scene, given ? " memory 9" : "");
+    snprintf(expected, sizeof expected,
+             "from stage `two` on shear mindlin_deresiewicz memory 6 instead of memory %d: contacts remember nothing "
+             "of it",
+             given ? 9 : 64);
+    carry_out(&outcome, text, "A.x expected 10 mm within 1e-12 m [t]", &progress);
+    CU_ASSERT_EQUAL(heard.notes, 1);
+    CU_ASSERT_STRING_EQUAL(heard.note, expected);
+    nb_outcome_free(&outcome);
+  }
+}
+
 /* What has a unit is reported in it, in SI; what has none is not. */
 static void units(void) {
   struct nb_outcome outcome;
@@ -129,6 +152,7 @@ static void deep_overlaps_of_all_runs(void) {
 void suite_outcome(void) {
   CU_pSuite suite = CU_add_suite("outcome", NULL, NULL);
   CU_add_test(suite, "progress and notes of several runs", progress);
+  CU_add_test(suite, "a note of the memory size that changes", note_of_memory_size);
   CU_add_test(suite, "the units of what is reported", units);
   CU_add_test(suite, "overlaps that are too deep, of all runs together", deep_overlaps_of_all_runs);
 }

@@ -60,13 +60,19 @@ static enum nb_status never_ended(const struct nb_stage *stage, const struct nb_
 static void note_laws(const struct run *run, const struct nb_stage *stage) {
   const struct nb_model *model = run->model;
   const struct nb_progress *progress = run->teller.progress;
-  char text[4 * NB_NAME_SIZE];
+  const struct nb_in_force *before = &model->laws, *next = &model->next;
+  char text[4 * NB_NAME_SIZE], old[NB_NAME_SIZE], memory[NB_NAME_SIZE] = "";
   for (int shear = 0; shear < 2 && progress && progress->note; shear++) {
     if (!(shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model)))
       continue;
-    snprintf(text, sizeof text, "from stage `%s` on %s %s instead of %s: contacts remember nothing of it", stage->name,
-             shear ? "shear" : "normal", (shear ? model->next.shear : model->next.normal)->name,
-             (shear ? model->laws.shear : model->laws.normal)->name);
+    const struct nb_law *law = shear ? next->shear : next->normal;
+    snprintf(old, sizeof old, "%s", (shear ? before->shear : before->normal)->name);
+    if (shear && next->shear == before->shear) { /* its memory size is another one */
+      snprintf(memory, sizeof memory, " memory %g", next->pieces);
+      snprintf(old, sizeof old, "memory %g", before->pieces);
+    }
+    snprintf(text, sizeof text, "from stage `%s` on %s %s%s instead of %s: contacts remember nothing of it",
+             stage->name, shear ? "shear" : "normal", law->name, memory, old);
     progress->note(progress->data, text);
   }
 }
