@@ -164,7 +164,7 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *to) {
 NB_STATEMENTS(place) = {
   {"transform", NB_IN_SCENE, place_fields, NULL, 0, false, apply_place,
    "Transforms the whole scene, as it is at the end of the page: positions, velocities, walls and what they do in stages. "
-   "First it is mirrored, then rotated about the origin, then translated. All that the page says with a direction turns with it, "
+   "First it is mirrored, then rotated about the origin, then translated. `mirror x` changes the sign of x, `mirror y` that of y. All that the page says with a direction turns with it, "
    "the components that a `servo` holds too. The physics stays the same; quantities with a direction, recorded or waited for by `until`, "
    "do not: they are those of the plane.",
    "transform mirror none  rotate 0 deg  translate 0.5 m 0 m"},
