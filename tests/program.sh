@@ -241,6 +241,8 @@ run 0 check --help
 out 'usage: nineball COMMAND'
 run 0 --help scene
 for word in 'lattice' 'stage' 'MONITOR.NAME' 'increases with'; do out "$word"; done
+run 0 --help transform
+out '`mirror x` changes the sign of x, `mirror y` that of y'
 run 0 --help expect
 for word in MEASURE amplitude 'reference NAME' within; do out "$word"; done
 run 0 --help kn
@@ -506,6 +508,16 @@ if command -v gnuplot >/dev/null; then
   run 0 figure tree/cases/given.md -o drawn --trust --set wall=steel --set h=0.04
   grep -q "^[$]table << EOD" drawn/given.gp || echo 'there are several runs' >>why
   verdict 'all that --help gnuplot names is given to a page'
+
+  # One run has the numbered names, too: the figure of a sweep still works when --set leaves one value.
+  {
+    sed '/^```gnuplot/,/^```$/d; s/^let .*/sweep v 0.5 1/; s/^cycles .*/&\nsnapshot/' "$pages/passes.md"
+    printf '```gnuplot\nprint "values alike:", D_x_1 == D_x && |$flight_particles_1| == |$flight_particles|\n'
+    printf "plot for [i=1:runs] sprintf('\$table_%%d', i) using 'time/-':'D.x/-' with lines title run[i]\n\`\`\`\n"
+  } >tree/cases/single.md
+  run 0 figure tree/cases/single.md -o drawn --trust --set v=0.5
+  said 'values alike: 1'
+  verdict 'the figure of a sweep with a single run'
 
   # Names of 49 and of 50 characters; gnuplot keeps 49.
   long=$(printf 'm%046d' 0 | tr 0 x)
