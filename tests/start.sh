@@ -21,7 +21,8 @@ run() {
 made() { grep -c 'is made$' "$work/said"; }
 
 "$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" &&
-  grep -q 'nine-discs-load-[0-9a-f]*.state: missing, will be computed' "$work/said"
+  grep -q 'nine-discs-load-[0-9a-f]*.state: missing, will be computed' "$work/said" &&
+  grep -qF "nineball check $pages/saved-stage.md" "$work/said"
 result $? 'explain says that it will be made'
 
 run whole cases/3-nine-discs/nine-discs.md
@@ -61,6 +62,12 @@ mv "$pages/other.md" "$pages/saved-stage.md"
 test $? -eq 2 && grep -q 'starts from itself in the end' "$work/said"
 result $? 'a chain that bites its tail is a mistake'
 cp cases/5-numerics/saved-stage.md "$pages"
+
+# A stage that changes the friction: `explain` says from which stage on.
+sed 's/^start .*/&\nmaterial rock friction 0/; /^```expect/,/^```$/d' "$pages/saved-stage.md" >"$pages/smooth.md"
+"$nineball" explain "$pages/smooth.md" --states "$states" >"$work/said" &&
+  test "$(grep -c '^    from stage `rest` on (line [0-9]*): friction 0; no shear force, for want of friction and cohesion$' "$work/said")" -eq 2
+result $? 'explain says which stage changes the friction, for each pair of materials'
 
 # Whoever makes a state may have been stopped.
 rm "$states"/*.state

@@ -9,6 +9,7 @@
 #include "core/names.h"
 #include "input/reader.h"
 #include "laws/law.h"
+#include "laws/laws_now.h"
 #include "loading/loading.h"
 #include "measure/balance.h"
 #include "measure/region.h"
@@ -144,11 +145,51 @@ static void name_material_pair(FILE *out, const struct nb_scene *scene, const st
           scene->materials[material_pair->b].name);
 }
 
-static void explain_material_pair(FILE *out, const struct nb_model *model,
+static bool has_friction(struct nb_pair pair) { return pair.friction > 0 || pair.cohesion > 0; }
+
+/* The values that a change of a stage sets for the pair, if it sets any. */
+static void explain_change(FILE *out, const struct nb_stage *stage, const struct nb_change *change,
+                           struct nb_pair before, struct nb_pair after) {
+  const char *between = "";
+#define ROW(name, ...) between = before.name != after.name ? ":" : between;
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+  if (!between[0])
+    return;
+  fprintf(out, "    %s stage `%s`%s (line %d)", change->ramp ? "in" : "from", stage->name,
+          change->ramp ? ", along a straight line to its end" : " on", change->line);
+#define ROW(name, ...)                                                                                                 \
+  if (before.name != after.name)                                                                                       \
+    fprintf(out, "%s " #name " %g", between, after.name), between = ",";
+  NB_PAIR_ROWS(ROW)
+#undef ROW
+  fputs(has_friction(before) && !has_friction(after) ? "; no shear force, for want of friction and cohesion\n" : "\n",
+        out);
+}
+
+/* What stages change of the values of the pair, in the order of the run; false: out of memory. */
+static bool explain_changes(FILE *out, const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
+  struct nb_properties now = {0};
+  if (!nb_properties_create(&now, scene))
+    return false;
+  for (size_t s = 0; s < scene->stage_count; s++)
+    for (size_t k = 0; k < scene->stages[s].change_count; k++) {
+      const struct nb_change *change = &scene->stages[s].changes[k];
+      const struct nb_pair before = nb_properties_pair(&now, material_pair->a, material_pair->b);
+      nb_properties_change(&now, change, nb_properties_before(&now, change), 1);
+      if (s >= scene->start.stages)
+        explain_change(out, &scene->stages[s], change, before,
+                       nb_properties_pair(&now, material_pair->a, material_pair->b));
+    }
+  nb_properties_free(&now);
+  return true;
+}
+
+static bool explain_material_pair(FILE *out, const struct nb_model *model,
                                   const struct nb_material_pair *material_pair) {
   size_t contacts = 0;
   if (!can_meet(model->scene, material_pair))
-    return;
+    return true;
   for (size_t c = 0; c < model->contacts.count; c++)
     contacts += &model->material_pairs[model->contacts.material_pair[c]] == material_pair;
   fputs("  ", out);
@@ -156,6 +197,8 @@ static void explain_material_pair(FILE *out, const struct nb_model *model,
   fprintf(out, ": %zu pairs in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n", contacts,
           material_pair->values.kn, material_pair->values.ks, material_pair->values.friction,
           material_pair->values.cohesion);
+  if (!explain_changes(out, model->scene, material_pair))
+    return false;
   for (int p = 0; p < material_pair->pass_count; p++) {
     const struct nb_planned *planned = &material_pair->passes[p];
     fprintf(out, "    %-40s", planned->name);
@@ -165,6 +208,7 @@ static void explain_material_pair(FILE *out, const struct nb_model *model,
   }
   if (!material_pair->shear && strcmp(model->laws.shear->name, "none") != 0)
     fprintf(out, "    (no shear %s: the pair has neither friction nor cohesion)\n", model->laws.shear->name);
+  return true;
 }
 
 static void explain_history(FILE *out, const struct nb_model *model) {
@@ -192,7 +236,7 @@ static void explain_hooks(FILE *out, const struct nb_model *model) {
       fprintf(out, "  %-18s %s\n", when[w], model->hooks[w].list[h].name);
 }
 
-static void explain_plan(FILE *out, const struct nb_model *model) {
+static bool explain_plan(FILE *out, const struct nb_model *model) {
   const char *m = unit(model->scene, " m");
   if (model->search.skin < INFINITY)
     fprintf(out, "neighbour list\n  %zu pairs closer than %g%s; rebuilt when a particle or wall has moved %g%s\n",
@@ -205,13 +249,15 @@ static void explain_plan(FILE *out, const struct nb_model *model) {
   explain_statement(out, model->scene, model->scene->gravity.line, "\n");
   fprintf(out, "force passes, for each pair of materials\n");
   for (size_t p = 0; p < model->material_pair_count; p++)
-    explain_material_pair(out, model, &model->material_pairs[p]);
+    if (!explain_material_pair(out, model, &model->material_pairs[p]))
+      return false;
   explain_hooks(out, model);
   explain_history(out, model);
   if (model->balance)
     fprintf(out, "balances\n  %s%s%s, updated every cycle by one thread\n",
             (model->plan.requested & NB_REQUEST_WORK) ? "work" : "",
             (model->plan.requested & NB_REQUEST_WORK) && model->terms ? " and " : "", model->terms ? "energy" : "");
+  return true;
 }
 
 /* ---- regions ---- */
@@ -409,7 +455,7 @@ enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct 
     return explain_contact_test(out, scene, error);
   if (!nb_start_there(scene, options)) {
     explain_start(out, scene, options);
-    fputs("  `nineball check %s` computes that state; then `explain` shows the plan\n", out);
+    fprintf(out, "  `nineball check %s` computes that state; then `explain` shows the plan\n", scene->page->path);
     return NB_OK;
   }
   struct nb_model *model = nb_model_create(scene, options, error);
@@ -417,10 +463,12 @@ enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct 
     return error->status;
   explain_start(out, scene, options);
   explain_particles(out, scene);
-  explain_plan(out, model);
-  explain_regions(out, model);
-  explain_step(out, model);
-  const bool done = explain_stages(out, model);
+  bool done = explain_plan(out, model);
+  if (done) {
+    explain_regions(out, model);
+    explain_step(out, model);
+    done = explain_stages(out, model);
+  }
   for (size_t k = 0; k < model->warnings.count; k++)
     nb_warnings_add(warnings, &model->warnings.list[k]);
   nb_model_free(model);
