@@ -1,7 +1,7 @@
-# Contact forces of an assembly: a line through each contact from centre to centre, in four widths, by its force over the mean one: to a half, to
-# one, to two, beyond. The page says before
+# Contact forces of an assembly: a line through each contact from centre to centre, in four widths. The width depends on the
+# force over the mean force: up to 0.5, up to 1, up to 2, above 2. Before loading, the page sets
 #
-#   particles = '$rest_particles'; contacts = '$rest_contacts'    # snapshots, by the name of their stage
+#   particles = '$rest_particles'; contacts = '$rest_contacts'    # snapshots, named by stage
 set size ratio -1
 unset border
 unset tics
@@ -13,6 +13,6 @@ strong(from, to) = (f = sqrt(column(14)**2 + column(15)**2) / force_mean, f > fr
 array from[4] = [0, 0.5, 1, 2]
 array to[4] = [0.5, 1, 2, 1e9]
 array width[4] = [0.3, 0.8, 1.8, 3.5]
-# between the two outlines is x, y: half an overlap, which no one sees, beside the end of the radius
+# the line begins at the centre of the first particle; x, y is the middle of the overlap, which is too small to matter here
 plot @particles using 2:3:4 with circles lc rgb '#bbbbbb' lw 0.3 fs empty, \
      for [k = 1:4] @contacts using (strong(from[k], to[k]) ? $4 - $6 * $8 : NaN):($5 - $6 * $9):(($6 + $7) * $8):(($6 + $7) * $9) with vectors nohead lw width[k] lc rgb '#0072b2'

@@ -1,8 +1,8 @@
-# Force polygons: the forces of its contacts on a particle head to tail, in the order in which the contacts follow each other round it, drawn at its
-# centre [R89 4.1]. What is in balance closes; what is left over is orange. The page says before
+# Force polygons: the contact forces on a particle head to tail, in the order of the contacts around it, drawn at its centre
+# [R89 4.1]. The polygon of a particle in equilibrium closes; a gap is drawn in orange. Before loading, the page sets
 #
-#   particles = '$rest_particles'; contacts = '$rest_contacts'; longest = 0.0004    # of the largest force, in units of length
-#   chosen(x, y) = 1                                                          # where polygons are drawn
+#   particles = '$rest_particles'; contacts = '$rest_contacts'; longest = 0.0004    # length of the largest force, in units of length
+#   chosen(x, y) = 1                                                          # true where polygons are drawn
 set size ratio -1
 unset border
 unset tics

@@ -1,7 +1,7 @@
-# Contact forces as Cundall and Strack draw them [CS79 figure 5b, section Units]: a rectangle through each contact along its force, as
-# long as the sum of the two radii, its width in proportion to the force. The page says before
+# Contact forces as Cundall and Strack draw them [CS79 figure 5b, section Units]: a rectangle through each contact along its
+# force. Its length is the sum of the two radii, its width is proportional to the force. Before loading, the page sets
 #
-#   particles = '$rest_particles'; walls = '$rest_walls'; contacts = '$rest_contacts'    # snapshots, by the name of their stage
+#   particles = '$rest_particles'; walls = '$rest_walls'; contacts = '$rest_contacts'    # snapshots, named by stage
 #   widest = 20                                                                    # width of the largest force, in units of length
 set size ratio -1
 unset border

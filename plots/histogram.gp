@@ -1,11 +1,11 @@
-# How many contacts have which value, several snapshots beside each other. The page says before
+# Histogram of a quantity of contacts, for several snapshots. Before loading, the page sets
 #
-#   tables = '$rest_contacts $shear_contacts'; names = 'before after'    # a step line each
+#   tables = '$rest_contacts $shear_contacts'; names = 'before after'    # one step line each
 #   of(c) = column('shear/N') / column('limit/N'); low = -1; high = 1; bins = 20
-#   curve(v) = NaN    # or what is drawn beside them
+#   curve(v) = NaN    # or a function to draw with the histogram
 #
-# Those of obliquity, with what slides in the bins at the ends [R89 figures 6.18-6.20], and of mean normal contact stress [R89 figures
-# 6.42, 6.43] differ in `of`. What is not from `low` to `high` is counted in the bins at the ends.
+# `of` selects the quantity: obliquity, with the sliding contacts in the first and last bin [R89 figures 6.18-6.20], or mean
+# normal contact stress [R89 figures 6.42, 6.43]. Values outside `low` to `high` are counted in the first and last bin.
 set size noratio
 set border 3
 set tics nomirror

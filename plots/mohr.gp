@@ -1,7 +1,8 @@
-# Mohr's circle of a symmetric tensor that was recorded, in the last row of a table: the face to the east is X, that to the north Y; the ends of the
-# diameter are the principal values, and X is at twice the angle from the major axis [R89 figure 4.1, 4.52-4.54]. The page says before
+# Mohr's circle of a recorded symmetric tensor, from the last row of a table. X is the face with its normal in x, Y the one
+# with its normal in y; the ends of the diameter are the principal values. The angle of X from the major axis is doubled
+# [R89 figure 4.1, 4.52-4.54]. Before loading, the page sets
 #
-#   rows = '$table'; tensor = 'A.stress'; unit = 'Pa'    # its columns tensor.xx/unit, .xy, .yx, .yy; fabric: unit = '-'
+#   rows = '$table'; tensor = 'A.stress'; unit = 'Pa'    # columns tensor.xx/unit, .xy, .yx, .yy; fabric: unit = '-'
 unset key
 set border 3
 set tics nomirror

@@ -1,5 +1,5 @@
-# Shear force T against normal force N, each over the mean normal force, and the limit: on the line contacts slide
-# [R89 figure 6.19]. The page says before
+# Shear force T against normal force N of each contact, both over the mean normal force, and the friction limit; contacts on
+# the line slide [R89 figure 6.19]. Before loading, the page sets
 #
 #   contacts = '$rest_contacts'; friction = 0.3
 unset key
@@ -8,6 +8,6 @@ set border 3
 set tics nomirror
 set xlabel 'N over mean N'
 set ylabel 'T over mean N'
-stats @contacts using 11 name 'push' nooutput
-plot [0:*] [0:*] @contacts using ($11 / push_mean):(abs($12) / push_mean) with points pt 7 ps 0.5 lc rgb '#0072b2', \
+stats @contacts using 11 name 'normal' nooutput
+plot [0:*] [0:*] @contacts using ($11 / normal_mean):(abs($12) / normal_mean) with points pt 7 ps 0.5 lc rgb '#0072b2', \
      friction * x with lines lc rgb '#888888'

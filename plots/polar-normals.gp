@@ -1,8 +1,8 @@
-# How many contacts there are in each direction, ten degrees a bin, both ends of each contact [R89 figures 6.15, 6.16, 6.36-6.41].
-# The page says before
+# Polar histogram of contact directions, ten degrees per bin; each contact counts at both of its ends
+# [R89 figures 6.15, 6.16, 6.36-6.41]. Before loading, the page sets
 #
-#   contacts = '$rest_contacts'; weight = 'all'    # or 'normal': weighted by the normal force; 'sliding': those alone;
-#                                                  # 'near': those with a shear force of 0.99 of its limit or more
+#   contacts = '$rest_contacts'; weight = 'all'    # or 'normal': weighted by the normal force; 'sliding': sliding contacts only;
+#                                                  # 'near': those with a shear force of at least 0.99 of its limit
 set size ratio -1
 unset border
 unset tics
@@ -11,11 +11,11 @@ unset grid
 # columns of a table of contacts: wall 3, normal force 11, sliding 13, angle 16, obliquity 22; contacts with walls are left out
 array bins[36]
 do for [i = 1:36] { bins[i] = 0 }
-share(w) = column(3) > 0 ? 0 : w eq 'normal' ? column(11) : w eq 'sliding' ? column(13) : w eq 'near' ? column(22) >= 0.99 : 1
+weight_of(w) = column(3) > 0 ? 0 : w eq 'normal' ? column(11) : w eq 'sliding' ? column(13) : w eq 'near' ? column(22) >= 0.99 : 1
 bin(a) = int(floor((a + 720) / 10)) % 36 + 1
 put(i, w) = (bins[i] = bins[i] + w)
 both(a, w) = put(bin(a), w) + put(bin(a + 180), w)
-stats @contacts using (both(column(16) * 180 / pi, share(weight)), 0) nooutput
+stats @contacts using (both(column(16) * 180 / pi, weight_of(weight)), 0) nooutput
 most = 0
 do for [i = 1:36] { most = bins[i] > most ? bins[i] : most }
 set print $wedges

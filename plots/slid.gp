@@ -1,6 +1,8 @@
-# How far contacts have slid since the reference: a bar along each contact's tangent, the longest so long as the page says [R89 4.2]
+# Sliding displacement of contacts since the reference configuration: a bar along the tangent of each contact [R89 4.2].
+# Before loading, the page sets
 #
-#   particles = '$rest_particles'; contacts = '$rest_contacts'; longest = 0.001    # of `snapshot from STAGE`; in units of length
+#   particles = '$rest_particles'; contacts = '$rest_contacts'    # of `snapshot from STAGE`
+#   longest = 0.001                                               # length of the longest bar, in units of length
 set size ratio -1
 unset border
 unset tics

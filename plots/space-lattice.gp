@@ -1,5 +1,5 @@
-# The space lattice that is equivalent to an assembly: lines between the centres of particles that touch; those that are new since
-# the reference thick and orange, those that are lost dashed and blue [R89 figure 6.35]. The page says before
+# Space lattice of an assembly: lines between the centres of particles in contact. Contacts that are new since the reference
+# configuration are thick and orange, lost ones dashed and blue [R89 figure 6.35]. Before loading, the page sets
 #
 #   lattice = '$rest_lattice'    # of `snapshot from STAGE`
 set size ratio -1

@@ -1,5 +1,5 @@
-# The stress path of a region: half the difference of the principal stresses against their mean, one line a table [R89 figure 6.27]; the broken
-# line has the slope given, sin Phi. The page says before
+# Stress path of a region: half the difference of the principal stresses against their mean, one line per table
+# [R89 figure 6.27]. The broken line has the given slope, sin Phi. Before loading, the page sets
 #
 #   tables = '$table'; region = 'A'; unit = 'Pa'; slope = 0.3    # recorded: region.stress.mean and .deviator
 unset key

@@ -1,4 +1,4 @@
-# The look of all figures. Colours stay apart for those who see red and green alike (Okabe and Ito).
+# The style of all figures. The colours can be distinguished by colour-blind readers (Okabe and Ito).
 set datafile separator tab
 set datafile columnheaders
 set encoding utf8
@@ -19,6 +19,6 @@ set linetype 4 lc rgb '#cc79a7'
 set linetype 5 lc rgb '#e69f00'
 set linetype 6 lc rgb '#56b4e9'
 set linetype cycle 6
-# A page that wants another size than the usual one: eval canvas(1100, 760)
+# For another size a page calls eval canvas(1100, 760)
 if (!exists('terminal')) terminal = GPVAL_TERM
 canvas(wide, high) = sprintf('set terminal %s size %d,%d', terminal, wide, high)

@@ -1,6 +1,6 @@
-# Velocities of particles, arrows from their centres, the largest so long as the page says [R89 figure 6.31]:
+# Velocities of particles as arrows from their centres [R89 figure 6.31]. Before loading, the page sets
 #
-#   particles = '$rest_particles'; longest = 2    # in units of length
+#   particles = '$rest_particles'; longest = 2    # length of the largest arrow, in units of length
 set size ratio -1
 unset border
 unset tics
