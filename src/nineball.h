@@ -154,10 +154,10 @@ struct nb_fill {
   double x1, y1; /* m, upper right corner of the box */
   int grading;
   unsigned long seed;
-  unsigned long attempts;  /* at most, for each particle */
-  bool skip;               /* a size that does not fit is skipped; otherwise that is an error */
-  size_t first, count;     /* its particles */
-  unsigned long long made; /* attempts in all */
+  unsigned long attempts;           /* at most, for each particle */
+  bool skip;                        /* a size that does not fit is skipped; otherwise that is an error */
+  size_t first, count;              /* its particles */
+  unsigned long long attempts_made; /* attempts in all */
   int line;
 };
 
@@ -379,7 +379,7 @@ struct nb_servo {
   struct nb_quantity quantity[4]; /* measured stresses: xx, xy, yx, yy */
   double stress[3];               /* their targets, Pa */
   bool controlled[3];             /* which of them are controlled */
-  double east[2], north[2];       /* components of the unit vectors to which xx, yy and xy refer */
+  double axis_x[2], axis_y[2];    /* components of the unit vectors to which xx, yy and xy refer */
   bool mean;                      /* only (xx + yy)/2 */
   bool affine;                    /* acts on the free particles' affine motion as on the boundary's; or */
   bool cell;                      /* on the cell only; or */

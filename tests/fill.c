@@ -196,7 +196,7 @@ static void as_many_tries_as_chance_takes(void) {
              ROCK "grading g 1 %d\nfill discs box 0 0 to %g %g g rock seed %d attempts 1000 else stop\n", PARTICLES,
              side, side, seed);
     make(&it, page);
-    CU_ASSERT_DOUBLE_EQUAL((double)it.scene.fills[0].made, tries, 4 * sqrt(variance) + 0.002 * tries);
+    CU_ASSERT_DOUBLE_EQUAL((double)it.scene.fills[0].attempts_made, tries, 4 * sqrt(variance) + 0.002 * tries);
     written_free(&it);
   }
 }
@@ -209,7 +209,7 @@ static void tries_and_skips(void) {
   const struct nb_size *sizes = it.scene.gradings[0].sizes;
   CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 1);
   CU_ASSERT(it.scene.particles[0].x == 5 && it.scene.particles[0].y == 5); /* the only place */
-  CU_ASSERT_EQUAL(it.scene.fills[0].made, 1 + 77 + 77);
+  CU_ASSERT_EQUAL(it.scene.fills[0].attempts_made, 1 + 77 + 77);
   CU_ASSERT(sizes[0].placed == 0 && sizes[1].placed == 1 && sizes[2].placed == 0);
   CU_ASSERT(sizes[0].wanted == 1 && sizes[1].wanted == 3 && sizes[2].wanted == 4);
   written_free(&it);
@@ -239,7 +239,7 @@ static void across_the_edge_by_rounding(void) {
                r, upright ? 0 : from, upright ? from : 0, upright ? 9 : to, upright ? to : 9);
       make(&it, page);
       CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[0].placed, 0);
-      CU_ASSERT_EQUAL(it.scene.fills[0].made, 9);
+      CU_ASSERT_EQUAL(it.scene.fills[0].attempts_made, 9);
       written_free(&it);
     }
 }

@@ -28,11 +28,11 @@ struct nb_affine {
   bool used[NB_AFFINE_SOURCES];       /* by some particle, now or before */
   bool all, free_before;              /* all particles move affinely in this step; free ones did in the previous one */
   bool uniform;                       /* all particles have the same rate */
-  struct nb_servo_from {
+  struct nb_servo_state {
     double stress[3];          /* Pa: of the controlled stresses when the servo began */
     struct nb_tensor integral; /* Z of servo.c, 1/s */
     bool begun;                /* these are set */
-  } servo_from;
+  } servo_state;
 };
 
 /* c of the particle in that slot at the position x. */

@@ -97,7 +97,7 @@ static bool move_drives(const struct nb_place *to, struct nb_stage *stage) {
 
 /* The axes of its components are turned, so the components stay as the page has them. */
 static bool turn_servo(const struct nb_place *to, struct nb_servo *servo) {
-  return turn(to, &servo->east[0], &servo->east[1]) && turn(to, &servo->north[0], &servo->north[1]);
+  return turn(to, &servo->axis_x[0], &servo->axis_x[1]) && turn(to, &servo->axis_y[0], &servo->axis_y[1]);
 }
 
 static bool turn_gravity(const struct nb_place *to, struct nb_gravity *gravity) {

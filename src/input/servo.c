@@ -66,8 +66,8 @@ NB_APPLY(apply_servo) {
   struct nb_stage *stage = nb_stage_now(scene);
   const struct nb_value *value = record->value;
   const int through = (int)value[AT_THROUGH].number;
-  struct nb_servo servo = {.east = {1, 0},
-                           .north = {0, 1},
+  struct nb_servo servo = {.axis_x = {1, 0},
+                           .axis_y = {0, 1},
                            .every = 10,
                            .cell = through == 1,
                            .box = through == 2,

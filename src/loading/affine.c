@@ -19,11 +19,11 @@
 #include "loading.h"
 
 static bool needed(const struct nb_scene *scene) {
-  bool carries = scene->cell.line || scene->circle.line;
+  bool any = scene->cell.line || scene->circle.line;
   for (size_t s = 0; s < scene->stage_count; s++)
-    carries = carries || scene->stages[s].circle.line || scene->stages[s].boundary.line ||
-              scene->stages[s].affine.line || scene->stages[s].box_line || scene->stages[s].servo.box;
-  return carries;
+    any = any || scene->stages[s].circle.line || scene->stages[s].boundary.line || scene->stages[s].affine.line ||
+          scene->stages[s].box_line || scene->stages[s].servo.box;
+  return any;
 }
 
 enum nb_status nb_affine_create(struct nb_model *model, struct nb_error *error) {
@@ -76,10 +76,10 @@ void nb_affine_begin(struct nb_model *model, const struct nb_stage *stage) {
 }
 
 /* Whether all particles with an imposed motion have the same L, and all of them accumulate c or none. */
-static bool same_rate(const struct nb_affine *affine, enum nb_affine_source one) {
+static bool same_rate(const struct nb_affine *affine, enum nb_affine_source reference) {
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
-    if (affine->used[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[one])) != 0 ||
-                            affine->separate[c] != affine->separate[one]))
+    if (affine->used[c] && (tensor_largest(tensor_sub(affine->rate[c], affine->rate[reference])) != 0 ||
+                            affine->separate[c] != affine->separate[reference]))
       return false;
   return true;
 }

@@ -95,10 +95,10 @@ static bool comes_before(const struct nb_model *model, int i, int j) {
 
 static void add_member(struct nb_model *model, int slot) {
   struct nb_ring *ring = &model->boundary->ring;
-  size_t at = ring->count++;
-  for (; at > 0 && comes_before(model, slot, ring->member[at - 1]); at--)
-    ring->member[at] = ring->member[at - 1];
-  ring->member[at] = slot;
+  size_t k = ring->count++;
+  for (; k > 0 && comes_before(model, slot, ring->member[k - 1]); k--)
+    ring->member[k] = ring->member[k - 1];
+  ring->member[k] = slot;
 }
 
 static void boundary_release(struct nb_model *model, bool dissolve) {
@@ -148,14 +148,14 @@ void nb_boundary_remove(struct nb_model *model, size_t slot) {
 /* ---- a stress on it ---- */
 
 void nb_boundary_set_forces(struct nb_model *model) {
-  struct nb_boundary_state *drive = model->boundary;
-  const size_t count = drive->ring.count;
+  struct nb_boundary_state *state = model->boundary;
+  const size_t count = state->ring.count;
   const double thickness = nb_thickness(model);
-  memset(drive->boundary_force, 0, model->particles.count * sizeof *drive->boundary_force);
+  memset(state->boundary_force, 0, model->particles.count * sizeof *state->boundary_force);
   for (size_t k = 0; k < count; k++) {
     const struct nb_vec along = vec_sub(nb_boundary_position(model, k + 1), nb_boundary_position(model, k + count - 1));
-    drive->boundary_force[drive->ring.member[k]] =
-        vec_scale(-thickness / 2, tensor_times(drive->stress, vec_clockwise(along)));
+    state->boundary_force[state->ring.member[k]] =
+        vec_scale(-thickness / 2, tensor_times(state->stress, vec_clockwise(along)));
   }
 }
 
@@ -184,13 +184,13 @@ enum nb_status nb_boundary_create(struct nb_model *model, struct nb_error *error
   const struct nb_particles *particles = &model->particles;
   if (!needed(scene))
     return NB_OK;
-  struct nb_boundary_state *drive = model->boundary = nb_own(&model->owner, 1, sizeof *drive);
-  if (drive) {
-    drive->rotates = true;
-    drive->boundary_force =
-        has_stress(scene) ? nb_own(&model->owner, particles->count, sizeof *drive->boundary_force) : NULL;
-    drive->ring.member = nb_own(&model->owner, particles->count, sizeof *drive->ring.member);
-    drive->ring.candidates = nb_own(&model->owner, particles->count, sizeof *drive->ring.candidates);
+  struct nb_boundary_state *state = model->boundary = nb_own(&model->owner, 1, sizeof *state);
+  if (state) {
+    state->rotates = true;
+    state->boundary_force =
+        has_stress(scene) ? nb_own(&model->owner, particles->count, sizeof *state->boundary_force) : NULL;
+    state->ring.member = nb_own(&model->owner, particles->count, sizeof *state->ring.member);
+    state->ring.candidates = nb_own(&model->owner, particles->count, sizeof *state->ring.candidates);
   }
   if (model->owner.failed)
     return nb_error_memory(error);
@@ -240,28 +240,28 @@ static void rotation_begin(struct nb_model *model, bool rotates) {
 /* A stress begins or ends at t_0 without changing the velocities at t_0: the half kick before t_0 excludes a stress
  * that begins and includes one that ends. */
 static void switch_stress(struct nb_model *model, bool on) {
-  struct nb_boundary_state *drive = model->boundary;
+  struct nb_boundary_state *state = model->boundary;
   if (on)
     nb_boundary_set_forces(model);
   for (size_t i = 0; i < model->particles.count && (on || model->particles.boundary_force); i++)
-    nb_motion_offset_force(model, i, (struct nb_force){vec_scale(on ? -1 : 1, drive->boundary_force[i]), 0});
-  model->particles.boundary_force = on ? drive->boundary_force : NULL;
+    nb_motion_offset_force(model, i, (struct nb_force){vec_scale(on ? -1 : 1, state->boundary_force[i]), 0});
+  model->particles.boundary_force = on ? state->boundary_force : NULL;
 }
 
 static void boundary_control(struct nb_model *model, const struct nb_stage *stage) {
-  struct nb_boundary_state *drive = model->boundary;
-  const struct nb_boundary *to = &stage->boundary;
+  struct nb_boundary_state *state = model->boundary;
+  const struct nb_boundary *boundary = &stage->boundary;
   switch_stress(model, false);
   if (stage->circle.line)
     boundary_define(model, &stage->circle);
-  if (!to->line)
+  if (!boundary->line)
     return;
-  drive->stress = tensor(to->sxx, to->sxy, to->sxy, to->syy);
-  if (to->control == NB_CONTROL_STRAIN && !drive->ring.held)
+  state->stress = tensor(boundary->sxx, boundary->sxy, boundary->sxy, boundary->syy);
+  if (boundary->control == NB_CONTROL_STRAIN && !state->ring.held)
     boundary_hold(model);
-  else if (to->control != NB_CONTROL_STRAIN)
-    boundary_release(model, to->control == NB_CONTROL_NONE);
-  if (to->control == NB_CONTROL_STRESS)
+  else if (boundary->control != NB_CONTROL_STRAIN)
+    boundary_release(model, boundary->control == NB_CONTROL_NONE);
+  if (boundary->control == NB_CONTROL_STRESS)
     switch_stress(model, true);
 }
 
@@ -332,8 +332,8 @@ void nb_boundary_set_velocities(struct nb_model *model) {
 }
 
 void nb_boundary_after_motion(struct nb_model *model) {
-  struct nb_boundary_state *drive = model->boundary;
-  struct nb_ring *ring = &drive->ring;
+  struct nb_boundary_state *state = model->boundary;
+  struct nb_ring *ring = &state->ring;
   if (ring->held) {
     const struct nb_tensor step = tensor_scale(model->step, model->affine->rate[NB_AFFINE_BOUNDARY]);
     ring->shape = tensor_add(ring->shape, tensor_product(step, ring->shape));

@@ -59,7 +59,7 @@ static double density(const struct nb_model *model, double volume) {
 
 /* The columns are the axes of the servo. */
 static struct nb_tensor axes(const struct nb_servo *servo) {
-  return tensor(servo->east[0], servo->north[0], servo->east[1], servo->north[1]);
+  return tensor(servo->axis_x[0], servo->axis_y[0], servo->axis_x[1], servo->axis_y[1]);
 }
 
 /* Measured stress in the axes of the servo, Pa. */
@@ -72,11 +72,11 @@ static struct nb_tensor stress(const struct nb_model *model, const struct nb_ser
 
 /* s - s0 in the axes of the servo, Pa; 0 in components that are not controlled. */
 static struct nb_tensor stress_error(const struct nb_model *model, const struct nb_servo *servo, double fraction) {
-  const struct nb_servo_from *from = &model->affine->servo_from;
+  const struct nb_servo_state *state = &model->affine->servo_state;
   const struct nb_tensor measured = stress(model, servo);
   double error[3] = {measured.xx, measured.yy, measured.xy};
   for (int k = 0; k < 3; k++)
-    error[k] -= from->stress[k] + fraction * (servo->stress[k] - from->stress[k]);
+    error[k] -= state->stress[k] + fraction * (servo->stress[k] - state->stress[k]);
   if (servo->mean)
     return tensor((error[0] + error[1]) / 2, 0, 0, (error[0] + error[1]) / 2);
   const double shear = servo->controlled[2] ? error[2] : 0;
@@ -103,30 +103,30 @@ static struct nb_tensor correction(struct nb_model *model, const struct nb_servo
   const double limit = servo->per_cycle ? servo->max_rate / model->step : servo->max_rate;
   double b, t;
   nb_servo_scales(model, servo, &b, &t);
-  struct nb_servo_from *from = &model->affine->servo_from;
+  struct nb_servo_state *state = &model->affine->servo_state;
   const struct nb_tensor error = stress_error(model, servo, fraction);
   /* With b = 0, t is infinite, and only the direction of the error counts. */
   const double largest = tensor_largest(error), rate = b > 0 ? 1 / (2 * b * t) : INFINITY;
   const bool too_fast = largest > 0 && rate * largest > limit;
   const struct nb_tensor p = tensor_scale(too_fast ? limit / largest : largest > 0 ? rate : 0, error);
-  const struct nb_tensor added = tensor_add(p, from->integral);
-  if (from->begun && !too_fast && tensor_largest(added) <= limit) {
-    from->integral = tensor_add(from->integral, tensor_scale((double)servo->every * model->step / (16 * t), p));
+  const struct nb_tensor added = tensor_add(p, state->integral);
+  if (state->begun && !too_fast && tensor_largest(added) <= limit) {
+    state->integral = tensor_add(state->integral, tensor_scale((double)servo->every * model->step / (16 * t), p));
     return added;
   }
-  from->begun = true;
-  from->integral = tensor_scale(-(1 - sqrt(0.75)) / 2, p);
-  return tensor_add(p, from->integral);
+  state->begun = true;
+  state->integral = tensor_scale(-(1 - sqrt(0.75)) / 2, p);
+  return tensor_add(p, state->integral);
 }
 
 void nb_servo_begin(struct nb_model *model) {
   const struct nb_servo *servo = &model->stage->servo;
-  struct nb_servo_from *from = &model->affine->servo_from;
-  *from = (struct nb_servo_from){.begun = false};
+  struct nb_servo_state *state = &model->affine->servo_state;
+  *state = (struct nb_servo_state){.begun = false};
   const struct nb_tensor now = stress(model, servo);
   const double first[3] = {now.xx, now.yy, now.xy};
   for (int k = 0; k < 3; k++)
-    from->stress[k] = servo->ramp ? first[k] : servo->stress[k];
+    state->stress[k] = servo->ramp ? first[k] : servo->stress[k];
 }
 
 void nb_servo_apply(struct nb_model *model) {
@@ -136,12 +136,12 @@ void nb_servo_apply(struct nb_model *model) {
     return;
   const double fraction = servo->ramp ? (double)(model->stage_cycle + 1) / (double)model->stage->cycles : 1;
   const struct nb_tensor added = tensor_turned(axes(servo), correction(model, servo, fraction));
-  const bool moved[NB_AFFINE_SOURCES] = {
+  const bool servoed[NB_AFFINE_SOURCES] = {
       [NB_AFFINE_FREE] = servo->affine,
       [NB_AFFINE_BOUNDARY] = !servo->cell && !servo->box,
       [NB_AFFINE_CELL] = servo->cell,
       [NB_AFFINE_BOX] = servo->box,
   };
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
-    affine->rate[c] = moved[c] ? tensor_add(affine->base_rate[c], added) : affine->base_rate[c];
+    affine->rate[c] = servoed[c] ? tensor_add(affine->base_rate[c], added) : affine->base_rate[c];
 }

@@ -178,16 +178,16 @@ static struct nb_vec accumulated(const struct nb_model *model, size_t i) {
 }
 
 /* Energy that mass-proportional damping takes from a particle in a kick: its impulse times the mean velocity. */
-static double damping_loss(const struct nb_model *model, size_t i, struct nb_velocities old, struct nb_velocities mean,
-                           struct nb_force force, struct kick kick) {
-  const struct nb_vec after = vec_sub(vec_scale(2, mean.velocity), old.velocity);
-  const struct nb_velocities new = {vec_sub(after, accumulated(model, i)), 2 * mean.spin - old.spin};
-  const struct nb_damping_losses by = nb_damping_losses(model, kick.time, kick.fraction_before);
-  const struct nb_vec kept = vec_add(vec_scale(by.old, old.velocity), vec_scale(by.new, new.velocity));
+static double damping_loss(const struct nb_model *model, size_t i, struct nb_velocities before,
+                           struct nb_velocities mean, struct nb_force force, struct kick kick) {
+  const struct nb_vec velocity = vec_sub(vec_scale(2, mean.velocity), before.velocity);
+  const struct nb_velocities after = {vec_sub(velocity, accumulated(model, i)), 2 * mean.spin - before.spin};
+  const struct nb_damping_losses losses = nb_damping_losses(model, kick.time, kick.fraction_before);
+  const struct nb_vec kept = vec_add(vec_scale(losses.old, before.velocity), vec_scale(losses.new, after.velocity));
   const struct nb_vec linear =
-      vec_add(vec_scale(model->particles.mass[i], kept), vec_scale(by.impulse * kick.time, force.force));
-  const double angular =
-      model->particles.inertia[i] * (by.old * old.spin + by.new *new.spin) + by.impulse * kick.time * force.moment;
+      vec_add(vec_scale(model->particles.mass[i], kept), vec_scale(losses.impulse * kick.time, force.force));
+  const double angular = model->particles.inertia[i] * (losses.old * before.spin + losses.new *after.spin) +
+                         losses.impulse * kick.time * force.moment;
   return vec_dot(linear, mean.velocity) + angular * mean.spin;
 }
 
@@ -203,11 +203,11 @@ static void add_particles(struct nb_sum terms[], const struct nb_model *model, s
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    const struct nb_velocities old = model->balance->particles[i].before, now = model->balance->particles[i].now;
+    const struct nb_velocities before = model->balance->particles[i].before, now = model->balance->particles[i].now;
     struct nb_force force = nb_force_on(model, i);
     if (!(particles->inverse_mass[i] > 0)) {
-      const double held = vec_dot(force.force, now.velocity) + force.moment * now.spin;
-      nb_sum_add(&terms[NB_TERM_WALLS], -kick.fraction * kick.time * held);
+      const double power = vec_dot(force.force, now.velocity) + force.moment * now.spin;
+      nb_sum_add(&terms[NB_TERM_WALLS], -kick.fraction * kick.time * power);
       continue;
     }
     const struct nb_vec weight = nb_weight(model, i, model->balance->particles[i].position);
@@ -217,19 +217,20 @@ static void add_particles(struct nb_sum terms[], const struct nb_model *model, s
                                             vec_dot(weight, model->balance->particles[i].imposed));
     if (model->affine)
       nb_sum_add(&terms[NB_TERM_IMPOSED], kick.fraction * imposed_work(model, i, now.velocity, kick.time));
-    nb_sum_add(&terms[NB_TERM_DAMPED], kick.fraction * damping_loss(model, i, old, now, force, kick));
+    nb_sum_add(&terms[NB_TERM_DAMPED], kick.fraction * damping_loss(model, i, before, now, force, kick));
   }
 }
 
-/* All forces on free bodies, at the mean of the velocities before and after the kick. */
+/* Work of all forces on free particles, at the mean of the velocities before and after the kick. */
 static void add_work(struct nb_sum *work, const struct nb_model *model, struct kick kick) {
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
     if (!(particles->inverse_mass[i] > 0))
       continue;
-    const struct nb_velocities old = model->balance->particles[i].before, new = nb_velocity_half(model, i);
-    const struct nb_velocities mean = {vec_scale(0.5, vec_add(old.velocity, new.velocity)), (old.spin + new.spin) / 2};
+    const struct nb_velocities before = model->balance->particles[i].before, after = nb_velocity_half(model, i);
+    const struct nb_velocities mean = {vec_scale(0.5, vec_add(before.velocity, after.velocity)),
+                                       (before.spin + after.spin) / 2};
     struct nb_force force = nb_force_on(model, i);
     force.force = vec_add(force.force, nb_weight(model, i, model->balance->particles[i].position));
     if (model->affine)
@@ -237,16 +238,16 @@ static void add_work(struct nb_sum *work, const struct nb_model *model, struct k
     nb_sum_add(work, kick.time * (vec_dot(force.force, mean.velocity) + force.moment * mean.spin));
     if (model->particles.boundary_force)
       force.force = vec_add(force.force, model->particles.boundary_force[i]);
-    nb_sum_add(work, -damping_loss(model, i, old, mean, force, kick));
+    nb_sum_add(work, -damping_loss(model, i, before, mean, force, kick));
   }
 }
 
 static struct nb_vec wall_displacement(const struct nb_model *model, struct kick kick, int w, struct nb_vec q) {
-  const struct nb_velocities before = model->balance->walls[w].speed;
+  const struct nb_velocities speed = model->balance->walls[w].speed;
   const struct nb_vec arm = vec_sub(q, model->balance->walls[w].pivot), perpendicular = vec(-arm.y, arm.x);
-  const struct nb_vec old = vec_add(before.velocity, vec_scale(before.spin, perpendicular));
-  const struct nb_vec new = vec_add(model->walls.velocity[w], vec_scale(model->walls.spin[w], perpendicular));
-  return vec_add(vec_scale(kick.first_half, old), vec_scale(kick.second_half, new));
+  const struct nb_vec before = vec_add(speed.velocity, vec_scale(speed.spin, perpendicular));
+  const struct nb_vec after = vec_add(model->walls.velocity[w], vec_scale(model->walls.spin[w], perpendicular));
+  return vec_add(vec_scale(kick.first_half, before), vec_scale(kick.second_half, after));
 }
 
 /* Work of dashpots and walls. */
@@ -270,8 +271,8 @@ static void add_contacts(struct nb_sum terms[], const struct nb_model *model, st
       nb_sum_add(&terms[NB_TERM_WALLS], vec_dot(contacts->force[c], wall));
       displacement = vec_sub(displacement, wall);
     } else {
-      const struct nb_vec along = vec_add(b->particles[j].imposed, copy_displacement(model, c));
-      displacement = vec_sub(displacement, vec_add(vec_scale(time, b->particles[j].now.velocity), along));
+      const struct nb_vec imposed = vec_add(b->particles[j].imposed, copy_displacement(model, c));
+      displacement = vec_sub(displacement, vec_add(vec_scale(time, b->particles[j].now.velocity), imposed));
       rolling += time * b->particles[j].now.spin * model->particles.surface[j].radius;
     }
     if (!model->plan.dashpots)

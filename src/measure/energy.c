@@ -14,7 +14,7 @@ static double kinetic_of(const struct nb_particles *particles, size_t i, struct 
   return (particles->mass[i] * vec_dot(v.velocity, v.velocity) + particles->inertia[i] * (v.spin * v.spin)) / 2;
 }
 
-/* for (size_t k = 0, i; next_free(bodies, &k, &i);): slot i of each free particle, in the order of numbers. */
+/* for (size_t k = 0, i; next_free(particles, &k, &i);): slot i of each free particle, in the order of numbers. */
 static bool next_free(const struct nb_particles *particles, size_t *k, size_t *slot) {
   while (*k < particles->count) {
     *slot = (size_t)particles->slot[(*k)++];
@@ -73,9 +73,9 @@ double nb_energy_of_contact(const struct nb_model *model, size_t c) {
 }
 
 double nb_energy_of_particle(const struct nb_model *model, size_t slot) {
-  const struct nb_contact_range its = nb_contact_range(&model->contacts.of, slot);
+  const struct nb_contact_range range = nb_contact_range(&model->contacts.of, slot);
   double sum = nb_energy_kinetic_of(model, slot);
-  for (const int *c = its.first; c < its.end; c++)
+  for (const int *c = range.first; c < range.end; c++)
     add_stored(&sum, model, (size_t)*c);
   return sum;
 }

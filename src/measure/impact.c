@@ -95,11 +95,11 @@ static struct progress progress(const struct nb_model *model) {
                            *other = wall ? NULL : &scene->particles[monitor->b];
   struct progress it = {.incidence = nb_impact_incidence(scene), .elapsed = model->time - model->impact_time};
   const struct nb_vec at = wall ? model->walls.pivot[j] : particles->position[j];
-  const struct nb_vec began = wall ? vec(scene->walls[j].x, scene->walls[j].y) : vec(other->x, other->y);
+  const struct nb_vec start = wall ? vec(scene->walls[j].x, scene->walls[j].y) : vec(other->x, other->y);
   it.direction = it.incidence.tangent_v < 0 ? -1 : 1;
   it.v = vec_sub(a.velocity, b.velocity);
   it.surface = a.spin * particle->radius + (wall ? 0 : b.spin * other->radius);
-  it.displacement = vec_sub(vec_sub(particles->position[i], at), vec_sub(vec(particle->x, particle->y), began));
+  it.displacement = vec_sub(vec_sub(particles->position[i], at), vec_sub(vec(particle->x, particle->y), start));
   if (particles->angle)
     it.rolled = particles->angle[i] * particle->radius + (wall ? 0 : particles->angle[j] * other->radius);
   it.rolled -= model->impact_time * it.incidence.surface;
@@ -137,9 +137,9 @@ QUANTITY(restitution, vec_length(it.v) / vec_length(s->velocity))
 QUANTITY(normal, it.normal_f / s->peak)
 QUANTITY(shear, -it.direction *it.shear_f / (s->friction * s->peak))
 QUANTITY(slip, it.elapsed > 0 ? it.direction * (vec_dot(it.displacement, s->tangent) + it.rolled) : 0)
-QUANTITY(of_normal, s->mass *square(vec_dot(it.v, s->normal)) / 2)
-QUANTITY(of_tangent, s->mass *square(vec_dot(it.v, s->tangent)) / 2)
-QUANTITY(of_spin, it.rotational_energy)
+QUANTITY(energy_normal, s->mass *square(vec_dot(it.v, s->normal)) / 2)
+QUANTITY(energy_tangential, s->mass *square(vec_dot(it.v, s->tangent)) / 2)
+QUANTITY(energy_rotational, it.rotational_energy)
 
 const struct nb_quantity_kind nb_impact_kinds[] = {
     {"impact.psi1", NB_OF_IMPACT, "1", 0, psi_first, "V_T/(mu kappa V_N) of the contact at incidence [R89 5.15]"},
@@ -156,8 +156,9 @@ const struct nb_quantity_kind nb_impact_kinds[] = {
     {"impact.shear", NB_OF_IMPACT, "1", NB_BIT(NB_SHEAR), shear,
      "shear force against the motion at incidence, T/(mu N_max)"},
     {"impact.slip", NB_OF_IMPACT, "m", 0, slip, "tangential displacement of the contact since first touch"},
-    {"impact.energy.normal", NB_OF_IMPACT, "J", 0, of_normal, "of the relative motion along the normal of first touch"},
-    {"impact.energy.tangential", NB_OF_IMPACT, "J", 0, of_tangent, "and along its tangent"},
-    {"impact.energy.rotational", NB_OF_IMPACT, "J", 0, of_spin, "of rotation"},
+    {"impact.energy.normal", NB_OF_IMPACT, "J", 0, energy_normal,
+     "of the relative motion along the normal of first touch"},
+    {"impact.energy.tangential", NB_OF_IMPACT, "J", 0, energy_tangential, "and along its tangent"},
+    {"impact.energy.rotational", NB_OF_IMPACT, "J", 0, energy_rotational, "of rotation"},
     {.name = NULL},
 };

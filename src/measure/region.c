@@ -36,7 +36,7 @@ enum nb_status nb_regions_create(struct nb_model *model, struct nb_error *error)
   if (!regions || !regions->list || !regions->touching || !regions->queue || (chains && !nb_chains_create(model)))
     return nb_error_memory(error);
   for (size_t r = 0; r < scene->region_count; r++)
-    regions->list[r].it = &scene->regions[r];
+    regions->list[r].definition = &scene->regions[r];
   return NB_OK;
 }
 
@@ -76,7 +76,7 @@ static void box(struct nb_region_state *now, struct nb_vec centre, struct nb_vec
 
 static void bounding_box(struct nb_region_state *now, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
-  const struct nb_vec along = vec(now->it->ex, now->it->ey), left = vec(-along.y, along.x);
+  const struct nb_vec along = vec(now->definition->ex, now->definition->ey), left = vec(-along.y, along.x);
   struct nb_vec low = vec(INFINITY, INFINITY), high = vec(-INFINITY, -INFINITY);
   for (size_t i = 0; i < particles->count; i++) {
     if (nb_removed(model, i))
@@ -95,25 +95,26 @@ static void bounding_box(struct nb_region_state *now, const struct nb_model *mod
 
 struct nb_region_state *nb_region_state(const struct nb_model *model, int region) {
   struct nb_region_state *now = &model->regions->list[region];
-  const struct nb_region *it = now->it;
+  const struct nb_region *definition = now->definition;
   if (now->placed_cycle == model->cycle + 1)
     return now;
   now->placed_cycle = model->cycle + 1;
   now->thickness = nb_thickness(model);
-  switch (it->kind) {
+  switch (definition->kind) {
   case NB_REGION_CIRCLE:
-    now->centre = vec(it->x, it->y), now->radius = it->radius;
-    now->area = nb_area_of_disc(it->radius);
+    now->centre = vec(definition->x, definition->y), now->radius = definition->radius;
+    now->area = nb_area_of_disc(definition->radius);
     break;
   case NB_REGION_INSIDE: /* empty without a boundary */
     if (nb_boundary_exists(model))
-      now->centre = model->affine->centre, now->radius = it->radius * nb_boundary_radius(model);
+      now->centre = model->affine->centre, now->radius = definition->radius * nb_boundary_radius(model);
     else
       now->centre = vec(0, 0), now->radius = 0;
     now->area = nb_area_of_disc(now->radius);
     break;
   case NB_REGION_BOX:
-    box(now, vec(it->x, it->y), vec(it->ex, it->ey), vec(it->half_x, it->half_y));
+    box(now, vec(definition->x, definition->y), vec(definition->ex, definition->ey),
+        vec(definition->half_x, definition->half_y));
     break;
   case NB_REGION_ALL:
     bounding_box(now, model);
@@ -139,12 +140,13 @@ bool nb_region_contains(const struct nb_model *model, const struct nb_region_sta
   if (nb_removed(model, slot))
     return false;
   const struct nb_vec x = vec_sub(position_of(model, region, slot), region->centre);
-  if (region->it->kind == NB_REGION_ALL)
+  if (region->definition->kind == NB_REGION_ALL)
     return true;
-  if (region->radius > 0 || region->it->kind == NB_REGION_INSIDE)
+  if (region->radius > 0 || region->definition->kind == NB_REGION_INSIDE)
     return region->radius > 0 && vec_dot(x, x) <= region->radius * region->radius;
-  const struct nb_vec along = vec(region->it->ex, region->it->ey);
-  return fabs(vec_dot(x, along)) <= region->it->half_x && fabs(along.x * x.y - along.y * x.x) <= region->it->half_y;
+  const struct nb_vec along = vec(region->definition->ex, region->definition->ey);
+  return fabs(vec_dot(x, along)) <= region->definition->half_x &&
+         fabs(along.x * x.y - along.y * x.x) <= region->definition->half_y;
 }
 
 bool nb_region_next(const struct nb_model *model, const struct nb_region_state *region, size_t *k, size_t *slot) {
@@ -162,9 +164,9 @@ static double area_inside(const struct nb_model *model, const struct nb_region_s
   const struct nb_vec x = position_of(model, region, slot);
   if (nb_removed(model, slot))
     return 0;
-  if (region->it->kind == NB_REGION_ALL)
+  if (region->definition->kind == NB_REGION_ALL)
     return nb_area_of_disc(radius);
-  if (region->radius > 0 || region->it->kind == NB_REGION_INSIDE)
+  if (region->radius > 0 || region->definition->kind == NB_REGION_INSIDE)
     return nb_area_of_lens(radius, region->radius, vec_length(vec_sub(x, region->centre)));
   return nb_area_in_polygon(x, radius, region->corners, 4);
 }
@@ -178,8 +180,8 @@ struct nb_ends nb_ends_begin(const struct nb_model *model, const struct nb_regio
 bool nb_ends_next_particle(struct nb_ends *ends) {
   const struct nb_model *model = ends->model;
   while (nb_region_next(model, ends->region, &ends->particle, &ends->slot)) {
-    const struct nb_contact_range its = nb_contact_range(&model->contacts.of, ends->slot);
-    ends->next = its.first, ends->end = its.end;
+    const struct nb_contact_range range = nb_contact_range(&model->contacts.of, ends->slot);
+    ends->next = range.first, ends->end = range.end;
     if (ends->next < ends->end)
       return true;
   }

@@ -89,7 +89,7 @@ enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
 
 /* A region in the present cycle. */
 struct nb_region_state {
-  const struct nb_region *it;
+  const struct nb_region *definition;
   struct nb_vec centre;
   double radius;              /* of a circle, m; 0: a box */
   struct nb_vec corners[4];   /* counterclockwise, m */

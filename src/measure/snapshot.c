@@ -79,10 +79,10 @@ static bool walls_table(struct nb_table *table, const struct nb_model *model, in
   return complete;
 }
 
-/* Contacts that touch. b is 0 where the second is a wall, and then `wall` counts from 1. x, y is half-way between the
- * two outlines [CS79 figure 1]; ra, rb are the radii (0 for a wall), fx, fy the elastic force on the first; angle is
- * e's. radius is that of the contact circle, ratio the same over the smaller body's, limit mu F_n + c, obliquity |F_s|
- * over it. The last one is of `from`. */
+/* Contacts that touch. For a contact with a wall b is 0 and `wall` is the number of the wall, from 1. x, y is half-way
+ * between the two outlines [CS79 figure 1]. ra, rb are the radii (0 for a wall), fx, fy the elastic force on the first
+ * particle, angle that of e. radius is that of the contact circle, ratio the same over the smaller particle's radius,
+ * limit mu F_n + c, obliquity |F_s| over it. The last column: only with `from`. */
 #define CONTACT(COLUMN)                                                                                                \
   COLUMN("a", "1", particles->number[i])                                                                               \
   COLUMN("b", "1", wall ? 0 : particles->number[b])                                                                    \
@@ -148,7 +148,7 @@ static bool rings_table(struct nb_table *table, const struct nb_model *model, in
   bool complete = nb_snapshot_table(table, model->scene, columns, COUNT(columns));
   for (size_t r = 0; r < model->scene->region_count; r++) {
     const struct nb_region_state *region = nb_region_state(model, (int)r);
-    const int rings = region->it->rings;
+    const int rings = region->definition->rings;
     double inner = 0, before = 0;
     for (int k = 1; complete && k <= rings; k++) {
       const double outer = region->radius * k / rings, now = covered_area(model, region->centre, outer);

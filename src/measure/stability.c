@@ -61,26 +61,26 @@ bool nb_stability_overlaps(struct nb_model *model) {
 
 /* h, the largest possible ratio. */
 static double max_stiffness_ratio(const struct nb_model *model) {
-  double most = 0;
+  double largest = 0;
   for (size_t p = 0; p < model->material_pair_count; p++) {
     const struct nb_material_pair *material_pair = &model->material_pairs[p];
     const bool has_stiffness = material_pair->next_shear && material_pair->next_shear->elastic;
     const double ratio = has_stiffness ? 4 * material_pair->next.shear / material_pair->next.young : 0;
-    most = ratio > most ? ratio : most;
+    largest = ratio > largest ? ratio : largest;
   }
-  return model->plan.dashpots && most < 1 ? sqrt(most) : most;
+  return model->plan.dashpots && largest < 1 ? sqrt(largest) : largest;
 }
 
 /* The k_n of a q:  dt^2 k + 2 dt (time k + ratio (M k)^(1/2)) = q,  a quadratic equation in k^(1/2). */
 static double stiffness_of(const struct nb_model *model, size_t c, double q) {
   const double dt = model->step;
-  struct nb_dashpot pot = {0};
+  struct nb_dashpot dashpot = {0};
   if (model->plan.dashpots)
-    pot = nb_dashpot(model, model->material_pairs[model->contacts.material_pair[c]].wall);
+    dashpot = nb_dashpot(model, model->material_pairs[model->contacts.material_pair[c]].wall);
   if (model->damping.deep > 0)
-    pot.ratio = pot.ratio > 2 ? pot.ratio : 2; /* it may become deep */
-  const double square = dt * dt + 2 * dt * pot.time;
-  const double line = pot.ratio > 0 ? 2 * dt * pot.ratio * sqrt(model->contacts.kept[NB_MASS][c]) : 0;
+    dashpot.ratio = dashpot.ratio > 2 ? dashpot.ratio : 2; /* it may become deep */
+  const double square = dt * dt + 2 * dt * dashpot.time;
+  const double line = dashpot.ratio > 0 ? 2 * dt * dashpot.ratio * sqrt(model->contacts.kept[NB_MASS][c]) : 0;
   const double root = 2 * q / (line + sqrt(line * line + 4 * square * q));
   return q > 0 ? root * root : 0;
 }
@@ -108,9 +108,10 @@ static const double rounding = 1e-6;
 static double overlap_with_stiffness(const struct nb_model *model, size_t c, double stiffness) {
   const struct nb_material_pair *material_pair = &model->material_pairs[model->contacts.material_pair[c]];
   const struct nb_pair values = nb_contact_constants(model, c, material_pair->next);
-  double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), none[NB_HISTORY] = {0};
+  double overlap = stiffness * stiffness / (4 * values.young * values.young * values.radius), history[NB_HISTORY] = {0};
   while (overlap > 0 && isfinite(overlap) &&
-         nb_normal_max_stiffness(material_pair->normal->normal(values, overlap, 0, none)) > (1 + rounding) * stiffness)
+         nb_normal_max_stiffness(material_pair->normal->normal(values, overlap, 0, history)) >
+             (1 + rounding) * stiffness)
     overlap /= 2;
   return overlap;
 }
@@ -139,16 +140,16 @@ static void set_update_limit(struct nb_model *model) {
   for (size_t v = 0, c = 0; v < model->blocks.count; v++)
     for (const size_t end = c + model->blocks.list[v].n; c < end; c++) {
       const int n = free_particles(model, c, slots);
-      double more = INFINITY;
+      double increase = INFINITY;
       for (int k = 0; k < n; k++) {
         const int i = slots[k];
         const double inverse = particles->inverse_mass[i], radius = particles->surface[i].radius;
         const double shear_factor = h * (inverse + radius * radius * particles->inverse_inertia[i]);
         const double per_contact = model->stability->sums[i].remainder /
                                    (double)(model->contacts.of.first[i + 1] - model->contacts.of.first[i]);
-        more = smaller(more, per_contact / (shear_factor > inverse ? shear_factor : inverse));
+        increase = smaller(increase, per_contact / (shear_factor > inverse ? shear_factor : inverse));
       }
-      stable_overlap[c] = overlap_with_stiffness(model, c, stiffness_of(model, c, stable_overlap[c] + more));
+      stable_overlap[c] = overlap_with_stiffness(model, c, stiffness_of(model, c, stable_overlap[c] + increase));
       model->blocks.stable_overlap[v].overlap = smaller(model->blocks.stable_overlap[v].overlap, stable_overlap[c]);
     }
 }

@@ -76,10 +76,10 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
     k.ks = material_pair->next_shear->shear(values, normal, 0, shear_history).stiffness;
   if (!model->plan.dashpots)
     return k;
-  const struct nb_dashpot pot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, material_pair->wall);
+  const struct nb_dashpot dashpot = deep ? (struct nb_dashpot){.ratio = 2} : nb_dashpot(model, material_pair->wall);
   const double mass = inverse_mass > 0 ? 1 / inverse_mass : 0;
-  k.cn = pot.time * k.kn + pot.ratio * sqrt(mass * k.kn);
-  k.cs = pot.time * k.ks + pot.ratio * sqrt(mass * k.ks);
+  k.cn = dashpot.time * k.kn + dashpot.ratio * sqrt(mass * k.kn);
+  k.cs = dashpot.time * k.ks + dashpot.ratio * sqrt(mass * k.ks);
   return k;
 }
 

@@ -51,16 +51,16 @@ enum nb_status nb_strain_begin(struct nb_model *model, int stage, struct nb_erro
  * of 1e-15, and far below the value of any packing. */
 static const double collinear = 1e-12;
 
-static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec from[]) {
+static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec reference[]) {
   const struct nb_particles *particles = &model->particles;
   struct nb_vec middle = vec(0, 0), mean_displacement = vec(0, 0);
   double count = 0;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    if (from[k].x != from[k].x || nb_removed(model, i))
+    if (reference[k].x != reference[k].x || nb_removed(model, i))
       continue;
-    middle = vec_add(middle, from[k]);
-    mean_displacement = vec_add(mean_displacement, vec_sub(particles->position[i], from[k]));
+    middle = vec_add(middle, reference[k]);
+    mean_displacement = vec_add(mean_displacement, vec_sub(particles->position[i], reference[k]));
     count++;
   }
   if (count < 3)
@@ -69,10 +69,10 @@ static struct nb_tensor fit(const struct nb_model *model, const struct nb_vec fr
   struct nb_tensor product = tensor(0, 0, 0, 0), square = product;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
-    if (from[k].x != from[k].x || nb_removed(model, i))
+    if (reference[k].x != reference[k].x || nb_removed(model, i))
       continue;
-    const struct nb_vec place = vec_sub(from[k], middle);
-    const struct nb_vec u = vec_sub(vec_sub(particles->position[i], from[k]), mean_displacement);
+    const struct nb_vec place = vec_sub(reference[k], middle);
+    const struct nb_vec u = vec_sub(vec_sub(particles->position[i], reference[k]), mean_displacement);
     product = tensor_add(product, tensor_outer(u, place));
     square = tensor_add(square, tensor_outer(place, place));
   }

@@ -92,23 +92,24 @@ static double sin_phi(struct nb_tensor stress) {
 
 /* Both deviators are vectors in Mohr's plane: projection of the part's on the total's. */
 static double fraction(struct nb_tensor part, struct nb_tensor whole) {
-  const double apart = whole.xx - whole.yy, mixed = whole.xy + whole.yx, square = apart * apart + mixed * mixed;
-  return square > 0 ? ((part.xx - part.yy) * apart + (part.xy + part.yx) * mixed) / square : 0;
+  const double difference = whole.xx - whole.yy, mixed = whole.xy + whole.yx,
+               square = difference * difference + mixed * mixed;
+  return square > 0 ? ((part.xx - part.yy) * difference + (part.xy + part.yx) * mixed) / square : 0;
 }
 
 /* Largest component of differences that should be 0: by particles less by contacts, sums of parts less their total. */
 static double residual(const struct nb_stress *stress) {
   const struct nb_tensor normal = stress->part[NB_STRESS_NORMAL].stress, shear = stress->part[NB_STRESS_SHEAR].stress;
   const struct nb_tensor fabric = stress->part[NB_STRESS_FABRIC].stress;
-  const struct nb_tensor zeros[] = {
+  const struct nb_tensor residuals[] = {
       tensor_sub(stress->total, stress->contacts),
       tensor_sub(tensor_add(normal, shear), stress->total),
       tensor_sub(tensor_add(fabric, stress->part[NB_STRESS_VARIATION].stress), normal),
   };
-  double most = 0;
-  for (size_t k = 0; k < sizeof zeros / sizeof *zeros; k++)
-    most = fmax(most, tensor_largest(zeros[k]));
-  return most;
+  double largest = 0;
+  for (size_t k = 0; k < sizeof residuals / sizeof *residuals; k++)
+    largest = fmax(largest, tensor_largest(residuals[k]));
+  return largest;
 }
 
 void nb_measure_stress(const struct nb_model *model, struct nb_region_state *region) {

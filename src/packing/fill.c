@@ -96,11 +96,11 @@ static bool fits(const struct nb_fill *fill, double radius) {
 
 /* Places one more particle; memory for it is reserved. False if all attempts fail. */
 static bool place(struct nb_scene *scene, struct nb_fill *fill, struct nb_grid *grid, struct nb_random *random,
-                  const struct nb_particle *like) {
+                  const struct nb_particle *prototype) {
   struct nb_particle *particle = &scene->particles[scene->particle_count];
-  *particle = *like;
+  *particle = *prototype;
   for (unsigned long attempt = 0; attempt < fill->attempts; attempt++) {
-    fill->made++;
+    fill->attempts_made++;
     if (!draw_centre(particle, fill, random) || !no_overlap(grid, scene->particles, scene->particle_count))
       continue;
     grid_add(grid, particle, scene->particle_count++);
@@ -109,7 +109,7 @@ static bool place(struct nb_scene *scene, struct nb_fill *fill, struct nb_grid *
   return false;
 }
 
-enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle like) {
+enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle prototype) {
   struct nb_grading *grading = &scene->gradings[fill->grading];
   struct nb_grid grid = {0};
   struct nb_random random = {fill->seed};
@@ -121,10 +121,10 @@ enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill,
   for (size_t s = 0; s < grading->size_count && result == NB_FILL_DONE; s++) {
     struct nb_size *size = &grading->sizes[s];
     const size_t before = scene->particle_count;
-    like.radius = size->radius;
-    bool placed = fits(fill, like.radius);
+    prototype.radius = size->radius;
+    bool placed = fits(fill, prototype.radius);
     while (placed && scene->particle_count - before < size->count)
-      placed = place(scene, fill, &grid, &random, &like);
+      placed = place(scene, fill, &grid, &random, &prototype);
     size->wanted += size->count, size->placed += scene->particle_count - before;
     if (!placed && !fill->skip)
       result = NB_FILL_STOPPED;

@@ -31,11 +31,11 @@ static double dropped(const struct nb_model *model, const struct nb_monitor *mon
   return sum.wanted - sum.placed;
 }
 static double attempts(const struct nb_model *model, const struct nb_monitor *monitor) {
-  double made = 0;
+  double total = 0;
   for (size_t f = 0; f < model->scene->fill_count; f++)
     if (model->scene->fills[f].grading == monitor->a)
-      made += (double)model->scene->fills[f].made;
-  return made;
+      total += (double)model->scene->fills[f].attempts_made;
+  return total;
 }
 /* Gap between two particles that may touch, in a cell between the nearest copies, m. */
 static double gap_between(const struct nb_model *model, const struct nb_wrap *wrap, int i, int j) {

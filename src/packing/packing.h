@@ -16,6 +16,6 @@ bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct n
 /* Adds particles at random, largest first; counts attempts in `fill`, wanted and placed particles in the sizes of its
  * grading. */
 enum nb_fill_result { NB_FILL_DONE, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
-enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle like);
+enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle prototype);
 
 #endif
