@@ -89,7 +89,7 @@ run again "$pages/saved-stage.md"
 in_two() {
   cat >"$work/text"
   { sed '/^---$/d' "$work/text"; echo '```'; } >"$pages/$1.md"
-  { sed -n '1,/^```scene/p' "$work/text"; echo "start $1 stage shear"; grep '^region\|^monitor\|^record' "$work/text"; sed '1,/^---$/d' "$work/text"
+  { sed -n '1,/^```scene/p' "$work/text"; echo "units none"; echo "start $1 stage shear"; grep '^region\|^monitor\|^record' "$work/text"; sed '1,/^---$/d' "$work/text"
     echo '```'; } >"$pages/$1-on.md"
   run "$1" "$pages/$1.md" && run "$1-on" "$pages/$1-on.md" && test "$(made)" -eq 1 &&
     grep '^on' "$work/$1/table.tsv" >"$work/wanted" && grep '^on' "$work/$1-on/table.tsv" | sed 1d | diff - "$work/wanted" >"$work/said" &&
