@@ -538,8 +538,8 @@ RUN = \
   src/run/contact_test_quantities.c \
   src/run/hooks.c \
   src/run/model.c \
-  src/run/observe.c \
-  src/run/observe.h \
+  src/run/result.c \
+  src/run/result.h \
   src/run/output_file.c \
   src/run/output_file.h \
   src/run/plan.c \

@@ -24,7 +24,7 @@ static char *text_of(const struct nb_model *model) {
   struct nb_saved saved;
   struct nb_error error;
   size_t size;
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   char *text = nb_saved_text(&saved, &size);
   CU_ASSERT_PTR_NOT_NULL_FATAL(text);
   nb_saved_free(&saved);

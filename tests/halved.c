@@ -27,7 +27,7 @@ static void look(struct seen *seen, const struct nb_model *model) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
   size_t size;
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   seen->state = nb_saved_text(&saved, &size);
   nb_saved_free(&saved);
   seen->values = calloc(scene->column_count, sizeof *seen->values);

@@ -94,7 +94,7 @@ static void balances_begin_anew(void) {
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
     continued_stages(model, 0, 2);
-    CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+    CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
     it.scene.start.stages = 2;
     struct nb_model *next = nb_model_resume(&it.scene, NULL, &saved, &error);
     CU_ASSERT_PTR_NOT_NULL_FATAL(next);
@@ -127,7 +127,7 @@ static void rules_of_stages_fit(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL(saved.rule_count, 1);
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
   saved.rule_count++;
@@ -148,7 +148,7 @@ static void other_particles_do_not_fit(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
   const struct nb_saved_particle was = saved.particles[1];
   struct nb_saved_particle others[4] = {was, was, was, was};
@@ -174,7 +174,7 @@ static void other_names_do_not_fit(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
   char *const names[] = {saved.materials[0].name, saved.materials[1].name, saved.walls[0].name, saved.walls[1].name};
   for (int k = 0; k < 4; k++) {
@@ -231,7 +231,7 @@ static void contact_forces_without_dashpots(void) {
   struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   CU_ASSERT_FALSE(model->plan.dashpots);
   continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   for (size_t c = 0; c < saved.contact_count; c++) {
     const double *field = saved.contacts[c].field;
     CU_ASSERT_EQUAL(field[NB_TOTAL_NORMAL], field[NB_NORMAL]);
@@ -260,7 +260,7 @@ static void the_step_before_goes_on(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   it.scene.start.stages = 1;
   struct nb_model *next = nb_model_resume(&it.scene, NULL, &saved, &error);
   CU_ASSERT_PTR_NOT_NULL_FATAL(next);
@@ -292,7 +292,7 @@ static void what_is_remembered_behind_a_0(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL_FATAL(saved.contact_count, 1);
   CU_ASSERT_EQUAL_FATAL(saved.contacts[0].shear.count, 2); /* T and a */
   CU_ASSERT(saved.memory[saved.contacts[0].shear.at] == 0 && saved.memory[saved.contacts[0].shear.at + 1] > 0);

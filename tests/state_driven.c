@@ -109,7 +109,7 @@ static void otherwise(const char *statements, int drop) {
   struct nb_model *model = written_model(&it, &options);
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 20);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   nb_model_free(model);
   const struct nb_saved whole = saved;
   struct nb_saved_imposed some[9] = {{.by = NB_AFFINE_NONE}};

@@ -221,7 +221,7 @@ static void whole_or_not_at_all(void) {
   CU_ASSERT_EQUAL(nb_saved_read(&saved, folder, &error), NB_BAD_USE);
   CU_ASSERT_EQUAL(nb_saved_read(&saved, "/nowhere/a.state", &error), NB_BAD_USE);
   CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "/nowhere/a.state"));
-  CU_ASSERT_EQUAL(nb_save_folder("", &error), NB_BAD_USE);
+  CU_ASSERT_EQUAL(nb_folder_create("", &error), NB_BAD_USE);
   snprintf(command, sizeof command, "rm -r %s", folder);
   CU_ASSERT_EQUAL(system(command), 0);
   free(text);

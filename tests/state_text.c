@@ -33,7 +33,7 @@ char *state_of(const char *statements, size_t *size) {
   struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 20);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   CU_ASSERT(saved.contact_count > 2);
   saved.settings = calloc(1, sizeof *saved.settings);
   strcpy(saved.settings[0], "v=0.1 m/s"), saved.setting_count = 1;

@@ -19,7 +19,7 @@ enum { NB_REQUEST_STORE = 1, NB_REQUEST_LOSS = 2, NB_REQUEST_PIECES = 4 };
   X(limit, "limit", "N", 0, "friction times the normal force, and cohesion: what the shear force cannot exceed")       \
   X(sliding, "sliding", "1", 0, "1 while the shear force is at its limit, else 0")                                     \
   X(radius, "radius", "m", 0, "of the contact circle, a; 0 for laws that know none")                                   \
-  X(stick, "radius.stick", "m", NB_REQUEST_PIECES,                                                                     \
+  X(stick_radius, "radius.stick", "m", NB_REQUEST_PIECES,                                                              \
     "within it nothing slipped in the step behind, c; for laws that keep pieces")                                      \
   X(work, "work", "J", 0, "done on the contact since the start, both sides")                                           \
   X(work_normal, "work.normal", "J", 0, "mean normal force of each step's two ends times its closing")                 \

@@ -177,7 +177,7 @@ enum nb_status nb_command_report(const struct nb_use *use) {
     return nb_error_memory(&error), complain(&error);
   for (size_t k = 0; k < use->page_count; k++)
     worst = worse(worst, report_one(use, use->pages[k], folder, &lines[k]));
-  if (nb_save_folder(folder, &error) || nb_report_write(folder, lines, use->page_count, &error))
+  if (nb_folder_create(folder, &error) || nb_report_write(folder, lines, use->page_count, &error))
     worst = worse(worst, complain(&error));
   else
     printf("look at %s/index.html\n", folder);
@@ -315,7 +315,7 @@ static enum nb_status migrate(const char *path, bool in_place, struct nb_error *
   if (!status && !in_place) {
     fputs(text.at ? text.at : "", stdout);
   } else if (!status && text.at && strcmp(text.at, page) != 0) {
-    status = nb_save_over(&save, path, error);
+    status = nb_save_replace_begin(&save, path, error);
     if (!status)
       fputs(text.at, save.file), status = nb_save_end(&save, error);
   }

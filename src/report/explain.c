@@ -72,9 +72,9 @@ static void explain_statements(FILE *out, const struct nb_scene *scene, size_t s
 
 /* What the page starts from, and what that starts from. */
 static void explain_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options) {
-  static const char *const words[] = {[NB_THERE] = "present",
-                                      [NB_STALE] = "out of date, will be computed again",
-                                      [NB_ABSENT] = "missing, will be computed"};
+  static const char *const words[] = {[NB_STATE_PRESENT] = "present",
+                                      [NB_STATE_OUTDATED] = "out of date, will be computed again",
+                                      [NB_STATE_MISSING] = "missing, will be computed"};
   char path[4096];
   struct nb_error error;
   if (scene->start.stages > 0)
@@ -87,7 +87,7 @@ static void explain_start(FILE *out, const struct nb_scene *scene, const struct 
       fprintf(out, "%s %s", k ? "," : " with", start->settings[k]);
     fprintf(out, " (line %d)\n    %s: %s\n", start->line,
             nb_start_path(path, sizeof path, here, options, &error) ? error.text : path,
-            words[nb_start_look(here, options)]);
+            words[nb_start_presence(here, options)]);
   }
 }
 
@@ -453,7 +453,7 @@ enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct 
                           struct nb_warnings *warnings, struct nb_error *error) {
   if (scene->contact_test)
     return explain_contact_test(out, scene, error);
-  if (!nb_start_there(scene, options)) {
+  if (!nb_start_is_ready(scene, options)) {
     explain_start(out, scene, options);
     fprintf(out, "  `nineball check %s` computes that state; then `explain` shows the plan\n", scene->page->path);
     return NB_OK;

@@ -179,7 +179,7 @@ static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const c
   enum nb_status status = nb_gnuplot_run(drawing, error);
   if (!status && (pread(drawing->figure, begin, strlen(magic), 0) < 0 || strcmp(begin, magic) != 0))
     status = nb_error_set(error, NB_BAD_USE, "%.200s/%s.gp draws nothing", drawing->folder, drawing->name);
-  return status ? nb_save_drop(&file), status : nb_save_end(&file, error);
+  return status ? nb_save_cancel(&file), status : nb_save_end(&file, error);
 }
 
 enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *folder, bool trust, bool *drawn,
@@ -189,7 +189,7 @@ enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *fold
   if (!nb_figure_wanted(&outcome->page))
     return NB_OK;
   find_plots(plots, sizeof plots, error);
-  if (!plots[0] || nb_save_folder(folder, error) || save_script(outcome, folder, plots, error))
+  if (!plots[0] || nb_folder_create(folder, error) || save_script(outcome, folder, plots, error))
     return error->status;
   struct nb_gnuplot drawing = {.folder = folder, .name = outcome->page.name, .recipes = plots, .trust = trust};
   drawing.commands = SETTINGS("svg font 'sans,13' background 'white'"), drawing.aloud = true;

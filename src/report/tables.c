@@ -196,7 +196,7 @@ static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, 
 }
 
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error) {
-  if (nb_save_folder(folder, error) || save(folder, "table.tsv", write_all_runs, outcome, error) ||
+  if (nb_folder_create(folder, error) || save(folder, "table.tsv", write_all_runs, outcome, error) ||
       save(folder, "values.tsv", nb_values_write, outcome, error) ||
       save(folder, "verdict.tsv", write_verdict, outcome, error))
     return error->status;

@@ -1,12 +1,14 @@
-/* A contact on the bench, and one step of it, as a block's loop would make it (laws/law_batch.h): what does not touch
- * remembers nothing, and slip counts for the share of the step in which it touched.
+/* A contact test: one contact whose approach and tangential displacement, or whose forces, are prescribed.
  *
- * A leg of a path goes step by step: each side of the contact goes along a straight line from what it is to its aim. Where that is
- * a place, the step goes there. Where it is a force, the place is sought on copies of what the laws remember: the normal force
- * first, which does not ask about slip, then the shear force.
+ * A step calls the laws as the loop over a block does (laws/law_batch.h): an open contact has no history, and the tangential
+ * increment counts only for the fraction of the step in which the contact is closed.
  *
- * A law's force never falls as the contact closes, nor as it slips on, so the place is found by halving an interval that holds
- * it until nothing is left to halve: the force is right to rounding.
+ * A segment goes in steps from the present value of each component, normal and tangential, linearly to its target. A target can
+ * be a displacement or a force. For a force, the displacement is found by trial steps on copies of the contact history: first the
+ * normal force, which does not depend on the tangential displacement, then the shear force.
+ *
+ * The force of a law never decreases as the approach or the tangential displacement grows, so bisection down to adjacent doubles
+ * finds the displacement. The force is then exact to rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "contact_test.h"
@@ -17,7 +19,7 @@
 #include "core/array.h"
 #include "core/clock.h"
 #include "core/hertz_impact.h"
-#include "observe.h"
+#include "result.h"
 
 enum nb_status nb_contact_test_create(struct nb_contact_test *contact_test, const struct nb_scene *scene,
                                       struct nb_error *error) {
@@ -50,12 +52,12 @@ void nb_contact_test_free(struct nb_contact_test *contact_test) {
   contact_test->now = contact_test->trial = (struct nb_contact_test_state){0};
 }
 
-/* A row of memory is empty when its first double is 0; up to four doubles all are. */
-static void forget(double *memory, int doubles) {
-  memset(memory, 0, (doubles > NB_HISTORY ? 1 : (size_t)doubles) * sizeof *memory);
+/* A history longer than NB_HISTORY doubles is empty when its first double is 0; a shorter one when all are. */
+static void clear_history(double *history, int doubles) {
+  memset(history, 0, (doubles > NB_HISTORY ? 1 : (size_t)doubles) * sizeof *history);
 }
 
-/* bench.trial: the contact as it would be after a straight step from bench.now to this place. */
+/* Computes contact_test->trial: the contact after a step from contact_test->now to this approach and slip, in m. */
 static void try_step(struct nb_contact_test *contact_test, double approach, double slip) {
   const struct nb_contact_test_state *now = &contact_test->now;
   struct nb_contact_test_state *next = &contact_test->trial;
@@ -66,7 +68,7 @@ static void try_step(struct nb_contact_test *contact_test, double approach, doub
   const double overlap = approach > 0 ? approach : 0, dn = approach - now->approach;
   const bool touching = overlap > 0;
   if (!touching && contact_test->normal_doubles > NB_HISTORY)
-    forget(next->normal_history, contact_test->normal_doubles);
+    clear_history(next->normal_history, contact_test->normal_doubles);
   next->n = contact_test->normal->normal(contact_test->pair, overlap, dn, next->normal_history);
   next->n.overlap = overlap;
   next->s = (struct nb_shear){0};
@@ -74,105 +76,108 @@ static void try_step(struct nb_contact_test *contact_test, double approach, doub
     next->s = contact_test->shear->shear(contact_test->pair, next->n,
                                          (slip - now->slip) * nb_touch_fraction(overlap, dn), next->shear_history);
   if (!touching) {
-    forget(next->normal_history, contact_test->normal_doubles);
-    forget(next->shear_history, contact_test->shear_doubles);
+    clear_history(next->normal_history, contact_test->normal_doubles);
+    clear_history(next->shear_history, contact_test->shear_doubles);
   }
 }
 
-/* Makes the step that was tried last. */
-static void make_step(struct nb_contact_test *contact_test) {
+/* Accepts the last trial step. */
+static void accept_step(struct nb_contact_test *contact_test) {
   const struct nb_contact_test_state before = contact_test->now, *after = &contact_test->trial;
-  const double touched = nb_touch_fraction(after->n.overlap, after->approach - before.approach);
+  const double fraction = nb_touch_fraction(after->n.overlap, after->approach - before.approach);
   contact_test->work_normal += (before.n.force + after->n.force) / 2 * (after->n.overlap - before.n.overlap);
-  contact_test->work_shear += (before.s.force + after->s.force) / 2 * (after->slip - before.slip) * touched;
+  contact_test->work_shear += (before.s.force + after->s.force) / 2 * (after->slip - before.slip) * fraction;
   contact_test->dissipated += contact_test->shear->dissipative ? after->s.dissipated : 0;
   contact_test->step++;
   contact_test->now = contact_test->trial;
   contact_test->trial = before;
 }
 
-/* ---- legs ---- */
+/* ---- segments ---- */
 
 static double smaller_radius(const struct nb_scene *scene) {
   const double a = scene->particles[0].radius, b = scene->particle_count > 1 ? scene->particles[1].radius : a;
   return a < b ? a : b;
 }
 
-/* The side that is sought, and the place of the other one. */
-struct side {
+/* Which displacement is unknown, and the value of the other one. */
+struct unknown {
   bool shear;
   double approach, slip;
 };
 
-/* The force, were this side at x. */
-static double force_at(struct nb_contact_test *contact_test, const struct side *side, double x) {
-  if (side->shear)
-    try_step(contact_test, side->approach, x);
+/* The force, N, with the unknown displacement at x, m. */
+static double force_at(struct nb_contact_test *contact_test, const struct unknown *unknown, double x) {
+  if (unknown->shear)
+    try_step(contact_test, unknown->approach, x);
   else
-    try_step(contact_test, x, side->slip);
-  return side->shear ? contact_test->trial.s.force : contact_test->trial.n.force;
+    try_step(contact_test, x, unknown->slip);
+  return unknown->shear ? contact_test->trial.s.force : contact_test->trial.n.force;
 }
 
-/* Halves the interval from `near`, where the force has not come to `target`, to `beyond`, where it has. */
-static double halve(struct nb_contact_test *contact_test, const struct side *side, double near, double beyond,
-                    double target, double sense) {
+/* Bisects the interval from `before`, where the force has not reached `target`, to `after`, where it has. */
+static double bisect(struct nb_contact_test *contact_test, const struct unknown *unknown, double before, double after,
+                     double target, double sign) {
   for (;;) {
-    const double middle = near + (beyond - near) / 2;
-    if (middle == near || middle == beyond)
-      return beyond;
-    if (sense * (force_at(contact_test, side, middle) - target) < 0)
-      near = middle;
+    const double midpoint = before + (after - before) / 2;
+    if (midpoint == before || midpoint == after)
+      return after;
+    if (sign * (force_at(contact_test, unknown, midpoint) - target) < 0)
+      before = midpoint;
     else
-      beyond = middle;
+      after = midpoint;
   }
 }
 
-/* The place nearest to `from` where the force has come to `target`; false: it never does, then *reached is as far as it comes.
- * A limit that is missed by rounding alone is reached. */
-static bool seek(double *place, double *reached, struct nb_contact_test *contact_test, const struct side *side,
-                 double from, double target) {
+/* Finds the displacement nearest to `from` at which the force reaches `target`. Returns false if it never does; *reached is then
+ * the force at the largest displacement tried. A force that misses the target by rounding only counts as reached. */
+static bool find_displacement(double *place, double *reached, struct nb_contact_test *contact_test,
+                              const struct unknown *unknown, double from, double target) {
   static const double rounding = 1e-13;
-  *reached = force_at(contact_test, side, from), *place = from;
+  *reached = force_at(contact_test, unknown, from), *place = from;
   if (*reached == target)
     return true;
-  const double sense = target > *reached ? 1 : -1;
-  const double far = 2 * smaller_radius(contact_test->scene); /* what is farther is no contact */
-  const double stiffness = side->shear ? contact_test->trial.s.stiffness : contact_test->trial.n.stiffness;
+  const double sign = target > *reached ? 1 : -1;
+  const double largest = 2 * smaller_radius(contact_test->scene); /* no contact goes farther, m */
+  const double stiffness = unknown->shear ? contact_test->trial.s.stiffness : contact_test->trial.n.stiffness;
   double width = stiffness > 0 ? fabs(target - *reached) / stiffness : 0;
-  width =
-      width > 1e-12 * far && width < far ? width : 1e-12 * far; /* from some femtometres on, when nobody knows better */
-  for (; sense * (*reached - target) < 0; width *= 2) {
-    if (width > far && fabs(*reached - target) > rounding * fabs(target))
+  if (!(width > 1e-12 * largest && width < largest))
+    width = 1e-12 * largest; /* the stiffness gives no usable estimate: start from some femtometres */
+  for (; sign * (*reached - target) < 0; width *= 2) {
+    if (width > largest && fabs(*reached - target) > rounding * fabs(target))
       return false;
-    if (width > far)
+    if (width > largest)
       target = *reached;
-    *place = from + sense * width;
-    *reached = force_at(contact_test, side, *place);
+    *place = from + sign * width;
+    *reached = force_at(contact_test, unknown, *place);
   }
-  *place = halve(contact_test, side, from, *place, target, sense);
+  *place = bisect(contact_test, unknown, from, *place, target, sign);
   return true;
 }
 
-/* Where a leg begins and ends, in its own terms. */
+/* Start and end of a segment. */
 struct segment {
   const struct nb_stage *stage;
-  double normal_from, normal_to; /* m or N, as the aims say */
+  double normal_from, normal_to; /* m or N, as the targets are */
   double shear_from, shear_to;
 };
 
-static double end_of(const struct nb_target *aim, double from) { return aim->by ? from + aim->value : aim->value; }
+static double target_value(const struct nb_target *target, double from) {
+  return target->by ? from + target->value : target->value;
+}
 
 static struct segment segment_begin(const struct nb_contact_test *contact_test, const struct nb_stage *stage) {
   const struct nb_contact_test_state *now = &contact_test->now;
-  const struct nb_segment *aims = &stage->segment;
-  const double normal = aims->normal.force ? now->n.force : now->approach;
-  const double shear = aims->shear.force ? now->s.force : now->slip;
-  return (struct segment){stage, normal, end_of(&aims->normal, normal), shear, end_of(&aims->shear, shear)};
+  const struct nb_segment *targets = &stage->segment;
+  const double normal = targets->normal.force ? now->n.force : now->approach;
+  const double shear = targets->shear.force ? now->s.force : now->slip;
+  return (struct segment){stage, normal, target_value(&targets->normal, normal), shear,
+                          target_value(&targets->shear, shear)};
 }
 
-static enum nb_status unreachable(const struct nb_contact_test *contact_test, const struct nb_stage *stage,
-                                  unsigned long step, bool shear, double target, double reached,
-                                  struct nb_error *error) {
+static enum nb_status force_unreachable(const struct nb_contact_test *contact_test, const struct nb_stage *stage,
+                                        unsigned long step, bool shear, double target, double reached,
+                                        struct nb_error *error) {
   const char *unit = contact_test->scene->unitless ? "" : " N";
   char limit[128] = "";
   if (shear)
@@ -184,7 +189,7 @@ static enum nb_status unreachable(const struct nb_contact_test *contact_test, co
       stage->line, step, stage->cycles, shear ? "shear" : "normal", target, unit, reached, unit, limit);
 }
 
-/* Step number `step` of the leg, from 1; NB_BROKEN when a force cannot be reached. */
+/* Runs step number `step` of the segment, from 1. NB_BROKEN when a force cannot be reached. */
 static enum nb_status segment_step(struct nb_contact_test *contact_test, const struct segment *segment,
                                    unsigned long step, struct nb_error *error) {
   const struct nb_stage *stage = segment->stage;
@@ -201,22 +206,23 @@ static enum nb_status segment_step(struct nb_contact_test *contact_test, const s
     slip = stage->segment.points[step - 1].slip;
   }
   if (stage->segment.normal.force &&
-      !seek(&approach, &reached, contact_test, &(struct side){.slip = now.slip}, now.approach, normal))
-    return unreachable(contact_test, stage, step, false, normal, reached, error);
+      !find_displacement(&approach, &reached, contact_test, &(struct unknown){.slip = now.slip}, now.approach, normal))
+    return force_unreachable(contact_test, stage, step, false, normal, reached, error);
   if (stage->segment.shear.force &&
-      !seek(&slip, &reached, contact_test, &(struct side){.shear = true, .approach = approach}, now.slip, shear))
-    return unreachable(contact_test, stage, step, true, shear, reached, error);
+      !find_displacement(&slip, &reached, contact_test, &(struct unknown){.shear = true, .approach = approach},
+                         now.slip, shear))
+    return force_unreachable(contact_test, stage, step, true, shear, reached, error);
   try_step(contact_test, approach, slip);
   if (!isfinite(contact_test->trial.n.force) || !isfinite(contact_test->trial.s.force))
     return nb_error_set(error, NB_BROKEN, "segment `%s` (line %d), step %lu: the force is not a number", stage->name,
                         stage->line, step);
-  make_step(contact_test);
+  accept_step(contact_test);
   return NB_OK;
 }
 
-/* ---- a path ---- */
+/* ---- the whole test ---- */
 
-static bool observe(struct nb_table *table, const struct nb_contact_test *contact_test, int stage) {
+static bool add_row(struct nb_table *table, const struct nb_contact_test *contact_test, int stage) {
   double *row = nb_table_row(table, stage, (double)contact_test->step, 0);
   if (!row)
     return false;
@@ -225,7 +231,7 @@ static bool observe(struct nb_table *table, const struct nb_contact_test *contac
   return true;
 }
 
-static bool keep_snapshot(struct nb_result *result, const struct nb_contact_test *contact_test, int stage) {
+static bool add_snapshot(struct nb_result *result, const struct nb_contact_test *contact_test, int stage) {
   struct nb_snapshot *snapshot = NB_ARRAY_APPEND(result->snapshots, result->snapshot_count);
   return snapshot && nb_contact_test_snapshot(snapshot, contact_test, stage);
 }
@@ -234,38 +240,38 @@ static enum nb_status run_segment(struct nb_result *result, struct nb_contact_te
                                   struct nb_error *error) {
   const struct nb_stage *stage = &contact_test->scene->stages[index];
   const struct segment segment = segment_begin(contact_test, stage);
-  bool whole = true;
-  for (unsigned long step = 1; step <= stage->cycles && whole; step++) {
+  bool stored = true;
+  for (unsigned long step = 1; step <= stage->cycles && stored; step++) {
     const enum nb_status status = segment_step(contact_test, &segment, step, error);
     if (status)
       return status;
     result->stage_cycles[index] = step;
     if (stage->record_interval && (step % stage->record_interval == 0 || step == stage->cycles))
-      whole = observe(&result->table, contact_test, index);
+      stored = add_row(&result->table, contact_test, index);
   }
-  if (whole && stage->snapshot)
-    whole = keep_snapshot(result, contact_test, index);
-  return whole ? NB_OK : nb_error_memory(error);
+  if (stored && stage->snapshot)
+    stored = add_snapshot(result, contact_test, index);
+  return stored ? NB_OK : nb_error_memory(error);
 }
 
 enum nb_status nb_contact_test_run(struct nb_result *result, const struct nb_scene *scene,
                                    const struct nb_progress *progress, struct nb_error *error) {
-  struct nb_teller teller = nb_tell_begin(progress);
+  struct nb_reporter reporter = nb_reporter_begin(progress);
   struct nb_contact_test contact_test;
   *result = (struct nb_result){0};
-  if (!nb_observe_begin(result, scene))
+  if (!nb_result_begin(result, scene))
     return nb_error_memory(error);
   enum nb_status status = nb_contact_test_create(&contact_test, scene, error);
   if (status)
     return status;
-  if (!observe(&result->table, &contact_test, 0))
+  if (!add_row(&result->table, &contact_test, 0))
     status = nb_error_memory(error);
   for (size_t s = 0; s < scene->stage_count && !status; s++) {
     status = run_segment(result, &contact_test, (int)s, error);
-    nb_tell(&teller, scene->stages[s].name, (double)(s + 1) / (double)scene->stage_count);
+    nb_reporter_update(&reporter, scene->stages[s].name, (double)(s + 1) / (double)scene->stage_count);
   }
   result->cycles = result->updates = contact_test.step;
-  result->seconds = nb_clock() - teller.began;
+  result->seconds = nb_clock() - reporter.began;
   nb_contact_test_free(&contact_test);
   return status;
 }

@@ -1,13 +1,13 @@
-/* What is seen of the contact on the bench.
+/* Quantities and snapshots of a contact test.
  *
- * The traction over the contact circle, from D(x) of a law that keeps its history in pieces (docs/CONTACT.md, v).
+ * The traction over the contact circle, from the memory diagram D(x) of a law that keeps it in pieces (docs/CONTACT.md, v).
  *
- *   p(r; x)  Hertz's pressure at the radius r when the overlap was x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle, Pa
- *   q(r)     mu times the integral of D(x) dp(r; x): each ring x carries D of what its pressure adds, Pa
- *   T        mu times the integral of D(x) dN(x), N: the integral of q over the circle
+ *   p(r; x)  Hertz's pressure at the radius r and the overlap x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle, Pa
+ *   q(r)     traction, mu times the integral of D(x) dp(r; x), Pa
+ *   T        shear force, mu times the integral of D(x) dN(x), N: the integral of q over the circle
  *
- * D is constant over a piece, so its part of q is mu D (p(r; x_i) - p(r; x_(i-1))): the difference of two Hertz pressures, as
- * in [R89 3.23, 3.35].
+ * D is constant over a piece, so a piece contributes mu D (p(r; x_i) - p(r; x_(i-1))) to q: the difference of two Hertz
+ * pressures, as in [R89 3.23, 3.35].
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "contact_test.h"
@@ -16,9 +16,9 @@
 #include "input/contact_test_quantities.h"
 #include "measure/snapshot.h"
 
-/* What the shear law keeps of its history: D is D[i] from the overlap x[i-1] (0 at first) to x[i]. */
+/* The memory diagram of the shear law: D is D[i] between the overlaps x[i-1], or 0 if i is 0, and x[i]. */
 struct history {
-  int count;                                 /* 0: the law keeps none, or nothing touches */
+  int count;                                 /* 0: the law keeps no pieces, or the contact is open */
   double x[NB_PIECES_MAX], D[NB_PIECES_MAX]; /* m, 1 */
 };
 
@@ -31,14 +31,14 @@ static struct history history_of(const struct nb_contact_test *contact_test) {
   return history;
 }
 
-/* D of a ring that slipped is 1 or -1 but for the rounding of the law that worked it out. */
-static bool slipped(double D, double sense) { return D * sense > 1 - 1e-9; }
+/* D of a ring that has slipped is 1 or -1, apart from rounding. */
+static bool has_slipped(double D, double sense) { return D * sense > 1 - 1e-9; }
 
-static double stick(const struct nb_contact_test *contact_test) {
+static double stick_radius(const struct nb_contact_test *contact_test) {
   const struct history history = history_of(contact_test);
-  int edge = history.count; /* from the edge inwards, as far as all has slipped in one sense */
+  int edge = history.count; /* inwards from the edge, while the rings have slipped in one direction */
   const double sense = edge && history.D[edge - 1] < 0 ? -1 : 1;
-  while (edge > 0 && slipped(history.D[edge - 1], sense))
+  while (edge > 0 && has_slipped(history.D[edge - 1], sense))
     edge--;
   return edge > 0 ? sqrt(contact_test->pair.radius * history.x[edge - 1]) : 0;
 }
@@ -59,8 +59,8 @@ static double traction_at(const struct nb_contact_test *contact_test, const stru
   return q;
 }
 
-/* dA = pi d(r^2), from the centre to the edge of the contact, piece by piece by Simpson's rule in w: r^2 = to - (to - from) w^2
- * makes the root at a piece's edge a straight line. */
+/* The integral of q dA with dA = pi d(r^2), piece by piece by Simpson's rule in w. The substitution r^2 = to - (to - from) w^2
+ * makes the square root at the outer edge of a piece linear in w. */
 static double traction(const struct nb_contact_test *contact_test) {
   enum { HALVES = 100 };
   const struct history history = history_of(contact_test);
@@ -102,7 +102,7 @@ ON_CONTACT_TEST(dissipated, contact_test->dissipated)
 ON_CONTACT_TEST(pieces, history_of(contact_test).count)
 
 double nb_contact_test_value(struct nb_quantity quantity, const struct nb_contact_test *contact_test) {
-#define ROW(function, name, unit, asks, help) function,
+#define ROW(function, name, unit, requested, help) function,
   static double (*const values[])(const struct nb_contact_test *contact_test) = {NB_CONTACT_TEST_QUANTITIES(ROW)};
 #undef ROW
   return values[quantity.kind - nb_contact_test_kinds](contact_test);
@@ -110,9 +110,9 @@ double nb_contact_test_value(struct nb_quantity quantity, const struct nb_contac
 
 /* ---- snapshots ---- */
 
-/* From the edge of the circle to its centre: pressure, traction, and what friction would allow. */
-static bool see_traction(struct nb_table *table, const struct nb_contact_test *contact_test,
-                         const struct history *history, int stage) {
+/* Pressure, traction and friction limit against r, from the centre of the contact circle to its edge. */
+static bool tabulate_traction(struct nb_table *table, const struct nb_contact_test *contact_test,
+                              const struct history *history, int stage) {
   enum { POINTS = 400 };
   static const struct nb_table_column columns[] = {{"r", "m"}, {"pressure", "Pa"}, {"traction", "Pa"}, {"limit", "Pa"}};
   const double square = contact_test->pair.radius * contact_test->now.n.overlap;
@@ -129,9 +129,9 @@ static bool see_traction(struct nb_table *table, const struct nb_contact_test *c
   return true;
 }
 
-/* Two rows for each piece, its inner edge and its outer one, so that a line through them is D(x). */
-static bool see_pieces(struct nb_table *table, const struct nb_contact_test *contact_test,
-                       const struct history *history, int stage) {
+/* Two rows for each piece, at its inner and its outer edge, so that a line through the rows plots D(x). */
+static bool tabulate_pieces(struct nb_table *table, const struct nb_contact_test *contact_test,
+                            const struct history *history, int stage) {
   static const struct nb_table_column columns[] = {{"x", "m"}, {"r", "m"}, {"D", "1"}};
   if (!nb_snapshot_table(table, contact_test->scene, columns, 3))
     return false;
@@ -149,6 +149,6 @@ static bool see_pieces(struct nb_table *table, const struct nb_contact_test *con
 bool nb_contact_test_snapshot(struct nb_snapshot *snapshot, const struct nb_contact_test *contact_test, int stage) {
   const struct history history = history_of(contact_test);
   *snapshot = (struct nb_snapshot){.stage = stage};
-  return see_traction(&snapshot->traction, contact_test, &history, stage) &&
-         see_pieces(&snapshot->pieces, contact_test, &history, stage);
+  return tabulate_traction(&snapshot->traction, contact_test, &history, stage) &&
+         tabulate_pieces(&snapshot->pieces, contact_test, &history, stage);
 }

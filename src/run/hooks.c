@@ -1,7 +1,7 @@
-/* The hooks of a cycle: what a scene does in it besides motion, search and forces. What it does not use is not in the list.
+/* The hooks of a cycle: what a scene does besides motion, search and force calculation. A scene lists only the hooks it needs.
  *
- * The order of the table is that of the cycle. It matters: the balances read the forces before the motion and after it, the
- * boundary is moved before the particles, and a stage changes properties before anything is searched for.
+ * The hooks run in the order of the table. The order matters: the energy balance reads the forces before and after the motion,
+ * the boundary gets its velocities before the particles move, and a stage changes properties before the search.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <assert.h>
@@ -20,26 +20,26 @@
     action;                                                                                                            \
     return NB_OK;                                                                                                      \
   }
-HOOK(move_walls, nb_stage_drive(model))
-HOOK(follow_stress, nb_servo_apply(model))
+HOOK(move_walls, nb_stage_set_wall_velocities(model))
+HOOK(apply_servo, nb_servo_apply(model))
 HOOK(strain_box, nb_box_set_velocities(model))
-HOOK(account_before, nb_balance_before_motion(model))
-HOOK(account_kick, nb_balance_after_motion(model))
-HOOK(account_forces, nb_balance_after_forces(model))
-HOOK(press, nb_boundary_after_motion(model))
-HOOK(count_deep, nb_deep_record_first(model))
-HOOK(find_fracc, nb_fracc_after_forces(model))
-HOOK(count_slid, nb_configuration_add_slip(model))
+HOOK(balance_before_motion, nb_balance_before_motion(model))
+HOOK(balance_after_motion, nb_balance_after_motion(model))
+HOOK(balance_after_forces, nb_balance_after_forces(model))
+HOOK(apply_boundary_stress, nb_boundary_after_motion(model))
+HOOK(record_first_deep, nb_deep_record_first(model))
+HOOK(update_fracc, nb_fracc_after_forces(model))
+HOOK(add_slip, nb_configuration_add_slip(model))
 
-/* Where the step does not carry all particles, those of the boundary are. */
-static enum nb_status affine_along(struct nb_model *model, struct nb_error *error) {
+/* If the affine motion of the step does not include all particles, the boundary particles get it separately. */
+static enum nb_status move_affinely(struct nb_model *model, struct nb_error *error) {
   (void)error;
   if (!nb_affine_step(model) && model->boundary)
     nb_boundary_set_velocities(model);
   return NB_OK;
 }
 
-static enum nb_status change(struct nb_model *model, struct nb_error *error) {
+static enum nb_status change_properties(struct nb_model *model, struct nb_error *error) {
   if (model->balance)
     nb_balance_change(model, true);
   const enum nb_status status = nb_stage_change(model, error);
@@ -48,8 +48,8 @@ static enum nb_status change(struct nb_model *model, struct nb_error *error) {
   return status;
 }
 
-/* After each search, and now and then without one. */
-static enum nb_status monitor(struct nb_model *model, struct nb_error *error) {
+/* After each search, and every NB_STABILITY_CYCLES cycles. */
+static enum nb_status check_stability(struct nb_model *model, struct nb_error *error) {
   if (model->search.last_cycle != model->cycle && model->cycle % NB_STABILITY_CYCLES != 0)
     return NB_OK;
   if (nb_stability_check(model, error))
@@ -62,52 +62,52 @@ static enum nb_status check_stiffening(struct nb_model *model, struct nb_error *
   return nb_stability_overlaps(model) ? NB_OK : nb_stability_check(model, error);
 }
 
-/* Which of them the scene needs now. */
-#define WANTED(name, condition)                                                                                        \
+/* Whether the scene needs a hook in its present stage. */
+#define NEEDED(name, condition)                                                                                        \
   static bool name(const struct nb_model *model) { return condition; }
-WANTED(ramps_walls, nb_stage_ramps_walls(model))
-WANTED(has_boundary, model->boundary != NULL)
-WANTED(has_servo, model->affine && model->stage && model->stage->servo.line)
-WANTED(strains_box, nb_box_is_strained(model))
-WANTED(balances, model->balance != NULL)
-WANTED(carries, model->affine != NULL)
-WANTED(changes, nb_stage_changes(model))
-WANTED(stiffens, model->blocks.stable_overlap != NULL)
-WANTED(elastic, model->plan.elastic)
-WANTED(requests_fracc, model->fracc != NULL)
-WANTED(has_reference, model->configuration != NULL)
+NEEDED(ramps_walls, nb_stage_ramps_walls(model))
+NEEDED(has_boundary, model->boundary != NULL)
+NEEDED(has_servo, model->affine && model->stage && model->stage->servo.line)
+NEEDED(strains_box, nb_box_is_strained(model))
+NEEDED(has_balance, model->balance != NULL)
+NEEDED(has_affine, model->affine != NULL)
+NEEDED(changes_properties, nb_stage_changes(model))
+NEEDED(stiffens, model->blocks.stable_overlap != NULL)
+NEEDED(has_elastic_law, model->plan.elastic)
+NEEDED(requests_fracc, model->fracc != NULL)
+NEEDED(has_reference, model->configuration != NULL)
 
 static const struct {
   enum nb_when when;
   const char *name;
-  bool (*wanted)(const struct nb_model *model); /* NULL: by every scene */
+  bool (*needed)(const struct nb_model *model); /* NULL: every scene needs it */
   enum nb_status (*run)(struct nb_model *model, struct nb_error *error);
 } table[] = {
     {NB_BEFORE_MOTION, "walls ramp", ramps_walls, move_walls},
     {NB_BEFORE_MOTION, "boundary takes in particles", has_boundary, nb_boundary_before_motion},
-    {NB_BEFORE_MOTION, "servo", has_servo, follow_stress},
+    {NB_BEFORE_MOTION, "servo", has_servo, apply_servo},
     {NB_BEFORE_MOTION, "walls of the box follow its strain rate", strains_box, strain_box},
-    {NB_BEFORE_MOTION, "energy balance", balances, account_before},
-    {NB_BEFORE_MOTION, "affine motion", carries, affine_along},
-    {NB_AFTER_MOTION, "energy balance", balances, account_kick},
-    {NB_AFTER_MOTION, "stress on the boundary", has_boundary, press},
-    {NB_BEFORE_SEARCH, "changes of the stage", changes, change},
-    {NB_BEFORE_FORCES, "stability check", NULL, monitor},
+    {NB_BEFORE_MOTION, "energy balance", has_balance, balance_before_motion},
+    {NB_BEFORE_MOTION, "affine motion", has_affine, move_affinely},
+    {NB_AFTER_MOTION, "energy balance", has_balance, balance_after_motion},
+    {NB_AFTER_MOTION, "stress on the boundary", has_boundary, apply_boundary_stress},
+    {NB_BEFORE_SEARCH, "changes of the stage", changes_properties, change_properties},
+    {NB_BEFORE_FORCES, "stability check", NULL, check_stability},
     {NB_AFTER_FORCES, "stability check of stiffening contacts", stiffens, check_stiffening},
-    {NB_AFTER_FORCES, "count of deep overlaps", elastic, count_deep},
-    {NB_AFTER_FORCES, "FRACC", requests_fracc, find_fracc},
-    {NB_AFTER_FORCES, "sliding since a stage", has_reference, count_slid},
-    {NB_AFTER_FORCES, "energy balance", balances, account_forces},
+    {NB_AFTER_FORCES, "count of deep overlaps", has_elastic_law, record_first_deep},
+    {NB_AFTER_FORCES, "FRACC", requests_fracc, update_fracc},
+    {NB_AFTER_FORCES, "sliding since a stage", has_reference, add_slip},
+    {NB_AFTER_FORCES, "energy balance", has_balance, balance_after_forces},
 };
 
 void nb_hooks_plan(struct nb_model *model) {
   for (int when = 0; when < NB_WHENS; when++)
     model->hooks[when].count = 0;
   for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
-    struct nb_hooks *all = &model->hooks[table[k].when];
-    if (table[k].wanted && !table[k].wanted(model))
+    struct nb_hooks *list = &model->hooks[table[k].when];
+    if (table[k].needed && !table[k].needed(model))
       continue;
-    assert(all->count < NB_HOOKS);
-    all->list[all->count++] = (struct nb_hook){table[k].name, table[k].run};
+    assert(list->count < NB_HOOKS);
+    list->list[list->count++] = (struct nb_hook){table[k].name, table[k].run};
   }
 }

@@ -1,4 +1,4 @@
-/* From the scene to what runs: bodies, walls, pairings of materials, the plan, the first search, the forces at time 0.
+/* Makes a model of a scene: particles, walls, material pairs, the plan, the first search, the forces at time 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/laws_now.h"
@@ -8,15 +8,15 @@
 #include "measure/impact.h"
 #include "measure/region.h"
 #include "measure/step.h"
-#include "observe.h"
 #include "plan.h"
 #include "restart.h"
+#include "result.h"
 #include "state.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Every second body from the front, then the others from the back: an order that no search or sum could expect. */
+/* Shuffled order for tests: every second particle from the front, the others from the back. Results must not depend on it. */
 static size_t slot_of(size_t index, size_t count, bool shuffle) {
   if (!shuffle)
     return index;
@@ -32,7 +32,7 @@ static bool has_spin(const struct nb_scene *scene) {
   return false;
 }
 
-static bool takes_out(const struct nb_scene *scene) {
+static bool removes_particles(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].removal_count > 0)
       return true;
@@ -81,7 +81,7 @@ static void make_particles(struct nb_particles *b, const struct nb_scene *scene,
   b->inverse_mass = numbers(owner, n), b->inverse_inertia = numbers(owner, n);
   if (has_spin(scene))
     b->spin = numbers(owner, n), b->angle = numbers(owner, n);
-  if (takes_out(scene))
+  if (removes_particles(scene))
     b->removed = nb_own(owner, n, sizeof(bool));
 }
 
@@ -93,14 +93,14 @@ static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct 
   w->spin = numbers(owner, n), w->angle = numbers(owner, n);
 }
 
-/* One pairing for every two materials that bodies have, and for every one that bodies have with every one that walls have. */
+/* One material pair for every two materials of particles, and for every material of particles with every one of walls. */
 static bool make_material_pairs(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const size_t n = scene->material_count;
   bool *on_particle = calloc(n + 1, sizeof *on_particle), *on_wall = calloc(n + 1, sizeof *on_wall);
   model->material_pairs = nb_own(&model->owner, n * (n + 1) / 2 + n * n, sizeof *model->material_pairs);
-  const bool made = on_particle && on_wall && model->material_pairs;
-  if (made) {
+  const bool allocated = on_particle && on_wall && model->material_pairs;
+  if (allocated) {
     for (size_t k = 0; k < scene->particle_count; k++)
       on_particle[scene->particles[k].material] = true;
     for (size_t k = 0; k < scene->wall_count; k++)
@@ -115,11 +115,11 @@ static bool make_material_pairs(struct nb_model *model) {
         }
   }
   free(on_particle), free(on_wall);
-  return made;
+  return allocated;
 }
 
-/* A tenth of the mean radius, unless the page says another: wide enough that a search is rare, narrow enough that a listed pair
- * mostly touches. Infinite where nothing is free to touch anything: then there is nothing to search for. */
+/* The skin of the neighbour list, m: as the page says, else a tenth of the mean radius, so that searches are rare and most listed
+ * pairs touch. Infinite if no particle is free or nothing else is there: then no search is needed. */
 static double skin_of(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double sum = 0;
@@ -148,8 +148,8 @@ static bool make_parts(struct nb_model *model, const struct nb_scene *scene, boo
   return nb_cell_create(model) && nb_configuration_create(model);
 }
 
-/* What holds before the first stage. */
-static void begin(struct nb_model *model, const struct nb_scene *scene, const struct nb_options *options) {
+/* Values before the first stage. */
+static void set_initial_values(struct nb_model *model, const struct nb_scene *scene, const struct nb_options *options) {
   model->critical = nb_step_single_contact(model);
   model->damping = scene->damping;
   model->gravity = vec(scene->gravity.x, scene->gravity.y);
@@ -161,36 +161,37 @@ static void begin(struct nb_model *model, const struct nb_scene *scene, const st
   model->laws = model->next = nb_laws_initial(scene);
 }
 
-/* The first list of contacts, and the step. */
-static enum nb_status find_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+/* Makes the plan and the first list of contacts, and sets the step. */
+static enum nb_status create_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   if (nb_affine_create(model, error) || nb_boundary_create(model, error) ||
-      (saved && nb_saved_put_driven(model, saved, error)) || nb_plan(model, error) ||
+      (saved && nb_saved_restore_loading(model, saved, error)) || nb_plan(model, error) ||
       nb_neighbours_search(model, error))
     return error->status;
   model->stability->stable_step = nb_stable_step_stage(model).step;
   return saved ? NB_OK : nb_step_set(model, &model->scene->stages[0].step, error);
 }
 
-/* Goes back from first touch by `phase` of the step. */
+/* Moves the particle back from the first touch by the fraction `phase` of the step. */
 static void begin_impact(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
-  const struct nb_impact_state strike = nb_impact_incidence(scene);
+  const struct nb_impact_state incidence = nb_impact_incidence(scene);
   const int i = model->particles.slot[scene->monitors[scene->impact.monitor].a];
   model->impact_time = scene->impact.phase * model->step;
-  model->particles.position[i] = vec_add(model->particles.position[i], vec_scale(-model->impact_time, strike.velocity));
+  model->particles.position[i] =
+      vec_add(model->particles.position[i], vec_scale(-model->impact_time, incidence.velocity));
 }
 
-/* The forces at time 0: worked out, or as the state has them. */
-static enum nb_status find_forces(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+/* The forces at time 0: computed, or from the saved state. */
+static enum nb_status initial_forces(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   if (saved)
-    return nb_saved_put_contacts(model, saved, error);
+    return nb_saved_restore_contacts(model, saved, error);
   if (model->scene->impact.line)
     begin_impact(model);
   nb_forces(model), nb_deep_record_first(model);
   return NB_OK;
 }
 
-/* What some column, condition or snapshot asks for. */
+/* Creates the measures that columns, conditions and snapshots request. */
 static enum nb_status make_measures(struct nb_model *model, struct nb_error *error) {
   if (model->plan.requested & NB_REQUEST_FRACC && !nb_fracc_create(model))
     return nb_error_memory(error);
@@ -206,13 +207,13 @@ static enum nb_status set_up(struct nb_model *model, const struct nb_options *op
     return error->status;
   if (!make_parts(model, scene, options && options->shuffle))
     return nb_error_memory(error);
-  begin(model, scene, options);
+  set_initial_values(model, scene, options);
   if (!model->laws.normal || !model->laws.shear)
     return nb_error_set(error, NB_BAD_USE, "there is no law `%s %s`", model->laws.normal ? "shear" : "normal",
                         model->laws.normal ? scene->shear : scene->normal);
   if (saved)
-    nb_saved_put(model, saved);
-  if (find_contacts(model, saved, error) || find_forces(model, saved, error) || make_measures(model, error))
+    nb_saved_restore(model, saved);
+  if (create_contacts(model, saved, error) || initial_forces(model, saved, error) || make_measures(model, error))
     return error->status;
   nb_guard_resolution(model);
   nb_hooks_plan(model);
@@ -227,7 +228,7 @@ struct nb_model *nb_model_resume(const struct nb_scene *scene, const struct nb_o
     return NULL;
   }
   model->scene = scene;
-  model->plan.requested = nb_fields_watched(scene);
+  model->plan.requested = nb_fields_requested(scene);
   if (set_up(model, options, saved, error)) {
     nb_model_free(model);
     return NULL;

@@ -1,4 +1,4 @@
-/* Files written beside and renamed.
+/* Output files: written under a temporary name, then renamed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
@@ -14,22 +14,23 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static void forget(struct nb_save *save) {
+static void release(struct nb_save *save) {
   free(save->path), free(save->temporary);
   *save = (struct nb_save){0};
 }
 
-/* Whoever writes a temporary file holds a lock on it (flock), which ends with the process: one that can be locked is left over. */
-static bool is_left(int folder, const char *name) {
+/* A process that writes a temporary file holds a lock on it (flock), which ends with the process. So a file that can be locked
+ * is a leftover. */
+static bool is_leftover(int folder, const char *name) {
   const int file = openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  const bool left = file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0;
+  const bool leftover = file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0;
   if (file >= 0)
     close(file);
-  return left;
+  return leftover;
 }
 
-/* Removes what others who were ended have left of this file: NAME.NUMBER.new beside it. */
-static void remove_left(const char *path) {
+/* Removes temporary files NAME.NUMBER.new that killed processes have left. */
+static void remove_leftovers(const char *path) {
   const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
   const size_t length = strlen(name);
   char *where = slash ? strndup(path, (size_t)(slash - path) + 1) : NULL;
@@ -38,7 +39,7 @@ static void remove_left(const char *path) {
     const char *rest = entry->d_name + length;
     if (strncmp(entry->d_name, name, length) == 0 && *rest == '.') {
       const size_t digits = strspn(rest + 1, "0123456789");
-      if (digits > 0 && strcmp(rest + 1 + digits, ".new") == 0 && is_left(dirfd(folder), entry->d_name))
+      if (digits > 0 && strcmp(rest + 1 + digits, ".new") == 0 && is_leftover(dirfd(folder), entry->d_name))
         unlinkat(dirfd(folder), entry->d_name, 0);
     }
   }
@@ -47,17 +48,18 @@ static void remove_left(const char *path) {
   free(where);
 }
 
-/* A new file, never one that is there or that a link leads to. It is ours when it still has its name once it is locked. */
+/* Creates a temporary file; never opens an existing one or follows a link. The file is ours if its name still leads to it after it
+ * is locked: another process may have removed it as a leftover in between. */
 static int create(char *temporary, size_t size, const char *path) {
   const unsigned long process = (unsigned long)getpid();
   for (unsigned long number = process; number < process + 1000; number++) {
-    struct stat mine, there;
+    struct stat opened, named;
     snprintf(temporary, size, "%s.%lu.new", path, number);
     const int file = open(temporary, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0 && errno != EEXIST)
       return -1;
-    if (file >= 0 && (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && fstat(file, &mine) == 0 &&
-        lstat(temporary, &there) == 0 && mine.st_ino == there.st_ino && mine.st_dev == there.st_dev)
+    if (file >= 0 && (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && fstat(file, &opened) == 0 &&
+        lstat(temporary, &named) == 0 && opened.st_ino == named.st_ino && opened.st_dev == named.st_dev)
       return file;
     if (file >= 0)
       close(file);
@@ -69,10 +71,10 @@ enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_e
   const size_t size = strlen(path) + 32;
   *save = (struct nb_save){.path = strdup(path), .temporary = malloc(size)};
   if (!save->path || !save->temporary) {
-    forget(save);
+    release(save);
     return nb_error_memory(error);
   }
-  remove_left(path);
+  remove_leftovers(path);
   const int file = create(save->temporary, size, path);
   save->file = file < 0 ? NULL : fdopen(file, "w+");
   if (save->file)
@@ -80,47 +82,47 @@ enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_e
   const enum nb_status status = nb_error_system(error, "cannot write %s", path);
   if (file >= 0)
     close(file), remove(save->temporary);
-  forget(save);
+  release(save);
   return status;
 }
 
-enum nb_status nb_save_over(struct nb_save *save, const char *path, struct nb_error *error) {
+enum nb_status nb_save_replace_begin(struct nb_save *save, const char *path, struct nb_error *error) {
   struct stat old;
-  char *target = realpath(path, NULL); /* where links lead */
+  char *target = realpath(path, NULL); /* so that links stay */
   const bool writable = target && access(target, W_OK) == 0 && stat(target, &old) == 0;
   enum nb_status status =
       writable ? nb_save_begin(save, target, error) : nb_error_system(error, "cannot write %s", path);
   if (!status && fchmod(fileno(save->file), old.st_mode & 07777) != 0) {
     status = nb_error_system(error, "cannot write %s", path);
-    nb_save_drop(save);
+    nb_save_cancel(save);
   }
   free(target);
   return status;
 }
 
-void nb_save_drop(struct nb_save *save) {
+void nb_save_cancel(struct nb_save *save) {
   fclose(save->file);
   remove(save->temporary);
-  forget(save);
+  release(save);
 }
 
 enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error) {
-  errno = EIO; /* if nothing says more of a write that failed earlier */
+  errno = EIO; /* for a write that failed earlier */
   if (fflush(save->file) == 0 && !ferror(save->file) && fsync(fileno(save->file)) == 0 &&
       rename(save->temporary, save->path) == 0)
-    return fclose(save->file), forget(save), NB_OK;
+    return fclose(save->file), release(save), NB_OK;
   const enum nb_status status = nb_error_system(error, "cannot write %s", save->path);
-  nb_save_drop(save);
+  nb_save_cancel(save);
   return status;
 }
 
-enum nb_status nb_save_folder(const char *path, struct nb_error *error) {
+enum nb_status nb_folder_create(const char *path, struct nb_error *error) {
   char *part = strdup(path);
   if (!part)
     return nb_error_memory(error);
   for (char *slash = strchr(part + strspn(part, "/"), '/'); slash; slash = strchr(slash + 1, '/')) {
     *slash = 0;
-    mkdir(part, 0777); /* one that is there already is no mistake; the last one below tells */
+    mkdir(part, 0777); /* it may exist; a failure shows at the last folder below */
     *slash = '/';
   }
   struct stat status;

@@ -1,24 +1,24 @@
-/* A file that is there whole or not at all: written beside, flushed to the disk, then renamed.
+/* Files that are written completely or not at all: written under a temporary name, flushed to the disk, then renamed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_SAVE_H
-#define NB_SAVE_H
+#ifndef NB_OUTPUT_FILE_H
+#define NB_OUTPUT_FILE_H
 
 #include "core/error.h"
 
 struct nb_save {
-  FILE *file; /* write here; it can be read too */
+  FILE *file; /* open for writing and reading */
   char *path, *temporary;
 };
 
-/* NB_BAD_USE and an error with the system's reason when it cannot be. Nothing is at `path` until nb_save_end says NB_OK;
- * what was there before stays until then. nb_save_end frees everything whatever it answers. */
+/* Errors are NB_BAD_USE with the reason that the system gives. The file at `path` appears, or replaces the old one, when
+ * nb_save_end returns NB_OK. nb_save_end frees everything in any case. */
 enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_error *error);
-/* The same over a file that exists and may be written: links to it and its permissions stay. */
-enum nb_status nb_save_over(struct nb_save *save, const char *path, struct nb_error *error);
+/* The same for a file that exists and is writable; symbolic links to it and its permissions are kept. */
+enum nb_status nb_save_replace_begin(struct nb_save *save, const char *path, struct nb_error *error);
 enum nb_status nb_save_end(struct nb_save *save, struct nb_error *error);
-void nb_save_drop(struct nb_save *save); /* instead of nb_save_end: nothing was written */
-/* Makes the folder, and those above it, unless they are there. */
-enum nb_status nb_save_folder(const char *path, struct nb_error *error);
+void nb_save_cancel(struct nb_save *save); /* instead of nb_save_end: discards the file */
+/* Creates the folder and those above it if they do not exist. */
+enum nb_status nb_folder_create(const char *path, struct nb_error *error);
 
 #endif

@@ -1,7 +1,7 @@
-/* The plan: for each pairing of materials the passes that its contacts need, and no others.
+/* The plan: the passes that the contacts of each material pair need, and no others.
  *
- * A contact without friction has no slip and no shear; one without dashpots needs no closing, unless its law asks for it;
- * a field that nobody reads later is not kept. `nineball explain` prints what came of it.
+ * A frictionless contact has no tangential increment and no shear force. A contact without dashpots has no normal increment,
+ * unless its law needs it. A field that nothing reads later is not kept. `nineball explain` prints the plan.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -14,14 +14,14 @@
 #include "plan.h"
 #include "state.h"
 
-static void add(struct nb_material_pair *material_pair, nb_run_pass *run, int line, const char *kind,
-                const char *name) {
+static void add_pass(struct nb_material_pair *material_pair, nb_run_pass *run, int line, const char *kind,
+                     const char *name) {
   struct nb_planned *planned = &material_pair->passes[material_pair->pass_count++];
   planned->run = run, planned->line = line;
   snprintf(planned->name, sizeof planned->name, "%s%s", kind, name);
 }
 
-/* The first line that damps contacts; 0: none does. */
+/* The line that sets contact damping; 0: none. */
 static int damped_line(const struct nb_damping *damping) {
   return damping->contact_kind                            ? damping->contact_line
          : damping->walls_separate && damping->walls_kind ? damping->walls_line
@@ -49,7 +49,7 @@ static bool uses_damping_ratio(const struct nb_damping *damping) {
          nb_damping_at(damping, true, &value) == NB_CONTACT_RATIO;
 }
 
-static enum nb_dashpot_kind dashpots_of(const struct nb_scene *scene) {
+static enum nb_dashpot_kind dashpot_kind(const struct nb_scene *scene) {
   bool oscillation = uses_damping_ratio(&scene->damping);
   for (size_t s = 0; s < scene->stage_count; s++)
     oscillation = oscillation || uses_damping_ratio(&scene->stages[s].damping);
@@ -60,12 +60,12 @@ static bool has_friction(const struct nb_material_pair *material_pair) {
   return material_pair->values.friction > 0 || material_pair->values.cohesion > 0;
 }
 
-/* Springs of elastic spheres: both stiffen together, with the overlap. */
+/* Whether both stiffnesses grow with the overlap alone, as those of elastic spheres do. */
 static bool stiffens(const struct nb_law *normal, const struct nb_law *shear) {
   return normal->elastic && !normal->incremental && (shear->elastic || strcmp(shear->name, "none") == 0);
 }
 
-static const struct nb_pass *geometry_of(const struct nb_model *model, const struct nb_material_pair *material_pair) {
+static const struct nb_pass *geometry_pass(const struct nb_model *model, const struct nb_material_pair *material_pair) {
   const bool dn = model->plan.dashpots || (material_pair->normal->needs & NB_BIT(NB_NORMAL_INCREMENT));
   const int approach = material_pair->shear ? NB_APPROACH_TANGENTIAL : dn ? NB_APPROACH_NORMAL : NB_APPROACH_OVERLAP;
   return material_pair->wall ? &nb_pass_disc_wall[approach]
@@ -81,34 +81,33 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   material_pair->pass_count = 0;
   if (stiffens(normal, shear))
     model->plan.kept |= NB_BIT(NB_STABLE_OVERLAP);
-  const enum nb_dashpot_kind form = dashpots_of(scene);
+  const enum nb_dashpot_kind form = dashpot_kind(scene);
   if (form >= NB_DASHPOTS_RATIO)
     model->plan.kept |= NB_BIT(NB_MASS);
-  const struct nb_pass *geometry = geometry_of(model, material_pair);
+  const struct nb_pass *geometry = geometry_pass(model, material_pair);
   const struct nb_pass *resolve = &nb_pass_resolve[material_pair->shear != NULL];
   const enum nb_isa isa = model->machine.isa;
-  add(material_pair, geometry->run[isa], material_pair->wall ? 0 : scene->cell.line, "", geometry->name);
+  add_pass(material_pair, geometry->run[isa], material_pair->wall ? 0 : scene->cell.line, "", geometry->name);
   if (material_pair->wall && model->vertices.any)
-    add(material_pair, nb_pass_vertices.run[isa], 0, "", nb_pass_vertices.name);
-  add(material_pair, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
+    add_pass(material_pair, nb_pass_vertices.run[isa], 0, "", nb_pass_vertices.name);
+  add_pass(material_pair, normal->run[isa], model->laws.normal_line, "normal ", normal->name);
   if (material_pair->shear)
-    add(material_pair, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
+    add_pass(material_pair, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
   if (normal->elastic)
-    add(material_pair, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
+    add_pass(material_pair, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
   const struct nb_pass *dashpots = &nb_pass_dashpots[form];
   if (model->plan.dashpots)
-    add(material_pair, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
-  add(material_pair, resolve->run[isa], 0, "", resolve->name);
+    add_pass(material_pair, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
+  add_pass(material_pair, resolve->run[isa], 0, "", resolve->name);
 }
 
-/* Fields that nothing reads, or that are the same as others, are not kept. */
-static unsigned fewer(unsigned kept, bool dissipative, const struct nb_plan *plan) {
+/* `kept` without the fields that nothing reads and those that equal others. */
+static unsigned needed_fields(unsigned kept, bool dissipative, const struct nb_plan *plan) {
   if (!plan->has_friction)
     kept &= ~(NB_BIT(NB_SHEAR_BEFORE) | NB_BIT(NB_SHEAR_STIFFNESS_BEFORE));
   if (!dissipative)
     kept &= ~NB_BIT(NB_DISSIPATED);
-  if (!plan->dashpots &&
-      kept & NB_BIT(NB_TOTAL_NORMAL)) /* then what is felt is what the laws say: one field for both */
+  if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_NORMAL)) /* without dashpots both fields are equal: one is enough */
     kept = (kept & ~NB_BIT(NB_TOTAL_NORMAL)) | NB_BIT(NB_NORMAL);
   if (!plan->dashpots && kept & NB_BIT(NB_TOTAL_SHEAR))
     kept = (kept & ~NB_BIT(NB_TOTAL_SHEAR)) | NB_BIT(NB_SHEAR);
@@ -128,25 +127,25 @@ enum nb_status nb_plan(struct nb_model *model, struct nb_error *error) {
   plan->total_shear = plan->dashpots ? NB_TOTAL_SHEAR : NB_SHEAR;
   plan->kept =
       (plan->requested & (NB_BIT(NB_FIELDS) - 1)) | NB_BIT(NB_RADIUS_SUM) | (plan->keep_all ? NB_SAVED_MASK : 0);
-  if (nb_laws_elastic(scene)) /* whenever that is: of a law that goes it is asked once more what it has stored */
+  if (nb_laws_elastic(scene)) /* in any stage: when the law changes, its stored energy is computed once more */
     plan->kept |= NB_BIT(NB_REDUCED);
   bool dissipative = false;
   plan->has_friction = false;
   for (size_t p = 0; p < model->material_pair_count; p++) {
-    struct nb_material_pair *it = &model->material_pairs[p];
-    plan_material_pair(model, it);
-    plan->has_friction = plan->has_friction || it->shear;
-    dissipative = dissipative || (it->shear && it->shear->dissipative);
-    plan->history.normal = larger(plan->history.normal, nb_law_history(it->normal, it->values));
-    plan->history.shear = larger(plan->history.shear, nb_law_history(it->shear, it->values));
+    struct nb_material_pair *material_pair = &model->material_pairs[p];
+    plan_material_pair(model, material_pair);
+    plan->has_friction = plan->has_friction || material_pair->shear;
+    dissipative = dissipative || (material_pair->shear && material_pair->shear->dissipative);
+    plan->history.normal = larger(plan->history.normal, nb_law_history(material_pair->normal, material_pair->values));
+    plan->history.shear = larger(plan->history.shear, nb_law_history(material_pair->shear, material_pair->values));
   }
-  plan->kept = fewer(plan->kept | (plan->has_friction ? NB_BIT(plan->total_shear) : 0), dissipative, plan);
+  plan->kept = needed_fields(plan->kept | (plan->has_friction ? NB_BIT(plan->total_shear) : 0), dissipative, plan);
   free(model->blocks.scratch);
   model->blocks.scratch = nb_array((size_t)model->machine.threads * NB_FIELDS * NB_BLOCK_SIZE, sizeof(double));
   return model->blocks.scratch ? NB_OK : nb_error_memory(error);
 }
 
-bool nb_plan_stands(const struct nb_model *model) {
+bool nb_plan_is_current(const struct nb_model *model) {
   const bool none = strcmp(model->laws.shear->name, "none") == 0;
   for (size_t p = 0; p < model->material_pair_count; p++)
     if (!none && has_friction(&model->material_pairs[p]) != (model->material_pairs[p].shear != NULL))

@@ -1,27 +1,28 @@
-/* The state that a page starts from: looked up in the folder of states, or made first.
+/* The saved state that a page starts from: read from the folder of states, or computed first.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#ifndef NB_START_H
-#define NB_START_H
+#ifndef NB_RESTART_H
+#define NB_RESTART_H
 
 #include "state.h"
 
-enum nb_found { NB_THERE, NB_STALE, NB_ABSENT };
+enum nb_state_presence { NB_STATE_PRESENT, NB_STATE_OUTDATED, NB_STATE_MISSING };
 
-/* Where the state is or would be, "states/nine-discs-load-0123456789abcdef.state"; size for the whole path. */
+/* The path of the state file, "states/nine-discs-load-0123456789abcdef.state", whether the file exists or not. */
 enum nb_status nb_start_path(char *path, size_t size, const struct nb_scene *scene, const struct nb_options *options,
                              struct nb_error *error);
-/* Whether it is there; stale: only one of an older text of the page, or of other values. */
-enum nb_found nb_start_look(const struct nb_scene *scene, const struct nb_options *options);
-/* Takes it from there; when it is not there it is made first, with progress, or an error if `make` is false. */
-enum nb_status nb_start_take(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
-                             const struct nb_progress *progress, bool make, struct nb_error *error);
-/* A model of a scene that starts from a state which is there. */
+/* Outdated: there is only a state of an older text of the page. */
+enum nb_state_presence nb_start_presence(const struct nb_scene *scene, const struct nb_options *options);
+/* Reads the state. If it does not exist: computes and writes it first, or an error if `make` is false. */
+enum nb_status nb_start_obtain(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
+                               const struct nb_progress *progress, bool make, struct nb_error *error);
+/* A model of a scene that starts from a state; an error if that state does not exist. */
 struct nb_model *nb_start_model(const struct nb_scene *scene, const struct nb_options *options, struct nb_error *error);
 
-bool nb_start_there(const struct nb_scene *scene, const struct nb_options *options); /* or nothing to be there */
+bool nb_start_is_ready(const struct nb_scene *scene,
+                       const struct nb_options *options); /* true also if the scene starts from no state */
 
-/* run.c: the state at the end of the scene's last stage */
+/* run.c: runs the scene and returns the state at the end of its last stage */
 enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,
                          const struct nb_progress *progress, struct nb_error *error);
 

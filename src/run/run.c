@@ -1,4 +1,4 @@
-/* A scene from its first stage to its last.
+/* Runs a scene from its first stage to its last.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -8,30 +8,30 @@
 #include "core/clock.h"
 #include "laws/laws_now.h"
 #include "measure/snapshot.h"
-#include "observe.h"
 #include "plan.h"
 #include "restart.h"
+#include "result.h"
 
 struct run {
   struct nb_result *result;
   const struct nb_scene *scene;
   struct nb_model *model;
-  struct nb_teller teller;
-  unsigned long from; /* cycles done before this run */
-  unsigned long
-      until_clock;       /* cycles to go before the clock is read again: reading it costs as much as a small cycle */
-  unsigned long planned; /* cycles of all stages, at most */
+  struct nb_reporter reporter;
+  unsigned long first_cycle;  /* number of cycles done before this run */
+  unsigned long until_report; /* cycles until the clock is read again: reading it costs as much as a small cycle */
+  unsigned long planned;      /* largest number of cycles of all stages */
 };
 
-static void tell(struct run *run, const struct nb_stage *stage) {
-  if (run->until_clock-- > 0)
+static void report_progress(struct run *run, const struct nb_stage *stage) {
+  if (run->until_report-- > 0)
     return;
-  run->until_clock = 100000 / (run->model->contacts.count + 20);
-  nb_tell(&run->teller, stage->name, (double)(run->model->cycle - run->from) / (double)run->planned);
+  run->until_report = 100000 / (run->model->contacts.count + 20);
+  nb_reporter_update(&run->reporter, stage->name,
+                     (double)(run->model->cycle - run->first_cycle) / (double)run->planned);
 }
 
-/* Looked at every so many cycles, and at the last one there may be. */
-static bool holds(const struct nb_stage *stage, const struct nb_model *model) {
+/* Conditions are evaluated every check_interval cycles and at the last cycle of the stage. */
+static bool conditions_met(const struct nb_stage *stage, const struct nb_model *model) {
   if (model->stage_cycle % stage->check_interval != 0 && model->stage_cycle < stage->cycles)
     return false;
   for (size_t k = 0; k < stage->condition_count; k++) {
@@ -43,7 +43,8 @@ static bool holds(const struct nb_stage *stage, const struct nb_model *model) {
   return stage->condition_count > 0;
 }
 
-static enum nb_status never_ended(const struct nb_stage *stage, const struct nb_model *model, struct nb_error *error) {
+static enum nb_status conditions_not_met(const struct nb_stage *stage, const struct nb_model *model,
+                                         struct nb_error *error) {
   char text[256] = "";
   for (size_t k = 0; k < stage->condition_count; k++) {
     const struct nb_condition *condition = &stage->conditions[k];
@@ -56,10 +57,10 @@ static enum nb_status never_ended(const struct nb_stage *stage, const struct nb_
                       stage->line, stage->cycles, text);
 }
 
-/* Contacts that forget are worth a word. */
+/* Notes a change of law, since contacts lose the history of the old law. */
 static void note_laws(const struct run *run, const struct nb_stage *stage) {
   const struct nb_model *model = run->model;
-  const struct nb_progress *progress = run->teller.progress;
+  const struct nb_progress *progress = run->reporter.progress;
   const struct nb_active_laws *before = &model->laws, *next = &model->next;
   char text[6 * NB_NAME_SIZE], old[NB_NAME_SIZE], memory[NB_NAME_SIZE] = "";
   for (int shear = 0; shear < 2 && progress && progress->note; shear++) {
@@ -77,20 +78,21 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
   }
 }
 
-enum { GOES_ON, ENDED, TOO_LATE };
+enum { CONTINUES, ENDED, EXHAUSTED };
 
-/* One cycle, and a row of the table after it. *how: whether the stage goes on after it; a cycle that breaks leaves that as it was. */
-static enum nb_status run_cycle(struct run *run, int index, int *how, struct nb_error *error) {
+/* Runs one cycle and records a row if one is due. *outcome: whether the stage continues; unchanged if the cycle fails. */
+static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   struct nb_model *model = run->model;
   if (nb_cycle(model, error))
     return error->status;
   const bool over = model->stage_cycle >= stage->cycles;
-  *how = (stage->condition_count ? holds(stage, model) : over) ? ENDED : over ? TOO_LATE : GOES_ON;
-  const bool due = stage->record_interval && (model->stage_cycle % stage->record_interval == 0 || *how != GOES_ON);
-  if (due && !nb_observe(&run->result->table, model, index))
+  *outcome = (stage->condition_count ? conditions_met(stage, model) : over) ? ENDED : over ? EXHAUSTED : CONTINUES;
+  const bool due =
+      stage->record_interval && (model->stage_cycle % stage->record_interval == 0 || *outcome != CONTINUES);
+  if (due && !nb_result_add_row(&run->result->table, model, index))
     return nb_error_memory(error);
-  return *how == TOO_LATE ? never_ended(stage, model, error) : NB_OK;
+  return *outcome == EXHAUSTED ? conditions_not_met(stage, model, error) : NB_OK;
 }
 
 static enum nb_status take_snapshot(struct run *run, int index, struct nb_error *error) {
@@ -102,53 +104,53 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
   const struct nb_stage *stage = &run->scene->stages[index];
   enum nb_status status = nb_stage_begin(run->model, stage, error);
   note_laws(run, stage);
-  int how = GOES_ON;
-  for (; !status && how == GOES_ON; tell(run, stage))
-    status = run_cycle(run, index, &how, error);
+  int outcome = CONTINUES;
+  for (; !status && outcome == CONTINUES; report_progress(run, stage))
+    status = run_cycle(run, index, &outcome, error);
   run->result->stage_cycles[index] = run->model->stage_cycle;
-  if (how == GOES_ON || !stage->snapshot)
+  if (outcome == CONTINUES || !stage->snapshot)
     return status;
-  struct nb_error second;
-  const enum nb_status taken = take_snapshot(run, index, status ? &second : error);
-  return status ? status : taken;
+  struct nb_error snapshot_error;
+  const enum nb_status snapshot_status = take_snapshot(run, index, status ? &snapshot_error : error);
+  return status ? status : snapshot_status;
 }
 
-/* From the scene's first stage to its last, or from behind those that a state stands for. What was seen is in the result whatever
- * the status; the state at the end in *end, unless that is NULL. */
+/* Runs all stages of the scene, or those after the stage of the state from which it starts. The result has what was recorded, even
+ * after an error. *end receives the state at the end, unless `end` is NULL. */
 static enum nb_status run_scene(struct run *run, const struct nb_options *options, struct nb_saved *end,
                                 struct nb_error *error) {
   const struct nb_scene *scene = run->scene;
   struct nb_result *result = run->result;
   struct nb_saved start = {0};
   const size_t first = scene->start.stages;
-  if (first > 0 && nb_start_take(&start, scene, options, run->teller.progress, true, error)) {
+  if (first > 0 && nb_start_obtain(&start, scene, options, run->reporter.progress, true, error)) {
     nb_saved_free(&start);
     return error->status;
   }
-  run->teller = nb_tell_begin(run->teller.progress); /* without the time that the state took */
+  run->reporter = nb_reporter_begin(run->reporter.progress); /* so that computing the state is not counted */
   for (size_t s = first; s < scene->stage_count; s++)
     run->planned += scene->stages[s].cycles;
-  if (nb_observe_begin(result, scene))
+  if (nb_result_begin(result, scene))
     run->model = nb_model_resume(scene, options, first > 0 ? &start : NULL, error);
   else
     nb_error_memory(error);
   nb_saved_free(&start);
   if (!run->model)
     return error->status;
-  run->from = run->model->cycle;
+  run->first_cycle = run->model->cycle;
   enum nb_status status = NB_OK;
-  if (scene->stages[first].record_interval && !nb_observe(&result->table, run->model, (int)first))
+  if (scene->stages[first].record_interval && !nb_result_add_row(&result->table, run->model, (int)first))
     status = nb_error_memory(error);
   for (size_t s = first; s < scene->stage_count && !status; s++)
     status = run_stage(run, (int)s, error);
   if (!status && end)
-    status = nb_saved_take(end, run->model, error);
-  result->cycles = run->model->cycle - run->from;
+    status = nb_saved_capture(end, run->model, error);
+  result->cycles = run->model->cycle - run->first_cycle;
   result->updates = run->model->updates;
   result->searches = run->model->search.count;
   result->deep = nb_deep_count(run->model);
   snprintf(result->deep_first, sizeof result->deep_first, "%s", run->model->deep.first);
-  result->seconds = nb_clock() - run->teller.began;
+  result->seconds = nb_clock() - run->reporter.began;
   result->warnings = run->model->warnings;
   nb_model_free(run->model);
   return status;
@@ -159,7 +161,7 @@ enum nb_status nb_run(struct nb_result *result, const struct nb_scene *scene, co
   if (scene->contact_test)
     return nb_contact_test_run(result, scene, progress, error);
   *result = (struct nb_result){0};
-  struct run run = {.result = result, .scene = scene, .teller.progress = progress};
+  struct run run = {.result = result, .scene = scene, .reporter.progress = progress};
   return run_scene(&run, options, NULL, error);
 }
 
@@ -167,7 +169,7 @@ enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, c
                          const struct nb_progress *progress, struct nb_error *error) {
   struct nb_options whole = options ? *options : (struct nb_options){.threads = 1};
   struct nb_result result = {0};
-  struct run run = {.result = &result, .scene = scene, .teller.progress = progress};
+  struct run run = {.result = &result, .scene = scene, .reporter.progress = progress};
   whole.keep_all = true;
   const enum nb_status status = run_scene(&run, &whole, saved, error);
   nb_result_free(&result);

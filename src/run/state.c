@@ -1,12 +1,12 @@
-/* A saved state from a model, and into one.
+/* Captures the state of a model, and restores it in another one.
  *
- * What is saved of a contact is what it has at t_N: its force and what its laws remember of it. Worked out anew they would be
- * something else, since a law has taken up the slip of the step behind already. So a model that goes on from a state lists what
- * is near, takes these over and begins with the motion; it comes to the very same bits as the one that was not interrupted.
+ * The force of a contact and its history at t_N are saved, not computed again: the laws have already used the increments of the
+ * last step. A model that continues from a state searches for neighbours, restores forces and histories, and begins with the
+ * motion. Its results equal those of an uninterrupted run to the bit.
  *
- * Strain rates are those of the step behind: the row that the next stage begins with still sees them. What the page asks of
- * each carrier lasts until a stage asks for something else. What a servo has added ends with its stage. Where bodies were at the
- * last search, and which may cross the boundary before the next one, is looked for anew and changes nothing.
+ * The saved strain rates are those of the last step, because the first row of the next stage records them. The strain rates that
+ * the page requests hold until a stage requests others; the contribution of a servo ends with its stage. The search positions, and
+ * the particles that may cross the boundary before the next search, are not saved: they do not affect results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state.h"
@@ -19,9 +19,9 @@
 #include "measure/step.h"
 #include "output_file.h"
 
-/* ---- from a model ---- */
+/* ---- capture ---- */
 
-static void take_particles(struct nb_saved *saved, const struct nb_model *model) {
+static void capture_particles(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   for (size_t k = 0; k < particles->count; k++) {
     const size_t i = (size_t)particles->slot[k];
@@ -42,25 +42,25 @@ static void take_particles(struct nb_saved *saved, const struct nb_model *model)
   saved->particle_count = particles->count;
 }
 
-/* What a state has of a wall as struct nb_walls has it. */
-#define WALL_ROWS(X) X(pivot) X(along) X(velocity) X(turn) X(h0) X(h1) X(h2) X(spin) X(angle)
+/* Members that struct nb_saved_wall and struct nb_walls share. */
+#define WALL_MEMBERS(X) X(pivot) X(along) X(velocity) X(turn) X(h0) X(h1) X(h2) X(spin) X(angle)
 
-static void take_walls(struct nb_saved *saved, const struct nb_model *model) {
+static void capture_walls(struct nb_saved *saved, const struct nb_model *model) {
   for (size_t w = 0; w < model->walls.count; w++) {
     struct nb_saved_wall *it = &saved->walls[w];
     memcpy(it->name, model->scene->walls[w].name, sizeof it->name);
     it->material = model->scene->walls[w].material;
-#define TAKE(row) it->row = model->walls.row[w];
-    WALL_ROWS(TAKE)
+#define CAPTURE(member) it->member = model->walls.member[w];
+    WALL_MEMBERS(CAPTURE)
   }
   saved->wall_count = model->walls.count;
 }
 
-/* What a law remembers of a contact, at the end of what is remembered so far; nothing where all of it is 0. */
-static struct nb_saved_history take_history(struct nb_saved *saved, const struct nb_history *memory,
-                                            const struct nb_law *law, size_t c) {
-  double room[NB_HISTORY];
-  const double *m = nb_history_read(memory, c, room);
+/* Appends the history of a contact to the saved ones; nothing if it is all 0. */
+static struct nb_saved_history capture_history(struct nb_saved *saved, const struct nb_history *memory,
+                                               const struct nb_law *law, size_t c) {
+  double buffer[NB_HISTORY];
+  const double *m = nb_history_read(memory, c, buffer);
   struct nb_saved_history it = {.at = saved->history_count};
   for (int k = 0; k < (memory->rows ? 1 : memory->doubles); k++)
     if (m[k] != 0)
@@ -70,7 +70,7 @@ static struct nb_saved_history take_history(struct nb_saved *saved, const struct
   return it;
 }
 
-static void take_contacts(struct nb_saved *saved, const struct nb_model *model) {
+static void capture_contacts(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_particles *particles = &model->particles;
   for (size_t c = 0; c < contacts->count; c++) {
@@ -80,18 +80,18 @@ static void take_contacts(struct nb_saved *saved, const struct nb_model *model) 
                                   .wall = wall,
                                   .suppressed = contacts->suppressed && (contacts->suppressed[c] & 1),
                                   .force = contacts->force[c]};
-#define TAKEN(which, name, range) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
-    NB_SAVED_FIELDS(TAKEN)
-    if (!model->plan.dashpots) /* what is felt is what the laws say */
+#define CAPTURE_FIELD(which, name, range) it.field[which] = contacts->kept[which] ? contacts->kept[which][c] : 0;
+    NB_SAVED_FIELDS(CAPTURE_FIELD)
+    if (!model->plan.dashpots) /* then the total forces are not kept: they equal those of the laws */
       it.field[NB_TOTAL_NORMAL] = it.field[NB_NORMAL], it.field[NB_TOTAL_SHEAR] = it.field[NB_SHEAR];
-    it.normal = take_history(saved, &contacts->normal_history, model->laws.normal, c);
-    it.shear = take_history(saved, &contacts->shear_history, model->laws.shear, c);
+    it.normal = capture_history(saved, &contacts->normal_history, model->laws.normal, c);
+    it.shear = capture_history(saved, &contacts->shear_history, model->laws.shear, c);
     if (it.field[NB_OVERLAP] > 0 || it.suppressed || it.normal.count || it.shear.count)
       saved->contacts[saved->contact_count++] = it;
   }
 }
 
-static bool make_room(struct nb_saved *saved, const struct nb_model *model) {
+static bool allocate(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
   const size_t remembered = (size_t)(contacts->normal_history.doubles + contacts->shear_history.doubles);
   saved->materials = calloc(model->scene->material_count + 1, sizeof *saved->materials);
@@ -103,7 +103,7 @@ static bool make_room(struct nb_saved *saved, const struct nb_model *model) {
   return saved->materials && saved->rules && saved->particles && saved->walls && saved->contacts && saved->memory;
 }
 
-static bool take_affine(struct nb_saved *saved, const struct nb_model *model) {
+static bool capture_affine(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_affine *affine = model->affine;
   const struct nb_particles *particles = &model->particles;
   saved->centre = affine->centre;
@@ -120,15 +120,15 @@ static bool take_affine(struct nb_saved *saved, const struct nb_model *model) {
   return true;
 }
 
-static bool take_ring(struct nb_saved *saved, const struct nb_model *model) {
-  const struct nb_boundary_state *drive = model->boundary;
-  const struct nb_ring *ring = &drive->ring;
+static bool capture_ring(struct nb_saved *saved, const struct nb_model *model) {
+  const struct nb_boundary_state *boundary = model->boundary;
+  const struct nb_ring *ring = &boundary->ring;
   saved->ring = (struct nb_saved_ring){.is = true,
                                        .held = ring->held,
                                        .pressing = model->particles.boundary_force != NULL,
                                        .radius = ring->radius,
                                        .shape = ring->shape,
-                                       .stress = drive->stress};
+                                       .stress = boundary->stress};
   saved->ring.members = calloc(ring->count + 1, sizeof *saved->ring.members);
   if (!saved->ring.members)
     return false;
@@ -138,18 +138,18 @@ static bool take_ring(struct nb_saved *saved, const struct nb_model *model) {
   return true;
 }
 
-static enum nb_status take_driven(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
+static enum nb_status capture_loading(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
   saved->central = model->central;
   saved->rotates = !model->boundary || model->boundary->rotates;
   if (model->cell)
     saved->cell = (struct nb_saved_cell){true, model->cell->h, model->cell->image_velocity};
-  if ((model->affine && !take_affine(saved, model)) ||
-      (model->boundary && model->boundary->ring.exists && !take_ring(saved, model)))
+  if ((model->affine && !capture_affine(saved, model)) ||
+      (model->boundary && model->boundary->ring.exists && !capture_ring(saved, model)))
     return nb_error_memory(error);
   return NB_OK;
 }
 
-enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
+enum nb_status nb_saved_capture(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error) {
   const struct nb_scene *scene = model->scene;
   *saved = (struct nb_saved){
       .program = NB_VERSION,
@@ -168,17 +168,17 @@ enum nb_status nb_saved_take(struct nb_saved *saved, const struct nb_model *mode
   snprintf(saved->stage, sizeof saved->stage, "%s", model->stage ? model->stage->name : "-");
   snprintf(saved->normal, sizeof saved->normal, "%s", model->laws.normal->name);
   snprintf(saved->shear, sizeof saved->shear, "%s", model->laws.shear->name);
-  if (!make_room(saved, model))
+  if (!allocate(saved, model))
     return nb_error_memory(error);
   memcpy(saved->materials, model->properties.materials, saved->material_count * sizeof *saved->materials);
   memcpy(saved->rules, model->properties.rules, saved->rule_count * sizeof *saved->rules);
-  take_particles(saved, model);
-  take_walls(saved, model);
-  take_contacts(saved, model);
-  return take_driven(saved, model, error);
+  capture_particles(saved, model);
+  capture_walls(saved, model);
+  capture_contacts(saved, model);
+  return capture_loading(saved, model, error);
 }
 
-/* ---- into a model ---- */
+/* ---- restore ---- */
 
 static bool same_names(const struct nb_saved *saved, const struct nb_scene *scene) {
   bool same = saved->material_count == scene->material_count && saved->wall_count == scene->wall_count;
@@ -189,9 +189,12 @@ static bool same_names(const struct nb_saved *saved, const struct nb_scene *scen
   return same;
 }
 
-static bool same_particle(const struct nb_saved_particle *it, const struct nb_particle *particle, bool may_be_removed) {
-  const bool moves = it->mobility == NB_REMOVED ? may_be_removed : (it->mobility == NB_FIXED) == particle->fixed;
-  return moves && it->radius == particle->radius && it->shape == particle->shape && it->material == particle->material;
+static bool same_particle(const struct nb_saved_particle *it, const struct nb_particle *particle,
+                          bool removal_allowed) {
+  const bool same_mobility =
+      it->mobility == NB_REMOVED ? removal_allowed : (it->mobility == NB_FIXED) == particle->fixed;
+  return same_mobility && it->radius == particle->radius && it->shape == particle->shape &&
+         it->material == particle->material;
 }
 
 static bool same_laws(const struct nb_saved *saved, struct nb_active_laws laws) {
@@ -226,7 +229,7 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
                       named ? " as the page has them" : " of the page's names");
 }
 
-static void put_particles(struct nb_particles *particles, const struct nb_saved *saved) {
+static void restore_particles(struct nb_particles *particles, const struct nb_saved *saved) {
   for (size_t k = 0; k < particles->count; k++) {
     const struct nb_saved_particle *it = &saved->particles[k];
     const size_t i = (size_t)particles->slot[k];
@@ -239,18 +242,18 @@ static void put_particles(struct nb_particles *particles, const struct nb_saved 
   }
 }
 
-static void put_walls(struct nb_walls *walls, const struct nb_saved *saved) {
+static void restore_walls(struct nb_walls *walls, const struct nb_saved *saved) {
   for (size_t w = 0; w < walls->count; w++) {
     const struct nb_saved_wall *it = &saved->walls[w];
-#define PUT(row) walls->row[w] = it->row;
-    WALL_ROWS(PUT)
-#undef PUT
+#define RESTORE(member) walls->member[w] = it->member;
+    WALL_MEMBERS(RESTORE)
+#undef RESTORE
     walls->point[w] = vec_add(it->pivot, vec_scale(-it->h0, vec_clockwise(it->along)));
   }
 }
 
-/* What the stage that has ended was, and its laws. */
-static void put_stage(struct nb_model *model) {
+/* The last stage of the state, and its laws. */
+static void restore_stage(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   for (size_t s = 0; s < scene->start.stages; s++)
     model->next = nb_laws_of(&scene->stages[s], model->next);
@@ -261,12 +264,12 @@ static void put_stage(struct nb_model *model) {
   model->stability->step_line = model->stage->step.set ? 0 : model->stage->step.line;
 }
 
-void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
-  put_stage(model);
-  put_particles(&model->particles, saved);
-  put_walls(&model->walls, saved);
+void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved) {
+  restore_stage(model);
+  restore_particles(&model->particles, saved);
+  restore_walls(&model->walls, saved);
   memcpy(model->properties.materials, saved->materials, saved->material_count * sizeof *saved->materials);
-  for (size_t r = 0; r < saved->rule_count; r++) /* there may be none, and no array */
+  for (size_t r = 0; r < saved->rule_count; r++) /* not memcpy: without rules the array is NULL */
     model->properties.rules[r] = saved->rules[r];
   model->properties.rule_count = saved->rule_count;
   for (size_t p = 0; p < model->material_pair_count; p++)
@@ -279,38 +282,38 @@ void nb_saved_put(struct nb_model *model, const struct nb_saved *saved) {
   model->step = model->previous_step = saved->step;
 }
 
-static void put_history(struct nb_history *memory, size_t c, const double *all, struct nb_saved_history it) {
+static void restore_history(struct nb_history *memory, size_t c, const double *values, struct nb_saved_history it) {
   const int n = it.count < memory->doubles ? it.count : memory->doubles;
   if (n > 0 && memory->rows)
-    memcpy(memory->rows + c * (size_t)memory->doubles, all + it.at, (size_t)n * sizeof *all);
+    memcpy(memory->rows + c * (size_t)memory->doubles, values + it.at, (size_t)n * sizeof *values);
   for (int m = 0; m < n && !memory->rows; m++)
-    memory->field[m][c] = all[it.at + (size_t)m];
+    memory->field[m][c] = values[it.at + (size_t)m];
 }
 
-static void put_contact(struct nb_contacts *contacts, size_t c, const struct nb_saved_contact *it,
-                        const double *memory) {
+static void restore_contact(struct nb_contacts *contacts, size_t c, const struct nb_saved_contact *it,
+                            const double *memory) {
   contacts->force[c] = it->force;
-#define PUT(which, name, range)                                                                                        \
+#define RESTORE(which, name, range)                                                                                    \
   if (contacts->kept[which])                                                                                           \
     contacts->kept[which][c] = it->field[which];
-  NB_SAVED_FIELDS(PUT)
+  NB_SAVED_FIELDS(RESTORE)
   if (contacts->kept[NB_SHEAR_BEFORE]) {
     contacts->kept[NB_SHEAR_BEFORE][c] = it->field[NB_SHEAR];
     contacts->kept[NB_SHEAR_STIFFNESS_BEFORE][c] = it->field[NB_SHEAR_STIFFNESS];
   }
   if (contacts->suppressed)
     contacts->suppressed[c] = it->suppressed;
-  put_history(&contacts->normal_history, c, memory, it->normal);
-  put_history(&contacts->shear_history, c, memory, it->shear);
+  restore_history(&contacts->normal_history, c, memory, it->normal);
+  restore_history(&contacts->shear_history, c, memory, it->shear);
 }
 
-enum nb_status nb_saved_put_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   for (size_t k = 0; k < saved->contact_count; k++) {
     const struct nb_saved_contact *it = &saved->contacts[k];
     const int *slot = model->particles.slot;
     const long c = nb_contacts_find(model, slot[it->a], it->wall ? it->b : slot[it->b], it->wall);
     if (c >= 0)
-      put_contact(&model->contacts, (size_t)c, it, saved->memory);
+      restore_contact(&model->contacts, (size_t)c, it, saved->memory);
     else if (it->field[NB_OVERLAP] > 0)
       return nb_error_set(error, NB_BAD_USE, "the state has a contact of particle %d with %s %d, which are apart in it",
                           it->a + 1, it->wall ? "wall" : "particle", it->b + 1);
@@ -318,7 +321,7 @@ enum nb_status nb_saved_put_contacts(struct nb_model *model, const struct nb_sav
   return NB_OK;
 }
 
-static void put_affine(struct nb_model *model, const struct nb_saved *saved) {
+static void restore_affine(struct nb_model *model, const struct nb_saved *saved) {
   struct nb_affine *affine = model->affine;
   struct nb_particles *particles = &model->particles;
   affine->centre = saved->centre;
@@ -336,22 +339,22 @@ static void put_affine(struct nb_model *model, const struct nb_saved *saved) {
   }
 }
 
-static void put_ring(struct nb_model *model, const struct nb_saved_ring *saved) {
-  struct nb_boundary_state *drive = model->boundary;
-  struct nb_ring *ring = &drive->ring;
+static void restore_ring(struct nb_model *model, const struct nb_saved_ring *saved) {
+  struct nb_boundary_state *boundary = model->boundary;
+  struct nb_ring *ring = &boundary->ring;
   ring->exists = true, ring->held = saved->held;
   ring->radius = saved->radius, ring->shape = saved->shape;
   ring->count = saved->member_count;
   for (size_t k = 0; k < ring->count; k++)
     ring->member[k] = model->particles.slot[saved->members[k]];
-  drive->stress = saved->stress;
-  model->particles.boundary_force = saved->pressing ? drive->boundary_force : NULL;
+  boundary->stress = saved->stress;
+  model->particles.boundary_force = saved->pressing ? boundary->boundary_force : NULL;
   if (model->particles.boundary_force)
     nb_boundary_set_forces(model);
 }
 
-/* Whether what moves the assembly from outside is there in both. */
-static bool driven_alike(const struct nb_model *model, const struct nb_saved *saved) {
+/* Whether model and state both have, or lack, a cell, a boundary and affine motion. */
+static bool same_loading(const struct nb_model *model, const struct nb_saved *saved) {
   if (saved->imposed_count != 0 && (saved->imposed_count != model->particles.count || !model->affine))
     return false;
   if (!model->boundary)
@@ -359,17 +362,17 @@ static bool driven_alike(const struct nb_model *model, const struct nb_saved *sa
   return saved->cell.is == (model->cell != NULL) && (model->boundary->boundary_force || !saved->ring.pressing);
 }
 
-enum nb_status nb_saved_put_driven(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
+enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   struct nb_particles *particles = &model->particles;
-  if (!driven_alike(model, saved))
+  if (!same_loading(model, saved))
     return nb_error_set(error, NB_BAD_USE, "the state has a cell or a boundary otherwise than the page");
   model->central = saved->central;
   if (saved->cell.is)
     model->cell->h = saved->cell.h, model->cell->image_velocity = saved->cell.image_velocity;
   if (saved->imposed_count > 0)
-    put_affine(model, saved);
+    restore_affine(model, saved);
   if (saved->ring.is)
-    put_ring(model, &saved->ring);
+    restore_ring(model, &saved->ring);
   if (model->boundary)
     model->boundary->rotates = saved->rotates;
   for (size_t i = 0; i < particles->count && !saved->rotates; i++)
@@ -377,10 +380,10 @@ enum nb_status nb_saved_put_driven(struct nb_model *model, const struct nb_saved
   return NB_OK;
 }
 
-/* ---- to a file ---- */
+/* ---- write ---- */
 
-/* What has been written must be what reading accepts: else the next page would find a state that it cannot use. */
-static enum nb_status check(const char *path, const char *text, size_t size, struct nb_error *error) {
+/* Reads the text back, so that no file is written that cannot be read. */
+static enum nb_status check_text(const char *path, const char *text, size_t size, struct nb_error *error) {
   struct nb_saved again;
   const enum nb_status status = nb_saved_read_text(&again, path, text, size, error);
   nb_saved_free(&again);
@@ -393,11 +396,11 @@ enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, st
   char *text = nb_saved_text(saved, &size);
   if (!text)
     return nb_error_memory(error);
-  enum nb_status status = check(path, text, size, error);
+  enum nb_status status = check_text(path, text, size, error);
   if (!status)
     status = nb_save_begin(&file, path, error);
   if (!status) {
-    fwrite(text, 1, size, file.file); /* nb_save_end tells whether it could be written */
+    fwrite(text, 1, size, file.file); /* nb_save_end reports failures */
     status = nb_save_end(&file, error);
   }
   free(text);

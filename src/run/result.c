@@ -1,7 +1,7 @@
-/* What is seen of a run: rows of named columns.
+/* The table of a result, and reports of progress.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "observe.h"
+#include "result.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "core/clock.h"
 #include "core/names.h"
 
-unsigned nb_fields_watched(const struct nb_scene *scene) {
+unsigned nb_fields_requested(const struct nb_scene *scene) {
   unsigned fields = 0;
   for (size_t c = 0; c < scene->column_count; c++)
     fields |= scene->columns[c].quantity.kind->fields;
@@ -27,7 +27,7 @@ unsigned nb_fields_watched(const struct nb_scene *scene) {
   return fields;
 }
 
-bool nb_observe_begin(struct nb_result *result, const struct nb_scene *scene) {
+bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene) {
   struct nb_table *table = &result->table;
   result->stage_cycles = calloc(scene->stage_count + 1, sizeof *result->stage_cycles);
   if (!result->stage_cycles || !nb_table_create(table, scene->column_count))
@@ -39,7 +39,7 @@ bool nb_observe_begin(struct nb_result *result, const struct nb_scene *scene) {
   return true;
 }
 
-bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage) {
+bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int stage) {
   double *row = nb_table_row(table, stage, (double)model->cycle, model->time);
   if (!row)
     return false;
@@ -48,15 +48,15 @@ bool nb_observe(struct nb_table *table, const struct nb_model *model, int stage)
   return true;
 }
 
-struct nb_teller nb_tell_begin(const struct nb_progress *progress) {
+struct nb_reporter nb_reporter_begin(const struct nb_progress *progress) {
   const double now = nb_clock();
-  return (struct nb_teller){progress, now, 0};
+  return (struct nb_reporter){progress, now, 0};
 }
 
-void nb_tell(struct nb_teller *teller, const char *stage, double fraction) {
+void nb_reporter_update(struct nb_reporter *reporter, const char *stage, double fraction) {
   const double now = nb_clock();
-  if (!teller->progress || !teller->progress->call || now - teller->told < 0.1)
+  if (!reporter->progress || !reporter->progress->call || now - reporter->last_call < 0.1)
     return;
-  teller->told = now;
-  teller->progress->call(teller->progress->data, stage, fraction, now - teller->began);
+  reporter->last_call = now;
+  reporter->progress->call(reporter->progress->data, stage, fraction, now - reporter->began);
 }

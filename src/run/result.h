@@ -1,0 +1,26 @@
+/* What runs (run.c, contact_test.c) record and report: result.c.
+ *
+ * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
+#ifndef NB_RESULT_H
+#define NB_RESULT_H
+
+#include "core/model.h"
+
+/* Both return false when out of memory. */
+bool nb_result_begin(struct nb_result *result,
+                     const struct nb_scene *scene); /* an empty table with the scene's columns */
+bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int stage);
+/* Contact fields that columns, conditions, servos and snapshots of the scene read, and what else they request: NB_REQUEST_ of
+ * model.h. */
+unsigned nb_fields_requested(const struct nb_scene *scene);
+
+/* Reports the progress of a run, at most ten times a second. `progress` may be NULL. */
+struct nb_reporter {
+  const struct nb_progress *progress;
+  double began, last_call; /* s */
+};
+struct nb_reporter nb_reporter_begin(const struct nb_progress *progress);
+void nb_reporter_update(struct nb_reporter *reporter, const char *stage,
+                        double fraction); /* at once, then not more than ten times a second */
+
+#endif
