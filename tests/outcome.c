@@ -124,10 +124,10 @@ static void units(void) {
        NULL);
   CU_ASSERT_EQUAL(outcome.status, NB_OK);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 3);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words,
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].message,
                          "computed 0.005 m, expected 0.0055 m, error 0.0005 m, tolerance 0.001 m");
-  CU_ASSERT_STRING_EQUAL(outcome.checks[1].words, "computed 10, expected 10, error 0, tolerance 0");
-  CU_ASSERT_STRING_EQUAL(outcome.checks[2].words, "computed 2, expected 2, error 0, tolerance 0");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].message, "computed 10, expected 10, error 0, tolerance 0");
+  CU_ASSERT_STRING_EQUAL(outcome.checks[2].message, "computed 2, expected 2, error 0, tolerance 0");
   nb_outcome_free(&outcome);
 }
 

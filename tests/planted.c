@@ -79,16 +79,16 @@ void planted_is(struct nb_outcome *outcome, enum nb_mark mark) {
   CU_ASSERT_FATAL(outcome->check_count > 0);
   const struct nb_check *check = &outcome->checks[0];
   if (check->mark != mark)
-    printf("# %s, wanted %s: %s: %s\n", nb_mark_word(check->mark), nb_mark_word(mark), check->label, check->words);
+    printf("# %s, wanted %s: %s: %s\n", nb_mark_word(check->mark), nb_mark_word(mark), check->label, check->message);
   CU_ASSERT_EQUAL(check->mark, mark);
-  CU_ASSERT_EQUAL(status, outcome->marked[NB_FAIL] ? NB_FAILED : NB_OK);
-  CU_ASSERT(check->words[0] != 0);
+  CU_ASSERT_EQUAL(status, outcome->mark_count[NB_FAIL] ? NB_FAILED : NB_OK);
+  CU_ASSERT(check->message[0] != 0);
 }
 
 void planted_says(const struct nb_outcome *outcome, const char *text) {
-  const bool given = strstr(outcome->checks[0].words, text) != NULL;
+  const bool given = strstr(outcome->checks[0].message, text) != NULL;
   if (!given)
-    printf("# no `%s` in: %s\n", text, outcome->checks[0].words);
+    printf("# no `%s` in: %s\n", text, outcome->checks[0].message);
   CU_ASSERT(given);
 }
 

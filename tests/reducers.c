@@ -65,7 +65,7 @@ static void reducers(void) {
     planted_page(&outcome, "", text);
     planted_rows(&outcome, 0, rows[k].count, rows[k].x);
     CU_ASSERT(
-        nb_measure_seen(&seen, &outcome.runs[0].expectations.list[0].measure, &outcome.runs[0].result.table, &error));
+        nb_measure_value(&seen, &outcome.runs[0].expectations.list[0].measure, &outcome.runs[0].result.table, &error));
     if (!(fabs(seen - rows[k].value) < 1e-15))
       printf("# %s: %.17g\n", rows[k].measure, seen);
     CU_ASSERT_DOUBLE_EQUAL(seen, rows[k].value, 1e-15);

@@ -205,7 +205,7 @@ static void words(void) {
   planted_rows(&outcome, 0, 3, (double[]){1, 2, 3});
   planted_curve(&outcome, 3, (double[]){0, 0, 0});
   planted_is(&outcome, NB_PASS);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words,
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].message,
                          "computed 3, reference 0, error 3, tolerance 9; the worst of 3 rows, at time = 2");
   nb_outcome_free(&outcome);
   planted_page(&outcome, "", "A.x   within\t 2  # of something");
@@ -245,9 +245,9 @@ static void counted(void) {
                "A.x expected 1 within 0 [t]\nA.y expected 1 within 0 [t]");
   planted_rows(&outcome, 0, 1, (double[]){1});
   planted_is(&outcome, NB_PASS);
-  CU_ASSERT(outcome.check_count == 5 && outcome.marked[NB_PASS] == 4 && outcome.marked[NB_FAIL] == 1);
+  CU_ASSERT(outcome.check_count == 5 && outcome.mark_count[NB_PASS] == 4 && outcome.mark_count[NB_FAIL] == 1);
   CU_ASSERT(outcome.checks[1].mark == NB_FAIL && outcome.checks[4].mark == NB_PASS);
-  CU_ASSERT(outcome.marked[NB_NOTE] == 0 && outcome.marked[NB_SKIP] == 0);
+  CU_ASSERT(outcome.mark_count[NB_NOTE] == 0 && outcome.mark_count[NB_SKIP] == 0);
   nb_outcome_free(&outcome);
 }
 

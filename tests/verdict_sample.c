@@ -125,8 +125,8 @@ static void among(void) {
   planted_is(&outcome, NB_NOTE);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
   CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x expected 2 over s [t] (T=2)");
-  CU_ASSERT(strstr(outcome.checks[1].words, "outside the range of 2 runs over s: 5 to 7") != NULL);
-  CU_ASSERT_EQUAL(outcome.marked[NB_NOTE], 2);
+  CU_ASSERT(strstr(outcome.checks[1].message, "outside the range of 2 runs over s: 5 to 7") != NULL);
+  CU_ASSERT_EQUAL(outcome.mark_count[NB_NOTE], 2);
   nb_outcome_free(&outcome);
 }
 

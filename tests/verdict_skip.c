@@ -27,7 +27,7 @@ static void skipped(void) {
   planted_page(&outcome, "sweep v 1", "A.x increases with v\nA.x decreases with v\nA.x expected 1 within 0 [t]");
   planted_runs(&outcome, (double[]){1});
   planted_is(&outcome, NB_SKIP);
-  CU_ASSERT(outcome.check_count == 3 && outcome.marked[NB_SKIP] == 2 && outcome.marked[NB_PASS] == 1);
+  CU_ASSERT(outcome.check_count == 3 && outcome.mark_count[NB_SKIP] == 2 && outcome.mark_count[NB_PASS] == 1);
   CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x decreases with v");
   nb_outcome_free(&outcome);
 }
@@ -61,7 +61,7 @@ static void hidden(void) {
     planted_rows(&outcome, 0, 1, (double[]){1});
     planted_is(&outcome, NB_PASS);
     const int first = outcome.checks[0].line + 3; /* of the planted text */
-    CU_ASSERT_EQUAL(outcome.marked[NB_SKIP], rows[k].skipped ? 1 : 0);
+    CU_ASSERT_EQUAL(outcome.mark_count[NB_SKIP], rows[k].skipped ? 1 : 0);
     if (rows[k].skipped) {
       CU_ASSERT_EQUAL(outcome.checks[1].line, first + rows[k].skipped - 1);
       CU_ASSERT_STRING_EQUAL(outcome.checks[1].label, "A.x expected 9 within 0 [t]");

@@ -118,9 +118,9 @@ static void orders(void) {
   planted_solution(&outcome, "A.x", 0);
   planted_is(&outcome, NB_PASS);
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, 2);
-  CU_ASSERT_STRING_EQUAL(outcome.checks[0].words,
+  CU_ASSERT_STRING_EQUAL(outcome.checks[0].message,
                          "computed order 1, expected 1, error 0, tolerance 1e-09: errors 1 at h = 1, 2 at 2");
-  CU_ASSERT_STRING_EQUAL(outcome.checks[1].words,
+  CU_ASSERT_STRING_EQUAL(outcome.checks[1].message,
                          "computed order 2, expected 1, error 1, tolerance 1e-09: errors 1 at h = 1, 4 at 2");
   CU_ASSERT_EQUAL(outcome.checks[1].mark, NB_FAIL);
   nb_outcome_free(&outcome);
@@ -151,10 +151,10 @@ static void groups(void) {
   CU_ASSERT_EQUAL_FATAL(outcome.check_count, COUNT(wanted));
   for (size_t k = 0; k < COUNT(wanted); k++) {
     CU_ASSERT_STRING_EQUAL(outcome.checks[k].label, wanted[k].label);
-    CU_ASSERT_STRING_EQUAL(outcome.checks[k].words, wanted[k].words);
+    CU_ASSERT_STRING_EQUAL(outcome.checks[k].message, wanted[k].words);
     CU_ASSERT_EQUAL(outcome.checks[k].mark, wanted[k].mark);
   }
-  CU_ASSERT(outcome.marked[NB_PASS] == 3 && outcome.marked[NB_FAIL] == 2);
+  CU_ASSERT(outcome.mark_count[NB_PASS] == 3 && outcome.mark_count[NB_FAIL] == 2);
   nb_outcome_free(&outcome);
   planted_page(&outcome, "sweep w 5 6\nsweep v 1 2",
                "A.x expected 1 within 0 [t]"); /* and each run has its own checks */

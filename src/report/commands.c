@@ -18,7 +18,7 @@
 
 static enum nb_status worse(enum nb_status a, enum nb_status b) { return a > b ? a : b; }
 
-static enum nb_status complain(const struct nb_error *error) {
+static enum nb_status print_error(const struct nb_error *error) {
   fprintf(stderr, "nineball: %s\n", error->text);
   return error->status;
 }
@@ -26,25 +26,25 @@ static enum nb_status complain(const struct nb_error *error) {
 /* ---- run, check, figure, report ---- */
 
 /* What is done with the outcome of a page; a set. */
-enum { VERDICT = 1, CHECKED = 2, TABLES = 4, FIGURE = 8 };
+enum { VERDICT = 1, REQUIRE_CHECKS = 2, TABLES = 4, FIGURE = 8 };
 
-static void carry_out(struct nb_outcome *outcome, const struct nb_use *use, const char *path) {
+static void run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path) {
   struct nb_progress_line line = {.page = path};
   const struct nb_progress progress = nb_print_progress(&line);
-  nb_outcome_make(outcome, path, use->settings, &use->options, &progress);
+  nb_outcome_make(outcome, path, call->settings, &call->options, &progress);
   nb_print_progress_end(&line);
 }
 
 /* What two pages write must not lie in one folder, where one would write over the other. */
-static enum nb_status check_folders(const struct nb_use *use) {
-  for (size_t k = 0; k < use->page_count; k++)
+static enum nb_status check_folders(const struct nb_call *call) {
+  for (size_t k = 0; k < call->page_count; k++)
     for (size_t j = 0; j < k; j++) {
       const char *one, *other;
-      const size_t length = nb_page_name(use->pages[k], &one);
-      if (length == nb_page_name(use->pages[j], &other) && memcmp(one, other, length) == 0) {
+      const size_t length = nb_page_name(call->pages[k], &one);
+      if (length == nb_page_name(call->pages[j], &other) && memcmp(one, other, length) == 0) {
         fprintf(stderr,
                 "nineball: %s and %s have the same name, so the same output folder: run them one at a time, with -o\n",
-                use->pages[j], use->pages[k]);
+                call->pages[j], call->pages[k]);
         return NB_BAD_USE;
       }
     }
@@ -52,37 +52,37 @@ static enum nb_status check_folders(const struct nb_use *use) {
 }
 
 /* Whether there is anything to keep: also of a run that did not come to its end. */
-static bool is_seen(const struct nb_outcome *outcome) {
-  bool seen = outcome->status <= NB_FAILED;
+static bool has_rows(const struct nb_outcome *outcome) {
+  bool found = outcome->status <= NB_FAILED;
   for (size_t r = 0; r < outcome->run_count && outcome->status == NB_BROKEN; r++)
-    seen = seen || outcome->runs[r].result.table.row_count > 0;
-  return seen;
+    found = found || outcome->runs[r].result.table.row_count > 0;
+  return found;
 }
 
 /* No page passes unless something is checked. */
 static bool is_unchecked(const struct nb_outcome *outcome) {
-  return outcome->status == NB_OK && !outcome->marked[NB_PASS];
+  return outcome->status == NB_OK && !outcome->mark_count[NB_PASS];
 }
 
 /* Tables and figure, into the folder, and where they are. */
-static enum nb_status keep(const struct nb_outcome *outcome, const struct nb_use *use, const char *path,
-                           unsigned wanted) {
+static enum nb_status save_outputs(const struct nb_outcome *outcome, const struct nb_call *call, const char *path,
+                                   unsigned actions) {
   struct nb_error error;
   char name[NB_NAME_SIZE + 8];
   bool drawn = false;
   snprintf(name, sizeof name, "%s.out", outcome->page.name);
-  const char *folder = use->folder ? use->folder : name;
+  const char *folder = call->folder ? call->folder : name;
   const char *incomplete = outcome->status > NB_FAILED ? ", up to where the run was stopped" : "";
-  if (wanted & TABLES) {
+  if (actions & TABLES) {
     if (nb_tables_save(outcome, folder, &error))
-      return complain(&error);
+      return print_error(&error);
     printf("tables are in %s%s\n", folder, incomplete);
-    if (nb_figure_wanted(&outcome->page))
+    if (nb_page_has_figure(&outcome->page))
       printf("to draw the figure: nineball figure %s\n", path);
   }
-  if (wanted & FIGURE) {
-    if (nb_figure_draw(outcome, folder, use->trust, &drawn, &error))
-      return complain(&error);
+  if (actions & FIGURE) {
+    if (nb_figure_draw(outcome, folder, call->trust, &drawn, &error))
+      return print_error(&error);
     if (drawn)
       printf("look at %s/%s.svg%s\n", folder, outcome->page.name, incomplete);
     else
@@ -91,97 +91,97 @@ static enum nb_status keep(const struct nb_outcome *outcome, const struct nb_use
   return NB_OK;
 }
 
-static enum nb_status one_page(const struct nb_use *use, const char *path, unsigned wanted) {
+static enum nb_status process_page(const struct nb_call *call, const char *path, unsigned actions) {
   struct nb_outcome outcome;
-  carry_out(&outcome, use, path);
-  if (wanted & VERDICT && !use->tap && outcome.status <= NB_FAILED)
+  run_page(&outcome, call, path);
+  if (actions & VERDICT && !call->tap && outcome.status <= NB_FAILED)
     nb_print_verdict(&outcome);
-  if (wanted & CHECKED && is_unchecked(&outcome))
+  if (actions & REQUIRE_CHECKS && is_unchecked(&outcome))
     outcome.status =
         nb_error_set(&outcome.error, NB_BAD_USE, "%s, so nothing was checked; %s, or use `nineball run`",
                      outcome.check_count ? "no expectation of this page could fail" : "nothing is expected",
                      outcome.check_count ? "see the notes and reasons above" : "add a block `expect`");
-  nb_print_trouble(&outcome, path);
-  if (wanted & VERDICT && use->tap)
+  nb_print_errors(&outcome, path);
+  if (actions & VERDICT && call->tap)
     nb_print_tap(&outcome, path);
-  enum nb_status status = wanted & VERDICT || outcome.status > NB_FAILED ? outcome.status : NB_OK;
-  if (wanted & (TABLES | FIGURE) && is_seen(&outcome))
-    status = worse(status, keep(&outcome, use, path, wanted));
+  enum nb_status status = actions & VERDICT || outcome.status > NB_FAILED ? outcome.status : NB_OK;
+  if (actions & (TABLES | FIGURE) && has_rows(&outcome))
+    status = worse(status, save_outputs(&outcome, call, path, actions));
   nb_outcome_free(&outcome);
   return status;
 }
 
-static enum nb_status all_pages(const struct nb_use *use, unsigned wanted) {
-  enum nb_status worst = wanted & (TABLES | FIGURE) ? check_folders(use) : NB_OK;
-  if (wanted & (TABLES | FIGURE) && use->folder && use->page_count > 1) {
+static enum nb_status process_pages(const struct nb_call *call, unsigned actions) {
+  enum nb_status worst = actions & (TABLES | FIGURE) ? check_folders(call) : NB_OK;
+  if (actions & (TABLES | FIGURE) && call->folder && call->page_count > 1) {
     fputs("nineball: -o FOLDER takes one page at a time; `nineball report` takes many\n", stderr);
     return NB_BAD_USE;
   }
   if (worst)
     return worst;
-  for (size_t k = 0; k < use->page_count; k++)
-    worst = worse(worst, one_page(use, use->pages[k], wanted));
+  for (size_t k = 0; k < call->page_count; k++)
+    worst = worse(worst, process_page(call, call->pages[k], actions));
   return worst;
 }
 
-enum nb_status nb_command_run(const struct nb_use *use) { return all_pages(use, VERDICT | TABLES); }
-enum nb_status nb_command_check(const struct nb_use *use) { return all_pages(use, VERDICT | CHECKED); }
-enum nb_status nb_command_figure(const struct nb_use *use) { return all_pages(use, FIGURE); }
+enum nb_status nb_command_run(const struct nb_call *call) { return process_pages(call, VERDICT | TABLES); }
+enum nb_status nb_command_check(const struct nb_call *call) { return process_pages(call, VERDICT | REQUIRE_CHECKS); }
+enum nb_status nb_command_figure(const struct nb_call *call) { return process_pages(call, FIGURE); }
 
 /* Tables and figure of one page, and its line of the report, which keeps all of the outcome but the runs. */
-static enum nb_status report_one(const struct nb_use *use, const char *path, const char *folder,
-                                 struct nb_report_line *line) {
+static enum nb_status report_page(const struct nb_call *call, const char *path, const char *folder,
+                                  struct nb_report_line *line) {
   struct nb_outcome *outcome = &line->outcome;
   struct nb_error error = {NB_OK, ""};
-  char part[4096];
+  char subfolder[4096];
   const char *name;
   const size_t length = nb_page_name(path, &name);
   snprintf(line->name, sizeof line->name, "%.*s", (int)length, name); /* a page that cannot be read has one too */
-  carry_out(outcome, use, path);
-  nb_print_trouble(outcome, path);
+  run_page(outcome, call, path);
+  nb_print_errors(outcome, path);
   if (outcome->status > NB_FAILED)
     snprintf(line->message, sizeof line->message, "%s",
              outcome->mistakes.text ? outcome->mistakes.text : outcome->error.text);
-  if (is_seen(outcome)) {
-    snprintf(part, sizeof part, "%.3900s/%s", folder, outcome->page.name);
-    line->kept = !nb_tables_save(outcome, part, &error);
-    if (line->kept)
-      nb_figure_draw(outcome, part, use->trust, &line->drawn, &error);
+  if (has_rows(outcome)) {
+    snprintf(subfolder, sizeof subfolder, "%.3900s/%s", folder, outcome->page.name);
+    line->saved = !nb_tables_save(outcome, subfolder, &error);
+    if (line->saved)
+      nb_figure_draw(outcome, subfolder, call->trust, &line->drawn, &error);
     if (error.status) {
-      const size_t given = strlen(line->message);
-      complain(&error);
-      snprintf(line->message + given, sizeof line->message - given, "%s%s", given ? "; " : "", error.text);
+      const size_t used = strlen(line->message);
+      print_error(&error);
+      snprintf(line->message + used, sizeof line->message - used, "%s%s", used ? "; " : "", error.text);
     }
   }
   for (size_t r = 0; r < outcome->run_count; r++)
     line->seconds += outcome->runs[r].result.seconds;
-  printf("%-28s %4zu checks, %zu failed%s%s\n", line->name, outcome->marked[NB_PASS] + outcome->marked[NB_FAIL],
-         outcome->marked[NB_FAIL],
+  printf("%-28s %4zu checks, %zu failed%s%s\n", line->name, outcome->mark_count[NB_PASS] + outcome->mark_count[NB_FAIL],
+         outcome->mark_count[NB_FAIL],
          outcome->status > NB_FAILED ? "; did not run to its end"
          : is_unchecked(outcome)     ? "; nothing was checked"
                                      : "",
-         error.status ? line->kept ? "; no figure" : "; no tables" : "");
+         error.status ? line->saved ? "; no figure" : "; no tables" : "");
   fflush(stdout);
   nb_outcome_free_runs(outcome);
   return worse(is_unchecked(outcome) ? NB_BAD_USE : outcome->status, error.status);
 }
 
-enum nb_status nb_command_report(const struct nb_use *use) {
-  const char *folder = use->folder ? use->folder : "report";
-  enum nb_status worst = check_folders(use);
+enum nb_status nb_command_report(const struct nb_call *call) {
+  const char *folder = call->folder ? call->folder : "report";
+  enum nb_status worst = check_folders(call);
   struct nb_error error;
   if (worst)
     return worst;
-  struct nb_report_line *lines = calloc(use->page_count, sizeof *lines);
+  struct nb_report_line *lines = calloc(call->page_count, sizeof *lines);
   if (!lines)
-    return nb_error_memory(&error), complain(&error);
-  for (size_t k = 0; k < use->page_count; k++)
-    worst = worse(worst, report_one(use, use->pages[k], folder, &lines[k]));
-  if (nb_folder_create(folder, &error) || nb_report_write(folder, lines, use->page_count, &error))
-    worst = worse(worst, complain(&error));
+    return nb_error_memory(&error), print_error(&error);
+  for (size_t k = 0; k < call->page_count; k++)
+    worst = worse(worst, report_page(call, call->pages[k], folder, &lines[k]));
+  if (nb_folder_create(folder, &error) || nb_report_write(folder, lines, call->page_count, &error))
+    worst = worse(worst, print_error(&error));
   else
     printf("look at %s/index.html\n", folder);
-  for (size_t k = 0; k < use->page_count; k++)
+  for (size_t k = 0; k < call->page_count; k++)
     nb_outcome_free(&lines[k].outcome);
   free(lines);
   return worst;
@@ -189,23 +189,23 @@ enum nb_status nb_command_report(const struct nb_use *use) {
 
 /* ---- explain ---- */
 
-enum nb_status nb_command_explain(const struct nb_use *use) {
+enum nb_status nb_command_explain(const struct nb_call *call) {
   enum nb_status worst = NB_OK;
-  for (size_t k = 0; k < use->page_count; k++) {
+  for (size_t k = 0; k < call->page_count; k++) {
     struct nb_outcome outcome;
-    nb_outcome_read(&outcome, use->pages[k], use->settings);
-    nb_print_trouble(&outcome, use->pages[k]);
+    nb_outcome_read(&outcome, call->pages[k], call->settings);
+    nb_print_errors(&outcome, call->pages[k]);
     worst = worse(worst, outcome.status);
     for (size_t r = 0; r < outcome.run_count && !outcome.status; r++) {
       struct nb_error error;
       const struct nb_page_run *run = &outcome.runs[r];
       printf("%s%s%s%s\n", r ? "\n" : "", outcome.page.name, run->label[0] ? ", run " : "", run->label);
-      if (nb_explain(stdout, &run->scene, &use->options, &outcome.warnings, &error)) {
-        fprintf(stderr, "%s: error: %s\n", use->pages[k], error.text);
+      if (nb_explain(stdout, &run->scene, &call->options, &outcome.warnings, &error)) {
+        fprintf(stderr, "%s: error: %s\n", call->pages[k], error.text);
         worst = worse(worst, error.status);
       }
     }
-    nb_repeat_warnings("", use->pages[k], &outcome.warnings);
+    nb_repeat_warnings("", call->pages[k], &outcome.warnings);
     nb_outcome_free(&outcome);
   }
   return worst;
@@ -214,40 +214,40 @@ enum nb_status nb_command_explain(const struct nb_use *use) {
 /* ---- state ---- */
 
 /* Index of the stage whose end is wanted, by default the last one; -1 with a message. */
-static int stage_of(const struct nb_use *use, const struct nb_outcome *outcome) {
+static int stage_of(const struct nb_call *call, const struct nb_outcome *outcome) {
   const struct nb_scene *scene = &outcome->runs[0].scene;
   char hint[NB_HINT_SIZE];
   if (scene->contact_test || outcome->run_count > 1) {
-    fprintf(stderr, "nineball: %s %s\n", use->pages[0],
+    fprintf(stderr, "nineball: %s %s\n", call->pages[0],
             scene->contact_test ? "is a contact test: expected a page with a scene"
                                 : "has several runs: choose one, with --set NAME=VALUE for each sweep");
     return -1;
   }
-  if (!use->stage)
+  if (!call->stage)
     return (int)scene->stage_count - 1;
-  struct nb_guess guess = nb_guess_begin(use->stage);
+  struct nb_guess guess = nb_guess_begin(call->stage);
   for (size_t s = scene->start.stages; s < scene->stage_count; s++) {
-    if (strcmp(scene->stages[s].name, use->stage) == 0)
+    if (strcmp(scene->stages[s].name, call->stage) == 0)
       return (int)s;
     nb_guess_offer(&guess, scene->stages[s].name);
   }
-  const char *near = nb_guess_hint(&guess, hint);
-  fprintf(stderr, "nineball: %s has no stage `%s` of its own%s%s\n", use->pages[0], use->stage, near ? "; " : "",
-          near ? near : "");
+  const char *suggestion = nb_guess_hint(&guess, hint);
+  fprintf(stderr, "nineball: %s has no stage `%s` of its own%s%s\n", call->pages[0], call->stage,
+          suggestion ? "; " : "", suggestion ? suggestion : "");
   return -1;
 }
 
 /* The state at the end of a stage in a file of its own, which says what the page was given. */
-static enum nb_status write_state(struct nb_scene *scene, size_t stage, const char *path, const struct nb_use *use,
+static enum nb_status write_state(struct nb_scene *scene, size_t stage, const char *path, const struct nb_call *call,
                                   struct nb_error *error) {
   struct nb_saved saved = {0};
-  struct nb_progress_line line = {.page = use->pages[0]};
+  struct nb_progress_line line = {.page = call->pages[0]};
   const struct nb_progress progress = nb_print_progress(&line);
   nb_scene_cut(scene, stage);
-  enum nb_status status = nb_run_to(&saved, scene, &use->options, &progress, error);
+  enum nb_status status = nb_run_to(&saved, scene, &call->options, &progress, error);
   nb_print_progress_end(&line);
-  for (size_t k = 0; use->settings[k] && !status; k++)
-    status = nb_saved_setting(&saved, use->settings[k], error);
+  for (size_t k = 0; call->settings[k] && !status; k++)
+    status = nb_saved_setting(&saved, call->settings[k], error);
   if (!status)
     saved.hash = scene->stages[stage].hash, status = nb_saved_write(&saved, path, error);
   nb_saved_free(&saved);
@@ -255,7 +255,7 @@ static enum nb_status write_state(struct nb_scene *scene, size_t stage, const ch
 }
 
 /* A state takes the place of nothing but a state: a page or a table of that name stays. */
-static bool may_be_replaced(const char *path) {
+static bool is_replaceable(const char *path) {
   struct stat status;
   if (lstat(path, &status) != 0)
     return true;
@@ -270,24 +270,24 @@ static bool may_be_replaced(const char *path) {
   return is;
 }
 
-enum nb_status nb_command_state(const struct nb_use *use) {
+enum nb_status nb_command_state(const struct nb_call *call) {
   struct nb_outcome outcome;
   char text[3 * NB_NAME_SIZE];
-  if (use->page_count > 1) {
+  if (call->page_count > 1) {
     fputs("nineball: `nineball state` takes one page\n", stderr);
     return NB_BAD_USE;
   }
-  enum nb_status status = nb_outcome_read(&outcome, use->pages[0], use->settings);
-  nb_print_trouble(&outcome, use->pages[0]);
-  const int stage = status ? -1 : stage_of(use, &outcome);
+  enum nb_status status = nb_outcome_read(&outcome, call->pages[0], call->settings);
+  nb_print_errors(&outcome, call->pages[0]);
+  const int stage = status ? -1 : stage_of(call, &outcome);
   if (stage >= 0) {
     struct nb_scene *scene = &outcome.runs[0].scene;
     struct nb_error error = {NB_OK, ""};
     snprintf(text, sizeof text, "%s-%s.state", outcome.page.name, scene->stages[stage].name);
-    const char *path = use->folder ? use->folder : text;
-    status = may_be_replaced(path) ? write_state(scene, (size_t)stage, path, use, &error) : NB_BAD_USE;
+    const char *path = call->folder ? call->folder : text;
+    status = is_replaceable(path) ? write_state(scene, (size_t)stage, path, call, &error) : NB_BAD_USE;
     if (error.status)
-      fprintf(stderr, "nineball: %s: %s\n", use->pages[0], error.text);
+      fprintf(stderr, "nineball: %s: %s\n", call->pages[0], error.text);
     else if (!status)
       printf("the state at the end of stage `%s` is in %s\na page beside it takes the particles with: packing %s\n",
              scene->stages[stage].name, path, strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
@@ -323,17 +323,17 @@ static enum nb_status migrate(const char *path, bool in_place, struct nb_error *
   return status;
 }
 
-enum nb_status nb_command_migrate(const struct nb_use *use) {
+enum nb_status nb_command_migrate(const struct nb_call *call) {
   enum nb_status worst = NB_OK;
-  if (use->page_count > 1 && !use->in_place) {
+  if (call->page_count > 1 && !call->in_place) {
     fputs("nineball: several pages are rewritten with --in-place\n", stderr);
     return NB_BAD_USE;
   }
-  for (size_t k = 0; k < use->page_count; k++) {
+  for (size_t k = 0; k < call->page_count; k++) {
     struct nb_error error;
-    const enum nb_status status = migrate(use->pages[k], use->in_place, &error);
+    const enum nb_status status = migrate(call->pages[k], call->in_place, &error);
     if (status)
-      fprintf(stderr, "%s: error: %s\n", use->pages[k], error.text);
+      fprintf(stderr, "%s: error: %s\n", call->pages[k], error.text);
     worst = worse(worst, status);
   }
   return worst;
@@ -341,8 +341,8 @@ enum nb_status nb_command_migrate(const struct nb_use *use) {
 
 /* ---- laws, list ---- */
 
-enum nb_status nb_command_laws(const struct nb_use *use) {
-  (void)use;
+enum nb_status nb_command_laws(const struct nb_call *call) {
+  (void)call;
   for (const struct nb_law *const *law = nb_laws(); *law; law++)
     printf("%-7s %-21s %s  %s\n%29s parameters of the materials: %s\n%29s %d history variables%s; %s%s\n", (*law)->kind,
            (*law)->name, (*law)->title, (*law)->source, "", (*law)->parameters[0] ? (*law)->parameters : "none", "",
@@ -353,8 +353,8 @@ enum nb_status nb_command_laws(const struct nb_use *use) {
   return NB_OK;
 }
 
-enum nb_status nb_command_list(const struct nb_use *use) {
-  (void)use;
+enum nb_status nb_command_list(const struct nb_call *call) {
+  (void)call;
   puts("references, for `reference NAME` in a page:");
   for (const struct nb_reference *const *reference = nb_references(); *reference; reference++)
     printf("  %-24s %s  %s\n", (*reference)->name, (*reference)->title, (*reference)->source);

@@ -8,7 +8,7 @@
 #include "run/output_file.h"
 
 /* A call, read. */
-struct nb_use {
+struct nb_call {
   char **pages;
   size_t page_count;
   const char *folder;    /* or a file; NULL: the default */
@@ -24,15 +24,15 @@ struct nb_use {
 
 /* ---- commands.c: one function for each word of the command line ---- */
 
-enum nb_status nb_command_run(const struct nb_use *use);
-enum nb_status nb_command_check(const struct nb_use *use);
-enum nb_status nb_command_figure(const struct nb_use *use);
-enum nb_status nb_command_report(const struct nb_use *use);
-enum nb_status nb_command_explain(const struct nb_use *use);
-enum nb_status nb_command_state(const struct nb_use *use);
-enum nb_status nb_command_migrate(const struct nb_use *use);
-enum nb_status nb_command_laws(const struct nb_use *use);
-enum nb_status nb_command_list(const struct nb_use *use);
+enum nb_status nb_command_run(const struct nb_call *call);
+enum nb_status nb_command_check(const struct nb_call *call);
+enum nb_status nb_command_figure(const struct nb_call *call);
+enum nb_status nb_command_report(const struct nb_call *call);
+enum nb_status nb_command_explain(const struct nb_call *call);
+enum nb_status nb_command_state(const struct nb_call *call);
+enum nb_status nb_command_migrate(const struct nb_call *call);
+enum nb_status nb_command_laws(const struct nb_call *call);
+enum nb_status nb_command_list(const struct nb_call *call);
 
 /* ---- manual.c ---- */
 
@@ -50,7 +50,7 @@ void nb_print_warnings(FILE *out, const char *before, const char *path, const st
 void nb_repeat_warnings(const char *before, const char *path, const struct nb_warnings *warnings);
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
-void nb_print_trouble(const struct nb_outcome *outcome, const char *path); /* mistakes, or what broke, to stderr */
+void nb_print_errors(const struct nb_outcome *outcome, const char *path); /* mistakes, or what broke, to stderr */
 struct nb_progress_line {
   const char *page;
   double shown; /* s of the run when it was last written; 0: never */
@@ -68,8 +68,8 @@ void nb_print_escaped(FILE *out, const char *text, const struct nb_escape *list)
 /* ---- tables.c ---- */
 
 /* FOLDER/NAME, begun. */
-enum nb_status nb_save_in(struct nb_save *file, struct nb_error *error, const char *folder, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
+enum nb_status nb_save_begin_in(struct nb_save *file, struct nb_error *error, const char *folder, const char *format,
+                                ...) __attribute__((format(printf, 4, 5)));
 /* Into the folder: table.tsv, values.tsv, verdict.tsv, and STAGE-bodies.tsv, -walls.tsv, -contacts.tsv for each snapshot,
  * of a path LEG-traction.tsv, -pieces.tsv. */
 enum nb_status nb_tables_save(const struct nb_outcome *outcome, const char *folder, struct nb_error *error);
@@ -84,7 +84,7 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome);
 
 /* ---- figure.c ---- */
 
-bool nb_figure_wanted(const struct nb_page *page); /* whether it has a block of kind `gnuplot` */
+bool nb_page_has_figure(const struct nb_page *page); /* whether it has a block of kind `gnuplot` */
 /* NAME.gp in the folder, and by gnuplot NAME.svg and NAME.png. NB_OK without doing anything when the page has no figure (then *drawn
  * is false). Only `figure` and `report` do this: gnuplot runs the page's own code, confined (sandbox.h), or also unconfined where the
  * page is trusted and nothing can confine it. */
@@ -96,7 +96,7 @@ enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *fold
 struct nb_gnuplot {
   const char *folder, *name, *recipes, *commands;
   int figure; /* file descriptor */
-  bool trust, aloud;
+  bool trust, verbose;
 };
 enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error);
 
@@ -105,7 +105,7 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
 struct nb_report_line {
   char name[NB_NAME_SIZE], message[512]; /* of the page; what went wrong besides checks, or nothing */
   struct nb_outcome outcome;             /* without its runs */
-  bool kept, drawn;                      /* there are tables, a figure */
+  bool saved, drawn;                     /* there are tables, a figure */
   double seconds;
 };
 enum nb_status nb_report_write(const char *folder, const struct nb_report_line *lines, size_t count,

@@ -55,7 +55,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
 static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   char hint[NB_HINT_SIZE];
   measure->stage = -1;
-  measure->whole = strlen(measure->label);
+  measure->bare_length = strlen(measure->label);
   if (!nb_token_skip(reader, "in"))
     return true;
   const struct nb_token *token = nb_take(reader, "the name of a stage");
@@ -74,14 +74,14 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
 }
 
 /* Behind `at`: a number of cycles, of a path of steps, or a time. */
-static bool take_moment(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
+static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   const char *const words[] = {scene->contact_test ? "steps" : "cycles", scene->contact_test ? "step" : "cycle"};
   const struct nb_token *number = nb_token_peek(reader);
-  const bool counted = number && reader->next + 1 < reader->count &&
-                       (strcmp(number[1].text, words[0]) == 0 || strcmp(number[1].text, words[1]) == 0);
-  if (scene->contact_test && !counted)
+  const bool is_count = number && reader->next + 1 < reader->count &&
+                        (strcmp(number[1].text, words[0]) == 0 || strcmp(number[1].text, words[1]) == 0);
+  if (scene->contact_test && !is_count)
     return nb_expected(reader, "a contact test has no time: `at 10 steps`", "a number and `steps`");
-  if (counted) {
+  if (is_count) {
     unsigned long count;
     if (!nb_take_count(reader, 0, NB_COUNT_MAX, &count))
       return false;
@@ -111,9 +111,9 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   if (measure->reducer != NB_LAST)
     nb_append(measure->label, sizeof measure->label, " %s", row->word);
   measure->unit = measure->reducer == NB_FREQUENCY ? "1/s" : nb_quantity_unit(quantity);
-  measure->vanishes = nb_quantity_is_residual(quantity);
+  measure->is_residual = nb_quantity_is_residual(quantity);
   if (!row->word && nb_token_skip(reader, "at"))
-    return take_moment(reader, scene, measure) && take_stage(reader, scene, measure);
+    return take_time(reader, scene, measure) && take_stage(reader, scene, measure);
   return take_stage(reader, scene, measure);
 }
 
@@ -166,7 +166,7 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
 
 /* ---- what is expected of it ---- */
 
-static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
+static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
   static const char what[] = "the name of a `sweep`";
   const struct nb_token *token = nb_take(reader, what);
   const int k = NB_NAMED(reader, token, scene->bindings, scene->binding_count, what, NULL);
@@ -178,7 +178,7 @@ static bool take_swept(struct nb_reader *reader, const struct nb_scene *scene, c
 
 /* `over NAME`, or nothing: the sweep whose runs are a sample. */
 static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return !nb_token_skip(reader, "over") || take_swept(reader, scene, expectation->sample);
+  return !nb_token_skip(reader, "over") || take_sweep_name(reader, scene, expectation->sample);
 }
 
 /* `[CS79 figure 6]`, several tokens. */
@@ -197,7 +197,7 @@ static bool take_source(struct nb_reader *reader, struct nb_expectation *expecta
 
 static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   const struct nb_measure *measure = &expectation->measure;
-  return take_tolerance_of(reader, scene, measure->unit, measure->vanishes, &expectation->tolerance);
+  return take_tolerance_of(reader, scene, measure->unit, measure->is_residual, &expectation->tolerance);
 }
 
 static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
@@ -235,7 +235,7 @@ static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, s
 }
 
 static bool take_trend(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  return nb_take_word(reader, "with") && take_swept(reader, scene, expectation->against) &&
+  return nb_take_word(reader, "with") && take_sweep_name(reader, scene, expectation->against) &&
          take_sample(reader, scene, expectation);
 }
 
@@ -246,7 +246,8 @@ static bool take_constant(struct nb_reader *reader, const struct nb_scene *scene
 
 static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   return nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &expectation->number) && nb_take_word(reader, "in") &&
-         take_swept(reader, scene, expectation->against) && take_tolerance(reader, NULL, "1", &expectation->tolerance);
+         take_sweep_name(reader, scene, expectation->against) &&
+         take_tolerance(reader, NULL, "1", &expectation->tolerance);
 }
 
 /* clang-format off */
@@ -267,7 +268,7 @@ static const struct nb_expectation_row rows[] = {
    "C.normal in part  expected 0 of C.normal max in strike within 0.01  [the discs separate]"},
   {"below", NB_LESS, "MEASURE below MEASURE", take_other, "Compares two measures of the same run.",
    "C.overlap in part  below  C.overlap max in strike"},
-  {"above", NB_ARRAY_APPEND, "MEASURE above MEASURE", take_other, "Likewise.",
+  {"above", NB_GREATER, "MEASURE above MEASURE", take_other, "Likewise.",
    "C.normal max in strike  above  C.normal mean in strike"},
   {"increases", NB_INCREASES, "MEASURE increases with NAME {over SAMPLE}", take_trend,
    "NAME is a sweep: the measure increases from each of its values to the next larger one, while other sweeps keep theirs; words keep the "
@@ -329,11 +330,11 @@ static void apply_report(struct nb_reader *reader, const struct nb_record *recor
 
 static void apply_expectation(struct nb_reader *reader, const struct nb_record *record, void *subject) {
   const struct reading *reading = subject;
-  struct nb_expectations *all = reading->expectations;
+  struct nb_expectations *expectations = reading->expectations;
   struct nb_expectation expectation = {.line = (int)reader->line};
   (void)record;
   if (take_measure(reader, reading->scene, &expectation.measure) && take_kind(reader, reading, &expectation))
-    NB_APPEND(reader, all->list, all->count, expectation);
+    NB_APPEND(reader, expectations->list, expectations->count, expectation);
 }
 
 static void apply_reference(struct nb_reader *reader, const struct nb_record *record, void *subject) {
@@ -347,24 +348,25 @@ static void apply_reference(struct nb_reader *reader, const struct nb_record *re
     return;
   for (const struct nb_reference *const *reference = nb_references(); *reference; reference++)
     nb_guess_offer(&guess, (*reference)->name);
-  const char *near = nb_guess_hint(&guess, hint);
-  nb_expected_at(reader, token, near ? near : "`nineball list` names them all", "the name of a reference");
+  const char *suggestion = nb_guess_hint(&guess, hint);
+  nb_expected_at(reader, token, suggestion ? suggestion : "`nineball list` names them all", "the name of a reference");
 }
 
 static const struct nb_argument reference[] = {
     {NULL, "NAME", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, 0, 1, NULL, "the name of a reference"},
     {NULL, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, 0, 0, NULL, NULL},
 };
-static const struct nb_argument nothing[] = {{NULL, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, 0, 0, NULL, NULL}};
+static const struct nb_argument no_arguments[] = {
+    {NULL, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, 0, 0, NULL, NULL}};
 
 static const struct nb_keyword table[] = {
     {"reference", NB_IN_EXPECT, reference, NULL, 0, false, apply_reference,
      "The reference solution: a file of cases/refs; `nineball list` names them.", "reference  two_wall_compression"},
-    {"report", NB_IN_EXPECT, nothing, "MEASURE", 0, false, apply_report,
+    {"report", NB_IN_EXPECT, no_arguments, "MEASURE", 0, false, apply_report,
      "Puts the measure into values.tsv and the verdict without a claim about it; it is noted, not checked.",
      "report  C.overlap max in strike"},
-    {NULL, NB_IN_EXPECT, nothing, "MEASURE EXPECTATION", 0, false, apply_expectation, "What is expected of a measure.",
-     NULL},
+    {NULL, NB_IN_EXPECT, no_arguments, "MEASURE EXPECTATION", 0, false, apply_expectation,
+     "What is expected of a measure.", NULL},
     {0},
 };
 
@@ -374,10 +376,10 @@ const struct nb_family *nb_expect_keywords(void) {
 }
 
 /* A line of the first expectation that only a reference can tell; 0: there is none. */
-static int line_judged(const struct nb_expectations *expectations) {
+static int line_needing_reference(const struct nb_expectations *expectations) {
   for (size_t k = 0; k < expectations->count; k++) {
     const struct nb_expectation *e = &expectations->list[k];
-    if ((e->kind == NB_WITHIN || e->kind == NB_VERSUS || e->kind == NB_ORDER) && !e->measure.vanishes)
+    if ((e->kind == NB_WITHIN || e->kind == NB_VERSUS || e->kind == NB_ORDER) && !e->measure.is_residual)
       return e->line;
   }
   return 0;
@@ -395,13 +397,14 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   }
   reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
-  bool sought = true; /* a wrong line of two words was meant to name a reference: an expectation has three or more */
+  bool reference_required =
+      true; /* a wrong line of two words was meant to name a reference: an expectation has three or more */
   for (size_t line = 1; line <= page->line_count && !scene->path_replaced; line++)
     if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
       nb_statement_read(reader, nb_expect_keywords(), NB_IN_EXPECT, &reading);
-      sought = sought && !(reader->bad && reader->count == 2);
+      reference_required = reference_required && !(reader->bad && reader->count == 2);
     }
-  const int line = expectations->reference || !sought ? 0 : line_judged(expectations);
+  const int line = expectations->reference || !reference_required ? 0 : line_needing_reference(expectations);
   if (line)
     nb_line_mistake(reader, (size_t)line, "write `reference NAME` above it; `nineball list` names the references",
                     "expected a `reference` in this page to compare with, found none");

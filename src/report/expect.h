@@ -16,13 +16,13 @@ enum { NB_STAGE_ALL = -2 };
 /* `C.normal mean in rest` */
 struct nb_measure {
   char label[4 * NB_NAME_SIZE]; /* as references know it: quantity, reducer, stage, whole */
-  size_t whole;                 /* length of the label without ` in STAGE` */
+  size_t bare_length;           /* length of the label without ` in STAGE` */
   size_t column;                /* of the table */
   const char *unit;             /* NULL: unknown, as a mistake of the scene leaves it */
   enum nb_reducer reducer;
-  double at;     /* cycle or s */
-  int stage;     /* -1: the last one that has rows; NB_STAGE_ALL: `in all` */
-  bool vanishes; /* a residual: known to be 0 by what it is, without a reference */
+  double at;        /* cycle or s */
+  int stage;        /* -1: the last one that has rows; NB_STAGE_ALL: `in all` */
+  bool is_residual; /* a residual: known to be 0 by what it is, without a reference */
 };
 
 enum nb_tolerance_kind { NB_ABSOLUTE, NB_RELATIVE, NB_OF_PEAK, NB_OF_MEASURE };
@@ -38,7 +38,7 @@ enum nb_expectation_kind {
   NB_VERSUS,   /* the same for a curve, at every row */
   NB_EXPECTED, /* a tolerance of a number that the page gives */
   NB_LESS,     /* than another measure of the same run */
-  NB_ARRAY_APPEND,
+  NB_GREATER,
   NB_INCREASES, /* from each value of a sweep to the next */
   NB_DECREASES,
   NB_CONSTANT, /* for all values of a sweep */
@@ -50,7 +50,7 @@ struct nb_expectation {
   enum nb_expectation_kind kind;
   struct nb_measure measure;
   struct nb_measure
-      other; /* NB_LESS, NB_ARRAY_APPEND: the other one; NB_EXPECTED with `has_scale`: the number is a fraction of it */
+      other; /* NB_LESS, NB_GREATER: the other one; NB_EXPECTED with `has_scale`: the number is a fraction of it */
   bool has_scale;
   struct nb_tolerance tolerance;
   double number;             /* NB_EXPECTED: SI; NB_ORDER: the power */

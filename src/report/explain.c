@@ -53,13 +53,13 @@ static void explain_statement(FILE *out, const struct nb_scene *scene, int line,
 /* Those of a stage or a segment, up to the next one. Those behind `start` belong to the first stage. */
 static void explain_statements(FILE *out, const struct nb_scene *scene, size_t stage) {
   const size_t line = (size_t)scene->stages[stage].line;
-  const bool opens = scene->start.line && stage == scene->start.stages;
+  const bool is_first = scene->start.line && stage == scene->start.stages;
   size_t end = line ? scene->page->line_count + 1 : 0; /* one of --set follow=FILE has no line */
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     if ((size_t)scene->stages[s].line > line && (size_t)scene->stages[s].line < end)
       end = (size_t)scene->stages[s].line;
   struct nb_reader reader;
-  for (size_t k = opens ? (size_t)scene->start.line + 1 : line; k < end; k++) {
+  for (size_t k = is_first ? (size_t)scene->start.line + 1 : line; k < end; k++) {
     if ((k == line && !scene->contact_test) || !read_statement(&reader, scene, k))
       continue;
     fputs("    ", out);
@@ -79,15 +79,16 @@ static void explain_start(FILE *out, const struct nb_scene *scene, const struct 
   struct nb_error error;
   if (scene->start.stages > 0)
     fprintf(out, "start\n");
-  for (const struct nb_scene *here = scene; here->start.stages > 0; here = here->start.scene) {
-    const struct nb_start *start = &here->start;
+  for (const struct nb_scene *stage_scene = scene; stage_scene->start.stages > 0;
+       stage_scene = stage_scene->start.scene) {
+    const struct nb_start *start = &stage_scene->start;
     fprintf(out, "  at the end of stage `%s` of `%s`", start->scene->stages[start->scene->stage_count - 1].name,
             start->page->name);
     for (size_t k = 0; k < start->setting_count; k++)
       fprintf(out, "%s %s", k ? "," : " with", start->settings[k]);
     fprintf(out, " (line %d)\n    %s: %s\n", start->line,
-            nb_start_path(path, sizeof path, here, options, &error) ? error.text : path,
-            words[nb_start_presence(here, options)]);
+            nb_start_path(path, sizeof path, stage_scene, options, &error) ? error.text : path,
+            words[nb_start_presence(stage_scene, options)]);
   }
 }
 
@@ -125,7 +126,7 @@ static void explain_particles(FILE *out, const struct nb_scene *scene) {
 
 /* ---- the plan ---- */
 
-static size_t bits(unsigned set) {
+static size_t bit_count(unsigned set) {
   size_t count = 0;
   for (; set; set &= set - 1)
     count++;
@@ -133,14 +134,14 @@ static size_t bits(unsigned set) {
 }
 
 /* Whether such a contact can form: it takes two particles, or a particle and a wall. */
-static bool can_meet(const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
+static bool can_touch(const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
   size_t particles = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
     particles += scene->particles[k].material == material_pair->a;
   return material_pair->wall || material_pair->a != material_pair->b || particles > 1;
 }
 
-static void name_material_pair(FILE *out, const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
+static void print_material_pair(FILE *out, const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
   fprintf(out, "%s with %s%s", scene->materials[material_pair->a].name, material_pair->wall ? "wall of " : "",
           scene->materials[material_pair->b].name);
 }
@@ -188,12 +189,12 @@ static bool explain_changes(FILE *out, const struct nb_scene *scene, const struc
 static bool explain_material_pair(FILE *out, const struct nb_model *model,
                                   const struct nb_material_pair *material_pair) {
   size_t contacts = 0;
-  if (!can_meet(model->scene, material_pair))
+  if (!can_touch(model->scene, material_pair))
     return true;
   for (size_t c = 0; c < model->contacts.count; c++)
     contacts += &model->material_pairs[model->contacts.material_pair[c]] == material_pair;
   fputs("  ", out);
-  name_material_pair(out, model->scene, material_pair);
+  print_material_pair(out, model->scene, material_pair);
   fprintf(out, ": %zu pairs in the neighbour list; k_n %g, k_s %g, tan(phi) %g, c %g\n", contacts,
           material_pair->values.kn, material_pair->values.ks, material_pair->values.friction,
           material_pair->values.cohesion);
@@ -216,9 +217,10 @@ static void explain_history(FILE *out, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const size_t memory = (size_t)(model->contacts.normal_history.doubles + model->contacts.shear_history.doubles);
   const size_t per_particle = sizeof(double) * (particles->spin ? 14 : 12) + 5 * sizeof(int);
-  const size_t per_contact = sizeof(double) * (2 + bits(model->plan.kept) + memory) + 5 * sizeof(int);
+  const size_t per_contact = sizeof(double) * (2 + bit_count(model->plan.kept) + memory) + 5 * sizeof(int);
   fprintf(out, "memory\n  %zu bytes a particle%s, %zu a contact (%zu kept fields, %zu history variables of laws)\n",
-          per_particle, particles->spin ? "" : " (without rotation)", per_contact, bits(model->plan.kept) + 2, memory);
+          per_particle, particles->spin ? "" : " (without rotation)", per_contact, bit_count(model->plan.kept) + 2,
+          memory);
   fprintf(out, "  %zu blocks of up to %d contacts, loops for %s, %d thread%s\n", model->blocks.count, NB_BLOCK_SIZE,
           isa_names[model->machine.isa], model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
 }
@@ -262,7 +264,7 @@ static bool explain_plan(FILE *out, const struct nb_model *model) {
 
 /* ---- regions ---- */
 
-static size_t inside(const struct nb_model *model, int region) {
+static size_t count_inside(const struct nb_model *model, int region) {
   const struct nb_region_state *now = nb_region_state(model, region);
   size_t count = 0;
   for (size_t i = 0; i < model->particles.count; i++)
@@ -279,35 +281,36 @@ static void explain_regions(FILE *out, const struct nb_model *model) {
     if (monitor->kind != NB_MONITOR_REGION)
       continue;
     explain_statement(out, scene, scene->regions[monitor->a].line, "");
-    fprintf(out, ": %zu particles now\n", inside(model, monitor->a));
+    fprintf(out, ": %zu particles now\n", count_inside(model, monitor->a));
   }
 }
 
 /* ---- the step ---- */
 
-static void explain_safe(FILE *out, const struct nb_model *model, const char *s) {
-  const struct nb_stable safe = nb_stable_step_stage(model);
+static void explain_stable_step(FILE *out, const struct nb_model *model, const char *s) {
+  const struct nb_stable stable = nb_stable_step_stage(model);
   char what[3 * NB_NAME_SIZE];
-  nb_stable_text(what, sizeof what, model, &safe);
-  fprintf(out, "  stable: %g%s; the step is %g of it; limited by %s%s\n", safe.step, s, model->step / safe.step, what,
-          model->step <= safe.step           ? ""
+  nb_stable_text(what, sizeof what, model, &stable);
+  fprintf(out, "  stable: %g%s; the step is %g of it; limited by %s%s\n", stable.step, s, model->step / stable.step,
+          what,
+          model->step <= stable.step         ? ""
           : model->stability->allow_unstable ? "; allowed to be unstable"
                                              : "; ABOVE it: the run will be aborted");
 }
 
-static void explain_meeting(FILE *out, const struct nb_model *model, const char *s) {
-  const struct nb_collision meeting = nb_collision_shortest(model);
-  if (meeting.a < 0) {
+static void explain_collision(FILE *out, const struct nb_model *model, const char *s) {
+  const struct nb_collision collision = nb_collision_shortest(model);
+  if (collision.a < 0) {
     fprintf(out, "  collision: nothing approaches\n");
     return;
   }
-  fprintf(out, "  collision, Hertz: %g%s, %.3g steps; particle %d meets ", meeting.duration, s,
-          meeting.duration / model->step, model->particles.number[meeting.a]);
-  if (meeting.wall)
-    fprintf(out, "wall %s", model->scene->walls[meeting.b].name);
+  fprintf(out, "  collision, Hertz: %g%s, %.3g steps; particle %d meets ", collision.duration, s,
+          collision.duration / model->step, model->particles.number[collision.a]);
+  if (collision.wall)
+    fprintf(out, "wall %s", model->scene->walls[collision.b].name);
   else
-    fprintf(out, "particle %d", model->particles.number[meeting.b]);
-  fprintf(out, " at %g%s\n", meeting.speed, unit(model->scene, " m/s"));
+    fprintf(out, "particle %d", model->particles.number[collision.b]);
+  fprintf(out, " at %g%s\n", collision.speed, unit(model->scene, " m/s"));
 }
 
 static void explain_step(FILE *out, const struct nb_model *model) {
@@ -330,10 +333,10 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   if (elastic && !nb_step_loaded(model))
     fprintf(out, "  stable: unknown, elastic spheres without overlap have no stiffness\n");
   else
-    explain_safe(out, model, s);
+    explain_stable_step(out, model, s);
   const double contact = nb_step_collision(model);
   if (elastic)
-    explain_meeting(out, model, s);
+    explain_collision(out, model, s);
   else
     fprintf(out, "  collision, the shortest possible: %g%s; the step is %g of it\n", contact, s, model->step / contact);
   const double smallest = nb_step_rayleigh(model, false, false), mean = nb_step_rayleigh(model, false, true);

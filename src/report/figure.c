@@ -19,7 +19,7 @@ enum { STYLE_MAX = 1 << 20 }; /* bytes */
 /* The same for every page: no text of a page or name is among gnuplot's arguments. */
 #define SETTINGS(terminal) "terminal = \"" terminal "\"; set terminal " terminal " size 840,560"
 
-bool nb_figure_wanted(const struct nb_page *page) {
+bool nb_page_has_figure(const struct nb_page *page) {
   for (size_t k = 0; k < page->line_count; k++)
     if (page->kind_of[k] == 1 + NB_BLOCK_GNUPLOT)
       return true;
@@ -46,9 +46,9 @@ static void write_measures(FILE *out, const struct nb_page_run *run, const char 
   for (size_t k = 0; k < run->expectations.count; k++) {
     const struct nb_expectation *e = &run->expectations.list[k];
     struct nb_error error;
-    double seen;
-    if (e->kind != NB_VERSUS && nb_measure_seen(&seen, &e->measure, &run->result.table, &error))
-      write_value(out, "", e->measure.label, number, seen);
+    double computed;
+    if (e->kind != NB_VERSUS && nb_measure_value(&computed, &e->measure, &run->result.table, &error))
+      write_value(out, "", e->measure.label, number, computed);
   }
   for (size_t k = 0; k < run->solution.value_count; k++)
     write_value(out, "reference_", run->solution.values[k].name, number, run->solution.values[k].value);
@@ -160,7 +160,7 @@ static enum nb_status save_script(const struct nb_outcome *outcome, const char *
   char *style = nb_file_read(path, STYLE_MAX, &size, error);
   if (!style)
     return error->status == NB_NO_MEMORY ? NB_NO_MEMORY : nb_error_set(error, NB_BAD_USE, "cannot read %.300s", path);
-  enum nb_status status = nb_save_in(&file, error, folder, "%s.gp", outcome->page.name);
+  enum nb_status status = nb_save_begin_in(&file, error, folder, "%s.gp", outcome->page.name);
   if (!status) {
     write_script(file.file, outcome, plots, style);
     status = nb_save_end(&file, error);
@@ -173,7 +173,7 @@ static enum nb_status save_script(const struct nb_outcome *outcome, const char *
 static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const char *magic, struct nb_error *error) {
   char begin[8] = "";
   struct nb_save file;
-  if (nb_save_in(&file, error, drawing->folder, "%s.%s", drawing->name, kind))
+  if (nb_save_begin_in(&file, error, drawing->folder, "%s.%s", drawing->name, kind))
     return error->status;
   drawing->figure = fileno(file.file);
   enum nb_status status = nb_gnuplot_run(drawing, error);
@@ -186,16 +186,16 @@ enum nb_status nb_figure_draw(const struct nb_outcome *outcome, const char *fold
                               struct nb_error *error) {
   char plots[4096];
   *drawn = false;
-  if (!nb_figure_wanted(&outcome->page))
+  if (!nb_page_has_figure(&outcome->page))
     return NB_OK;
   find_plots(plots, sizeof plots, error);
   if (!plots[0] || nb_folder_create(folder, error) || save_script(outcome, folder, plots, error))
     return error->status;
   struct nb_gnuplot drawing = {.folder = folder, .name = outcome->page.name, .recipes = plots, .trust = trust};
-  drawing.commands = SETTINGS("svg font 'sans,13' background 'white'"), drawing.aloud = true;
+  drawing.commands = SETTINGS("svg font 'sans,13' background 'white'"), drawing.verbose = true;
   if (draw(&drawing, "svg", "<?xml", error))
     return error->status;
-  drawing.commands = SETTINGS("pngcairo font 'sans,11'"), drawing.aloud = false;
+  drawing.commands = SETTINGS("pngcairo font 'sans,11'"), drawing.verbose = false;
   if (draw(&drawing, "png", "\x89PNG", error))
     return error->status;
   *drawn = true;

@@ -18,54 +18,54 @@
 /* Writes what gnuplot said to stderr, if aloud; into `last` the line that names the mistake: the last one that is not blank. A
  * column that is not there is only a warning of gnuplot's, and the figure lacks a line: then `last` is that warning and the
  * answer is true. */
-static bool hear(FILE *given, bool aloud, char *last, size_t size) {
+static bool copy_messages(FILE *messages, bool verbose, char *reason, size_t size) {
   char line[1024];
   unsigned byte;
-  bool lacks = false;
-  last[0] = 0;
-  rewind(given);
-  for (int count = 0; fgets(line, sizeof line, given); count++) {
+  bool missing_column = false;
+  reason[0] = 0;
+  rewind(messages);
+  for (int count = 0; fgets(line, sizeof line, messages); count++) {
     line[strcspn(line, "\n")] = 0;
     nb_clean(line, strlen(line), &byte);
-    if (line[strspn(line, " \t^")] && !lacks)
-      snprintf(last, size, "%s", line + strspn(line, " \t"));
-    lacks = lacks || strstr(line, "no column with header");
-    if (aloud && count < 200)
+    if (line[strspn(line, " \t^")] && !missing_column)
+      snprintf(reason, size, "%s", line + strspn(line, " \t"));
+    missing_column = missing_column || strstr(line, "no column with header");
+    if (verbose && count < 200)
       fprintf(stderr, "%s\n", line);
   }
-  return lacks;
+  return missing_column;
 }
 
 enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error) {
-  char file[NB_NAME_SIZE + 8], last[256];
+  char file[NB_NAME_SIZE + 8], reason[256];
   char *const words[] = {"-d", "-e", (char *)drawing->commands, file, NULL};
   char *folder = realpath(drawing->folder, NULL);
   struct nb_confined *confined = calloc(1, sizeof *confined);
-  FILE *given = tmpfile();
+  FILE *messages = tmpfile();
   enum nb_status status = NB_BAD_USE;
   snprintf(file, sizeof file, "./%s.gp", drawing->name);
-  if (!confined || !folder || !given) {
+  if (!confined || !folder || !messages) {
     status = nb_error_system(error, "cannot draw in %.300s", drawing->folder);
   } else if (!nb_program_find(confined->program, sizeof confined->program, "gnuplot")) {
     status = nb_error_set(error, NB_BAD_USE, "gnuplot cannot be run: not found (its package is gnuplot-nox)");
   } else {
-    confined->folder = folder, confined->file = file, confined->library = drawing->recipes, confined->words = words;
+    confined->folder = folder, confined->file = file, confined->library = drawing->recipes, confined->arguments = words;
     status = nb_confine_begin(confined, drawing->trust, error);
     if (!status) {
-      const int end = nb_confine_run(confined, drawing->figure, fileno(given));
-      const bool lacks = hear(given, drawing->aloud, last, sizeof last);
+      const int end = nb_confine_run(confined, drawing->figure, fileno(messages));
+      const bool missing_column = copy_messages(messages, drawing->verbose, reason, sizeof reason);
       const int code = WIFEXITED(end) ? WEXITSTATUS(end) : 0;
       const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : code > 128 ? code - 128 : 0; /* bwrap hands it on so */
       if (fatal)
         status = nb_error_set(error, NB_BAD_USE, "gnuplot was stopped while it drew %.150s/%s: %s", drawing->folder,
                               file + 2, strsignal(fatal));
-      else if (end != 0 || lacks)
-        status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s", drawing->folder, file + 2, last);
+      else if (end != 0 || missing_column)
+        status = nb_error_set(error, NB_BAD_USE, "gnuplot refused %.150s/%s: %s", drawing->folder, file + 2, reason);
     }
     nb_confine_end(confined);
   }
-  if (given)
-    fclose(given);
+  if (messages)
+    fclose(messages);
   free(confined);
   free(folder);
   return status;

@@ -15,7 +15,7 @@
 
 static const struct {
   const char *name;
-  enum nb_status (*run)(const struct nb_use *use);
+  enum nb_status (*run)(const struct nb_call *call);
   const char *arguments;
   const char *help;
 } commands[] = {
@@ -36,7 +36,7 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 #define CHECKING "run, check, figure, report"
 #define ALL CHECKING ", explain, state"
 
-#define AT(member) offsetof(struct nb_use, member)
+#define AT(member) offsetof(struct nb_call, member)
 static const struct option_row {
   const char *name, *value; /* how the help writes the value; NULL: there is none */
   int letter;               /* its short form; 0: none */
@@ -80,7 +80,7 @@ static enum nb_status usage(const char *format, ...) {
   return NB_BAD_USE;
 }
 
-static enum nb_status no_memory(void) {
+static enum nb_status out_of_memory(void) {
   struct nb_error error;
   nb_error_memory(&error);
   fprintf(stderr, "nineball: %s\n", error.text);
@@ -103,11 +103,11 @@ static void print_help(FILE *out) {
   }
   fputc('\n', out);
   for (int k = 0; k < OPTIONS; k++) {
-    const char letter[] = {'-', (char)options[k].letter, ',', 0}, *takers = options[k].commands;
-    const bool some = takers && strcmp(takers, ALL) != 0;
+    const char letter[] = {'-', (char)options[k].letter, ',', 0}, *users = options[k].commands;
+    const bool restricted = users && strcmp(users, ALL) != 0;
     snprintf(term, sizeof term, "--%s %s", options[k].name, options[k].value ? options[k].value : "");
-    fprintf(out, "  %-3s %-19s %s%s%s%s\n", letter[1] ? letter : "", term, options[k].help, some ? " (" : "",
-            some ? takers : "", some ? ")" : "");
+    fprintf(out, "  %-3s %-19s %s%s%s%s\n", letter[1] ? letter : "", term, options[k].help, restricted ? " (" : "",
+            restricted ? users : "", restricted ? ")" : "");
   }
   fputs("\nexit status: 0 passed, 1 a check failed, 2 bad use or a mistake in a page, 3 run aborted, 4 out of "
         "memory\n",
@@ -115,16 +115,16 @@ static void print_help(FILE *out) {
 }
 
 /* `nineball --help WORD`. */
-static enum nb_status print_help_of(const char *word) {
-  char near[2 * NB_NAME_SIZE];
+static enum nb_status print_word_help(const char *word) {
+  char suggestion[2 * NB_NAME_SIZE];
   const bool markdown = strcmp(word, "language-md") == 0;
   if (markdown || strcmp(word, "scene") == 0) {
     nb_manual(stdout, markdown);
-  } else if (!nb_manual_word(stdout, word, near)) {
+  } else if (!nb_manual_word(stdout, word, suggestion)) {
     fprintf(
         stderr,
         "nineball: `%s` is not a word of pages%s%s%s; nineball --help scene lists all words, nineball laws the laws\n",
-        word, near[0] ? "; did you mean `" : "", near, near[0] ? "`?" : "");
+        word, suggestion[0] ? "; did you mean `" : "", suggestion, suggestion[0] ? "`?" : "");
     return NB_BAD_USE;
   }
   return NB_OK;
@@ -132,17 +132,17 @@ static enum nb_status print_help_of(const char *word) {
 
 /* ---- the command line ---- */
 
-static bool number_of(int *number, const char *text) {
+static bool parse_number(int *number, const char *text) {
   char *end;
   const long value = strtol(text, &end, 10);
   *number = (int)value;
   return !*end && end != text && value >= 1 && value <= 256;
 }
 
-static enum nb_status take_option(struct nb_use *use, const struct option_row *row, char *value) {
-  void *at = (char *)use + row->at;
+static enum nb_status set_option(struct nb_call *call, const struct option_row *row, char *value) {
+  void *at = (char *)call + row->at;
   size_t settings = 0;
-  while (use->settings[settings])
+  while (call->settings[settings])
     settings++;
   switch (row->kind) {
   case TEXT:
@@ -152,19 +152,19 @@ static enum nb_status take_option(struct nb_use *use, const struct option_row *r
     *(bool *)at = true;
     break;
   case NUMBER:
-    if (!number_of(at, value))
+    if (!parse_number(at, value))
       return usage("expected a number from 1 to 256 behind --%s, found `%s`", row->name, value);
     break;
   case SETTING:
     if (!strchr(value, '='))
       return usage("expected NAME=VALUE behind --set, found `%s`", value);
-    use->settings[settings] = value;
+    call->settings[settings] = value;
     break;
   }
   return NB_OK;
 }
 
-static enum nb_status read_options(struct nb_use *use, int count, char **words) {
+static enum nb_status read_options(struct nb_call *call, int count, char **words) {
   struct option list[OPTIONS + 1] = {{NULL, 0, NULL, 0}};
   enum nb_status status = NB_OK;
   for (int k = 0; k < OPTIONS; k++)
@@ -178,13 +178,13 @@ static enum nb_status read_options(struct nb_use *use, int count, char **words) 
       fputs("nineball: see nineball --help\n", stderr);
       return NB_BAD_USE;
     }
-    use->given |= 1U << k;
-    status = take_option(use, &options[k], optarg);
+    call->given |= 1U << k;
+    status = set_option(call, &options[k], optarg);
   }
   return status;
 }
 
-static int command_of(const char *word) {
+static int find_command(const char *word) {
   for (int k = 0; k < COMMANDS; k++)
     if (strcmp(commands[k].name, word) == 0)
       return k;
@@ -192,7 +192,7 @@ static int command_of(const char *word) {
 }
 
 /* Whether the word is one of those of a list, which commas part. */
-static bool lists(const char *list, const char *word) {
+static bool list_contains(const char *list, const char *word) {
   const size_t length = strlen(word);
   for (; *list; list += strcspn(list, " "), list += strspn(list, " "))
     if (strncmp(list, word, length) == 0 && (list[length] == ',' || !list[length]))
@@ -200,52 +200,52 @@ static bool lists(const char *list, const char *word) {
   return false;
 }
 
-static enum nb_status run_command(struct nb_use *use, const char *word) {
-  const int command = command_of(word);
+static enum nb_status run_command(struct nb_call *call, const char *word) {
+  const int command = find_command(word);
   for (int k = 0; k < OPTIONS && command >= 0; k++)
-    if (use->given & 1U << k && options[k].commands && !lists(options[k].commands, word)) {
+    if (call->given & 1U << k && options[k].commands && !list_contains(options[k].commands, word)) {
       fprintf(stderr, "nineball: `nineball %s` does not use --%s, which is an option of: %s\n", word, options[k].name,
               options[k].commands);
       return NB_BAD_USE;
     }
-  if (command >= 0 && commands[command].arguments[0] && use->page_count == 0)
+  if (command >= 0 && commands[command].arguments[0] && call->page_count == 0)
     return usage("`nineball %s` needs a page, such as cases/3-nine-discs/nine-discs.md", word);
   if (command >= 0)
-    return commands[command].run(use);
+    return commands[command].run(call);
   char hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(word);
   for (int k = 0; k < COMMANDS; k++)
     nb_guess_offer(&guess, commands[k].name);
-  const char *near = nb_guess_hint(&guess, hint);
-  return usage("there is no command `%s`%s%s", word, near ? "; " : "", near ? near : "");
+  const char *suggestion = nb_guess_hint(&guess, hint);
+  return usage("there is no command `%s`%s%s", word, suggestion ? "; " : "", suggestion ? suggestion : "");
 }
 
-static enum nb_status carry_out(struct nb_use *use, int count, char **words) {
-  const enum nb_status status = read_options(use, count, words);
+static enum nb_status execute(struct nb_call *call, int count, char **words) {
+  const enum nb_status status = read_options(call, count, words);
   const char *word = optind < count ? words[optind] : NULL;
   if (status)
     return status;
-  if (use->version) {
+  if (call->version) {
     puts("nineball " NB_VERSION "\n"
          "Copyright (C) 2026 the nineball authors.\n"
          "GPL-3.0-or-later: free software, without any warranty.");
     return NB_OK;
   }
-  if (use->help && word && command_of(word) < 0)
-    return print_help_of(word);
-  if (use->help || !word) {
-    print_help(use->help ? stdout : stderr);
-    return use->help ? NB_OK : NB_BAD_USE;
+  if (call->help && word && find_command(word) < 0)
+    return print_word_help(word);
+  if (call->help || !word) {
+    print_help(call->help ? stdout : stderr);
+    return call->help ? NB_OK : NB_BAD_USE;
   }
-  use->pages = words + optind + 1, use->page_count = (size_t)(count - optind - 1);
-  return run_command(use, word);
+  call->pages = words + optind + 1, call->page_count = (size_t)(count - optind - 1);
+  return run_command(call, word);
 }
 
 /* Names and values go to the terminal and into files: none may hold what a terminal would obey. */
-static enum nb_status check_word(const char *word) {
+static enum nb_status check_text(const char *word) {
   char *shown = word ? strdup(word) : NULL;
   unsigned byte;
-  enum nb_status status = word && !shown ? no_memory() : NB_OK;
+  enum nb_status status = word && !shown ? out_of_memory() : NB_OK;
   if (shown && nb_clean(shown, strlen(shown), &byte)) {
     fprintf(stderr, "nineball: expected text, found the byte 0x%02X (shown as `?`) in `%s`\n", byte, shown);
     status = NB_BAD_USE;
@@ -255,18 +255,18 @@ static enum nb_status check_word(const char *word) {
 }
 
 int main(int count, char **words) {
-  struct nb_use use = {.options = {.threads = 1}};
-  use.options.states = getenv("NINEBALL_STATES");
-  enum nb_status status = check_word(use.options.states);
+  struct nb_call call = {.options = {.threads = 1}};
+  call.options.states = getenv("NINEBALL_STATES");
+  enum nb_status status = check_text(call.options.states);
   for (int k = 1; k < count && !status; k++)
-    status = check_word(words[k]);
+    status = check_text(words[k]);
   if (status)
     return (int)status;
-  use.settings = calloc((size_t)count + 1, sizeof *use.settings);
-  if (!use.settings)
-    return no_memory();
-  status = carry_out(&use, count, words);
-  free(use.settings);
+  call.settings = calloc((size_t)count + 1, sizeof *call.settings);
+  if (!call.settings)
+    return out_of_memory();
+  status = execute(&call, count, words);
+  free(call.settings);
   if (fflush(stdout) != 0 || ferror(stdout)) { /* a full disk, a closed pipe */
     fputs("nineball: the output could not be written\n", stderr);
     return NB_BAD_USE;

@@ -12,9 +12,9 @@
 #include "core/clock.h"
 #include "input/reader.h"
 
-static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *more) {
-  for (size_t k = 0; k < more->count; k++)
-    nb_warnings_add(&outcome->warnings, &more->list[k]);
+static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *warnings) {
+  for (size_t k = 0; k < warnings->count; k++)
+    nb_warnings_add(&outcome->warnings, &warnings->list[k]);
 }
 
 /* All runs of the page, up to the first one that has mistakes: most of them would be in all. */
@@ -27,7 +27,7 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
     struct nb_page_run *run = &outcome->runs[outcome->run_count++];
     nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);
-    nb_sweep_words(run->label, sizeof run->label, run, NULL);
+    nb_sweep_label(run->label, sizeof run->label, run, NULL);
     add_warnings(outcome, &run->scene.warnings);
   }
 }
@@ -58,36 +58,36 @@ static void warn_deep(struct nb_outcome *outcome) {
 }
 
 /* Progress of all runs together, of which several may be at it at once; of one of them. */
-struct together {
+struct run_progress {
   struct nb_outcome *outcome;
   const struct nb_progress *progress;
   double began; /* s */
   size_t run;
 };
 
-static void tell(void *data, const char *stage, double fraction, double seconds) {
-  const struct together *it = data;
+static void report_run_progress(void *data, const char *stage, double fraction, double seconds) {
+  const struct run_progress *this = data;
   (void)seconds;
 #pragma omp critical(nb_outcome_tell)
   {
     double sum = 0;
     char text[512];
-    it->outcome->runs[it->run].done = fraction;
-    for (size_t r = 0; r < it->outcome->run_count; r++)
-      sum += it->outcome->runs[r].done;
-    const char *label = it->outcome->runs[it->run].label;
+    this->outcome->runs[this->run].done = fraction;
+    for (size_t r = 0; r < this->outcome->run_count; r++)
+      sum += this->outcome->runs[r].done;
+    const char *label = this->outcome->runs[this->run].label;
     snprintf(text, sizeof text, "%s%s%s", stage, label[0] ? " of " : "", label);
-    it->progress->call(it->progress->data, text, sum / (double)it->outcome->run_count, nb_clock() - it->began);
+    this->progress->call(this->progress->data, text, sum / (double)this->outcome->run_count, nb_clock() - this->began);
   }
 }
 
-static void note(void *data, const char *words) {
-  const struct together *it = data;
-  const char *label = it->outcome->runs[it->run].label;
+static void report_run_note(void *data, const char *words) {
+  const struct run_progress *this = data;
+  const char *label = this->outcome->runs[this->run].label;
   char text[1024];
   snprintf(text, sizeof text, "%s%s%s", words, label[0] ? ", run " : "", label);
 #pragma omp critical(nb_outcome_tell)
-  it->progress->note(it->progress->data, text);
+  this->progress->note(this->progress->data, text);
 }
 
 static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
@@ -98,7 +98,7 @@ static void run_one(struct nb_page_run *run, const struct nb_options *options, c
     run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
 }
 
-static int jobs_of(const struct nb_outcome *outcome, const struct nb_options *options) {
+static int job_count(const struct nb_outcome *outcome, const struct nb_options *options) {
   int jobs = options ? options->jobs : 1;
 #ifdef _OPENMP
   if (jobs <= 0)
@@ -115,24 +115,24 @@ static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_option
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;
   const double began = nb_clock();
-  const int jobs = jobs_of(outcome, options);
-  bool broken = false;
+  const int jobs = job_count(outcome, options);
+  bool stopped = false;
   nb_references_prepare();
 #pragma omp parallel for num_threads(jobs) schedule(dynamic, 1)
   for (size_t r = 0; r < runs; r++) {
     bool skip;
 #pragma omp atomic read
-    skip = broken;
+    skip = stopped;
     if (skip)
       continue;
-    struct together mine = {outcome, progress, began, r};
-    const struct nb_progress its = {progress && progress->call ? tell : NULL, progress && progress->note ? note : NULL,
-                                    &mine};
-    run_one(&outcome->runs[r], options, progress ? &its : NULL);
+    struct run_progress run_progress = {outcome, progress, began, r};
+    const struct nb_progress run_callbacks = {progress && progress->call ? report_run_progress : NULL,
+                                              progress && progress->note ? report_run_note : NULL, &run_progress};
+    run_one(&outcome->runs[r], options, progress ? &run_callbacks : NULL);
     outcome->runs[r].done = 1;
     if (outcome->runs[r].status) {
 #pragma omp atomic write
-      broken = true;
+      stopped = true;
     }
   }
   for (size_t r = 0; r < runs; r++)

@@ -30,8 +30,8 @@ enum nb_mark {
 
 /* One expectation compared with what was computed. */
 struct nb_check {
-  char label[640]; /* "C.normal mean within 0.1 %" and the run */
-  char words[512]; /* "computed 1.002 N, reference 1.003 N, error 0.05 %, tolerance 0.1 %" */
+  char label[640];   /* "C.normal mean within 0.1 %" and the run */
+  char message[512]; /* "computed 1.002 N, reference 1.003 N, error 0.05 %, tolerance 0.1 %" */
   enum nb_mark mark;
   int line;
 };
@@ -43,10 +43,10 @@ struct nb_outcome {
   struct nb_page_run *runs;    /* owned, as is all below */
   size_t run_count;
   struct nb_check *checks;
-  size_t check_count, marked[NB_MARKS]; /* checks in all, and of each mark */
-  struct nb_warnings warnings;          /* of all runs, each once */
-  enum nb_status status;                /* the worst that came up */
-  struct nb_error error;                /* in words, when it is NB_BAD_USE without mistakes, or NB_BROKEN */
+  size_t check_count, mark_count[NB_MARKS]; /* checks in all, and of each mark */
+  struct nb_warnings warnings;              /* of all runs, each once */
+  enum nb_status status;                    /* the worst that came up */
+  struct nb_error error;                    /* in words, when it is NB_BAD_USE without mistakes, or NB_BROKEN */
 };
 
 /* Reads the page, runs it, options->jobs of its runs at a time, judges it. What can be known of it is in the outcome whatever the status; free it in any case. */
@@ -60,15 +60,15 @@ void nb_outcome_free_runs(struct nb_outcome *outcome); /* page, checks, warnings
 /* ---- reducers.c: from the rows of a table to one number ---- */
 
 /* False when the table has no rows to reduce, or none at that moment, or when a value is not finite; then the error says so. */
-bool nb_measure_seen(double *value, const struct nb_measure *measure, const struct nb_table *table,
-                     struct nb_error *error);
+bool nb_measure_value(double *value, const struct nb_measure *measure, const struct nb_table *table,
+                      struct nb_error *error);
 /* The rows of a stage, or of the last stage that has any: first and one past the last. */
 void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to);
 /* What the reference knows under the measure's label, with the stage or without; NULL: nothing. */
 const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution);
 
 /* What is swept, in this run: "v=0.12, n=40"; without what the expectation is judged over, if there is one. */
-void nb_sweep_words(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);
+void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);
 
 /* ---- verdict.c ---- */
 enum nb_status nb_verdict(struct nb_outcome *outcome);

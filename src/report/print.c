@@ -11,13 +11,13 @@
 
 /* What was expected and not checked, each with its line and the reason. */
 static void print_skipped(const struct nb_outcome *outcome) {
-  const size_t skipped = outcome->marked[NB_SKIP];
+  const size_t skipped = outcome->mark_count[NB_SKIP];
   if (skipped)
     printf("  %zu expectation%s not checked:\n", skipped, skipped == 1 ? " was" : "s were");
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
     if (check->mark == NB_SKIP)
-      printf("        line %d: %s\n        %s\n", check->line, check->label, check->words);
+      printf("        line %d: %s\n        %s\n", check->line, check->label, check->message);
   }
 }
 
@@ -44,7 +44,7 @@ void nb_repeat_warnings(const char *before, const char *path, const struct nb_wa
 }
 
 void nb_print_verdict(const struct nb_outcome *outcome) {
-  const size_t *marked = outcome->marked;
+  const size_t *mark_count = outcome->mark_count;
   printf("%s: %s\n", outcome->page.name, outcome->page.title);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
@@ -53,13 +53,13 @@ void nb_print_verdict(const struct nb_outcome *outcome) {
     printf("  %s  %s\n        ", nb_mark_word(check->mark), check->label);
     if (check->mark == NB_FAIL)
       printf("%s:%d: ", outcome->page.path, check->line);
-    puts(check->words);
+    puts(check->message);
   }
-  if (marked[NB_PASS] + marked[NB_FAIL])
-    printf("  %zu of %zu checks passed", marked[NB_PASS], marked[NB_PASS] + marked[NB_FAIL]);
-  if (marked[NB_NOTE])
-    printf("%s%zu noted", marked[NB_PASS] + marked[NB_FAIL] ? ", " : "  ", marked[NB_NOTE]);
-  if (marked[NB_PASS] + marked[NB_FAIL] + marked[NB_NOTE])
+  if (mark_count[NB_PASS] + mark_count[NB_FAIL])
+    printf("  %zu of %zu checks passed", mark_count[NB_PASS], mark_count[NB_PASS] + mark_count[NB_FAIL]);
+  if (mark_count[NB_NOTE])
+    printf("%s%zu noted", mark_count[NB_PASS] + mark_count[NB_FAIL] ? ", " : "  ", mark_count[NB_NOTE]);
+  if (mark_count[NB_PASS] + mark_count[NB_FAIL] + mark_count[NB_NOTE])
     puts("");
   print_skipped(outcome);
   nb_repeat_warnings("  ", outcome->page.path, &outcome->warnings);
@@ -91,9 +91,9 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
     if (check->mark == NB_NOTE)
       fputs(" # SKIP noted, not judged", stdout);
     if (check->mark == NB_SKIP)
-      fputs(" # SKIP ", stdout), tap_text(check->words);
+      fputs(" # SKIP ", stdout), tap_text(check->message);
     printf("\n# line %d: ", check->line);
-    tap_text(check->words);
+    tap_text(check->message);
     putchar('\n');
   }
   if (stopped)
@@ -105,7 +105,7 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
   nb_repeat_warnings("# ", path, &outcome->warnings);
 }
 
-void nb_print_trouble(const struct nb_outcome *outcome, const char *path) {
+void nb_print_errors(const struct nb_outcome *outcome, const char *path) {
   if (outcome->mistakes.text)
     fputs(outcome->mistakes.text, stderr);
   if (outcome->error.text[0] && outcome->status > NB_FAILED)

@@ -12,13 +12,13 @@
 
 #include "outcome.h"
 
-static bool is_moment(const struct nb_measure *measure) {
+static bool is_at(const struct nb_measure *measure) {
   return measure->reducer == NB_AT_CYCLE || measure->reducer == NB_AT_TIME;
 }
 
 void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to) {
   *from = 0, *to = table->row_count;
-  if (table->row_count == 0 || measure->stage == NB_STAGE_ALL || (is_moment(measure) && measure->stage < 0))
+  if (table->row_count == 0 || measure->stage == NB_STAGE_ALL || (is_at(measure) && measure->stage < 0))
     return;
   const int stage = measure->stage < 0 ? table->stage[table->row_count - 1] : measure->stage;
   while (*from < *to && table->stage[*from] != stage)
@@ -44,17 +44,17 @@ static double mean(const struct column *column) {
 }
 
 static double extreme(const struct column *column, double sign) {
-  double most = -INFINITY;
+  double largest = -INFINITY;
   for (size_t r = column->from; r < column->to; r++)
-    most = fmax(most, sign * value(column, r));
-  return sign * most;
+    largest = fmax(largest, sign * value(column, r));
+  return sign * largest;
 }
 
 static double frequency(const struct column *column) {
-  const double middle = mean(column);
+  const double level = mean(column);
   double first = 0, last = 0, crossings = 0;
   for (size_t r = column->from + 1; r < column->to; r++) {
-    const double before = value(column, r - 1) - middle, after = value(column, r) - middle;
+    const double before = value(column, r - 1) - level, after = value(column, r) - level;
     if (!(before < 0 && after >= 0))
       continue;
     const double *time = column->table->time;
@@ -66,29 +66,29 @@ static double frequency(const struct column *column) {
 }
 
 /* Leaves the rows that a measure is formed of: the last one, the one at a moment, or the two around it. */
-static void narrow(struct column *column, const struct nb_measure *measure) {
-  const bool between = measure->reducer == NB_AT_TIME;
-  const double *when = between ? column->table->time : column->table->cycle, moment = measure->at;
+static void select_rows(struct column *column, const struct nb_measure *measure) {
+  const bool by_time = measure->reducer == NB_AT_TIME;
+  const double *abscissa = by_time ? column->table->time : column->table->cycle, target = measure->at;
   if (measure->reducer == NB_LAST)
     column->from = column->to - 1;
-  if (!is_moment(measure))
+  if (!is_at(measure))
     return;
   size_t r = column->from;
-  while (r < column->to && when[r] < moment)
+  while (r < column->to && abscissa[r] < target)
     r++;
-  const bool exact = r < column->to && when[r] == moment;
-  const bool around = between && r < column->to && r > column->from;
-  column->from = exact || !around ? r : r - 1;
-  column->to = exact || around ? r + 1 : r;
+  const bool exact = r < column->to && abscissa[r] == target;
+  const bool bracketed = by_time && r < column->to && r > column->from;
+  column->from = exact || !bracketed ? r : r - 1;
+  column->to = exact || bracketed ? r + 1 : r;
 }
 
 /* On the straight line between two rows, or the only row. */
-static double at(const struct column *column, const double *when, double moment) {
+static double interpolate(const struct column *column, const double *abscissa, double target) {
   const size_t r = column->from;
-  const double here = value(column, r);
+  const double before = value(column, r);
   if (r + 1 == column->to)
-    return here;
-  return here + (value(column, r + 1) - here) * (moment - when[r]) / (when[r + 1] - when[r]);
+    return before;
+  return before + (value(column, r + 1) - before) * (target - abscissa[r]) / (abscissa[r + 1] - abscissa[r]);
 }
 
 static double reduce(const struct nb_measure *measure, const struct column *column) {
@@ -109,40 +109,41 @@ static double reduce(const struct nb_measure *measure, const struct column *colu
   case NB_AT_TIME:
     break;
   }
-  return at(column, column->table->time, measure->at);
+  return interpolate(column, column->table->time, measure->at);
 }
 
-static bool not_formed(struct nb_error *error, const struct nb_measure *measure, const char *why) {
-  nb_error_set(error, NB_FAILED, "`%s` cannot be formed: %s", measure->label, why);
+static bool undefined(struct nb_error *error, const struct nb_measure *measure, const char *reason) {
+  nb_error_set(error, NB_FAILED, "`%s` cannot be formed: %s", measure->label, reason);
   return false;
 }
 
-bool nb_measure_seen(double *seen, const struct nb_measure *measure, const struct nb_table *table,
-                     struct nb_error *error) {
+bool nb_measure_value(double *computed, const struct nb_measure *measure, const struct nb_table *table,
+                      struct nb_error *error) {
   struct column column = {.table = table, .index = measure->column};
-  char why[NB_NAME_SIZE];
+  char reason[NB_NAME_SIZE];
   nb_measure_rows(measure, table, &column.from, &column.to);
-  *seen = NAN;
+  *computed = NAN;
   if (column.from == column.to)
-    return not_formed(error, measure, "no row was recorded there");
-  narrow(&column, measure);
+    return undefined(error, measure, "no row was recorded there");
+  select_rows(&column, measure);
   if (column.from == column.to)
-    return not_formed(error, measure, "no row was recorded at that moment");
+    return undefined(error, measure, "no row was recorded at that moment");
   for (size_t r = column.from; r < column.to; r++)
     if (!isfinite(value(&column, r))) {
-      snprintf(why, sizeof why, "it is %g at cycle %.0f", value(&column, r), table->cycle[r]);
-      return not_formed(error, measure, why);
+      snprintf(reason, sizeof reason, "it is %g at cycle %.0f", value(&column, r), table->cycle[r]);
+      return undefined(error, measure, reason);
     }
-  *seen = reduce(measure, &column);
-  if (isfinite(*seen))
+  *computed = reduce(measure, &column);
+  if (isfinite(*computed))
     return true;
-  return not_formed(error, measure,
-                    isnan(*seen) ? "it rises through its mean less than twice" : "the result is not a finite number");
+  return undefined(error, measure,
+                   isnan(*computed) ? "it rises through its mean less than twice"
+                                    : "the result is not a finite number");
 }
 
 const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution) {
   const double *value = solution_find(solution, measure->label);
   char label[sizeof measure->label];
-  snprintf(label, sizeof label, "%.*s", (int)measure->whole, measure->label);
+  snprintf(label, sizeof label, "%.*s", (int)measure->bare_length, measure->label);
   return value ? value : solution_find(solution, label);
 }

@@ -6,7 +6,7 @@
 
 #include "commands.h"
 
-enum { MANY = 20 }; /* so many checks are folded away, unless one failed */
+enum { FOLD_LIMIT = 20 }; /* so many checks are folded away, unless one failed */
 
 /* HTML, then a text of the page or of the program, then HTML. */
 static void text(FILE *out, const char *before, const char *words, const char *after) {
@@ -49,7 +49,7 @@ static void write_summary(FILE *out, const struct nb_report_line *lines, size_t 
         out);
   for (size_t k = 0; k < count; k++) {
     const struct nb_report_line *line = &lines[k];
-    const size_t *marked = line->outcome.marked, checks = marked[NB_PASS] + marked[NB_FAIL];
+    const size_t *mark_count = line->outcome.mark_count, checks = mark_count[NB_PASS] + mark_count[NB_FAIL];
     fprintf(out, "<tr><td><a href=\"#page%zu\">", k + 1);
     text(out, "", line->name, "</a></td><td>");
     text(out, "", line->outcome.page.title, "</td>");
@@ -58,29 +58,30 @@ static void write_summary(FILE *out, const struct nb_report_line *lines, size_t 
       continue;
     }
     fprintf(out, "<td>%zu</td><td class=\"%s\">%zu%s%s</td>", checks,
-            marked[NB_FAIL] || !checks || line->message[0] ? "fail" : "pass", marked[NB_FAIL],
+            mark_count[NB_FAIL] || !checks || line->message[0] ? "fail" : "pass", mark_count[NB_FAIL],
             checks ? "" : ", nothing was checked",
             !line->message[0] ? ""
-            : line->kept      ? ", no figure"
+            : line->saved     ? ", no figure"
                               : ", no tables");
-    fprintf(out, "<td>%zu</td><td>%zu</td><td>%.2f</td></tr>\n", marked[NB_NOTE], marked[NB_SKIP], line->seconds);
+    fprintf(out, "<td>%zu</td><td>%zu</td><td>%.2f</td></tr>\n", mark_count[NB_NOTE], mark_count[NB_SKIP],
+            line->seconds);
   }
   fputs("</table>\n", out);
 }
 
 static void write_checks(FILE *out, const struct nb_outcome *outcome) {
-  const size_t *marked = outcome->marked;
+  const size_t *mark_count = outcome->mark_count;
   fprintf(out,
           "<details%s><summary>%zu checks, %zu "
           "failed, %zu noted, %zu skipped</summary>\n<table><tr><th></th><th>expected</th><th>computed</th></tr>\n",
-          outcome->check_count < MANY || marked[NB_FAIL] ? " open" : "", marked[NB_PASS] + marked[NB_FAIL],
-          marked[NB_FAIL], marked[NB_NOTE], marked[NB_SKIP]);
+          outcome->check_count < FOLD_LIMIT || mark_count[NB_FAIL] ? " open" : "",
+          mark_count[NB_PASS] + mark_count[NB_FAIL], mark_count[NB_FAIL], mark_count[NB_NOTE], mark_count[NB_SKIP]);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
     fprintf(out, "<tr><td class=\"%s\">%s", /* note and skip have no look of their own */
             check->mark == NB_FAIL ? "fail" : nb_mark_word(check->mark), nb_mark_word(check->mark));
     text(out, "</td><td>", check->label, "</td>");
-    text(out, "<td>", check->words, "</td></tr>\n");
+    text(out, "<td>", check->message, "</td></tr>\n");
   }
   fputs("</table></details>\n", out);
 }
@@ -105,7 +106,7 @@ static void write_page(FILE *out, const struct nb_report_line *line, size_t numb
   }
   if (outcome->check_count)
     write_checks(out, outcome);
-  if (!line->kept)
+  if (!line->saved)
     return;
   write_link(out, "<p>Files: ", line, "table", ".tsv", "table");
   write_link(out, ", ", line, "values", ".tsv", "values");
@@ -121,9 +122,9 @@ static void write_page(FILE *out, const struct nb_report_line *line, size_t numb
 static void write_head(FILE *out, const struct nb_report_line *lines, size_t count) {
   size_t checks = 0, failed = 0, broken = 0, bare = 0, unchecked = 0;
   for (size_t k = 0; k < count; k++) {
-    const size_t *marked = lines[k].outcome.marked, judged = marked[NB_PASS] + marked[NB_FAIL];
+    const size_t *mark_count = lines[k].outcome.mark_count, judged = mark_count[NB_PASS] + mark_count[NB_FAIL];
     const bool stopped = lines[k].outcome.status > NB_FAILED;
-    checks += judged, failed += marked[NB_FAIL], broken += stopped;
+    checks += judged, failed += mark_count[NB_FAIL], broken += stopped;
     bare += !stopped && lines[k].message[0];
     unchecked += !stopped && judged == 0;
   }
@@ -149,7 +150,7 @@ static void write_head(FILE *out, const struct nb_report_line *lines, size_t cou
 enum nb_status nb_report_write(const char *folder, const struct nb_report_line *lines, size_t count,
                                struct nb_error *error) {
   struct nb_save file;
-  if (nb_save_in(&file, error, folder, "index.html"))
+  if (nb_save_begin_in(&file, error, folder, "index.html"))
     return error->status;
   write_head(file.file, lines, count);
   write_summary(file.file, lines, count);

@@ -88,7 +88,7 @@ static void find_loader(char *loader, const char *program) {
 struct ruleset {
   uint64_t fs, net, scoped; /* kinds of access that are forbidden unless a rule allows them */
 };
-struct beneath {
+struct path_rule {
   uint64_t allowed;
   int32_t parent;
 } __attribute__((packed));
@@ -113,17 +113,17 @@ static bool allow(int rules, const char *path, uint64_t access) {
     return errno == ENOENT; /* what is not there needs no rule */
   if (fstat(file, &status) == 0 && !S_ISDIR(status.st_mode))
     access &= ~(uint64_t)READ_FOLDER;
-  const struct beneath rule = {access, file};
-  const bool done = syscall(SYS_landlock_add_rule, rules, PATH_BENEATH, &rule, 0) == 0;
+  const struct path_rule rule = {access, file};
+  const bool allowed = syscall(SYS_landlock_add_rule, rules, PATH_BENEATH, &rule, 0) == 0;
   close(file);
-  return done;
+  return allowed;
 }
 
 /* False with the reason in `why` when this kernel does not do it. */
-static bool prepare_landlock(struct nb_confined *confined, const char **why) {
+static bool prepare_landlock(struct nb_confined *confined, const char **reason) {
   struct ruleset forbidden = {0};
   const long version = syscall(SYS_landlock_create_ruleset, NULL, 0, ASK_VERSION);
-  *why = "Landlock: the kernel does not have it, or it is switched off";
+  *reason = "Landlock: the kernel does not have it, or it is switched off";
   if (version < 1)
     return false;
   for (size_t k = 0; k < sizeof versions / sizeof *versions; k++)
@@ -135,32 +135,32 @@ static bool prepare_landlock(struct nb_confined *confined, const char **why) {
   confined->rules = (int)syscall(SYS_landlock_create_ruleset, &forbidden, sizeof forbidden, 0);
   if (confined->rules < 0)
     return false;
-  bool done = fcntl(confined->rules, F_SETFD, FD_CLOEXEC) == 0;
+  bool allowed = fcntl(confined->rules, F_SETFD, FD_CLOEXEC) == 0;
   for (int k = 0; k < READABLE; k++)
-    done = done && allow(confined->rules, readable[k], READ_FILE | READ_FOLDER);
-  done = done && allow(confined->rules, confined->program, READ_FILE | EXECUTE);
-  done = done && (!confined->loader[0] || allow(confined->rules, confined->loader, READ_FILE | EXECUTE));
-  done = done && allow(confined->rules, confined->library, READ_FILE | READ_FOLDER);
-  done = done && allow(confined->rules, confined->text[0], READ_FILE);
-  *why = "Landlock: the kernel refuses a rule";
-  return done;
+    allowed = allowed && allow(confined->rules, readable[k], READ_FILE | READ_FOLDER);
+  allowed = allowed && allow(confined->rules, confined->program, READ_FILE | EXECUTE);
+  allowed = allowed && (!confined->loader[0] || allow(confined->rules, confined->loader, READ_FILE | EXECUTE));
+  allowed = allowed && allow(confined->rules, confined->library, READ_FILE | READ_FOLDER);
+  allowed = allowed && allow(confined->rules, confined->text[0], READ_FILE);
+  *reason = "Landlock: the kernel refuses a rule";
+  return allowed;
 }
 
 /* ---- the program, confined ---- */
 
 /* So much and no more, whatever a page asks for. */
-static void limit(int what, rlim_t most) {
-  struct rlimit now;
-  if (getrlimit(what, &now) == 0 && now.rlim_max < most) /* RLIM_INFINITY is the largest number */
-    most = now.rlim_max;
-  now = (struct rlimit){most, most};
-  setrlimit(what, &now);
+static void limit(int what, rlim_t maximum) {
+  struct rlimit limits;
+  if (getrlimit(what, &limits) == 0 && limits.rlim_max < maximum) /* RLIM_INFINITY is the largest number */
+    maximum = limits.rlim_max;
+  limits = (struct rlimit){maximum, maximum};
+  setrlimit(what, &limits);
 }
 
 /* Between fork and exec: gives up all other rights and becomes the program. 126 is the exit status if that fails. */
-_Noreturn static void become(const struct nb_confined *confined) {
-  static const char sorry[] = "gnuplot could not be confined\n";
-  const bool landlock = confined->how == NB_CONFINE_LANDLOCK, bwrap = confined->how == NB_CONFINE_BWRAP;
+_Noreturn static void exec_confined(const struct nb_confined *confined) {
+  static const char message[] = "gnuplot could not be confined\n";
+  const bool landlock = confined->method == NB_CONFINE_LANDLOCK, bwrap = confined->method == NB_CONFINE_BWRAP;
   limit(RLIMIT_CPU, 120);
   limit(RLIMIT_FSIZE, 200 << 20);
   limit(RLIMIT_AS, (rlim_t)4 << 30);
@@ -171,22 +171,22 @@ _Noreturn static void become(const struct nb_confined *confined) {
       (!landlock || syscall(SYS_landlock_restrict_self, confined->rules, 0) == 0)) {
     for (int file = 3; file < 1024; file++)
       close(file);
-    execve(bwrap ? confined->wrap : confined->program, confined->arguments, environment);
+    execve(bwrap ? confined->wrap : confined->program, confined->command, environment);
   }
-  if (write(STDERR_FILENO, sorry, sizeof sorry - 1) < 0)
+  if (write(STDERR_FILENO, message, sizeof message - 1) < 0)
     _exit(125);
   _exit(126);
 }
 
-int nb_confine_run(const struct nb_confined *confined, int out, int given) {
+int nb_confine_run(const struct nb_confined *confined, int out, int errors) {
   int status = -1;
   fflush(NULL);
   const pid_t child = fork();
   if (child == 0) {
-    if (dup2(out, STDOUT_FILENO) < 0 || dup2(given, STDERR_FILENO) < 0)
+    if (dup2(out, STDOUT_FILENO) < 0 || dup2(errors, STDERR_FILENO) < 0)
       _exit(126);
     close(STDIN_FILENO);
-    become(confined);
+    exec_confined(confined);
   }
   while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
     continue;
@@ -202,25 +202,25 @@ struct list {
 
 static void add(struct list *list, const char *word) { list->at[list->count++] = (char *)word; }
 
-static void add_bound(struct list *list, const char *from, const char *to) {
+static void add_binding(struct list *list, const char *from, const char *to) {
   add(list, "--ro-bind-try"), add(list, from), add(list, to);
 }
 
-static bool prepare_bwrap(struct nb_confined *confined, const char **why) {
+static bool prepare_bwrap(struct nb_confined *confined, const char **reason) {
   static const char *const fixed[] = {"--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL"};
-  struct list list = {confined->arguments, 0};
-  *why = "bwrap: not installed (its package is bubblewrap)";
+  struct list list = {confined->command, 0};
+  *reason = "bwrap: not installed (its package is bubblewrap)";
   if (!nb_program_find(confined->wrap, sizeof confined->wrap, "bwrap"))
     return false;
   add(&list, "bwrap");
   for (size_t k = 0; k < sizeof fixed / sizeof *fixed; k++)
     add(&list, fixed[k]);
   for (int k = 0; k < READABLE; k++)
-    add_bound(&list, readable[k], readable[k]);
-  add_bound(&list, confined->program, confined->program);
-  add_bound(&list, confined->library, confined->library);
+    add_binding(&list, readable[k], readable[k]);
+  add_binding(&list, confined->program, confined->program);
+  add_binding(&list, confined->library, confined->library);
   snprintf(confined->text[1], sizeof confined->text[1], "/figure/%s", confined->file);
-  add_bound(&list, confined->text[0], confined->text[1]);
+  add_binding(&list, confined->text[0], confined->text[1]);
   add(&list, "--chdir"), add(&list, "/figure"), add(&list, "--"), add(&list, confined->program);
   /* Does it work here? Containers often forbid it. */
   const int first = list.count;
@@ -229,9 +229,9 @@ static bool prepare_bwrap(struct nb_confined *confined, const char **why) {
   const bool works = null >= 0 && nb_confine_run(confined, null, null) == 0;
   if (null >= 0)
     close(null);
-  *why = "bwrap: it cannot make a namespace here";
+  *reason = "bwrap: it cannot make a namespace here";
   list.count = first;
-  for (char *const *word = confined->words; *word; word++)
+  for (char *const *word = confined->arguments; *word; word++)
     add(&list, *word);
   add(&list, NULL);
   return works;
@@ -240,27 +240,30 @@ static bool prepare_bwrap(struct nb_confined *confined, const char **why) {
 /* ---- which of them ---- */
 
 enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct nb_error *error) {
-  const char *only = getenv("NINEBALL_CONFINE"), *landlock = "Landlock: not asked for", *bwrap = "bwrap: not asked for";
+  const char *choice = getenv("NINEBALL_CONFINE"), *landlock = "Landlock: not asked for",
+             *bwrap = "bwrap: not asked for";
   confined->rules = -1;
-  if (only && strcmp(only, "landlock") != 0 && strcmp(only, "bwrap") != 0 && strcmp(only, "none") != 0)
-    return nb_error_set(error, NB_BAD_USE, "NINEBALL_CONFINE: expected landlock, bwrap or none, found `%.100s`", only);
+  if (choice && strcmp(choice, "landlock") != 0 && strcmp(choice, "bwrap") != 0 && strcmp(choice, "none") != 0)
+    return nb_error_set(error, NB_BAD_USE, "NINEBALL_CONFINE: expected landlock, bwrap or none, found `%.100s`",
+                        choice);
   find_loader(confined->loader, confined->program);
   snprintf(confined->text[0], sizeof confined->text[0], "%s/%s", confined->folder, confined->file);
-  confined->how = NB_CONFINE_LANDLOCK;
-  if ((!only || strcmp(only, "landlock") == 0) && prepare_landlock(confined, &landlock))
+  confined->method = NB_CONFINE_LANDLOCK;
+  if ((!choice || strcmp(choice, "landlock") == 0) && prepare_landlock(confined, &landlock))
     ;
-  else if ((!only || strcmp(only, "bwrap") == 0) && (confined->how = NB_CONFINE_BWRAP, prepare_bwrap(confined, &bwrap)))
+  else if ((!choice || strcmp(choice, "bwrap") == 0) &&
+           (confined->method = NB_CONFINE_BWRAP, prepare_bwrap(confined, &bwrap)))
     return NB_OK;
   else if (trust)
-    confined->how = NB_CONFINE_NOT;
+    confined->method = NB_CONFINE_NONE;
   else
     return nb_error_set(error, NB_BAD_USE,
                         "gnuplot cannot be confined here (%s; %s), and the page's gnuplot block could do whatever you "
                         "can; if you trust the page, give --trust",
                         landlock, bwrap);
-  struct list list = {confined->arguments, 0};
+  struct list list = {confined->command, 0};
   add(&list, confined->program);
-  for (char *const *word = confined->words; *word; word++)
+  for (char *const *word = confined->arguments; *word; word++)
     add(&list, *word);
   add(&list, NULL);
   return NB_OK;

@@ -28,19 +28,19 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
 }
 
 /* "0.12 m/s" is 0.12 under the head v/(m/s); also where --set has left one value, since figures ask for the column. */
-static void swept(FILE *out, const struct nb_page_run *run, bool head) {
+static void write_swept_values(FILE *out, const struct nb_page_run *run, bool names) {
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];
     const int digits = (int)strcspn(binding->text, " ");
     const char *unit = binding->text[digits] ? binding->text + digits + 1 : "-";
-    if (binding->sweep >= 0 && head)
+    if (binding->sweep >= 0 && names)
       fprintf(out, "%s/%s\t", binding->name, unit);
     else if (binding->sweep >= 0)
       fprintf(out, "%.*s\t", digits, binding->text);
   }
 }
 
-static void head(FILE *out, const struct nb_page_run *run) {
+static void write_head(FILE *out, const struct nb_page_run *run) {
   const struct nb_table *table = &run->result.table;
   if (!table->names)
     return; /* a run that was not begun, because another one was stopped */
@@ -56,7 +56,7 @@ static void head(FILE *out, const struct nb_page_run *run) {
   fputc('\n', out);
 }
 
-static void row(FILE *out, const struct nb_page_run *run, size_t r) {
+static void write_row(FILE *out, const struct nb_page_run *run, size_t r) {
   const struct nb_table *table = &run->result.table;
   const double *values = table->values + r * table->column_count;
   fputs(run->scene.stages[table->stage[r]].name, out);
@@ -74,9 +74,9 @@ static void row(FILE *out, const struct nb_page_run *run, size_t r) {
 }
 
 void nb_table_write_run(FILE *out, const struct nb_page_run *run) {
-  head(out, run);
+  write_head(out, run);
   for (size_t r = 0; r < run->result.table.row_count; r++)
-    row(out, run, r);
+    write_row(out, run, r);
 }
 
 void nb_table_write(FILE *out, const struct nb_table *table) {
@@ -92,12 +92,12 @@ static void write_all_runs(FILE *out, const struct nb_outcome *outcome) {
   for (size_t r = 0; r < outcome->run_count; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
     if (r == 0) {
-      swept(out, run, true);
-      head(out, run);
+      write_swept_values(out, run, true);
+      write_head(out, run);
     }
     for (size_t k = 0; k < run->result.table.row_count; k++) {
-      swept(out, run, false);
-      row(out, run, k);
+      write_swept_values(out, run, false);
+      write_row(out, run, k);
     }
   }
 }
@@ -117,7 +117,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
     const struct nb_page_run *run = &outcome->runs[r];
     const struct nb_expectations *all = &run->expectations;
     if (r == 0) {
-      swept(out, run, true);
+      write_swept_values(out, run, true);
       fputs("run", out);
       for (size_t k = 0; k < all->count; k++)
         if (first_of_its_name(all, k)) {
@@ -126,7 +126,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
         }
       fputc('\n', out);
     }
-    swept(out, run, false);
+    write_swept_values(out, run, false);
     fprintf(out, "%zu", r + 1);
     for (size_t k = 0; k < all->count; k++) {
       struct nb_error error;
@@ -134,7 +134,7 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
       if (!first_of_its_name(all, k))
         continue;
       const double *solution = nb_measure_solution(&all->list[k].measure, &run->solution);
-      nb_measure_seen(&seen, &all->list[k].measure, &run->result.table, &error);
+      nb_measure_value(&seen, &all->list[k].measure, &run->result.table, &error);
       fprintf(out, "\t%.17g\t%.17g", seen, solution ? *solution : NAN);
     }
     fputc('\n', out);
@@ -145,13 +145,14 @@ static void write_verdict(FILE *out, const struct nb_outcome *outcome) {
   fputs("verdict\tline\texpected\tcomputed\n", out);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
-    fprintf(out, "%s\t%d\t%s\t%s\n", nb_mark_word(check->mark), check->line, check->label, check->words);
+    fprintf(out, "%s\t%d\t%s\t%s\n", nb_mark_word(check->mark), check->line, check->label, check->message);
   }
 }
 
 /* ---- files ---- */
 
-enum nb_status nb_save_in(struct nb_save *file, struct nb_error *error, const char *folder, const char *format, ...) {
+enum nb_status nb_save_begin_in(struct nb_save *file, struct nb_error *error, const char *folder, const char *format,
+                                ...) {
   char path[4096];
   va_list name;
   const size_t length = (size_t)snprintf(path, sizeof path, "%s/", folder), left = sizeof path - length;
@@ -166,7 +167,7 @@ enum nb_status nb_save_in(struct nb_save *file, struct nb_error *error, const ch
 static enum nb_status save(const char *folder, const char *name, void (*write)(FILE *, const struct nb_outcome *),
                            const struct nb_outcome *outcome, struct nb_error *error) {
   struct nb_save file;
-  if (nb_save_in(&file, error, folder, "%s", name))
+  if (nb_save_begin_in(&file, error, folder, "%s", name))
     return error->status;
   nb_preamble_write(file.file, outcome);
   write(file.file, outcome);
@@ -183,7 +184,7 @@ static enum nb_status save_snapshot(const struct nb_outcome *outcome, size_t r, 
     snprintf(number, sizeof number, "-%zu", r + 1);
   for (int k = 0; nb_snapshot_part(snapshot, k, &name, &table); k++) {
     struct nb_save file;
-    if (nb_save_in(&file, error, folder, "%s-%s%s.tsv", run->scene.stages[snapshot->stage].name, name, number))
+    if (nb_save_begin_in(&file, error, folder, "%s-%s%s.tsv", run->scene.stages[snapshot->stage].name, name, number))
       return error->status;
     nb_preamble_write(file.file, outcome);
     if (run->label[0])

@@ -11,7 +11,7 @@
 #include "input/reader.h"
 #include "verdict.h"
 
-static struct nb_check *new_check(struct nb_outcome *outcome) {
+static struct nb_check *add_check(struct nb_outcome *outcome) {
   struct nb_check *checks = nb_array_reserve(outcome->checks, outcome->check_count, 1, sizeof *checks);
   if (!checks)
     return NULL;
@@ -26,16 +26,16 @@ const char *nb_mark_word(enum nb_mark mark) {
   return words[mark];
 }
 
-void nb_check_say(struct nb_check *check, bool passed, const char *format, ...) {
+void nb_check_result(struct nb_check *check, bool passed, const char *format, ...) {
   va_list arguments;
-  check->words[0] = 0;
+  check->message[0] = 0;
   check->mark = passed ? NB_PASS : NB_FAIL;
   va_start(arguments, format);
-  nb_append_list(check->words, sizeof check->words, format, arguments);
+  nb_append_list(check->message, sizeof check->message, format, arguments);
   va_end(arguments);
 }
 
-double nb_excess(const struct nb_tolerance *tolerance, double computed, double reference, double scale) {
+double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, double reference, double scale) {
   const double error = fabs(computed - reference);
   const double allowed = tolerance->value * (tolerance->kind == NB_ABSOLUTE ? 1 : fabs(scale));
   if (!isfinite(error) || !isfinite(allowed))
@@ -44,10 +44,10 @@ double nb_excess(const struct nb_tolerance *tolerance, double computed, double r
 }
 
 /* So many digits that two numbers which differ look different, and two of the difference. */
-static int digits(double a, double b) {
+static int digit_count(double a, double b) {
   const double error = fabs(a - b) / fmax(fabs(a), fabs(b));
-  const int wanted = error > 0 ? 2 - (int)floor(log10(error)) : 0;
-  return wanted < 6 ? 6 : wanted > 17 ? 17 : wanted;
+  const int needed = error > 0 ? 2 - (int)floor(log10(error)) : 0;
+  return needed < 6 ? 6 : needed > 17 ? 17 : needed;
 }
 
 void nb_check_error(struct nb_check *check, const char *what, double error, double scale,
@@ -56,10 +56,10 @@ void nb_check_error(struct nb_check *check, const char *what, double error, doub
              percent = relative && !(tolerance->value > 0 && tolerance->value < 1e-7);
   const double of = relative ? fabs(scale) : 1, factor = percent ? 100 : 1;
   const char *in = percent ? " %" : relative ? "" : unit;
-  nb_append(check->words, sizeof check->words, ", %s %.3g%s, tolerance %.3g%s", what,
+  nb_append(check->message, sizeof check->message, ", %s %.3g%s, tolerance %.3g%s", what,
             error > 0 ? factor * error / of : 0, in, factor * tolerance->value, in);
   if (tolerance->kind == NB_OF_PEAK || tolerance->kind == NB_OF_MEASURE)
-    nb_append(check->words, sizeof check->words, " of %s",
+    nb_append(check->message, sizeof check->message, " of %s",
               tolerance->kind == NB_OF_PEAK ? "peak" : tolerance->of.label);
 }
 
@@ -68,15 +68,16 @@ static void compare(struct nb_check *check, const struct nb_tolerance *tolerance
                     double scale, const char *unit, const char *from) {
   const bool relative = tolerance->kind != NB_ABSOLUTE;
   const double error = fabs(computed - reference);
-  const int precision = digits(computed, reference);
-  nb_check_say(check, nb_excess(tolerance, computed, reference, scale) <= 1, "computed %.*g%s, %s %.*g%s", precision,
-               computed, unit, from, precision, reference, unit);
+  const int precision = digit_count(computed, reference);
+  nb_check_result(check, nb_error_ratio(tolerance, computed, reference, scale) <= 1, "computed %.*g%s, %s %.*g%s",
+                  precision, computed, unit, from, precision, reference, unit);
   if (!isfinite(computed) || !isfinite(reference)) {
-    nb_append(check->words, sizeof check->words, ": not a finite number");
+    nb_append(check->message, sizeof check->message, ": not a finite number");
   } else if (relative && !isfinite(tolerance->value * scale)) {
-    nb_append(check->words, sizeof check->words, ": a fraction of %g is not a finite tolerance", scale);
+    nb_append(check->message, sizeof check->message, ": a fraction of %g is not a finite tolerance", scale);
   } else if (relative && scale == 0 && error > 0) {
-    nb_append(check->words, sizeof check->words, ", error %.3g%s; a tolerance in %% of 0 allows no error", error, unit);
+    nb_append(check->message, sizeof check->message, ", error %.3g%s; a tolerance in %% of 0 allows no error", error,
+              unit);
   } else {
     nb_check_error(check, "error", error, scale, tolerance, unit);
   }
@@ -87,57 +88,57 @@ static bool find_scale(double *scale, double own, struct nb_check *check, const 
                        const struct nb_tolerance *tolerance) {
   struct nb_error error;
   *scale = own;
-  if (tolerance->kind != NB_OF_MEASURE || nb_measure_seen(scale, &tolerance->of, &run->result.table, &error))
+  if (tolerance->kind != NB_OF_MEASURE || nb_measure_value(scale, &tolerance->of, &run->result.table, &error))
     return true;
-  nb_check_say(check, false, "%s", error.text);
+  nb_check_result(check, false, "%s", error.text);
   return false;
 }
 
-bool nb_check_value(double *value, struct nb_check *check, const struct nb_page_run *run,
-                    const struct nb_expectation *e) {
+bool nb_check_computed(double *value, struct nb_check *check, const struct nb_page_run *run,
+                       const struct nb_expectation *e) {
   struct nb_error error;
   double scale = 1;
-  if (!nb_measure_seen(value, &e->measure, &run->result.table, &error) ||
-      (e->has_scale && !nb_measure_seen(&scale, &e->other, &run->result.table, &error))) {
-    nb_check_say(check, false, "%s", error.text);
+  if (!nb_measure_value(value, &e->measure, &run->result.table, &error) ||
+      (e->has_scale && !nb_measure_value(&scale, &e->other, &run->result.table, &error))) {
+    nb_check_result(check, false, "%s", error.text);
     return false;
   }
-  const double whole = *value;
+  const double numerator = *value;
   *value /= scale;
   if (!isfinite(*value))
-    nb_check_say(check, false, "computed %.6g and %.6g: their ratio is not a finite number", whole, scale);
+    nb_check_result(check, false, "computed %.6g and %.6g: their ratio is not a finite number", numerator, scale);
   return isfinite(*value);
 }
 
 /* Of the reference, or 0 for a residual. */
 const double *nb_check_solution(const struct nb_page_run *run, const struct nb_measure *measure) {
-  static const double nothing = 0;
+  static const double zero = 0;
   const double *solution = nb_measure_solution(measure, &run->solution);
-  return solution || !measure->vanishes ? solution : &nothing;
+  return solution || !measure->is_residual ? solution : &zero;
 }
 
 /* A unit behind a number: with a space, or nothing. */
-static const char *unit_behind(char *text, const struct nb_page_run *run, const char *unit) {
-  const bool bare = run->scene.unitless || strcmp(unit, "1") == 0;
-  snprintf(text, NB_NAME_SIZE, "%s%s", bare ? "" : " ", bare ? "" : unit);
+static const char *unit_suffix(char *text, const struct nb_page_run *run, const char *unit) {
+  const bool unitless = run->scene.unitless || strcmp(unit, "1") == 0;
+  snprintf(text, NB_NAME_SIZE, "%s%s", unitless ? "" : " ", unitless ? "" : unit);
   return text;
 }
 
 const char *nb_check_unit(char *text, const struct nb_page_run *run, const struct nb_expectation *e) {
-  return unit_behind(text, run, e->has_scale ? "1" : e->measure.unit);
+  return unit_suffix(text, run, e->has_scale ? "1" : e->measure.unit);
 }
 
 /* One number beside that of the reference, or beside the one that the page gives. */
 static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
-  const bool given = e->kind == NB_EXPECTED;
-  const double *reference = given ? &e->number : nb_check_solution(run, &e->measure);
+  const bool expected = e->kind == NB_EXPECTED;
+  const double *reference = expected ? &e->number : nb_check_solution(run, &e->measure);
   double computed, scale;
   char unit[NB_NAME_SIZE];
   if (!reference)
-    nb_check_say(check, false, "the reference does not return `%s`", e->measure.label);
-  else if (nb_check_value(&computed, check, run, e) && find_scale(&scale, *reference, check, run, &e->tolerance))
+    nb_check_result(check, false, "the reference does not return `%s`", e->measure.label);
+  else if (nb_check_computed(&computed, check, run, e) && find_scale(&scale, *reference, check, run, &e->tolerance))
     compare(check, &e->tolerance, computed, *reference, scale, nb_check_unit(unit, run, e),
-            given ? "expected" : "reference");
+            expected ? "expected" : "reference");
 }
 
 /* The same at every row: all of them must hold, and the worst one is reported. */
@@ -149,11 +150,12 @@ static void check_curve(struct nb_check *check, const struct nb_page_run *run, c
   size_t from, to;
   nb_measure_rows(&e->measure, table, &from, &to);
   if (!curve || from == to) {
-    nb_check_say(check, false, curve ? "no rows were recorded" : "the reference returns no curve of `%s` versus `%s`",
-                 quantity, e->against);
+    nb_check_result(check, false,
+                    curve ? "no rows were recorded" : "the reference returns no curve of `%s` versus `%s`", quantity,
+                    e->against);
     return;
   }
-  double peak = 0, scale, most = -1;
+  double peak = 0, scale, worst = -1;
   for (size_t r = from; r < to; r++)
     peak = fmax(peak, fabs(curve->at(curve->data, table->values[r * table->column_count + e->column])));
   if (!find_scale(&scale, peak, check, run, &e->tolerance))
@@ -161,14 +163,14 @@ static void check_curve(struct nb_check *check, const struct nb_page_run *run, c
   for (size_t r = from; r < to; r++) {
     const double *row = table->values + r * table->column_count, x = row[e->column];
     const double computed = row[e->measure.column], reference = curve->at(curve->data, x);
-    const double whole = e->tolerance.kind == NB_RELATIVE ? reference : scale;
-    const double excess = nb_excess(&e->tolerance, computed, reference, whole);
-    if (!(excess > most))
+    const double base = e->tolerance.kind == NB_RELATIVE ? reference : scale;
+    const double excess = nb_error_ratio(&e->tolerance, computed, reference, base);
+    if (!(excess > worst))
       continue;
-    most = excess;
-    compare(check, &e->tolerance, computed, reference, whole, nb_check_unit(unit, run, e), "reference");
-    nb_append(check->words, sizeof check->words, "; the worst of %zu rows, at %s = %.6g%s", to - from, e->against, x,
-              unit_behind(unit, run, table->units[e->column]));
+    worst = excess;
+    compare(check, &e->tolerance, computed, reference, base, nb_check_unit(unit, run, e), "reference");
+    nb_append(check->message, sizeof check->message, "; the worst of %zu rows, at %s = %.6g%s", to - from, e->against,
+              x, unit_suffix(unit, run, table->units[e->column]));
   }
 }
 
@@ -178,21 +180,21 @@ static void check_measures(struct nb_check *check, const struct nb_page_run *run
   double one, other = 0;
   char unit[NB_NAME_SIZE];
   const bool reported = e->kind == NB_REPORTED;
-  if (!nb_measure_seen(&one, &e->measure, &run->result.table, &error) ||
-      (!reported && !nb_measure_seen(&other, &e->other, &run->result.table, &error))) {
-    nb_check_say(check, false, "%s", error.text);
+  if (!nb_measure_value(&one, &e->measure, &run->result.table, &error) ||
+      (!reported && !nb_measure_value(&other, &e->other, &run->result.table, &error))) {
+    nb_check_result(check, false, "%s", error.text);
     return;
   }
-  nb_check_say(check, e->kind == NB_LESS ? one < other : one > other, "computed %.*g%s", digits(one, other), one,
-               nb_check_unit(unit, run, e));
+  nb_check_result(check, e->kind == NB_LESS ? one < other : one > other, "computed %.*g%s", digit_count(one, other),
+                  one, nb_check_unit(unit, run, e));
   if (!reported)
-    nb_append(check->words, sizeof check->words, " and %.*g%s", digits(one, other), other, unit);
+    nb_append(check->message, sizeof check->message, " and %.*g%s", digit_count(one, other), other, unit);
   else
     check->mark = NB_NOTE;
 }
 
 /* The statement on a line of the page, without its comment. */
-static void label(struct nb_check *check, const struct nb_outcome *outcome, int line) {
+static void set_label(struct nb_check *check, const struct nb_outcome *outcome, int line) {
   const char *c = outcome->page.lines[line - 1];
   size_t n = 0;
   for (c += strspn(c, " \t>"); *c && *c != '#' && n < 255; c++)
@@ -204,18 +206,18 @@ static void label(struct nb_check *check, const struct nb_outcome *outcome, int 
   check->line = line;
 }
 
-static void judge(struct nb_check *check, const struct nb_outcome *outcome, size_t r, size_t index) {
+static void evaluate(struct nb_check *check, const struct nb_outcome *outcome, size_t r, size_t index) {
   const struct nb_page_run *run = &outcome->runs[r];
   const struct nb_expectation *e = &run->expectations.list[index];
   char group[256];
-  nb_sweep_words(group, sizeof group, run, e);
+  nb_sweep_label(group, sizeof group, run, e);
   if (group[0])
     nb_append(check->label, sizeof check->label, " (%s)", group);
-  if (nb_over_sweep(e))
+  if (nb_is_over_sweep(e))
     nb_check_sweep(check, outcome, r, index);
   else if (e->kind == NB_VERSUS)
     check_curve(check, run, e);
-  else if (e->kind == NB_LESS || e->kind == NB_ARRAY_APPEND || e->kind == NB_REPORTED)
+  else if (e->kind == NB_LESS || e->kind == NB_GREATER || e->kind == NB_REPORTED)
     check_measures(check, run, e);
   else
     check_value(check, run, e);
@@ -232,11 +234,11 @@ static bool is_skipped(const struct nb_outcome *outcome, int line) {
 static bool skip(struct nb_outcome *outcome, int line, const char *format, const char *name) {
   if (is_skipped(outcome, line))
     return true;
-  struct nb_check *check = new_check(outcome);
+  struct nb_check *check = add_check(outcome);
   if (!check)
     return false;
-  label(check, outcome, line);
-  snprintf(check->words, sizeof check->words, format, name);
+  set_label(check, outcome, line);
+  snprintf(check->message, sizeof check->message, format, name);
   check->mark = NB_SKIP;
   return true;
 }
@@ -245,52 +247,52 @@ static bool skip(struct nb_outcome *outcome, int line, const char *format, const
 static bool skip_unread(struct nb_outcome *outcome) {
   const struct nb_page *page = &outcome->page;
   const bool followed = outcome->runs[0].scene.path_replaced;
-  bool all = true;
-  for (size_t i = 0; i < page->line_count && all; i++) {
+  bool stored = true;
+  for (size_t i = 0; i < page->line_count && stored; i++) {
     const char *statement = page->lines[i] + strspn(page->lines[i], " \t>");
     const bool hidden = page->kind_of[i] == 1 + NB_BLOCK_HIDDEN;
     if (!(hidden || (followed && page->kind_of[i] == 1 + NB_BLOCK_EXPECT)) || !*statement || *statement == '#' ||
         strncmp(statement, "reference ", strlen("reference ")) == 0)
       continue;
-    all = skip(outcome, (int)i + 1,
-               hidden ? "the block is in a quote, in a list or indented by four spaces, so it is not read"
-                      : "`follow` replaces the path of the page",
-               NULL);
+    stored = skip(outcome, (int)i + 1,
+                  hidden ? "the block is in a quote, in a list or indented by four spaces, so it is not read"
+                         : "`follow` replaces the path of the page",
+                  NULL);
   }
-  return all;
+  return stored;
 }
 
 /* What run r expects, unless an earlier run of the same group has been judged for it. */
-static bool judge_run(struct nb_outcome *outcome, size_t r) {
+static bool evaluate_run(struct nb_outcome *outcome, size_t r) {
   const struct nb_expectations *expectations = &outcome->runs[r].expectations;
-  bool room = true;
-  for (size_t k = 0; k < expectations->count && room; k++) {
+  bool stored = true;
+  for (size_t k = 0; k < expectations->count && stored; k++) {
     const struct nb_expectation *e = &expectations->list[k];
-    const bool over = nb_over_sweep(e);
-    if (over && !nb_sweep_leads(outcome, r, e))
+    const bool over = nb_is_over_sweep(e);
+    if (over && !nb_sweep_is_first(outcome, r, e))
       continue;
-    const char *constant = over ? nb_sweep_constant(outcome, r, e) : NULL;
+    const char *constant = over ? nb_sweep_single_value(outcome, r, e) : NULL;
     if (constant) {
-      room = skip(outcome, e->line, "`%s` has one value only, so there is nothing to compare", constant);
+      stored = skip(outcome, e->line, "`%s` has one value only, so there is nothing to compare", constant);
       continue;
     }
-    struct nb_check *check = new_check(outcome);
-    room = check != NULL;
+    struct nb_check *check = add_check(outcome);
+    stored = check != NULL;
     if (check) {
-      label(check, outcome, e->line);
-      judge(check, outcome, r, k);
+      set_label(check, outcome, e->line);
+      evaluate(check, outcome, r, k);
     }
   }
-  return room;
+  return stored;
 }
 
 enum nb_status nb_verdict(struct nb_outcome *outcome) {
-  bool room = true;
-  for (size_t r = 0; r < outcome->run_count && room; r++)
-    room = judge_run(outcome, r);
-  if (!room || !skip_unread(outcome))
+  bool stored = true;
+  for (size_t r = 0; r < outcome->run_count && stored; r++)
+    stored = evaluate_run(outcome, r);
+  if (!stored || !skip_unread(outcome))
     return nb_error_memory(&outcome->error);
   for (size_t k = 0; k < outcome->check_count; k++)
-    outcome->marked[outcome->checks[k].mark]++;
-  return outcome->marked[NB_FAIL] ? NB_FAILED : NB_OK;
+    outcome->mark_count[outcome->checks[k].mark]++;
+  return outcome->mark_count[NB_FAIL] ? NB_FAILED : NB_OK;
 }

@@ -25,13 +25,13 @@
 
 /* ---- runs and what is swept ---- */
 
-static bool along_sweep(enum nb_expectation_kind kind) {
+static bool is_trend(enum nb_expectation_kind kind) {
   return kind == NB_INCREASES || kind == NB_DECREASES || kind == NB_CONSTANT || kind == NB_ORDER;
 }
 
-bool nb_over_sweep(const struct nb_expectation *e) { return along_sweep(e->kind) || e->sample[0]; }
+bool nb_is_over_sweep(const struct nb_expectation *e) { return is_trend(e->kind) || e->sample[0]; }
 
-static const char *along_of(const struct nb_expectation *e) { return along_sweep(e->kind) ? e->against : ""; }
+static const char *trend_name(const struct nb_expectation *e) { return is_trend(e->kind) ? e->against : ""; }
 
 /* There is one: expectations name only what is swept. */
 static const struct nb_binding *binding_of(const struct nb_page_run *run, const char *name) {
@@ -42,7 +42,7 @@ static const struct nb_binding *binding_of(const struct nb_page_run *run, const 
 }
 
 /* Whether two runs differ in nothing but these names, and in what goes with them in the same sweep. Empty: no such name. */
-static bool same_but(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
+static bool same_except(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
   const int sweep = name[0] ? binding_of(a, name)->sweep : -1;
   const int second = other[0] ? binding_of(a, other)->sweep : -1;
   for (size_t k = 0; k < a->scene.binding_count; k++) {
@@ -54,38 +54,38 @@ static bool same_but(const struct nb_page_run *a, const struct nb_page_run *b, c
   return true;
 }
 
-bool nb_sweep_leads(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *e) {
+bool nb_sweep_is_first(const struct nb_outcome *outcome, size_t run, const struct nb_expectation *e) {
   for (size_t r = 0; r < run; r++)
-    if (same_but(&outcome->runs[r], &outcome->runs[run], along_of(e), e->sample))
+    if (same_except(&outcome->runs[r], &outcome->runs[run], trend_name(e), e->sample))
       return false;
   return true;
 }
 
-static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
+static bool equal_values(const struct nb_binding *a, const struct nb_binding *b) {
   return a->value == b->value || strcmp(a->text, b->text) == 0;
 }
 
-const char *nb_sweep_constant(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *e) {
-  const char *const names[] = {along_of(e), e->sample};
+const char *nb_sweep_single_value(const struct nb_outcome *outcome, size_t first, const struct nb_expectation *e) {
+  const char *const names[] = {trend_name(e), e->sample};
   const struct nb_page_run *one = &outcome->runs[first];
   for (int k = 0; k < 2; k++) {
     bool varies = !names[k][0];
     for (size_t r = first + 1; r < outcome->run_count && !varies; r++)
-      varies = same_but(one, &outcome->runs[r], names[k], "") &&
-               !same_value(binding_of(one, names[k]), binding_of(&outcome->runs[r], names[k]));
+      varies = same_except(one, &outcome->runs[r], names[k], "") &&
+               !equal_values(binding_of(one, names[k]), binding_of(&outcome->runs[r], names[k]));
     if (!varies)
       return names[k];
   }
   return NULL;
 }
 
-void nb_sweep_words(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *e) {
-  const int along = e && along_of(e)[0] ? binding_of(run, e->against)->sweep : -1;
-  const int among = e && e->sample[0] ? binding_of(run, e->sample)->sweep : -1;
+void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *e) {
+  const int trend = e && trend_name(e)[0] ? binding_of(run, e->against)->sweep : -1;
+  const int sample = e && e->sample[0] ? binding_of(run, e->sample)->sweep : -1;
   text[0] = 0;
   for (size_t k = 0; k < run->scene.binding_count; k++) {
     const struct nb_binding *binding = &run->scene.bindings[k];
-    if (binding->swept && binding->sweep != along && binding->sweep != among) /* a sweep has a number, 0 or more */
+    if (binding->swept && binding->sweep != trend && binding->sweep != sample) /* a sweep has a number, 0 or more */
       nb_append(text, size, "%s%s=%s", text[0] ? ", " : "", binding->name, binding->text);
   }
 }
@@ -101,12 +101,12 @@ struct group {
 };
 
 /* Whether run r differs from run `as` in these names only. */
-static bool is_in(const struct group *group, size_t r, size_t as, const char *name, const char *other) {
-  return same_but(&group->outcome->runs[as], &group->outcome->runs[r], name, other);
+static bool matches(const struct group *group, size_t r, size_t as, const char *name, const char *other) {
+  return same_except(&group->outcome->runs[as], &group->outcome->runs[r], name, other);
 }
 
 /* What is swept along, in run r, as it was written. */
-static const char *swept(const struct group *group, size_t r) {
+static const char *swept_text(const struct group *group, size_t r) {
   return binding_of(&group->outcome->runs[r], group->e->against)->text;
 }
 
@@ -122,16 +122,16 @@ static size_t next_run(const struct group *group, size_t r) {
   const size_t runs = group->outcome->run_count;
   size_t next = runs;
   for (size_t k = group->first; k < runs; k++)
-    if (is_in(group, k, group->first, group->e->against, "") && (r == runs || is_before(group, r, k)) &&
+    if (matches(group, k, group->first, group->e->against, "") && (r == runs || is_before(group, r, k)) &&
         (next == runs || is_before(group, k, next)))
       next = k;
   return next;
 }
 
 /* Of run r; false with words when it cannot be formed. */
-static bool value_of(double *value, const struct group *group, size_t r) {
+static bool compute_value(double *value, const struct group *group, size_t r) {
   const struct nb_page_run *run = &group->outcome->runs[r];
-  return nb_check_value(value, group->check, run, &run->expectations.list[group->index]);
+  return nb_check_computed(value, group->check, run, &run->expectations.list[group->index]);
 }
 
 struct sample {
@@ -139,40 +139,42 @@ struct sample {
 };
 
 static void add(struct sample *sample, double value) {
-  const double off = value - sample->mean;
+  const double delta = value - sample->mean;
   sample->count++;
-  sample->mean += off / sample->count;
-  sample->squares += off * (value - sample->mean);
+  sample->mean += delta / sample->count;
+  sample->squares += delta * (value - sample->mean);
   sample->smallest = sample->count > 1 && sample->smallest < value ? sample->smallest : value;
   sample->largest = sample->count > 1 && sample->largest > value ? sample->largest : value;
 }
 
-static double deviation(const struct sample *sample) { return sqrt(sample->squares / (sample->count - 1)); }
+static double standard_deviation(const struct sample *sample) { return sqrt(sample->squares / (sample->count - 1)); }
 
 /* ---- along a sweep ---- */
 
 static void check_trend(const struct group *group) {
   const struct nb_expectation *e = group->e;
-  struct sample all = {.count = 0};
+  struct sample sample = {.count = 0};
   double before = 0;
   bool ordered = true;
   char unit[NB_NAME_SIZE];
   nb_check_unit(unit, &group->outcome->runs[group->first], e);
   const size_t runs = group->outcome->run_count;
   for (size_t r = next_run(group, runs); r < runs; r = next_run(group, r)) {
-    double seen;
-    if (!value_of(&seen, group, r))
+    double computed;
+    if (!compute_value(&computed, group, r))
       return;
-    if (all.count > 0)
-      ordered = ordered && (e->kind == NB_INCREASES ? seen > before : seen < before);
-    nb_append(group->check->words, sizeof group->check->words, "%s%.6g%s at %s%s%s", all.count > 0 ? ", " : "computed ",
-              seen, unit, all.count > 0 ? "" : e->against, all.count > 0 ? "" : " = ", swept(group, r));
-    add(&all, seen);
-    before = seen;
+    if (sample.count > 0)
+      ordered = ordered && (e->kind == NB_INCREASES ? computed > before : computed < before);
+    nb_append(group->check->message, sizeof group->check->message, "%s%.6g%s at %s%s%s",
+              sample.count > 0 ? ", " : "computed ", computed, unit, sample.count > 0 ? "" : e->against,
+              sample.count > 0 ? "" : " = ", swept_text(group, r));
+    add(&sample, computed);
+    before = computed;
   }
   if (e->kind == NB_CONSTANT) {
-    ordered = nb_excess(&e->tolerance, all.largest, all.smallest, all.mean) <= 1;
-    nb_check_error(group->check, "largest difference", all.largest - all.smallest, all.mean, &e->tolerance, unit);
+    ordered = nb_error_ratio(&e->tolerance, sample.largest, sample.smallest, sample.mean) <= 1;
+    nb_check_error(group->check, "largest difference", sample.largest - sample.smallest, sample.mean, &e->tolerance,
+                   unit);
   }
   group->check->mark = ordered ? NB_PASS : NB_FAIL;
 }
@@ -185,32 +187,33 @@ static void check_slope(const struct group *group) {
   for (size_t r = group->first; r < group->outcome->run_count; r++) {
     const struct nb_page_run *run = &group->outcome->runs[r];
     const struct nb_measure *measure = &run->expectations.list[group->index].measure;
-    double seen;
-    if (!is_in(group, r, group->first, e->against, ""))
+    double computed;
+    if (!matches(group, r, group->first, e->against, ""))
       continue;
     const double *solution = nb_check_solution(run, measure), value = binding_of(run, group->e->against)->value;
     if (!solution || !(value > 0)) {
-      nb_check_say(group->check, false,
-                   solution ? "`%s` is not a number above 0" : "the reference does not return `%s`",
-                   solution ? swept(group, r) : measure->label);
+      nb_check_result(group->check, false,
+                      solution ? "`%s` is not a number above 0" : "the reference does not return `%s`",
+                      solution ? swept_text(group, r) : measure->label);
       return;
     }
-    if (!value_of(&seen, group, r))
+    if (!compute_value(&computed, group, r))
       return;
-    const double off = fabs(seen - *solution), lx = log(value), ly = log(off);
+    const double error = fabs(computed - *solution), lx = log(value), ly = log(error);
     if (!isfinite(ly)) {
-      nb_check_say(group->check, false, "the error at %s is %g, so it has no logarithm", swept(group, r), off);
+      nb_check_result(group->check, false, "the error at %s is %g, so it has no logarithm", swept_text(group, r),
+                      error);
       return;
     }
     n++, x += lx, y += ly, xx += lx * lx, xy += lx * ly;
-    nb_append(errors, sizeof errors, "%s%.3g%s at %s%s%s", n > 1 ? ", " : "", off, unit, n > 1 ? "" : e->against,
-              n > 1 ? "" : " = ", swept(group, r));
+    nb_append(errors, sizeof errors, "%s%.3g%s at %s%s%s", n > 1 ? ", " : "", error, unit, n > 1 ? "" : e->against,
+              n > 1 ? "" : " = ", swept_text(group, r));
   }
   const double slope = (n * xy - x * y) / (n * xx - x * x);
-  nb_check_say(group->check, nb_excess(&e->tolerance, slope, e->number, e->number) <= 1,
-               "computed order %.4g, expected %.4g", slope, e->number);
+  nb_check_result(group->check, nb_error_ratio(&e->tolerance, slope, e->number, e->number) <= 1,
+                  "computed order %.4g, expected %.4g", slope, e->number);
   nb_check_error(group->check, "error", fabs(slope - e->number), e->number, &e->tolerance, "");
-  nb_append(group->check->words, sizeof group->check->words, ": errors %s", errors);
+  nb_append(group->check->message, sizeof group->check->message, ": errors %s", errors);
 }
 
 /* ---- over a sample ---- */
@@ -222,78 +225,80 @@ static void check_position(const struct group *group) {
   char unit[NB_NAME_SIZE];
   nb_check_unit(unit, &group->outcome->runs[group->first], e);
   for (size_t r = group->first; r < group->outcome->run_count; r++) {
-    double seen;
-    if (!is_in(group, r, group->first, "", e->sample))
+    double computed;
+    if (!matches(group, r, group->first, "", e->sample))
       continue;
-    if (!value_of(&seen, group, r))
+    if (!compute_value(&computed, group, r))
       return;
-    add(&sample, seen);
-    below += seen < e->number ? 1 : seen == e->number ? 0.5 : 0;
+    add(&sample, computed);
+    below += computed < e->number ? 1 : computed == e->number ? 0.5 : 0;
   }
   const bool inside = sample.smallest <= e->number && e->number <= sample.largest;
-  nb_check_say(group->check, inside,
-               "expected %.6g%s, %s the range of %.0f runs over %s: %.4g to %.4g, mean %.4g, standard deviation %.2g; "
-               "percentile %.0f",
-               e->number, unit, inside ? "within" : "outside", sample.count, e->sample, sample.smallest, sample.largest,
-               sample.mean, deviation(&sample), 100 * below / sample.count);
+  nb_check_result(
+      group->check, inside,
+      "expected %.6g%s, %s the range of %.0f runs over %s: %.4g to %.4g, mean %.4g, standard deviation %.2g; "
+      "percentile %.0f",
+      e->number, unit, inside ? "within" : "outside", sample.count, e->sample, sample.smallest, sample.largest,
+      sample.mean, standard_deviation(&sample), 100 * below / sample.count);
   group->check->mark = NB_NOTE;
 }
 
 /* The run that goes with run r when the swept name has the value it has in `as`: the same but for that name. */
-static size_t partner(const struct group *group, size_t r, size_t as) {
+static size_t paired_run(const struct group *group, size_t r, size_t as) {
   size_t other = 0; /* there is one: sweeps are combined with each other */
-  while (!is_in(group, r, other, group->e->against, "") || !is_in(group, as, other, "", group->e->sample))
+  while (!matches(group, r, other, group->e->against, "") || !matches(group, as, other, "", group->e->sample))
     other++;
   return other;
 }
 
 /* Differences from the runs that have the value of `from` to those that have the value of `to`, held against what is expected of
  * them, and said. */
-static bool holds(const struct group *group, size_t from, size_t to, bool *formed) {
+static bool check_difference(const struct group *group, size_t from, size_t to, bool *is_defined) {
   const struct nb_expectation *e = group->e;
   struct sample d = {.count = 0}, level = {.count = 0};
   for (size_t r = 0; r < group->outcome->run_count; r++) {
     double before, after;
-    if (!is_in(group, r, from, "", e->sample))
+    if (!matches(group, r, from, "", e->sample))
       continue;
-    *formed = value_of(&before, group, r) && value_of(&after, group, partner(group, r, to));
-    if (!*formed)
+    *is_defined = compute_value(&before, group, r) && compute_value(&after, group, paired_run(group, r, to));
+    if (!*is_defined)
       return false;
     add(&d, after - before);
     add(&level, (before + after) / 2);
   }
-  const double half = student_reach(d.count, 0.95) * deviation(&d) / sqrt(d.count);
+  const double half = student_reach(d.count, 0.95) * standard_deviation(&d) / sqrt(d.count);
   const double low = d.mean - half, high = d.mean + half;
   char unit[NB_NAME_SIZE];
   nb_check_unit(unit, &group->outcome->runs[from], e);
-  nb_append(group->check->words, sizeof group->check->words,
+  nb_append(group->check->message, sizeof group->check->message,
             "%sfrom %s to %s: mean difference %+.4g%s, 95 %% confidence %.4g to %.4g, mean %.4g",
-            group->check->words[0] ? "; " : "", swept(group, from), swept(group, to), d.mean, unit, low, high,
-            level.mean);
+            group->check->message[0] ? "; " : "", swept_text(group, from), swept_text(group, to), d.mean, unit, low,
+            high, level.mean);
   if (e->kind == NB_CONSTANT)
-    return nb_excess(&e->tolerance, low, 0, level.mean) <= 1 && nb_excess(&e->tolerance, high, 0, level.mean) <= 1;
+    return nb_error_ratio(&e->tolerance, low, 0, level.mean) <= 1 &&
+           nb_error_ratio(&e->tolerance, high, 0, level.mean) <= 1;
   return e->kind == NB_INCREASES ? low > 0 : high < 0;
 }
 
 static void check_differences(const struct group *group) {
   const size_t runs = group->outcome->run_count;
-  bool all = true, formed = true;
+  bool passed = true, is_defined = true;
   for (size_t from = next_run(group, runs); from < runs; from = next_run(group, from)) {
     for (size_t to = next_run(group, from); to < runs; to = next_run(group, to)) {
-      all = holds(group, from, to, &formed) && all;
-      if (!formed)
+      passed = check_difference(group, from, to, &is_defined) && passed;
+      if (!is_defined)
         return;
       if (group->e->kind != NB_CONSTANT)
         break; /* from each value to the next */
     }
   }
-  group->check->mark = all ? NB_PASS : NB_FAIL;
+  group->check->mark = passed ? NB_PASS : NB_FAIL;
 }
 
 void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, size_t first, size_t index) {
   const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
   struct group group = {check, outcome, first, index, e, false};
-  for (size_t r = first; r < outcome->run_count && along_sweep(e->kind); r++)
+  for (size_t r = first; r < outcome->run_count && is_trend(e->kind); r++)
     group.words = group.words || isnan(binding_of(&outcome->runs[r], e->against)->value);
   if (e->sample[0])
     (e->kind == NB_EXPECTED ? check_position : check_differences)(&group);
