@@ -204,7 +204,7 @@ static void contacts_that_are_apart_do_not_fit(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
   continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_take(&saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL_FATAL(saved.contact_count, 1);
   nb_model_free(model);
   it.scene.start.stages = 1;

@@ -29,7 +29,7 @@ static void edges(const struct edge *list, size_t count) {
       planted_rows(&outcome, 0, list[k].count, x);
       planted_curve(&outcome, list[k].count, list[k].solution);
       const struct nb_measure *measure = &outcome.runs[0].expectations.list[0].measure;
-      if (!measure->vanishes)
+      if (!measure->is_residual)
         planted_solution(&outcome, measure->label, list[k].solution[0]);
       planted_is(&outcome, beyond ? NB_FAIL : NB_PASS);
       nb_outcome_free(&outcome);
