@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes configure and Makefile.in, as maintainers expect. Newcomers type ./setup, which calls this.
+# Makes configure and Makefile.in. ./setup calls this script.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -e

@@ -1,10 +1,10 @@
 # The lists of Makefile.am: every source file, reference, page, suite and test of the tree.
 #
-# A new law, reference, page or suite of unit tests is its file and one word in one of the first lists.
+# A new law, reference, page or suite of unit tests needs its file and one line in one of the first lists.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
-# One law each; the register, `nineball laws`, the word in pages and the contract tests come from this list.
+# One contact law each. The register, `nineball laws`, the word in pages and the tests of all laws are made from this list.
 LAWS = \
   src/laws/normal_hertz.c \
   src/laws/normal_hertz_increment.c \
@@ -17,7 +17,7 @@ LAWS = \
   src/laws/shear_randall.c \
   src/laws/shear_randall_literal.c
 
-# One statement of the page language each, or a family of them; the register, help and manual come from this list, in its order.
+# One statement of the page language each, or a family. The register, help and manual are made from this list, in its order.
 STATEMENTS = \
   src/input/let.c \
   src/input/start.c \
@@ -42,7 +42,7 @@ STATEMENTS = \
   src/input/boundary.c \
   src/input/path.c
 
-# One judge each: what theory says of a scene.
+# One reference solution each.
 REFERENCES = \
   cases/refs/momentum.c \
   cases/refs/contact_ladder.c \
@@ -212,7 +212,7 @@ PAGES = \
   cases/8-published/mfix-dem-04.md \
   cases/8-published/mfix-dem-05.md
 
-# Pages that take longer than `make check` has time for: `make check-long`.
+# Pages that take longer: `make check-long`.
 PAGES_LONG = \
   cases/7-assemblies/isotropic-compression.md \
   cases/7-assemblies/isotropic-compression-seeds.md \
@@ -248,7 +248,7 @@ CASE_LISTS = \
   cases/7-assemblies/README.md \
   cases/8-published/README.md
 
-# Files that pages take particles from.
+# Files with particles for pages.
 PACKINGS = \
   cases/packings/nine-discs-load.state \
   cases/packings/nine-discs-load.tsv \
@@ -341,7 +341,7 @@ SUITES = \
   tests/scaled.c \
   tests/halved.c
 
-# Tests that are scripts and say TAP.
+# Tests that are scripts and print TAP.
 SHELL_TESTS = \
   tests/mistakes.sh \
   tests/program.sh \
@@ -360,13 +360,13 @@ SHELL_TESTS = \
   tests/layers.sh \
   tests/hacking.sh
 
-# Recipes of figures, and their style.
+# Plot recipes, and the style of figures.
 PLOTS = \
   plots/discs.gp plots/force-chains.gp plots/force-polygons.gp plots/force-rectangles.gp plots/histogram.gp \
   plots/mohr.gp plots/obliquity.gp plots/polar-normals.gp plots/porosity-rings.gp plots/rotations.gp plots/slid.gp \
   plots/space-lattice.gp plots/stress-path.gp plots/style.gp plots/velocities.gp
 
-# What references share.
+# Shared by references.
 REFERENCES_SHARED = \
   cases/refs/coverage.c cases/refs/coverage.h cases/refs/hertz.c cases/refs/hertz.h cases/refs/hertz_corner.c \
   cases/refs/hertz_corner.h cases/refs/hertz_motion.c cases/refs/hertz_motion.h cases/refs/impact_damped.c \
@@ -378,9 +378,9 @@ REFERENCES_SHARED = \
   cases/refs/reference.h cases/refs/single.c cases/refs/single.h cases/refs/student.c cases/refs/student.h \
   cases/refs/waves.h
 
-# ---- the modules of src, from below: no file includes one of a later list ------------------------------------------
+# ---- the modules of src in order: no file includes one of a later list ----------------------------------------------
 
-# Particles, walls, contacts, the list of near pairs, the calculation cycle.
+# Particles, walls, contacts, neighbour list, calculation cycle.
 CORE = \
   src/core/array.c \
   src/core/array.h \
@@ -425,7 +425,7 @@ CORE = \
   src/core/warning.c \
   src/nineball.h
 
-# What all laws are made with.
+# Shared by laws.
 LAWS_SHARED = \
   src/laws/corners.h \
   src/laws/law.h \
@@ -449,7 +449,7 @@ PASS = \
   src/pass/periodic.c \
   src/pass/resolve.c
 
-# What is measured of an assembly: stress, fabric, energy, the stable step. Changes nothing.
+# Measures of an assembly: stress, fabric, energy, stable step. They change nothing.
 MEASURE = \
   src/measure/areas.c \
   src/measure/areas.h \
@@ -483,7 +483,7 @@ MEASURE = \
   src/measure/stress.c \
   src/measure/stability.c
 
-# What moves an assembly from outside: boundary, cell, box, servo; what is taken out.
+# Loading of an assembly: boundary, cell, box, servo, removal of particles.
 LOADING = \
   src/loading/box.c \
   src/loading/boundary.c \
@@ -502,7 +502,7 @@ PACKING = \
   src/packing/random_numbers.c \
   src/packing/random_numbers.h
 
-# A page, line by line, to struct nb_scene.
+# Reads a page line by line into struct nb_scene.
 INPUT = \
   src/input/contact_test_quantities.h \
   src/input/columns.c \
@@ -531,7 +531,7 @@ INPUT = \
   src/input/units.h \
   src/input/value.c
 
-# Plan, stages, states, tables, and one contact alone.
+# Plan, stages, states, tables, contact test.
 RUN = \
   src/run/contact_test.c \
   src/run/contact_test.h \
@@ -551,11 +551,11 @@ RUN = \
   src/run/state.c \
   src/run/state.h
 
-# What a page would make the program do.
+# The plan of a page in words.
 EXPLAIN = \
   src/report/explain.c
 
-# What a page expects, and what came of it.
+# Expectations and verdict.
 VERDICT = \
   src/report/expect.c \
   src/report/expect.h \

@@ -1,9 +1,10 @@
 #!/bin/sh
-# Renews the lists in cases/README.md and in the README.md of every chapter, between two lines that say so: the chapters and their cases in reading
-# order; and what is tried where: words from docs/LANGUAGE.md, laws from src/laws, uses from the pages. The rest of them is written by hand.
+# Renews the lists in cases/README.md and in the README.md of every chapter, between two marker lines: the chapters and their
+# cases in reading order, and an index of the cases by word, law and quantity. Words come from docs/LANGUAGE.md, laws from src/laws.
+# The rest of these files is written by hand.
 #
-#   docs/cases.sh            in the tree
-#   docs/cases.sh FOLDER     writes them to FOLDER/cases: for a comparison
+#   docs/cases.sh            writes them in the tree
+#   docs/cases.sh FOLDER     writes them to FOLDER/cases, for a comparison
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
@@ -22,9 +23,9 @@ cases_of() {
   done
 }
 
-# | case | about | from |, of a chapter.
+# The table of the cases of a chapter.
 chapter_list() {
-  printf '\n| case | about | from |\n| --- | --- | --- |\n'
+  printf '\n| case | subject | source |\n| --- | --- | --- |\n'
   for page in $(cases_of "$1"); do
     awk -v file="${page##*/}" '
       /^# / && title == "" { title = substr($0, 3); next }
@@ -50,16 +51,16 @@ chapters() {
   done
 }
 
-# What is tried where.
+# The index.
 tried() {
   cat <<'TEXT'
 
-## What is tried where
+## Which case uses what
 
-Every word of the language and every law, with the pages that say it themselves; of words that more than a dozen pages say, how many do. What a page `start`s from is not counted again. What no page says is tried by tests alone.
+For every word of the language, every law and every quantity, the cases that use it. If more than a dozen cases use a word, their number is given. A case that starts from another one is not listed for the words of the other one. Words without a case are covered by other tests.
 TEXT
 awk '
-  # ---- the rows: words from the manual, laws from their files, the rest from here ----
+  # ---- rows: words from docs/LANGUAGE.md, laws from their files, others from the lists below ----
   function row(part, name) { if (!((part, name) in is_row)) { is_row[part, name] = 1; parts[++n] = part; names[n] = name } }
   function word_rows(  line, part, word, of) {
     while ((getline line < "docs/LANGUAGE.md") > 0) {
@@ -90,7 +91,7 @@ awk '
     m = split(list, all, " ")
     for (i = 1; i <= m; i++) row(part, verb " … " all[i])
   }
-  # ---- what a page says ----
+  # ---- the words of a page ----
   function found(part, name) { if (!((part, name, page) in has)) { has[part, name, page] = 1; pages[part, name] = pages[part, name] " " page; count[part, name]++ } }
   # The longest word of the language that the line begins with.
   function verb_of(text,  m, all, k, try, best) {
@@ -122,7 +123,7 @@ awk '
       else chosen[verb] = 1
     }
     for (i = 1; i <= n; i++)
-      if (names[i] ~ / … / && parts[i] == "What is said with them" && substr(names[i], 1, index(names[i], " …") - 1) == verb_kind(verb) && holds(text, substr(names[i], index(names[i], "… ") + 4)))
+      if (names[i] ~ / … / && parts[i] == "Clauses" && substr(names[i], 1, index(names[i], " …") - 1) == verb_kind(verb) && holds(text, substr(names[i], index(names[i], "… ") + 4)))
         found(parts[i], names[i])
   }
   function verb_kind(verb) { return verb ~ /^servo / ? "servo" : verb }
@@ -153,7 +154,7 @@ awk '
       if (block == "expect") expect_line(line, path)
     }
     close(file)
-    for (i = 1; i <= n; i++) # laws that a sweep gives
+    for (i = 1; i <= n; i++) # laws named by a sweep
       if (parts[i] == "Laws" && (substr(names[i], 1, index(names[i], " ") - 1) in chosen) && holds(swept, substr(names[i], index(names[i], " ") + 1)))
         found("Laws", names[i])
   }
@@ -164,18 +165,18 @@ awk '
   }
   BEGIN {
     while ((("ls src/laws/normal_*.c src/laws/shear_*.c") | getline line) > 0) laws[++law_count] = line
-    held = "Quantities that are held against something"
+    held = "Quantities in expectations"
     word_rows()
     law_rows()
-    kinds("What is said with them", "damping", "stiffness r89-fraction ratio walls critical mass con1")
-    kinds("What is said with them", "step", "per stable single-contact collision rayleigh rayleigh-mean rayleigh-fit rayleigh-fit-mean")
-    kinds("What is said with them", "region", "circle box inside all rings from")
-    kinds("What is said with them", "servo", "boundary cell box affine")
-    kinds("What is said with them", "snapshot", "from")
-    kinds("What is said with them", "units", "none")
+    kinds("Clauses", "damping", "stiffness r89-fraction ratio walls critical mass con1")
+    kinds("Clauses", "step", "per stable single-contact collision rayleigh rayleigh-mean rayleigh-fit rayleigh-fit-mean")
+    kinds("Clauses", "region", "circle box inside all rings from")
+    kinds("Clauses", "servo", "boundary cell box affine")
+    kinds("Clauses", "snapshot", "from")
+    kinds("Clauses", "units", "none")
     row("Expectations", "over"); row("Expectations", "of peak")
     for (k = 1; k < ARGC; k++) look(ARGV[k])
-    split("The scene|In a stage|Contact test|Laws|What is said with them|Expectations|" held, order, "|")
+    split("The scene|In a stage|Contact test|Laws|Clauses|Expectations|" held, order, "|")
     for (p = 1; p <= 7; p++) {
       printf "\n### %s\n\n| | pages |\n| --- | --- |\n", order[p]
       for (i = 1; i <= n; i++) {
@@ -189,7 +190,7 @@ awk '
 
 }
 
-# renew README COMMAND...: puts what the command prints between the two lines of the file.
+# renew README COMMAND...: puts the output of the command between the two marker lines of the file.
 renew() {
   readme=$1
   shift
@@ -199,7 +200,7 @@ renew() {
     !inside { print }
     /^<!-- made by docs\/cases.sh, from here -->$/ { inside = found = 1; while ((getline line < list) > 0) print line }
     END { exit !found || inside }' "$readme" >"$work/README.md" || {
-    echo "$readme lacks a line that says where its list begins or ends" >&2
+    echo "$readme lacks a marker line for the beginning or the end of its list" >&2
     exit 1
   }
   mkdir -p "$into/${readme%/*}"

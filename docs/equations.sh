@@ -1,12 +1,12 @@
 #!/bin/sh
-# Which file carries which equation: reads the tags [CS79 8-15], [R89 4.13] of the sources and writes the
-# table of them, which the build keeps in docs/EQUATIONS.md.
+# Reads the tags of the sources, such as [CS79 8-15] and [R89 4.13], and prints a table of equations and source files. The build
+# writes it to docs/EQUATIONS.md.
 #
-#   docs/equations.sh [TOP]      the top of the source tree; default: where this script lies, and one up
+#   docs/equations.sh [TOP]      the top of the source tree; default: the parent of the folder of this script
 #
-# In a tag, after the paper: equations and ranges of them; `figure 1`, `figures 5, 6`; `table 1`; sections of R89, which
-# have three numbers; sections of CS79 by their titles. `X = Y` is a remark. One tag may hold both papers, with `;`
-# between them. A tag that says anything else is told, and the exit status is 1.
+# A tag contains, after the paper: equations and ranges of equations; `figure 1`, `figures 5, 6`; `table 1`; sections of R89
+# as three numbers; sections of CS79 by their titles. `X = Y` is a comment. One tag can contain both papers, separated by `;`.
+# Any other text is an error: it is reported, and the exit status is 1.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
@@ -14,7 +14,7 @@ LC_ALL=C
 export LC_ALL
 cd "${1:-$(dirname "$0")/..}"
 
-# What the equations are about; the ones without a line here have no words in the table.
+# The subject of each equation. An equation without a line here has no subject in the table.
 words() {
   cat <<'WORDS'
 CS79|1|force of the first overlap, k_n v dt
@@ -25,8 +25,8 @@ CS79|5|relative displacement at the first wall
 CS79|6|relative displacement between the discs
 CS79|7|relative displacement at the second wall
 CS79|8|when two discs touch
-CS79|9|unit vector from the first centre to the second
-CS79|10|tangent, that vector turned clockwise
+CS79|9|normal, from the first centre to the second
+CS79|10|tangent, the normal rotated clockwise
 CS79|11|relative velocity at the contact
 CS79|12|its normal part
 CS79|13|its tangential part
@@ -36,42 +36,42 @@ CS79|16|increment of the normal force
 CS79|17|increment of the shear force
 CS79|18|sums of the increments
 CS79|19|largest shear force
-CS79|20|Newton's law, centre
-CS79|21|Newton's law, spin
+CS79|20|Newton's law, translation
+CS79|21|Newton's law, rotation
 CS79|22|velocity at the next half step
 CS79|22a|position at the next step
-CS79|23|spin at the next half step
+CS79|23|angular velocity at the next half step
 CS79|23a|rotation at the next step
 CS79|24|velocity, with contact damping
-CS79|25|spin, with contact damping
+CS79|25|angular velocity, with contact damping
 CS79|26|normal dashpot
 CS79|27|shear dashpot
 CS79|28|coefficients of the dashpots, beta k
-CS79|29|motion with global damping, centre
-CS79|30|motion with global damping, spin
+CS79|29|translation with mass-proportional damping
+CS79|30|rotation with mass-proportional damping
 CS79|31|velocity at a whole step
 CS79|32|velocity at the next half step, with C
-CS79|33|spin at the next half step, with C*
+CS79|33|angular velocity at the next half step, with C*
 CS79|34|C and C* in proportion to mass and inertia
 CS79|35|velocity at the next half step, with alpha
-CS79|36|spin at the next half step, with alpha
-R89|4.3|damped normal force by a share of the critical step
-R89|4.4|damped shear force by the same
+CS79|36|angular velocity at the next half step, with alpha
+R89|4.3|damped normal force, fraction of the critical step
+R89|4.4|damped shear force, fraction of the critical step
 R89|4.6|reduced mass
 R89|3.11|radius of the contact circle, a^2 = R* alpha
 R89|3.13|Hertz: N = (4/3) E* R*^(1/2) alpha^(3/2)
-R89|3.24|front of slip in a contact that is loaded
+R89|3.24|radius of the stick region on loading
 R89|3.25|tangential displacement, loading at constant N
-R89|3.28|front of the slip when it is unloaded
+R89|3.28|radius of the stick region on unloading
 R89|3.40|tangential displacement, unloading at constant N
 R89|3.50|tangential displacement, reloading at constant N
 R89|3.56|contact radius after a change of N
-R89|3.61|front of an increment of slip
-R89|3.64|stiffness of an increment on the contact with the new N
-R89|3.65|slip that a new ring takes with it
-R89|3.68|loading, N rising
+R89|3.61|radius of the stick region of an increment
+R89|3.64|tangential stiffness of an increment, with the new N
+R89|3.65|tangential displacement at which a new ring slips
+R89|3.68|loading with increasing N
 R89|3.69|theta of loading
-R89|3.70|loading that lags behind its ring
+R89|3.70|loading, increment below the critical displacement
 R89|3.76|theta of unloading
 R89|3.82|theta of reloading
 R89|3.94|tangential stiffness, all cases in one
@@ -79,21 +79,21 @@ R89|3.95|theta, loading
 R89|3.96|theta, unloading
 R89|3.97|theta, reloading
 R89|3.98|theta where the new ring sticks
-R89|4.5|equivalent radius R*
-R89|4.7|equivalent Young's modulus E*
-R89|4.8|equivalent shear modulus G*
-R89|4.9|of the first body
-R89|4.10|of the second body
+R89|4.5|effective radius R*
+R89|4.7|effective Young's modulus E*
+R89|4.8|effective shear modulus G*
+R89|4.9|of the first particle
+R89|4.10|of the second particle
 R89|4.11|force increment at first touch
 R89|4.12|force increment, dN = 2 E* a dn
 R89|4.14|contact radius from the force
 R89|4.15|increment of the tangential force
-R89|4.16|critical slip ds_c
+R89|4.16|critical displacement ds_c
 R89|4.17|deficit DD
-R89|4.18|deficit DD, N falling
+R89|4.18|deficit DD, decreasing N
 R89|4.19|damped tangential force
-R89|4.20|T* moves with N
-R89|4.21|T** moves with N
+R89|4.20|change of T* with N
+R89|4.21|change of T** with N
 R89|4.22|theta, THE1 = 1, loading
 R89|4.23|theta, THE1 = 2, unloading
 R89|4.24|theta, THE1 = 3, reloading
@@ -105,28 +105,28 @@ R89|4.29|speed of pressure waves
 R89|4.30|speed of shear waves
 R89|4.31|speed of Rayleigh waves
 R89|4.32|Rayleigh's equation
-R89|4.33|step of the Rayleigh wave
-R89|4.34|linear fit of its root
-R89|4.35|stiffness that a body has met
-R89|4.36|way of a body in a step
-R89|4.37|critical step of a body from these
+R89|4.33|Rayleigh step
+R89|4.34|linear fit of the root
+R89|4.35|apparent stiffness of a particle
+R89|4.36|displacement of a particle in a step
+R89|4.37|critical step of a particle
 R89|4.38|change of the force sum
-R89|4.39|size of the force sum
+R89|4.39|magnitude of the force sum
 R89|4.40|FRACC, step over critical step
 R89|5.5|equation of the normal impact
 R89|5.9|largest overlap of a normal impact
 R89|5.10|time against overlap
 R89|5.11|duration of the contact
-R89|5.12|the same in numbers
+R89|5.12|duration of the contact, numerical
 R89|5.13|traction by annuli
 R89|5.14|chi
-R89|5.15|psi, angle of incidence made free of size
+R89|5.15|psi, dimensionless angle of incidence
 R89|5.16|angle of incidence
-R89|4.13|damped normal force by a share of critical damping
+R89|4.13|damped normal force, damping ratio
 WORDS
 }
 
-# One line a tag: FILE [CS79 8-15]. What law_batch.h has are examples.
+# One line for each tag: FILE [CS79 8-15]. The tags in law_batch.h are examples.
 tags() {
   find src cases/refs -name '*.[ch]' ! -name law_batch.h | sort |
     xargs awk '{
@@ -138,7 +138,7 @@ tags() {
     }'
 }
 
-# One line for each thing a tag names: PAPER|KIND|SORT KEY|NAME|FILE; KIND is 1 for equations, 2 for all else.
+# One line for each item of a tag: PAPER|KIND|SORT KEY|NAME|FILE; KIND is 1 for equations, 2 for everything else.
 named() {
   awk '
     function key(text) { split(text, part, "."); return sprintf("%05d%05d%s", part[1], part[2], text ~ /a$/ ? "a" : "0") }
@@ -197,7 +197,7 @@ named() {
     END { exit bad }'
 }
 
-# The rows of one paper and kind, as a table. Equations of CS79 stand there even when no file has them.
+# The table of one paper and kind. It has all equations of CS79, even if no file has them.
 table() {
   { words | awk -F '|' -v paper="$1" -v kind="$2" '
       function key(text) { split(text, part, "."); return sprintf("%05d%05d%s", part[1], part[2], text ~ /a$/ ? "a" : "0") }
@@ -205,7 +205,7 @@ table() {
     echo "$found" | awk -F '|' -v paper="$1" -v kind="$2" '$1 == paper && $2 == kind { print $3 "|1|" $4 "|" $5 }'
   } | sort -u | awk -F '|' -v paper="$1" -v kind="$2" '
     function flush() {
-      if (name == "" || (paper == "R89" && files == "")) return # of the thesis, what is used
+      if (name == "" || (paper == "R89" && files == "")) return # of R89 only equations that are used
       if (kind == 1) printf "| %s | %s | %s |\n", name, about, files == "" ? "nowhere" : files
       else printf "| %s | %s |\n", name, files
     }
@@ -218,14 +218,14 @@ table() {
 found=$(tags | named)
 
 cat <<'HEAD'
-# Equations, and the files they stand in
+# Equations and their source files
 
-Made by `docs/equations.sh` from the tags in the sources; the symbols are those of the papers, see docs/METHOD.md. Files are named
-from the top of the source tree.
+Made by `docs/equations.sh` from the tags in the sources. The symbols are those of the papers, see docs/METHOD.md. Paths begin at
+the top of the source tree.
 
 ## CS79: Cundall and Strack (1979)
 
-| equation | about | files |
+| equation | subject | files |
 | --- | --- | --- |
 HEAD
 table CS79 1
@@ -235,7 +235,7 @@ cat <<'HEAD'
 
 ## R89: Randall (1989)
 
-| equation | about | files |
+| equation | subject | files |
 | --- | --- | --- |
 HEAD
 table R89 1

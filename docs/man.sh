@@ -1,13 +1,13 @@
 #!/bin/sh
-# The manual page, nineball(1), on standard output, in man(7): what stands below, commands and options as the program's --help has
-# them, and docs/LANGUAGE.md.
+# Prints the manual page nineball(1) in man(7): the text below, commands and options from the program's --help, and
+# docs/LANGUAGE.md.
 #
 #   docs/man.sh PROGRAM
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
 
-# The lines of --help that begin so: "  run PAGE…    run pages, …" as "- `run PAGE…`: run pages, …".
+# The lines of --help that begin with $1: "  run PAGE…    run pages, …" as "- `run PAGE…`: run pages, …".
 rows() { "$program" --help | sed -n "/^ *$1/s/^ *\(.*[^ ]\)   *\([^ ].*\)\$/- \`\1\`: \2/p"; }
 
 page() {
@@ -28,26 +28,26 @@ TEXT
 
 - `0`: all checks passed
 - `1`: a check failed
-- `2`: bad use, a mistake in a page, a figure that cannot be drawn, or a file that cannot be read or written
-- `3`: run aborted: NaN, an unstable step, a stage that never ended; results up to then are kept, and marked as incomplete
+- `2`: bad use, an invalid page, a figure that cannot be drawn, or a file that cannot be read or written
+- `3`: run aborted: NaN, an unstable step, or a stage that never ended. The results up to then are written and marked as incomplete
 - `4`: out of memory
 
-## Pages of others
+## Pages from others
 
-A page's `gnuplot` block is a program. `figure` and `report` run it confined, by Landlock or by bubblewrap: it can read fonts, libraries and the installed recipes only, write nothing but the figure, and start no other program. Where neither is available nothing is drawn, unless `--trust` is given. All else that a page can do is to have files read that it names in `packing`, `start` and `follow`.
+A page's `gnuplot` block is a program. `figure` and `report` run it confined, by Landlock or by bubblewrap: it can read fonts, libraries and the installed recipes only, write the figure only, and start no other program. If neither is available, no figure is drawn unless `--trust` is given. Besides this, a page can only name files to be read (`packing`, `start`, `follow`).
 
 ## Environment
 
-- `NINEBALL_STATES`: the folder of states, unless --states says one
-- `NINEBALL_WAIT`: how many seconds the lock of a state is waited for, 3600 where it is not set
-- `NINEBALL_CONFINE`: landlock, bwrap or none: the only way in which gnuplot may be confined, instead of the first of the two that is available; without any, --trust must be given
+- `NINEBALL_STATES`: the folder of states, unless --states is given
+- `NINEBALL_WAIT`: how long to wait for the lock of a state, in seconds; default 3600
+- `NINEBALL_CONFINE`: how to confine gnuplot: landlock, bwrap or none (needs --trust); default: the first of landlock and bwrap that is available
 
 ## Files
 
-- `NAME.out/table.tsv`: what the page records, a row a cycle; numbers as %.17g, which read back to the same bits
-- `NAME.out/values.tsv`: every measure of the expect blocks, computed and reference, a row a run
-- `NAME.out/verdict.tsv`: every expectation, and whether it passed
-- `NAME.out/STAGE-particles.tsv, -walls.tsv, -contacts.tsv`: what `snapshot` keeps
+- `NAME.out/table.tsv`: the recorded quantities, one row per cycle; numbers as %.17g, which restores the same bits
+- `NAME.out/values.tsv`: every measure of the expect blocks, computed and reference, one row per run
+- `NAME.out/verdict.tsv`: every expectation with its verdict
+- `NAME.out/STAGE-particles.tsv, -walls.tsv, -contacts.tsv`: the tables of `snapshot`
 - `NAME.out/NAME.gp, NAME.svg, NAME.png`: the figure, and the script that drew it
 
 TEXT
@@ -55,7 +55,7 @@ TEXT
   cat <<'TEXT'
 ## See also
 
-`gnuplot`(1). The method: docs/METHOD.md; a first half hour: docs/TUTORIAL.md; this language as a page: docs/LANGUAGE.md.
+`gnuplot`(1). docs/TUTORIAL.md: the first half hour. docs/METHOD.md: the method. docs/GLOSSARY.md: the terms. docs/LANGUAGE.md: the words of pages.
 
 ## Copyright
 
@@ -77,8 +77,8 @@ nineball \- discs and spheres in the plane, by the distinct element method
 .B nineball \-\-help
 [\fBscene\fR|\fIWORD\fR]
 HEAD
-# Of Markdown what stands above and in LANGUAGE.md: headings, paragraphs, `code`, lists of `NAME`: TEXT, fenced blocks. A
-# heading ### begins a statement: its syntax, one paragraph, and what belongs to it.
+# Converts the Markdown of the text above and of LANGUAGE.md: headings, paragraphs, `code`, lists of `NAME`: TEXT, fenced blocks.
+# A heading ### begins a statement: its syntax, one paragraph, and its clauses.
 page | awk '
   function roff(text) {
     gsub(/\\/, "\\e", text); gsub(/-/, "\\-", text); gsub(/…/, "...", text)
