@@ -1,8 +1,8 @@
 #!/bin/sh
-# A page that comes from a stranger must not harm: whatever its gnuplot block says, `figure` reads no file of the user's, writes none but
-# the figure, and runs no other program. Every attack is made unconfined first, so that an attack that has no effect is seen.
+# Tests the confinement of gnuplot: whatever the gnuplot block of a page says, `figure` reads no file of the user, writes only the
+# figure, and runs no other program. Every attack is run unconfined first, which shows that it would have an effect.
 # TAP. $NINEBALL is the program, $srcdir the top of the source tree. With NINEBALL_CONFINE_REQUIRED set (as in .ci/run) it fails
-# when this machine can confine in no way.
+# if this machine cannot confine gnuplot.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -20,13 +20,13 @@ skip() {
   echo "ok $n - $1 # SKIP $2"
 }
 
-# The user's own things, in a folder that everybody may use.
+# Files of the user.
 mkdir -p "$work/home" "$work/plots" && cd "$work" || exit 1
 home=$work/home
 printf '1 2 TOPSECRET\n' >"$home/secret"
 printf "system('touch $work/harm')\n" | tee "$home/.gnuplot" "$home/evil.gp" >plots/style.gp
 
-# page NAME: a page with the gnuplot lines of standard input, in a folder beside one that is called plots.
+# page NAME: writes a page with the gnuplot lines of standard input. A folder beside it is called plots.
 page() {
   mkdir -p cases
   {
@@ -37,7 +37,7 @@ page() {
   } >"cases/$1"
 }
 
-# attack NAME, the lines on standard input: each a page of its own, in ATTACKS.
+# attack NAME: writes a page with the attack on standard input, and adds it to $attacks.
 attacks=
 attack() {
   page "$1.md"
@@ -121,12 +121,12 @@ EOF2
 attack start-up </dev/null
 attack style </dev/null
 
-# figure ARGUMENT ...: as the user would, with a home folder and a place where gnuplot looks for scripts.
+# figure ARGUMENT ...: draws with a home folder and a folder where gnuplot looks for scripts.
 figure() {
   rm -rf out harm cases/harm
   HOME=$home GNUPLOT_LIB=$home "$nineball" figure "$@" >said 2>&1 </dev/null
 }
-# Whether anything was written, run or read that must not be.
+# Whether an attack wrote, ran or read something.
 harmed() {
   find . -name harm -print | grep -q . && return
   root=$(awk -F : '$3 == 0 { print $1; exit }' /etc/passwd)
@@ -136,7 +136,7 @@ harmed() {
 for name in $attacks; do
   NINEBALL_CONFINE=none figure "cases/$name.md" -o out --trust
   case $name in
-  nothing | start-up | style) ! harmed ;; # never read, trusted or not
+  nothing | start-up | style) ! harmed ;; # not read even with --trust
   *) harmed ;;
   esac
   result $? "unconfined, for comparison: $name"
@@ -148,7 +148,7 @@ NINEBALL_CONFINE=nonsense figure cases/nothing.md -o out --trust
 test $? -eq 2 && grep -q 'expected landlock, bwrap or none, found `nonsense`' said
 result $? 'NINEBALL_CONFINE with another word: status 2'
 
-# ---- each way to confine ----
+# ---- each method of confinement ----
 
 ran=0
 why=$work/said
@@ -169,12 +169,12 @@ for how in landlock bwrap; do
     result $? "$how: $name"
   done
 
-  # Trust is for machines that can confine in no way; it takes nothing away from those that can.
+  # Where confinement is available, --trust does not switch it off.
   NINEBALL_CONFINE=$how figure cases/system.md -o out --trust
   ! harmed
   result $? "$how: --trust does not weaken it"
 
-  # Names of files: none is a command, none is part of a gnuplot string.
+  # No file name is run as a command or becomes part of a gnuplot string.
   for name in "a'b" 'a"b' '$(touch harm)' '`touch harm`' '<touch harm' '|touch harm' 'a b;touch harm' '~' '%s%n' '-e' "';system('touch harm');'"; do
     cp cases/nothing.md "cases/$name.md"
     rm -rf "out" harm
@@ -184,19 +184,19 @@ for how in landlock bwrap; do
     rm -f "cases/$name.md"
   done
 
-  # The same figure as without: recipes and fonts can be read.
+  # The figure is the same as without confinement: recipes and fonts can be read.
   NINEBALL_CONFINE=none "$nineball" figure "$top/cases/3-nine-discs/nine-discs-statics.md" -o free --trust >said 2>&1 &&
     NINEBALL_CONFINE=$how "$nineball" figure "$top/cases/3-nine-discs/nine-discs-statics.md" -o confined >said 2>&1 &&
     cmp free/nine-discs-statics.svg confined/nine-discs-statics.svg >said 2>&1 && cmp free/nine-discs-statics.png confined/nine-discs-statics.png >said 2>&1
   result $? "$how: the figure is the same, bit by bit"
 
-  # It does not go on for ever, and its messages cannot take over the terminal.
+  # Messages cannot control the terminal.
   printf 'print "\\033]0;harm\\007\\033[2J"\n' | page bell.md
   NINEBALL_CONFINE=$how figure cases/bell.md -o out
   ! LC_ALL=C grep -q "$(printf '\033')" said
-  result $? "$how: what the page prints is cleaned of control characters"
+  result $? "$how: control characters are removed from the output of a page"
 
-  # Whatever it asks for, it gets so much and no more; the smaller limits here stand for those of the program.
+  # Processor time and size of files are limited; smaller limits are used here than in the program.
   printf 'while (1) { x = 1 }\n' | page loop.md
   printf 'set print "-"\nwhile (1) { print "............................................................" }\n' | page flood.md
   for name in loop flood; do
@@ -207,10 +207,10 @@ for how in landlock bwrap; do
       NINEBALL_CONFINE=$how "$nineball" figure "cases/$name.md" -o out >said 2>&1 </dev/null
       test $? -eq 2
     ) && grep -q 'gnuplot was stopped' said && test ! -e "out/$name.svg" && ! ls out/*.new >/dev/null 2>&1
-    result $? "$how: a page that takes all it can get: $name"
+    result $? "$how: limits of time and size: $name"
   done
 done
 echo "confined by $ran of 2 ways" >said
 test $ran -gt 0 || test -z "${NINEBALL_CONFINE_REQUIRED:-}"
-result $? "$ran of 2 ways to confine were tested"
+result $? "$ran of 2 methods of confinement were tested"
 echo "1..$n"

@@ -1,11 +1,11 @@
-# What the fenced blocks of a Markdown file hold for tests: commands and files.
+# Extracts commands and files from the fenced blocks of a Markdown file.
 #
-#   awk -f fences.awk FILE                 the commands, one a line, each behind its line number and a tab: lines of blocks
-#                                          that begin with ```sh, and lines indented by four that call nineball or setup
-#   awk -v into=FOLDER -f fences.awk FILE  writes the files: blocks that begin with ```LANGUAGE NAME go to FOLDER/NAME;
-#                                          says what goes into a list of one of them, ```LANGUAGE FILE LIST: `FILE LIST LINE`, one a line
+#   awk -f fences.awk FILE                 prints the commands, one per line, after their line number and a tab: lines of blocks
+#                                          ```sh, and lines indented by four that call nineball or setup
+#   awk -v into=FOLDER -f fences.awk FILE  writes the files: blocks ```LANGUAGE NAME to FOLDER/NAME; prints the lines of blocks
+#                                          ```LANGUAGE FILE LIST as `FILE LIST LINE`
 #
-# A fence may be longer than three, and is closed by one that is as long.
+# A fence can have more than three characters; the closing fence has as many.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 

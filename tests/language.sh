@@ -1,5 +1,5 @@
 #!/bin/sh
-# The reference is what the program makes of its tables, the manual page holds all of it, every word in it has an example, and every example is read and runs.
+# Tests docs/LANGUAGE.md and the manual page: they are up to date and complete, every word has an example, and all examples run.
 # TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -8,10 +8,10 @@
 language=$work/LANGUAGE.md
 
 "$nineball" --help language-md >"$language" && diff -u docs/LANGUAGE.md "$language" >"$work/said"
-result $? "docs/LANGUAGE.md is what the program makes; make language renews it"
+result $? "docs/LANGUAGE.md is up to date; make language renews it"
 
-# A word's part begins with `### WORD` and goes to the next heading; in one of its blocks a line must begin with the word,
-# or, for what follows a measure, hold it.
+# The section of a word begins with `### WORD`. One line of its blocks must begin with the word, or contain it if the word follows a
+# measure.
 awk '
   function close_part() { if (word != "" && !shown) print word " has no example" }
   /^## / { close_part(); word = ""; expect = $2 == "Expectations" }
@@ -23,7 +23,7 @@ test ! -s "$work/said"
 result $? 'every word has an example'
 
 "$nineball" explain "$language" >/dev/null 2>"$work/said"
-result $? 'the examples, one after the other, are a page that is read'
+result $? 'all examples together are a valid page'
 
 # Every quantity, or the family that it belongs to, `fabric` for `fabric.normal.xx`, is in the glossary.
 sed -n '/^## Quantities/,/^## Numbers/s/^- `\([^`]*\)`.*/\1/p' "$language" | sort -u | awk '
@@ -34,11 +34,11 @@ sed -n '/^## Quantities/,/^## Numbers/s/^- `\([^`]*\)`.*/\1/p' "$language" | sor
 test ! -s "$work/said"
 result $? 'every quantity, or its family, is in the glossary'
 
-# Its reference is one of another scene: what asks for it is left out.
+# The expectations with a reference are left out, because their reference belongs to another scene.
 awk '/^### / { word = $2 } /^```/ { inside = $0 != "```" }
   !(inside && !/^```/ && word ~ /^(reference|within|versus|order)$/)' "$language" >"$work/runs.md"
 "$nineball" check "$work/runs.md" >"$work/said" 2>&1
-result $? 'and it runs, and what it expects is seen'
+result $? 'and it runs and passes its checks'
 
 {
   printf '```scene\nmaterial steel density 7800 kg/m3 kn 1 MN/m\nlattice discs 4 by 4 radius 10 mm steel\nstep 0.1 of stable\n'
@@ -48,18 +48,18 @@ result $? 'and it runs, and what it expects is seen'
   printf '```\n'
 } >"$work/cell.md"
 grep -q '^ *cell *strain' "$work/cell.md" && "$nineball" run "$work/cell.md" -o "$work/cell" >"$work/said" 2>&1
-result $? 'the examples of scenes with a cell are read and run'
+result $? 'the examples of scenes with a cell run'
 
 sed -n 's/^### //p' "$language" | sort -u | while read -r word; do
   "$nineball" --help "$word" 2>&1 | grep -q "$word" || echo "nineball --help $word says nothing of it"
 done >"$work/said"
 test ! -s "$work/said"
-result $? 'nineball --help WORD tells of each'
+result $? 'nineball --help WORD describes each word'
 "$nineball" --help dics >/dev/null 2>"$work/said"
 test $? -eq 2 && grep -q 'did you mean `disc`?' "$work/said"
-result $? 'and of a mistyped one what was meant'
+result $? 'and suggests a word for a mistyped one'
 
-# The manual page, a term in bold each: the syntax of every statement, every option, every command.
+# The manual page has the syntax of every statement, every option and every command in bold.
 sh docs/man.sh "$nineball" >"$work/man" && {
   sed -n '/^### /{n;n;p;}' "$language" | tr -d '`'
   "$nineball" --help | sed -n 's/^ *\(.*[^ ]\)   *[^ ].*$/\1/p'
@@ -70,9 +70,9 @@ result $? 'the manual page has every statement, option and command'
 if command -v groff >/dev/null; then
   groff -man -Tutf8 -ww -z "$work/man" >"$work/said" 2>&1
   test ! -s "$work/said"
-  result $? 'groff has nothing against the man page'
+  result $? 'groff accepts the manual page'
 else
   n=$((n + 1))
-  echo "ok $n - groff has nothing against the man page # SKIP groff is missing"
+  echo "ok $n - groff accepts the manual page # SKIP groff is missing"
 fi
 echo "1..$n"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The modules of src/ lie one upon the other: no file includes one of a later module, and no object calls into one. TAP.
+# Tests the order of the modules of src/: no file includes one of a later module, and no object calls into one. TAP.
 # Their order is that of the lists in build-aux/lists.mk. $srcdir is the top of the source tree; runs in the build folder.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -19,13 +19,13 @@ result() {
   fi
 }
 
-# The modules from below, as the lists first name them.
+# The modules in the order in which the lists name them.
 sed -n '/^CORE = /,$p' "$srcdir/build-aux/lists.mk" | grep -o 'src/[a-z]*/' | awk '!seen[$0]++' | sed 's|src/||; s|/||' >"$work/order"
 ls "$srcdir"/src/*/*.[ch] | sed 's|/[^/]*$||; s|.*/||' | sort -u >"$work/folders"
 sort "$work/order" | diff - "$work/folders" >"$work/said"
 result $? "every folder of src is a module in the lists"
 
-# FILE MODULE THING: what a file of a module needs.
+# FILE MODULE MODULE2 HEADER: the includes of a file.
 (cd "$srcdir/src" && grep -n '^#include "' */*.[ch]) | sed 's|^\([a-z]*\)/\([^:]*\):[0-9]*:#include "\(.*\)"|\1/\2 \1 \3|' |
   awk '{ split($3, p, "/"); print $1, $2, (p[2] ? p[1] : $2), $3 }' >"$work/includes"
 upward() {
@@ -36,7 +36,7 @@ upward() {
 [ -s "$work/includes" ] && upward "$work/includes"
 result $? "no file includes one of a later module"
 
-# The same of compiled objects, since a prototype can stand in another header than its own.
+# The same for compiled objects, because a prototype can be in the header of another module.
 if command -v nm >/dev/null && ls src/core/*.o >/dev/null 2>&1; then
   for object in src/*/*.o; do
     module=${object#src/} file=${object##*/}

@@ -1,5 +1,5 @@
-# The texts that a C file may say to the writer of a page: the string constants, adjacent ones joined, of the statements that call
-# one of the functions below. One a line: LINE TAB TEXT. Escapes are undone where a message could show the difference.
+# Prints the messages in a C file: the string constants, adjacent ones joined, of statements that call one of the functions below. One
+# per line: LINE TAB TEXT. Escapes that are visible in a message are undone.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 function statement_ends() {

@@ -1,6 +1,6 @@
 #!/bin/sh
-# `nineball migrate`: the pages tests/pages/old-*.md, of version 0.3, use every word of the table of old words. In the words of today
-# they are read without a mistake, none of the old words is left, and to migrate them once more changes nothing.
+# Tests `nineball migrate`. The pages tests/pages/old-*.md of version 0.3 use every word of the table of old words. Migrated pages are
+# valid, contain no old word, and do not change when they are migrated again.
 # TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -17,16 +17,16 @@ mkdir "$work/a" "$work/a/b" "$work/a/bad" && cp tests/bad/*.tsv "$work/a/bad"
 for page in tests/pages/old-*.md; do
   new=$work/a/b/${page##*/}
   "$nineball" migrate "$page" >"$new" 2>"$work/said" && "$nineball" explain "$new" >/dev/null 2>>"$work/said"
-  result $? "$page is read in the words of today"
+  result $? "$page, migrated, is valid"
   ! grep -n "'known [A-Z]" "$new" >"$work/said"
-  result $? 'and so are the columns of its figures'
+  result $? 'the columns of its figures are migrated'
   "$nineball" migrate "$new" 2>&1 | diff "$new" - >"$work/said"
-  result $? 'and they stay'
+  result $? 'a second migration changes nothing'
   ! "$nineball" explain "$page" >/dev/null 2>"$work/said" && grep -q 'of version 0.3 is' "$work/said"
-  result $? 'the old ones are mistakes, and the hint says what they are now'
+  result $? 'old words are errors, and the hint names the new ones'
 done
 
-# blocks PAGE...: what is in a block that is read, without comments.
+# blocks PAGE...: the blocks that the program reads, without comments.
 blocks() { sed -n '/^```[a-z]/,/^```$/p' "$@" | sed 's/#.*//'; }
 blocks tests/pages/old-*.md >"$work/old"
 blocks "$work"/a/b/old-*.md >"$work/new"
@@ -41,19 +41,19 @@ while IFS=$tab read -r kind old now; do
   done
 done <"$work/rows" >"$work/said"
 test ! -s "$work/said"
-result $? 'the pages have every old word, and then every new one'
+result $? 'the pages contain every old word, and after migration every new one'
 
 while IFS=$tab read -r kind old now; do
   for word in $old; do
     case $word in [A-Z]* | …) continue ;; esac
     case " $now " in *" $word "*) continue ;; esac
     "$nineball" --help "${word#.}" 2>&1 | grep -qF "\`$old\` of version 0.3 is \`$now\` now" || {
-      "$nineball" --help "${word#.}" >/dev/null 2>&1 || echo "nineball --help $word says nothing of it"
+      "$nineball" --help "${word#.}" >/dev/null 2>&1 || echo "nineball --help $word is unknown"
     }
   done
 done <"$work/rows" >"$work/said"
 test ! -s "$work/said"
-result $? 'nineball --help OLDWORD says what it is now'
+result $? 'nineball --help OLDWORD names the new word'
 
 cat >"$work/wanted" <<EOF
 lattice   discs 3 by 3  from 300 mm 0 mm  radius 5 mm  rock       # columns${tab}stay
@@ -62,32 +62,32 @@ fill      spheres circle 100 mm 100 mm radius 20 mm  fine rock  seed 1  attempts
 fill discs box 200 mm 100 mm  to 300 mm 200 mm  fine rock  seed 1  else skip  attempts 100 # no columns
 EOF
 sed -n '/^lattice.*columns/,/no columns/p' "$work/a/b/old-scene.md" | diff "$work/wanted" - >"$work/said"
-result $? 'columns and comments are kept'
+result $? 'columns and comments stay'
 sed -n '/^A block/,$p' tests/pages/old-scene.md >"$work/wanted"
 sed -n '/^A block/,$p' "$work/a/b/old-scene.md" | diff "$work/wanted" - >"$work/said" &&
   grep -q 'no block: discs lattice 3 by 3, tries' "$work/a/b/old-scene.md"
-result $? 'prose and what is an example stay'
+result $? 'prose and examples in the text stay'
 
 printf '```scene\r\ndiscs lattice 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/one.md"
 printf '```scene\r\nlattice discs 1 by 1 radius 1 m rock\r\n```\r\nlast' >"$work/wanted"
 cp "$work/one.md" "$work/two.md"
 "$nineball" migrate "$work/one.md" "$work/two.md" --in-place >"$work/said" 2>&1 &&
   cmp "$work/one.md" "$work/wanted" >>"$work/said" 2>&1 && cmp "$work/two.md" "$work/wanted" >>"$work/said" 2>&1
-result $? 'in place, ends of lines as they are'
+result $? '--in-place keeps the line ends'
 printf '```scene\ndiscs lattice 1 by 1 radius 1 m rock\n```\n' >"$work/page.md"
 chmod 640 "$work/page.md" && ln -s page.md "$work/link.md"
 "$nineball" migrate --in-place "$work/link.md" >"$work/said" 2>&1 && test -L "$work/link.md" &&
   grep -q '^lattice discs' "$work/page.md" && ls -l "$work/page.md" | grep -q '^-rw-r-----'
-result $? 'a link leads to the page still, and the page keeps its permissions'
+result $? '--in-place keeps links and permissions'
 "$nineball" migrate "$work/one.md" "$work/two.md" >/dev/null 2>"$work/said"
 test $? -eq 2 && grep -q 'with --in-place' "$work/said"
-result $? 'several pages only in place'
+result $? 'several pages need --in-place'
 printf 'a\0b' >"$work/one.md"
 cp "$work/one.md" "$work/wanted"
 "$nineball" migrate --in-place "$work/one.md" 2>"$work/said"
 test $? -eq 2 && grep -q 'no text' "$work/said" && cmp "$work/one.md" "$work/wanted"
-result $? 'what is no text stays as it is'
+result $? 'a file that is not text stays unchanged'
 "$nineball" migrate "$work/none.md" 2>"$work/said"
 test $? -eq 2 && grep -q 'cannot be read' "$work/said"
-result $? 'a page that is not there'
+result $? 'a missing page'
 echo "1..$n"

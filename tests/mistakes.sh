@@ -1,7 +1,7 @@
 #!/bin/sh
-# Every page in tests/bad must be refused with exactly the messages that its block `mistake` holds, and status 2. Behind the
-# word `mistake` may stand options that it is read with. Then pages at the limits of what may be said, made here. And every
-# message that the sources of the reader hold must have been heard: a new one asks for its page.
+# Tests error messages. Every page in tests/bad must be refused with exactly the messages of its block `mistake` and status 2; the
+# word `mistake` may be followed by options. Then pages at the limits of the language are made and tested. Finally every message
+# in the sources of the reader must have occurred: a new message needs a page.
 # TAP. $NINEBALL is the program, ./nineball by default; $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -9,7 +9,7 @@
 . "${srcdir:-.}/tests/tap"
 why=$work/why
 
-# ---- a page for every mistake ----
+# ---- one page for every error ----
 
 : >"$work/heard"
 for page in tests/bad/*.md; do
@@ -18,22 +18,22 @@ for page in tests/bad/*.md; do
   eval "\"\$nineball\" explain $options \"\$page\"" >"$work/out" 2>"$work/said"
   status=$?
   cat "$work/said" >>"$work/heard"
-  echo "status $status, wanted 2; lines wanted (-) and said (+):" >"$work/why"
+  echo "status $status, expected 2; expected lines (-) and actual lines (+):" >"$work/why"
   diff -u "$work/wanted" "$work/said" >>"$work/why" && test -s "$work/wanted" && test $status -eq 2
   result $? "$page"
 done
 
-# ---- limits: the largest page that is read, and the smallest that is not ----
+# ---- limits: the largest valid and the smallest invalid page ----
 
-# page LINE: a right page with this line among its statements, on standard output.
+# page LINE: prints a valid page with this line added.
 page() {
   printf '```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m\n%s\ndisc 0 m 0 m radius 1 m rock\nstep 1 us\n' "$1"
   printf 'record time\nstage go\n cycles 10\n```\n'
 }
-# many N TEXT: the text so often.
+# many N TEXT: prints the text N times.
 many() { awk -v n="$1" -v text="$2" 'BEGIN { for (k = 0; k < n; k++) printf "%s", text }'; }
 
-# limit NAME TEXT: $work/right.md must be read; $work/wrong.md must not, and the text be said of it.
+# limit NAME TEXT: $work/right.md must be valid, and $work/wrong.md must be refused with a message that contains the text.
 limit() {
   "$nineball" explain "$work/right.md" >"$work/out" 2>"$work/why" &&
     ! "$nineball" explain "$work/wrong.md" >"$work/out" 2>"$work/said" && grep -qF -e "$2" "$work/said"
@@ -67,20 +67,20 @@ page "record A.$(many 10 a)" | sed 's/^record A.*/record step/' >"$work/right.md
 page "record A.$(many 130 a)" >"$work/wrong.md"
 limit 'letters in a quantity' 'expected a name shorter than 128 bytes'
 
-# numbered N LINE: the line so often, with @ replaced by 1, 2, ...
+# numbered N LINE: prints the line N times, with @ replaced by 1, 2, ...
 numbered() { awk -v n="$1" -v line="$2" 'BEGIN { for (k = 1; k <= n; k++) { l = line; gsub("@", k, l); print l } }'; }
-# counted MOST WHAT LINE: so many such lines may be, and no more.
+# counted LIMIT WHAT LINE: tests the limit of the number of such lines.
 counted() {
   page "$(numbered "$1" "$3")" >"$work/right.md"
   page "$(numbered $(($1 + 1)) "$3")" >"$work/wrong.md"
   limit "$2" "expected at most ${4:-$1} $2, with this there are more"
 }
 counted 2000 'names for values' 'let a@ = 1'
-counted 199 'materials' 'material m@' 200 # and the one that is there
+counted 199 'materials' 'material m@' 200 # one more is in the page
 counted 2000 'walls' 'wall w@ @ m 9 m to @ m 10 m rock'
 counted 2000 'gradings' 'grading g@ 1 m 1'
 
-# path LINE: the same of a path.
+# path LINE: the same for a contact test.
 path() {
   printf '```contact-test\nmaterial rock kn 1 MN/m\ncontact disc 1 m rock with wall rock\n%s\n```\n' "$1"
 }
@@ -88,7 +88,7 @@ path "$(numbered 2000 'segment l@ slip by 1 um in 1 step')" >"$work/right.md"
 path "$(numbered 2001 'segment l@ slip by 1 um in 1 step')" >"$work/wrong.md"
 limit 'segments' 'expected at most 2000 segments, with this there are more'
 
-# on FROM STAGE NAME: a page that goes on from there with one stage of its own.
+# on FROM STAGE NAME: prints a page that starts from that stage and has one stage.
 on() { printf '```scene\nstart %s stage %s\nrecord time\nstage %s\ncycles 1\n```\n' "$1" "$2" "$3"; }
 page '' >"$work/chain0.md"
 on chain0 go s1 >"$work/chain1.md"
@@ -109,7 +109,7 @@ page "$(many 1200 'frobnicate
 ')" >"$work/wrong.md"
 limit 'mistakes of a page' 'more than 1000 mistakes: the others are left unsaid'
 test "$(grep -c ': error: ' "$work/said")" -eq 1001
-result $? 'and no more of them are said'
+result $? 'only 1000 errors are reported'
 
 page '' >"$work/$(many 63 n).md"
 cp "$work/$(many 63 n).md" "$work/right.md"
@@ -119,12 +119,12 @@ page '' >"$work/$(many 64 n).md"
 result $? 'letters in the name of a file'
 tail -n 1 "$work/heard" >"$work/why"
 grep -q 'expected a file name shorter than 64 bytes' "$work/heard"
-result $? 'and it is said'
+result $? 'and the message'
 
 "$nineball" explain "$work/none.md" 2>>"$work/heard"
 tail -n 1 "$work/heard" >"$work/why"
 grep -q 'none.md: error: cannot be read: ' "$work/heard"
-result $? 'a page that is not there'
+result $? 'a missing page'
 
 page '' >"$work/whole.md"
 "$nineball" explain "$work/whole" 2>"$work/why"
@@ -132,10 +132,10 @@ cat "$work/why" >>"$work/heard"
 grep -qF "hint: did you mean \`$work/whole.md\`?" "$work/why"
 result $? 'the name of a page without .md'
 
-# ---- files that are none: a pipe that nobody writes to would be waited for without end ----
+# ---- pipes, devices and folders: reading a pipe could block forever ----
 
 mkfifo "$work/pipe.md" "$work/pipe.tsv" && mkdir "$work/folder.md"
-# refused NAME TEXT COMMAND...: ends at once with status 2 and this text.
+# refused NAME TEXT COMMAND...: the command must end at once with status 2 and a message that contains the text.
 refused() {
   name=$1 text=$2
   shift 2
@@ -154,7 +154,7 @@ refused 'a pipe as a path' "$no_file" "$nineball" check "$work/page.md"
 printf '```scene\nstart pipe stage go\nrecord time\nstage on\ncycles 1\n```\n' >"$work/page.md"
 refused 'a pipe as the page that another starts from' "$no_file" "$nineball" check "$work/page.md"
 
-# ---- files that are there twice, or have too long a path ----
+# ---- ambiguous files, and paths that are too long ----
 
 mkdir -p "$work/cases/a" "$work/cases/b" "$work/cases/c"
 page '' | tee "$work/cases/a/twice.md" >"$work/cases/b/twice.md"
@@ -164,24 +164,24 @@ twice="expected a file that is there once, found \`$work/cases/a/twice.md\` and 
 "$nineball" explain "$work/cases/c/wrong.md" >"$work/out" 2>"$work/said"
 test $? -eq 2 && grep -qF "cases/c/wrong.md:2:7: error: $twice" "$work/said" && grep -qF "hint: name it by its path from the folder of this page" "$work/said" &&
   "$nineball" explain "$work/cases/c/right.md" >"$work/out" 2>"$work/why"
-result $? 'a page whose name is there twice'
+result $? 'an ambiguous page'
 page 'packing twice.md discs rock' >"$work/cases/c/wrong.md"
 cat "$work/said" >>"$work/heard"
 "$nineball" explain "$work/cases/c/wrong.md" >"$work/out" 2>"$work/said"
 test $? -eq 2 && grep -qF "cases/c/wrong.md:3:9: error: $twice" "$work/said"
-result $? 'a packing whose name is there twice'
+result $? 'an ambiguous packing'
 page "packing $(many 4076 x) discs r" >"$work/wrong.md"
 "$nineball" explain "$work/wrong.md" >"$work/out" 2>"$work/why"
 test $? -eq 2 && grep -qF 'expected a file of less than 4096 bytes in its path' "$work/why"
 result $? 'a path that is too long'
 cat "$work/why" >>"$work/heard"
 
-# ---- every message has been heard ----
+# ---- every message has occurred ----
 
-# What cannot be brought about here: what the program itself says of a --set without `=`.
+# Messages that cannot occur here: that of the command line about a --set without `=`.
 unheard='^expected NAME=VALUE'
 
-# A text of the sources as a pattern: % and what belongs to it stands for anything.
+# Converts a format string of the sources to a pattern; a conversion with % matches anything.
 as_pattern() {
   sed -e 's/%[-+ 0#]*[0-9]*\(\.[0-9*]*\)*[lzh]*[a-zA-Z]/\n/g' -e 's/%%/%/g' -e 's/\\n//g' |
     sed -e 's/[][\\.*^$+?(){}|/]/\\&/g' | awk 'NR > 1 { printf ".*" } { printf "%s", $0 } END { print "" }'
@@ -196,7 +196,7 @@ for source in $(grep -lE '"(input/)?(reader|scene)\.h"' src/*/*.c | grep -v manu
     esac
     echo "$text" | grep -qE "$unheard" && continue
     pattern=$(printf '%s\n' "$text" | as_pattern)
-    grep -qE -e "$pattern" "$work/heard" || echo "no page in tests/bad brings about: $source:$line: $text"
+    grep -qE -e "$pattern" "$work/heard" || echo "no page in tests/bad causes: $source:$line: $text"
   done >"$work/why"
   test ! -s "$work/why"
   result $? "every message of $source has its page"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Packings: what `nineball state` writes, `packing` reads, to the last bit; whatever the file is, and wherever it comes from. TAP.
+# Tests packings: `packing` reads what `nineball state` writes, to the last bit, and lists of columns from other programs. TAP.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -8,7 +8,7 @@ pages=$work/pages
 states=$work/states
 mkdir "$pages"
 
-# bodies FILE: of a state what a packing takes, without velocities and spin.
+# bodies FILE: the fields of the particles of a state that a packing takes.
 bodies() { grep '^body ' "$1" | cut -d ' ' -f 1-8; }
 
 "$nineball" state cases/3-nine-discs/nine-discs.md --stage load -o "$work/nine.state" >"$work/said" 2>&1 &&
@@ -16,9 +16,9 @@ bodies() { grep '^body ' "$1" | cut -d ' ' -f 1-8; }
     grep -v '^program \|^hash \|^end ' "$file" >"$work/$(basename "$file").numbers"
   done
 diff "$work/nine.state.numbers" "$work/nine-discs-load.state.numbers" >>"$work/said"
-result $? 'the packing that is kept with the cases is the one that nine-discs makes'
+result $? 'the packing stored with the cases is the one that nine-discs computes'
 
-# Discs and spheres of two materials at random, one fixed, one that goes; they are shaken first.
+# Randomly placed spheres of two materials, one fixed, one removed; they move for 500 cycles.
 cat >"$pages/made.md" <<'END'
 # At random
 ```scene
@@ -43,7 +43,7 @@ echo '```' >>"$pages/made.md"
 "$nineball" state "$pages/made.md" -o "$pages/heap.state" >"$work/said" 2>&1 && test "$(bodies "$pages/heap.state" | wc -l)" -eq 51
 result $? 'a state is written'
 
-# taken NAME LINE: a page that takes them, of one cycle in which nothing moves by a bit of its place; its bodies as they come out.
+# taken NAME LINE: runs a page with this packing for one cycle, so short that no bit of a position changes, and lists its particles.
 taken() {
   cat >"$pages/$1.md" <<END
 # Taken from a file
@@ -63,14 +63,14 @@ END
   "$nineball" state "$pages/$1.md" -o "$work/$1.state" >"$work/said" 2>&1 && bodies "$work/$1.state" >"$work/$1"
 }
 
-# Numbers of bodies close up where one is gone.
+# Particles after a removed one are renumbered.
 bodies "$pages/heap.state" | grep -v ' gone ' | awk '{ $2 = NR; print }' >"$work/wanted"
 taken whole 'packing heap.state'
 awk '{ print $1, $2, $3, $4, $5, $6 }' "$work/whole" >"$work/a" && awk '{ print $1, $2, $3, $4, $5, $6 }' "$work/wanted" | diff - "$work/a" >"$work/said" &&
   test "$(wc -l <"$work/a")" -eq 50
-result $? 'kind, material, fixed and radius are those of the file, and who is gone is not there'
+result $? 'kind, material, fixed and radius are those of the file, without the removed particle'
 
-# As our tables have it, with 17 digits.
+# A list like the tables of nineball, with 17 digits.
 places() { awk -F '\t' '/^#/ { next } !h { for (k = 1; k <= NF; k++) at[$k] = k; h = 1; next } { print $(at["x/m"]), $(at["y/m"]), $(at["radius/m"]) }' "$1"; }
 "$nineball" run "$pages/made.md" -o "$work/made" >"$work/said" 2>&1 && places "$work/made/fall-particles.tsv" >"$work/wanted"
 {
@@ -84,26 +84,26 @@ for file in state tsv txt; do
   taken "of-$file" "packing heap.$file spheres rock" && "$nineball" run "$pages/of-$file.md" -o "$work/of-$file.d" >"$work/said" 2>&1 &&
     places "$work/of-$file.d/look-particles.tsv" >"$work/seen" &&
     diff "$work/wanted" "$work/seen" >"$work/said" && test "$(wc -l <"$work/seen")" -eq 50
-  result $? "places and radii from heap.$file are the same to the last bit"
+  result $? "positions and radii from heap.$file are the same to the last bit"
 done
 
-# A page whose state another page starts from: it depends on what the file says.
+# The state of a page with a packing depends on the contents of the file.
 sed '/^  snapshot/d' "$pages/of-txt.md" >"$pages/first.md"
 printf '# Goes on\n```scene\nstart first stage look\nrecord time\nstage on\ncycles 1\n```\n' >"$pages/second.md"
 "$nineball" run "$pages/second.md" --states "$states" -o "$work/second" >"$work/said" 2>&1 &&
   "$nineball" explain "$pages/second.md" --states "$states" | grep -q 'state: present$'
-result $? 'a page may start from one that has a packing'
+result $? 'a page can start from one with a packing'
 sed '3s/ [^ ]*$/ 0.5/' "$pages/heap.txt" >"$work/t" && cp "$work/t" "$pages/heap.txt"
 "$nineball" explain "$pages/second.md" --states "$states" >"$work/said" 2>&1 && grep -q 'out of date, will be computed again' "$work/said"
-result $? 'and its state is stale when the file has changed'
+result $? 'its state is out of date when the file has changed'
 
-# A list is no page, and may be longer than one: 100,000 discs, 4.5 MB.
+# A list can be longer than a page: 100,000 discs, 4.5 MB.
 awk 'BEGIN { print "x/m\ty/m\tradius/m"; for (k = 0; k < 100000; k++) printf "%.17g\t%.17g\t0.004999\n", k % 400 * 0.01, int(k / 400) * 0.01 + 1e-9 * k }' >"$pages/many.tsv"
 printf '# Many\n```scene\nmaterial rock density 2000 kg/m3 kn 1 MN/m\npacking many.tsv discs rock\nstep 1 us\nrecord time\nstage go\ncycles 1\n```\n' >"$pages/many.md"
 timeout 60 "$nineball" explain "$pages/many.md" >"$work/said" 2>&1 && grep -q 'many.tsv: 100000 particles' "$work/said"
 result $? 'a list of 100,000 discs'
 
-# ---- what the command says ----
+# ---- messages of the command ----
 
 refused() {
   "$nineball" state "$@" -o "$work/none" >"$work/out" 2>"$work/said"
@@ -117,8 +117,8 @@ text='has several runs' refused cases/7-assemblies/fill-tries.md
 text='`nineball state` takes one page' refused cases/3-nine-discs/nine-discs.md cases/3-nine-discs/nine-discs.md
 "$nineball" state cases/3-nine-discs/nine-discs.md -o "$work/no/folder/x.state" >"$work/out" 2>"$work/said"
 test $? -eq 2 && grep -q 'No such file' "$work/said"
-result $? 'a folder that is not there'
+result $? 'a missing folder'
 (cd "$work" && "$nineball" state "$OLDPWD/cases/3-nine-discs/nine-discs.md" --stage load --set ks=0.9e9) >"$work/out" 2>"$work/said" &&
   grep -qx 'setting ks=0.9e9' "$work/nine-discs-load.state"
-result $? 'the file is named by page and stage, and says what the page was given'
+result $? 'the file is named by page and stage, and contains the settings'
 echo "1..$n"

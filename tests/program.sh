@@ -1,5 +1,5 @@
 #!/bin/sh
-# The program as a user meets it: its exit status, what it says where, and what it leaves behind. TAP.
+# Tests the program from outside: exit status, output, and files. TAP.
 # $NINEBALL is the program, ./nineball by default; $srcdir is where tests/pages lies.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -16,7 +16,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 n=0
 
-# verdict TEXT: of the commands just done, whose complaints are in ./why.
+# verdict NAME: the result of the commands since the last verdict; their failures are in ./why.
 verdict() {
   n=$((n + 1))
   if test -s why; then
@@ -28,7 +28,7 @@ verdict() {
   rm -f why
 }
 
-# run STATUS ARGUMENT ...: the program must end with this status; out and said are what it said.
+# run STATUS ARGUMENT ...: the program must end with this status; out and said are its standard output and standard error.
 run() {
   wanted=$1
   shift
@@ -41,7 +41,7 @@ said() { grep -qF -e "$1" said || echo "not on standard error: $1" >>why; }
 quiet() { test ! -s "$1" || echo "something is on $1" >>why; }
 there() { test -s "$1" || echo "missing or empty: $1" >>why; }
 absent() { test ! -e "$1" || echo "left behind: $1" >>why; }
-# column NAME FILE: its values, one a line.
+# column NAME FILE: the values of a column, one per line.
 column() {
   awk -F '\t' -v name="$1" '
     /^#/ { next }
@@ -54,55 +54,55 @@ run 0 check "$pages/passes.md"
 out '1 of 1 checks passed'
 quiet said
 absent passes.out
-verdict 'a page that passes: 0, and nothing is written'
+verdict 'a page that passes: status 0, no files'
 
 run 1 check "$pages/fails.md"
 out 'FAIL  D.x expected 1.6'
 out 'pass  time expected 1'
 out '1 of 2 checks passed'
-verdict 'a check that fails: 1'
+verdict 'a check that fails: status 1'
 
 run 1 run "$pages/fails.md" -o fails
 there fails/table.tsv
 run 1 check "$pages/passes.md" "$pages/fails.md" "$pages/swept.md"
 out '1 of 2 checks passed'
 out 'D.x increases with v'
-verdict 'the worst status of several pages, and all of them are done'
+verdict 'several pages: all are run, the worst status counts'
 
 run 2 run "$pages/mistaken.md" -o mistaken
 said "$pages/mistaken.md:6:16: error: expected"
 said 'did you mean `radius`?'
 quiet out
 absent mistaken
-verdict 'a page with a mistake: 2, with its place, and nothing is written'
+verdict 'an invalid page: status 2, with its position, no files'
 run 2 run "$pages/mistaken.md" "$pages/passes.md"
 there passes.out/table.tsv
 rm -rf passes.out
-verdict 'and the pages after it are run'
+verdict 'the pages after an invalid one are run'
 
 run 3 check "$pages/nowhere.md"
 said 'particle 2 (line 9): its position is NaN or infinite'
 said 'after cycle 1, at 1 s'
 run 3 run "$pages/nowhere.md" -o nowhere
 out 'tables are in nowhere, up to where the run was stopped'
-grep -q '^# incomplete: particle 2 (line 9)' nowhere/table.tsv || echo 'the table does not say that it is incomplete' >>why
-test "$(column D.x/- nowhere/table.tsv | wc -l)" -eq 1 || echo 'not the one row that was seen' >>why
-verdict 'physics that breaks: 3, naming body, line and moment'
+grep -q '^# incomplete: particle 2 (line 9)' nowhere/table.tsv || echo 'the table is not marked as incomplete' >>why
+test "$(column D.x/- nowhere/table.tsv | wc -l)" -eq 1 || echo 'the table does not have the one row before NaN' >>why
+verdict 'NaN: status 3, with particle, line and time'
 
 run 3 run "$pages/past-each-other.md"
 said 'particle 1 (line 7): in cycle 1, at 0.000396333 s, it moved by 0.396333 m in one step of 0.000396333 s'
 said 'its radius, 0.01 m'
-verdict 'two discs that would change sides in one step: 3, naming particle, moment and limit'
+verdict 'two discs that pass each other in one step: status 3, with particle, time and limit'
 
 run 3 run "$pages/pushed-through.md"
 said 'particle 1 (line 9) and particle 2 (line 10): at cycle '
 said 's, they overlap by 0.01000'
 said 'the smaller radius, 0.01 m'
-verdict 'a disc that is pushed through another one: 3, naming both, moment and limit'
+verdict 'a disc that is pushed through another one: status 3, with both particles, time and limit'
 
 run 3 run "$pages/whole-turn.md"
 said 'wall `blade` (line 6): in cycle 1, at 0.001 s, it turned by 6.28319 rad in one step of 0.001 s'
-verdict 'a wall that turns too far in one step: 3, naming it, moment and limit'
+verdict 'a wall that rotates too far in one step: status 3, with wall, time and limit'
 
 run 3 run "$pages/too-long-a-step.md"
 said 'body 1 (line 5): at cycle 0, 0 s, the step 1 s is above what is sure to be stable, 0.000792665 s'
@@ -113,7 +113,7 @@ for step in '2 of stable:write `step 0.8 of stable`' '1 per collision:write `ste
 done
 run 0 explain "$pages/too-long-a-step.md"
 out 'as if they touched; ABOVE it: the run will be aborted'
-verdict 'a step that is too long for the first contact: 3 before there is one'
+verdict 'a step that is too long for the first contact: status 3 before the contact'
 
 run 0 check "$pages/warns.md"
 for where in out said; do
@@ -127,9 +127,9 @@ run 0 check "$pages/warns.md" --tap
 out "# $pages/warns.md:4: warning: friction"
 run 0 explain "$pages/warns.md" --set shear=linear
 out 'their shear stiffness `ks` is 0'
-verdict 'warnings: said once on standard error, repeated by verdict and explain, and the status stays'
+verdict 'warnings: once on standard error, repeated by verdict and explain, no change of the status'
 
-if command -v script >/dev/null; then # both are one terminal: once is enough
+if command -v script >/dev/null; then # both streams are the same terminal
   for command in check explain 'check --tap'; do
     script -qec "'$nineball' $command '$pages/warns.md'" /dev/null >out 2>&1 </dev/null
     test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 || echo "not once on a terminal: $command" >>why
@@ -137,23 +137,23 @@ if command -v script >/dev/null; then # both are one terminal: once is enough
     test "$(grep -c 'warns.md:4: warning: friction' out)" -eq 1 && grep -q 'warning: friction' repeated ||
       echo "not in both: $command" >>why
   done
-  verdict 'warnings: once on a terminal, and kept where standard output is not that'
+  verdict 'warnings: once on a terminal, twice if standard output is a file'
 fi
 
-for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # which were solved without end
+for page in 5-numerics/rayleigh-mean:gap='1e300 mm' 8-published/chung-ooi-6:beta=1e9; do # solving them did not end once
   run 2 check "$cases/${page%%:*}.md" --set "${page#*:}"
   said "$cases/${page%%:*}.md: error: "
 done
-verdict 'a reference that finds no end says so'
+verdict 'a reference without a solution reports an error'
 
 run 3 check "$pages/never-ends.md"
 said 'stage `wait` (line 10) did not end within 20 cycles: D.x is 5 and should be above 6'
 run 3 run "$pages/never-ends.md" -o never
 for file in table verdict wait-particles; do
-  grep -q '^# incomplete: stage `wait`' "never/$file.tsv" || echo "$file does not say that it is incomplete" >>why
+  grep -q '^# incomplete: stage `wait`' "never/$file.tsv" || echo "$file is not marked as incomplete" >>why
 done
 test "$(column cycle/- never/table.tsv | tail -n 1)" = 20 || echo 'the last row is missing' >>why
-verdict 'a stage that never ends: 3, saying what it waits for'
+verdict 'a stage that never ends: status 3, with its condition'
 
 run 2 check "$pages/asks-nothing.md"
 said 'nothing is expected'
@@ -167,8 +167,8 @@ out 'note  report D.x max'
 out '        computed 1'
 out '  2 noted'
 run 0 run reports.md -o reports
-test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'what is reported is not in values.tsv' >>why
-verdict 'no page passes by asking nothing, though it can be run, and `report` is no claim'
+test "$(column 'D.x max/-' reports/values.tsv)" = 1 || echo 'a reported measure is not in values.tsv' >>why
+verdict 'a page without expectations does not pass but can be run; `report` is not an expectation'
 
 run 1 check --tap "$pages/fails.md"
 out '1..2'
@@ -189,14 +189,14 @@ run 2 frobnicate
 said 'there is no command `frobnicate`; see nineball --help'
 run 2 check
 said '`nineball check` needs a page'
-verdict 'no command, an unknown one, one without a page'
+verdict 'no command, an unknown command, a command without a page'
 
 run 2 check "$work/none.md"
 said "$work/none.md"
 said 'No such file'
 run 2 run "$work"
 said "$work"
-verdict 'a page that is not there, a folder for a page'
+verdict 'a missing page, a folder as a page'
 
 run 2 check --frobnicate "$pages/passes.md"
 said 'see nineball --help'
@@ -211,9 +211,9 @@ said 'expected NAME=VALUE behind --set, found `v`'
 run 2 run -o both "$pages/passes.md" "$pages/swept.md"
 said 'one page at a time'
 absent both
-verdict 'options that are wrong'
+verdict 'invalid options'
 
-# Each command with an option that it does not use; the message names those that do.
+# Each command with an option that it does not use; the message names the commands that do.
 for use in 'check -o out:--output, which is an option of: run, figure, report, state' 'check --stage a:--stage, which is an option of: state' \
   'figure --tap:--tap, which is an option of: check' 'explain -o out:--output, which' 'explain --jobs 2:--jobs, which is an option of: run, check, figure, report' \
   'state --jobs 2:--jobs, which' \
@@ -224,7 +224,7 @@ for use in 'check -o out:--output, which is an option of: run, figure, report, s
   quiet out
   said "nineball: \`nineball ${command%% *}\` does not use ${use#*:}"
 done
-for command in run check figure report explain state; do # what all take
+for command in run check figure report explain state; do # options of all commands
   run 0 $command "$pages/passes.md" --threads 1 --isa plain --states there
 done
 run 0 check "$pages/passes.md" --tap --jobs 2
@@ -285,10 +285,10 @@ out '    line 24: ramp servo mean 12 on boundary through boundary affine at most
 out 'there are no contacts yet'
 out '  c2, at most 10 cycles'
 out '  line 10: region A circle 1 2 radius 5 rings 3 from b: 1 particles now'
-grep -c 'line 30:' out | grep -qx 1 || echo 'a statement belongs to one stage' >>why
+grep -c 'line 30:' out | grep -qx 1 || echo 'a statement is shown in several stages' >>why
 verdict 'explain'
 
-# ---- what a run leaves ----
+# ---- files of a run ----
 run 0 run "$pages/passes.md"
 out 'tables are in passes.out'
 for file in table values verdict; do there passes.out/$file.tsv; done
@@ -296,35 +296,35 @@ test "$(column D.x/- passes.out/table.tsv | tail -n 1)" = 1.5 || echo 'D.x does 
 test "$(column time/- passes.out/table.tsv | wc -l)" -eq 9 || echo 'not 9 rows' >>why
 run 0 run "$pages/passes.md" -o one/two/three
 there one/two/three/table.tsv
-verdict 'tables, in the default folder and in one that is made'
+verdict 'tables in the default folder and in a new folder'
 
 run 1 run "$pages/passes.md" -o set --set v=0.25
-test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.25 || echo '--set v=0.25 does not hold' >>why
+test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.25 || echo '--set v=0.25 has no effect' >>why
 run 0 run "$pages/passes.md" -o set --set 'step=0.0625' --set v=1
-test "$(column step/- set/table.tsv | tail -n 1)" = 0.0625 || echo '--set step does not hold' >>why
-test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.5 || echo 'two --set do not hold' >>why
-grep -qx '# page passes, step=0.0625, v=1, FNV-1a [0-9a-f]*' set/table.tsv || echo 'the table does not say what was set' >>why
+test "$(column step/- set/table.tsv | tail -n 1)" = 0.0625 || echo '--set step has no effect' >>why
+test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.5 || echo 'two --set have no effect' >>why
+grep -qx '# page passes, step=0.0625, v=1, FNV-1a [0-9a-f]*' set/table.tsv || echo 'the table lacks the settings' >>why
 run 0 run "$pages/passes.md" -o other --set step=0.0625 --set v=1.0
 sed -n 's/.*FNV-1a //p' passes.out/table.tsv set/table.tsv other/table.tsv | sort | uniq -d >>why
 run 0 explain "$pages/same-bits.md" --set shear=none
 out 'normal linear'
-grep -q 'shear linear  ' out && echo '--set shear=none does not hold' >>why
+grep -q 'shear linear  ' out && echo '--set shear=none has no effect' >>why
 run 2 explain "$pages/passes.md" --set shear=liner
 said 'did you mean `linear`?'
 run 2 run "$pages/passes.md" --set w=1
 said '`w`'
-verdict '--set: a value, the step, a law, what does not exist'
+verdict '--set: a value, the step, a law, an unknown name'
 
-# ---- a path of the user's own ----
+# ---- a path from a file ----
 printf 'approach/um\tslip/m\tnote\n# out\n1\t0\ta\n\n1\t1e-7\tb\n2\t-1e-7\tc\n' >path.tsv
 run 0 run "$pages/bench.md" -o path
 out '1 of 1 checks passed'
-test "$(column overlap/m path/table.tsv | tail -n 1)" = 3.0000000000000001e-06 || echo 'the legs of the page do not hold' >>why
+test "$(column overlap/m path/table.tsv | tail -n 1)" = 3.0000000000000001e-06 || echo 'the segments of the page were not followed' >>why
 there path/press-traction.tsv
 there path/press-pieces.tsv
 run 0 run "$pages/bench.md" --set follow=path.tsv -o path
 test "$(column slip/m path/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 ' || echo 'the path was not followed' >>why
-test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'nor was its unit' >>why
+test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'the unit of the path was ignored' >>why
 column stage path/table.tsv | grep -qv follow && echo 'a segment of the page is left' >>why
 {
   sed '/^segment/,$d' "$pages/bench.md"
@@ -346,12 +346,12 @@ said 'path.tsv:2:6: error: expected a number for the slip, found `nought`'
 absent bad
 run 2 run "$pages/passes.md" --set follow=path.tsv
 said 'expected a page with a path for `follow`'
-verdict "--set follow: the page's contact along another path, and what is wrong with one"
+verdict '--set follow: the contact of the page on another path, and invalid paths'
 
 run 0 run "$pages/swept.md" -o swept
 test "$(column v/- swept/table.tsv | sort -u | wc -l)" -eq 3 || echo 'no column v' >>why
 run 0 run "$pages/swept.md" --set v=1 -o left
-test "$(column v/- left/values.tsv)" = 1 || echo 'no column v where --set has left one value' >>why
+test "$(column v/- left/values.tsv)" = 1 || echo 'no column v with one value by --set' >>why
 test "$(column D.x/- swept/table.tsv | wc -l)" -eq 27 || echo 'not 3 runs of 9 rows' >>why
 run 2 check "$pages/swept.md" --set v=1
 run 0 run "$pages/passes.md" -o again --set v=0.5
@@ -368,15 +368,15 @@ out 'from 1 to 2: mean difference +2.5, 95 % confidence 0.4457 to 4.554, mean 4.
 out '2 of 2 checks passed, 6 noted'
 run 0 check "$pages/sample.md" --tap
 out 'ok 3 - D.x expected 0.5 of D.x max over seed [a share, 1 in all] (T=1, n=8) # SKIP noted, not judged'
-run 1 check "$pages/sample.md" --set push=-2 # all distances less by 3: the interval holds 0, and its end is beyond 4.6 no more
+run 1 check "$pages/sample.md" --set push=-2 # all distances smaller by 3: the interval contains 0 and ends below 4.6
 out 'FAIL  D.x increases with T over seed'
 out 'from 1 to 2: mean difference -0.5, 95 % confidence -2.554 to 1.554'
 run 1 check "$pages/sample.md" --set push=0.1
 out 'FAIL  D.x constant with T over seed within 4.6'
-run 2 check "$pages/sample.md" --set seed=1 # nothing is left to judge by
-verdict 'samples: where an expected number lies, and differences with their confidence'
+run 2 check "$pages/sample.md" --set seed=1 # no sample is left
+verdict 'samples: the range of an expected number, and differences with confidence intervals'
 
-# ---- nothing that is expected vanishes ----
+# ---- no expectation is lost ----
 run 0 check "$pages/hidden.md"
 out '2 of 2 checks passed'
 out '6 expectations were not checked:'
@@ -390,9 +390,9 @@ run 0 check "$pages/hidden.md" --tap
 out '1..8'
 out 'ok 2 - D.x constant with v within 0 # SKIP `v` has one value only, so there is nothing to compare'
 run 0 run "$pages/hidden.md" -o hidden
-grep -q '^skip	45	' hidden/verdict.tsv || echo 'the verdict as a table does not have it' >>why
+grep -q '^skip	45	' hidden/verdict.tsv || echo 'verdict.tsv does not have it' >>why
 run 0 report "$pages/hidden.md" -o hidden
-grep -q '<td class="skip">skip</td><td>D.x constant with v' hidden/index.html || echo 'nor has the report' >>why
+grep -q '<td class="skip">skip</td><td>D.x constant with v' hidden/index.html || echo 'the report does not have it' >>why
 run 2 check "$pages/swept.md" --set v=1
 out '1 expectation was not checked:'
 said 'no expectation of this page could fail'
@@ -403,45 +403,45 @@ printf '```expect\nD.x expected 3 over seed [alone]\n```\n' >>unasked.md
 run 2 check unasked.md
 out ' noted'
 said 'no expectation of this page could fail'
-verdict 'what is expected and not checked is said, and a page of nothing else does not pass'
+verdict 'expectations that are not checked are reported; a page with no others does not pass'
 
 for jobs in 1 2 3; do
   run 0 run "$pages/swept.md" -o "jobs$jobs" --jobs $jobs
   grep -v '^#' "jobs$jobs/table.tsv" >"jobs$jobs.tsv"
 done
-cmp -s jobs1.tsv jobs2.tsv && cmp -s jobs1.tsv jobs3.tsv || echo 'side by side gives another table' >>why
+cmp -s jobs1.tsv jobs2.tsv && cmp -s jobs1.tsv jobs3.tsv || echo 'parallel runs give another table' >>why
 sed 's/^sweep.*/sweep v 0 0.01 0.02/; s/^cycles .*/until D.x above 1.02 at most 8 cycles/' "$pages/swept.md" >ends.md
-run 3 check ends.md --jobs 2 # the first never, the others late
+run 3 check ends.md --jobs 2 # the first run never ends, the others end late
 said 'D.x is 1 and should be above 1.02 (run v=0)'
 run 2 check "$pages/swept.md" --jobs 0
 said 'expected a number from 1 to 256 behind --jobs, found `0`'
-verdict '--jobs: runs side by side, the same rows, and the first that breaks is said'
+verdict '--jobs: parallel runs, the same rows, and the first aborted run is reported'
 
-# ---- what goes wrong while writing ----
+# ---- failures of writing ----
 : >file
 run 2 run "$pages/passes.md" -o file/under
 said 'cannot make the folder file/under: Not a directory'
 run 2 run "$pages/passes.md" -o file
 said 'cannot make the folder file'
-verdict 'a folder that cannot be made'
+verdict 'a folder that cannot be created'
 
 sed 's/^stage .*/&\n  rotation off/' "$pages/../../cases/8-published/chung-ooi-6.md" >held.md
 run 2 check held.md
 said "held.md: error: the reference \`rebound\` does not cover \`rotation off\` (line $(sed -n '/^  rotation off/=' held.md))"
-verdict 'what a reference does not cover is refused, with its line'
+verdict 'a feature that a reference does not cover is refused, with its line'
 
 run 0 run "$pages/same-bits.md" -o kept
 cp -r kept before
 (
-  trap '' XFSZ # too large a file is then an error like a full disk, not the end
-  ulimit -f 8  # 4 KiB: room for the beginning of a table, and for what a library of threads wants
+  trap '' XFSZ # a file above the limit is then an error like a full disk
+  ulimit -f 8  # 4 KiB: enough for the beginning of a table and for a thread library
   "$nineball" run "$pages/same-bits.md" --set friction=0.1 -o kept 2>&1 >/dev/null
   echo "status $?"
 ) | cat >said
 said 'cannot write kept/table.tsv'
 said 'status 2'
 diff -r before kept >>why
-verdict 'a disk that is full: 2, and the old tables stay'
+verdict 'a full disk: status 2, and the old tables stay'
 
 if test -w /dev/full; then
   "$nineball" list >/dev/full 2>said
@@ -449,7 +449,7 @@ if test -w /dev/full; then
   said 'the output could not be written'
   "$nineball" check "$pages/passes.md" >/dev/full 2>said
   test $? -eq 2 || echo 'the status of check is not 2' >>why
-  verdict 'standard output on a full disk: 2'
+  verdict 'standard output on a full disk: status 2'
 else
   n=$((n + 1))
   echo "ok $n - standard output on a full disk # SKIP there is no /dev/full"
@@ -465,7 +465,7 @@ test "$(cat status)" -eq 2 || echo "status $(cat status), wanted 2" >>why
 said 'the output could not be written'
 "$nineball" list >&- 2>said
 test $? -eq 2 || echo 'closed standard output: the status is not 2' >>why
-verdict 'a pipe that nobody reads, a closed standard output: 2'
+verdict 'a pipe without a reader, a closed standard output: status 2'
 
 # ---- figures ----
 path=$PATH
@@ -475,25 +475,25 @@ PATH=$path
 said 'gnuplot cannot be run'
 said 'gnuplot-nox'
 there drawn/passes.gp
-verdict 'no gnuplot: said, and its package named'
+verdict 'no gnuplot: the message names the package'
 
 if command -v gnuplot >/dev/null; then
   mkdir -p tree/cases
   sed 's/^plot /eval canvas(300, 200)\n&/' "$pages/passes.md" >tree/cases/large.md
   run 0 figure tree/cases/large.md -o drawn --trust
   grep -q 'width="300" height="200"' drawn/large.svg || echo 'the figure is not as large as the page says' >>why
-  head -c 4 drawn/large.png | grep -q PNG || echo 'large.png is no PNG' >>why
-  grep -q 'rgb(221, 221, 221)\|#dddddd' drawn/large.svg || echo 'a page anywhere has not the style' >>why
-  verdict 'a figure of the size that the page says, twice'
+  head -c 4 drawn/large.png | grep -q PNG || echo 'large.png is not a PNG file' >>why
+  grep -q 'rgb(221, 221, 221)\|#dddddd' drawn/large.svg || echo 'a page outside of the tree does not have the style' >>why
+  verdict 'a figure of the size of the page, as SVG and PNG'
 
   sed "s|^plot .*|&, \$table using 'time/-':'D.y/-' with lines|" "$pages/passes.md" >tree/cases/lacks.md
   run 2 figure tree/cases/lacks.md -o lacks --trust
   said 'gnuplot refused lacks/lacks.gp: '
   said 'no column with header "D.y/-"'
   absent lacks/lacks.svg
-  verdict 'a figure that asks for a column that is not there'
+  verdict 'a figure with a missing column'
 
-  # All that --help gnuplot names, asked for by a page.
+  # A page that uses all variables of --help gnuplot.
   sed '/^```gnuplot/,/^```$/d; s/^stage  *strike/stage STAGE\n  snapshot/; s/ in strike//' \
     "$cases/2-hertz/hertz-impact-wall.md" >tree/cases/given.md
   names=$("$nineball" --help gnuplot | sed -n 's/^        \([^ :]*\): .*/\1/p')
@@ -507,7 +507,7 @@ if command -v gnuplot >/dev/null; then
   test "$(echo "$names" | wc -l)" -ge 8 || echo 'nineball --help gnuplot names less than it should' >>why
   run 0 figure tree/cases/given.md -o drawn --trust --set wall=steel --set h=0.04
   grep -q "^[$]table << EOD" drawn/given.gp || echo 'there are several runs' >>why
-  verdict 'all that --help gnuplot names is given to a page'
+  verdict 'a page gets all variables of --help gnuplot'
 
   # One run has the numbered names, too: the figure of a sweep still works when --set leaves one value.
   {
@@ -529,7 +529,7 @@ if command -v gnuplot >/dev/null; then
   run 0 figure tree/cases/long.md -o drawn --trust
   grep -q "^${long}_x = " drawn/long.gp || echo 'a name of 49 characters has no variable' >>why
   ! grep -q "^x${long}_x = " drawn/long.gp || echo 'a name of 50 characters has a variable' >>why
-  verdict 'a figure has variables whose names gnuplot keeps, and no others'
+  verdict 'variables with names that gnuplot would cut are left out'
 fi
 
 run 0 figure "$pages/swept.md" -o drawn

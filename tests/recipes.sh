@@ -1,5 +1,5 @@
 #!/bin/sh
-# Recipes of figures count and add up before they draw. Here they do so for contacts of which everything is known, and say what came out. TAP.
+# Tests the numbers that plot recipes compute before they draw, for contacts with known forces and directions. TAP.
 # $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -11,7 +11,7 @@ if ! command -v gnuplot >/dev/null; then
   exit 0
 fi
 
-# Two rows of three discs, those at the ends fixed: pressed with 2 and 2, and with 2 and 1; a disc on a wall, pressed with 1. The last one has turned.
+# Two rows of three discs with fixed ends: contact forces 2 and 2 in one row, 2 and 1 in the other. A rotated disc on a wall: 1.
 mkdir -p "$work/cases" && cd "$work/cases" || exit 1
 cat >known.md <<'EOF'
 # Known contacts
@@ -69,7 +69,7 @@ stats @particles using (column('particle/-') == 7 ? shade(0) : 0) name 'shade' n
 print sprintf('turned %.0g from %g to %g', turned_max, shade_min, shade_max)
 ```
 EOF
-# Two rows make 4 contacts along x with a mean end of 1 in 9 along y; 0.5 is as long as 2, so that what is left over of 2 - 1 is 0.25.
+# The two rows have 4 contacts in x. The length 0.5 represents the force 2, so the gap of the polygon with 2 and 1 is 0.25.
 cat >wanted <<'EOF'
 normals 4 4, the largest 4, of walls 0
 weighted 7.000000 7.000000, the largest 7.000000
@@ -83,7 +83,7 @@ EOF
 "$nineball" figure known.md -o out --trust 2>said >"$why" # gnuplot prints to standard error
 status=$?
 cat said >>"$why"
-result $status "figures of known contacts are drawn"
+result $status "the recipes draw"
 diff wanted said >"$why" 2>&1
-result $? "and count and add up what is known"
+result $? "their numbers are right"
 echo "1..$n"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What `figure`, `report` and `state` do with pages that are strange or break: their status, what they leave, and what they show of
-# names. TAP. $NINEBALL is the program, $srcdir the top of the source tree.
+# Tests `figure`, `report` and `state` with unusual pages and with failures: exit status, files, and how names are shown.
+# TAP. $NINEBALL is the program, $srcdir the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
@@ -8,13 +8,13 @@
 pages=$(pwd)/tests/pages
 cd "$work" || exit 1
 
-# run STATUS ARGUMENT ...: the program must end with this status; $why holds what it said.
+# run STATUS ARGUMENT ...: the program must end with this status; its output is in $why.
 run() {
   wanted=$1
   shift
   "$nineball" "$@" >"$why" 2>&1 </dev/null
   status=$?
-  echo "status $status, wanted $wanted" >>"$why"
+  echo "status $status, expected $wanted" >>"$why"
   test $status -eq "$wanted"
 }
 said() { grep -qF -e "$1" "$why"; }
@@ -44,7 +44,7 @@ run 2 report "$strange.md" -o strange && said 'nothing was checked' &&
   test "$(grep -c '<script>\|<b>' strange/index.html)" -eq 0 &&
   grep -q '&lt;b&gt;&amp;&quot;&#39;#%20?</a>' strange/index.html &&
   grep -q 'href="%3Cb%3E%26%22%27%23%2520%3F/table.tsv"' strange/index.html
-result $? 'a name and a title with signs of HTML: shown as they are'
+result $? 'characters of HTML in a name and a title are escaped'
 
 mkdir one other
 cp "$pages/passes.md" one/page.md
@@ -55,18 +55,18 @@ for command in run figure report; do
   result $? "$command: two pages of one name do not share a folder"
 done
 
-# ---- files that are there ----
+# ---- existing files ----
 
 cp one/page.md keep.md
 run 2 state one/page.md -o keep.md && said 'keep.md is not a state' && cmp -s one/page.md keep.md
-result $? 'state -o writes over no page'
+result $? 'state -o does not overwrite a page'
 run 0 state one/page.md -o made.state && run 0 state one/page.md -o made.state
-result $? 'but over a state'
+result $? 'but it overwrites a state'
 ln -s keep.md link.state
 run 2 state one/page.md -o link.state && cmp -s one/page.md keep.md && test -h link.state
-result $? 'nor does it follow or replace a link'
+result $? 'it does not follow or replace a link'
 
-# A temporary file has the name of its process: links wait under all names that it may get.
+# The name of a temporary file contains the process number: links are made for all numbers that the process can get.
 mkdir links
 echo mine >mine
 sh -c 'p=$$; k=0; while test $k -lt 2000; do ln -s ../mine links/table.tsv.$((p + k)).new; k=$((k + 1)); done; exec "$0" run one/page.md -o links' "$nineball" >"$why" 2>&1
@@ -77,25 +77,25 @@ mkdir left
 : >left/table.tsv.999999.new
 : >left/other.tsv.1.new
 run 0 run one/page.md -o left && test ! -e left/table.tsv.1.new && test ! -e left/table.tsv.999999.new && test -e left/other.tsv.1.new
-result $? 'what an ended process left of a file goes when the file is written'
+result $? 'temporary files of ended processes are removed'
 (
   flock 9
   run 0 run one/page.md -o left && test -e left/table.tsv.7.new
 ) 9>left/table.tsv.7.new
-result $? 'what somebody still writes stays'
+result $? 'the temporary file of a running process stays'
 
 # ---- status ----
 
 run 3 report "$pages/never-ends.md" "$pages/passes.md" -o some && said 'did not run to its end' &&
   grep -q 'href="never-ends/table.tsv"' some/index.html && test -s some/never-ends/wait-particles.tsv &&
   grep -q 'did not end within 20 cycles' some/index.html
-result $? 'report: a run that was stopped is status 3, and its tables are there'
+result $? 'report: an aborted run is status 3, and its tables are written'
 run 2 report none.md "$pages/passes.md" -o some && grep -q '>none</a>' some/index.html
-result $? 'report: a page that cannot be read has its line'
+result $? 'report: a page that cannot be read has a line'
 run 0 report "$pages/hidden.md" -o some && said '2 checks, 0 failed' &&
   grep -q '<td>2</td><td class="pass">0</td><td>0</td><td>6</td>' some/index.html &&
   grep -q '2 checks, 0 failed, 0 noted, 6 skipped' some/index.html
-result $? 'report: what was skipped is counted apart from checks'
+result $? 'report: skipped expectations are counted separately'
 run 2 report "$pages/passes.md" "$pages/asks-nothing.md" -o some && said '0 checks, 0 failed; nothing was checked' &&
   grep -q '<td>0</td><td class="fail">0, nothing was checked</td>' some/index.html &&
   grep -q '1 on which nothing was checked' some/index.html
@@ -104,10 +104,10 @@ run 2 report "$pages/fails.md" "$pages/mistaken.md" "$pages/passes.md" -o mixed 
   grep -q '>fails</a>' mixed/index.html && grep -q '>mistaken</a>' mixed/index.html && grep -q '>passes</a>' mixed/index.html &&
   test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test ! -e mixed/mistaken &&
   grep -q 'mistaken.md:6:16: error: expected' mixed/index.html
-result $? 'report: a page with a mistake takes none of the others with it, and is status 2'
+result $? 'report: an invalid page is status 2, and the other pages are run'
 run 3 report "$pages/mistaken.md" "$pages/never-ends.md" "$pages/fails.md" "$pages/passes.md" -o mixed &&
   test -s mixed/fails/table.tsv && test -s mixed/passes/table.tsv && test -s mixed/never-ends/table.tsv
-result $? 'report: of several pages the worst gives the status'
+result $? 'report: the status is the worst of all pages'
 mkdir -p blocked && : >blocked/passes
 run 2 report "$pages/passes.md" -o blocked && said 'no tables' && grep -q 'no tables' blocked/index.html
 result $? 'report: tables that cannot be written are status 2'
@@ -123,10 +123,10 @@ if command -v gnuplot >/dev/null; then
   printf '\n```gnuplot\nplot $table using "cycle/-":"D.x/-" with points\n```\n' | cat "$pages/never-ends.md" - >stopped.md
   run 3 figure stopped.md -o some && said 'look at some/stopped.svg, up to where the run was stopped' &&
     grep -q INCOMPLETE some/stopped.svg
-  result $? 'figure: a run that was stopped is drawn up to then, and the figure says so'
-  # Of a sweep whose first run is stopped the others are not begun: they have no tables.
+  result $? 'figure: an aborted run is drawn, and the figure says so'
+  # If the first run of a sweep is aborted, the others are not started and have no tables.
   run 3 figure "$pages/../../cases/8-published/chung-ooi-3.md" --set 'step=1 s' --jobs 1 -o some &&
     said 'look at some/chung-ooi-3.svg, up to where the run was stopped'
-  result $? 'figure: of a sweep whose first run is stopped'
+  result $? 'figure: a sweep whose first run is aborted'
 fi
 echo "1..$n"

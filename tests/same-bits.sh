@@ -1,5 +1,5 @@
 #!/bin/sh
-# The same table, byte by byte, whatever the number of threads and the instruction set. TAP. $NINEBALL is the program,
+# Tests that the table is the same, byte by byte, for any number of threads and any instruction set. TAP. $NINEBALL is the program,
 # ./nineball by default; $srcdir is where tests/pages lies.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -9,7 +9,7 @@ page=${srcdir:-.}/tests/pages/same-bits.md
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 
-# All files that a run leaves, under one name each, as one text.
+# Runs the page and writes all tables, with their names, to one file.
 run() {
   folder=$work/$1
   shift
@@ -28,7 +28,7 @@ rows=0
 if run first --threads 1 --isa plain; then
   rows=$(grep -c '[0-9]	rest	' "$work/first/table.tsv")
 fi
-# 10 rows of the last stage, of each of two runs; in the second a disc slides along a wall.
+# 10 rows of the last stage in each of two runs; in the second run a disc slides along a wall.
 if test "$rows" -eq 20 && cut -f 28 "$work/first/table.tsv" | grep -qx 1; then
   echo "ok 1 - the page runs"
 else
@@ -41,9 +41,9 @@ for options in "$@"; do
   n=$((n + 1))
   if run "$n" $options; then
     if cmp "$work/first.all" "$work/$n.all" >"$work/said" 2>&1; then
-      echo "ok $n - ${options:-as by default}"
+      echo "ok $n - ${options:-default options}"
     else
-      echo "not ok $n - ${options:-as by default}"
+      echo "not ok $n - ${options:-default options}"
       sed 's/^/# /' "$work/said"
     fi
   elif grep -q 'this machine does not run' "$work/said"; then

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The sketches of docs/sketches are what their scripts draw, and no file is too large. TAP.
+# Tests docs/sketches: every sketch is as its script draws it, and no file is too large. TAP.
 # $srcdir is the top of the source tree.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
@@ -18,9 +18,9 @@ for sketch in docs/sketches/*.svg; do
   test "$(wc -c <"$sketch")" -lt 20000 || echo "$sketch has 20000 bytes or more"
 done >>"$work/said"
 test ! -s "$work/said"
-result $? 'every sketch has its script, and is small'
+result $? 'every sketch has a script and is small'
 
-drawn='the sketches are what docs/sketches/draw.sh draws'
+drawn='the sketches are as docs/sketches/draw.sh draws them'
 case $(gnuplot --version 2>/dev/null) in
 "$version "*)
   mkdir "$work/drawn"

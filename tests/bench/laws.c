@@ -1,10 +1,10 @@
-/* What a shear law costs: spheres in a box, a dense triangular packing that is pressed together by 1e-4 of their diameter and shaken,
- * so that contacts load and unload, stick, slip a little and slide, and a few part. Nanoseconds for each contact update, million
- * updates in a second and the ratio to the law without micro-slip, for every shear law there is, in two sizes. A contact update is one
- * listed contact through one whole cycle, the motion of the bodies included: what a whole run takes, not the law alone.
+/* Measures the cost of shear laws: spheres in a box, a dense triangular lattice that is compressed by 1e-4 of the diameter and shaken.
+ * Contacts load and unload, stick, slip partly and slide, and a few open. Prints nanoseconds per contact update, million updates per
+ * second, and the ratio to the law without micro-slip, for every shear law, in two sizes. A contact update is one cycle of one pair of
+ * the neighbour list, including the motion of the particles.
  *
- * In seconds of the processor. Laws take turns, so that whatever else the machine does falls on all of them alike; medians of
- * eleven. The line `price` is that of cases/4-oblique/contact-ladder.md. Not a test: compare the ratios of one run.
+ * Times are processor times. The laws take turns, so other processes affect all of them equally; medians of eleven runs. The line
+ * `cost` is that of cases/4-oblique/contact-ladder.md. Not a test: compare the ratios of one run.
  *
  *   tests/bench/laws [ISA [LAW]]
  *
@@ -102,7 +102,7 @@ static void compare(int side, const char *isa, const char *only) {
     const double median = ns[k][RUNS / 2];
     printf("%8d %20s %8.2f %8.1f %8.2f\n", side * side, laws[k], median, 1e3 / median, median / ns[base][RUNS / 2]);
   }
-  printf("price = '");
+  printf("cost = '");
   for (int k = 0; k < count; k++)
     printf("%s%s %.2f", k ? "  " : "", laws[k], ns[k][RUNS / 2] / ns[base][RUNS / 2]);
   puts("'");

@@ -1,9 +1,8 @@
-/* How many contact updates a second: a dense triangular packing of discs in a box that is being squeezed, with friction, with
- * dashpots of beta k too, and without either, in sizes that live in different caches, for every instruction set that this machine
- * has and for one and two threads. Median of five runs. A contact update is one listed contact through one whole cycle, the
- * motion of the bodies included.
+/* Measures contact updates per second: a dense triangular lattice of discs in a box that is compressed, with friction, with dashpots
+ * of beta k too, and without both. Sizes fit into different caches. All instruction sets of this machine, one and two threads. Median
+ * of five runs. A contact update is one cycle of one pair of the neighbour list, including the motion of the particles.
  *
- * Not a test: it prints, and never fails. Compare columns of one run, not numbers of two days.
+ * Not a test: it prints, and never fails. Compare columns of one run only.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

@@ -1,18 +1,18 @@
 #!/bin/sh
-# Is the loop of every law wide in every instruction set? Asks the compiler itself, and fails where it says no.
+# Tests that the loop of every law is vectorised in every instruction set, according to the compiler.
 #
 #   CC=... FLAGS=... wide.sh LAW.c ...
 #
-# NB_FORMS makes a function NAME_plain, NAME_avx2, NAME_avx512 of each law's loop; each is compiled here as in the
-# library, with the compiler's own account of what it made wide. A law that declares BRANCHING is not asked. Prints one line for each
-# function: its name and the bytes of its vectors, or NARROW.
+# NB_FORMS makes functions NAME_plain, NAME_avx2 and NAME_avx512 of the loop of each law. Each is compiled here as in the library,
+# with the compiler's report on vectorised loops. A law that declares BRANCHING is not tested. Prints one line for each function: its
+# name and the bytes of its vectors, or NARROW.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# "FUNCTION BYTES" for each function of file $1 with a wide loop; no loop is taken for a call of memset before that.
+# "FUNCTION BYTES" for each function of file $1 with a vectorised loop; loops must not be replaced by calls of memset before.
 ask_gcc() {
   : >"$work/account"
   $CC $FLAGS -fno-tree-loop-distribute-patterns -fdump-tree-vect-optimized="$work/account" -c -o "$work/law.o" "$1"

@@ -1,13 +1,13 @@
 #!/bin/sh
-# Do the checks see a small mistake? `make mutants` makes one after the other in a copy of the tree, compiles the one file, and
-# runs the unit tests, then the invalid pages, then the cases, until one is red. It lists who caught which mistake; one that nobody caught makes it fail.
+# Mutation testing: `make mutants` changes one place after the other in a copy of the tree, compiles, and runs the unit tests, the
+# invalid pages and the cases until one fails. It lists which check killed which mutant, and fails if a mutant survives.
 #
 #   make mutants                          all; about a second each
-#   make mutants MUTANTS=shear_linear     those whose file or description has the word
-#   make mutants MUTANTS=loading          those of a module; the only way to them
+#   make mutants MUTANTS=shear_linear     those whose file or description contains the word
+#   make mutants MUTANTS=loading          those of a module; without its name they are left out
 #
-# What is changed stands in tests/mutants/rules.txt. The copy is kept in mutants/ of the build folder, to build less the next time;
-# `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK are what they say.
+# The rules are in tests/mutants/rules.txt. The copy stays in mutants/ of the build folder, so that the next run builds less;
+# `make clean` removes it. $NB_PAGES are the pages, $srcdir is the top of the source tree, $MAKE, $CC and $AWK the programs.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 set -u
@@ -26,7 +26,8 @@ stop() {
 
 # ---- the copy --------------------------------------------------------------------------------------------------------
 
-# Times are kept at first, so that autotools do not run; later what differs comes anew, what a stopped run left among it.
+# The first copy keeps the file times, so the autotools do not run. Later only files that differ are copied, which also restores what a
+# stopped run left.
 entries() {
   cd "$here" || exit 1
   find setup autogen.sh configure.ac configure aclocal.m4 Makefile.am Makefile.in config.h.in README.md HACKING.md NEWS COPYING \
@@ -49,8 +50,8 @@ trap 'exit 130' INT TERM
 
 # ---- the checks ------------------------------------------------------------------------------------------------------
 
-# The first red test, or nothing. A program that crashes says less than it planned. Seconds of the processor: a mistake may make a
-# loop endless, a busy machine may not.
+# Prints the first failed test, or nothing. A program that crashes prints fewer tests than planned. The limit is processor time: a mutant
+# may loop forever, and the machine may be busy.
 first_red() {
   (ulimit -t 120 2>/dev/null; exec "$@") 2>/dev/null | $awk '
     /^not ok/ { sub(/^not ok [0-9]* *-* */, ""); print; told = 1; exit }
@@ -59,7 +60,7 @@ first_red() {
     END { if (!told && (seen < planned || !planned)) print "crashed, or took too long, after " seen + 0 " tests" }' 
 }
 
-# Who catches the mistake in the tree as it is: the answer in $by, "" for nobody. The suites that caught the last ones go first.
+# Finds the check that kills the mutant and sets $by, "" if it survives. The suites that killed the last mutants run first.
 suites=
 check() {
   by=
@@ -90,14 +91,14 @@ check() {
 }
 
 cd "$build" || exit 1
-echo "mutants: building what is right"
+echo "mutants: building the unchanged tree"
 $make -s all >../said 2>&1 && $make -s tests/unit >../said 2>&1 || stop "the tree does not build: $work/said"
 check
-test -z "$by" || stop "red without any mistake: $by"
+test -z "$by" || stop "the unchanged tree fails: $by"
 
-# ---- the mistakes ----------------------------------------------------------------------------------------------------
+# ---- the mutants -----------------------------------------------------------------------------------------------------
 
-# Records of the table, one a line: KIND, words, file, old text, new text.
+# The rules, one per line: KIND, words, file, old text, new text.
 cd "$tree" || exit 1
 $awk -v OFS="$tab" '
   function put() { if (kind) print kind, words, file, old, new; kind = old = new = file = "" }
@@ -109,19 +110,19 @@ $awk -v OFS="$tab" '
   key == "in" { file = value; key = ""; next }
   /^- / { old = substr($0, 3); sub(/^ +/, "", old); next }
   /^\+ / { new = substr($0, 3); sub(/^ +/, "", new); next }
-  { print "mistake", NR, "-", "-", "-" }
+  { print "invalid", NR, "-", "-", "-" }
   END { put() }' tests/mutants/rules.txt >../table
-grep "^mistake" ../table && stop "lines of tests/mutants/rules.txt that are none of: each, module, mutant, equal, in, -, +"
+grep "^invalid" ../table && stop "invalid lines of tests/mutants/rules.txt; expected: each, module, mutant, equal, in, -, +"
 
-# Where each stands: LINE, COLUMN, LENGTH, new text. A text that is not there, or twice, is a rule that has rotted.
+# The place of each mutant: LINE, COLUMN, LENGTH, new text. A rule whose text does not occur exactly once is out of date.
 : >../list
-: >../rotten
+: >../outdated
 while IFS=$tab read -r kind words file old new; do
   case $kind in
   each | module)
     test "$kind" = module && test -z "$only" && continue
     set -- $file
-    test -f "$1" || echo "each $file: no such file" >>../rotten
+    test -f "$1" || echo "each $file: no such file" >>../outdated
     for path in "$@"; do
       $awk -f tests/mutants/small.awk "$path" | while IFS=$tab read -r line at size text; do
         printf 'each\t%s\t%s\t%s\t%s\t%s\t%s\n' "$words" "$path" "$line" "$at" "$size" "$text"
@@ -138,7 +139,7 @@ while IFS=$tab read -r kind words file old new; do
       END { if (n == 1) print line, column, length(old); else print "times", n + 0 }' "$file" >../place
     IFS=$tab read -r line at size <../place
     if test "$line" = times; then
-      echo "$words: \`$old\` occurs $at times in $file" >>../rotten
+      echo "$words: \`$old\` occurs $at times in $file" >>../outdated
     else
       printf 'mutant\t%s\t%s\t%s\t%s\t%s\t%s\n' "$words" "$file" "$line" "$at" "$size" "$new" >>../list
     fi
@@ -146,7 +147,7 @@ while IFS=$tab read -r kind words file old new; do
   esac
 done <../table
 
-# Puts the mistake into the tree, what was right into `right`; answers the line as it then is in $wrong.
+# Applies the mutant, keeps the original file in `right`, and sets $wrong to the changed line.
 apply() {
   cp "$tree/$file" ../right
   text=$text $awk -v line="$line" -v at="$at" -v size="$size" '
@@ -154,7 +155,7 @@ apply() {
   wrong=$(sed -n "${line}{s/^ *//;p;}" "$tree/$file")
 }
 
-# Is this mistake said to be none? Marks the rule as met.
+# Whether a rule `equal` names this mutant; the rule is noted as used.
 equal() {
   wrong=$wrong $awk -F "$tab" -v file="$file" '$1 == "equal" && $3 == file && $5 == ENVIRON["wrong"] { print NR; exit }' \
     ../table >../met
@@ -181,7 +182,7 @@ while IFS=$tab read -r kind words file line at size text <&3; do
   what="$file:$line: $wrong"
   test "$kind" = each || what="$what    # $words"
   if ! $make -s tests/unit >../said 2>&1; then
-    if test "$kind" = mutant; then echo "$what: does not compile: $(grep -m 1 error ../said)" >>../rotten; fi
+    if test "$kind" = mutant; then echo "$what: does not compile: $(grep -m 1 error ../said)" >>../outdated; fi
     none=$((none + 1))
     cp ../right "$tree/$file"
     continue
@@ -189,8 +190,8 @@ while IFS=$tab read -r kind words file line at size text <&3; do
   check
   if (cd "$tree" && equal); then
     same=$((same + 1))
-    test -z "$by" || echo "$what: is said to be no mistake, but is caught by $by" >>../rotten
-    by="no mistake, see tests/mutants/rules.txt"
+    test -z "$by" || echo "$what: an equivalent mutant according to the rules, but killed by $by" >>../outdated
+    by="equivalent, see tests/mutants/rules.txt"
   elif test -z "$by"; then
     by="SURVIVES"
     echo "$what" >>../survivors
@@ -201,16 +202,16 @@ while IFS=$tab read -r kind words file line at size text <&3; do
   cp ../right "$tree/$file"
 done 3<../list
 
-# A whole run must have met every mistake that is said to be none.
+# A complete run must use every rule `equal`.
 if test -z "$only"; then
   $awk -F "$tab" '
     FILENAME == "../equals" { met[$1] = 1; next }
     FILENAME == "../list" { tried[$3] = 1; next }
     $1 == "equal" && tried[$3] && !met[FNR] { print $3 ": no mutant makes `" $5 "`" }' \
-    ../equals ../list ../table >>../rotten
+    ../equals ../list ../table >>../outdated
 fi
-echo "mutants: $caught caught, $(wc -l <../survivors) survived, $same no mistakes, $none that are no C; $(($(date +%s) - began)) s"
+echo "mutants: $caught killed, $(wc -l <../survivors) survived, $same equivalent, $none do not compile; $(($(date +%s) - began)) s"
 sed 's/^/survived: /' ../survivors
-sed 's/^/rotten rule: /' ../rotten
-test "$n" -gt 0 || stop "none has to do with \`$only\`"
-test ! -s ../survivors && test ! -s ../rotten
+sed 's/^/rule out of date: /' ../outdated
+test "$n" -gt 0 || stop "no mutant matches \`$only\`"
+test ! -s ../survivors && test ! -s ../outdated

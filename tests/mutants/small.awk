@@ -1,30 +1,29 @@
-# Small changes to the arithmetic of a C file, one a line of output: LINE, COLUMN, LENGTH and what stands there instead, with
-# tabs between. Inside functions only, and not in what counts or finds a place: `[...]`, headers of `for`, `case`, `sizeof`, and
-# statements with size_t.
+# Prints small changes to the arithmetic of a C file, one per line: LINE, COLUMN, LENGTH and the new text, separated by tabs. Only
+# inside functions, and not in indices and counts: `[...]`, headers of `for`, `case`, `sizeof`, and statements with size_t.
 #
 #   a + b       a - b, and the other way; the same with += and -=, * and /, *= and /=, && and ||
 #   -a, !a      a
 #   a < b       a > b, and the other way; <= and >= become their opposites; == and != each the other
 #   a number    a thousandth more; 0 becomes 1
-#   a term      a thousandth more: what follows = return + - += -= ? : and an opening bracket or comma of arguments. Where that
-#               is no C (a pointer, a structure) the compiler says so, and it is no mutant.
+#   a term      a thousandth more: after = return + - += -= ? : and an opening bracket or comma of arguments. If the result does not
+#               compile (a pointer, a structure), it is not a mutant.
 #
 # Copyright (C) 2026 the nineball authors. GPL-3.0-or-later.
 
 function mutant(at, length_, text) { print NR "\t" at "\t" length_ "\t" text }
 
-# Is this operator one between two values?
+# Whether this operator is binary.
 function between() {
   if (last == ")" || last == "]" || last ~ /^[0-9.]/) return 1
   return last ~ /^[A-Za-z_]/ && last !~ /^(return|case|sizeof|const|double|int|void|char|bool|long|unsigned|size_t|nb_both)$/ && before != "struct"
 }
 
-# May what begins here be made a thousandth larger?
+# Adds a mutant if the term that begins here can be made larger by a thousandth.
 function term(at, rest) {
   if (counting || rest !~ /^ *[A-Za-z_(]/ || rest ~ /^ *\((struct|size_t|void|const|double|int)/) return
-  if (last ~ /^(isfinite|isnan|out)$/ || rest ~ /^ *[a-z]+->(a|b)[^a-z_[]/ || it == "return" && whole_answer) return # nor whole numbers
-  if (rest ~ /^ *[a-z_]+ (\|\||&&)/) return # nor what is true or false
-  if (rest ~ /^[^;,?]*[<>=!]=? 0([^.0-9]|$)/ && rest !~ /^[^;,?]*([+]|-[^>])/) return # what is compared with 0 has no size
+  if (last ~ /^(isfinite|isnan|out)$/ || rest ~ /^ *[a-z]+->(a|b)[^a-z_[]/ || it == "return" && whole_answer) return # no integers
+  if (rest ~ /^ *[a-z_]+ (\|\||&&)/) return # no logical values
+  if (rest ~ /^[^;,?]*[<>=!]=? 0([^.0-9]|$)/ && rest !~ /^[^;,?]*([+]|-[^>])/) return # a term compared with 0: only its sign matters
   if (rest ~ /^ *(struct|sizeof|true|false|NULL|NB_[A-Z_0-9]*|[A-Z_0-9]+)([^a-z_A-Z]|$)/) return
   if (rest ~ /^ *(i|j|k|c|n|w|p|s|from|to|slot|part|parts|count|first|middle|end|out|wall|model|block|contact_forces|particles|error|scene|options|back)( *[-+,;)]|$)/ && rest !~ /^ *[a-z]+->/) return
   mutant(at, 0, rest ~ /^ / ? " 1.001 *" : "1.001 * ")
@@ -56,7 +55,7 @@ function token(at, it, rest) {
   if (it == ":" && asked) asked--
   if (it == "=") assigned = 1
   if (it ~ /^[;{}]$/ || it == ":" && last ~ /^[A-Z_0-9]+$/) { index_ = whole = assigned = pointed = asked = 0 }
-  if (it == "struct" && !assigned) pointed = 1 # a structure as a whole has no thousandth
+  if (it == "struct" && !assigned) pointed = 1 # not for a whole structure
   negative = it == "-" && !between()
   before = last
   last = it
@@ -70,7 +69,7 @@ BEGIN {
 {
   rest = $0
   at = 1
-  if (continued || (!comment && rest ~ /^ *#/)) { # the preprocessor's
+  if (continued || (!comment && rest ~ /^ *#/)) { # of the preprocessor
     continued = rest ~ /\\$/
     next
   }
