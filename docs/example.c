@@ -1,9 +1,9 @@
-/* A program that uses the library: it runs a page and prints the last row of its table, a column a line.
+/* A program that uses the library: it runs a page and prints the last row of its table, one column per line.
  *
  *   cc -std=c11 example.c $(pkg-config --cflags --libs nineball) -o example
- *   ./example two-wall-compression.md ks=0        what --set would give comes behind the page
+ *   ./example two-wall-compression.md ks=0        settings, as for --set, follow the page
  *
- * nineball.h says what each function does and who owns what it fills. `make installcheck` compiles this file and runs it.
+ * nineball.h describes each function and the owner of its results. `make installcheck` compiles this file and runs it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <nineball.h>
@@ -18,7 +18,7 @@ static enum nb_status run(const struct nb_scene *scene) {
   struct nb_result result = {.cycles = 0};
   struct nb_error error;
   const enum nb_status status = nb_run(&result, scene, NULL, NULL, &error);
-  print_last_row(&result.table); /* of a run that was aborted, what was seen until then */
+  print_last_row(&result.table); /* also of an aborted run */
   if (status)
     fprintf(stderr, "%s\n", error.text);
   nb_result_free(&result);
@@ -33,7 +33,7 @@ int main(int count, char **words) {
     return fprintf(stderr, "usage: example PAGE NAME=VALUE ...\n"), NB_BAD_USE;
   enum nb_status status = nb_page_read(&page, words[1], &mistakes);
   if (!status) {
-    status = nb_scene_read(&scene, &page, 0, (nb_settings)(words + 2), &mistakes); /* run 0: of a sweep the first one */
+    status = nb_scene_read(&scene, &page, 0, (nb_settings)(words + 2), &mistakes); /* run 0: the first one of a sweep */
     if (!status)
       status = run(&scene);
     nb_scene_free(&scene);

@@ -1,6 +1,5 @@
-/* Calls that can fail, and do when it is their turn: memory, files that are opened, written, flushed to the disk and renamed. The
- * linker puts these in the place of the C library's (--wrap), in the objects of this program, so the library's own calls and
- * those of the sanitizers are left alone.
+/* Replacements of calls that can fail: allocation, and opening, writing, flushing and renaming files. The linker replaces the calls of
+ * the C library by these (--wrap) in the objects of this program only, not in the library itself or in the sanitizers.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _GNU_SOURCE /* fopencookie */
@@ -46,14 +45,14 @@ WRAP(DIR *, opendir, ENOMEM, NULL, (const char *path), (path))
 WRAP(int, rename, EIO, -1, (const char *from, const char *to), (from, to))
 WRAP(int, mkdir, ENOSPC, -1, (const char *path, mode_t mode), (path, mode))
 
-/* The disk itself is of no interest here, and slow. */
+/* Does not flush to the disk, which would be slow. */
 int __wrap_fsync(int file);
 int __wrap_fsync(int file) {
   (void)file;
   return fails(EIO) ? -1 : 0;
 }
 
-/* A stream that is written goes through a function of ours, so that each write can fail. */
+/* Output streams write through this function, so each write can fail. */
 enum { STREAMS = 8 };
 static struct {
   FILE *stream;
@@ -70,7 +69,7 @@ static int close_out(void *cookie) {
   return close(*(int *)cookie);
 }
 
-/* The stream itself unless it is written. */
+/* Returns the stream itself if it is read. */
 static FILE *own(FILE *plain, const char *mode) {
   int k = 0;
   while (k < STREAMS && streams[k].stream)
@@ -92,10 +91,10 @@ FILE *__real_fdopen(int file, const char *mode);
 FILE *__wrap_fdopen(int file, const char *mode);
 FILE *__wrap_fdopen(int file, const char *mode) { return fails(ENOMEM) ? NULL : own(__real_fdopen(file, mode), mode); }
 
-/* gnuplot, which is not what is tested, and could not be confined by a program that is. */
+/* Replaces gnuplot, which is not tested here. */
 enum nb_status __wrap_nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error);
 enum nb_status __wrap_nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error *error) {
-  const char *drawn = strstr(drawing->commands, "png") ? "\x89PNG" : "<?xml"; /* how such a file begins */
+  const char *drawn = strstr(drawing->commands, "png") ? "\x89PNG" : "<?xml"; /* the beginning of such a file */
   if (!fails(EIO) && write(drawing->figure, drawn, strlen(drawn)) == (ssize_t)strlen(drawn))
     return NB_OK;
   return nb_error_system(error, "gnuplot cannot be run");

@@ -1,10 +1,10 @@
-/* Every call that can fail does so once: nineball runs small pages, in a process and a folder of its own each time, and the n-th call
- * fails, for every n. It must end with the status of the undisturbed run only if all its files are the same to the last byte; else
- * with another one, a message, and no file that is not whole. No signal, no report of a sanitizer, no leak.
+/* Makes every call fail that can fail. nineball runs small pages, each time in a new process and folder, and the n-th call fails, for
+ * every n. The run may have the status of the undisturbed run only if all files are the same to the last byte. Otherwise it must have
+ * another status, a message, and no incomplete file. Signals, reports of a sanitizer and leaks are failures.
  *
- *   tests/faults/run [CASE [N]]    all; the case of that number; of that the N-th call alone, and its folder stays
+ *   tests/faults/run [CASE [N]]    all; one case; only the N-th call of it, and the folder stays
  *
- * It tells something only where a sanitizer looks on; elsewhere it is skipped. TAP. A function of the test takes the place of gnuplot.
+ * Skipped in builds without sanitizers. TAP. A function of the test replaces gnuplot.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -22,7 +22,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#undef main /* the one of the program is nineball_main */
+#undef main /* main of the program is nineball_main */
 
 #if defined __has_feature
 #if __has_feature(address_sanitizer)
@@ -36,14 +36,14 @@ enum { PATH_SIZE = 4096, REPORTED = 99, SECONDS = 60 };
 
 /* ---- files ---- */
 
-static char top[PATH_SIZE]; /* folder of all of this */
+static char top[PATH_SIZE]; /* folder of the test */
 
 static void die(const char *what) {
   printf("Bail out! %s: %s\n", what, strerror(errno));
   exit(1);
 }
 
-/* All of a file, with a terminating zero; NULL when there is none. */
+/* The contents of a file, with a terminating zero; NULL if it does not exist. */
 static char *bytes_of(const char *path, size_t *size) {
   FILE *file = fopen(path, "r");
   struct stat status;
@@ -71,14 +71,14 @@ static int remove_one(const char *path, const struct stat *status, int kind, str
 }
 static void clear(const char *folder) { nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS); }
 
-/* What a walk through a folder compares with the other one. */
+/* A walk through a folder, which is compared with another one. */
 static struct {
   const char *folder, *other;
   size_t files;
-  char odd[PATH_SIZE]; /* the first file that is not in the other folder, or not the same */
+  char odd[PATH_SIZE]; /* the first file that is missing in the other folder, or differs */
 } walk;
 
-/* Lines that tell how long something took are never the same: numbers go, but 0, which nothing takes. Returns the new size. */
+/* Removes the numbers from lines with measured times, except 0. Returns the new size. */
 static size_t without_times(char *text) {
   char *to = text;
   for (char *line = text, *end; *line; line = end) {
@@ -115,7 +115,7 @@ static int compare_one(const char *path, const struct stat *status, int kind, st
   return 0;
 }
 
-/* How many files a folder has; in walk.odd one that the other has not, or not so. */
+/* The number of files of a folder; walk.odd is one that differs. */
 static size_t compare(const char *folder, const char *other) {
   walk.folder = folder, walk.other = other, walk.files = 0, walk.odd[0] = 0;
   nftw(folder, compare_one, 8, FTW_PHYS);
@@ -137,7 +137,7 @@ static int to_file(const char *name, int as) {
   return file < 0 ? -1 : dup2(file, as);
 }
 
-/* What wait answers, and how many calls could have failed. */
+/* Returns the status of wait; counts the calls that could have failed. */
 static int run(int number, const char *folder, unsigned long n, bool lasting, unsigned long *calls) {
   int ends[2], status;
   prepare(folder);
@@ -161,7 +161,7 @@ static int run(int number, const char *folder, unsigned long n, bool lasting, un
     faults_begin(0, false);
     if (write(ends[1], calls, sizeof *calls) != sizeof *calls)
       _exit(97);
-    exit(mine); /* where leaks are looked for */
+    exit(mine); /* the sanitizer looks for leaks here */
   }
   close(ends[1]);
   if (read(ends[0], calls, sizeof *calls) != sizeof *calls)
@@ -173,7 +173,7 @@ static int run(int number, const char *folder, unsigned long n, bool lasting, un
   return status;
 }
 
-/* What is wrong with a run; NULL: nothing. */
+/* The failure of a run; NULL: none. */
 static const char *judge(int status, int undisturbed, const char *folder, const char *wanted, size_t whole) {
   static char what[2 * PATH_SIZE];
   char path[PATH_SIZE];
@@ -188,21 +188,19 @@ static const char *judge(int status, int undisturbed, const char *folder, const 
     return "a report of a sanitizer";
   if (WEXITSTATUS(status) != undisturbed && size == 0)
     return "no message";
-  if (WEXITSTATUS(status) != undisturbed) { /* what was printed may be a part of it */
+  if (WEXITSTATUS(status) != undisturbed) { /* standard output may be incomplete */
     snprintf(path, sizeof path, "%.2000s/out", folder);
     remove(path);
   }
   const size_t files_there = compare(folder, wanted);
   if (walk.odd[0])
-    return snprintf(what, sizeof what, "status %d, and a file that is not as it should be: %s", WEXITSTATUS(status),
-                    walk.odd),
-           what;
+    return snprintf(what, sizeof what, "status %d, and a wrong file: %s", WEXITSTATUS(status), walk.odd), what;
   if (WEXITSTATUS(status) == undisturbed && files_there != whole)
     return snprintf(what, sizeof what, "status %d with %zu of %zu files", undisturbed, files_there, whole), what;
   return NULL;
 }
 
-/* Every call of a case, or only one. */
+/* Tests every call of a case, or only one. */
 static bool inject(int number, unsigned long only) {
   char wanted[PATH_SIZE], folder[PATH_SIZE];
   unsigned long calls = 0, ignored, wrong = 0;
@@ -247,7 +245,7 @@ int main(int count, char **words) {
   if (!recipes || !own)
     die(plots);
   snprintf(plots, sizeof plots, "%.*s/plots", (int)(strrchr(own, '/') - own),
-           own); /* where the program looks for them */
+           own); /* the program looks for them here */
   if (symlink(recipes, plots) != 0 && errno != EEXIST)
     die(plots);
   free(recipes), free(own);

@@ -1,4 +1,4 @@
-/* Changes of a page such as a tired hand makes them: a word for another, a line twice, a number much too large, a byte.
+/* Random changes of a page: another word, a line twice, a number that is much too large, another byte.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -19,7 +19,7 @@ static size_t below(unsigned long long *chance, size_t count) {
   return count ? (size_t)(fuzz_chance(chance) % count) : 0;
 }
 
-/* Replaces the bytes from `at` to `end` by the text; the page as it was when there is no room. */
+/* Replaces the bytes from `at` to `end` by the text; no change if the result is too long. */
 static size_t replace(unsigned char *bytes, size_t size, size_t most, size_t at, size_t end, const char *text,
                       size_t length) {
   if (size - (end - at) + length > most)
@@ -27,13 +27,13 @@ static size_t replace(unsigned char *bytes, size_t size, size_t most, size_t at,
   char copy[NB_LINE_MAX + 2];
   if (length > sizeof copy)
     length = sizeof copy;
-  memcpy(copy, text, length); /* it may lie in the page itself */
+  memcpy(copy, text, length); /* the text may be a part of the page */
   memmove(bytes + at + length, bytes + end, size - end);
   memcpy(bytes + at, copy, length);
   return size - (end - at) + length;
 }
 
-/* Words that stand in the tables of the reader, and some that no table has. */
+/* Words of the page language, and others. */
 static const char *word(unsigned long long *chance) {
   static const char *const odd[] = {"0",
                                     "-1",
@@ -123,7 +123,7 @@ static const char *word(unsigned long long *chance) {
 
 static bool blank(unsigned char c) { return c == ' ' || c == '\n' || c == '\t'; }
 
-/* The word, or the line with its end, that the byte lies in. */
+/* The word, or the line with its end, that contains the byte. */
 static void around(const unsigned char *bytes, size_t size, size_t at, bool line, size_t *from, size_t *to) {
   for (*from = at; *from > 0 && (line ? bytes[*from - 1] != '\n' : !blank(bytes[*from - 1]));)
     --*from;
@@ -162,7 +162,7 @@ size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long
   }
 }
 
-/* Every line is as likely, so that a record that there is once is changed as often as one of many. */
+/* All lines have the same probability, so a record that occurs once is changed as often as one that occurs often. */
 static size_t in_some_line(const unsigned char *bytes, size_t size, unsigned long long *chance) {
   size_t lines = 0, from = 0, to = 0;
   for (size_t k = 0; k < size; k++)

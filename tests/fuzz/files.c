@@ -1,8 +1,8 @@
-/* Saved states and lists of columns that nobody would write. Those of small pages are changed at random; a state then gets the
- * checksum that belongs to it, so that the records themselves are read. What is read is whole, and what is refused is refused
- * with a place. A state that the page accepts is run on for a few cycles: whatever its numbers are, the run ends with a status.
+/* Tests the readers of saved states and of lists of columns with random changes. A changed state gets its new checksum, so its records
+ * are read. What is read must be complete, and an error must have a position. If the page accepts a state, it runs for a few cycles
+ * from it: for any numbers the run must end with a status.
  *
- *   tests/fuzz/files [STATE]   changes these a few thousand times; or runs this state, of whichever page it is; TAP
+ *   tests/fuzz/files [STATE]   changes states of small pages some thousand times, or runs this state; TAP
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -30,7 +30,7 @@ static size_t change(unsigned char *text, size_t size, size_t most, unsigned lon
 
 /* ---- states ---- */
 
-/* The statements up to the state, and those behind it. Between them every record, and every sort of memory. */
+/* The statements before and after the state. Together the pages have every record, and every kind of history. */
 static const struct {
   const char *first, *second;
 } pages[] = {
@@ -52,7 +52,7 @@ enum { PAGES = sizeof pages / sizeof *pages };
 
 struct seed {
   struct nb_page page;
-  struct nb_scene scene; /* of both parts: it goes on from the state */
+  struct nb_scene scene; /* of both parts; it continues from the state */
   char *text;
   size_t size;
 };
@@ -90,7 +90,7 @@ static void free_seed(struct seed *seed) {
   nb_scene_free(&seed->scene), nb_page_free(&seed->page), free(seed->text);
 }
 
-/* Every index leads somewhere. What is written of it is read back as the same. */
+/* All indices are in range, and the state is the same after writing and reading. */
 static void hold_saved(const struct nb_saved *saved) {
   struct nb_saved again;
   struct nb_error error = {NB_OK, ""};
@@ -98,22 +98,22 @@ static void hold_saved(const struct nb_saved *saved) {
     const struct nb_saved_contact *it = &saved->contacts[c];
     const size_t others = it->wall ? saved->wall_count : saved->particle_count;
     fuzz_hold(it->a >= 0 && (size_t)it->a < saved->particle_count && it->b >= 0 && (size_t)it->b < others,
-              "a contact is between bodies and walls of the state");
+              "a contact is between particles and walls of the state");
     for (int shear = 0; shear < 2; shear++) {
       const struct nb_saved_history memory = shear ? it->shear : it->normal;
       fuzz_hold(memory.count >= 0 && memory.at + (size_t)memory.count <= saved->history_count,
-                "what a law remembers lies in the memory");
+                "the history of a contact is in range");
     }
   }
   for (size_t k = 0; k < saved->particle_count; k++) {
     const struct nb_saved_particle *it = &saved->particles[k];
     const double numbers[] = {it->radius, it->position.x, it->position.y, it->velocity.x, it->velocity.y, it->spin};
     for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
-      fuzz_hold(isfinite(numbers[n]), "the numbers of a body are finite");
-    fuzz_hold(it->radius > 0 && (size_t)it->material < saved->material_count, "a body has a size and a material");
+      fuzz_hold(isfinite(numbers[n]), "the numbers of a particle are finite");
+    fuzz_hold(it->radius > 0 && (size_t)it->material < saved->material_count, "a particle has a size and a material");
   }
   for (size_t k = 0; k < saved->ring.member_count; k++)
-    fuzz_hold((size_t)saved->ring.members[k] < saved->particle_count, "a member is a body");
+    fuzz_hold((size_t)saved->ring.members[k] < saved->particle_count, "a member is a particle");
   size_t size = 0, same = 0;
   char *text = nb_saved_text(saved, &size), *other = NULL;
   fuzz_hold(text && !nb_saved_read_text(&again, "again.state", text, size, &error), "a state can be written again");
@@ -123,7 +123,7 @@ static void hold_saved(const struct nb_saved *saved) {
   free(text), free(other);
 }
 
-/* The page goes on from it, until something stops it. Returns whether all cycles were run. */
+/* Runs the page from the state. Returns whether all cycles were run. */
 static bool go_on(const struct nb_scene *scene, const struct nb_saved *saved) {
   struct nb_error error = {NB_OK, ""};
   struct nb_model *model = nb_model_resume(scene, &(struct nb_options){.threads = 1, .keep_all = true}, saved, &error);
@@ -131,10 +131,10 @@ static bool go_on(const struct nb_scene *scene, const struct nb_saved *saved) {
   enum nb_status status = model ? nb_stage_begin(model, &scene->stages[1], &error) : error.status;
   for (int k = 0; k < CYCLES && !status; k++)
     status = nb_cycle(model, &error);
-  fuzz_hold(status != NB_NO_MEMORY && (status == NB_OK || error.text[0]), "what stops a run is said");
+  fuzz_hold(status != NB_NO_MEMORY && (status == NB_OK || error.text[0]), "an aborted run has a message");
   for (size_t i = 0; model && i < model->particles.count && !status; i++)
     fuzz_hold(isfinite(model->particles.position[i].x) && isfinite(model->particles.position[i].y),
-              "the bodies are somewhere while nothing is said");
+              "positions are finite in a run without error");
   nb_model_free(model);
   return !status;
 }
@@ -145,7 +145,7 @@ static bool read_state(const struct seed *seed, const char *text, size_t size) {
   fuzz_begin(text, size);
   const enum nb_status status = nb_saved_read_text(&saved, "fuzz.state", text, size, &error);
   fuzz_hold(status == NB_OK || (status == NB_BAD_USE && strncmp(error.text, "fuzz.state:", 11) == 0),
-            "what is wrong in a state is said with its place");
+            "an error of a state has a position");
   if (!status)
     hold_saved(&saved);
   const bool ran = !status && !nb_saved_fits(&saved, &seed->scene, "fuzz.state", &error) && go_on(&seed->scene, &saved);
@@ -153,7 +153,7 @@ static bool read_state(const struct seed *seed, const char *text, size_t size) {
   return ran;
 }
 
-/* The checksum that belongs to what comes before the last line, or a new last line. Returns the new size. */
+/* Replaces or adds the last line with the right checksum. Returns the new size. */
 static size_t seal(char *text, size_t size) {
   if (size > END_SIZE && memcmp(text + size - END_SIZE, "end ", 4) == 0)
     size -= END_SIZE;
@@ -169,7 +169,7 @@ static void change_states(void) {
   int ran = 0;
   for (int k = 0; k < PAGES; k++) {
     make_seed(&seeds[k], pages[k].first, pages[k].second);
-    fuzz_hold(read_state(&seeds[k], seeds[k].text, seeds[k].size), "a page goes on from its state");
+    fuzz_hold(read_state(&seeds[k], seeds[k].text, seeds[k].size), "a page continues from its state");
   }
   for (int n = 0; n < STATES; n++) {
     const struct seed *seed = &seeds[fuzz_chance(&chance) % PAGES];
@@ -178,7 +178,7 @@ static void change_states(void) {
     size = change((unsigned char *)text, size, LONGEST, &chance);
     ran += read_state(seed, text, seal(text, size));
   }
-  printf("ok 1 - %d changed states\n# %d of them ran on\n", STATES, ran);
+  printf("ok 1 - %d changed states\n# %d of them ran\n", STATES, ran);
   for (int k = 0; k < PAGES; k++)
     free_seed(&seeds[k]);
 }
@@ -220,7 +220,7 @@ static void change_lists(void) {
   int whole = 0;
   snprintf(path, sizeof path, "%s/nineball-list-XXXXXX", folder ? folder : "/tmp");
   const int file = mkstemp(path);
-  fuzz_hold(file >= 0 && close(file) == 0, "there is a place for a list");
+  fuzz_hold(file >= 0 && close(file) == 0, "a temporary file can be made");
   for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
     fuzz_hold(read_list(lists[k].text, strlen(lists[k].text), path, lists[k].unitless), "a list is read");
   for (int n = 0; n < LISTS; n++) {
@@ -230,11 +230,11 @@ static void change_lists(void) {
     size = change((unsigned char *)text, size, sizeof text, &chance);
     whole += read_list(text, size, path, lists[from].unitless);
   }
-  printf("ok 2 - %d changed lists\n# %d of them were whole\n1..2\n", LISTS, whole);
+  printf("ok 2 - %d changed lists\n# %d of them were valid\n1..2\n", LISTS, whole);
   remove(path);
 }
 
-/* What is in the file, with each of the pages. */
+/* Reads the file with each of the pages. */
 static void replay(const char *path) {
   struct nb_error error = {NB_OK, ""};
   size_t size = 0;

@@ -1,4 +1,4 @@
-/* What the programs of the fuzzer share.
+/* Functions shared by the programs of the fuzzer.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_FUZZ_H
@@ -8,18 +8,18 @@
 
 #include "../../src/nineball.h"
 
-/* Reads the bytes as a page, and aborts when something does not hold. */
+/* Reads the bytes as a page, and aborts if an invariant is violated. */
 void fuzz_read(const unsigned char *bytes, size_t size);
 
-/* hold.c: what must hold of every reading. The program ends with `not ok` when it does not; the input that fuzz_begin
- * was given last is then in fuzz-broken. */
+/* hold.c: invariants of reading. If one is violated, the program ends with `not ok`, and the input of the last fuzz_begin is in
+ * fuzz-broken. */
 void fuzz_begin(const void *bytes, size_t size);
 void fuzz_hold(bool holds, const char *what);
 void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status);
 
-/* change.c: one change at random, of a byte, a word or a line. Returns the new size, at most `most`. */
+/* change.c: one random change of a byte, a word or a line. Returns the new size, at most `most`. */
 size_t fuzz_change(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance);
 size_t fuzz_change_number(unsigned char *bytes, size_t size, size_t most, unsigned long long *chance); /* of a number */
-unsigned long long fuzz_chance(unsigned long long *chance); /* a number, and the next one from it (xorshift64*) */
+unsigned long long fuzz_chance(unsigned long long *chance); /* a random number; updates the state (xorshift64*) */
 
 #endif

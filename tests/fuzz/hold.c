@@ -1,4 +1,4 @@
-/* What must hold of everything that is read, and where an input goes of which it does not.
+/* Invariants of all readers. An input that violates one is written to a file.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -7,7 +7,7 @@
 
 #include "fuzz.h"
 
-static const void *input; /* what is being read */
+static const void *input; /* the present input */
 static size_t input_size;
 
 void fuzz_begin(const void *bytes, size_t size) { input = bytes, input_size = size; }
@@ -26,8 +26,8 @@ void fuzz_hold(bool holds, const char *what) {
 }
 
 void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status status) {
-  fuzz_hold((status == NB_OK) == (mistakes->count == 0), "the status says whether there are mistakes");
-  fuzz_hold((mistakes->text != NULL) == (mistakes->count > 0), "there is a text when there are mistakes");
+  fuzz_hold((status == NB_OK) == (mistakes->count == 0), "the status agrees with the number of errors");
+  fuzz_hold((mistakes->text != NULL) == (mistakes->count > 0), "errors have a text");
   size_t given = 0, length = mistakes->text ? strlen(mistakes->text) : 0;
   for (const char *c = mistakes->text; c && *c; c = strchr(c, '\n') + 1) {
     fuzz_hold(strchr(c, '\n') != NULL, "every line of the messages ends");
@@ -36,6 +36,6 @@ void fuzz_hold_mistakes(const struct nb_mistakes *mistakes, enum nb_status statu
     for (const char *d = c; *d != '\n'; d++)
       fuzz_hold((unsigned char)*d >= 0x20 || *d == '\t', "no control characters in messages");
   }
-  fuzz_hold(given == mistakes->count, "every mistake is said once");
-  fuzz_hold(length < (size_t)4 << 20, "the messages are not without end");
+  fuzz_hold(given == mistakes->count, "every error is reported once");
+  fuzz_hold(length < (size_t)4 << 20, "the messages have a limited length");
 }

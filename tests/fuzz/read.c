@@ -1,10 +1,9 @@
-/* The reader against pages that nobody would write. Whatever the bytes are, it must answer with a scene or with
- * mistakes, never with both or neither, and with the same again when it is asked again.
+/* Tests the reader with random pages. For any bytes it must return either a scene or errors, and the same for a second reading.
  *
- *   tests/fuzz/read [PAGE ...]   replays these pages and changes them at random, a few thousand times; TAP
- *   make fuzz                    the same with libFuzzer (clang), for FUZZ_SECONDS, which looks for new paths
+ *   tests/fuzz/read [PAGE ...]   reads these pages, and random changes of them, a few thousand times; TAP
+ *   make fuzz                    the same with libFuzzer (clang), for FUZZ_SECONDS, which searches for new paths
  *
- * Without pages: tests/fuzz/corpus, tests/bad and cases below $srcdir. What breaks an invariant is kept in fuzz-broken.
+ * Without pages: tests/fuzz/corpus, tests/bad and cases below $srcdir. An input that violates an invariant is written to fuzz-broken.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "fuzz.h"
@@ -25,12 +24,13 @@ static bool finite_all(const double *values, size_t count) {
 }
 
 static void hold_scene(const struct nb_scene *scene) {
-  fuzz_hold(scene->particle_count > 0 && scene->stage_count > 0, "there are bodies and stages");
+  fuzz_hold(scene->particle_count > 0 && scene->stage_count > 0, "there are particles and stages");
   for (size_t k = 0; k < scene->particle_count; k++) {
     const struct nb_particle *particle = &scene->particles[k];
     const double numbers[] = {particle->x, particle->y, particle->radius, particle->vx, particle->vy, particle->spin};
-    fuzz_hold(finite_all(numbers, 6) && particle->radius > 0, "a body is somewhere and has a size");
-    fuzz_hold(particle->material >= 0 && (size_t)particle->material < scene->material_count, "a body has a material");
+    fuzz_hold(finite_all(numbers, 6) && particle->radius > 0, "a particle has a finite position and a size");
+    fuzz_hold(particle->material >= 0 && (size_t)particle->material < scene->material_count,
+              "a particle has a material");
   }
   for (size_t k = 0; k < scene->wall_count; k++) {
     const struct nb_wall *wall = &scene->walls[k];
@@ -42,8 +42,8 @@ static void hold_scene(const struct nb_scene *scene) {
     const struct nb_monitor *monitor = &scene->monitors[k];
     const size_t first = monitor->kind == NB_MONITOR_WALL ? scene->wall_count : scene->particle_count;
     const size_t second = monitor->kind == NB_MONITOR_PARTICLE_WALL ? scene->wall_count : scene->particle_count;
-    fuzz_hold(monitor->a >= 0 && (size_t)monitor->a < first, "what is watched is there");
-    fuzz_hold(monitor->b < 0 || (size_t)monitor->b < second, "and what it is watched with");
+    fuzz_hold(monitor->a >= 0 && (size_t)monitor->a < first, "the object of a monitor exists");
+    fuzz_hold(monitor->b < 0 || (size_t)monitor->b < second, "the second object of a monitor exists");
   }
   for (size_t k = 0; k < scene->column_count; k++)
     fuzz_hold(scene->columns[k].quantity.kind && nb_quantity_unit(scene->columns[k].quantity),
@@ -57,32 +57,32 @@ static void hold_same(const struct nb_scene *a, const struct nb_scene *b) {
                 a->stage_count == b->stage_count && a->column_count == b->column_count &&
                 a->monitor_count == b->monitor_count && a->binding_count == b->binding_count &&
                 a->material_count == b->material_count,
-            "a page read again has as much of everything");
+            "a second reading has the same counts");
   for (size_t k = 0; k < a->particle_count; k++) {
     const struct nb_particle *one = &a->particles[k], *other = &b->particles[k];
     fuzz_hold(one->x == other->x && one->y == other->y && one->radius == other->radius && one->vx == other->vx &&
                   one->material == other->material && one->line == other->line,
-              "a page read again has the same bodies");
+              "a second reading has the same particles");
   }
 }
 
-/* One run of the page, twice, with what it expects. */
+/* Reads one run of the page twice, with its expectations. */
 static void read_run(const struct nb_page *page, size_t run, nb_settings settings, bool wrong) {
   struct nb_scene scene, again;
   struct nb_mistakes mistakes = {0}, same = {0};
   const enum nb_status status = nb_scene_read(&scene, page, run, settings, &mistakes);
   fuzz_hold_mistakes(&mistakes, status);
-  fuzz_hold(!wrong || status != NB_OK, "a page that has runs is right");
-  fuzz_hold(nb_scene_read(&again, page, run, settings, &same) == status, "a page read again is judged the same");
+  fuzz_hold(!wrong || status != NB_OK, "a page with errors in its runs is invalid");
+  fuzz_hold(nb_scene_read(&again, page, run, settings, &same) == status, "a second reading has the same status");
   fuzz_hold(mistakes.count == same.count && (!mistakes.text || strcmp(mistakes.text, same.text) == 0),
-            "a page read again has the same mistakes");
+            "a second reading has the same errors");
   if (status == NB_OK)
     hold_scene(&scene);
   hold_same(&scene, &again);
   struct nb_expectations expectations;
   const enum nb_status expected = nb_expectations_read(&expectations, page, &scene, &mistakes);
   fuzz_hold_mistakes(&mistakes, status ? status : expected);
-  fuzz_hold(expected == NB_OK || (!expectations.list && !expectations.count), "no expectations beside mistakes");
+  fuzz_hold(expected == NB_OK || (!expectations.list && !expectations.count), "no expectations with errors");
   nb_expectations_free(&expectations);
   nb_mistakes_free(&mistakes), nb_mistakes_free(&same);
   nb_scene_free(&scene), nb_scene_free(&again);
@@ -93,14 +93,14 @@ static void read_runs(const struct nb_page *page, nb_settings settings) {
   struct nb_mistakes mistakes = {0};
   const size_t runs = nb_scene_runs(page, settings, &mistakes);
   fuzz_hold_mistakes(&mistakes, mistakes.count ? NB_BAD_USE : NB_OK);
-  fuzz_hold(runs > 0 && runs <= NB_RUNS_MAX, "no more runs than a page may have");
+  fuzz_hold(runs > 0 && runs <= NB_RUNS_MAX, "the number of runs is within the limit");
   read_run(page, 0, settings, mistakes.count > 0);
   if (runs > 1)
     read_run(page, runs - 1, settings, false);
   nb_mistakes_free(&mistakes);
 }
 
-/* The same with `--set`: a law, a step or what cannot be meant, and a name of the page itself. */
+/* The same with `--set`: a law, a step or an invalid setting, and a name of the page. */
 static void read_set(const struct nb_page *page, size_t chance) {
   static const char *const values[] = {"0", "-1", "1e300", "1e-300", "nan", "3 mm", "1 2", "", "$a", "a"};
   static const char *const more[] = {
@@ -125,7 +125,7 @@ void fuzz_read(const unsigned char *bytes, size_t size) {
   fuzz_begin(bytes, size);
   const enum nb_status status = nb_page_read_bytes(&page, "fuzz.md", (const char *)bytes, size, &mistakes);
   fuzz_hold_mistakes(&mistakes, status);
-  fuzz_hold(status == NB_OK || (!page.lines && !page.kind_of), "no page beside mistakes");
+  fuzz_hold(status == NB_OK || (!page.lines && !page.kind_of), "no page with errors");
   if (status == NB_OK) {
     read_runs(&page, NULL);
     read_set(&page, size);
@@ -145,7 +145,7 @@ int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size) {
   return 0;
 }
 
-/* Half of the changes are of words, half of bytes as libFuzzer knows them. */
+/* Half of the changes are of words, half are libFuzzer's own changes of bytes. */
 size_t LLVMFuzzerCustomMutator(unsigned char *bytes, size_t size, size_t most, unsigned seed) {
   unsigned long long chance = seed * 2654435761ULL + 1;
   return seed % 2 ? fuzz_change(bytes, size, most, &chance) : LLVMFuzzerMutate(bytes, size, most);
@@ -176,10 +176,10 @@ static void take_file(struct corpus *corpus, const char *path) {
 
 static int by_name(const void *a, const void *b) { return strcmp(a, b); }
 
-/* With the folders in it, in the order of names, so that chance finds the same pages on every machine. */
+/* Takes the files of a folder and its folders, sorted by name, so the random changes are the same on every machine. */
 static void take_folder(struct corpus *corpus, const char *top, const char *folder) {
   char path[4096], names[PAGES_MAX][256];
-  const bool corpora = strcmp(folder, "tests/fuzz/corpus") == 0; /* names without an ending */
+  const bool corpora = strcmp(folder, "tests/fuzz/corpus") == 0; /* names without an extension */
   size_t count = 0;
   snprintf(path, sizeof path, "%s/%s", top, folder);
   DIR *directory = opendir(path);
