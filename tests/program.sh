@@ -317,31 +317,31 @@ verdict '--set: a value, the step, a law, an unknown name'
 
 # ---- a path from a file ----
 printf 'approach/um\tslip/m\tnote\n# out\n1\t0\ta\n\n1\t1e-7\tb\n2\t-1e-7\tc\n' >path.tsv
-run 0 run "$pages/bench.md" -o path
+run 0 run "$pages/contact-test.md" -o path
 out '1 of 1 checks passed'
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 3.0000000000000001e-06 || echo 'the segments of the page were not followed' >>why
 there path/press-traction.tsv
 there path/press-pieces.tsv
-run 0 run "$pages/bench.md" --set follow=path.tsv -o path
+run 0 run "$pages/contact-test.md" --set follow=path.tsv -o path
 test "$(column slip/m path/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 ' || echo 'the path was not followed' >>why
 test "$(column overlap/m path/table.tsv | tail -n 1)" = 1.9999999999999999e-06 || echo 'the unit of the path was ignored' >>why
 column stage path/table.tsv | grep -qv follow && echo 'a segment of the page is left' >>why
 {
-  sed '/^segment/,$d' "$pages/bench.md"
+  sed '/^segment/,$d' "$pages/contact-test.md"
   printf 'segment user follow path.tsv\nsegment on slip by 1 um in 1 step\n```\n```expect\nslip in user expected -0.1 um within 0 um [path.tsv]\n```\n'
 } >own.md
 run 0 check own.md
 out '1 of 1 checks passed'
 run 0 run own.md -o own
 test "$(column slip/m own/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 8.9999999999999996e-07 ' || echo 'the segment did not follow its file' >>why
-run 0 run "$pages/bench.md" --set follow=none.tsv --set follow=path.tsv -o path
-run 0 explain "$pages/bench.md" --set follow=path.tsv
+run 0 run "$pages/contact-test.md" --set follow=none.tsv --set follow=path.tsv -o path
+run 0 explain "$pages/contact-test.md" --set follow=path.tsv
 out 'the path is read from a file'
-run 2 check "$pages/bench.md" --set follow=path.tsv
+run 2 check "$pages/contact-test.md" --set follow=path.tsv
 out '`follow` replaces the path of the page'
 said 'no expectation of this page could fail'
 printf 'approach/m\tslip/m\n1e-6\tnought\n' >path.tsv
-run 2 run "$pages/bench.md" --set follow=path.tsv -o bad
+run 2 run "$pages/contact-test.md" --set follow=path.tsv -o bad
 said 'path.tsv:2:6: error: expected a number for the slip, found `nought`'
 absent bad
 run 2 run "$pages/passes.md" --set follow=path.tsv
