@@ -510,6 +510,7 @@ INPUT = \
   src/input/expression.c \
   src/input/expression.h \
   src/input/file.c \
+  src/input/guess.c \
   src/input/hash.h \
   src/input/line.c \
   src/input/mistakes.c \

@@ -106,7 +106,7 @@ awk '
   function kind_of(text) {
     if (text ~ /^region /) return "a region"
     if (text ~ / grading /) return "a grading"
-    if (text ~ / with /) return "a pair"
+    if (text ~ / with /) return "a contact"
     return text ~ /^monitor +[^ ]+ +wall / ? "a wall" : "a particle"
   }
   function scene_line(text, place,  verb, i, m, all) {

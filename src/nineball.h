@@ -29,6 +29,7 @@ enum nb_status {
 struct nb_error {
   enum nb_status status;
   char text[512];
+  int line; /* of the page, where the message names it; 0: none */
 };
 
 /* ---- warning.c: warnings; they change no exit status
@@ -81,11 +82,9 @@ struct nb_quantity {
   const struct nb_suffix *suffix;      /* its suffix in a family of quantities (families.c); NULL: no family */
 };
 
-/* Finds `text`. Returns false when the scene has no such name; `hint` (NB_NAME_SIZE * 2 bytes) then holds the most
- * similar name, or is empty. */
-bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint);
-const char *nb_quantity_unit(struct nb_quantity quantity);                           /* "N", "m", "1" */
-double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model); /* SI */
+bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text); /* false: none */
+const char *nb_quantity_unit(struct nb_quantity quantity);                                           /* "N", "m", "1" */
+double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model);                 /* SI */
 /* ---- scene.c: the scene that a page describes
  * ---------------------------------------------------------------------- */
 

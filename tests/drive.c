@@ -226,7 +226,7 @@ static void the_stress_is_that_of_the_contacts(void) {
   written_scene(&it, &page);
   struct nb_model *model = written_model(&it, NULL);
   struct nb_quantity residual;
-  CU_ASSERT_FATAL(nb_quantity_find(&residual, &it.scene, "boundary.stress.residual", NULL));
+  CU_ASSERT_FATAL(nb_quantity_find(&residual, &it.scene, "boundary.stress.residual"));
   for (size_t s = 0; s < it.scene.stage_count; s++) {
     CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[s], &error), NB_OK);
     written_cycles(model, (int)it.scene.stages[s].cycles);

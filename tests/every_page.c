@@ -29,7 +29,7 @@ static void shorten(struct nb_scene *scene, double budget) {
 /* On the bench a column asks the laws for what not all of them know: no more than the page's own do. */
 static void add_column(struct nb_scene *scene, const char *name, size_t room, unsigned solution) {
   struct nb_column *column = &scene->columns[scene->column_count];
-  if (scene->column_count >= room || !nb_quantity_find(&column->quantity, scene, name, NULL) ||
+  if (scene->column_count >= room || !nb_quantity_find(&column->quantity, scene, name) ||
       (scene->contact_test && column->quantity.kind->fields & ~solution))
     return;
   snprintf(column->name, sizeof column->name, "%.120s", name);

@@ -237,16 +237,16 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"2 3", "p:1:3: error: expected an operator, found `3`", false},
       {"2 a", "p:1:3: error: expected a unit or an operator, found `a`", false},
       {"2a", "p:1:2: error: expected a unit or an operator, found `a`", false},
-      {"2mm", "hint: put a blank between the number and its unit: `mm`", false},
-      {"2 N/a", "hint: a unit is one word, such as `kg/m3`; to divide put blanks around `/`", false},
+      {"2mm", "hint: put a space between the number and its unit: `mm`", false},
+      {"2 N/a", "hint: a unit is one word, such as `kg/m3`; to divide put spaces around `/`", false},
       {"a mm", "p:1:3: error: expected an operator, found `mm`", false},
       {"2 mm mm", "p:1:6: error: expected an operator, found `mm`", false},
       {"a b", "p:1:3: error: expected an operator, found `b`", false},
       {"2 ** 3", "p:1:4: error: expected a number, a name or `(`, found `*`\n      1 | 2 ** 3\n", false},
       {"b + 1", "p:1:1: error: expected a name that a `let` or `sweep` above defines, found `b`", false},
-      {"mm", "hint: a unit stands behind a number", false},
+      {"mm", "hint: a unit follows a number", false},
       {"law", "p:1:1: error: expected the name of a number, `law` stands for `linear`", false},
-      {"$a + 1", "hint: names are bare within an expression: `a`", false},
+      {"$a + 1", "hint: an expression has names without `$`: `a`", false},
       {"foo(2)", "p:1:1: error: expected the name of a function, found `foo`", false},
       {"sin 2", "p:1:5: error: expected `(`, found `2`", false},
       {"sin(2", "expected an operator or `)`, found the end", false},
@@ -254,11 +254,11 @@ static void mistakes(void) { /* the column, from 1, and the message */
       {"sin(2, 3)", "p:1:6: error: expected an operator or `)`, found `,`", false},
       {"1,5 + 2", "hint: the decimal point is `.`", false},
       {"1.2.3", "p:1:4: error: expected an operator, found `.3`", false},
-      {"2 \u2212 1", "hint: this is a minus sign of typography", false},
-      {"2 \u00D7 3", "hint: a product is written `*`", false},
+      {"2 \u2212 1", "hint: this is not the minus sign", false},
+      {"2 \u00D7 3", "hint: multiply with `*`", false},
       {"2 N", "p:1:3: error: expected a unit or an operator, found `N`", true},
-      {"2 N", "hint: the scene says `units none`, so `N` is none", true},
-      {"30 deg", "hint: the scene says `units none`", true},
+      {"2 N", "hint: the scene has `units none`, so `N` is not a unit", true},
+      {"30 deg", "hint: the scene has `units none`", true},
       {"(2*a) mm", "expected a unit or an operator, found `mm`", true},
   };
   const char *given;
@@ -292,7 +292,7 @@ static void deep(void) {
       if (count == 98 && strcmp(kinds[k].open, "2^") != 0)
         CU_ASSERT_EQUAL(value, 1);
       if (count > 98)
-        CU_ASSERT(strstr(given, "expected at most 100 parts one within another") != NULL);
+        CU_ASSERT(strstr(given, "expected at most 100 levels of parentheses and signs") != NULL);
     }
   char text[NB_LINE_MAX] = "1", long_name[300] = "";
   const char *given;

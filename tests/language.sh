@@ -55,6 +55,36 @@ sed -n 's/^### //p' "$language" | sort -u | while read -r word; do
 done >"$work/said"
 test ! -s "$work/said"
 result $? 'nineball --help WORD describes each word'
+# Every word of a line of syntax: the statement and what it takes, `record every N cycles | none`.
+sed -n '/^### /{n;n;p;}' "$language" | tr -cs 'a-z0-9_-' '\n' | grep -E '^[a-z][a-z0-9_-]+$' | sort -u >"$work/words"
+while read -r word; do
+  "$nineball" --help "$word" >/dev/null 2>&1 || echo "nineball --help $word says nothing of it"
+done <"$work/words" >"$work/said"
+test "$(wc -l <"$work/words")" -gt 100 && test ! -s "$work/said"
+result $? 'nor does it leave out a word within a statement'
+for pair in energy:energy.sliding unbalanced:unbalanced.max kinetic:energy.kinetic quantities:dashpot.normal units:kg/m3 expressions:hypot \
+  sqrt:expressions MPa:pressure hertz:elastic amplitude:largest at:TIME deg:angle; do
+  "$nineball" --help "${pair%%:*}" 2>&1 | grep -qF -e "${pair#*:}" || echo "nineball --help ${pair%%:*} does not tell of ${pair#*:}"
+done >"$work/said"
+test ! -s "$work/said"
+result $? 'and it tells of what quantities begin so, of topics, units, functions, laws and reducers'
+
+# The words of other programs: each leads to all of ours, and ours are words of pages.
+grep '^    {"' src/input/guess.c | tr '{' '\n' | sed -n 's/^"\([^"]*\)", "\([^"]*\)".*$/\1|\2/p' >"$work/synonyms"
+test "$(wc -l <"$work/synonyms")" -gt 30 && cut -d '|' -f 1 "$work/synonyms" | tr ' ' '\n' | sort | uniq -d >"$work/said" &&
+  test ! -s "$work/said"
+result $? 'no word of another program stands in two rows'
+while IFS='|' read -r words ours; do
+  for word in $words; do
+    "$nineball" --help "$word" >"$work/help" 2>&1 || echo "nineball --help $word finds nothing"
+    echo "$ours" | tr -s ',' '\n' | sed 's/^ //' | while read -r our; do
+      case $our in nineball*) continue ;; esac
+      grep -qE -e "[ {|]$our([] ,:}|]|\$)" "$work/help" || echo "nineball --help $word does not show $our"
+    done
+  done
+done <"$work/synonyms" >"$work/said"
+test ! -s "$work/said"
+result $? 'words of other programs lead to ours'
 "$nineball" --help dics >/dev/null 2>"$work/said"
 test $? -eq 2 && grep -q 'did you mean `disc`?' "$work/said"
 result $? 'and suggests a word for a mistyped one'

@@ -160,9 +160,9 @@ mkdir -p "$work/cases/a" "$work/cases/b" "$work/cases/c"
 page '' | tee "$work/cases/a/twice.md" >"$work/cases/b/twice.md"
 on twice go on >"$work/cases/c/wrong.md"
 on a/twice go on >"$work/cases/c/right.md"
-twice="expected a file that is there once, found \`$work/cases/a/twice.md\` and \`$work/cases/b/twice.md\`"
+twice="expected one file of this name, found \`$work/cases/a/twice.md\` and \`$work/cases/b/twice.md\`"
 "$nineball" explain "$work/cases/c/wrong.md" >"$work/out" 2>"$work/said"
-test $? -eq 2 && grep -qF "cases/c/wrong.md:2:7: error: $twice" "$work/said" && grep -qF "hint: name it by its path from the folder of this page" "$work/said" &&
+test $? -eq 2 && grep -qF "cases/c/wrong.md:2:7: error: $twice" "$work/said" && grep -qF "hint: give its path from the folder of this page" "$work/said" &&
   "$nineball" explain "$work/cases/c/right.md" >"$work/out" 2>"$work/why"
 result $? 'an ambiguous page'
 page 'packing twice.md discs rock' >"$work/cases/c/wrong.md"
@@ -172,7 +172,7 @@ test $? -eq 2 && grep -qF "cases/c/wrong.md:3:9: error: $twice" "$work/said"
 result $? 'an ambiguous packing'
 page "packing $(many 4076 x) discs r" >"$work/wrong.md"
 "$nineball" explain "$work/wrong.md" >"$work/out" 2>"$work/why"
-test $? -eq 2 && grep -qF 'expected a file of less than 4096 bytes in its path' "$work/why"
+test $? -eq 2 && grep -qF 'expected a path shorter than 4096 bytes' "$work/why"
 result $? 'a path that is too long'
 cat "$work/why" >>"$work/heard"
 

@@ -68,9 +68,9 @@ static void progress(void) {
     int calls, runs;
     double fraction;
   } rows[] = {
-      {"", "one", "from stage `two` on shear none instead of linear: contacts remember nothing of it", 1, 1, 0},
+      {"", "one", "from stage `two` on shear none instead of linear: contact histories begin anew", 1, 1, 0},
       {"sweep v 1 2\nsweep w 3 4", "one of v=2, w=4",
-       "from stage `two` on shear none instead of linear: contacts remember nothing of it, run v=2, w=4", 4, 4, 0.75},
+       "from stage `two` on shear none instead of linear: contact histories begin anew, run v=2, w=4", 4, 4, 0.75},
   };
   for (size_t k = 0; k < 2; k++) {
     struct heard heard = {0};
@@ -105,8 +105,8 @@ static void note_of_memory_size(void) {
     char text[sizeof scene + 32], expected[256];
     snprintf(text, sizeof text, scene, given ? " memory 9" : "");
     snprintf(expected, sizeof expected,
-             "from stage `two` on shear mindlin_deresiewicz memory 6 instead of memory %d: contacts remember nothing "
-             "of it",
+             "from stage `two` on shear mindlin_deresiewicz memory 6 instead of memory %d: contact histories begin "
+             "anew",
              given ? 9 : 64);
     carry_out(&outcome, text, "A.x expected 10 mm within 1e-12 m [t]", &progress);
     CU_ASSERT_EQUAL(heard.notes, 1);
@@ -142,10 +142,9 @@ static void deep_overlaps_of_all_runs(void) {
       "cycle expected 9 within 0 [t]", NULL);
   CU_ASSERT_EQUAL(outcome.status, NB_OK);
   CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
-  CU_ASSERT_STRING_EQUAL(
-      outcome.warnings.list[0].text,
-      "overlaps beyond the range of the theory of elastic spheres, in 20 contact updates; first body 1 at body 2, "
-      "cycle 0, 0 s, run d=1.8 [R89 6.4.3]");
+  CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, "overlaps beyond the range of the theory of elastic spheres, "
+                                                        "in 20 contact updates; first particle 1 and particle 2, "
+                                                        "cycle 0, 0 s, run d=1.8 [R89 6.4.3]");
   nb_outcome_free(&outcome);
 }
 

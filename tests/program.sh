@@ -105,8 +105,8 @@ said 'wall `blade` (line 6): in cycle 1, at 0.001 s, it turned by 6.28319 rad in
 verdict 'a wall that rotates too far in one step: status 3, with wall, time and limit'
 
 run 3 run "$pages/too-long-a-step.md"
-said 'body 1 (line 5): at cycle 0, 0 s, the step 1 s is above what is sure to be stable, 0.000792665 s'
-said 'body 1 at body 2, as if they touched: write `step 0.00063 s`, or `allow unstable`' # 0.8 of the bound
+said 'particle 1 (line 5): at cycle 0, 0 s, the step 1 s is above the guaranteed stable one, 0.000792665 s'
+said 'particles 1 and 2, as if they touched: write `step 0.00063 s`, or `allow unstable`' # 0.8 of the bound
 for step in '2 of stable:write `step 0.8 of stable`' '1 per collision:write `step 2 per collision`' '3 of single-contact:write `step 0.57 of single-contact`'; do
   run 3 check "$pages/too-long-a-step.md" --set step="${step%%:*}"
   said "${step#*:}"
@@ -249,9 +249,12 @@ run 0 --help kn
 out 'kn K: a stiffness, 0 or more; without it: 0.'
 out 'kn K: a stiffness, 0 or more; without it: as it was.'
 run 0 --help C.normal
-out 'normal of a pair, in N: elastic normal force'
+out 'normal, quantity of a contact, in N: elastic normal force'
 run 0 --help energy.residual
-out 'energy.residual of the scene, in J: '
+out 'energy.residual, quantity of the scene, in J: '
+run 0 run --help
+out 'usage: nineball COMMAND'
+out '`run` is called `cycles` or `until` here'
 run 2 --help norma
 said '`norma` is not a word of pages; did you mean `normal`?'
 verdict '--version and --help'
@@ -277,7 +280,7 @@ sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
 run 0 explain soft.md
 out 'single contact: none, no contact has a stiffness'
 run 2 explain soft.md --set step='0.1 of single-contact'
-said '--set: the step comes out as inf s: a share needs a free particle and a contact with stiffness.'
+said '--set: the step is computed as inf s: a fraction needs a free particle and a contact with stiffness.'
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'
@@ -300,6 +303,9 @@ verdict 'tables in the default folder and in a new folder'
 
 run 1 run "$pages/passes.md" -o set --set v=0.25
 test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.25 || echo '--set v=0.25 has no effect' >>why
+run 1 run "$pages/passes.md" -o set --set v=1 --set v=0.25
+test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.25 || echo 'the last --set of a name has no effect' >>why
+said 'warning: --set v=1 has no effect: --set v=0.25 follows it'
 run 0 run "$pages/passes.md" -o set --set 'step=0.0625' --set v=1
 test "$(column step/- set/table.tsv | tail -n 1)" = 0.0625 || echo '--set step has no effect' >>why
 test "$(column D.x/- set/table.tsv | tail -n 1)" = 1.5 || echo 'two --set have no effect' >>why
@@ -336,16 +342,16 @@ run 0 run own.md -o own
 test "$(column slip/m own/table.tsv | tr '\n' ' ')" = '0 0 9.9999999999999995e-08 -9.9999999999999995e-08 8.9999999999999996e-07 ' || echo 'the segment did not follow its file' >>why
 run 0 run "$pages/contact-test.md" --set follow=none.tsv --set follow=path.tsv -o path
 run 0 explain "$pages/contact-test.md" --set follow=path.tsv
-out 'the path is read from a file'
+out ', read from a file'
 run 2 check "$pages/contact-test.md" --set follow=path.tsv
-out '`follow` replaces the path of the page'
+out '`follow` replaces the segments of the page'
 said 'no expectation of this page could fail'
 printf 'approach/m\tslip/m\n1e-6\tnought\n' >path.tsv
 run 2 run "$pages/contact-test.md" --set follow=path.tsv -o bad
 said 'path.tsv:2:6: error: expected a number for the slip, found `nought`'
 absent bad
 run 2 run "$pages/passes.md" --set follow=path.tsv
-said 'expected a page with a path for `follow`'
+said 'expected a page with a contact test for `follow`'
 verdict '--set follow: the contact of the page on another path, and invalid paths'
 
 run 0 run "$pages/swept.md" -o swept
@@ -367,7 +373,7 @@ out 'pass  D.x increases with T over seed'
 out 'from 1 to 2: mean difference +2.5, 95 % confidence 0.4457 to 4.554, mean 4.75'
 out '2 of 2 checks passed, 6 noted'
 run 0 check "$pages/sample.md" --tap
-out 'ok 3 - D.x expected 0.5 of D.x max over seed [a share, 1 in all] (T=1, n=8) # SKIP noted, not judged'
+out 'ok 3 - D.x expected 0.5 of D.x max over seed [a share, 1 in all] (T=1, n=8) # SKIP noted, not checked'
 run 1 check "$pages/sample.md" --set push=-2 # all distances smaller by 3: the interval contains 0 and ends below 4.6
 out 'FAIL  D.x increases with T over seed'
 out 'from 1 to 2: mean difference -0.5, 95 % confidence -2.554 to 1.554'

@@ -19,7 +19,7 @@ run() {
   shift
   "$nineball" run "$@" --states "$states" -o "$folder" >"$work/out" 2>"$work/said"
 }
-made() { grep -c 'is made$' "$work/said"; }
+made() { grep -c 'where this page starts$' "$work/said"; }
 
 "$nineball" explain "$pages/saved-stage.md" --states "$states" >"$work/said" &&
   grep -q 'nine-discs-load-[0-9a-f]*.state: missing, will be computed' "$work/said" &&
@@ -60,7 +60,7 @@ sed 's/^start .*/start third stage more/; s/stage   more/stage again/' "$pages/t
 sed 's/^start .*/start fourth stage again/' "$pages/saved-stage.md" >"$pages/other.md"
 mv "$pages/other.md" "$pages/saved-stage.md"
 "$nineball" explain "$pages/third.md" --states "$states" >"$work/out" 2>"$work/said"
-test $? -eq 2 && grep -q 'starts from itself in the end' "$work/said"
+test $? -eq 2 && grep -q 'would start from itself' "$work/said"
 result $? 'a circular chain is an error'
 cp cases/5-numerics/saved-stage.md "$pages"
 
@@ -200,7 +200,7 @@ cycles  $n
 END
 rm "$states"/*
 run sweep "$pages/sweep.md" --jobs 4
-test "$(made)" -eq 0 && test "$(grep -c 'is made, run' "$work/said")" -eq 2 && test "$(ls "$states" | wc -l)" -eq 2
+test "$(made)" -eq 0 && test "$(grep -c 'where this page starts, run' "$work/said")" -eq 2 && test "$(ls "$states" | wc -l)" -eq 2
 result $? 'the runs of a sweep compute each state once'
 
 # Names that take their values together: the value of one selects those of the others.
@@ -244,7 +244,7 @@ for k in 1 2 3; do
 done
 wait
 cat "$work"/said-[123] >"$work/said"
-test "$(made)" -eq 1 && test "$(grep -c 'note: waits for process [0-9]*, which makes' "$work/said")" -ge 1 &&
+test "$(made)" -eq 1 && test "$(grep -c 'note: waiting for process [0-9]*, which writes' "$work/said")" -ge 1 &&
   cmp "$work/at-once-1/table.tsv" "$work/at-once-2/table.tsv" && cmp "$work/at-once-1/table.tsv" "$work/at-once-3/table.tsv" &&
   test "$(ls "$states" | wc -l)" -eq 1
 result $? 'three processes: one computes the state, the others wait'
@@ -319,7 +319,7 @@ on deeper/far.md >"$root/cases/2-two/page.md"
 test "$(cycle_of "$root/cases/2-two/page.md")" = 4
 result $? 'a name with a folder'
 on twice >"$root/cases/2-two/page.md"
-no "$root/cases/2-two/page.md" "page.md:3:7: error: expected a file that is there once, found \`$root/cases/1-one/deeper/twice.md\` and \`$root/cases/1-one/twice.md\`"
+no "$root/cases/2-two/page.md" "page.md:3:7: error: expected one file of this name, found \`$root/cases/1-one/deeper/twice.md\` and \`$root/cases/1-one/twice.md\`"
 result $? 'an ambiguous name is an error that names both files'
 on 1-one/twice >"$root/cases/2-two/page.md" && test "$(cycle_of "$root/cases/2-two/page.md")" = 7 &&
   on ../1-one/twice >"$root/cases/2-two/page.md" && test "$(cycle_of "$root/cases/2-two/page.md")" = 7

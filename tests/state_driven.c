@@ -125,7 +125,7 @@ static void otherwise(const char *statements, int drop) {
     printf("# %d: %s\n", drop, error.text);
   CU_ASSERT_EQUAL(error.status, drop ? NB_BAD_USE : NB_OK);
   if (drop)
-    CU_ASSERT_STRING_EQUAL(error.text, "the state has a cell or a boundary otherwise than the page");
+    CU_ASSERT_STRING_EQUAL(error.text, "expected the cell and the boundary of the page in the state, found others");
   nb_model_free(model);
   saved = whole;
   nb_saved_free(&saved);

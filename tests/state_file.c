@@ -48,7 +48,7 @@ static void every_length(void) {
     char *cut = malloc(length + 1); /* so that a sanitizer sees what is read behind its end */
     memcpy(cut, text, length);
     unseen += reads(cut, length, &error) || strncmp(error.text, "a.state:", 8) != 0 ||
-              !strstr(error.text, length < 17 ? "this is no saved state" : "the file is cut off");
+              !strstr(error.text, length < 17 ? "this is not a saved state" : "the file is cut off");
     free(cut);
   }
   CU_ASSERT_EQUAL(unseen, 0);
@@ -79,7 +79,7 @@ static void mistakes(const char *page, const struct mistake rows[], size_t count
 static void every_mistake(void) {
   static const struct mistake rows[] = {
       {"nineball state 1", "nineball state 2", "a.state:1:1: expected `nineball state 1`"},
-      {"units none", "unit none", "a.state:9:1: expected a record that this program knows, found `unit`"},
+      {"units none", "unit none", "a.state:9:1: expected a record of this version, found `unit`"},
       {"units none", "units \033[2J\x80", "a.state:9:7: expected `si` or `none`, found `?[2J?`"},
       {"units none", "units ft", "a.state:9:7: expected `si` or `none`, found `ft`"},
       {"units none", "units none x", "a.state:9:12: expected the end of the line, found `x`"},
@@ -111,7 +111,7 @@ static void every_mistake(void) {
       {"fields overlap", "fields overlap overlap", "expected `closing`, found `overlap`"},
       {" drag\n", "\n", "expected `drag`, found the end of the line"},
       {"fields overlap closing", "setting a=1\nfields overlap", "a.state:19:16: expected `closing`, found `slip`"},
-      {"\nnormal 0x", "\nnormal 0x0p+0 0x", "expected numbers that the law can have remembered, found `normal`"},
+      {"\nnormal 0x", "\nnormal 0x0p+0 0x", "expected a contact history that the law can have, found `normal`"},
       {"setting v=0.1 m/s", "setting", "expected a text shorter than 128 bytes, found the end of the line"},
       {"setting v=0.1 m/s",
        "setting 7777777777777777777777777777777777777777777777777777777777777777"
@@ -135,13 +135,13 @@ static void every_mistake(void) {
       {"boundary held", "boundary broken", "expected `held` or `loose`, found `broken`"},
       {"held unpressed", "held tight", "expected `pressed` or `unpressed`, found `tight`"},
       {"members 9", "members 10", "expected a whole number from 1 to 9, found `10`"},
-      {"\nmembers 9 ", "\nmembers ", "expected body 9 to be carried by a cell or a boundary that there is"},
+      {"\nmembers 9 ", "\nmembers ", "expected particle 9 to follow a cell or a boundary that the state has"},
       {"carried 9 ", "setting 9 ", "expected a record `carried` for each body, or for none"},
       {"\ncarrier cont",
        "\ncarrier boundary apart 0x0p+0 0x0p+0 0x0p+0 0x0p+0 time 0x0p+0 0x0p+0 0x0p+0 0x0p+0\ncarrier cont",
-       "expected such a record once for each carrier"},
+       "expected such a record once for each source of imposed motion"},
       {"\nmembers 9 7 1 3\n", "\nmembers 9 7 1\n",
-       "expected body 3 to be carried by a cell or a boundary that there is"},
+       "expected particle 3 to follow a cell or a boundary that the state has"},
       {"members 9 7", "members 9 9", "expected each body once, found `9`"},
       {"boundary held", "carried 10 nothing 0x0p+0 0x0p+0\nboundary held",
        "expected such a record once for each body above"},
@@ -156,11 +156,11 @@ static void every_mistake(void) {
   };
   /* The exact law's row: 2 pieces from 0 outwards. */
   static const struct mistake of_rows[] = {
-      {"\nshear 0x1p+1 ", "\nshear 0x1p+9 ", "expected numbers that the law can have remembered, found `shear`"},
-      {"\nshear 0x1p+1 ", "\nshear 0x1p+40 ", "expected numbers that the law can have remembered, found `shear`"},
-      {"\nshear 0x1p+1 ", "\nshear -0x1p+0 ", "expected numbers that the law can have remembered, found `shear`"},
-      {"\nshear 0x1p+1 ", "\nshear 0x1.8p+0 ", "expected numbers that the law can have remembered, found `shear`"},
-      {"\nshear 0x1p+1 ", "\nshear 0x1p+1 0x1p+0 ", "expected numbers that the law can have remembered, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear 0x1p+9 ", "expected a contact history that the law can have, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear 0x1p+40 ", "expected a contact history that the law can have, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear -0x1p+0 ", "expected a contact history that the law can have, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear 0x1.8p+0 ", "expected a contact history that the law can have, found `shear`"},
+      {"\nshear 0x1p+1 ", "\nshear 0x1p+1 0x1p+0 ", "expected a contact history that the law can have, found `shear`"},
   };
   static const char exact[] = "units none\nmaterial m density 3 friction 0.3 young 5000 poisson 0.2\nnormal "
                               "hertz\nshear mindlin_deresiewicz memory 3\n"

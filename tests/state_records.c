@@ -159,8 +159,8 @@ static void every_record(void) {
       {state_ring, "rotation", NULL},
       {state_ring, "centre", NULL},
       {state_ring, "boundary", "expected records `boundary` and `members`, or neither"},
-      {state_ring, "members", "expected body 1 to be carried by a cell or a boundary that there is"},
-      {state_cell, "cell", "expected body 1 to be carried by a cell or a boundary that there is"},
+      {state_ring, "members", "expected particle 1 to follow a cell or a boundary that the state has"},
+      {state_cell, "cell", "expected particle 1 to follow a cell or a boundary that the state has"},
   };
   for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
     size_t size;
@@ -202,7 +202,7 @@ static void at_most(void) {
   strcpy(many, "shear");
   for (int k = 0; k < NB_HISTORY_MAX; k++)
     strcat(many, " 0");
-  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, end, many).text, "numbers that the law can have remembered"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, end, many).text, "a contact history that the law can have"));
   strcat(many, " 0");
   CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, end, many).text, "expected at most 1292 numbers"));
   free(many), free(text);

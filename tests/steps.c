@@ -131,7 +131,7 @@ static void a_step_without_end(void) {
     written_scene(&it, &page);
     CU_ASSERT_PTR_NULL(nb_model_create(&it.scene, NULL, &error));
     CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
-    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "line 5: the step comes out as inf s"));
+    CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "line 5: the step is computed as inf s"));
     written_free(&it);
   }
 }
@@ -141,12 +141,12 @@ static void no_step_for_spheres(void) {
     const char *statements, *words;
   } pages[] = {
       {"sphere 0 3 radius 1 m\nsphere 9 3 radius 1 m velocity 1 0\nstep 1 of collision\n",
-       "line 9: nothing approaches"},
+       "line 9: no pair approaches"},
       {"gravity 0 -9\nsphere 0 3 radius 1 m\nwall w -9 0 to 9 0 r\nstep 9 per collision\n",
-       "line 10: nothing approaches"},
-      {"sphere 0 3 radius 1 m\nstep 0.1 of stable\n", "line 8: what is safe follows from the stiffness"},
+       "line 10: no pair approaches"},
+      {"sphere 0 3 radius 1 m\nstep 0.1 of stable\n", "line 8: the stable step follows from the stiffness"},
       {"lattice spheres 3 by 1 radius 1 m\nstep 0.1 of stable\n",
-       "elastic spheres that are not pressed have none: say `N per collision`"},
+       "elastic spheres without overlap have none: write `N per collision`"},
       {"lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.1 of single-contact\n",
        "line 8: elastic spheres have no critical step"},
   };
@@ -224,8 +224,8 @@ static void a_bound_that_is_crossed_stops_the_run(void) {
   struct nb_error error;
   CU_ASSERT_EQUAL(ends(COMING("0.45", ""), &cycles, &error), NB_BROKEN);
   CU_ASSERT(cycles >= 80 && cycles <= 85); /* listed at a gap of 0.1, when something has gone half of that */
-  says(&error, "body 1 (line 4)");
-  says(&error, "normal motion of body 1 at body 2");
+  says(&error, "particle 1 (line 4)");
+  says(&error, "normal motion of particles 1 and 2");
   says(&error, "the step 0.45 s");
   says(&error, "0.408248 s");
   char words[64];

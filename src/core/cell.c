@@ -118,10 +118,11 @@ enum nb_status nb_cell_check_width(const struct nb_model *model, struct nb_error
   const double width = nb_wrap_width(&wrap), least = 2 * (2 * model->cell->largest_radius + model->search.skin);
   if (width >= least)
     return NB_OK;
-  return nb_error_set(error, model->cycle ? NB_BROKEN : NB_BAD_USE,
-                      "line %d: the cell is %g m wide at cycle %lu, at %g s: a body would meet another in two places. "
-                      "The least is twice the largest diameter and the skin, %g m",
-                      model->scene->cell.line, width, model->cycle, model->time, least);
+  return nb_error_set(
+      error, model->cycle ? NB_BROKEN : NB_BAD_USE,
+      "line %d: the cell is %g m wide at cycle %lu, at %g s: a particle could touch two images of another one. "
+      "The smallest width is twice the sum of the largest diameter and the skin, %g m",
+      model->scene->cell.line, width, model->cycle, model->time, least);
 }
 
 /* ---- measures ---- */

@@ -89,11 +89,15 @@ enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *err
     if (!(overlap > radius))
       continue;
     const int a = particles->number[i], b = particles->number[j];
-    if (model->cycle == 0)
-      return nb_error_set(error, NB_BAD_USE,
-                          "line %d: particle %d overlaps particle %d (line %d) by %g m. Expected at most the smaller "
-                          "radius, %g m: move them apart, or make them smaller",
-                          line_of(model, b), b, a, line_of(model, a), overlap, radius);
+    if (model->cycle == 0) {
+      nb_error_set(
+          error, NB_BAD_USE,
+          "particle %d overlaps particle %d (line %d) by %g m. Expected at most the smaller radius, %g m: move "
+          "them apart, or make them smaller",
+          b, a, line_of(model, a), overlap, radius);
+      error->line = line_of(model, b);
+      return NB_BAD_USE;
+    }
     return nb_error_set(
         error, NB_BROKEN,
         "particle %d (line %d) and particle %d (line %d): at cycle %lu, %g s, they overlap by %g m. The "

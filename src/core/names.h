@@ -52,6 +52,8 @@ enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNE
 extern const struct nb_quantity_kind nb_contact_test_kinds[];
 
 /* input/names.c */
+/* What to type instead of a name that no quantity of the scene has, in a text of NB_HINT_SIZE: the nearest one, or what there is. */
+const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text);
 bool nb_quantity_is_residual(struct nb_quantity quantity); /* a residual, 0 by definition */
 /* The k-th quantity, for the manual; false past the last one. */
 struct nb_quantity_row {

@@ -106,15 +106,18 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
   const int number = model->particles.number[i];
   const double radius = model->particles.surface[i].radius;
   if (model->cycle == 0)
-    return nb_error_set(error, NB_BROKEN, "body %d (line %d) has its centre on wall `%s` (line %d): on neither side",
-                        number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line);
-  return nb_error_set(error, NB_BROKEN,
-                      "body %d (line %d) has gone through wall `%s` (line %d) in cycle %lu, at %g s: its centre came "
-                      "to the other side. The limit is its radius, %g m; in this step of %g s it moved %g m against "
-                      "the wall: try %s",
-                      number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line,
-                      model->cycle, model->time, radius, model->previous_step, displacement,
-                      displacement > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");
+    return nb_error_set(
+        error, NB_BROKEN,
+        "particle %d (line %d) has its centre on wall `%s` (line %d), so it is on neither side: move it", number,
+        scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line);
+  return nb_error_set(
+      error, NB_BROKEN,
+      "particle %d (line %d) passed through wall `%s` (line %d) in cycle %lu, at %g s: its centre is now "
+      "on the other side. The limit is its radius, %g m; in this step of %g s it moved %g m against "
+      "the wall: try %s",
+      number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line, model->cycle, model->time,
+      radius, model->previous_step, displacement,
+      displacement > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");
 }
 
 static enum nb_status check_crossing(const struct nb_model *model, size_t i, size_t w, struct nb_error *error) {

@@ -11,8 +11,8 @@ enum { AT_SHAPE = AT_VX, AT_NX, AT_NY, AT_SPACING, AT_SQUARE, AT_HEXAGONAL };
 
 /* clang-format off */
 static const struct nb_argument particle_fields[] = {
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "x of the centre."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "y of the centre."),
   RADIUS(AT_RADIUS),
   MATERIAL(AT_MATERIAL),
   VELOCITY(AT_VX, "0 0"),
@@ -23,9 +23,9 @@ static const struct nb_argument particle_fields[] = {
 static const struct nb_argument lattice_fields[] = {
   SHAPE(AT_SHAPE),
   FLAG("square", AT_SQUARE, "the same", "Rows above each other."),
-  FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row half a spacing to the east, rows sqrt(3)/2 of it apart: six neighbours, equally far."),
-  COUNT(NULL, "NX", AT_NX, NULL, "How many from west to east."),
-  COUNT("by", "NY", AT_NY, NULL, "How many rows, from south to north."),
+  FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row is shifted by half a spacing in x, and rows are sqrt(3)/2 of it apart: six neighbours at equal distance."),
+  COUNT(NULL, "NX", AT_NX, NULL, "Number in x."),
+  COUNT("by", "NY", AT_NY, NULL, "Number of rows, in y."),
   CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, in the south-west."),
   RADIUS(AT_RADIUS),
   CLAUSE("spacing", "S", NB_UNIT_LENGTH, NB_POSITIVE, AT_SPACING, 1, "2R", "From centre to centre; 2R: touching."),
@@ -36,7 +36,7 @@ static const struct nb_argument lattice_fields[] = {
 
 bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more) {
   if (more > NB_PARTICLES_MAX || scene->particle_count + more > NB_PARTICLES_MAX)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d bodies, with these there are %zu",
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d particles, found %zu with this statement",
                      NB_PARTICLES_MAX, scene->particle_count + more);
   return reader->bad;
 }
@@ -54,8 +54,8 @@ struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scen
   struct nb_particle particle = {.shape = shape, .fixed = fixed, .line = (int)reader->line};
   particle.material = nb_material_of(scene, reader, material);
   if (!reader->bad && scene->materials[particle.material].density == 0 && !fixed)
-    nb_expected_at(reader, material, "give the material a `density`, or hold the body with `fixed`",
-                   "a material with mass for a free body");
+    nb_expected_at(reader, material, "give the material a `density`, or hold the particle with `fixed`",
+                   "a material with a density for a free particle");
   nb_too_many_particles(reader, scene, count);
   return particle;
 }
@@ -90,10 +90,10 @@ NB_APPLY(apply_lattice) {
   const double far_x = like.x + like.spacing * (double)like.nx, far_y = like.y + like.spacing * (double)like.ny;
   one.radius = radius;
   if (value[AT_HEXAGONAL].token && value[AT_SQUARE].token)
-    nb_token_mistake(reader, value[AT_HEXAGONAL].token, NULL, "expected `square` or `hexagonal`, not both");
+    nb_token_mistake(reader, value[AT_HEXAGONAL].token, NULL, "expected `square` or `hexagonal`, found both");
   if (!(isfinite(far_x) && isfinite(far_y)))
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected a lattice that a double can hold, this one is too large");
+                     "expected a lattice with finite coordinates, this one is too large");
   if (!reader->bad && !nb_fill_lattice(scene, like, one))
     nb_no_memory(reader);
 }

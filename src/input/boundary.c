@@ -14,8 +14,8 @@ enum { AT_APART = NB_AT_BEHIND_STRAIN, AT_LITERAL };
 /* clang-format off */
 static const struct nb_argument nothing[] = {END};
 static const struct nb_argument circle_fields[] = {
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "Centre, to the east."),
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "Centre, to the north."),
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "x of the centre."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "y of the centre."),
   RADIUS(AT_RADIUS),
   END
 };
@@ -29,7 +29,7 @@ static const struct nb_argument strain_fields[] = {STRAIN, END};
 static const struct nb_argument box_strain_fields[] = {STRAIN_SIDES, END};
 static const struct nb_argument continuum_strain_fields[] = {
   STRAIN,
-  FLAG("apart", AT_APART, "apart", "What carries a body along is no part of its own velocity [R89 4.41]."),
+  FLAG("apart", AT_APART, "apart", "The imposed velocity is not part of the particle's own velocity [R89 4.41]."),
   FLAG("accumulated", AT_LITERAL, "apart",
        "The interpretation that R89 codes: the imposed velocity is added to the velocity of a particle in every cycle and accumulates there."),
   END
@@ -38,8 +38,7 @@ static const struct nb_argument continuum_strain_fields[] = {
 
 /* ---- strain rates ---- */
 
-/* Whether its unit is `per cycle`. */
-static bool per_cycle(const struct nb_reader *reader, const struct nb_value *value) {
+bool nb_is_per_cycle(const struct nb_reader *reader, const struct nb_value *value) {
   const struct nb_token *unit = value->token ? value->token + 1 : NULL;
   return unit && unit < reader->tokens + reader->count && strcmp(unit->text, NB_PER_CYCLE) == 0;
 }
@@ -50,13 +49,13 @@ struct nb_strain_rate nb_strain_of(struct nb_reader *reader, const struct nb_val
                                       .xy = value[shear ? NB_AT_XY : NB_AT_C12].number,
                                       .yx = value[shear ? NB_AT_XY : NB_AT_C21].number,
                                       .yy = value[NB_AT_YY].number,
-                                      .per_cycle = per_cycle(reader, &value[NB_AT_XX])};
+                                      .per_cycle = nb_is_per_cycle(reader, &value[NB_AT_XX])};
   if (shear && (value[NB_AT_C12].token || value[NB_AT_C21].token))
     nb_token_mistake(reader, value[NB_AT_XY].token, NULL, "expected `shear`, or `c12` and `c21`, found both");
   for (int k = NB_AT_YY; k <= NB_AT_C21; k++)
-    if (value[k].token && per_cycle(reader, &value[k]) != rate.per_cycle)
+    if (value[k].token && nb_is_per_cycle(reader, &value[k]) != rate.per_cycle)
       nb_token_mistake(reader, value[k].token, NULL,
-                       "expected all of a strain rate in the same way, `per cycle` or by time");
+                       "expected all strain rates of a statement in one kind of unit, `per cycle` or `1/s`");
   return rate;
 }
 
@@ -82,7 +81,7 @@ bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
   if (!begun && nb_excused(reader->mistakes, "boundary"))
     nb_silent(reader);
   if (!begun)
-    nb_token_mistake(reader, &reader->tokens[0], "begin one with `boundary circle X Y radius R`",
+    nb_token_mistake(reader, &reader->tokens[0], "define it above with `boundary circle X Y radius R`",
                      "expected a scene with a boundary, found none");
   return reader->bad;
 }
@@ -113,7 +112,7 @@ NB_APPLY(apply_continuum) {
   if (record->keyword->variant == 0)
     continuum.strain = nb_strain_of(reader, value);
   if (continuum.accumulated && value[AT_APART].token)
-    nb_token_mistake(reader, value[AT_LITERAL].token, NULL, "expected `apart` or `accumulated`, not both");
+    nb_token_mistake(reader, value[AT_LITERAL].token, NULL, "expected `apart` or `accumulated`, found both");
   if (!nb_given_twice(reader, stage->affine.line))
     stage->affine = continuum;
 }
@@ -149,9 +148,9 @@ void nb_boxes_check(struct nb_scene_reading *reading) {
     if (!line || s < scene->start.stages)
       continue;
     if (moved)
-      say(reading, line, NULL, "expected a stage that moves the walls of the box in one way, found two");
+      say(reading, line, NULL, "expected one statement that moves the walls of the box in this stage, found two");
     if (turned)
-      say(reading, line, NULL, "expected a box whose walls do not turn");
+      say(reading, line, NULL, "expected a box whose walls have no `spin`");
   }
 }
 
@@ -162,8 +161,9 @@ static void check_cell(struct nb_scene_reading *reading) {
   for (size_t s = 0; s < scene->stage_count && !line; s++)
     line = scene->stages[s].circle.line ? scene->stages[s].circle.line : scene->stages[s].affine.line;
   if (scene->cell.line && line)
-    nb_line_mistake(&reading->reader, (size_t)line, "a cell has no boundary: say `cell strain`",
-                    "expected a scene without a cell, found one on line %d", scene->cell.line);
+    nb_line_mistake(&reading->reader, (size_t)line, "a periodic cell has neither: use `cell strain`",
+                    "expected a `boundary` or `affine` statement in a scene without a cell, found a cell on line %d",
+                    scene->cell.line);
 }
 
 /* The line of a stage that imposes motion on particles or walls; 0: none. */
@@ -194,33 +194,33 @@ void nb_drives_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(boundary) = {
   {"boundary circle", NB_IN_SCENE | NB_IN_STAGE, circle_fields, NULL, 0, false, apply_circle,
-   "Bodies whose centres are on this circle or beyond are the assembly's boundary from here on; at first it is held. While it is held or "
-   "strained it carries the circle with it, and who comes to more than half cross it belongs to the boundary as well [R89 6.4.1].",
+   "Particles whose centres are on this circle or outside are the boundary of the assembly from here on; at first they are fixed. While the "
+   "boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 6.4.1].",
    "boundary  circle 40 mm 40 mm  radius 1 m"},
   {"boundary strain", NB_IN_STAGE, strain_fields, NULL, 0, false, apply_boundary,
-   "The centres of the boundary's bodies follow a strain rate about the circle's centre, exactly; they do not turn, and there is no force "
+   "The centres of the boundary's particles follow a strain rate about the circle's centre, exactly; they do not rotate, and there is no force "
    "between two of them. From this stage on.",
    "stage     squeeze\n  boundary strain -1e-6 per cycle -1e-6 per cycle\n  cycles  10"},
   {"boundary stress", NB_IN_STAGE, stress_fields, NULL, 1, false, apply_boundary,
-   "The boundary's bodies are free, and on each acts the force of a stress on its share of the polygon through their centres. From this "
+   "The boundary's particles are free, and on each acts the force of a stress on its part of the polygon through their centres. From this "
    "stage on.",
    "stage     load\n  boundary stress 1 kPa 1 kPa\n  cycles  10"},
   {"boundary fixed", NB_IN_STAGE, nothing, NULL, 2, false, apply_boundary,
-   "The boundary's bodies stand still from this stage on.",
+   "The boundary's particles are fixed from this stage on.",
    "stage     rest\n  boundary fixed\n  cycles  10"},
   {"boundary none", NB_IN_STAGE, nothing, NULL, 3, false, apply_boundary,
-   "There is no boundary from this stage on: its bodies are free again, with the velocity that they have.",
+   "There is no boundary from this stage on: its particles are free, with the velocity that they have.",
    "stage     loose\n  boundary none\n  cycles  10"},
   {"box strain", NB_IN_STAGE, box_strain_fields, NULL, 0, false, apply_box_strain,
    "The walls of the box follow a strain rate about its middle, exactly; they grow or shrink with it, so that its corners stay closed. From this stage on, until a stage moves one "
    "of them by `wall` or `walls`.",
    "stage     narrow\n  box     strain -1e-6 per cycle 1e-7 per cycle\n  cycles  10"},
   {"affine strain", NB_IN_STAGE, continuum_strain_fields, NULL, 0, false, apply_continuum,
-   "All bodies that are free and no boundary's are carried along with a strain rate about the boundary's centre, or the origin of the page. "
-   "Forces and damping change what their velocities are beyond it [R89 4.41, 4.42]. From this stage on.",
+   "All free particles that are not of the boundary follow an affine motion of this strain rate about the boundary's centre, or the origin of the page. "
+   "Forces and damping change their velocities relative to it [R89 4.41, 4.42]. From this stage on.",
    "stage     carry\n  affine  strain -1e-6 per cycle 1e-6 per cycle  shear 1e-7 per cycle\n  cycles  10"},
   {"affine none", NB_IN_STAGE, nothing, NULL, 1, false, apply_continuum,
-   "Nothing is carried along from this stage on, but the boundary.",
+   "No affine motion is imposed on particles from this stage on, except those of the boundary.",
    "stage     stop\n  affine  none\n  cycles  10"},
   {0},
 };

@@ -12,8 +12,8 @@ enum { AT_VX, AT_VY };
 /* clang-format off */
 static const struct nb_argument cell_fields[] = {CORNERS(AT_X, AT_X1), END};
 static const struct nb_argument wave_fields[] = {
-  VALUE("VX", NB_UNIT_VELOCITY, NB_ANY, AT_VX, "To the east, where it is largest."),
-  VALUE("VY", NB_UNIT_VELOCITY, NB_ANY, AT_VY, "To the north, where it is largest."),
+  VALUE("VX", NB_UNIT_VELOCITY, NB_ANY, AT_VX, "Amplitude in x."),
+  VALUE("VY", NB_UNIT_VELOCITY, NB_ANY, AT_VY, "Amplitude in y."),
   END
 };
 static const struct nb_argument strain_fields[] = {STRAIN, END};
@@ -33,7 +33,7 @@ bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader) {
     nb_silent(reader);
   if (!scene->cell.line)
     nb_token_mistake(reader, &reader->tokens[0], "define it before the stages with `cell X Y to X Y`",
-                     "expected a scene with a cell, found none");
+                     "expected a scene with a periodic cell, found none");
   return reader->bad;
 }
 
@@ -56,7 +56,7 @@ NB_APPLY(apply_wave) {
     return;
   if (nx != round(nx) || ny != round(ny) || fabs(nx) > most || fabs(ny) > most)
     nb_token_mistake(reader, &reader->tokens[reader->next - 1], NULL,
-                     "expected whole numbers of periods, at most 1e6, or the wave would not fit the cell");
+                     "expected whole numbers of periods, from -1e6 to 1e6");
   for (size_t i = 0; i < scene->particle_count && !reader->bad; i++) {
     struct nb_particle *particle = &scene->particles[i];
     const double sine = sin(2 * NB_PI *
@@ -81,8 +81,7 @@ void nb_cell_check(struct nb_scene_reading *reading) {
   if (!scene->cell.line)
     return;
   if (scene->wall_count > 0)
-    say(reading, "what a wall would be in every copy of the cell is not worked out",
-        "expected a cell or walls, found both");
+    say(reading, "a periodic cell has no walls: remove the walls, or the cell", "expected a cell or walls, found both");
   for (size_t i = 0; i < scene->particle_count; i++)
     largest = fmax(largest, scene->particles[i].radius), sum += scene->particles[i].radius;
   const double skin = scene->skin > 0 ? scene->skin : 0.1 * sum / (double)scene->particle_count;
@@ -90,23 +89,24 @@ void nb_cell_check(struct nb_scene_reading *reading) {
   const char *unit = reading->reader.unitless ? "" : " m";
   if (nb_particles_incomplete(reading) || scene->particle_count < 2 || width >= least)
     return;
-  snprintf(what, sizeof what, "expected a cell twice as wide as the largest diameter and the skin, %g%s, found %g%s",
+  snprintf(what, sizeof what,
+           "expected cell sides of at least %g%s, twice the sum of the largest diameter and the skin, found %g%s",
            least, unit, width, unit);
-  say(reading, "in a narrower one a body would meet another in two places", what);
+  say(reading, "in a smaller cell a particle could touch two images of another one", what);
 }
 
 /* clang-format off */
 NB_STATEMENTS(cell) = {
   {"cell", NB_IN_SCENE | NB_IN_CELL, cell_fields, NULL, 0, false, apply_cell,
-   "A periodic cell: copies of it fill the plane, and every body of it meets those of others. All bodies belong to it, wherever "
-   "they are. In place of walls; then there are quantities `cell.NAME`.",
+   "A periodic cell: its images fill the plane, and particles touch images of others across its edges. All particles belong to it, wherever "
+   "they are. It takes the place of walls, and there are quantities `cell.NAME`.",
    "cell      0 mm 0 mm to 80 mm 80 mm"},
   {"perturb wave", NB_IN_SCENE | NB_IN_CELL, wave_fields, "periods NX NY", 0, false, apply_wave,
-   "Gives the free bodies above a velocity more, times the sine of a plane wave: so many periods from side to side of the "
-   "cell, to the east and to the north, from its centre.",
+   "Adds a velocity to those of the free particles above: its amplitude times the sine of a plane wave of NX and NY periods across the "
+   "cell, from its centre.",
    "perturb   wave 0 m/s 1 mm/s  periods 1 0"},
   {"cell strain", NB_IN_STAGE | NB_IN_CELL, strain_fields, NULL, 0, false, apply_strain,
-   "How the periodic cell is strained from the beginning of this stage on, about its centre, and all bodies in it are carried along "
+   "Strain rate of the periodic cell about its centre, from the beginning of this stage on; all particles follow it as an affine motion "
    "[R89 4.43, 4.44].",
    "  cell    strain -0.01 1/s -0.01 1/s"},
   {0},

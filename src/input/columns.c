@@ -129,7 +129,7 @@ bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char 
   else
     nb_token_mistake(
         reader, token,
-        "it is looked for beside the page, then in the folder `cases` that the page lies in and those below",
+        "the program searches the folder of the page, then the folder `cases` above it and all folders in that",
         "expected a file that can be read, found `%s`, which %s", token->text, error.text);
   return file != NULL;
 }

@@ -98,7 +98,7 @@ NB_STATEMENTS(damping) = {
    "{walls} stiffness TIME|ratio X|r89-fraction X | walls none | critical beyond overlap F | mass RATE | "
    "con1 X as cs79|velocity|all | none",
    0, false, apply_damping,
-   "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all bodies [CS79 34] [R89 6.5.1], one statement for each; "
+   "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 6.5.1], one statement for each; "
    "default none. `walls` is for contacts with walls alone, which are damped as all others without it. `critical beyond overlap`: contacts "
    "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
    "stage on.",

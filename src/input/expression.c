@@ -112,12 +112,12 @@ static struct quantity expected(struct parser *p, const char *what) {
   const size_t length = word(p, "_.%$", text);
   if (length == 0)
     snprintf(text, sizeof text, "%c", c);
-  snprintf(hint, sizeof hint, "names are bare within an expression: `%s`", text + 1);
+  snprintf(hint, sizeof hint, "an expression has names without `$`: `%s`", text + 1);
   const char *const otherwise = c == '$'   ? hint
                                 : c == '*' ? "a power is written `^`"
                                 : c == ',' ? "the decimal point is `.`"
                                 : isdigit((unsigned char)c) && strcmp(what, "an operator") == 0
-                                    ? "several values want a `sweep`"
+                                    ? "use `sweep` for several values"
                                     : NULL;
   const char *const typed = length ? nb_typed_hint(p->reader, hint, text) : NULL;
   return wrong(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
@@ -164,10 +164,10 @@ static bool is_number(struct parser *p, const char *from, size_t length, const c
 /* A word behind a number that is no unit there. */
 static void wrong_unit(struct parser *p, size_t length, const char *text, bool is, bool glued) {
   char hint[NB_HINT_SIZE], other[NB_HINT_SIZE];
-  const char *const form = is && glued ? "put a blank between the number and its unit: `%s`"
-                           : is        ? "the scene says `units none`, so `%s` is none"
+  const char *const form = is && glued ? "put a space between the number and its unit: `%s`"
+                           : is        ? "the scene has `units none`, so `%s` is not a unit"
                            : strpbrk(text, "/.")
-                               ? "a unit is one word, such as `kg/m3`; to divide put blanks around `/`"
+                               ? "a unit is one word, such as `kg/m3`; to divide put spaces around `/`"
                                : "a product is written `* %s`";
   snprintf(hint, sizeof hint, form, text);
   const char *const typed = nb_typed_hint(p->reader, other, text);
@@ -259,7 +259,7 @@ static struct quantity named(struct parser *p) {
     return wrong(p, from, length, nb_function_names, "expected the name of a function, found `%s`", name);
   const char *near = nb_typed_hint(reader, hint, name);
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
-  near = near || !nb_unit_read(&unit, name) ? near : "a unit stands behind a number";
+  near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number";
   wrong(p, from, length, near, "expected a name that a `let` or `sweep` above defines, found `%s`", name);
   nb_excuse(reader->mistakes, name);
   return (struct quantity){0};
@@ -298,7 +298,8 @@ static struct quantity sign(struct parser *p) {
   struct quantity it = {0};
   const bool minus = peek(p) == '-';
   if (++p->depth > DEEPEST)
-    wrong(p, p->at, 1, "give a part of it a name by `let`", "expected at most %d parts one within another", DEEPEST);
+    wrong(p, p->at, 1, "define a part of it with `let`", "expected at most %d levels of parentheses and signs",
+          DEEPEST);
   else
     it = skip(p, '-') || skip(p, '+') ? sign(p) : power(p);
   it.value = minus ? -it.value : it.value;

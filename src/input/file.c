@@ -45,7 +45,7 @@ char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error 
     if (ferror(file))
       nb_error_system(error, "cannot be read");
     else
-      nb_error_set(error, NB_BAD_USE, "cannot be read: it has become shorter meanwhile");
+      nb_error_set(error, NB_BAD_USE, "cannot be read: it became shorter while it was read");
     free(bytes), bytes = NULL;
   } else {
     bytes[*size] = 0;
@@ -131,15 +131,15 @@ bool nb_file_find(struct nb_reader *reader, const struct nb_token *token, const 
   struct search search = {.name = name};
   snprintf(name, sizeof name, "%s%s", token->text, ending);
   if (snprintf(path, NB_PATH_SIZE, "%.*s%s", whole || !slash ? 0 : (int)(slash - page) + 1, page, name) >= NB_PATH_SIZE)
-    return nb_token_mistake(reader, token, NULL, "expected a file of less than %d bytes in its path", NB_PATH_SIZE);
+    return nb_token_mistake(reader, token, NULL, "expected a path shorter than %d bytes", NB_PATH_SIZE);
   if (whole || upward || access(path, F_OK) == 0 || !find_cases(search.path, page))
     return true;
   search_below(&search, 0);
   if (search.no_memory)
     return nb_no_memory(reader);
   if (search.count > 1)
-    return nb_token_mistake(reader, token, "name it by its path from the folder of this page",
-                            "expected a file that is there once, found `%.400s` and `%.400s`", search.found[0],
+    return nb_token_mistake(reader, token, "give its path from the folder of this page",
+                            "expected one file of this name, found `%.400s` and `%.400s`", search.found[0],
                             search.found[1]);
   if (search.count == 1)
     strcpy(path, search.found[0]);

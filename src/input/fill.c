@@ -66,7 +66,7 @@ static void take_size(struct nb_grading *it, struct nb_reader *reader) {
   while (s < it->size_count && it->sizes[s].radius > size.radius)
     s++;
   if (s < it->size_count && it->sizes[s].radius == size.radius)
-    nb_token_mistake(reader, at, NULL, "expected every radius once, found this one twice");
+    nb_token_mistake(reader, at, NULL, "expected each radius once, found this one twice");
   if (reader->bad || !NB_APPEND(reader, it->sizes, it->size_count, size))
     return;
   memmove(it->sizes + s + 1, it->sizes + s, (it->size_count - 1 - s) * sizeof size);
@@ -119,8 +119,8 @@ static void say_stopped(struct nb_reader *reader, const struct nb_scene *scene, 
   }
   nb_token_mistake(
       reader, &reader->tokens[0],
-      "fill a larger place, make more attempts, or write `else skip`: smaller ones may still fit",
-      "expected room for all %zu bodies of `%s`, found no place for the next one with `attempts %lu`; placed: %s",
+      "fill a larger area, make more attempts, or write `else skip`: smaller particles may still fit",
+      "expected space for all %zu particles of `%s`, found none for the next one in %lu attempts; placed: %s",
       it->count, it->name, fill->attempts, list);
 }
 
@@ -135,7 +135,7 @@ static void check_place(struct nb_reader *reader, const struct nb_value *value, 
     nb_token_mistake(reader, value[AT_TO].token, NULL,
                      "expected a north-east corner to the north and east of the first one");
   if (!isfinite(area(fill)))
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a place to fill that a double can hold the area of");
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a finite area to fill, this one is too large");
 }
 
 NB_APPLY(apply_fill) {

@@ -7,8 +7,8 @@ enum { AT_G, AT_GY, AT_X, AT_Y };
 
 /* clang-format off */
 static const struct nb_argument uniform_fields[] = {
-  VALUE("GX", NB_UNIT_ACCELERATION, NB_ANY, AT_G, "Acceleration to the east."),
-  VALUE("GY", NB_UNIT_ACCELERATION, NB_ANY, AT_GY, "Acceleration to the north."),
+  VALUE("GX", NB_UNIT_ACCELERATION, NB_ANY, AT_G, "Acceleration in x."),
+  VALUE("GY", NB_UNIT_ACCELERATION, NB_ANY, AT_GY, "Acceleration in y."),
   END
 };
 static const struct nb_argument centripetal_fields[] = {
@@ -37,10 +37,10 @@ NB_APPLY(apply_gravity) {
 /* clang-format off */
 NB_STATEMENTS(gravity) = {
   {"gravity", NB_IN_SCENE | NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, uniform_fields, NULL, 0, false, apply_gravity,
-   "The same acceleration on all bodies that are free; default none. In a stage: from this stage on.",
+   "The same acceleration of all free particles; default none. In a stage: from this stage on.",
    "gravity   0 m/s2 -9.81 m/s2"},
   {"gravity centripetal", NB_IN_STAGE | NB_IN_RAMP, centripetal_fields, NULL, 1, false, apply_gravity,
-   "Acceleration of all bodies that are free towards a point [R89 6.4.1], instead of `gravity`.",
+   "Acceleration of all free particles towards a point [R89 6.4.1], instead of `gravity`.",
    "  gravity centripetal 10 m/s2  about 40 mm 40 mm"},
   {0},
 };

@@ -19,10 +19,10 @@ enum { AT_NAME, AT_SPEED, AT_ANGLE, AT_PSI1, AT_PHASE };
 static const struct nb_argument impact_fields[] = {
   WORD("MONITOR", AT_NAME, "the name of a monitored contact"),
   CLAUSE("speed", "V", NB_UNIT_VELOCITY, NB_POSITIVE, AT_SPEED, 1, NULL,
-         "Of the sphere's centre, relative to what it strikes."),
-  CLAUSE("angle", "A", NB_UNIT_ANGLE, NB_NOT_NEGATIVE, AT_ANGLE, 1, "from `psi1`",
+         "Of the particle's centre, relative to what it hits."),
+  CLAUSE("angle", "A", NB_UNIT_ANGLE, NB_NOT_NEGATIVE, AT_ANGLE, 1, "|from `psi1`",
          "Between that velocity and the normal of the contact, below 90 deg."),
-  CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "from `angle`",
+  CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "|from `angle`",
          "The same as a pure number, V_T/(mu kappa V_N) of the point that will touch, spin included [R89 5.15]: kappa = "
          "E*/(4 G*), or k_n/k_s of linear springs."),
   CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_FRACTION, AT_PHASE, 1, "0", "It first touches when this much of the first step is over."),
@@ -41,9 +41,8 @@ NB_APPLY(apply_impact) {
   if (kind != NB_MONITOR_PARTICLE_PARTICLE && kind != NB_MONITOR_PARTICLE_WALL)
     nb_not_known(reader, name, "name it above: `monitor NAME sphere N with wall NAME`",
                  "the name of a monitored contact");
-  if (!angle == !psi1)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected either `angle` or `psi1`, found %s",
-                     angle ? "both" : "neither");
+  if (angle && psi1)
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected either `angle` or `psi1`, found both");
   if (angle && !(value[AT_ANGLE].number < NB_PI / 2))
     nb_expected_at(reader, angle, NULL, "an angle below 90 deg");
   if (reader->bad)
@@ -66,18 +65,18 @@ static const char *aim(struct nb_scene *scene) {
       monitor->kind == NB_MONITOR_PARTICLE_PARTICLE ? &scene->particles[monitor->b] : NULL;
   const struct nb_impact_state strike = nb_impact_incidence(scene);
   if (particle->fixed)
-    return "expected a contact whose first body is free, this one is fixed";
+    return "expected a contact whose first particle is free, found a fixed one";
   if (particle->vx != 0 || particle->vy != 0)
     return "expected a particle without `velocity`: `impact` gives it one";
   if (!isfinite(strike.normal.x))
-    return "expected a body beside what it strikes, this one is in its middle";
+    return "expected a particle at a distance from what it hits, found its centre on it";
   const double slope = it->psi1 > 0 ? it->psi1 * strike.friction * strike.kappa : 0;
   if (it->psi1 > 0 && !(slope > 0))
-    return "expected friction and a shear stiffness in the contact of `psi1`, there is none";
+    return "expected a contact with friction and a shear stiffness for `psi1`, found none";
   if (isnan(it->angle))
     it->angle = atan(slope) - asin(strike.surface / (it->speed * sqrt(1 + slope * slope)));
   if (!(cos(it->angle) > 0))
-    return "expected a speed that makes this `psi1`, the spin is too fast for it";
+    return "expected a slower spin or a higher speed: no angle of incidence gives this `psi1`";
   const double distance = particle->radius + (other ? other->radius : 0);
   const double down = -it->speed * cos(it->angle), along = it->speed * sin(it->angle);
   particle->x = strike.point.x + distance * strike.normal.x;
@@ -96,8 +95,8 @@ void nb_impact_aim(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(impact) = {
   {"impact", NB_IN_SCENE, impact_fields, NULL, 0, false, apply_impact,
-   "Lets the first body of a monitored contact strike the other one, or the wall: from the side where the page has put it, "
-   "it is moved until it just touches and flies from there, east when what it strikes lies to the south. Its velocity is replaced, its spin is "
+   "Lets the first particle of a monitored contact hit the other one, or the wall: on the side where the page has put it, "
+   "it is moved until it just touches; its tangential velocity points to the east when what it hits lies to the south. Its velocity is replaced, its spin is "
    "not. Then there are quantities `impact.NAME`.",
    "impact    F  speed 0.4 m/s  angle 20 deg  phase 0.5"},
   {0},

@@ -23,7 +23,7 @@ static void say_unknown(struct nb_reader *reader, const char *kind, const struct
     if (strcmp((*law)->kind, kind) == 0)
       nb_guess_offer(&guess, (*law)->name);
   const char *near = nb_guess_hint(&guess, hint);
-  snprintf(what, sizeof what, "a law of kind `%s`", kind);
+  snprintf(what, sizeof what, "the name of a `%s` law", kind);
   nb_expected_at(reader, token, near ? near : "`nineball laws` lists them", what);
 }
 
@@ -83,7 +83,8 @@ static void check_rigid(struct nb_scene_reading *reading, const int *on_particle
       if (isinf(scene->materials[k].young) &&
           (k == i ? on_particle[i] > 1 || on_wall[i] : on_particle[k] || on_wall[k])) {
         say(reading, scene->materials[i].line, "give one of them `young E  poisson NU`",
-            "expected of two materials that may touch at most one that is rigid, both are: `%s`",
+            "expected at most one `rigid` material in a contact, found that this one can touch `%s`, which is rigid "
+            "too",
             scene->materials[k].name);
         return;
       }
@@ -104,8 +105,7 @@ static void check_elastic(struct nb_scene_reading *reading, const char *law) {
   for (size_t w = 0; w < scene->wall_count; w++)
     check_material(reading, scene->walls[w].material, law, given), on_wall[scene->walls[w].material]++;
   if (disc)
-    say(reading, disc->line, "`sphere` or `spheres`, or `normal linear`",
-        "expected spheres for `normal %s`, found a disc", law);
+    say(reading, disc->line, "use spheres, or `normal linear`", "expected spheres for `normal %s`, found a disc", law);
   check_rigid(reading, on_particle, on_wall);
 }
 
@@ -129,13 +129,15 @@ static void check_damping(struct nb_scene_reading *reading, const struct nb_damp
                           const struct nb_law *normal) {
   const bool elastic = normal->elastic;
   if (!elastic && damping->deep > 0)
-    say(reading, damping->deep_line, "`normal hertz`", "expected a normal law of elastic spheres for `%s`",
+    say(reading, damping->deep_line, "use `normal hertz`", "expected a normal law of elastic spheres for `%s`",
         "damping critical");
   if (elastic && damping->contact_kind == NB_CONTACT_R89_FRACTION)
-    say(reading, damping->contact_line, "elastic spheres have no critical step; `damping ratio`",
+    say(reading, damping->contact_line,
+        "`r89-fraction` is relative to the critical step of linear springs; use `damping ratio X`",
         "expected no `damping r89-fraction` for `normal %s`", normal->name);
   if (elastic && damping->walls_separate && damping->walls_kind == NB_CONTACT_R89_FRACTION)
-    say(reading, damping->walls_line, "elastic spheres have no critical step; `damping ratio`",
+    say(reading, damping->walls_line,
+        "`r89-fraction` is relative to the critical step of linear springs; use `damping ratio X`",
         "expected no `damping r89-fraction` for `normal %s`", normal->name);
 }
 
@@ -148,11 +150,11 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_active_
     check_elastic(reading, laws->normal->name);
   else if (!laws->normal->elastic && laws->shear->elastic)
     nb_line_mistake(line ? &reading->reader : &reading->setting,
-                    line ? (size_t)line : nb_setting_find(reading, "shear"), "`normal hertz`",
+                    line ? (size_t)line : nb_setting_find(reading, "shear"), "use `normal hertz`",
                     "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
   if (laws->shear->cohesionless && cohesive > 0)
-    say(reading, cohesive, "its limit is mu N at every point of the contact", "expected no cohesion for `shear %s`",
-        laws->shear->name);
+    say(reading, cohesive, "the friction limit of this law is mu N; `shear linear` has cohesion",
+        "expected no cohesion for `shear %s`", laws->shear->name);
 }
 
 /* ---- friction that nothing carries ---- */
@@ -242,7 +244,7 @@ void nb_laws_check(struct nb_scene_reading *reading) {
 NB_STATEMENTS(law) = {
   {"normal", NB_IN_SCENE | NB_IN_PATH | NB_IN_STAGE | NB_IN_START, normal_fields, NULL, 0, false, apply_law,
    "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it everywhere. In a stage: from "
-   "this stage on; another law begins with contacts of which it remembers nothing.",
+   "this stage on; another law begins with empty contact histories.",
    "normal    linear"},
   {"shear", NB_IN_SCENE | NB_IN_PATH | NB_IN_STAGE | NB_IN_START, shear_fields, NULL, 1, false, apply_law,
    "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it everywhere. In a stage: from this "

@@ -52,10 +52,11 @@ static void bind(struct nb_scene_reading *reading, struct nb_reader *reader, con
   struct nb_scene *scene = reading->scene;
   if (nb_name_reserved(name->text) || strchr(name->text, '-'))
     nb_token_mistake(reader, name,
-                     strchr(name->text, '-') ? "in an expression `-` is a difference" : "it is a word of expressions",
-                     "expected another name, `%s` cannot stand for a value", name->text);
+                     strchr(name->text, '-') ? "write `_` instead of `-`, which is a minus sign in expressions"
+                                             : "expressions have a function or a constant of this name",
+                     "expected another name for a value, found `%s`", name->text);
   if (NB_FIND(scene->bindings, scene->binding_count, name->text) >= 0)
-    nb_token_mistake(reader, name, NULL, "the name `%s` already has a value", name->text);
+    nb_token_mistake(reader, name, NULL, "expected a new name, `%s` already has a value", name->text);
   if (nb_too_many(reader, scene->binding_count, NB_NAMED_MAX, "names for values"))
     return;
   snprintf(value.name, sizeof value.name, "%s", name->text);
@@ -111,7 +112,7 @@ NB_APPLY(apply_let) {
              unit ? unit->text : "");
     nb_expected(reader, hint, "`=` before a number, or a word");
   } else if (take_value(reader, &value, &token) && nb_token_peek(reader)) {
-    nb_expected(reader, "several values want a `sweep`", "the end of the line");
+    nb_expected(reader, "use `sweep` for several values", "the end of the line");
   }
   const bool is_set = set_value(reading, reader, name->text, expression, &set);
   value = is_set ? set : value;
@@ -183,8 +184,10 @@ static bool all_differ(struct nb_reader *reader, const struct nb_binding *values
         equal++;
       if (equal < columns)
         continue;
-      return nb_token_mistake(reader, tokens[row], NULL, "turns %zu and %zu of this sweep have equal values",
-                              above / columns + 1, row / columns + 1);
+      return nb_token_mistake(
+          reader, tokens[row], NULL,
+          "expected different values in each run, found the same ones in runs %zu and %zu of this sweep",
+          above / columns + 1, row / columns + 1);
     }
   return true;
 }
@@ -204,7 +207,7 @@ static void unify(struct nb_binding *values, size_t count, size_t columns) {
 
 static bool has_comma(struct nb_reader *reader, const struct nb_token *token) {
   if (strchr(token->text, ','))
-    nb_expected_at(reader, token, "put blanks between the values of a sweep", "one value");
+    nb_expected_at(reader, token, "separate the values of a sweep by spaces", "one value");
   return reader->bad;
 }
 
@@ -213,7 +216,7 @@ static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, siz
   const struct nb_token *tokens[NB_TOKENS_MAX];
   size_t count = 0;
   if (nb_token_is(reader, "="))
-    nb_expected(reader, "they stand behind the name, without `=`", "the values of the sweep");
+    nb_expected(reader, NULL, "the values of the sweep");
   do {
     if (!take_value(reader, &values[count], &tokens[count]) || has_comma(reader, tokens[count]) ||
         !same_sort(reader, &values[count % columns], &values[count], tokens[count]))
@@ -223,7 +226,7 @@ static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, siz
   unify(values, count, columns);
   if (count % columns == 0)
     return all_differ(reader, values, tokens, count, columns) ? count / columns : 0;
-  nb_expected(reader, NULL, "a value for each of the %zu names in every turn (%zu values are not a multiple)", columns,
+  nb_expected(reader, NULL, "%zu values for each run, one for each name (%zu values are not a multiple)", columns,
               count);
   return 0;
 }
@@ -290,6 +293,10 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
   const size_t length = strcspn(text, "=");
   if (length < sizeof name)
     memcpy(name, text, length);
+  const size_t last = nb_setting_find(reading, name);
+  if (last > line)
+    nb_warn(&reading->scene->warnings, 0, "--set %s has no effect: --set %s follows it", text,
+            reading->settings.lines[last - 1]);
   const char *near = NB_NEAREST(hint, name, scene->bindings, scene->binding_count);
   if (!equals) {
     nb_mistake(mistakes, &reading->settings, line, 1, (int)length, NULL, "expected NAME=VALUE, found `%.80s`", text);
@@ -302,12 +309,12 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
     reading->follow = equals + 1;
     if (!scene->contact_test)
       nb_mistake(mistakes, &reading->settings, line, 1, (int)length, "a contact test is a block of kind `contact-test`",
-                 "expected a page with a path for `follow`, found a scene");
+                 "expected a page with a contact test for `follow`, found a scene");
   } else {
-    nb_mistake(mistakes, &reading->settings, line, 1, (int)length,
-               near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
-               "expected a name that the page gives by `let` or `sweep`, or `normal`, `shear` or `step`, found `%.*s`",
-               (int)(length < 80 ? length : 80), text);
+    nb_mistake(
+        mistakes, &reading->settings, line, 1, (int)length, near ? near : NB_NEAREST(hint, name, settable, SETTABLE),
+        "expected a name that the page defines by `let` or `sweep`, or `normal`, `shear` or `step`, found `%.*s`",
+        (int)(length < 80 ? length : 80), text);
   }
 }
 

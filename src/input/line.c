@@ -95,8 +95,8 @@ static bool put_named(struct nb_reader *reader, const char *word, size_t before,
     return put(reader, word, length);
   if (!isnan(value->value) && behind < end) {
     snprintf(hint, sizeof hint, "%.*s", (int)(end - behind), behind);
-    nb_token_mistake(reader, token, "an operator stands only within parentheses: `(2*v)`",
-                     "expected a blank behind `$%s`, found `%.*s`", text, (int)(end - behind), behind);
+    nb_token_mistake(reader, token, "put operators into parentheses: `(2*v)`",
+                     "expected a space after `$%s`, found `%.*s`", text, (int)(end - behind), behind);
   }
   return put_value(reader, value, word, before, behind, (size_t)(end - behind));
 }
@@ -111,8 +111,8 @@ static bool put_computed(struct nb_reader *reader, const char *line, const char 
   while (++close < length && depth > 0);
   if (close < length) {
     const struct nb_token token = nb_token_at(line, word + close, length - close);
-    nb_token_mistake(reader, &token, "an operator or a unit stands within the parentheses, or a unit behind a blank",
-                     "expected a blank behind `)`, found `%.*s`", (int)(length - close), word + close);
+    nb_token_mistake(reader, &token, "put the operator into the parentheses, and a space before a unit",
+                     "expected a space after `)`, found `%.*s`", (int)(length - close), word + close);
   }
   return nb_expression(reader, line, word + before, word + close, &value)
              ? put_value(reader, &value, word, before, "", 0)
@@ -146,7 +146,7 @@ static void find_hard_blank(struct nb_reader *reader, const char *line, const ch
   for (size_t i = 0; i < length; i++)
     if (strncmp(word + i, "\u00A0", 2) == 0 || strncmp(word + i, "\u202F", 3) == 0) {
       const struct nb_token token = nb_token_at(line, word + i, 1);
-      nb_token_mistake(reader, &token, "type a plain one", "expected a blank, found a no-break space");
+      nb_token_mistake(reader, &token, "type a plain space", "expected a space, found a no-break space");
     }
 }
 
@@ -280,41 +280,56 @@ static bool number_hint(char *hint, const char *text) {
   struct nb_unit read;
   const size_t n = strspn(text, "+-.0123456789"), point = text[n] == ',',
                all = n + point + strspn(text + n + point, "0123456789");
-  const bool unit = nb_unit_read(&read, text + n), comma = point && all > n + 1 && !text[all];
+  const bool unit = nb_unit_read(&read, text + n), comma = point && !text[all];
   if (n == 0 || n >= 40 || !(unit || comma))
     return false;
-  const char *form =
-      unit ? "put a blank between the number and its unit: `%.*s %s`" : "write `%.*s.%s`, without a comma";
+  const char *form = unit          ? "put a space between the number and its unit: `%.*s %s`"
+                     : all > n + 1 ? "write `%.*s.%s`, without a comma"
+                                   : "leave out the comma: `%.*s%s`";
   snprintf(hint, NB_HINT_SIZE, form, (int)n, text, text + n + comma);
   return true;
 }
 
-/* `kn=10`, `//`, and arithmetic: `2*3`, `*`. */
-static bool sign_hint(const struct nb_reader *reader, char *hint, const char *text) {
-  const bool let = reader->count && strcmp(reader->tokens[0].text, "let") == 0;
-  const size_t name = strcspn(text, "="), digits = strspn(text, "-+.0123456789()$");
+/* Arithmetic outside parentheses: `2*3`, `*`, in a field also `pi/6`. */
+static bool has_operator(const struct nb_reader *reader, const char *text) {
+  const bool number = strchr("-+.0123456789()$", text[0]);
   struct nb_unit unit;
-  double number;
+  double value;
+  return (strchr("*+^-", text[0]) || strcmp(text, "/") == 0 || strpbrk(text + 1, number ? "*/+^-" : "*/+^")) &&
+         (number || reader->keyword) && nb_number_read(&value, text, 0) == NB_NO_NUMBER && !nb_unit_read(&unit, text);
+}
+
+/* `kn=10`, `//`, and arithmetic. */
+static bool sign_hint(const struct nb_reader *reader, char *hint, const char *text) {
+  const char *const verb = reader->count ? reader->tokens[0].text : "";
+  const bool let = strcmp(verb, "let") == 0 || strcmp(verb, "start") == 0;
+  const size_t name = strcspn(text, "=");
   if (strncmp(text, "//", 2) == 0)
     snprintf(hint, NB_HINT_SIZE, "a comment begins with `#`");
+  else if (strcmp(text, "=") == 0 && !let && reader->here != NB_IN_EXPECT)
+    snprintf(hint, NB_HINT_SIZE, "leave out the `=`");
   else if (name > 0 && text[name] && text[name + 1])
-    snprintf(hint, NB_HINT_SIZE, let ? "put blanks around `=`: `%.*s = %.80s`" : "write `%.*s %.80s`, without `=`",
+    snprintf(hint, NB_HINT_SIZE, let ? "put spaces around `=`: `%.*s = %.80s`" : "write `%.*s %.80s`, without `=`",
              name < 80 ? (int)name : 80, text, text + name + 1);
-  else if ((strchr("*+^-", text[0]) || strcmp(text, "/") == 0 || (digits > 0 && strpbrk(text + 1, "*/+^-"))) &&
-           nb_number_read(&number, text, 0) == NB_NO_NUMBER && !nb_unit_read(&unit, text))
-    snprintf(hint, NB_HINT_SIZE, "an operator stands only within parentheses: `(2 * 3)`");
+  else if (has_operator(reader, text))
+    snprintf(hint, NB_HINT_SIZE, "put operators into parentheses: `(2 * 3)`");
   else
     return false;
   return true;
 }
 
 const char *nb_typed_hint(const struct nb_reader *reader, char *hint, const char *text) {
+  static const char quotes[] = "write words and numbers without quotes";
   static const struct {
     const char *sign, *hint;
-  } signs[] = {{"\u2212", "this is a minus sign of typography: type `-`"},
-               {"\u2013", "this is a dash of typography: type `-`"},
-               {"\u00D7", "a product is written `*`, within parentheses"},
-               {"\u00B7", "a product is written `*`, within parentheses, and `.` in a unit"}};
+  } signs[] = {{"\u2212", "this is not the minus sign of the keyboard: type `-`"},
+               {"\u2013", "this is a dash, not a minus sign: type `-`"},
+               {"\u00D7", "multiply with `*`, in parentheses"},
+               {"\u00B7", "multiply with `*`, in parentheses; in a unit with `.`"},
+               {"\u00B0", "write `deg` after a space: `30 deg`"},
+               {"\u201C", quotes},
+               {"\u2019", quotes},
+               {"\"", quotes}};
   for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
     if (strstr(text, signs[k].sign))
       return signs[k].hint;
@@ -332,7 +347,7 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   if (!token)
     return nb_token_mistake(reader, NULL, hint, "expected %s, found the end of the line", what);
   const char *const typed = nb_typed_hint(reader, text, token->text);
-  hint = typed ? typed : hint;
+  hint = typed ? typed : hint ? hint : nb_synonym_hint(text, token->text);
   if (token->name)
     return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s` (`$%s`)", what, token->text, token->name);
   return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s`", what, token->text);

@@ -25,7 +25,7 @@ enum {
   CLAUSE(#name, shown, NB_UNIT_##unit, NB_##range, AT_##name, 1, otherwise, help),
 #define OF_MATERIAL(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, otherwise, help)
 #define OF_PAIR(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, MAKES_##rule, help)
-#define OF_CHANGE(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, "as it was", help)
+#define OF_CHANGE(name, shown, unit, range, otherwise, rule, help) PAIR_CLAUSE(name, shown, unit, range, "|as it was", help)
 #define MAKES_series "2ab/(a+b)"
 #define MAKES_smaller "the smaller one"
 #define TWO MATERIAL(AT_NAME), MATERIAL(AT_OTHER)
@@ -33,7 +33,7 @@ enum {
 static const struct nb_argument material_fields[] = {
   NAME(AT_NAME, "a name for the material"),
   CLAUSE("density", "D", NB_UNIT_DENSITY, NB_NOT_NEGATIVE, AT_DENSITY, 1, "0",
-         "Mass per volume; a free body needs it."),
+         "Mass per volume; a free particle needs it."),
   NB_PAIR_ROWS(OF_MATERIAL)
   CLAUSE("young", "E", NB_UNIT_PRESSURE, NB_POSITIVE, AT_YOUNG, 1, "none",
          "Young's modulus, for the laws of elastic spheres [R89 4.7]."),
@@ -95,7 +95,7 @@ NB_APPLY(apply_pair) {
   for (size_t i = 0; i < scene->pair_rule_count; i++) {
     const struct nb_pair_rule *other = &scene->pair_rules[i];
     if ((other->a == rule.a && other->b == rule.b) || (other->a == rule.b && other->b == rule.a))
-      nb_token_mistake(reader, &reader->tokens[0], NULL, "this pair is given already, on line %d", other->line);
+      nb_token_mistake(reader, &reader->tokens[0], NULL, "this pair is defined already, on line %d", other->line);
   }
   if (!reader->bad)
     NB_APPEND(reader, scene->pair_rules, scene->pair_rule_count, rule);
@@ -137,13 +137,9 @@ NB_APPLY(apply_change) {
 #undef ROW
           .line = (int)reader->line,
   };
-#define ROW(name, shown, ...) " `" #name " " shown "`"
-  if (!overlap(&change, &change))
-    nb_expected(reader, NULL, "what changes, one of" NB_PAIR_ROWS(ROW));
-#undef ROW
   const struct nb_change *other = changed_already(stage, &change);
   if (other)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "this stage changes that already, on line %d", other->line);
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "this stage changes the same property on line %d", other->line);
   if (!reader->bad)
     NB_APPEND(reader, stage->changes, stage->change_count, change);
 }
@@ -151,18 +147,18 @@ NB_APPLY(apply_change) {
 /* clang-format off */
 NB_STATEMENTS(material) = {
   {"material", NB_IN_SCENE | NB_IN_PATH, material_fields, NULL, 0, false, apply_material,
-   "What bodies and walls are made of: the stiffness, friction and cohesion of a contact between two of the same "
+   "A material of particles and walls: the stiffness, friction and cohesion of a contact between two of the same "
    "material.",
    "material  steel  density 7.8 g/cm3  kn 10 MN/m  ks 8 MN/m  friction $grip\nmaterial  glass  density 2.5 g/cm3  kn 5 MN/m   ks 4 MN/m  friction 0.2"},
   {"pair", NB_IN_SCENE | NB_IN_PATH, pair_fields, NULL, 0, false, apply_pair,
-   "What holds between two materials where the rule does not: harmonic mean of stiffnesses, smaller friction and "
+   "Contacts of two materials where the rule does not hold: harmonic mean of the stiffnesses, smaller friction and "
    "cohesion.",
    "pair      steel glass  friction 0.1"},
   {"material", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, material_change_fields, NULL, 0, false, apply_change,
-   "What a material is from this stage on; what is not said stays as it was.",
+   "Changes a material from this stage on; what is not given stays as it was.",
    "  material glass  friction 0.4"},
   {"pair", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, pair_change_fields, NULL, 1, false, apply_change,
-   "What holds between two materials from this stage on, whatever the rule says; what is not said stays as it was.",
+   "Changes the contacts of two materials from this stage on, whatever the rule; what is not given stays as it was.",
    "  pair    steel glass  cohesion 1 N"},
   {0},
 };

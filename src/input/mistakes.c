@@ -6,7 +6,6 @@
  *     hint: write `50 m` or `50 mm`, or begin the scene with `units none`
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -201,66 +200,4 @@ const char *nb_nearest(char *hint, const char *word, const void *things, size_t 
   for (size_t i = 0; i < count; i++)
     nb_guess_offer(&guess, (const char *)things + i * size);
   return nb_guess_hint(&guess, hint);
-}
-
-/* How many letters must be put in, left out, changed or swapped to make b of a (optimal string alignment). A letter in
- * the wrong case costs nothing but counts as a change, so that `Disc` finds `disc`. */
-static int distance(const char *a, const char *b) {
-  enum { LONGEST = 2 * NB_NAME_SIZE };
-  int row[3][LONGEST + 1];
-  size_t m = strlen(a), n = strlen(b);
-  if (m >= LONGEST || n >= LONGEST)
-    return LONGEST;
-  int *two = row[0], *one = row[1], *now = row[2];
-  for (size_t j = 0; j <= n; j++)
-    one[j] = (int)j;
-  for (size_t i = 1; i <= m; i++) {
-    now[0] = (int)i;
-    for (size_t j = 1; j <= n; j++) {
-      int x = tolower((unsigned char)a[i - 1]), y = tolower((unsigned char)b[j - 1]);
-      int best = one[j - 1] + (x != y);
-      if (one[j] + 1 < best)
-        best = one[j] + 1;
-      if (now[j - 1] + 1 < best)
-        best = now[j - 1] + 1;
-      bool swapped = i > 1 && j > 1 && x == tolower((unsigned char)b[j - 2]) && y == tolower((unsigned char)a[i - 2]);
-      if (swapped && x != y && two[j - 2] + 1 < best)
-        best = two[j - 2] + 1;
-      now[j] = best;
-    }
-    int *spare = two;
-    two = one;
-    one = now;
-    now = spare;
-  }
-  return one[n];
-}
-
-struct nb_guess nb_guess_begin(const char *word) {
-  return (struct nb_guess){.word = word, .distance = 2 * NB_NAME_SIZE};
-}
-
-void nb_guess_offer(struct nb_guess *guess, const char *solution) {
-  const size_t length = strlen(guess->word);
-  const bool begins = length > 2 && strncmp(solution, guess->word, length) == 0 && solution[length] == '.';
-  const int d = begins ? 1 : distance(guess->word, solution); /* `energy` is near to `energy.kinetic` */
-  if (d >= guess->distance || strlen(solution) >= sizeof guess->best)
-    return;
-  guess->distance = d;
-  strcpy(guess->best, solution);
-}
-
-/* Near: one slip of the finger in three letters or so. One or two letters are near only to themselves in the other
- * case. */
-bool nb_guess_found(const struct nb_guess *guess) {
-  size_t length = strlen(guess->word);
-  int allowed = length < 3 ? 0 : length < 6 ? 1 : length < 10 ? 2 : 3;
-  return guess->best[0] && guess->distance <= allowed;
-}
-
-const char *nb_guess_hint(const struct nb_guess *guess, char *text) {
-  if (!nb_guess_found(guess))
-    return NULL;
-  snprintf(text, NB_HINT_SIZE, "did you mean `%s`?", guess->best);
-  return text;
 }

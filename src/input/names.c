@@ -272,7 +272,7 @@ static void offer(struct nb_guess *guess, const struct nb_scene *scene, int w) {
     }
 }
 
-bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text, char *hint) {
+bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text) {
   *quantity = (struct nb_quantity){.monitor = -1};
   if (find(quantity, scene, -1, text))
     return true;
@@ -281,12 +281,6 @@ bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene
     if (strncmp(scene->monitors[w].name, text, length) == 0 && !scene->monitors[w].name[length] &&
         find(quantity, scene, w, text + length + 1))
       return true;
-  if (!hint)
-    return false;
-  struct nb_guess guess = nb_guess_begin(text);
-  for (int w = -1; w < (int)scene->monitor_count; w++)
-    offer(&guess, scene, w);
-  snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
   return false;
 }
 
@@ -308,7 +302,7 @@ bool nb_quantity_is_residual(struct nb_quantity quantity) {
 static const char *owner_of(unsigned monitors) {
   return monitors == PARTICLE             ? "a particle"
          : monitors == WALL               ? "a wall"
-         : monitors == PAIR               ? "a pair"
+         : monitors == PAIR               ? "a contact"
          : monitors == NB_OF_REGION       ? "a region"
          : monitors & GRADING             ? "a grading"
          : monitors == NB_OF_IMPACT       ? "an impact"
@@ -329,4 +323,55 @@ bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
         return true;
       }
   return false;
+}
+
+/* "`c` is a contact; its quantities are overlap, normal, …", as far as there is room. */
+static const char *list_quantities(char *hint, const struct nb_scene *scene, int w) {
+  size_t used = 0, k = 0;
+  for (; row(k) && used < NB_HINT_SIZE - 2 * NB_NAME_SIZE; k++) {
+    if (!belongs(row(k), scene, w))
+      continue;
+    const char *const name = scene->monitors[w].name, *const of = owner_of(row(k)->monitors);
+    if (!used)
+      used = (size_t)snprintf(hint, NB_HINT_SIZE, "`%s` is %s; its quantities are ", name, of);
+    used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s, ", row(k)->name);
+  }
+  snprintf(hint + used - 2, NB_HINT_SIZE - used, "%s: see `nineball --help quantities`", row(k) ? ", …" : "");
+  return hint;
+}
+
+/* The monitor that is called so; -1: none. */
+static int monitor_named(const struct nb_scene *scene, const char *name, size_t length) {
+  int w = (int)scene->monitor_count - 1;
+  while (w >= 0 && (strncmp(scene->monitors[w].name, name, length) != 0 || scene->monitors[w].name[length]))
+    w--;
+  return w;
+}
+
+static bool begins_name(const char *text, size_t length) {
+  size_t k = 0;
+  while (row(k) && (strncmp(row(k)->name, text, length) != 0 || row(k)->name[length] != '.'))
+    k++;
+  return row(k);
+}
+
+const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
+  const size_t length = strcspn(text, ".");
+  const int owner = monitor_named(scene, text, length);
+  const bool begins = begins_name(text, length);
+  struct nb_guess guess = nb_guess_begin(text);
+  for (int w = -1; w < (int)scene->monitor_count; w++)
+    offer(&guess, scene, w);
+  if ((text[length] || !begins) && (nb_guess_hint(&guess, hint) || (owner < 0 && nb_synonym_hint(hint, text))))
+    return hint;
+  if (owner >= 0)
+    return list_quantities(hint, scene, owner);
+  if (begins)
+    snprintf(hint, NB_HINT_SIZE, "all quantities that begin so: `nineball --help %.*s`", (int)length, text);
+  else if (text[length] && !scene->contact_test)
+    snprintf(hint, NB_HINT_SIZE, "nothing is called `%.*s`: `monitor NAME …` and `region NAME …` name what is measured",
+             (int)length, text);
+  else
+    snprintf(hint, NB_HINT_SIZE, "all quantities: `nineball --help quantities`");
+  return hint;
 }

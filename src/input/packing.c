@@ -35,10 +35,10 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
                           const char *name, bool fixed) {
   const int m = NB_FIND(scene->materials, scene->material_count, name);
   if (m < 0)
-    nb_token_mistake(reader, file, "define it above, or give all the same one: `packing FILE discs MATERIAL`",
-                     "expected the page to have all materials of the file, `%s` is missing", name);
+    nb_token_mistake(reader, file, "define it above, or give all particles one material: `packing FILE discs MATERIAL`",
+                     "expected all materials of the file in the page, `%s` is missing", name);
   else if (scene->materials[m].density == 0 && !fixed)
-    nb_token_mistake(reader, file, NULL, "expected materials with mass for free bodies, `%s` has no `density`", name);
+    nb_token_mistake(reader, file, NULL, "expected a material with a density for free particles, `%s` has none", name);
   return m;
 }
 
@@ -50,7 +50,7 @@ static void from_state(struct nb_scene *scene, struct nb_reader *reader, const s
   if (nb_saved_read(&saved, path, &error) == NB_NO_MEMORY)
     nb_no_memory(reader);
   else if (error.status)
-    nb_token_mistake(reader, file, NULL, "no bodies can be taken from the file: %s", error.text);
+    nb_token_mistake(reader, file, NULL, "cannot read the particles of the file: %s", error.text);
   else if (saved.unitless != reader->unitless)
     nb_token_mistake(reader, file, NULL, "expected a file from a page with the same `units`");
   else if (!nb_too_many_particles(reader, scene, saved.particle_count))
@@ -77,8 +77,8 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
   double *lengths;
   size_t rows;
   if (!all) {
-    nb_token_mistake(reader, file, "say it of all: `packing FILE discs MATERIAL`",
-                     "expected a file of `nineball state`: a list does not tell what its bodies are");
+    nb_token_mistake(reader, file, "give them one: `packing FILE discs MATERIAL`",
+                     "expected a file of `nineball state`, found a list, which names no materials");
     return;
   }
   if (!nb_columns_read(&lengths, &rows, path, wanted, 3, reader->unitless, reader->mistakes))
@@ -113,8 +113,7 @@ NB_APPLY(apply_packing) {
   for (enum nb_shape shape = NB_DISC; shape <= NB_SPHERE; shape++) {
     const struct nb_token *material = record->value[AT_OF + shape].token;
     if (of && material)
-      nb_token_mistake(reader, material - 1, NULL,
-                       "expected all particles of a packing to be `discs` or `spheres`, not both");
+      nb_token_mistake(reader, material - 1, NULL, "expected `discs` or `spheres`, found both");
     else if (material)
       of = material, all = nb_particle_of(reader, scene, shape, material, false, 0);
   }

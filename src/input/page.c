@@ -177,7 +177,7 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
   if (block.length && block.kind != NB_BLOCK_HIDDEN) {
     int column = (int)strspn(page->lines[block.line - 1], " ") + 1;
     nb_mistake(mistakes, page, block.line, column, (int)block.length,
-               "close it with a line of as many signs, alone on the line",
+               "close it with a line of as many of the same signs and nothing else",
                "expected the end of the block that begins here, found the end of the page");
     /* the page does not tell where it should have ended */
     memset(page->kind_of + block.line, 0, page->line_count - block.line);

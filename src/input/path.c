@@ -132,7 +132,8 @@ static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
   for (; nb_token_peek(reader); any = true) {
     const enum word word = take_segment_word(reader);
     if (word == HOLD && !nb_token_is(reader, "normal") && !nb_token_is(reader, "shear"))
-      return nb_expected(reader, "overlap and slip stay where they are without a word", "`normal` or `shear`");
+      return nb_expected(reader, "overlap and slip stay constant where the segment does not name them",
+                         "`normal` or `shear`");
     if (word == WORDS || (word == FOLLOW && any))
       return nb_expected(reader, NULL,
                          "`overlap`, `normal`, `slip`, `shear`, `hold`, `in N steps` or the end of the line");
@@ -200,17 +201,17 @@ void nb_path_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   static const char *const usual[] = {"step", "overlap", "slip", "normal", "shear"};
   if (!reading->contact_line)
-    nb_say_of_scene(reading, "contact", "`contact sphere R MATERIAL with sphere R MATERIAL` puts one there",
+    nb_say_of_scene(reading, "contact", "add `contact sphere R MATERIAL with sphere R MATERIAL`",
                     "expected a contact test with a `contact`, found none");
   if (scene->stage_count == 0 && !reading->follow)
-    nb_say_of_scene(reading, "segment", "`segment NAME overlap to 1 um in 10 steps`",
+    nb_say_of_scene(reading, "segment", "add a line such as `segment NAME overlap to 1 um in 10 steps`",
                     "expected a contact test with a `segment`, found none");
   if (reading->follow)
     follow(reading);
   for (size_t k = 0; k < sizeof usual / sizeof *usual && reading->requested_count == 0; k++) {
     struct nb_column column = {.quantity = {NULL, -1}};
     strcpy(column.name, usual[k]);
-    nb_quantity_find(&column.quantity, scene, usual[k], NULL);
+    nb_quantity_find(&column.quantity, scene, usual[k]);
     NB_APPEND(&reading->reader, scene->columns, scene->column_count, column);
   }
 }
@@ -221,7 +222,7 @@ void nb_path_check(struct nb_scene_reading *reading) {
 static void say_of_law(struct nb_scene_reading *reading, const struct nb_requested *requested,
                        const struct nb_law *law) {
   nb_mistake(reading->reader.mistakes, reading->reader.page, requested->line, requested->column, requested->length,
-             "`nineball laws` tells what each law knows", "expected laws that know `%s`, `%s %s` does not",
+             "`nineball laws` lists what each law reports", "expected a law that reports `%s`, `%s %s` does not",
              requested->name, law->kind, law->name);
 }
 
@@ -245,9 +246,9 @@ NB_STATEMENTS(path) = {
    "contact   disc 10 mm steel  with wall steel"},
   {"segment", NB_IN_PATH | NB_IN_SEGMENT, segment_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
    0, true, apply_segment,
-   "Takes the contact on: the overlap or the normal force, and the slip or the shear force, each along a straight line to "
-   "a value or by a difference; default 100 steps. Overlap and slip stay where they are unless something is said; `hold` "
-   "holds a force instead. `follow` takes it from point to point of a file of tab-separated columns `approach/m` and "
+   "Prescribes the overlap or the normal force, and the slip or the shear force, each linearly to "
+   "a value or by a difference; default 100 steps. Overlap and slip stay constant unless the segment names them; `hold` "
+   "keeps a force constant instead. `follow` takes it from point to point of a file of tab-separated columns `approach/m` and "
    "`slip/m`, one step each; the file is found as a page is by `start`.",
    "segment   press  overlap to 10 um  in 5 steps\nsegment   load   shear to 15 N  hold normal\n"
    "segment   back   slip by -2 um  overlap by -1 um  in 1 step"},

@@ -20,7 +20,7 @@ enum mirror { MIRROR_NONE, MIRROR_X, MIRROR_Y };
 static const struct nb_argument place_fields[] = {
   CHOICE("mirror", "none|x|y", AT_MIRROR, "none", "`none`, `x` or `y`"),
   CLAUSE("rotate", "ANGLE", NB_UNIT_ANGLE, NB_ANY, AT_ANGLE, 1, "0", "Counterclockwise; quarters of a turn are exact."),
-  CLAUSE("translate", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "0 0", "To the east and to the north."),
+  CLAUSE("translate", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "0 0", "Displacement in x and y."),
   END
 };
 /* clang-format on */

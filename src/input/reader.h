@@ -175,14 +175,15 @@ enum nb_argument_kind {
 };
 
 struct nb_argument {
-  const char *word;  /* of the clause; NULL: a value that stands by itself, in the order of the row */
+  const char *word;  /* or words of the clause; NULL: a value that stands by itself, in the order of the row */
   const char *value; /* how the manual writes the value: "R", "VX VY" */
   enum nb_argument_kind kind;
   enum nb_unit_kind unit;
   enum nb_range range;
-  int slot, count;       /* where the values go in the record, and how many there are */
-  const char *otherwise; /* what holds without it, for the manual; NULL: it must be there */
-  const char *help;      /* for names and words also what is expected: "the name of a material" */
+  int slot, count; /* where the values go in the record, and how many there are */
+  const char
+      *otherwise; /* what holds without it, for the manual; NULL: it must be there; "|…": it or another one such must */
+  const char *help; /* for names and words also what is expected: "the name of a material" */
 };
 
 struct nb_value {
@@ -218,6 +219,7 @@ const struct nb_keyword *nb_keyword_row(const struct nb_family *table, size_t k)
 
 /* Reads the statement in reader->tokens by its row in a table. `here` is one of NB_IN_…. */
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject);
+bool nb_begins_clause(const struct nb_argument *field, const char *word); /* `at` of a clause `at most` */
 /* Of "lattice discs" the first, into NB_NAME_SIZE bytes; whether there are more. */
 bool nb_first_word(char *first, const char *words);
 /* "disc X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}" */

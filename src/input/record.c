@@ -3,6 +3,7 @@
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
+#include "core/names.h"
 #include "old_words.h"
 #include "statement.h"
 
@@ -21,15 +22,15 @@ bool nb_take_requested(struct nb_reader *reader, struct nb_requested *requested)
 
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested) {
-  char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE] = "";
+  char hint[NB_HINT_SIZE];
   struct nb_mistakes *mistakes = reading->reader.mistakes;
-  if (nb_quantity_find(quantity, reading->scene, requested->name, nearest))
+  if (nb_quantity_find(quantity, reading->scene, requested->name))
     return true;
   if (nb_excused(mistakes, requested->name))
     return false;
   nb_excuse(mistakes, requested->name);
-  if (!nb_old_name(hint, requested->name) && nearest[0])
-    snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
+  if (!nb_old_name(hint, requested->name))
+    nb_quantity_hint(hint, reading->scene, requested->name);
   nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length, hint,
              "expected a quantity, found `%s`", requested->name);
   return false;
@@ -77,9 +78,10 @@ NB_APPLY(apply_record) {
 bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name) {
   const bool before = NB_FIND(scene->stages, scene->start.stages, name->text) >= 0;
   if (before)
-    nb_token_mistake(reader, name, "the first stage of this page begins with the state: name that one",
-                     "expected a stage of this page: of `%s`, which is run before, the state has only how it ended",
-                     name->text);
+    nb_token_mistake(
+        reader, name, "use the first stage of this page, which begins with the state",
+        "expected a stage of this page, found `%s` of the page that it starts from: the state holds only its end",
+        name->text);
   return before;
 }
 
@@ -102,15 +104,15 @@ NB_APPLY(apply_snapshot) {
 /* clang-format off */
 NB_STATEMENTS(record) = {
   {"record", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, nothing, "QUANTITY …", 0, false, apply_columns,
-   "The columns of the table, in this order; on the bench default step, overlap, slip, normal and shear.",
+   "The columns of the table, in this order; in a contact test by default step, overlap, slip, normal and shear.",
    "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
   {"record", NB_IN_STAGE | NB_IN_SEGMENT, nothing, "every N cycles | none", 0, false, apply_record,
    "How often a row is added to the table; default every 1 cycle.",
    "  record  every 10 cycles"},
   {"snapshot", NB_IN_STAGE | NB_IN_SEGMENT, nothing, "{from STAGE}", 0, false, apply_snapshot,
-   "Keeps bodies, walls and contacts as they are at the end of the stage; on the bench the traction over the contact and "
+   "Saves particles, walls and contacts at the end of the stage; in a contact test the traction over the contact and "
    "the pieces of its history, which a shear law must keep. With `from` also what has changed since that stage began, which is this one or "
-   "an earlier one: how bodies have moved and turned, which contacts are new and which are lost, how far contacts have slid.",
+   "an earlier one: displacements and rotations of particles, new and lost contacts, sliding displacements of contacts.",
    "  snapshot from strike"},
   {0},
 };

@@ -53,7 +53,7 @@ static bool take_region(struct nb_reader *reader, struct nb_region *it) {
 static void take_clauses(struct nb_reader *reader, struct nb_region *it) {
   unsigned long rings = 0;
   if (nb_token_is(reader, "rings") && it->kind != NB_REGION_CIRCLE && it->kind != NB_REGION_INSIDE)
-    nb_expected(reader, "rings go round the centre of a circle", "the end of the line, or `from STAGE`");
+    nb_expected(reader, "`rings` is for the regions `circle` and `inside`", "the end of the line, or `from STAGE`");
   else if (nb_token_skip(reader, "rings") && nb_take_count(reader, 1, RINGS_MAX, &rings))
     it->rings = (int)rings;
   const struct nb_token *stage = nb_token_skip(reader, "from") ? nb_take(reader, "the name of a stage") : NULL;
@@ -92,7 +92,7 @@ void nb_regions_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(region) = {
   {"region", NB_IN_SCENE | NB_IN_START, region_fields, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, false, apply_region,
-   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A body is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest box round all outlines that is upright before `transform`, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain, and what contacts are lost and new, are counted from the stage of this page that `from` names, else from the start of its run.",
+   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A particle is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest box round all outlines that is upright before `transform`, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain, and what contacts are lost and new, are counted from the stage of this page that `from` names, else from the start of its run.",
    "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {0},
 };

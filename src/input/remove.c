@@ -66,10 +66,10 @@ NB_APPLY(apply_remove) {
   const int line = removed_already(scene, removal, &which);
   const size_t other = misnamed(scene, removal, shape);
   if (other <= removal.to)
-    nb_token_mistake(reader, &reader->tokens[1], NULL, "expected a %s of each number, but body %zu is a %s",
+    nb_token_mistake(reader, &reader->tokens[1], NULL, "expected a %s for each number, particle %zu is a %s",
                      names[shape], other + 1, names[scene->particles[other].shape]);
   else if (line)
-    nb_token_mistake(reader, &reader->tokens[1], NULL, "body %zu is taken out already, by line %d", which + 1, line);
+    nb_token_mistake(reader, &reader->tokens[1], NULL, "particle %zu is removed already, by line %d", which + 1, line);
   else
     NB_APPEND(reader, stage->removals, stage->removal_count, removal);
 }
@@ -77,9 +77,9 @@ NB_APPLY(apply_remove) {
 /* clang-format off */
 NB_STATEMENTS(remove) = {
   {"remove", NB_IN_STAGE, nothing, "disc N | discs N to M", 0, false, apply_remove,
-   "Takes bodies out of the scene at the beginning of this stage, with what energy they have. They no longer move, touch "
-   "or weigh anything, and no snapshot shows them; the others keep their numbers. Read from then on, a body that is gone "
-   "is where it was last, with all else 0, and its pairs are 0. Spheres are `sphere N`, `spheres N to M`.",
+   "Removes particles at the beginning of this stage, and their energy with them. They no longer move or touch anything, "
+   "and no snapshot shows them; the others keep their numbers. Quantities of a removed particle are its last position, "
+   "and 0; those of its contacts are 0. Spheres are `sphere N`, `spheres N to M`.",
    "stage     less\n  remove  disc 8\n  cycles  10"},
   {0},
 };

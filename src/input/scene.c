@@ -30,7 +30,7 @@ const struct nb_family *nb_keywords(void) {
 
 bool nb_given_twice(struct nb_reader *reader, int line) {
   if (line)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is said twice: first on line %d", reader->tokens[0].text,
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "`%s` is given twice, first on line %d", reader->tokens[0].text,
                      line);
   return reader->bad;
 }
@@ -148,12 +148,19 @@ static void find_columns(struct nb_scene_reading *reading) {
   }
 }
 
+/* Whether the stage has no end, and is not one above that is read again. */
+static bool lacks_end(const struct nb_scene *scene, const struct nb_mistakes *mistakes, size_t stage) {
+  size_t first = 0;
+  while (scene->stages[first].line != scene->stages[stage].line)
+    first++;
+  return first == stage && scene->stages[stage].cycles == 0 && !nb_excused(mistakes, scene->stages[stage].name);
+}
+
 static void check_whole(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;
   if (scene->contact_test && nb_page_fence(reader->page, NB_BLOCK_SCENE))
-    nb_say_of_scene(reading, "scene",
-                    "a contact test is one contact, in a scene particles move: make two pages of them",
+    nb_say_of_scene(reading, "scene", "write two pages, one with the scene and one with the contact test",
                     "expected blocks of kind `scene` or `contact-test`, found both");
   if (!scene->contact_test && !nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
     nb_say_of_scene(reading, "scene", "begin one with a line of three backticks and the word `scene`",
@@ -174,18 +181,19 @@ static void check_whole(struct nb_scene_reading *reading) {
   nb_drives_check(reading);
   nb_boxes_check(reading);
   if (scene->particle_count == 0 && !nb_particles_incomplete(reading))
-    nb_say_of_scene(reading, "body", "`disc`, `sphere`, `lattice`, `fill` and `packing` make them",
-                    "expected a scene with bodies, found none");
+    nb_say_of_scene(reading, "body", "add particles with `disc`, `sphere`, `lattice`, `fill` or `packing`",
+                    "expected a scene with particles, found none");
   if (scene->stage_count == scene->start.stages)
-    nb_say_of_scene(reading, "stage", "begin it with `stage NAME`, and say how long it is with `cycles N`",
+    nb_say_of_scene(reading, "stage", "begin one with `stage NAME`, and give its length with `cycles N`",
                     "expected a scene with a stage, found none");
   for (size_t i = 0; i < scene->stage_count; i++)
-    if (scene->stages[i].cycles == 0 && !nb_excused(reader->mistakes, scene->stages[i].name))
+    if (lacks_end(scene, reader->mistakes, i))
       nb_line_mistake(reader, (size_t)scene->stages[i].line,
-                      "`cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
+                      "add `cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
                       "expected a stage that ends, found neither `cycles` nor `until` in `%s`", scene->stages[i].name);
   if ((scene->stage_count > 0 ? scene->stages[0].step.value : scene->step.value) == 0)
-    nb_say_of_scene(reading, "step", "`step TIME` or `step F of stable`", "expected a scene with a `step`, found none");
+    nb_say_of_scene(reading, "step", "add `step TIME` or `step F of stable`",
+                    "expected a scene with a `step`, found none");
 }
 
 static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
@@ -206,7 +214,7 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     nb_impact_aim(reading);
   if (!nb_scene_place(scene, &reading->place) && mistakes->made == before)
     nb_line_mistake(&reading->reader, (size_t)reading->place.line, NULL,
-                    "expected a place that a double can hold, this one is too far away");
+                    "expected finite coordinates after `transform`, these are too large");
   scene->unitless = reading->reader.unitless;
   if (mistakes->made == before)
     nb_laws_check(reading);

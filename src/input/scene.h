@@ -95,6 +95,8 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
                        const struct nb_requested *requested);
 enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_BEHIND_STRAIN }; /* their slots */
 /* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`: all of them per cycle, or none. */
+bool nb_is_per_cycle(const struct nb_reader *reader,
+                     const struct nb_value *value); /* whether its unit is `per cycle` */
 struct nb_strain_rate nb_strain_of(struct nb_reader *reader, const struct nb_value value[]);
 /* A body of that shape and material, at (0, 0), of which there will be `count`: it is free, or fixed, and the material has mass then. */
 struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,

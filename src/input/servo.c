@@ -5,9 +5,9 @@
 
 #include "statement.h"
 
-enum { AT_ISOTROPIC, AT_MEAN, AT_XX, AT_YY, AT_XY, AT_ON, AT_THROUGH, AT_AFFINE };
+enum { AT_ISOTROPIC, AT_MEAN, AT_XX, AT_YY, AT_XY, AT_ON, AT_THROUGH, AT_AFFINE, AT_MOST };
 #define PLACE "a region, `boundary`, `cell` or `box`"
-#define TARGET(word, at, help) CLAUSE(word, "P", NB_UNIT_PRESSURE, NB_ANY, at, 1, "not held", help)
+#define TARGET(word, at, help) CLAUSE(word, "P", NB_UNIT_PRESSURE, NB_ANY, at, 1, "|not held", help)
 
 /* clang-format off */
 static const struct nb_argument servo_fields[] = {
@@ -19,6 +19,7 @@ static const struct nb_argument servo_fields[] = {
   {"on", "REGION|boundary|cell|box", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_ON, 1, NULL, PLACE},
   CHOICE("through", "boundary|cell|box", AT_THROUGH, NULL, "`boundary`, `cell` or `box`"),
   FLAG("affine", AT_AFFINE, "the boundary alone", "Through the boundary and the affine motion of the particles inside."),
+  CLAUSE("at most", "RATE", NB_UNIT_STRAIN_RATE, NB_POSITIVE, AT_MOST, 1, NULL, "Limit of the strain rate that is added."),
   END
 };
 /* clang-format on */
@@ -30,7 +31,7 @@ static void take_place(struct nb_scene_reading *reading, struct nb_reader *reade
   for (int k = 0; k < 4; k++) {
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "%.63s.stress.%s", place->text, parts[k]);
-    if (!nb_quantity_find(&servo->quantity[k], reading->scene, name, NULL))
+    if (!nb_quantity_find(&servo->quantity[k], reading->scene, name))
       nb_not_known(reader, place, NULL, PLACE);
   }
 }
@@ -50,16 +51,6 @@ static void take_target(struct nb_reader *reader, const struct nb_value *value, 
   }
 }
 
-/* `at most RATE {every N cycles}` */
-static void take_limit(struct nb_reader *reader, struct nb_servo *servo) {
-  if (!nb_take_word(reader, "at") || !nb_take_word(reader, "most") ||
-      !nb_take_number(reader, NB_UNIT_STRAIN_RATE, NB_POSITIVE, &servo->max_rate))
-    return;
-  servo->per_cycle = strcmp(reader->tokens[reader->next - 1].text, NB_PER_CYCLE) == 0;
-  if (nb_token_skip(reader, "every"))
-    nb_take_counted(reader, "cycle", &servo->every);
-}
-
 NB_APPLY(apply_servo) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
@@ -69,6 +60,8 @@ NB_APPLY(apply_servo) {
   struct nb_servo servo = {.axis_x = {1, 0},
                            .axis_y = {0, 1},
                            .every = 10,
+                           .max_rate = value[AT_MOST].number,
+                           .per_cycle = nb_is_per_cycle(reader, &value[AT_MOST]),
                            .cell = through == 1,
                            .box = through == 2,
                            .affine = value[AT_AFFINE].token,
@@ -76,11 +69,12 @@ NB_APPLY(apply_servo) {
   take_target(reader, value, &servo);
   take_place(reading, reader, value[AT_ON].token, &servo);
   if (servo.affine && through != 0)
-    nb_token_mistake(reader, value[AT_AFFINE].token, NULL, "expected `affine` with `through boundary` alone");
-  take_limit(reader, &servo);
+    nb_token_mistake(reader, value[AT_AFFINE].token, NULL, "expected `affine` only with `through boundary`");
+  if (nb_token_skip(reader, "every"))
+    nb_take_counted(reader, "cycle", &servo.every);
   nb_given_twice(reader, stage->servo.line);
   if (servo.box && value[AT_XY].token)
-    nb_token_mistake(reader, value[AT_XY].token, NULL, "expected `xx` or `yy` of a box: its walls do not turn");
+    nb_token_mistake(reader, value[AT_XY].token, NULL, "expected `xx` or `yy` for a box, whose walls do not rotate");
   servo.controlled[2] = servo.controlled[2] && !servo.box;
   (servo.cell ? nb_lacks_cell : servo.box ? nb_lacks_box : nb_lacks_boundary)(scene, reader);
   if (!reader->bad)
@@ -89,10 +83,10 @@ NB_APPLY(apply_servo) {
 
 /* clang-format off */
 NB_STATEMENTS(servo) = {
-  {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "at most RATE {every N cycles}", 0, false, apply_servo,
+  {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, false, apply_servo,
    "Brings the stress of a region, or that on the boundary, in the cell or on the box, to a target, for this stage. It adds a strain rate to that of the boundary, the cell or the box. "
    "`isotropic` holds all components [R89 4.1]; through a box xy is not held, because its walls do not turn. `mean` changes the area alone, so that the shape follows the stage's own strain rates. "
-   "Components that are not named are not held. The gain follows from the stiffness of the contacts; `at most` bounds the strain rate that is added, and `every` says how often it is renewed, default 10.",
+   "Components that are not named are not held. The gain follows from the stiffness of the contacts; `every` says how often the strain rate is renewed, default 10.",
    "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10\n"
    "stage     shear\n  servo   mean 1 kPa  on boundary  through boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10\n"
    "stage     biaxial\n  servo   yy 2 kPa  on boundary  through boundary  at most 1e-6 per cycle\n  cycles  10\n"

@@ -55,7 +55,7 @@ NB_APPLY(apply_stage) {
 static bool ends_twice(const struct nb_stage *stage, struct nb_reader *reader) {
   if (stage->cycles != 0)
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "the stage `%s` has an end already: `cycles` or `until`, and once", stage->name);
+                     "expected one end of the stage `%s`, `cycles` or `until`, found a second one", stage->name);
   return stage->cycles != 0;
 }
 
@@ -92,7 +92,7 @@ NB_APPLY(apply_until) {
   if (nb_token_skip(reader, "every"))
     nb_take_counted(reader, "cycle", &stage->check_interval);
   if (!nb_token_skip(reader, "at"))
-    nb_expected(reader, "a stage that may last for ever is not run", "`and`, `every N cycles` or `at most N cycles`");
+    nb_expected(reader, "add a limit: `at most N cycles`", "`and`, `every N cycles` or `at most N cycles`");
   else if (nb_take_word(reader, "most"))
     nb_take_counted(reader, "cycle", &stage->cycles);
 }
@@ -104,7 +104,7 @@ NB_APPLY(apply_ramp) {
   struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
   const int line = (int)reader->line;
   (void)record;
-  if (!nb_take(reader, "what shall change: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
+  if (!nb_take(reader, "what changes gradually: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
     return;
   memmove(reader->tokens, reader->tokens + 1, --reader->count * sizeof *reader->tokens);
   nb_statement_read(reader, nb_keywords(), NB_IN_RAMP, subject);
@@ -133,8 +133,8 @@ void nb_ramps_check(struct nb_scene_reading *reading) {
     const int line = ramp_of(it);
     if (!line || it->condition_count == 0)
       continue;
-    nb_line_mistake(&reading->reader, (size_t)line, "a ramp ends with its stage: say how long that is with `cycles N`",
-                    "expected a ramp in a stage of `cycles N`, found `until` in `%s`", it->name);
+    nb_line_mistake(&reading->reader, (size_t)line, "a ramp lasts as long as its stage: give the stage `cycles N`",
+                    "expected a stage with `cycles N` for a ramp, found `until` in `%s`", it->name);
   }
 }
 
@@ -142,7 +142,7 @@ void nb_ramps_check(struct nb_scene_reading *reading) {
 NB_APPLY(apply_still) {
   struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
   if (record->keyword->variant && it->motion_count > 0)
-    nb_token_mistake(reader, &reader->tokens[0], "it turns round what walls did until then",
+    nb_token_mistake(reader, &reader->tokens[0], "it reverses the velocities that the walls had before this stage",
                      "expected `reverse velocities` above the statements that move walls, found it below");
   *(record->keyword->variant ? &it->reverse_velocities : &it->zero_velocities) = true;
 }
@@ -166,7 +166,7 @@ bool nb_repeat_closed(struct nb_scene_reading *reading) {
       (size_t)nb_stage_now(scene)->line > reading->repeat.until)
     return false;
   nb_token_mistake(reader, &reader->tokens[0],
-                   "above the `repeat` it is said of all of them, here of the last one only",
+                   "above the `repeat` it belongs to all repeated stages or segments, here only to the last one",
                    "expected `%s` below the `repeat` of line %zu", begins, reading->repeat.until);
   return true;
 }
@@ -185,7 +185,7 @@ NB_APPLY(apply_repeat) {
                          scene->contact_test ? "the name of a segment above" : "the name of a stage above", NULL);
   const size_t from = s < 0 ? 0 : (size_t)scene->stages[before + (size_t)s].line;
   if (from < reading->repeat.until)
-    nb_token_mistake(reader, token, NULL, "expected %s that stands below the last `repeat`, on line %zu",
+    nb_token_mistake(reader, token, NULL, "expected %s below the last `repeat`, which is on line %zu",
                      scene->contact_test ? "a segment" : "a stage", reading->repeat.until);
   else if (nb_take_count(reader, 1, NB_NAMED_MAX, &times) &&
            (nb_token_skip(reader, "time") || nb_take_word(reader, "times")))
@@ -198,32 +198,31 @@ NB_STATEMENTS(stage) = {
    "Begins a stage; the statements below belong to it, until the next one.",
    "stage     strike"},
   {"ramp", NB_IN_STAGE, nothing, "wall … | walls … | material … | pair … | gravity … | servo …", 0, false, apply_ramp,
-   "What follows does not jump but goes along a straight line, from what it is to what is said, over the cycles of the "
-   "stage.",
+   "What follows changes linearly over the cycles of the stage, from its present value to the given one.",
    "  ramp    material steel  friction 0.5"},
   {"cycles", NB_IN_STAGE, cycles_fields, NULL, 0, false, apply_cycles, "How many cycles the stage lasts.",
    "  cycles  400"},
   {"until", NB_IN_STAGE, nothing,
    "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N cycles", 0, false, apply_until,
-   "The stage lasts until all conditions hold; that they do not hold after N cycles is a failure. `every`: they are looked at every so many cycles only, default 1.",
+   "The stage lasts until all conditions hold; if they do not hold after N cycles, the run is aborted. `every`: they are checked every so many cycles, default 1.",
    "stage     part\n  until   C.overlap below 1 nm and time above 1 ms  at most 10000 cycles"},
   {"zero velocities", NB_IN_STAGE, nothing, NULL, 0, false, apply_still,
    "The velocities and spins of all particles are 0 at the beginning of this stage; those of walls stay.",
    "stage     halt\n  zero    velocities\n  cycles  10"},
   {"reverse velocities", NB_IN_STAGE, nothing, NULL, 1, false, apply_still,
-   "All velocities and spins change sign at the beginning of this stage, those of walls too: what has no friction and no "
-   "damping goes back the way it came.",
+   "All velocities and spins change sign at the beginning of this stage, those of walls too: without friction and "
+   "damping the motion is traced back.",
    "stage     back\n  reverse velocities\n  cycles  10"},
   {"rotation off", NB_IN_STAGE, nothing, NULL, 1, false, apply_rotation,
-   "Bodies stop turning when this stage begins, and do not turn from then on.",
+   "Particles stop rotating at the beginning of this stage, and do not rotate from then on.",
    "stage     stiff\n  rotation off\n  cycles  10"},
-  {"rotation on", NB_IN_STAGE, nothing, NULL, 0, false, apply_rotation, "They turn again.",
+  {"rotation on", NB_IN_STAGE, nothing, NULL, 0, false, apply_rotation, "Particles rotate again, from this stage on.",
    "stage     roll\n  rotation on\n  cycles  10"},
   {"repeat", NB_IN_STAGE, nothing, "from STAGE N times", 1, false, apply_repeat,
-   "The lines from STAGE down to here once more, so often; those stages are called STAGE-2, STAGE-3 and so on.",
+   "Repeats the lines from STAGE down to here N times; the repeated stages are called STAGE-2, STAGE-3 and so on.",
    "stage     again\n  cycles  10\nrepeat    from again 2 times"},
   {"repeat", NB_IN_SEGMENT, nothing, "from SEGMENT N times", 0, false, apply_repeat,
-   "The lines from SEGMENT down to here once more, so often; those segments are called SEGMENT-2, SEGMENT-3 and so on.",
+   "Repeats the lines from SEGMENT down to here N times; the repeated segments are called SEGMENT-2, SEGMENT-3 and so on.",
    "repeat    from load 2 times"},
   {0},
 };

@@ -180,10 +180,10 @@ static bool find_page(const struct nb_scene_reading *reading, struct nb_reader *
   const int above = pages_above(reading, path);
   if (above >= CHAIN_MAX)
     return nb_token_mistake(
-        reader, word, "keep a state of one of them by `nineball state` and take its particles by `packing`",
+        reader, word, "save a state of one of them with `nineball state`, and take its particles with `packing`",
         "expected at most %d pages that start one from another, with this there are more", CHAIN_MAX);
   if (above < 0)
-    return nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` starts from itself in the end", path);
+    return nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` would start from itself", path);
   return true;
 }
 
@@ -195,10 +195,10 @@ static void read_scene(const struct nb_scene_reading *reading, struct nb_reader 
   size_t runs = 1;
   nb_scene_read_below(start->scene, start->page, settings, mistakes, reading, &runs);
   if (mistakes->made == before && start->scene->contact_test)
-    nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a path");
+    nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a contact test");
   else if (mistakes->made == before && runs > 1)
-    nb_token_mistake(reader, word, "give what it sweeps one value: `with NAME=VALUE`",
-                     "expected a page of one run, found one of %zu", runs);
+    nb_token_mistake(reader, word, "choose one run: `with NAME=VALUE`", "expected a page of one run, found one of %zu",
+                     runs);
 }
 
 static bool read_other(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
@@ -217,7 +217,7 @@ static bool read_other(const struct nb_scene_reading *reading, struct nb_reader 
     read_scene(reading, reader, start, settings, word);
   free(settings);
   if (reader->mistakes->made > before && !reader->bad)
-    nb_token_mistake(reader, word, NULL, "the page that this one starts from has the mistakes above or below");
+    nb_token_mistake(reader, word, NULL, "the page that this one starts from has mistakes, listed above or below");
   return reader->mistakes->made == before;
 }
 
@@ -234,9 +234,9 @@ static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct n
   if (s < 0)
     return false;
   if (s < (int)other->start.stages)
-    return nb_token_mistake(reader, name, "start from that page instead",
-                            "expected a stage that the page has of its own, `%s` is one that it starts from",
-                            name->text);
+    return nb_token_mistake(
+        reader, name, "start from that other page",
+        "expected a stage that the page defines itself, `%s` belongs to the page that it starts from", name->text);
   nb_scene_cut(other, (size_t)s);
   return true;
 }
@@ -310,11 +310,11 @@ void nb_hash_line(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(start) = {
   {"start", NB_IN_SCENE | NB_APART, start_fields, "{with NAME=VALUE …}", 0, false, apply_start,
-   "Goes on where a stage of another page ends: PAGE.md, given these values as by --set. The page is found by its name: beside this one; else in the nearest "
-   "folder `cases` that this page lies in, or in any folder below, where the name must be there once. A name with `../` or `/` at its beginning is a path from this page's folder or from the root. Bodies, walls, a boundary or a cell, materials, "
-   "laws, damping, gravity and step are those of its end, cycles and time count on; monitors and columns are this page's own. What "
-   "is said before the first stage holds from that stage on. The other page is run up to there once, and its state kept in a "
-   "folder: docs/STATE.md. Stands before all but `units`, `let` and `sweep`.",
+   "Continues from the end of a stage of another page, PAGE.md, with these values as by --set. The page is found by its name: in the folder of this page; else in the nearest "
+   "folder `cases` that this page lies in, or in any folder below, where only one file may have that name. A name that begins with `../` or `/` is a path from this page's folder or from the root. Particles, walls, a boundary or a cell, materials, "
+   "laws, damping, gravity and step are those at its end, and cycles and time continue; monitors and columns are this page's own. Statements "
+   "before the first stage hold from that stage on. The other page is run up to there once, and its state is saved in a "
+   "folder: docs/STATE.md. Comes before all but `units`, `let` and `sweep`.",
    "start     nine-discs stage load\nmonitor   C  disc 5 with disc 6\nrecord    cycle C.normal\nstage     rest\n  walls   stop\n  cycles  400"},
   {0},
 };

@@ -319,7 +319,7 @@ static void carrier(struct stream *stream) {
       carrier_of(stream, stream->out ? (enum nb_affine_source)(stream->k + 1) : NB_AFFINE_NONE);
   struct nb_saved_carrier *it = &stream->saved->carriers[which];
   if (stream->carriers & 1U << which)
-    expected(stream, "such a record once for each carrier");
+    expected(stream, "such a record once for each source of imposed motion");
   stream->carriers |= 1U << which;
   it->accumulated = either(stream, it->accumulated, "apart", "literal");
   tensor_of(stream, &it->rate);
@@ -490,7 +490,7 @@ static void read_history(struct stream *stream, bool shear) {
   }
   if (!stream->bad && !can_be(saved, remembers, *it)) {
     stream->taken = stream->line;
-    expected(stream, "numbers that the law can have remembered");
+    expected(stream, "a contact history that the law can have");
   }
 }
 static void normal(struct stream *stream) { read_history(stream, false); }
@@ -576,7 +576,7 @@ static void read_record(struct stream *stream) {
   while (r < COUNT && strcmp(records[r].word, word) != 0)
     r++;
   if (r == COUNT) {
-    expected(stream, "a record that this program knows");
+    expected(stream, "a record of this version");
     return;
   }
   if (stream->seen & 1U << r && (records[r].times == ONCE || records[r].times == AT_MOST_ONCE))
@@ -607,7 +607,7 @@ static void check_whole(struct stream *stream) {
     expected(stream, "a record `carried` for each body, or for none");
   for (size_t k = 0; k < saved->imposed_count; k++)
     if (!has_carrier(saved, k))
-      expected(stream, "body %zu to be carried by a cell or a boundary that there is", k + 1);
+      expected(stream, "particle %zu to follow a cell or a boundary that the state has", k + 1);
   if (saved->ring.is != (saved->ring.member_count > 0))
     expected(stream, "records `boundary` and `members`, or neither");
 }
@@ -625,8 +625,8 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
   char end[NB_STATE_END + 1];
   *saved = (struct nb_saved){.rotates = true};
   if (size < sizeof head - 1 || memcmp(text, head, sizeof head - 1) != 0)
-    return damaged(path, text, 0, 0, "expected `nineball state 1`: this is no saved state, or one of another version",
-                   error);
+    return damaged(path, text, 0, 0,
+                   "expected `nineball state 1`: this is not a saved state, or one of another version", error);
   const size_t last = size - NB_STATE_END;
   if (size < sizeof head - 1 + NB_STATE_END || memcmp(text + last, "end ", 4) != 0)
     return damaged(path, text, size, size, "expected a last line `end` with its checksum: the file is cut off", error);

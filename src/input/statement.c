@@ -37,6 +37,13 @@ bool nb_first_word(char *first, const char *words) {
   return words[length] != 0;
 }
 
+bool nb_begins_clause(const struct nb_argument *field, const char *word) {
+  char first[NB_NAME_SIZE] = "";
+  if (field->word)
+    nb_first_word(first, field->word);
+  return *first && strcmp(first, word) == 0;
+}
+
 enum { CONTACT_TEST = NB_IN_PATH | NB_IN_SEGMENT };
 
 /* Where a row belongs that does not belong here: in the same kind of block if it may be there at all. */
@@ -74,12 +81,12 @@ static void word_behind(char *word, const char *words, size_t count) {
 }
 
 /* ` or `WORD``, once. */
-static void list_word(char *list, size_t size, const char *word) {
+static void list_word(char *list, size_t size, const char *between, const char *word) {
   char quoted[NB_NAME_SIZE + 2];
   const size_t used = strlen(list);
   snprintf(quoted, sizeof quoted, "`%s`", word);
   if (!strstr(list, quoted))
-    snprintf(list + used, size - used, "%s%s", used ? " or " : "", quoted);
+    snprintf(list + used, size - used, "%s%s", used ? between : "", quoted);
 }
 
 /* Reports a line that begins as some rows do and continues as none of them: `fill sphres`. Returns one of these rows; NULL if `whole`, a
@@ -98,7 +105,7 @@ static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struc
       continue;
     word_behind(word, row->word, most);
     nb_guess_offer(&guess, word);
-    list_word(list, sizeof list, word);
+    list_word(list, sizeof list, " or ", word);
   }
   const bool near = token && nb_guess_found(&guess);
   if (whole && !near)
@@ -106,17 +113,6 @@ static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struc
   reader->next += most;
   nb_expected(reader, near ? nb_guess_hint(&guess, hint) : NULL, "%s", list);
   return meant;
-}
-
-/* Whether a row above, the k-th, begins with the same word here. */
-static bool same_verb(const struct nb_family *table, size_t k, const char *word, unsigned here) {
-  char other[NB_NAME_SIZE];
-  for (size_t above = 0; above < k; above++) {
-    const struct nb_keyword *row = nb_keyword_row(table, above);
-    if (row->word && row->where & here && (nb_first_word(other, row->word), strcmp(word, other) == 0))
-      return true;
-  }
-  return false;
 }
 
 /* Of the rows whose words are all there and that belong elsewhere the one with most words; of two, the one of this kind of block. */
@@ -153,34 +149,53 @@ static const char *place_of(unsigned here) {
   }
 }
 
+/* Of a word that is a clause of statements of this place, which these are; NULL: it is none. */
+static const char *clause_hint(char *hint, const struct nb_family *table, unsigned here, const char *word) {
+  const struct nb_keyword *row;
+  char list[NB_HINT_SIZE / 2] = "";
+  for (size_t k = 0; (row = nb_keyword_row(table, k)); k++)
+    for (const struct nb_argument *field = row->arguments; field->count; field++)
+      if (row->where & here && nb_begins_clause(field, word))
+        list_word(list, sizeof list, " or ", row->word);
+  snprintf(hint, NB_HINT_SIZE, "`%s` is a part of %s: see `nineball --help %s`", word, list, word);
+  return *list ? hint : NULL;
+}
+
 /* Reports a first word that no row begins with. Returns the row that was probably meant, or NULL. */
 static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
-  char hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
-  size_t used = (size_t)snprintf(hint, sizeof hint, "the %s word may be: ", here == NB_IN_RAMP ? "next" : "first");
-  struct nb_guess guess = nb_guess_begin(nb_token_peek(reader)->text);
+  char words[NB_HINT_SIZE - 64] = "", hint[NB_HINT_SIZE], better[NB_HINT_SIZE], word[NB_NAME_SIZE];
+  const char *const text = nb_token_peek(reader)->text;
+  struct nb_guess guess = nb_guess_begin(text);
   const struct nb_keyword *meant = NULL, *row;
-  const char *comma = "";
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
-    if (row->word)
-      nb_first_word(word, row->word);
-    if (!row->word || !(row->where & here) || same_verb(table, k, word, here))
+    if (!row->word || !(row->where & here))
       continue;
+    nb_first_word(word, row->word);
     const int before = guess.distance;
     nb_guess_offer(&guess, word);
     if (guess.distance < before)
       meant = row;
-    snprintf(hint + used, sizeof hint - used, "%s%s", comma, word);
-    used = strlen(hint), comma = ", ";
+    list_word(words, sizeof words, ", ", word);
   }
-  const bool near = nb_guess_found(&guess);
-  nb_expected(reader, near ? nb_guess_hint(&guess, hint) : hint, "%s", place_of(here));
+  snprintf(hint, sizeof hint, "the %s word may be: %s", here == NB_IN_RAMP ? "next" : "first", words);
+  const bool near = nb_guess_found(&guess) && !guess.synonym == !guess.marked;
+  const char *const other = near                                     ? nb_guess_hint(&guess, better)
+                            : clause_hint(better, table, here, text) ? better
+                                                                     : nb_synonym_hint(better, text);
+  nb_expected(reader, other ? other : hint, "%s", place_of(here));
   nb_excuse(reader->mistakes, near ? guess.best : NB_ANYTHING);
   return near ? meant : NULL;
 }
 
-static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct nb_keyword *row, unsigned here) {
-  char hint[NB_HINT_SIZE];
-  snprintf(hint, sizeof hint, "`%s` belongs %s", row->word, where_words(row->where, here));
+static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct nb_family *table,
+                                          const struct nb_keyword *row, unsigned here) {
+  char hint[NB_HINT_SIZE], syntax[NB_HINT_SIZE / 2] = "";
+  size_t most;
+  const struct nb_keyword *const begins = begun(reader, table, here, &most);
+  if (begins)
+    nb_keyword_syntax(syntax, sizeof syntax, begins);
+  snprintf(hint, sizeof hint, "`%s` belongs %s%s%s%s", row->word, where_words(row->where, here),
+           begins ? "; the statement here is `" : "", syntax, begins ? "`" : "");
   nb_expected(reader, hint, "%s", place_of(here));
   return row;
 }
@@ -189,7 +204,7 @@ static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct
 static const struct nb_keyword *wrong_row(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                           const struct nb_keyword *whole) {
   const struct nb_keyword *partly = wrong_word(reader, table, here, whole);
-  return partly ? partly : whole ? misplaced(reader, whole, here) : unknown_verb(reader, table, here);
+  return partly ? partly : whole ? misplaced(reader, table, whole, here) : unknown_verb(reader, table, here);
 }
 
 /* ---- the fields of a row ---- */
@@ -224,15 +239,16 @@ static void read_field(struct nb_reader *reader, const struct nb_argument *field
   }
 }
 
-static const struct nb_argument *clause_of(const struct nb_keyword *keyword, const char *word) {
-  for (const struct nb_argument *field = keyword->arguments; field->count; field++)
-    if (field->word && strcmp(field->word, word) == 0)
-      return field;
-  return NULL;
-}
-
 static bool given(const struct nb_reader *reader, const struct nb_argument *field) {
   return reader->given >> (field - reader->keyword->arguments) & 1;
+}
+
+/* The clause that is next; *words of it. */
+static const struct nb_argument *next_clause(const struct nb_reader *reader, size_t *words) {
+  for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
+    if (field->word && words_there(reader, field->word, words) == *words)
+      return field;
+  return NULL;
 }
 
 static const struct nb_argument *next_leading(const struct nb_reader *reader) {
@@ -250,12 +266,33 @@ static struct nb_guess guess_clause(const struct nb_reader *reader, const char *
   return guess;
 }
 
-/* `raduis 5`: a word and a number where a lone word may stand is a clause mistyped. */
+/* One of several clauses that must be there: what holds without them begins with `|`. */
+static bool is_alternative(const struct nb_argument *field) { return field->otherwise && field->otherwise[0] == '|'; }
+
+/* Whether the statement ends too early without that field, which it has not. */
+static bool is_missing(const struct nb_reader *reader, const struct nb_argument *field) {
+  bool other = false;
+  for (const struct nb_argument *it = reader->keyword->arguments; it->count; it++)
+    other = other || (is_alternative(it) && given(reader, it));
+  return !given(reader, field) && (!field->otherwise || (is_alternative(field) && !other));
+}
+
+/* Whether anything is missing, or a clause. */
+static bool lacks(const struct nb_reader *reader, bool clause) {
+  const struct nb_argument *field = reader->keyword->arguments;
+  while (field->count && !(is_missing(reader, field) && (field->word || !clause)))
+    field++;
+  return field->count > 0;
+}
+
+/* `raduis 5`: a word and a number where a lone word may stand is a clause mistyped; `1 m` one whose word was left out. */
 static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argument *leading) {
   const struct nb_token *token = nb_token_peek(reader);
   double number;
   if (leading->kind != NB_ARGUMENT_WORD || reader->next + 1 >= reader->count)
     return false;
+  if (lacks(reader, true) && reader->given && nb_number_read(&number, token->text, 0) == NB_READ)
+    return true;
   struct nb_guess guess = guess_clause(reader, token->text);
   return nb_guess_found(&guess) && nb_number_read(&number, token[1].text, 0) == NB_READ;
 }
@@ -267,9 +304,10 @@ static size_t leading(const struct nb_keyword *keyword) {
   return count;
 }
 
-/* Of the same words is another statement elsewhere, which begins otherwise: `wall` in the scene and in a stage. */
-static const char *twin_hint(const struct nb_reader *reader, char *hint) {
-  if (!reader->twin || leading(reader->twin) == leading(reader->keyword))
+/* Of the same words is another statement elsewhere, which begins otherwise: `wall` in the scene and in a stage. It has at least so many
+ * values without a word of their own. */
+static const char *twin_hint(const struct nb_reader *reader, char *hint, size_t least) {
+  if (!reader->twin || leading(reader->twin) == leading(reader->keyword) || leading(reader->twin) < least)
     return NULL;
   char syntax[256];
   nb_keyword_syntax(syntax, sizeof syntax, reader->twin);
@@ -277,61 +315,67 @@ static const char *twin_hint(const struct nb_reader *reader, char *hint) {
   return hint;
 }
 
-static void unknown_word(struct nb_reader *reader) {
-  char words[256] = "", hint[NB_HINT_SIZE];
-  size_t used = 0;
-  bool may_end = true;
-  struct nb_guess guess = guess_clause(reader, nb_token_peek(reader)->text);
+/* All clauses that are missing, with what they take; answers the first thing that is missing, NULL: nothing. */
+static const struct nb_argument *list_missing(const struct nb_reader *reader, char *list, size_t size) {
+  const struct nb_argument *first = NULL, *before = NULL;
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++) {
-    if (given(reader, field))
+    const bool either = before && is_alternative(before) && is_alternative(field);
+    const size_t used = strlen(list);
+    if (!is_missing(reader, field))
       continue;
-    if (!field->otherwise)
-      may_end = false;
-    if (!field->word || used >= sizeof words)
+    first = first ? first : field;
+    if (!field->word)
       continue;
-    int n = snprintf(words + used, sizeof words - used, "%s`%s`", used ? ", " : "", field->word);
-    if (n > 0)
-      used += (size_t)n;
+    snprintf(list + used, size - used, "%s`%s%s%s`",
+             !before  ? ""
+             : either ? " or "
+                      : ", and ",
+             field->word, field->value ? " " : "", field->value ? field->value : "");
+    before = field;
   }
-  const char *near = nb_guess_hint(&guess, hint);
-  nb_expected(reader, near ? near : twin_hint(reader, hint), "%s%s%s", words, used && may_end ? " or " : "",
-              may_end ? "the end of the line" : "");
+  return first;
 }
 
-static void missing_field(struct nb_reader *reader, const struct nb_argument *field) {
-  char syntax[256], hint[NB_HINT_SIZE];
+/* Reports all that is missing at the end of the line; or a word that is no clause, with those that there may be. */
+static void expected_fields(struct nb_reader *reader) {
+  const struct nb_token *token = nb_token_peek(reader);
+  char list[512] = "", syntax[NB_HINT_SIZE / 2], hint[NB_HINT_SIZE];
+  const struct nb_argument *const missing = list_missing(reader, list, sizeof list);
+  const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   nb_keyword_syntax(syntax, sizeof syntax, reader->keyword);
   snprintf(hint, sizeof hint, "the statement is `%s`", syntax);
-  const struct nb_token *token = nb_token_peek(reader); /* where the tail would begin */
-  const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
-  if (nb_guess_found(&guess))
-    nb_guess_hint(&guess, hint);
-  else if (!field->word)
-    twin_hint(reader, hint);
-  if (!field->word)
-    nb_expected(reader, hint, "%s (%s)", field->value, field->help);
-  else
-    nb_expected(reader, hint, "`%s%s%s`", field->word, field->value ? " " : "", field->value ? field->value : "");
+  const size_t least = token ? leading(reader->keyword) : missing->word ? NB_TOKENS_MAX : 0;
+  const bool near = nb_guess_hint(&guess, hint) || twin_hint(reader, hint, least);
+  if (!token) {
+    nb_expected(reader, hint, missing->word ? "%s" : "%s (%s)", missing->word ? list : missing->value, missing->help);
+    return;
+  }
+  *list = 0;
+  for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
+    if (field->word && !given(reader, field))
+      list_word(list, sizeof list, ", ", field->word);
+  const char *const end = missing ? "" : *list ? " or the end of the line" : "the end of the line";
+  nb_expected(reader, missing || near ? hint : NULL, "%s%s", list, end);
 }
 
 static void read_fields(struct nb_reader *reader, struct nb_record *record) {
   const struct nb_token *token;
   while ((token = nb_token_peek(reader))) {
-    const struct nb_argument *clause = clause_of(reader->keyword, token->text), *leading = next_leading(reader);
+    size_t words = 0;
+    const struct nb_argument *clause = next_clause(reader, &words), *leading = next_leading(reader);
     if (clause && given(reader, clause))
-      nb_token_mistake(reader, token, NULL, "expected `%s` once, found it twice", token->text);
+      nb_token_mistake(reader, token, NULL, "expected `%s` once, found it twice", clause->word);
     else if (clause)
-      reader->next++, read_field(reader, clause, record);
+      reader->next += words, read_field(reader, clause, record);
     else if (leading && !mistyped_clause(reader, leading))
       read_field(reader, leading, record);
     else if (reader->keyword->tail)
       break;
     else
-      unknown_word(reader);
+      expected_fields(reader);
   }
-  for (const struct nb_argument *field = reader->keyword->arguments; field->count && !reader->bad; field++)
-    if (!field->otherwise && !given(reader, field))
-      missing_field(reader, field);
+  if (!reader->bad && lacks(reader, false))
+    expected_fields(reader);
 }
 
 /* ---- the whole ---- */
@@ -352,7 +396,7 @@ static const struct nb_keyword *choose(struct nb_reader *reader, const struct nb
   }
   const struct nb_keyword *whole = elsewhere(reader, table, here, &words);
   if (found && whole && words > most)
-    return misplaced(reader, whole, here);
+    return misplaced(reader, table, whole, here);
   reader->twin = found && whole && words == most ? whole : NULL;
   reader->next += most;
   if (found || fallback)

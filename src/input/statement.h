@@ -25,19 +25,19 @@
 #define SHAPE(at) CHOICE(NULL, "discs|spheres", at, NULL, "`discs` or `spheres`") /* as enum nb_shape */
 #define RADIUS(at) CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, at, 1, NULL, "Radius.")
 #define VELOCITY(at, otherwise) \
-  CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, at, 2, otherwise, "Velocity to the east and to the north.")
+  CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, at, 2, otherwise, "Velocity in x and y.")
 #define CORNERS(at, other) \
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, at, "South-west corner, to the east."), \
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, at + 1, "South-west corner, to the north."), \
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, at, "x of the south-west corner."), \
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, at + 1, "y of the south-west corner."), \
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, other, 2, NULL, "North-east corner.")
 #define STRAIN_SIDES \
-  VALUE("EXX", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XX, "Of length to the east; extension is positive."), \
-  VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_YY, "Of length to the north.")
+  VALUE("EXX", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XX, "Strain rate in x; extension is positive."), \
+  VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_YY, "Strain rate in y.")
 #define STRAIN \
   STRAIN_SIDES, \
-  CLAUSE("shear", "EXY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XY, 1, "0", "Of shape: c_12 = c_21 = EXY, which turns nothing."), \
-  CLAUSE("c12", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C12, 1, "0", "Velocity to the east for a unit of way to the north."), \
-  CLAUSE("c21", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C21, 1, "0", "Velocity to the north for a unit of way to the east.")
+  CLAUSE("shear", "EXY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XY, 1, "0", "Shear strain rate: c_12 = c_21 = EXY, without rotation."), \
+  CLAUSE("c12", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C12, 1, "0", "Velocity in x per unit of y."), \
+  CLAUSE("c21", "C", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_C21, 1, "0", "Velocity in y per unit of x.")
 /* clang-format on */
 
 /* A function that applies a statement; subject is the struct nb_scene_reading. */

@@ -7,8 +7,8 @@
 
 enum { AT_SKIN };
 static const struct nb_argument nothing[] = {END};
-static const struct nb_argument skin_fields[] = {VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "How near."),
-                                                 END};
+static const struct nb_argument skin_fields[] = {
+    VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "Distance between two surfaces."), END};
 
 /* What a step may be a share of. */
 #define SHARES "stable|collision|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean"
@@ -67,7 +67,7 @@ NB_APPLY(apply_allow) {
 NB_APPLY(apply_skin) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   if (scene->skin > 0)
-    nb_token_mistake(reader, &reader->tokens[0], NULL, "`skin` is said twice");
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "`skin` is given twice");
   scene->skin = record->value[AT_SKIN].number;
 }
 
@@ -84,7 +84,7 @@ NB_STATEMENTS(step) = {
    "Lets a run go on whose step is longer than the guaranteed stable one; else it is aborted. In a stage: in this one only.",
    "allow     unstable"},
   {"skin", NB_IN_SCENE | NB_IN_START, skin_fields, NULL, 0, false, apply_skin,
-   "Pairs closer than this are listed as contacts that may come to touch [R89 TOL], and looked for again when something "
+   "Pairs closer than this are in the neighbour list [R89 TOL], which is rebuilt when a particle or wall "
    "has moved half of it; default a tenth of the mean radius. No result depends on it.",
    "skin      0.5 mm"},
   {0},

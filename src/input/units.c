@@ -170,12 +170,9 @@ bool nb_unit_kind_of(enum nb_unit_kind *kind, const char *si) {
 
 void nb_unit_offer(struct nb_guess *guess, const char *list) {
   char name[NB_NAME_SIZE];
-  for (size_t length; *list; list += length + strspn(list + length, ", ")) {
-    length = strcspn(list, ",");
-    snprintf(name, sizeof name, "%.*s", (int)length, list);
+  while (nb_item(&list, name))
     if (strcmp(name, "1") != 0) /* how a table heads a column of numbers */
       nb_guess_offer(guess, name);
-  }
 }
 
 /* ---- numbers ---- */

@@ -79,7 +79,7 @@ static const struct nb_token *token_behind(const struct nb_reader *reader, size_
 static bool is_clause(const struct nb_reader *reader, const struct nb_token *token) {
   for (const struct nb_argument *field = reader->keyword ? reader->keyword->arguments : NULL; field && field->count;
        field++)
-    if (field->word && strcmp(field->word, token->text) == 0)
+    if (nb_begins_clause(field, token->text))
       return true;
   return false;
 }
@@ -97,13 +97,19 @@ static bool are_words_of_row(const struct nb_reader *reader) {
   return words <= wanted;
 }
 
+static const char *without_comma(char bare[NB_NAME_SIZE], const char *text) {
+  snprintf(bare, NB_NAME_SIZE, "%.*s", (int)strcspn(text, ",;"), text);
+  return bare;
+}
+
 /* Whether a token is a unit, or nearly one of those that messages name. */
 static bool resembles_unit(const char *text) {
   struct nb_unit unit;
-  struct nb_guess guess = nb_guess_begin(text);
+  char bare[NB_NAME_SIZE];
+  struct nb_guess guess = nb_guess_begin(without_comma(bare, text));
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++)
     nb_unit_offer(&guess, nb_unit_list((enum nb_unit_kind)kind));
-  return nb_unit_read(&unit, text) || (nb_guess_found(&guess) && (guess.distance == 0 || strchr(text, ',')));
+  return nb_unit_read(&unit, text) || (nb_guess_found(&guess) && guess.distance == 0);
 }
 
 /* Whether the token behind a number was meant as its unit. */
@@ -125,7 +131,8 @@ static bool names_angle(const struct wanted *it, const char *text) {
 /* What to type instead of a number without a unit, or with the wrong one. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
-  struct nb_guess guess = nb_guess_begin(unit ? unit->text : "");
+  char bare[NB_NAME_SIZE];
+  struct nb_guess guess = nb_guess_begin(without_comma(bare, unit ? unit->text : ""));
   const char *const n = number->computed ? "(...)" : number->text;
   const char *const where = unit ? "" : ", or begin the scene with `units none`";
   const char *const second = strchr(it->units, ',');

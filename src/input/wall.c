@@ -8,14 +8,14 @@
 #include "statement.h"
 
 enum { AT_NAME, AT_X, AT_Y, AT_X1, AT_Y1, AT_MATERIAL, AT_ABOUT_X, AT_ABOUT_Y, AT_VX, AT_VY, AT_SPIN };
-enum { AT_CENTRAL, AT_STOP };
+enum { AT_INWARD, AT_STOP };
 
 /* clang-format off */
 static const struct nb_argument box_fields[] = {CORNERS(AT_X, AT_X1), MATERIAL(AT_MATERIAL), END};
 static const struct nb_argument wall_fields[] = {
   NAME(AT_NAME, "a name for the wall"),
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "First end, to the east."),
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "First end, to the north."),
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "x of the first end."),
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "y of the first end."),
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "Second end."),
   MATERIAL(AT_MATERIAL),
   CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_ABOUT_X, 2, "its middle",
@@ -25,22 +25,22 @@ static const struct nb_argument wall_fields[] = {
   END
 };
 static const struct nb_argument walls_fields[] = {
-  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_CENTRAL, 1, "none",
+  CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "|none",
          "Each wall of the box along its normal to the inside."),
-  FLAG("stop", AT_STOP, "none", "All walls stand still."),
+  FLAG("stop", AT_STOP, "|none", "All walls stand still."),
   END
 };
 static const struct nb_argument wall_motion_fields[] = {
   WORD("NAME", AT_NAME, "the name of a wall"),
-  VELOCITY(AT_VX, "as before"),
-  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "as before", "Angular velocity about P, counterclockwise."),
+  VELOCITY(AT_VX, "|as before"),
+  CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "|as before", "Angular velocity about P, counterclockwise."),
   END
 };
 /* clang-format on */
 
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
-  const bool solution = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
-  if (!solution && nb_excused(reader->mistakes, "box")) /* whose walls have names */
+  const bool known = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
+  if (!known && nb_excused(reader->mistakes, "box")) /* whose walls have names */
     nb_silent(reader);
   return NB_NAMED(reader, token, scene->walls, scene->wall_count, "the name of a wall",
                   "define it above with `wall NAME …` or `box …`");
@@ -66,7 +66,7 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
   if (same >= 0)
     nb_token_mistake(reader, place, NULL, "there is a wall `%s` already, on line %d", name, scene->walls[same].line);
   if (!isfinite(length))
-    nb_token_mistake(reader, place, NULL, "expected a wall whose length a double can hold, this one is too long");
+    nb_token_mistake(reader, place, NULL, "expected a wall of finite length, this one is too long");
   if (!isnormal(length)) /* the direction of a shorter one would not have length 1 */
     nb_token_mistake(reader, place, NULL, "expected a wall with two ends, the ends of this one are the same point");
   if (reader->bad || nb_too_many(reader, scene->wall_count, NB_NAMED_MAX, "walls"))
@@ -111,7 +111,7 @@ NB_APPLY(apply_wall) {
 bool nb_inside_out(struct nb_reader *reader, double x, double y, double x1, double y1) {
   if (!(x1 > x && y1 > y && isfinite(x1 - x) && isfinite(y1 - y)))
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected the south-west corner and then the north-east one, found them the other way");
+                     "expected the corner of smaller x and y first, then the one of larger x and y");
   return reader->bad;
 }
 
@@ -163,23 +163,20 @@ static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct n
 
 NB_APPLY(apply_walls) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  const struct nb_value *central = &record->value[AT_CENTRAL], *stop = &record->value[AT_STOP];
+  const struct nb_value *inward = &record->value[AT_INWARD], *stop = &record->value[AT_STOP];
   size_t moved = 0;
-  if (!central->token == !stop->token) {
-    if (central->token)
-      nb_token_mistake(reader, &reader->tokens[0], NULL, "expected one of `inward V` and `stop`, found both");
-    else
-      nb_expected(reader, NULL, "`inward V` or `stop`");
+  if (inward->token && stop->token) {
+    nb_token_mistake(reader, &reader->tokens[0], NULL, "expected one of `inward V` and `stop`, found both");
     return;
   }
   for (size_t i = 0; i < scene->wall_count; i++) {
     const struct nb_wall *wall = &scene->walls[i];
     bool of_box = wall->inx != 0 || wall->iny != 0;
-    if (central->token && !of_box)
+    if (inward->token && !of_box)
       continue;
     struct nb_wall_motion motion = wall_so_far(scene, i);
-    motion.vx = stop->token ? 0 : wall->inx * central->number + 0.0; /* which makes the -0 of a product a plain 0 */
-    motion.vy = stop->token ? 0 : wall->iny * central->number + 0.0;
+    motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* which makes the -0 of a product a plain 0 */
+    motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
     motion.spin = stop->token ? 0 : motion.spin;
     move_wall(scene, reader, motion);
     moved++;
@@ -187,16 +184,14 @@ NB_APPLY(apply_walls) {
   if (moved == 0 && (nb_excused(reader->mistakes, "box") || (stop->token && nb_excused(reader->mistakes, "wall"))))
     nb_silent(reader);
   if (moved == 0)
-    nb_token_mistake(reader, &reader->tokens[0], central->token ? "define it before the stages with `box …`" : NULL,
-                     "expected a scene with %s, found none", central->token ? "a box" : "walls");
+    nb_token_mistake(reader, &reader->tokens[0], inward->token ? "define it before the stages with `box …`" : NULL,
+                     "expected a scene with %s, found none", inward->token ? "a box" : "walls");
 }
 
 NB_APPLY(apply_wall_motion) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
   const int wall = nb_wall_of(scene, reader, value[AT_NAME].token);
-  if (!value[AT_VX].token && !value[AT_SPIN].token)
-    nb_expected(reader, NULL, "`velocity VX VY`, `spin W` or both");
   if (reader->bad)
     return;
   struct nb_wall_motion motion = wall_so_far(scene, (size_t)wall);

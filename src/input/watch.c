@@ -18,13 +18,13 @@ static int take_numbered(const struct nb_scene_reading *reading, struct nb_reade
     nb_expected(reader, NULL, "%s", what);
   nb_take_count(reader, 1, incomplete || !scene->particle_count ? NB_PARTICLES_MAX : scene->particle_count, &number);
   if (scene->particle_count == 0 && !incomplete)
-    nb_token_mistake(reader, word, NULL, "expected a body that is defined above, found none yet");
+    nb_token_mistake(reader, word, NULL, "expected a particle that is defined above, found none");
   if (reader->bad || incomplete)
     return -1;
   const bool is_disc = scene->particles[number - 1].shape == NB_DISC;
   if (is_disc != disc)
-    nb_token_mistake(reader, word, NULL, "expected `%s`, as body %lu is one, found `%s`", is_disc ? "disc" : "sphere",
-                     number, word->text);
+    nb_token_mistake(reader, word, NULL, "expected `%s`, because particle %lu is one, found `%s`",
+                     is_disc ? "disc" : "sphere", number, word->text);
   return (int)number - 1;
 }
 
@@ -61,7 +61,7 @@ NB_APPLY(apply_monitor) {
       one.b = wall ? take_wall(scene, reader) : take_numbered(reading, reader, "`disc N`, `sphere N` or `wall NAME`");
       if (!wall && one.a == one.b && one.a >= 0)
         nb_token_mistake(reader, &reader->tokens[reader->count - 1], NULL,
-                         "expected two bodies, found the same one twice");
+                         "expected two different particles, found the same one twice");
     }
   }
   if (nb_token_peek(reader)) /* which the engine says */
@@ -76,7 +76,7 @@ NB_APPLY(apply_monitor) {
 NB_STATEMENTS(watch) = {
   {"monitor", NB_IN_SCENE | NB_IN_START, monitor_fields,
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME | grading NAME {radius R}", 0, false, apply_monitor,
-   "Names a body, a contact, a wall, or a grading or one size of it, so that its quantities can be asked for: `C.normal`. Spheres are `sphere N`.",
+   "Names a particle, a contact, a wall, or a grading or one size of it, so that its quantities can be recorded: `C.normal`. Spheres are `sphere N`.",
    "monitor   A  disc 1\nmonitor   C  disc 1 with sphere 2\nmonitor   F  sphere 9 with wall shelf\nmonitor   S  wall shelf\nmonitor   G  grading mixed\nmonitor   H  grading mixed radius 5 mm"},
   {0},
 };

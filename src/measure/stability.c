@@ -40,12 +40,13 @@ void nb_stable_text(char *text, size_t size, const struct nb_model *model, const
   if (stable->a < 0)
     snprintf(text, size, "no contact");
   else if (stable->material_pair->wall && stable->b < 0)
-    snprintf(text, size, "%s of body %d at a wall of %s", motion, number[stable->a],
+    snprintf(text, size, "%s of particle %d and a wall of %s", motion, number[stable->a],
              model->scene->materials[stable->material_pair->b].name);
   else if (stable->material_pair->wall)
-    snprintf(text, size, "%s of body %d at wall %s", motion, number[stable->a], model->scene->walls[stable->b].name);
+    snprintf(text, size, "%s of particle %d and wall %s", motion, number[stable->a],
+             model->scene->walls[stable->b].name);
   else
-    snprintf(text, size, "%s of body %d at body %d", motion, number[stable->a], number[stable->b]);
+    snprintf(text, size, "%s of particles %d and %d", motion, number[stable->a], number[stable->b]);
   if (stable->apart && stable->a >= 0)
     snprintf(text + strlen(text), size - strlen(text), ", as if they touched");
 }
@@ -185,7 +186,7 @@ static enum nb_status check_step(const struct nb_model *model, const struct nb_s
   proposed_step(proposal, sizeof proposal, model, stable->step);
   return nb_error_set(
       error, NB_BROKEN,
-      "body %d (line %d): at cycle %lu, %g s, the step %g s is above what is sure to be stable, %g s, which "
+      "particle %d (line %d): at cycle %lu, %g s, the step %g s is above the guaranteed stable one, %g s, which "
       "is set by %s: write `%s`, or `allow unstable`",
       number, model->scene->particles[number - 1].line, model->cycle, model->time, model->step, stable->step, cause,
       proposal);

@@ -81,17 +81,17 @@ bool nb_step_loaded(const struct nb_model *model) {
 /* Why such a step cannot be used; NULL: it can. */
 static const char *objection(const struct nb_model *model, enum nb_step_kind kind, double unit) {
   if (kind == NB_STEP_COLLISION && model->cell && nb_step_elastic(model))
-    return "which of their copies elastic spheres in a cell would meet first is not looked for";
+    return "collisions of elastic spheres are not predicted in a periodic cell";
   if (kind >= NB_STEP_RAYLEIGH && !(unit < INFINITY))
-    return "no body that is free has `young`, so there are no waves";
+    return "no free particle has `young`, so there are no waves";
   if (!nb_step_elastic(model))
     return NULL;
   if (kind == NB_STEP_SINGLE_CONTACT)
     return "elastic spheres have no critical step: their stiffness grows with the load";
   if (kind == NB_STEP_STABLE && !nb_step_loaded(model))
-    return "what is safe follows from the stiffness of contacts, and elastic spheres that are not pressed have none";
+    return "the stable step follows from the stiffness of the contacts, and elastic spheres without overlap have none";
   if (kind == NB_STEP_COLLISION && !(unit < INFINITY))
-    return "nothing approaches anything, so there is no contact to last";
+    return "no pair approaches, so there is no collision";
   return NULL;
 }
 
@@ -129,7 +129,7 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   }
   const char *reason = objection(model, step->kind, unit);
   if (reason)
-    return nb_error_set(error, NB_BAD_USE, "%s: %s: say %s", source_of(source, sizeof source, step), reason,
+    return nb_error_set(error, NB_BAD_USE, "%s: %s: write %s", source_of(source, sizeof source, step), reason,
                         step->kind >= NB_STEP_RAYLEIGH    ? "a time, or `F of stable`"
                         : step->kind == NB_STEP_COLLISION ? "a time, or `F of rayleigh`"
                                                           : "`N per collision` or `F of rayleigh`");
@@ -138,7 +138,7 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   if (!(model->step > 0) || !isfinite(model->step))
     return nb_error_set(
         error, NB_BAD_USE,
-        "%s: the step comes out as %g s: a share needs a free particle and a contact with stiffness. Give its "
+        "%s: the step is computed as %g s: a fraction needs a free particle and a contact with stiffness. Give its "
         "material `kn`, or write `step TIME`",
         source_of(source, sizeof source, step), model->step);
   return NB_OK;

@@ -201,7 +201,7 @@ enum nb_status nb_command_explain(const struct nb_call *call) {
       const struct nb_page_run *run = &outcome.runs[r];
       printf("%s%s%s%s\n", r ? "\n" : "", outcome.page.name, run->label[0] ? ", run " : "", run->label);
       if (nb_explain(stdout, &run->scene, &call->options, &outcome.warnings, &error)) {
-        fprintf(stderr, "%s: error: %s\n", call->pages[k], error.text);
+        nb_print_error(&error, &outcome.page, call->pages[k]);
         worst = worse(worst, error.status);
       }
     }

@@ -38,8 +38,8 @@ enum nb_status nb_command_list(const struct nb_call *call);
 
 /* All words of pages, as Markdown with what they take and with examples; for a terminal with one sentence each. */
 void nb_manual(FILE *out, bool markdown);
-/* All about one word of a page: a statement, what follows a measure, a clause of statements, a quantity. False: there is none; then `hint`
- * (NB_NAME_SIZE * 2 bytes) holds the nearest one, or is empty. */
+/* All about one word: of a page, of one of version 0.3, or of another program. False: it is none; then `hint` (NB_HINT_SIZE bytes) holds the
+ * nearest one, or is empty. */
 bool nb_manual_word(FILE *out, const char *word, char *hint);
 
 /* ---- print.c: verdicts and progress on the terminal ---- */
@@ -51,6 +51,7 @@ void nb_repeat_warnings(const char *before, const char *path, const struct nb_wa
 void nb_print_verdict(const struct nb_outcome *outcome);
 void nb_print_tap(const struct nb_outcome *outcome, const char *path);
 void nb_print_errors(const struct nb_outcome *outcome, const char *path); /* mistakes, or what broke, to stderr */
+void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path); /* likewise one */
 struct nb_progress_line {
   const char *page;
   double shown; /* s of the run when it was last written; 0: never */

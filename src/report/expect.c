@@ -24,6 +24,10 @@ static const struct nb_reducer_row reducers[] = {
     {"mean", NB_MEAN, "the mean of all rows"},
     {"amplitude", NB_AMPLITUDE, "half of the largest less the smallest"},
     {"frequency", NB_FREQUENCY, "upward crossings of its mean for each second, 1/s"},
+    {"at N cycles", NB_AT_CYCLE,
+     "the row of that cycle, counted from the start of the run; of a contact test `at N steps`"},
+    {"at TIME", NB_AT_TIME, "the value at that time, interpolated linearly between two rows"},
+    {"in all", NB_LAST, "the rows of all stages"},
     {NULL, NB_LAST, NULL},
 };
 
@@ -37,17 +41,15 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
       *column = c, *quantity = scene->columns[c].quantity;
       return true;
     }
-  char nearest[2 * NB_NAME_SIZE] = "", hint[NB_HINT_SIZE];
-  const bool solution = nb_quantity_find(quantity, scene, token->text, nearest);
-  if (nb_excused(reader->mistakes, token->text) || (solution && nb_excused(reader->mistakes, "record")))
+  char hint[NB_HINT_SIZE];
+  const bool known = nb_quantity_find(quantity, scene, token->text);
+  if (nb_excused(reader->mistakes, token->text) || (known && nb_excused(reader->mistakes, "record")))
     return nb_silent(reader);
   nb_excuse(reader->mistakes, token->text);
-  if (solution)
+  if (known)
     snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
-  else if (nearest[0])
-    snprintf(hint, sizeof hint, "did you mean `%s`?", nearest);
   else
-    snprintf(hint, sizeof hint, "an expectation is about a quantity that the scene records");
+    nb_quantity_hint(hint, scene, token->text);
   return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
 }
 
@@ -183,9 +185,12 @@ static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, 
 
 /* `[CS79 figure 6]`, several tokens. */
 static bool take_source(struct nb_reader *reader, struct nb_expectation *expectation) {
+  static const char where[] = "say where the number comes from: `[CS79 figure 6]`";
   const struct nb_token *token = nb_token_peek(reader);
   if (!token || token->text[0] != '[')
-    return nb_expected(reader, "say where the number comes from: `[CS79 figure 6]`", "the source in brackets");
+    return nb_expected(reader, where, "the source in brackets");
+  if (strcmp(token->text, "[]") == 0)
+    return nb_expected(reader, where, "a source between the brackets");
   while ((token = nb_token_peek(reader))) {
     nb_append(expectation->source, sizeof expectation->source, "%s%s", expectation->source[0] ? " " : "", token->text);
     reader->next++;
@@ -231,6 +236,11 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
 }
 
 static bool take_other(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
+  const struct nb_token *token = nb_token_peek(reader);
+  double number;
+  if (token && nb_number_read(&number, token->text, 0) != NB_NO_NUMBER)
+    return nb_expected(reader, "a number is compared by `expected NUMBER within TOLERANCE [SOURCE]`",
+                       "a quantity that the scene records");
   return take_measure(reader, scene, &expectation->other);
 }
 

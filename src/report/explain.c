@@ -105,7 +105,7 @@ static void explain_fill(FILE *out, const struct nb_scene *scene, const struct n
       placed += scene->particles[k].radius == size->radius;
     fprintf(out, "    radius %g%s: %zu", size->radius, unit(scene, " m"), placed);
     if (placed < size->count)
-      fprintf(out, ", %zu left out for want of space", size->count - placed);
+      fprintf(out, ", %zu not placed, no space", size->count - placed);
     fputc('\n', out);
   }
 }
@@ -244,7 +244,7 @@ static bool explain_plan(FILE *out, const struct nb_model *model) {
     fprintf(out, "neighbour list\n  %zu pairs closer than %g%s; rebuilt when a particle or wall has moved %g%s\n",
             model->contacts.count, model->search.skin, m, model->search.skin / 2, m);
   else
-    fprintf(out, "neighbour list\n  none: no two things can come into contact\n");
+    fprintf(out, "neighbour list\n  none: no particle can touch another one or a wall\n");
   if (model->scene->circle.line || model->scene->gravity.line)
     fputs("loading of the whole run\n", out);
   explain_statement(out, model->scene, model->scene->circle.line, "\n");
@@ -301,7 +301,7 @@ static void explain_stable_step(FILE *out, const struct nb_model *model, const c
 static void explain_collision(FILE *out, const struct nb_model *model, const char *s) {
   const struct nb_collision collision = nb_collision_shortest(model);
   if (collision.a < 0) {
-    fprintf(out, "  collision: nothing approaches\n");
+    fprintf(out, "  collision: no pair approaches\n");
     return;
   }
   fprintf(out, "  collision, Hertz: %g%s, %.3g steps; particle %d meets ", collision.duration, s,
@@ -440,8 +440,7 @@ static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *sce
   unsigned long steps = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    fprintf(out, "  %s, %lu steps%s\n", stage->name, stage->cycles,
-            stage->segment.points ? ", the path is read from a file" : "");
+    fprintf(out, "  %s, %lu steps%s\n", stage->name, stage->cycles, stage->segment.points ? ", read from a file" : "");
     explain_statements(out, scene, s);
     steps += stage->cycles;
   }

@@ -48,7 +48,7 @@ static const struct option_row {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, state",
      "where files go (default: NAME.out; report: report); of `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
-     "instead of the page's `let` or `sweep` NAME; also normal, shear, step, and follow: a FILE with a path for a "
+     "instead of the page's `let` or `sweep` NAME; also normal, shear, step, and follow: a FILE with the segments of a "
      "contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
@@ -64,7 +64,8 @@ static const struct option_row {
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
     {"tap", NULL, 0, FLAG, AT(tap), "check", "verdicts as TAP, which `make check` reads"},
     {"help", NULL, 'h', FLAG, AT(help), NULL,
-     "this; all words of pages: nineball --help scene; one of them: nineball --help disc; also expect, gnuplot"},
+     "this; all words of pages: nineball --help scene; one of them, or of another program: nineball --help disc; "
+     "topics: expect, gnuplot, quantities, units, expressions"},
     {"version", NULL, 0, FLAG, AT(version), NULL, "version and licence"},
 };
 enum { OPTIONS = sizeof options / sizeof *options, LONG_OPTION = 256 };
@@ -116,7 +117,7 @@ static void print_help(FILE *out) {
 
 /* `nineball --help WORD`. */
 static enum nb_status print_word_help(const char *word) {
-  char suggestion[2 * NB_NAME_SIZE];
+  char suggestion[NB_HINT_SIZE];
   const bool markdown = strcmp(word, "language-md") == 0;
   if (markdown || strcmp(word, "scene") == 0) {
     nb_manual(stdout, markdown);
@@ -234,7 +235,10 @@ static enum nb_status execute(struct nb_call *call, int count, char **words) {
   if (call->help && word && find_command(word) < 0)
     return print_word_help(word);
   if (call->help || !word) {
+    char suggestion[NB_HINT_SIZE];
     print_help(call->help ? stdout : stderr);
+    if (word) /* it is a command; in a page it may be something else */
+      nb_manual_word(stdout, word, suggestion);
     return call->help ? NB_OK : NB_BAD_USE;
   }
   call->pages = words + optind + 1, call->page_count = (size_t)(count - optind - 1);

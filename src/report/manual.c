@@ -10,6 +10,7 @@
 #include "expect.h"
 #include "input/expression.h"
 #include "input/old_words.h"
+#include "laws/law.h"
 
 /* Where it goes, and how. */
 struct manual {
@@ -105,7 +106,7 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
   const bool number = field->kind == NB_ARGUMENT_NUMBER, count = field->kind == NB_ARGUMENT_COUNT;
   char otherwise[128] = "";
   if (field->otherwise)
-    snprintf(otherwise, sizeof otherwise, "; without it: %s", field->otherwise);
+    snprintf(otherwise, sizeof otherwise, "; without it: %s", field->otherwise + (*field->otherwise == '|'));
   if (number || count)
     snprintf(text, sizeof text, "%s%s%s. %s", number ? nb_unit_kind_name(field->unit) : "a whole number, 1 or more",
              number ? nb_range_words(field->range) : "", otherwise, field->help);
@@ -155,10 +156,6 @@ static void measures(const struct manual *to) {
                 "a stage become one number. Without `in STAGE` it is the last stage that has rows. REDUCER:");
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     part(to, row->word, NULL, row->help);
-  part(to, "at N cycles", NULL,
-       "the row of that cycle, counted from the start of the run; of a contact test `at N steps`");
-  part(to, "at TIME", NULL, "the value at that time, interpolated linearly between two rows");
-  part(to, "in all", NULL, "the rows of all stages");
   end(to);
 }
 
@@ -235,19 +232,19 @@ static void values(const struct manual *to) {
   char text[1024];
   section(to, "Numbers, units and expressions");
   paragraph(to, "A value in a statement is a number with its sign, `$NAME` or `-$NAME`, or an expression in "
-                "parentheses; one unit may stand "
-                "behind each. What computes stands within parentheses: `radius (R/2)`, `cycles (2*n)`, `velocity "
+                "parentheses; one unit may follow "
+                "each. What computes is in parentheses: `radius (R/2)`, `cycles (2*n)`, `velocity "
                 "(v*cos(angle)) m/s 0 m/s`.");
-  paragraph(
-      to, "A unit is one word behind a blank. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or "
-          "µ, m, c, k, M, G (deg has "
-          "none) and powers from 1 to 9, joined by `.` (times) and `/` (over): `0.3 mm`, `2.7 g/cm3`, `4 N.m`, `5 "
-          "1/s`. `%` and `ppm` are "
-          "factors, rad is 1 and deg is pi/180. `0.3 mm` is the double nearest to 0.0003: all units but deg are "
-          "powers of ten of the SI unit. "
-          "With `units none` all numbers are bare; `%` and `ppm` may still stand behind them, and angles are radians.");
+  paragraph(to,
+            "A unit is one word after a space. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or "
+            "µ, m, c, k, M, G (deg has "
+            "none) and powers from 1 to 9, joined by `.` (times) and `/` (over): `0.3 mm`, `2.7 g/cm3`, `4 N.m`, `5 "
+            "1/s`. `%` and `ppm` are "
+            "factors, rad is 1 and deg is pi/180. `0.3 mm` is the double nearest to 0.0003: all units but deg are "
+            "powers of ten of the SI unit. "
+            "With `units none` all numbers are bare; `%` and `ppm` may still follow them, and angles are radians.");
   snprintf(text, sizeof text,
-           "An expression stands in parentheses, behind `let NAME =` and in `--set NAME=`. Names are bare in it, and "
+           "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. Names are bare in it, and "
            "stand for what "
            "`let` and `sweep` give them. There is `pi`, and there are the functions %s. What binds first stands first: "
            "a unit; `^`, from right "
@@ -327,72 +324,133 @@ void nb_manual(FILE *out, bool markdown) {
 
 /* ---- one word ---- */
 
-/* A word that is no statement but the clause of some: each of them, and what the clause takes. */
-static bool clause(FILE *out, const char *word, const struct nb_family *table) {
-  const struct nb_keyword *keyword;
-  const struct manual to = {out, false, false};
+/* Whether it is one of the words of a line of syntax: `ratio` of "damping {walls} stiffness TIME|ratio X". */
+static bool has_word(const char *syntax, const char *word) {
+  static const char between[] = " {}[]|";
+  for (size_t length; *syntax; syntax += length + strspn(syntax + length, between)) {
+    length = strcspn(syntax, between);
+    if (length == strlen(word) && strncmp(syntax, word, length) == 0)
+      return true;
+  }
+  return false;
+}
+
+/* Statements that begin with the word; of others that it is a part of the syntax, and what the part takes or what they do. */
+static bool find_statement(const struct manual *to, const char *word, struct nb_guess *guess) {
+  const struct nb_family *const tables[] = {nb_keywords(), nb_expect_keywords()};
+  const struct nb_keyword *row;
+  char first[NB_NAME_SIZE], syntax[512];
   bool found = false;
-  for (size_t k = 0; (keyword = nb_keyword_row(table, k)); k++)
-    for (const struct nb_argument *field = keyword->arguments; field->count; field++) {
-      if (!field->word || strcmp(field->word, word) != 0)
+  for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
+    for (size_t k = 0; (row = nb_keyword_row(tables[t], k)); k++) {
+      bool explained = false;
+      if (!row->word)
         continue;
-      statement(&to, keyword);
-      argument(&to, field);
-      found = true;
+      nb_first_word(first, row->word);
+      nb_guess_offer(guess, first);
+      nb_keyword_syntax(syntax, sizeof syntax, row);
+      if (strcmp(first, word) == 0 || strcmp(row->word, word) == 0) {
+        statement(to, row);
+        found = true;
+      } else if (has_word(syntax, word)) {
+        wrapped(to->out, 2, 4, syntax);
+        for (const struct nb_argument *field = row->arguments; field->count; field++)
+          if (field->word && has_word(field->word, word))
+            argument(to, field), explained = true;
+        if (!explained)
+          wrapped(to->out, 6, 6, row->help);
+        found = true;
+      }
     }
   return found;
 }
 
-/* `C.normal` and `normal`: of whatever has a quantity of that name. */
-static bool quantity(FILE *out, const char *word) {
-  struct nb_quantity_row row;
-  const char *dot = strchr(word, '.');
+/* What may be expected of a measure, and how it is formed. */
+static bool find_expectation(const struct manual *to, const char *word, struct nb_guess *guess) {
+  const struct manual brief = {to->out, false, false};
   bool found = false;
-  for (size_t k = 0; nb_quantity_row(&row, k); k++)
-    if (strcmp(row.name, word) == 0 || (dot && strcmp(row.name, dot + 1) == 0)) {
-      const bool bare = strcmp(row.unit, "1") == 0;
-      fprintf(out, "  %s of %s%s%s: %s\n", row.name, row.of, bare ? "" : ", in ", bare ? "" : row.unit, row.help);
-      found = true;
+  for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
+    nb_guess_offer(guess, row->word);
+    if (has_word(row->syntax, word))
+      expectation(strcmp(row->word, word) == 0 ? to : &brief, row), found = true;
+  }
+  for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
+    if (has_word(row->word, word))
+      part(to, row->word, "behind the quantity of an expectation", row->help), found = true;
+  return found;
+}
+
+/* `C.normal`, `normal` and `energy`: of whatever has a quantity that is called so, or begins so; also a part of one, `kinetic`. */
+static bool find_quantity(const struct manual *to, const char *word, struct nb_guess *guess, bool part_of) {
+  struct nb_quantity_row row;
+  const char *const dot = strchr(word, '.'), *const names[] = {word, dot ? dot + 1 : word};
+  char of[2 * NB_NAME_SIZE];
+  bool found = false;
+  for (size_t k = 0; nb_quantity_row(&row, k); k++) {
+    const char *const rest = strchr(row.name, '.');
+    bool is = part_of && rest && strcmp(rest + 1, word) == 0;
+    for (int n = 0; n < 2; n++) {
+      const size_t length = strlen(names[n]);
+      is = is || (length && strncmp(row.name, names[n], length) == 0 && (!row.name[length] || row.name[length] == '.'));
     }
+    nb_guess_offer(guess, row.name);
+    snprintf(of, sizeof of, strcmp(row.unit, "1") == 0 ? "quantity of %s" : "quantity of %s, in %s", row.of, row.unit);
+    if (is)
+      part(to, row.name, of, row.help);
+    found = found || is;
+  }
+  return found;
+}
+
+/* A law, a function, a unit. */
+static bool find_name(const struct manual *to, const char *word, struct nb_guess *guess) {
+  struct nb_unit unit;
+  char kind[2 * NB_NAME_SIZE];
+  bool found = nb_name_reserved(word);
+  if (found)
+    part(to, word, "of expressions", "see nineball --help expressions");
+  for (const struct nb_law *const *law = nb_laws(); *law; law++) {
+    nb_guess_offer(guess, (*law)->name);
+    if (strcmp((*law)->name, word) == 0)
+      part(to, word, "a law behind `normal` or `shear`; see nineball laws", (*law)->title), found = true;
+  }
+  if (nb_unit_read(&unit, word)) {
+    nb_dimension_words(kind, sizeof kind, unit.dimension);
+    part(to, word, "a unit; see nineball --help units", unit.angle ? "an angle or an angular velocity" : kind);
+    found = true;
+  }
+  return found;
+}
+
+/* Whatever the word is in a page. */
+static bool find(const struct manual *to, const char *word, struct nb_guess *guess) {
+  static const struct {
+    const char *word;
+    void (*write)(const struct manual *to);
+  } topics[] = {{"expect", expectations}, {"gnuplot", figures}, {"quantities", quantities}, {"expressions", values}};
+  for (size_t k = 0; k < sizeof topics / sizeof *topics; k++)
+    if (strcmp(topics[k].word, word) == 0)
+      return topics[k].write(to), true;
+  bool found = find_statement(to, word, guess);
+  found = find_expectation(to, word, guess) || found;
+  found = find_name(to, word, guess) || found;
+  found = find_quantity(to, word, guess, !found) || found;
+  if (strcmp(word, "units") == 0)
+    values(to);
   return found;
 }
 
 bool nb_manual_word(FILE *out, const char *word, char *hint) {
-  static const struct {
-    const char *word;
-    void (*write)(const struct manual *to);
-  } sections[] = {{"expect", expectations}, {"gnuplot", figures}};
-  const struct nb_family *const tables[] = {nb_keywords(), nb_expect_keywords()};
-  const struct nb_keyword *keyword;
-  const struct manual to = {out, false, true};
-  for (size_t k = 0; k < sizeof sections / sizeof *sections; k++)
-    if (strcmp(sections[k].word, word) == 0)
-      return sections[k].write(&to), true;
-  struct nb_guess guess = nb_guess_begin(word);
-  bool found = false;
-  for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
-    for (size_t k = 0; (keyword = nb_keyword_row(tables[t], k)); k++) {
-      if (!keyword->word)
-        continue;
-      char first[NB_NAME_SIZE];
-      nb_first_word(first, keyword->word);
-      nb_guess_offer(&guess, first);
-      if (strcmp(first, word) != 0 && strcmp(keyword->word, word) != 0)
-        continue;
-      statement(&to, keyword);
-      found = true;
-    }
-  for (const struct nb_expectation_row *row = nb_expectation_rows(); row->word; row++) {
-    nb_guess_offer(&guess, row->word);
-    if (strcmp(row->word, word) != 0)
-      continue;
-    expectation(&to, row);
-    found = true;
-  }
-  for (size_t t = 0; t < sizeof tables / sizeof *tables && !found; t++)
-    found = clause(out, word, tables[t]);
-  const bool old = nb_old_help(out, word);
-  found = found || quantity(out, word) || old;
-  snprintf(hint, 2 * NB_NAME_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
-  return found;
+  const struct manual to = {out, false, true}, brief = {out, false, false};
+  const struct nb_synonym *const synonym = nb_synonym(word);
+  struct nb_guess guess = nb_guess_begin(word), none = nb_guess_begin("");
+  char item[NB_NAME_SIZE];
+  bool found = find(&to, word, &guess);
+  found = nb_old_help(out, word) || found;
+  if (synonym && nb_synonym_hint(hint, word))
+    fprintf(out, "  %.*s\n", (int)strcspn(hint, ":"), hint);
+  for (const char *list = synonym ? synonym->ours : ""; nb_item(&list, item);)
+    find(&brief, item, &none);
+  snprintf(hint, NB_HINT_SIZE, "%s", nb_guess_found(&guess) ? guess.best : "");
+  return found || synonym;
 }

@@ -140,9 +140,12 @@ static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_option
   warn_deep(outcome);
   for (size_t r = 0; r < runs; r++) {
     const struct nb_page_run *run = &outcome->runs[r];
-    if (run->status)
-      return nb_error_set(&outcome->error, run->status, "%s%s%s%s", run->error.text, run->label[0] ? " (run " : "",
-                          run->label, run->label[0] ? ")" : "");
+    if (!run->status)
+      continue;
+    nb_error_set(&outcome->error, run->status, "%s%s%s%s", run->error.text, run->label[0] ? " (run " : "", run->label,
+                 run->label[0] ? ")" : "");
+    outcome->error.line = run->error.line;
+    return run->status;
   }
   return NB_OK;
 }

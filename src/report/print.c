@@ -89,7 +89,7 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
     printf("%s %zu - ", check->mark == NB_FAIL ? "not ok" : "ok", k + 1);
     tap_text(check->label);
     if (check->mark == NB_NOTE)
-      fputs(" # SKIP noted, not judged", stdout);
+      fputs(" # SKIP noted, not checked", stdout);
     if (check->mark == NB_SKIP)
       fputs(" # SKIP ", stdout), tap_text(check->message);
     printf("\n# line %d: ", check->line);
@@ -105,11 +105,18 @@ void nb_print_tap(const struct nb_outcome *outcome, const char *path) {
   nb_repeat_warnings("# ", path, &outcome->warnings);
 }
 
+void nb_print_error(const struct nb_error *error, const struct nb_page *page, const char *path) {
+  fputs(path, stderr);
+  if (error->line) /* column: where its statement begins */
+    fprintf(stderr, ":%d:%zu", error->line, strspn(page->lines[error->line - 1], " \t") + 1);
+  fprintf(stderr, ": %s: %s\n", error->status == NB_BROKEN ? "run aborted" : "error", error->text);
+}
+
 void nb_print_errors(const struct nb_outcome *outcome, const char *path) {
   if (outcome->mistakes.text)
     fputs(outcome->mistakes.text, stderr);
   if (outcome->error.text[0] && outcome->status > NB_FAILED)
-    fprintf(stderr, "%s: %s: %s\n", path, outcome->status == NB_BROKEN ? "run aborted" : "error", outcome->error.text);
+    nb_print_error(&outcome->error, &outcome->page, path);
   nb_print_warnings(stderr, "", path, &outcome->warnings);
 }
 

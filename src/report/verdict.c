@@ -256,7 +256,7 @@ static bool skip_unread(struct nb_outcome *outcome) {
       continue;
     stored = skip(outcome, (int)i + 1,
                   hidden ? "the block is in a quote, in a list or indented by four spaces, so it is not read"
-                         : "`follow` replaces the path of the page",
+                         : "`follow` replaces the segments of the page",
                   NULL);
   }
   return stored;

@@ -130,7 +130,7 @@ static enum nb_status lock_wait(struct lock *lock, const struct nb_progress *pro
   if (errno == EWOULDBLOCK) {
     const ssize_t n = pread(lock->file, holder, sizeof holder - 1, 0);
     holder[n > 0 ? strspn(holder, "0123456789") : 0] = 0;
-    snprintf(message, sizeof message, "waits for process %s, which makes %.*s", holder[0] ? holder : "?",
+    snprintf(message, sizeof message, "waiting for process %s, which writes %.*s", holder[0] ? holder : "?",
              (int)(strlen(lock->path) - strlen(".lock")), lock->path);
     report(progress, message);
     for (double waited = 0; waited < limit; waited += POLL_INTERVAL) {
@@ -193,8 +193,8 @@ static enum nb_status make_state(struct nb_saved *saved, const char *path, const
                                  struct nb_error *error) {
   const struct nb_start *start = &scene->start;
   char message[3 * NB_NAME_SIZE];
-  snprintf(message, sizeof message, "first the state of `%s` at the end of stage `%s` is made", start->page->name,
-           last_stage(scene)->name);
+  snprintf(message, sizeof message, "first running `%s` to the end of stage `%s`, where this page starts",
+           start->page->name, last_stage(scene)->name);
   report(progress, message);
   enum nb_status status = nb_run_to(saved, start->scene, options, progress, error);
   if (status) {
@@ -215,7 +215,8 @@ static enum nb_status read_state(struct nb_saved *saved, const char *path, const
                                  struct nb_error *error) {
   enum nb_status status = nb_saved_read(saved, path, error);
   if (!status && saved->hash != last_stage(scene)->hash)
-    status = nb_error_set(error, NB_BAD_USE, "%.200s:4:6: expected the hash of its name: it was renamed", path);
+    status = nb_error_set(error, NB_BAD_USE,
+                          "%.200s:4:6: expected the hash that is in the name of the file: it was renamed", path);
   return status ? status : nb_saved_fits(saved, scene, path, error);
 }
 
@@ -234,7 +235,7 @@ enum nb_status nb_start_obtain(struct nb_saved *saved, const struct nb_scene *sc
     nb_saved_free(saved); /* another process has just deleted it as outdated */
   }
   if (!make)
-    return nb_error_set(error, NB_BAD_USE, "%.300s is not there: `nineball run` makes it", path);
+    return nb_error_set(error, NB_BAD_USE, "expected the state %.300s: `nineball run` writes it", path);
   status = nb_folder_create(states_folder(options), error);
   if (!status)
     status = lock_acquire(&lock, path, progress, error);

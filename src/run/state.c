@@ -223,7 +223,7 @@ enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene
   if (named && saved->rule_count <= rules && k == scene->particle_count && k == saved->particle_count)
     return NB_OK;
   return nb_error_set(error, NB_BAD_USE,
-                      "%.200s: expected the state of %zu bodies, %zu walls and %zu materials%s, "
+                      "%.200s: expected the state of %zu particles, %zu walls and %zu materials%s, "
                       "found another one",
                       path, scene->particle_count, scene->wall_count, scene->material_count,
                       named ? " as the page has them" : " of the page's names");
@@ -315,8 +315,9 @@ enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb
     if (c >= 0)
       restore_contact(&model->contacts, (size_t)c, it, saved->memory);
     else if (it->field[NB_OVERLAP] > 0)
-      return nb_error_set(error, NB_BAD_USE, "the state has a contact of particle %d with %s %d, which are apart in it",
-                          it->a + 1, it->wall ? "wall" : "particle", it->b + 1);
+      return nb_error_set(error, NB_BAD_USE,
+                          "the state has a contact of particle %d with %s %d, which do not touch in it", it->a + 1,
+                          it->wall ? "wall" : "particle", it->b + 1);
   }
   return NB_OK;
 }
@@ -365,7 +366,7 @@ static bool same_loading(const struct nb_model *model, const struct nb_saved *sa
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
   struct nb_particles *particles = &model->particles;
   if (!same_loading(model, saved))
-    return nb_error_set(error, NB_BAD_USE, "the state has a cell or a boundary otherwise than the page");
+    return nb_error_set(error, NB_BAD_USE, "expected the cell and the boundary of the page in the state, found others");
   model->central = saved->central;
   if (saved->cell.is)
     model->cell->h = saved->cell.h, model->cell->image_velocity = saved->cell.image_velocity;
