@@ -370,10 +370,10 @@ PLOTS = \
 REFERENCES_SHARED = \
   cases/refs/coverage.c cases/refs/coverage.h cases/refs/hertz.c cases/refs/hertz.h cases/refs/hertz_corner.c \
   cases/refs/hertz_corner.h cases/refs/hertz_motion.c cases/refs/hertz_motion.h cases/refs/impact_damped.c \
-  cases/refs/impact_laws.c cases/refs/impact_springs.c cases/refs/impact_springs.h cases/refs/known.c \
+  cases/refs/impact_laws.c cases/refs/impact_springs.c cases/refs/impact_springs.h cases/refs/solution.c \
   cases/refs/lattice.c cases/refs/lattice.h cases/refs/lattice_path.c cases/refs/lattice_path.h \
-  cases/refs/lattice_rest.c cases/refs/lattice_row.c cases/refs/lattice_row.h cases/refs/lattice_swing.c \
-  cases/refs/lattice_tell.c cases/refs/lattice_tell.h cases/refs/lattice_walls.c cases/refs/limit.c \
+  cases/refs/lattice_equilibrium.c cases/refs/lattice_row.c cases/refs/lattice_row.h cases/refs/lattice_oscillation.c \
+  cases/refs/lattice_values.c cases/refs/lattice_values.h cases/refs/lattice_walls.c cases/refs/limit.c \
   cases/refs/limit.h cases/refs/matter.c cases/refs/matter.h cases/refs/path.c cases/refs/path.h \
   cases/refs/reference.h cases/refs/single.c cases/refs/single.h cases/refs/student.c cases/refs/student.h \
   cases/refs/waves.h

@@ -59,7 +59,7 @@ static void what_cannot_be_computed_is_refused(void) {
   struct nb_particle *many = calloc(it.scene.particle_count, sizeof *many);
   CU_ASSERT_PTR_NOT_NULL_FATAL(many);
   it.scene.particles = many;
-  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "1000 bodies"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "1000 particles"));
   free(many);
 }
 
@@ -101,9 +101,9 @@ static void known_keeps_what_it_is_told(void) {
   CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
   CU_ASSERT_EQUAL(curve->at(curve->data, 3), 7);
   CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "C.normal", "cycle"));
-  CU_ASSERT_EQUAL(solution_full(&solution, &error), NB_OK);
+  CU_ASSERT_EQUAL(solution_status(&solution, &error), NB_OK);
   solution_curve(&solution, "C.shear", "time", twice, NULL); /* a curve whose data could not be made */
-  CU_ASSERT_EQUAL(solution_full(&solution, &error), NB_NO_MEMORY);
+  CU_ASSERT_EQUAL(solution_status(&solution, &error), NB_NO_MEMORY);
   solution_free(&solution);
   CU_ASSERT_EQUAL(solution.value_count, 0);
   for (const struct nb_reference *const *it = nb_references(); *it; it++)

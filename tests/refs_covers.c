@@ -84,7 +84,7 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
       strcpy(scene->shear, "linear");
     it->particles[1] = *particle, scene->particle_count = 2;
     break;
-  case HAS_PIECES:
+  case HAS_MEMORY:
     scene->pieces = 1, scene->shear_line = LINE;
     break;
   case HAS_GRAVITY:
@@ -99,16 +99,16 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   case HAS_START:
     scene->start.stages = 1, scene->start.line = LINE;
     break;
-  case HAS_CONTACT_BETA:
-  case HAS_CONTACT_FRACTION:
-  case HAS_CONTACT_RATIO:
+  case HAS_STIFFNESS_DAMPING:
+  case HAS_R89_FRACTION_DAMPING:
+  case HAS_RATIO_DAMPING:
   case HAS_WALL_DAMPING:
-  case HAS_DEEP_DAMPING:
-  case HAS_GLOBAL_DAMPING:
+  case HAS_CRITICAL_DAMPING:
+  case HAS_MASS_DAMPING:
   case HAS_CON1_CS79:
   case HAS_CON1_VELOCITY:
   case HAS_CON1_ALL: /* in all stages, so that none changes it; but not in the place of what is needed */
-    if (scene->damping.global_kind && feature > HAS_GLOBAL_DAMPING) {
+    if (scene->damping.global_kind && feature > HAS_MASS_DAMPING) {
       add_damping(&it->stages[stage].damping, feature);
       break;
     }
@@ -127,12 +127,12 @@ static void add_damping(struct nb_damping *it, enum nb_feature feature) {
                                                   NB_GLOBAL_CON1_ALL};
   if (feature == HAS_WALL_DAMPING)
     it->walls_separate = true, it->walls_line = LINE;
-  else if (feature == HAS_DEEP_DAMPING)
+  else if (feature == HAS_CRITICAL_DAMPING)
     it->deep = 0.1, it->deep_line = LINE;
   else if (feature < HAS_WALL_DAMPING)
-    it->contact_kind = contact[feature - HAS_CONTACT_BETA], it->contact = 0.1, it->contact_line = LINE;
+    it->contact_kind = contact[feature - HAS_STIFFNESS_DAMPING], it->contact = 0.1, it->contact_line = LINE;
   else
-    it->global_kind = global[feature - HAS_GLOBAL_DAMPING], it->global = 0.1, it->global_line = LINE;
+    it->global_kind = global[feature - HAS_MASS_DAMPING], it->global = 0.1, it->global_line = LINE;
 }
 
 static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
@@ -150,10 +150,10 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
                                                                : NB_CONTROL_NONE;
     stage->boundary.line = LINE;
     break;
-  case HAS_CONTINUUM:
+  case HAS_AFFINE_STRAIN:
     stage->affine.strain = strain, stage->affine.line = LINE;
     break;
-  case HAS_CONTINUUM_LITERAL:
+  case HAS_AFFINE_ACCUMULATED:
     stage->affine.accumulated = true, stage->affine.line = LINE;
     break;
   case HAS_CELL_STRAIN:
@@ -174,10 +174,10 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
   case HAS_ROTATION_OFF:
     stage->rotation = NB_ROTATION_OFF, stage->rotation_line = LINE;
     break;
-  case HAS_STILL:
+  case HAS_ZERO_VELOCITIES:
     stage->zero_velocities = true;
     break;
-  case HAS_REVERSE:
+  case HAS_REVERSE_VELOCITIES:
     stage->reverse_velocities = true;
     break;
   case HAS_REMOVE:

@@ -83,7 +83,7 @@ static void of_contacts(void) {
   HAS((stage->changes = &sticks, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_COHESION, HAS_NOTHING);
   HAS((stage->changes = &swells, stage->change_count = 1), HAS_MATERIAL_CHANGE, HAS_RAMP, HAS_NOTHING);
   HAS((strcpy(stage->laws.normal, "linear"), stage->laws.normal_line = LINE), HAS_LAW_CHANGE, HAS_NOTHING);
-  HAS((stage->laws.pieces = 8, stage->laws.shear_line = LINE), HAS_PIECES, HAS_NOTHING);
+  HAS((stage->laws.pieces = 8, stage->laws.shear_line = LINE), HAS_MEMORY, HAS_NOTHING);
 }
 
 /* A rule for two materials holds between bodies of the two, or a body and a wall; walls do not touch each other. */
@@ -105,7 +105,7 @@ static void of_pairs(void) {
 static void of_damping(void) {
   for (int kind = 0; kind < 3; kind++) {
     const enum nb_contact_damping kinds[] = {NB_CONTACT_STIFFNESS, NB_CONTACT_R89_FRACTION, NB_CONTACT_RATIO};
-    const enum nb_feature feature = (enum nb_feature)(HAS_CONTACT_BETA + kind);
+    const enum nb_feature feature = (enum nb_feature)(HAS_STIFFNESS_DAMPING + kind);
     struct nb_damping damps = {.contact_kind = kinds[kind], .contact = 0.1, .contact_line = LINE};
     HAS(scene->damping = stage[-1].damping = stage->damping = damps, feature, HAS_NOTHING);
     HAS((stage->damping = damps, stage->line = LINE), feature, HAS_DAMPING_CHANGE, HAS_NOTHING);
@@ -124,7 +124,7 @@ static void of_loading(void) {
   for (int sign = -1; sign < 2; sign += 2) {
     for (int k = 0; k < 4; k++) {
       const struct nb_strain_rate strain = {sign * (k == 0), sign * (k == 1), sign * (k == 2), sign * (k == 3), false};
-      HAS((stage->affine.strain = strain, stage->affine.line = LINE), HAS_CONTINUUM, HAS_NOTHING);
+      HAS((stage->affine.strain = strain, stage->affine.line = LINE), HAS_AFFINE_STRAIN, HAS_NOTHING);
       HAS((stage->cell = strain, stage->cell_line = LINE), HAS_CELL_STRAIN, HAS_NOTHING);
       HAS((stage->box = strain, stage->box_line = LINE), HAS_BOX_STRAIN, HAS_NOTHING);
     }
@@ -149,7 +149,7 @@ static void of_loading(void) {
   HAS(stage->cell_line = LINE, HAS_NOTHING); /* a strain of 0 */
   HAS(stage->box_line = LINE, HAS_NOTHING);
   HAS(stage->affine.line = LINE, HAS_NOTHING);
-  HAS((stage->affine.accumulated = true, stage->affine.line = LINE), HAS_CONTINUUM_LITERAL, HAS_NOTHING);
+  HAS((stage->affine.accumulated = true, stage->affine.line = LINE), HAS_AFFINE_ACCUMULATED, HAS_NOTHING);
   HAS(stage->circle.line = LINE, HAS_BOUNDARY, HAS_NOTHING);
   HAS(scene->circle.line = LINE, HAS_BOUNDARY, HAS_NOTHING);
   HAS(stage->boundary.line = LINE, HAS_BOUNDARY_STRAIN, HAS_NOTHING);

@@ -218,7 +218,7 @@ static void a_column_is_in_equilibrium(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "one above the other"));
   a_column(&it);
   it.walls[1].vy = -2;
-  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "come nearer alike"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "approach with equal speeds"));
   a_column(&it);
   it.walls[1].y = 8.1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "just touch"));

@@ -227,7 +227,8 @@ static void modes_are_the_ode(void) {
   gsl_odeiv2_system system = {motion, NULL, 54, &ode};
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-4, 1e-16, 1e-14);
   double y[54] = {0}, t = 0, worst = 0, spin = 0;
-  size_t c = (size_t)lattice_watched(&lattice, &it.monitors[0]), d = (size_t)lattice_watched(&lattice, &it.monitors[1]);
+  size_t c = (size_t)lattice_contact_of(&lattice, &it.monitors[0]),
+         d = (size_t)lattice_contact_of(&lattice, &it.monitors[1]);
   struct oscillation *normal = oscillation_create(&lattice, &modes, 2 * c, OSCILLATION_CONTINUOUS, 1, &error);
   struct oscillation *shear = oscillation_create(&lattice, &modes, 2 * d + 1, OSCILLATION_CONTINUOUS, 1, &error);
   CU_ASSERT_PTR_NOT_NULL_FATAL(normal);

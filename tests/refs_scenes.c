@@ -104,7 +104,7 @@ struct nb_solution refs_solution(const char *name, const struct refs_scene *it) 
   struct nb_error error = {0};
   const struct nb_reference *reference = nb_reference_find(name);
   CU_ASSERT_PTR_NOT_NULL_FATAL(reference);
-  enum nb_status status = nb_reference_ask(reference, &solution, &it->scene, &error);
+  enum nb_status status = nb_reference_solve(reference, &solution, &it->scene, &error);
   if (status != NB_OK)
     printf("# %s: %s\n", name, error.text);
   CU_ASSERT_EQUAL(status, NB_OK);
@@ -124,7 +124,7 @@ struct nb_error refs_refused(const char *name, const struct refs_scene *it) {
   struct nb_error error = {0};
   const struct nb_reference *reference = nb_reference_find(name);
   CU_ASSERT_PTR_NOT_NULL_FATAL(reference);
-  CU_ASSERT_EQUAL(nb_reference_ask(reference, &solution, &it->scene, &error), NB_BAD_USE);
+  CU_ASSERT_EQUAL(nb_reference_solve(reference, &solution, &it->scene, &error), NB_BAD_USE);
   CU_ASSERT_EQUAL(error.status, NB_BAD_USE);
   solution_free(&solution);
   return error;

@@ -31,7 +31,7 @@ static struct told told(struct words *page, bool cycle) {
                         .critical = written_now(model, "step.single-contact")};
   CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, model->search.skin, &error), NB_OK);
   CU_ASSERT_EQUAL(limit.lattice.contact_count, model->contacts.count);
-  answer.parts = limit_of_parts(&limit, &it.scene), answer.modes = limit_of_modes(&limit);
+  answer.parts = limit_of_contacts(&limit, &it.scene), answer.modes = limit_of_modes(&limit);
   if (cycle)
     answer.cycle = limit_of_cycle(&limit);
   NEAR(answer.critical, limit.critical, 1e-14);

@@ -38,7 +38,7 @@ static void a_wave_is_a_sine_from_the_centre(void) {
 static void speeds(bool hexagonal, bool turns, double angle, double ks, double *slow, double *fast) {
   const double s = 2, q = 1e-3 / s, density = 4 / (s * s * (hexagonal ? sqrt(0.75) : 1));
   const struct waves_lattice lattice = {
-      .kn = 7, .ks = ks, .mass = 4, .inertia = 2, .radius = 1, .spacing = s, .hexagonal = hexagonal, .turns = turns};
+      .kn = 7, .ks = ks, .mass = 4, .inertia = 2, .radius = 1, .spacing = s, .hexagonal = hexagonal, .rotates = turns};
   const struct waves_modes modes = waves_modes(&lattice, q * cos(angle), q * sin(angle));
   CU_ASSERT_EQUAL(modes.count, turns ? 3 : 2);
   *slow = density * modes.omega[0] * modes.omega[0] / (q * q);
@@ -70,7 +70,7 @@ static void long_waves_go_as_the_moduli(void) {
 /* A row at the edge of the zone: neighbours against each other, w^2 = 4 k_n/m; and all turning alike, w^2 = 16 k_s/m of discs. */
 static void short_waves(void) {
   const struct waves_lattice lattice = {
-      .kn = 7, .ks = 3, .mass = 4, .inertia = 2, .radius = 1, .spacing = 2, .turns = true};
+      .kn = 7, .ks = 3, .mass = 4, .inertia = 2, .radius = 1, .spacing = 2, .rotates = true};
   struct waves_modes modes = waves_modes(&lattice, pi / 2, 0);
   CU_ASSERT_DOUBLE_EQUAL(modes.omega[2] * modes.omega[2], 7, 1e-12);
   modes = waves_modes(&lattice, 0, 0);

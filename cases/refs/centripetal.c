@@ -17,20 +17,20 @@
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   static const double pi = 3.14159265358979323846, porosity = 0.155;
-  const struct nb_gravity *pull = &scene->gravity;
+  const struct nb_gravity *gravity = &scene->gravity;
   double mass = 0, diameter = 0, section = 0;
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].gravity.line)
-      pull = &scene->stages[s].gravity;
-  if (!(pull->central > 0) || scene->particle_count == 0)
-    return nb_error_set(error, NB_BAD_USE, "centripetal wants bodies, and `gravity centripetal` to the end");
+      gravity = &scene->stages[s].gravity;
+  if (!(gravity->central > 0) || scene->particle_count == 0)
+    return nb_error_set(error, NB_BAD_USE, "centripetal is for particles and `gravity centripetal` to the end");
   for (size_t k = 0; k < scene->particle_count; k++) {
     const struct nb_particle *particle = &scene->particles[k];
     mass += matter_mass(scene, particle), diameter += 2 * particle->radius,
         section += pi * particle->radius * particle->radius;
   }
   const double R = sqrt(section / (1 - porosity) / pi);
-  const double middle = pull->central * mass / (pi * R * diameter / (double)scene->particle_count);
+  const double p0 = gravity->central * mass / (pi * R * diameter / (double)scene->particle_count);
   const struct nb_stage *last = &scene->stages[scene->stage_count - 1];
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
@@ -38,14 +38,14 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       continue;
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "%s.stress.mean in %s", monitor->name, last->name);
-    solution_value(solution, middle * (1 - 2 * scene->regions[monitor->a].radius / (3 * R)), name);
+    solution_value(solution, p0 * (1 - 2 * scene->regions[monitor->a].radius / (3 * R)), name);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_centripetal = {
     .name = "centripetal",
-    .title = "bodies drawn together by a pull towards a point: their weight, ring upon ring",
+    .title = "stress in spheres drawn together by central gravity, from equilibrium of rings",
     .source = "[R89 6.4.2]",
     .accepts = {HAS_SPHERES, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_GRAVITY_CHANGE, HAS_UNTIL},
     .needs = {HAS_CENTRIPETAL_GRAVITY},

@@ -1,21 +1,22 @@
-/* Reference: a straight row of N equal bodies between two walls that stand still, every contact pressed alike, some
- * struck along the row: normal modes in closed form, in the steps of the calculation cycle.
+/* Reference: a straight row of N equal particles between two fixed walls, with the same initial overlap at every
+ * contact and given initial velocities along the row: normal modes in closed form, in the time steps of the calculation
+ * cycle.
  *
- * With u_l how far body l is from rest, u_0 = u_(N+1) = 0 at the walls, m u_l'' = k (u_(l-1) - 2 u_l + u_(l+1)):
+ * With u_l the displacement of particle l from rest, and u_0 = u_(N+1) = 0 at the walls, m u_l'' = k (u_(l-1) - 2 u_l +
+ * u_(l+1)):
  *
  *   u_l = sum over j of  sin(q l) s_j,    q = j pi/(N + 1),    omega = 2 sqrt(k/m) sin(q/2)
  *
- * The cycle [CS79 22, 22a] from s = 0 with the velocity v makes of each, exactly,
+ * The cycle [CS79 22, 22a], from s = 0 with the velocity v, gives exactly
  *
- *   s_n = v dt sin(n phi)/sin(phi),   sin(phi/2) = omega dt/2                      a little faster than omega, or
+ *   s_n = v dt sin(n phi)/sin(phi),   sin(phi/2) = omega dt/2                      slightly faster than omega, or
  *   s_n = v dt (-1)^(n-1) sinh(n g)/sinh(g),   cosh(g/2) = omega dt/2              which grows: the step is too long
  *
- * Known of a watched contact NAME:   NAME.normal along cycle, time
- *                                    NAME.normal mean, frequency    when one mode alone moves
- * of a watched body NAME:            NAME.x, NAME.vx.half along cycle, time
- * time in STAGE, of a stage that waits for such a curve to rise above a value.
- * step.stable, of equal springs and masses in a row: 2/omega with omega^2 = 4 k/m, for N > 1.
- * Exact as long as no contact opens, which is not looked at: the straight row of linear springs is linear.
+ * Returns, for C that monitors a contact:   C.normal along cycle, time; C.normal mean, C.normal frequency if a single
+ *          mode moves for D that monitors a particle:  D.x, D.vx.half along cycle, time time in STAGE
+ *          of a stage that lasts until such a curve rises above a value step.stable                      of equal
+ *          springs and masses in a row, N > 1: 2/omega with omega^2 = 4 k/m
+ * Exact as long as no contact opens, which is not checked: a straight row of linear springs is a linear system.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -27,71 +28,71 @@
 static const double pi = 3.14159265358979323846;
 
 struct chain {
-  size_t n;         /* bodies */
+  size_t n;         /* particles */
   double m, k;      /* kg, N/m */
   double overlap;   /* of every contact at rest, m */
   double step;      /* s */
   double *velocity; /* of mode j = 1 to n at time 0, m/s; owned */
 };
 
-/* What is seen: rest + sum over modes of shape s_n, or of shape (s_n - s_(n-1))/dt. One allocation, a curve's data. */
-struct tune {
-  double rest, step, unit; /* unit: what a cycle is on the axis, 1 or the step */
-  bool speed;
+/* The data of a curve, in one allocation: rest + sum over modes of shape s_n, or of shape (s_n - s_(n-1))/dt. */
+struct mode_sum {
+  double rest, step, unit; /* unit: one cycle on the axis, 1 or the step */
+  bool velocity;
   size_t count;
-  struct note {
-    double size; /* shape v dt */
-    double half; /* omega dt/2 */
-  } notes[];
+  struct mode {
+    double amplitude; /* shape v dt */
+    double half;      /* omega dt/2 */
+  } modes[];
 };
 
-static double note_at(struct note note, double n) {
-  if (note.half < 1) {
-    const double phase = 2 * asin(note.half);
-    return note.size * sin(n * phase) / sin(phase);
+static double mode_at(struct mode mode, double n) {
+  if (mode.half < 1) {
+    const double phase = 2 * asin(mode.half);
+    return mode.amplitude * sin(n * phase) / sin(phase);
   }
-  const double growth = 2 * acosh(note.half), sign = fmod(n, 2) != 0 ? 1 : -1;
-  return note.size * sign * (growth > 0 ? sinh(n * growth) / sinh(growth) : n);
+  const double growth = 2 * acosh(mode.half), sign = fmod(n, 2) != 0 ? 1 : -1;
+  return mode.amplitude * sign * (growth > 0 ? sinh(n * growth) / sinh(growth) : n);
 }
 
-static double tune_at(const void *data, double x) {
-  const struct tune *tune = data;
-  const double n = round(x / tune->unit);
+static double mode_sum_at(const void *data, double x) {
+  const struct mode_sum *sum_of = data;
+  const double n = round(x / sum_of->unit);
   double sum = 0;
-  for (size_t j = 0; j < tune->count; j++)
-    sum += tune->speed ? (note_at(tune->notes[j], n) - note_at(tune->notes[j], n - 1)) / tune->step
-                       : note_at(tune->notes[j], n);
-  return tune->rest + sum;
+  for (size_t j = 0; j < sum_of->count; j++)
+    sum += sum_of->velocity ? (mode_at(sum_of->modes[j], n) - mode_at(sum_of->modes[j], n - 1)) / sum_of->step
+                            : mode_at(sum_of->modes[j], n);
+  return sum_of->rest + sum;
 }
 
 static double omega(const struct chain *chain, size_t j) {
   return 2 * sqrt(chain->k / chain->m) * sin(pi * (double)j / (2 * (double)(chain->n + 1)));
 }
 
-/* sin(q l), body l counted from 1; 0 at the walls. */
+/* sin(q l) of particle l, counted from 1; 0 at the walls. */
 static double shape(const struct chain *chain, size_t j, size_t l) {
   return l == 0 || l == chain->n + 1 ? 0 : sin(pi * (double)(j * l) / (double)(chain->n + 1));
 }
 
-/* factor (u_a - u_b), b = a: factor u_a. */
-static void add_value(struct nb_solution *solution, const struct chain *chain, const char *name, double rest,
-                      double factor, size_t a, size_t b, bool speed) {
+/* Curves of factor (u_a - u_b); with b = a: of factor u_a. */
+static void add_curves(struct nb_solution *solution, const struct chain *chain, const char *name, double rest,
+                       double factor, size_t a, size_t b, bool velocity) {
   for (int axis = 0; axis < 2; axis++) {
-    struct tune *tune = calloc(1, sizeof *tune + chain->n * sizeof tune->notes[0]);
-    if (tune) {
-      *tune = (struct tune){
-          .rest = rest, .step = chain->step, .unit = axis ? chain->step : 1, .speed = speed, .count = chain->n};
+    struct mode_sum *data = calloc(1, sizeof *data + chain->n * sizeof data->modes[0]);
+    if (data) {
+      *data = (struct mode_sum){
+          .rest = rest, .step = chain->step, .unit = axis ? chain->step : 1, .velocity = velocity, .count = chain->n};
       for (size_t j = 1; j <= chain->n; j++) {
-        const double way = shape(chain, j, a) - (b == a ? 0 : shape(chain, j, b));
-        tune->notes[j - 1] =
-            (struct note){factor * way * chain->velocity[j - 1] * chain->step, omega(chain, j) * chain->step / 2};
+        const double difference = shape(chain, j, a) - (b == a ? 0 : shape(chain, j, b));
+        data->modes[j - 1] = (struct mode){factor * difference * chain->velocity[j - 1] * chain->step,
+                                           omega(chain, j) * chain->step / 2};
       }
     }
-    solution_curve(solution, name, axis ? "time" : "cycle", tune_at, tune);
+    solution_curve(solution, name, axis ? "time" : "cycle", mode_sum_at, data);
   }
 }
 
-/* The one mode that moves; 0 when several do. */
+/* The number of the only mode that moves; 0 when several do. */
 static size_t only_mode(const struct chain *chain) {
   size_t found = 0;
   double largest = 0;
@@ -110,7 +111,7 @@ static void add_contact(struct nb_solution *solution, const struct chain *chain,
                         size_t b) {
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%s.normal", monitor);
-  add_value(solution, chain, name, chain->k * chain->overlap, chain->k, a, b, false);
+  add_curves(solution, chain, name, chain->k * chain->overlap, chain->k, a, b, false);
   const size_t mode = only_mode(chain);
   const double half = mode ? omega(chain, mode) * chain->step / 2 : 1;
   if (!(half < 1))
@@ -121,7 +122,7 @@ static void add_contact(struct nb_solution *solution, const struct chain *chain,
   solution_value(solution, chain->k * chain->overlap, name);
 }
 
-/* When a stage ends that waits for the speed of one watched body to rise above a value: `time in STAGE`. */
+/* `time in STAGE` of stages that last until a velocity rises above a value. */
 static void add_ends(struct nb_solution *solution, const struct nb_scene *scene, const struct chain *chain) {
   double n = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -144,8 +145,8 @@ static void add_ends(struct nb_solution *solution, const struct nb_scene *scene,
   }
 }
 
-static enum nb_status tell_monitors(struct nb_solution *solution, const struct nb_scene *scene,
-                                    const struct chain *chain, struct nb_error *error) {
+static enum nb_status add_monitors(struct nb_solution *solution, const struct nb_scene *scene,
+                                   const struct chain *chain, struct nb_error *error) {
   if (chain->n > 1)
     solution_value(solution, sqrt(chain->m / chain->k), "step.stable");
   for (size_t w = 0; w < scene->monitor_count; w++) {
@@ -154,28 +155,29 @@ static enum nb_status tell_monitors(struct nb_solution *solution, const struct n
     char name[3 * NB_NAME_SIZE];
     if (monitor->kind == NB_MONITOR_PARTICLE) {
       snprintf(name, sizeof name, "%s.x", monitor->name);
-      add_value(solution, chain, name, scene->particles[monitor->a].x, 1, a, a, false);
+      add_curves(solution, chain, name, scene->particles[monitor->a].x, 1, a, a, false);
       snprintf(name, sizeof name, "%s.vx.half", monitor->name);
-      add_value(solution, chain, name, 0, 1, a, a, true);
+      add_curves(solution, chain, name, 0, 1, a, a, true);
     } else if (monitor->kind == NB_MONITOR_PARTICLE_PARTICLE && (a + 1 == b || b + 1 == a)) {
       add_contact(solution, chain, monitor->name, a < b ? a : b, a < b ? b : a);
-    } else if (monitor->kind ==
-               NB_MONITOR_PARTICLE_WALL) { /* the wall stands: the overlap is u_1 toward the first, u_N the last */
+    } else if (
+        monitor->kind ==
+        NB_MONITOR_PARTICLE_WALL) { /* the wall is fixed: the overlap changes by u_1 at the first, by u_N at the last */
       const bool first = scene->walls[monitor->b].x < scene->particles[monitor->a].x;
       if (a == (first ? 1 : chain->n))
         add_contact(solution, chain, monitor->name, first ? 0 : a, first ? a : chain->n + 1);
     }
   }
   add_ends(solution, scene, chain);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
-static enum nb_status unfit(struct nb_error *error, const char *what) {
+static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "reference chain is for %s", what);
 }
 
-/* Overlaps of all contacts, the same; bodies numbered from west to east. */
-static bool pressed_alike(struct chain *chain, const struct nb_scene *scene) {
+/* Sets the overlap; false: not all contacts have the same one, or the particles are not numbered in the order of x. */
+static bool read_overlap(struct chain *chain, const struct nb_scene *scene) {
   const double radius = scene->particles[0].radius;
   const struct nb_wall *west = &scene->walls[0], *east = &scene->walls[1];
   if (west->x > east->x)
@@ -189,24 +191,24 @@ static bool pressed_alike(struct chain *chain, const struct nb_scene *scene) {
   return chain->overlap > 0 && west->ex == 0 && east->ex == 0;
 }
 
-static enum nb_status fit(struct chain *chain, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status read_chain(struct chain *chain, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_step *step = &scene->stages[0].step;
   const struct nb_particle *first = &scene->particles[0];
   if (scene->wall_count != 2)
-    return unfit(error, "two walls");
+    return refuse(error, "two walls");
   for (size_t l = 0; l < chain->n; l++) {
     const struct nb_particle *particle = &scene->particles[l];
     if (particle->y != first->y || particle->vy != 0 || particle->radius != first->radius ||
         particle->material != first->material || particle->shape != first->shape)
-      return unfit(error, "a straight row of equal bodies that move along it");
+      return refuse(error, "a straight row of equal particles that move along it");
   }
   for (size_t w = 0; w < 2; w++)
     if (matter_pair(scene, first->material, scene->walls[w].material).kn != chain->k)
-      return unfit(error, "walls as stiff as the bodies");
-  if (!pressed_alike(chain, scene))
-    return unfit(error, "a row from the west to the east, in which every contact is pressed alike");
+      return refuse(error, "walls as stiff as the particles");
+  if (!read_overlap(chain, scene))
+    return refuse(error, "a row in the order of x, with the same overlap at every contact");
   if (step->kind != NB_STEP_TIME && step->kind != NB_STEP_SINGLE_CONTACT)
-    return unfit(error, "a step that is a time or a fraction of single-contact");
+    return refuse(error, "a step that is a time or a fraction of single-contact");
   chain->step = step->kind == NB_STEP_TIME ? step->value : step->value * 2 * sqrt(chain->m / chain->k);
   return NB_OK;
 }
@@ -215,7 +217,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_particle *first = &scene->particles[0];
   struct chain chain = {.n = scene->particle_count, .m = matter_mass(scene, first)};
   chain.k = matter_pair(scene, first->material, first->material).kn;
-  if (fit(&chain, scene, error))
+  if (read_chain(&chain, scene, error))
     return error->status;
   chain.velocity = calloc(chain.n, sizeof *chain.velocity);
   if (!chain.velocity)
@@ -223,15 +225,15 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   for (size_t j = 1; j <= chain.n; j++)
     for (size_t l = 1; l <= chain.n; l++)
       chain.velocity[j - 1] += 2 * shape(&chain, j, l) * scene->particles[l - 1].vx / (double)(chain.n + 1);
-  const enum nb_status status = tell_monitors(solution, scene, &chain, error);
+  const enum nb_status status = add_monitors(solution, scene, &chain, error);
   free(chain.velocity);
   return status;
 }
 
 const struct nb_reference reference_chain = {
     .name = "chain",
-    .title =
-        "equal bodies in a row between two walls: normal modes in closed form, in the steps of the calculation cycle",
+    .title = "equal particles in a row between two walls: normal modes in closed form, in the steps of the calculation "
+             "cycle",
     .source = "[CS79 22, 22a]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
     .needs = {HAS_WALLS},

@@ -1,20 +1,24 @@
-/* Reference: the shear laws in use beside the exact one, along a path of slip at one normal force; each in closed form.
+/* Reference: the shear laws along a path of slip at constant normal force, each in closed form.
  *
- * In pure numbers t = T/mu N, d = delta/A, A = 3 mu N/(16 G* a), a branch that begins at (t0, d0) with the sense s is
+ * In dimensionless numbers t = T/mu N, d = delta/A, A = 3 mu N/(16 G* a), a branch that begins at (t0, d0) with the
+ * sense s is
  *
- *   t = t0 + s (1 - (1 - |d - d0|)^(3/2))               virgin loading                                        [R89 3.25]
- *   t = t0 + 2 s (1 - (1 - |d - d0|/2)^(3/2))           any after it                                    [R89 3.40, 3.50]
+ *   t = t0 + s (1 - (1 - |d - d0|)^(3/2))               virgin loading                                       [R89 3.25]
+ *   t = t0 + 2 s (1 - (1 - |d - d0|/2)^(3/2))           any later branch                                [R89 3.40,
+ *     3.50]
  *
- * and one that comes back to where the one before it began is erased with it. mindlin_deresiewicz keeps them all; randall three,
- * and goes to and fro on the third; so does randall_literal, whose third is, with T* for T** in [R89 4.24] and u = |T* - t|,
+ * A branch that returns to where the previous one began is erased with it. mindlin_deresiewicz keeps all branches,
+ * randall three, moving back and forth on the third. So does randall_literal, whose third branch is, with T* for T** in
+ * [R89 4.24], u = |T* - t|,
  *
- *   (1 + u/2)^(2/3) = (1 + u0/2)^(2/3) - |d - d0|/2     which is stiffer than a contact that sticks all over
+ *   (1 + u/2)^(2/3) = (1 + u0/2)^(2/3) - |d - d0|/2     which is stiffer than a contact that sticks everywhere
  *
- * linear, mindlin and mindlin_scaled are t = k d between -1 and 1, k = 3/2, of `linear` k_s A/mu N.
+ * linear, mindlin and mindlin_scaled are t = k d between -1 and 1; k = 3/2, and k_s A/mu N for `linear`.
  *
- * Known at each step and at the end of each leg: shear, work.shear. And `psi2 error`: the largest that the law makes in the
- * rebound of an oblique impact (impact_laws.c, impact_springs.c), 0.1 <= psi1 <= 6, nu as here; not of randall_literal, which has
- * no limit there. Work by Simpson's rule in 32 parts of a step.
+ * Returns shear (N) and work.shear (J) at each step and at the end of each segment, and `psi2 error`: the largest error
+ * of the law in the rebound of an oblique impact (impact_laws.c, impact_springs.c) for 0.1 <= psi1 <= 6, with the nu of
+ * the page; not of randall_literal, which has no limit there. The work is integrated by Simpson's rule in 32 parts of a
+ * step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -32,9 +36,9 @@ struct branch {
 
 struct law {
   const char *name;
-  int most;      /* branches that it keeps; 0: it is a spring */
+  int branches;  /* how many it keeps; 0: it is a spring */
   double spring; /* k */
-  bool literal;
+  bool literal;  /* randall_literal */
 };
 
 struct state {
@@ -48,7 +52,7 @@ struct state {
 
 static bool literal_third(const struct state *s) { return s->law.literal && s->count == 3; }
 
-static double along(const struct state *s, double d) {
+static double force_at(const struct state *s, double d) {
   const struct branch *b = &s->branches[s->count - 1];
   if (literal_third(s)) {
     const double star = b[-1].t, u = b->sense * (star - b->t);
@@ -57,7 +61,7 @@ static double along(const struct state *s, double d) {
   return b->t + b->sense * b->size * (1 - pow(fmax(1 - b->sense * (d - b->d) / b->size, 0), 1.5));
 }
 
-/* Where the branch ends that goes on in its own sense. */
+/* The slip at which the present branch ends, continued in its own sense. */
 static double end_of(const struct state *s) {
   const struct branch *b = &s->branches[s->count - 1];
   if (literal_third(s))
@@ -65,7 +69,8 @@ static double end_of(const struct state *s) {
   return s->count == 1 ? b->d + b->sense : s->count == 2 ? 2 * b[-1].d - b->d : b[-1].d;
 }
 
-/* On from there: sliding; virgin loading the other way; or the branch before the two, moved along by what literal_third is short. */
+/* Beyond the end of a branch: sliding, virgin loading in the other sense, or the branch before the two. That one is shifted where
+ * literal_third has ended elsewhere. */
 static void erase(struct state *s, double end, double d) {
   struct branch *b = &s->branches[s->count - 1];
   if (s->count == 1) {
@@ -77,26 +82,26 @@ static void erase(struct state *s, double end, double d) {
   }
 }
 
-static void go(struct state *s, double d) {
-  if (s->law.most == 0) {
+static void advance(struct state *s, double d) {
+  if (s->law.branches == 0) {
     s->t = fmax(-1, fmin(1, s->t + s->law.spring * (d - s->d))), s->d = d;
     return;
   }
   while (d != s->d) {
     const double sense = d > s->d ? 1 : -1;
     struct branch *b = &s->branches[s->count - 1];
-    const bool other = s->count == 0 || sense != b->sense;
-    if (other && s->count < s->law.most)
+    const bool reversal = s->count == 0 || sense != b->sense;
+    if (reversal && s->count < s->law.branches)
       s->branches[s->count++] = (struct branch){s->t, s->d, sense, s->count == 1 ? 1 : 2},
       b = &s->branches[s->count - 1];
-    const bool back = sense != b->sense; /* elastic, as far as T** */
+    const bool back = sense != b->sense; /* back along the last branch, elastically, up to T** */
     const double end = back ? b->d : end_of(s);
-    const bool ends = sense * (d - end) > 0;
-    s->t = along(s, ends ? end : d);
-    s->d = ends && s->count > 1 ? end : d;
-    if (ends && back)
+    const bool beyond = sense * (d - end) > 0;
+    s->t = force_at(s, beyond ? end : d);
+    s->d = beyond && s->count > 1 ? end : d;
+    if (beyond && back)
       s->count--;
-    else if (ends)
+    else if (beyond)
       erase(s, end, d);
   }
 }
@@ -106,7 +111,7 @@ static double work(struct state s, double d) {
   const double from = s.d;
   double sum = s.t;
   for (int k = 1; k <= PARTS; k++) {
-    go(&s, from + (d - from) * k / PARTS);
+    advance(&s, from + (d - from) * k / PARTS);
     sum += (k == PARTS ? 1 : k % 2 ? 4 : 2) * s.t;
   }
   return sum / (3. * PARTS) * (d - from);
@@ -117,28 +122,28 @@ static double work(struct state s, double d) {
 enum { SHEAR, WORK, COLUMNS };
 static const char *const names[COLUMNS] = {"shear", "work.shear"};
 
-/* False: the normal force changes where there is shear, or a leg goes to a shear force. */
+/* False: the normal force changes under shear, or a segment prescribes a shear force. */
 static bool walk_path(struct state *s, const struct path_contact *contact, double ks, const struct nb_scene *scene,
                       struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);
-  struct path_place now = {0};
-  struct path_aim aim;
-  double limit = 0, way = 0, done = 0;
-  for (size_t k = 1; path_next(&walk, now, &aim); k++) {
-    const double approach = aim.normal_force ? path_overlap(contact, aim.normal) : aim.normal;
+  struct path_point now = {0};
+  struct path_target target;
+  double limit = 0, scale = 0, done = 0; /* mu N, N; A, m; work, mu N A */
+  for (size_t k = 1; path_next(&walk, now, &target); k++) {
+    const double approach = target.normal_force ? path_overlap(contact, target.normal) : target.normal;
     if (fabs(approach - now.approach) > 1e-9 * now.approach) {
-      if (s->t != 0 || s->count || aim.shear != 0)
+      if (s->t != 0 || s->count || target.shear != 0)
         return false;
       now.approach = approach, now.normal = path_normal(contact, approach);
-      limit = contact->friction * now.normal, way = contact->friction * contact->kappa * approach;
-      s->law.spring = strcmp(s->law.name, "linear") == 0 ? ks * way / limit : 1.5;
+      limit = contact->friction * now.normal, scale = contact->friction * contact->kappa * approach;
+      s->law.spring = strcmp(s->law.name, "linear") == 0 ? ks * scale / limit : 1.5;
     }
-    if (aim.shear_force)
+    if (target.shear_force)
       return false;
-    done += work(*s, aim.shear / way);
-    go(s, aim.shear / way);
-    now.slip = aim.shear, now.shear = s->t * limit;
-    columns[SHEAR]->values[k] = now.shear, columns[WORK]->values[k] = done * limit * way;
+    done += work(*s, target.shear / scale);
+    advance(s, target.shear / scale);
+    now.slip = target.shear, now.shear = s->t * limit;
+    columns[SHEAR]->values[k] = now.shear, columns[WORK]->values[k] = done * limit * scale;
   }
   return true;
 }
@@ -153,13 +158,13 @@ static double psi2_of(const char *law, double chi, double psi1) {
   return psi2;
 }
 
-/* A solid sphere on a wall of its own material [R89 5.14]; `linear` with k_s = 8 G* a at the largest overlap. */
+/* Of a solid sphere on a wall of its own material [R89 5.14]; `linear` with k_s = 8 G* a at the largest overlap. */
 static double psi2_error(const char *law, double kappa) {
   const double chi = 3.5 / (2 * kappa);
-  double most = 0;
+  double largest = 0;
   for (int k = 1; k <= 60; k++)
-    most = fmax(most, fabs(psi2_of(law, chi, 0.1 * k) - psi2_of(NULL, chi, 0.1 * k)));
-  return most;
+    largest = fmax(largest, fabs(psi2_of(law, chi, 0.1 * k) - psi2_of(NULL, chi, 0.1 * k)));
+  return largest;
 }
 
 /* ---- */
@@ -168,9 +173,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   static const struct law laws[] = {{.name = "linear"},
                                     {.name = "mindlin"},
                                     {.name = "mindlin_scaled"},
-                                    {.name = "randall", .most = 3},
-                                    {.name = "randall_literal", .most = 3, .literal = true},
-                                    {.name = "mindlin_deresiewicz", .most = BRANCHES}};
+                                    {.name = "randall", .branches = 3},
+                                    {.name = "randall_literal", .branches = 3, .literal = true},
+                                    {.name = "mindlin_deresiewicz", .branches = BRANCHES}};
   size_t which = 0;
   while (which < sizeof laws / sizeof *laws && strcmp(laws[which].name, scene->shear) != 0)
     which++;
@@ -178,7 +183,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (path_contact(&contact, scene, "contact_ladder", error))
     return error->status;
   if (which == sizeof laws / sizeof *laws)
-    return nb_error_set(error, NB_BAD_USE, "contact_ladder has no rung for `shear %s`", scene->shear);
+    return nb_error_set(error, NB_BAD_USE, "contact_ladder does not cover `shear %s`", scene->shear);
   const struct nb_particle *particles = scene->particles;
   const int other = scene->particle_count == 1 ? scene->walls[0].material : particles[1].material;
   struct path_column *columns[COLUMNS];
@@ -186,24 +191,24 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   for (int c = 0; c < COLUMNS; c++)
     made = (columns[c] = path_column(scene)) != NULL && made;
   struct state state = {.law = laws[which]};
-  const bool fits =
+  const bool solved =
       made && walk_path(&state, &contact, matter_pair(scene, particles[0].material, other).ks, scene, columns);
   for (int c = 0; c < COLUMNS; c++)
-    if (fits)
+    if (solved)
       path_add(solution, scene, names[c], columns[c]);
     else
       free(columns[c]);
-  if (made && !fits)
-    return nb_error_set(error, NB_BAD_USE, "contact_ladder wants legs of slip at one normal force");
-  const bool exact = laws[which].most == BRANCHES;
+  if (made && !solved)
+    return nb_error_set(error, NB_BAD_USE, "contact_ladder is for segments of slip at one normal force");
+  const bool exact = laws[which].branches == BRANCHES;
   if (!laws[which].literal)
     solution_value(solution, exact ? 0 : psi2_error(scene->shear, contact.kappa), "psi2 error");
-  return made ? solution_full(solution, error) : nb_error_memory(error);
+  return made ? solution_status(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_contact_ladder = {
     .name = "contact_ladder",
-    .title = "shear laws along a path of slip at one normal force in closed form, and their errors in an impact",
+    .title = "shear laws along a path of slip at constant normal force in closed form, and their errors in an impact",
     .source = "[R89 3.25, 3.40, 3.50]",
     .accepts = {HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
     .needs = {HAS_CONTACT_TEST},

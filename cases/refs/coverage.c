@@ -1,4 +1,4 @@
-/* Which features a scene has, and whether a reference covers them: the one place where the two are compared.
+/* The features of a scene, and their comparison with those that a reference accepts.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "coverage.h"
@@ -22,15 +22,15 @@ static const char *const names[NB_FEATURES] = {
     [HAS_CONTACT_TEST] = "contact",
     [HAS_FRICTION] = "friction",
     [HAS_COHESION] = "cohesion",
-    [HAS_PIECES] = "memory",
+    [HAS_MEMORY] = "memory",
     [HAS_GRAVITY] = "gravity",
     [HAS_CENTRIPETAL_GRAVITY] = "gravity centripetal",
-    [HAS_CONTACT_BETA] = "damping stiffness",
-    [HAS_CONTACT_FRACTION] = "damping r89-fraction",
-    [HAS_CONTACT_RATIO] = "damping ratio",
+    [HAS_STIFFNESS_DAMPING] = "damping stiffness",
+    [HAS_R89_FRACTION_DAMPING] = "damping r89-fraction",
+    [HAS_RATIO_DAMPING] = "damping ratio",
     [HAS_WALL_DAMPING] = "damping walls",
-    [HAS_DEEP_DAMPING] = "damping critical beyond overlap",
-    [HAS_GLOBAL_DAMPING] = "damping mass",
+    [HAS_CRITICAL_DAMPING] = "damping critical beyond overlap",
+    [HAS_MASS_DAMPING] = "damping mass",
     [HAS_CON1_CS79] = "damping con1 as cs79",
     [HAS_CON1_VELOCITY] = "damping con1 as velocity",
     [HAS_CON1_ALL] = "damping con1 as all",
@@ -38,15 +38,15 @@ static const char *const names[NB_FEATURES] = {
     [HAS_BOUNDARY_STRAIN] = "boundary strain",
     [HAS_BOUNDARY_STRESS] = "boundary stress",
     [HAS_BOUNDARY_NONE] = "boundary none",
-    [HAS_CONTINUUM] = "affine strain",
-    [HAS_CONTINUUM_LITERAL] = "affine strain accumulated",
+    [HAS_AFFINE_STRAIN] = "affine strain",
+    [HAS_AFFINE_ACCUMULATED] = "affine strain accumulated",
     [HAS_CELL_STRAIN] = "cell strain",
     [HAS_BOX_STRAIN] = "box strain",
     [HAS_SERVO] = "servo",
     [HAS_START] = "start",
     [HAS_ROTATION_OFF] = "rotation off",
-    [HAS_STILL] = "zero velocities",
-    [HAS_REVERSE] = "reverse velocities",
+    [HAS_ZERO_VELOCITIES] = "zero velocities",
+    [HAS_REVERSE_VELOCITIES] = "reverse velocities",
     [HAS_REMOVE] = "remove",
     [HAS_UNTIL] = "until",
     [HAS_RAMP] = "ramp",
@@ -59,7 +59,7 @@ static const char *const names[NB_FEATURES] = {
 
 const char *nb_feature_name(enum nb_feature feature) { return names[feature]; }
 
-/* Notes the first line that asks for it. */
+/* Keeps the first line that asks for the feature. */
 static void note(int lines[], enum nb_feature feature, bool has, int line) {
   if (has && lines[feature] < 0)
     lines[feature] = line;
@@ -87,7 +87,7 @@ static void note_particles(int lines[], const struct nb_scene *scene) {
   note(lines, HAS_START, scene->start.stages > 0, scene->start.line);
 }
 
-/* Of the pairs that may touch: a body's material with that of another body, or of a wall. */
+/* Only of pairs that can touch: the material of a particle with that of another particle or of a wall. */
 static void note_friction(int lines[], const struct nb_scene *scene) {
   for (size_t a = 0; a < scene->material_count; a++)
     for (size_t b = 0; b < scene->material_count; b++) {
@@ -110,17 +110,17 @@ static void note_friction(int lines[], const struct nb_scene *scene) {
 }
 
 static void note_contact_damping(int lines[], enum nb_contact_damping kind, double value, int line) {
-  note(lines, HAS_CONTACT_BETA, kind == NB_CONTACT_STIFFNESS && value != 0, line);
-  note(lines, HAS_CONTACT_FRACTION, kind == NB_CONTACT_R89_FRACTION && value != 0, line);
-  note(lines, HAS_CONTACT_RATIO, kind == NB_CONTACT_RATIO && value != 0, line);
+  note(lines, HAS_STIFFNESS_DAMPING, kind == NB_CONTACT_STIFFNESS && value != 0, line);
+  note(lines, HAS_R89_FRACTION_DAMPING, kind == NB_CONTACT_R89_FRACTION && value != 0, line);
+  note(lines, HAS_RATIO_DAMPING, kind == NB_CONTACT_RATIO && value != 0, line);
 }
 
 static void note_damping(int lines[], const struct nb_damping *it) {
   note_contact_damping(lines, it->contact_kind, it->contact, it->contact_line);
   note_contact_damping(lines, it->walls_separate ? it->walls_kind : NB_CONTACT_UNDAMPED, it->walls, it->walls_line);
   note(lines, HAS_WALL_DAMPING, it->walls_separate, it->walls_line);
-  note(lines, HAS_DEEP_DAMPING, it->deep > 0, it->deep_line);
-  note(lines, HAS_GLOBAL_DAMPING, it->global_kind == NB_GLOBAL_MASS && it->global != 0, it->global_line);
+  note(lines, HAS_CRITICAL_DAMPING, it->deep > 0, it->deep_line);
+  note(lines, HAS_MASS_DAMPING, it->global_kind == NB_GLOBAL_MASS && it->global != 0, it->global_line);
   note(lines, HAS_CON1_CS79, it->global_kind == NB_GLOBAL_CON1_CS79, it->global_line);
   note(lines, HAS_CON1_VELOCITY, it->global_kind == NB_GLOBAL_CON1_VELOCITY, it->global_line);
   note(lines, HAS_CON1_ALL, it->global_kind == NB_GLOBAL_CON1_ALL, it->global_line);
@@ -142,8 +142,8 @@ static void note_loading(int lines[], const struct nb_stage *it) {
   note(lines, HAS_BOUNDARY_STRAIN, boundary && it->boundary.control == NB_CONTROL_STRAIN, boundary);
   note(lines, HAS_BOUNDARY_STRESS, it->boundary.control == NB_CONTROL_STRESS, boundary);
   note(lines, HAS_BOUNDARY_NONE, it->boundary.control == NB_CONTROL_NONE, boundary);
-  note(lines, HAS_CONTINUUM, strains(&it->affine.strain), it->affine.line);
-  note(lines, HAS_CONTINUUM_LITERAL, it->affine.accumulated, it->affine.line);
+  note(lines, HAS_AFFINE_STRAIN, strains(&it->affine.strain), it->affine.line);
+  note(lines, HAS_AFFINE_ACCUMULATED, it->affine.accumulated, it->affine.line);
   note(lines, HAS_CELL_STRAIN, strains(&it->cell), it->cell_line);
   note(lines, HAS_BOX_STRAIN, strains(&it->box), it->box_line);
   note(lines, HAS_SERVO, it->servo.line, it->servo.line);
@@ -153,8 +153,8 @@ static void note_loading(int lines[], const struct nb_stage *it) {
 static void note_changes(int lines[], const struct nb_scene *scene, const struct nb_stage *it) {
   const struct nb_step *step = &it->step;
   note(lines, HAS_ROTATION_OFF, it->rotation == NB_ROTATION_OFF, it->rotation_line);
-  note(lines, HAS_STILL, it->zero_velocities, it->line);
-  note(lines, HAS_REVERSE, it->reverse_velocities, it->line);
+  note(lines, HAS_ZERO_VELOCITIES, it->zero_velocities, it->line);
+  note(lines, HAS_REVERSE_VELOCITIES, it->reverse_velocities, it->line);
   note(lines, HAS_UNTIL, it->condition_count > 0, it->condition_count ? it->conditions[0].line : 0);
   note(lines, HAS_REMOVE, it->removal_count > 0, it->removal_count ? it->removals[0].line : 0);
   note(lines, HAS_STEP_CHANGE, step->kind != scene->step.kind || step->value != scene->step.value, step->line);
@@ -163,7 +163,7 @@ static void note_changes(int lines[], const struct nb_scene *scene, const struct
   note(lines, HAS_MATERIAL_CHANGE, it->change_count > 0, it->change_count ? it->changes[0].line : 0);
   note(lines, HAS_LAW_CHANGE, it->laws.normal[0], it->laws.normal_line);
   note(lines, HAS_LAW_CHANGE, it->laws.shear[0], it->laws.shear_line);
-  note(lines, HAS_PIECES, it->laws.pieces, it->laws.shear_line);
+  note(lines, HAS_MEMORY, it->laws.pieces, it->laws.shear_line);
   for (size_t k = 0; k < it->change_count; k++)
     note(lines, HAS_RAMP, it->changes[k].ramp, it->changes[k].line);
   for (size_t k = 0; k < it->motion_count; k++) {
@@ -182,7 +182,7 @@ void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene) {
   note_damping(lines, &scene->damping);
   note_gravity(lines, &scene->gravity);
   note(lines, HAS_BOUNDARY, scene->circle.line, scene->circle.line);
-  note(lines, HAS_PIECES, scene->pieces, scene->shear_line);
+  note(lines, HAS_MEMORY, scene->pieces, scene->shear_line);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     note_damping(lines, &stage->damping);
@@ -202,7 +202,7 @@ static bool lists(const enum nb_feature list[], enum nb_feature feature) {
   return false;
 }
 
-/* Whether `laws`, names separated by blanks, has this one; an empty name is that of no law. */
+/* Whether the law is one of `laws`, names separated by spaces. An empty name stands for "unchanged". */
 static bool lists_law(const char *laws, const char *law) {
   const size_t length = strlen(law);
   if (length == 0 || strcmp(laws, NB_ANY_LAW) == 0)

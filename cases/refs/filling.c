@@ -1,13 +1,12 @@
-/* Reference: circles and boxes that were filled at random, counted and measured body by body.
+/* Reference: random fillings of circles and boxes, counted and measured particle by particle.
  *
- *   NAME.wanted     sum of n_s over the sizes of the grading
- *   NAME.placed     how many bodies of the scene have such a radius
- *   NAME.dropped    the difference
- *   NAME.porosity   1 - sum n_s pi R_s^2/A, n_s the bodies there of radius R_s, A the area; of a region that is what was filled
- *   gap             the smallest of |x_i - x_j| - R_i - R_j over all pairs, m
- * for NAMEs that watch a grading or a size of it, or are regions.
- *
- * Exact but for rounding: nothing has moved when it is asked. All pairs are looked at, without cells.
+ * Returns, for F that monitors a grading or a size of it, or the region that was filled:
+ *   F.wanted     sum of n_s over the sizes of the grading
+ *   F.placed     the number of particles with these radii
+ *   F.dropped    the difference
+ *   F.porosity   1 - sum n_s pi R_s^2/A, n_s particles of radius R_s, A the area of the region
+ *   gap          the smallest |x_i - x_j| - R_i - R_j of all pairs, m
+ * Error: rounding, because nothing has moved. All pairs are compared, without cells.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_math.h>
@@ -50,7 +49,7 @@ static void add_porosity(struct nb_solution *solution, const struct nb_scene *sc
   add_value(solution, name, "porosity", 1 - covered / area);
 }
 
-static bool is_filled(const struct nb_region *region, const struct nb_fill *fill) {
+static bool is_filled_region(const struct nb_region *region, const struct nb_fill *fill) {
   if (fill->circle)
     return region->kind == NB_REGION_CIRCLE && region->x == fill->x && region->y == fill->y &&
            region->radius == fill->radius;
@@ -59,35 +58,35 @@ static bool is_filled(const struct nb_region *region, const struct nb_fill *fill
 }
 
 static double smallest_gap(const struct nb_scene *scene) {
-  double least = INFINITY;
+  double smallest = INFINITY;
   for (size_t i = 0; i < scene->particle_count; i++)
     for (size_t j = 0; j < i; j++) {
       const struct nb_particle *a = &scene->particles[i], *b = &scene->particles[j];
-      least = fmin(least, hypot(a->x - b->x, a->y - b->y) - a->radius - b->radius);
+      smallest = fmin(smallest, hypot(a->x - b->x, a->y - b->y) - a->radius - b->radius);
     }
-  return least;
+  return smallest;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const bool alone = scene->fill_count == 1 && scene->fills[0].count == scene->particle_count;
   if (!alone)
-    return nb_error_set(error, NB_BAD_USE, "filling wants one `fill` and nothing else");
+    return nb_error_set(error, NB_BAD_USE, "filling is for one `fill` and no other particles");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind == NB_MONITOR_GRADING || monitor->kind == NB_MONITOR_SIZE)
       add_sizes(solution, scene, monitor);
-    if (monitor->kind == NB_MONITOR_REGION && is_filled(&scene->regions[monitor->a], &scene->fills[0]))
+    if (monitor->kind == NB_MONITOR_REGION && is_filled_region(&scene->regions[monitor->a], &scene->fills[0]))
       add_porosity(solution, scene, monitor->name);
   }
   const double gap = smallest_gap(scene);
   if (scene->particle_count > 1)
     solution_value(solution, gap, "gap");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_filling = {
     .name = "filling",
-    .title = "what was filled at random: counts, porosity, and the smallest gap of all pairs",
+    .title = "random filling: counts, porosity, and the smallest gap of all pairs",
     .source = "-",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FRICTION},
     .normal = NB_ANY_LAW,

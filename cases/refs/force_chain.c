@@ -1,17 +1,20 @@
-/* Reference: a straight row of equal discs, pressed between two walls with the force F.
+/* Reference: a straight row of equal discs between two walls, compressed by the force F.
  *
- * Each disc overlaps the next by a, the outer ones the walls by a; F = k_n a. The one contact force runs from wall to wall: of a
- * region of area A that holds the row and ends at the walls, L apart, with u the direction of the row,
+ * Each disc overlaps the next one by a, and the outer ones overlap the walls by a; F = k_n a. The contact force F is
+ * the same from wall to wall. For a region of area A that contains the row and ends at the walls, L apart, with u the
+ * direction of the row,
  *
  *   sigma_ij = F L u_i u_j/A          Phi_ij = u_i u_j,  Phi_xxxx = u_x^4          sin Phi = 1
  *
- * since F acts on the region's two ends alone: L is all that counts of what is between. Every normal force is F and there is no
- * shear: the part `fabric` is all of the stress, `variation` and `shear` are none of it. n discs have n - 1 contacts and two
- * with walls, and two ends each.
+ * because only the forces F at the two ends of the region act on it. All normal forces are F and there is no shear, so
+ * the part `fabric` is the whole stress, and `variation` and `shear` are zero. n discs have n - 1 contacts with each
+ * other and two with walls.
  *
- * Known, of each region NAME that is a box, at 0 cycles: NAME.stress.xx, xy, yy, mean, sinphi, angle; likewise
- * NAME.stress.contacts and NAME.stress.fabric; NAME.stress.fabric.fraction, variation.fraction, shear.fraction;
- * NAME.fabric.xx, xy, yy, anisotropy; NAME.coordination, contacts; NAME.normal.mean.
+ * Returns, for A that monitors a box, at 0 cycles:
+ *   A.stress.xx, xy, yy, mean, sinphi, angle; xx, xy, yy, mean, angle of A.stress.contacts and A.stress.fabric
+ *   A.stress.fabric.fraction, variation.fraction, shear.fraction
+ *   A.fabric.xx, xy, yy, anisotropy, fourth.xxxx; A.coordination, A.contacts; A.normal.mean
+ * Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -29,19 +32,19 @@ static void add_value(struct nb_solution *solution, const char *region, const ch
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const size_t n = scene->particle_count;
   if (n < 2 || scene->wall_count != 2)
-    return nb_error_set(error, NB_BAD_USE, "force_chain wants a row of discs between two walls");
+    return nb_error_set(error, NB_BAD_USE, "force_chain is for a row of discs between two walls");
   const struct nb_particle *first = &scene->particles[0], *last = &scene->particles[n - 1];
   const double length = hypot(last->x - first->x, last->y - first->y), R = first->radius;
   const double ux = (last->x - first->x) / length, uy = (last->y - first->y) / length;
   const double overlap = 2 * R - length / (double)(n - 1);
   const double force = matter_pair(scene, first->material, first->material).kn * overlap;
-  const double across = length + 2 * (R - overlap); /* from wall to wall, if they press as the discs do */
+  const double between_walls = length + 2 * (R - overlap); /* from wall to wall, if these have the same overlap */
   for (int w = 0; w < 2; w++) {
     const struct nb_wall *wall = &scene->walls[w];
     const struct nb_particle *end = hypot(wall->x - first->x, wall->y - first->y) < length / 2 ? first : last;
-    const double away = fabs((end->x - wall->x) * wall->ey - (end->y - wall->y) * wall->ex);
-    if (fabs(R - away - overlap) > 1e-9 * overlap || fabs(wall->ex * ux + wall->ey * uy) > 1e-12)
-      return nb_error_set(error, NB_BAD_USE, "force_chain wants walls across the row that press as the discs do");
+    const double distance = fabs((end->x - wall->x) * wall->ey - (end->y - wall->y) * wall->ex);
+    if (fabs(R - distance - overlap) > 1e-9 * overlap || fabs(wall->ex * ux + wall->ey * uy) > 1e-12)
+      return nb_error_set(error, NB_BAD_USE, "force_chain is for walls across the row with the overlap of the discs");
   }
   const double u[] = {ux * ux, ux * uy, uy * uy};
   for (size_t k = 0; k < scene->monitor_count; k++) {
@@ -49,7 +52,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     if (monitor->kind != NB_MONITOR_REGION || scene->regions[monitor->a].kind != NB_REGION_BOX)
       continue;
     const struct nb_region *region = &scene->regions[monitor->a];
-    const double s = force * across / (4 * region->half_x * region->half_y);
+    const double s = force * between_walls / (4 * region->half_x * region->half_y);
     static const char *const stresses[] = {"stress.", "stress.contacts.", "stress.fabric."};
     for (int t = 0; t < 3; t++) {
       add_value(solution, monitor->name, stresses[t], "xx", s * u[0]);
@@ -71,12 +74,12 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     add_value(solution, monitor->name, "", "contacts", (double)n + 1);
     add_value(solution, monitor->name, "normal.", "mean", force);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_force_chain = {
     .name = "force_chain",
-    .title = "a straight row of discs pressed between two walls: stress F L/A, fabric of one direction",
+    .title = "a straight row of discs compressed between two walls: stress F L/A, fabric of one direction",
     .source = "[R89 4.48]",
     .accepts = {HAS_DISCS},
     .needs = {HAS_WALLS},

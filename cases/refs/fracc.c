@@ -1,19 +1,18 @@
-/* Reference: R89's FRACC of one disc that swings between two walls which both press on it, or circles between four.
+/* Reference: R89's FRACC of one disc that oscillates between two walls in contact with it, or circles between four.
  *
- * With w^2 = 2 k_n/m and h = w dt/2 the cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n,  x_1 = x_0 (1 - 2 h^2)  from rest and
- * y_1 = v_y dt  from the middle, each for itself; and with the sum of forces -2 k_n r [R89 4.36-4.40]
+ * With w^2 = 2 k_n/m and h = w dt/2 the cycle is  r_(n+1) = 2 r_n - r_(n-1) - 4 h^2 r_n  in x and y separately, with
+ * x_1 = x_0 (1 - 2 h^2) from rest and y_1 = v_y dt from the middle. The sum of forces is -2 k_n r [R89 4.36-4.40], and
  *
  *   FRACC = h (| |r_(n+1)| - |r_n| | / |r_(n+1) - r_n|)^(1/2)
  *
- * which on a line is h while x keeps its sign, and 0 on a circle. Where h > 1 the swing goes over to x_(n+1) = -g x_n with
- * g = (h + (h^2 - 1)^(1/2))^2, and
+ * On a line this is h while x keeps its sign; on a circle it is 0. For h > 1 the motion becomes x_(n+1) = -g x_n with g
+ * = (h + (h^2 - 1)^(1/2))^2, and
  *
  *   FRACC = (h (h^2 - 1)^(1/2))^(1/2)
  *
- * Known    step.fracc max, and D.x max of the disc if it is watched as D, by the cycle.
- * Exact but for rounding.
- * Range    one disc amid two walls across x and two across y that touch it or do not, linear springs, no shear, no damping,
- *          `step F of single-contact`, one stage.
+ * Returns step.fracc max, and D.x max for the disc monitored as D, from the recursion.
+ * Accepts one disc between two walls across x and two across y, which touch it or not, linear springs, no shear, no
+ * damping, `step F of single-contact`, one stage. Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -21,13 +20,13 @@
 
 #include "reference.h"
 
-struct place {
+struct position {
   double x, y; /* m */
 };
 
-static double fracc(double h, struct place before, struct place now) {
-  const double way = hypot(now.x - before.x, now.y - before.y);
-  return way > 0 ? h * sqrt(fabs(hypot(now.x, now.y) - hypot(before.x, before.y)) / way) : 0;
+static double fracc(double h, struct position before, struct position now) {
+  const double distance = hypot(now.x - before.x, now.y - before.y);
+  return distance > 0 ? h * sqrt(fabs(hypot(now.x, now.y) - hypot(before.x, before.y)) / distance) : 0;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
@@ -40,24 +39,25 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double kn = matter_pair(scene, disc->material, scene->walls[0].material).kn;
   const double h = stage->step.value * sqrt(2); /* two springs: w^2 = 2 k/m */
   const double dt = 2 * h / sqrt(2 * kn / matter_mass(scene, disc));
-  double hy = 0; /* no walls near in y */
+  double hy = 0; /* no walls that touch in y */
   for (int w = 0; w < 4; w++)
     hy = scene->walls[w].ex != 0 && fabs(scene->walls[w].y) < disc->radius ? h : hy;
-  struct place before = {disc->x, 0}, now = {disc->x * (1 - 2 * h * h), disc->vy * dt};
-  double far = fmax(before.x, now.x), most = fracc(h, before, now);
+  struct position before = {disc->x, 0}, now = {disc->x * (1 - 2 * h * h), disc->vy * dt};
+  double largest_x = fmax(before.x, now.x), largest = fracc(h, before, now);
   for (unsigned long n = 1; n < stage->cycles; n++) {
-    const struct place next = {2 * now.x - before.x - 4 * h * h * now.x, 2 * now.y - before.y - 4 * hy * hy * now.y};
+    const struct position next = {2 * now.x - before.x - 4 * h * h * now.x, 2 * now.y - before.y - 4 * hy * hy * now.y};
     before = now, now = next;
-    far = fmax(far, now.x), most = fmax(most, fracc(h, before, now));
+    largest_x = fmax(largest_x, now.x), largest = fmax(largest, fracc(h, before, now));
   }
-  solution_value(solution, most, "step.fracc max");
-  solution_value(solution, far, "D.x max");
-  return solution_full(solution, error);
+  solution_value(solution, largest, "step.fracc max");
+  solution_value(solution, largest_x, "D.x max");
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_fracc = {
     .name = "fracc",
-    .title = "FRACC of a disc that swings between two walls or circles amid four, by the cycle itself",
+    .title =
+        "FRACC of a disc that oscillates between two walls or circles between four, from the recursion of the cycle",
     .source = "[R89 4.35-4.40]",
     .accepts = {HAS_DISCS, HAS_VELOCITIES},
     .needs = {HAS_WALLS},

@@ -1,12 +1,16 @@
-/* Reference: R89's FRACC of a disc at rest, the second of two, that the first one strikes squarely along x.
+/* Reference: R89's FRACC of a disc at rest that another disc strikes squarely along x.
  *
- * The first force F_1 = k a_1 finds it at rest: no way, no FRACC. It makes it move, by F_1 dt^2/M, while the force grows to
+ * The first force F_1 = k a_1 acts on a disc at rest: no displacement, no FRACC. In the next step the disc moves by F_1
+ * dt^2/M while the force grows to
  *
- *   F_2 = k (a_1 + (v - F_1 dt/m_1 - F_1 dt/m_2) dt),      FRACC = (1/2) (|F_2 - F_1|/F_1)^(1/2)         [R89 4.36-4.40]
+ *   F_2 = k (a_1 + (v - F_1 dt/m_1 - F_1 dt/m_2) dt),      FRACC = (1/2) (|F_2 - F_1|/F_1)^(1/2)        [R89 4.36-4.40]
  *
- * the largest of the contact for both discs, as long as the step is short. a_1 is what the way of a whole number of steps leaves
- * above the gap. Known: step.fracc max. Exact but for the rounding of a_1.
- * Range    two like discs, the second at rest, linear springs, no damping, `step F of single-contact`.
+ * This is the largest value of the contact for both discs if the step is short. a_1 is the overlap after the first
+ * whole number of steps that closes the gap.
+ *
+ * Returns step.fracc max.
+ * Accepts two equal discs, the second at rest, linear springs, no damping, `step F of single-contact`. Error: rounding
+ * of a_1.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -19,18 +23,18 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (scene->particle_count != 2 || a->vx <= 0 || b->vx != 0 || a->material != b->material || a->radius < b->radius ||
       a->radius > b->radius || a->vy != 0 || scene->step.kind != NB_STEP_SINGLE_CONTACT)
     return nb_error_set(error, NB_BAD_USE,
-                        "reference fracc_touch is for two like discs, the first of which strikes the second along x");
+                        "reference fracc_touch is for two equal discs, the first of which strikes the second along x");
   const double mass = matter_mass(scene, a), k = matter_pair(scene, a->material, b->material).kn;
   const double step = scene->step.value * 2 * sqrt(mass / k), gap = b->x - a->x - a->radius - b->radius;
   const double first = (floor(gap / (a->vx * step)) + 1) * a->vx * step - gap;
   const double growth = (a->vx - 2 * k * first * step / mass) * step;
   solution_value(solution, sqrt(fabs(growth) / first) / 2, "step.fracc max");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_fracc_touch = {
     .name = "fracc_touch",
-    .title = "FRACC of a disc that is struck, from the first two forces",
+    .title = "FRACC of a disc struck by another one, from the first two forces",
     .source = "[R89 4.35-4.40]",
     .accepts = {HAS_DISCS, HAS_VELOCITIES},
     .normal = "linear",

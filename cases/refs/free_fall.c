@@ -1,18 +1,19 @@
-/* Reference: a body that falls on a wall with a spring and a dashpot, and bounces: piecewise closed form.
+/* Reference: a particle falls on a wall with a spring and a dashpot and bounces: piecewise closed form.
  *
- * u is the height of the centre above the place where the body just touches, v its rate, t from the piece's beginning.
+ * u is the height of the centre above the position where the particle just touches, v its rate, t the time in the
+ * piece.
  *
  *   flight    u = u0 + v0 t - g t^2/2                                            until u = 0
  *   contact   m u'' = -m g - k u - c u',  w^2 = k/m,  b = c/(2 m),  w'^2 = w^2 - b^2
  *             u = -g/w^2 + e^(-b t) (A cos w't + B sin w't),   A = g/w^2,  B = (v0 + b A)/w'
  *             until u = 0 again
  *
- * The dashpot acts, and may pull, as long as the outlines overlap, as the simulator's does. The moment of leaving is found by
- * bisection between the lowest point and the next highest one; when that one is below 0, the body never leaves.
+ * The dashpot acts, and may pull, while the overlap is positive, as in the simulator. The end of a contact is found by
+ * bisection between the lowest point and the next highest one. If u < 0 there, the particle stays in contact.
  *
- * Known, where NAME watches the body and C its contact: NAME.y and NAME.vy along time, C.overlap max.
- * Exact in continuous time. A run finds the beginning of a contact within a step, and there the dashpot's force jumps: of first
- * order in the step with a dashpot, of second without.
+ * Returns, for D that monitors the particle and C its contact:   D.y, D.vy along time; C.overlap max
+ * Exact in continuous time. A run finds the begin of a contact within a step, where the force of a dashpot jumps: first
+ * order in the step with a dashpot, second order without.
  *
  * Source   [MFiX DEM-01], elementary.
  *
@@ -35,7 +36,7 @@ struct fall {
   int count;
 };
 
-static void move(const struct fall *f, const struct piece *piece, double t, double *u, double *v) {
+static void state_in(const struct fall *f, const struct piece *piece, double t, double *u, double *v) {
   if (!piece->touching) {
     *u = piece->u0 + piece->v0 * t - f->g * t * t / 2;
     *v = piece->v0 - f->g * t;
@@ -47,38 +48,38 @@ static void move(const struct fall *f, const struct piece *piece, double t, doub
   *v = fade * ((f->damped * b - f->b * a) * c - (f->damped * a + f->b * b) * s);
 }
 
-/* The first moment after `from` at which u' is 0: the derivative's zeros are half a period apart. */
-static double lowest(const struct fall *f, const struct piece *piece) {
+/* The first time in the piece at which u' is 0. */
+static double lowest_time(const struct fall *f, const struct piece *piece) {
   const double sag = f->g / (f->w * f->w), a = sag + piece->u0, b = (piece->v0 + f->b * a) / f->damped;
   const double angle = atan2(f->damped * b - f->b * a, f->damped * a + f->b * b);
   const double pi = 3.14159265358979323846;
   return (angle > 0 ? angle : angle + pi) / f->damped;
 }
 
-/* How long a piece lasts; INFINITY: for ever. */
+/* s; INFINITY: the piece has no end */
 static double duration(const struct fall *f, const struct piece *piece) {
   if (!piece->touching)
     return f->g > 0 ? (piece->v0 + sqrt(piece->v0 * piece->v0 + 2 * f->g * piece->u0)) / f->g : INFINITY;
-  double low = lowest(f, piece), high = low + 3.14159265358979323846 / f->damped, u, v;
-  move(f, piece, high, &u, &v);
+  double low = lowest_time(f, piece), high = low + 3.14159265358979323846 / f->damped, u, v;
+  state_in(f, piece, high, &u, &v);
   if (!(u > 0))
     return INFINITY;
   for (int n = 0; n < 200; n++) {
     const double middle = low + (high - low) / 2;
-    move(f, piece, middle, &u, &v);
+    state_in(f, piece, middle, &u, &v);
     *(u > 0 ? &high : &low) = middle;
   }
   return high;
 }
 
-static void fall_on(struct fall *f, double height) {
+static void find_pieces(struct fall *f, double height) {
   struct piece *piece = &f->pieces[0];
   *piece = (struct piece){.u0 = height};
   f->count = 1;
   for (double last = duration(f, piece); isfinite(last) && f->count < PIECES; last = duration(f, piece)) {
     struct piece next = {.begin = piece->begin + last, .touching = !piece->touching};
     double u;
-    move(f, piece, last, &u, &next.v0);
+    state_in(f, piece, last, &u, &next.v0);
     piece = &f->pieces[f->count++];
     *piece = next;
   }
@@ -88,7 +89,7 @@ static void at(const struct fall *f, double t, double *u, double *v) {
   int k = 0;
   while (k + 1 < f->count && f->pieces[k + 1].begin <= t)
     k++;
-  move(f, &f->pieces[k], t - f->pieces[k].begin, u, v);
+  state_in(f, &f->pieces[k], t - f->pieces[k].begin, u, v);
 }
 
 static double y_at(const void *data, double t) {
@@ -106,7 +107,7 @@ static double vy_at(const void *data, double t) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct single particle;
-  if (single_of(&particle, scene, error))
+  if (single_read(&particle, scene, error))
     return error->status;
   if (scene->gravity.x != 0 || particle.height < particle.radius)
     return nb_error_set(error, NB_BAD_USE, "free_fall is for a body dropped straight down, from rest, above the wall");
@@ -116,20 +117,20 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct fall fall = {
       .g = particle.gravity_n, .w = w, .b = b, .damped = sqrt(w * w - b * b), .radius = particle.radius};
   fall.floor = scene->walls[0].y;
-  fall_on(&fall, particle.height - particle.radius);
+  find_pieces(&fall, particle.height - particle.radius);
   single_curve(solution, particle.particle, "y", y_at, &fall, sizeof fall);
   single_curve(solution, particle.particle, "vy", vy_at, &fall, sizeof fall);
   if (fall.count > 1) {
     double u, v;
-    move(&fall, &fall.pieces[1], lowest(&fall, &fall.pieces[1]), &u, &v);
+    state_in(&fall, &fall.pieces[1], lowest_time(&fall, &fall.pieces[1]), &u, &v);
     single_add(solution, particle.contact, "overlap max", NULL, -u);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_free_fall = {
     .name = "free_fall",
-    .title = "fall, bounce on a spring and a dashpot, flight: piecewise closed form",
+    .title = "free fall and bouncing on a spring and a dashpot: piecewise closed form",
     .source = "[MFiX DEM-01]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_CONTACT_DAMPING, HAS_UNTIL},
     .needs = {HAS_WALLS, HAS_GRAVITY},

@@ -1,9 +1,10 @@
-/* Two elastic spheres, or a sphere and a wall, that meet head-on: read from the scene.
+/* Head-on impact of two elastic spheres, or of a sphere and a wall: read from the scene.
  *
  *   m* = 1/(1/m_1 + 1/m_2),   R* = 1/(1/R_1 + 1/R_2),   K = (4/3) E* R*^(1/2)           a wall: m_2 and R_2 infinite
  *   alpha* = (5 m* V_N^2/(4 K))^(2/5)                                                    [R89 5.9]
  *   T_c = 2 (alpha* / V_N) Int_0^1 ds/(1 - s^(5/2))^(1/2) = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) alpha* / V_N
  *                                                                                        [R89 5.11, 5.12]
+ *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "hertz.h"
 
@@ -13,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-double hertz_time(void) { return 4 * sqrt(M_PI) / 5 * gsl_sf_gamma(0.4) / gsl_sf_gamma(0.9); }
+double hertz_duration_factor(void) { return 4 * sqrt(M_PI) / 5 * gsl_sf_gamma(0.4) / gsl_sf_gamma(0.9); }
 
 double hertz_restitution(double beta) {
   const double square = 1.2 * beta * beta;
@@ -29,11 +30,11 @@ double hertz_force(const struct hertz *hertz, double overlap) {
   return overlap > 0 ? hertz->k * overlap * sqrt(overlap) : 0;
 }
 
-static enum nb_status refuse(const char *who, const char *what, struct nb_error *error) {
-  return nb_error_set(error, NB_BAD_USE, "%s is for %s", who, what);
+static enum nb_status refuse(const char *reference, const char *what, struct nb_error *error) {
+  return nb_error_set(error, NB_BAD_USE, "%s is for %s", reference, what);
 }
 
-/* Whether the wall keeps its velocity. */
+/* Whether the wall has a constant velocity. */
 static bool steady(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].motion_count)
@@ -41,11 +42,11 @@ static bool steady(const struct nb_scene *scene) {
   return true;
 }
 
-/* From the first to what it meets: m_2, R_2, and the distance at which they touch; false when they do not meet head-on. */
-static bool meet(struct hertz *hertz, const struct nb_wall *wall) {
+/* Direction, speed and begin of the impact; false: it is not head-on. */
+static bool read_impact(struct hertz *hertz, const struct nb_wall *wall) {
   const struct nb_particle *a = hertz->particles[0], *b = hertz->particles[1];
   double x = b ? b->x - a->x : wall->x - a->x, y = b ? b->y - a->y : wall->y - a->y;
-  if (wall) { /* the foot of the perpendicular, which must be on the wall */
+  if (wall) { /* the foot of the perpendicular must lie on the wall */
     const double s = -(x * wall->ex + y * wall->ey);
     if (!(s > wall->h1 && s < wall->h2) || wall->spin != 0 || wall->h0 != 0)
       return false;
@@ -61,20 +62,21 @@ static bool meet(struct hertz *hertz, const struct nb_wall *wall) {
          (!b || b->spin == 0) && gap > -1e-12 * a->radius;
 }
 
-/* What is left to work out when masses, moduli and speed are known. */
+/* The rest, once masses, moduli and speed are known. */
 static void solve_equations(struct hertz *hertz) {
   hertz->k = 4. / 3 * hertz->young * sqrt(hertz->radius);
   hertz->depth = pow(5 * hertz->mass * hertz->speed * hertz->speed / (4 * hertz->k), 0.4);
   hertz->unit = hertz->depth / hertz->speed;
-  hertz->duration = hertz_time() * hertz->unit;
+  hertz->duration = hertz_duration_factor() * hertz->unit;
 }
 
-enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const char *who, struct nb_error *error) {
+enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, const char *reference,
+                          struct nb_error *error) {
   if (scene->particle_count + scene->wall_count != 2 || scene->particle_count < 1 || scene->particles[0].fixed ||
       scene->particles[0].shape != NB_SPHERE)
-    return refuse(who, "a free sphere and what it strikes: another sphere or a wall", error);
+    return refuse(reference, "a free sphere and what it strikes: another sphere or a wall", error);
   if (!steady(scene))
-    return refuse(who, "a wall whose velocity no stage changes", error);
+    return refuse(reference, "a wall whose velocity no stage changes", error);
   const struct nb_particle *a = &scene->particles[0], *b = scene->particle_count == 2 ? &scene->particles[1] : NULL;
   const struct nb_wall *wall = b ? NULL : &scene->walls[0];
   *hertz = (struct hertz){.particles = {a, b}, .scene = scene};
@@ -82,13 +84,13 @@ enum nb_status hertz_of(struct hertz *hertz, const struct nb_scene *scene, const
   hertz->radius = matter_radius(a->radius, b ? b->radius : INFINITY);
   hertz->young = matter_pair(scene, a->material, b ? b->material : wall->material).young;
   if (!(hertz->young > 0) || !isfinite(hertz->young) || (b && b->shape != NB_SPHERE))
-    return refuse(who, "elastic spheres, whose materials say `young`", error);
-  if (!meet(hertz, wall))
-    return refuse(who, "bodies without spin that meet head-on and do not overlap at first", error);
+    return refuse(reference, "elastic spheres, whose materials have `young`", error);
+  if (!read_impact(hertz, wall))
+    return refuse(reference, "particles without spin that collide head-on and do not overlap at first", error);
   solve_equations(hertz);
   hertz->step = scene->step.kind == NB_STEP_COLLISION ? scene->step.value * hertz->duration : scene->step.value;
   if (scene->step.kind != NB_STEP_TIME && scene->step.kind != NB_STEP_COLLISION)
-    return refuse(who, "a step that is a time or a share of the contact's duration", error);
+    return refuse(reference, "a step that is a time or a fraction of the duration of the collision", error);
   if (scene->impact.line)
     hertz->begin += scene->impact.phase * hertz->step;
   nb_damping_at(&scene->damping, wall != NULL, &hertz->damping);
@@ -115,14 +117,10 @@ void hertz_add(struct nb_solution *solution, const struct hertz *hertz, const ch
 void hertz_curve(struct nb_solution *solution, const struct hertz *hertz, const char *what, const char *along,
                  double (*at)(const void *data, double x), const void *data, size_t size) {
   const char *contact = contact_of(hertz);
-  const bool timely = strcmp(along, "time") == 0;
+  const bool time = strcmp(along, "time") == 0;
   char name[2 * NB_NAME_SIZE], column[2 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%.*s.%s", NB_NAME_SIZE, contact ? contact : "", what);
-  snprintf(column, sizeof column, "%.*s%s%s", NB_NAME_SIZE,
-           timely    ? ""
-           : contact ? contact
-                     : "",
-           timely ? "" : ".", along);
+  snprintf(column, sizeof column, "%.*s%s%s", NB_NAME_SIZE, time ? "" : contact ? contact : "", time ? "" : ".", along);
   if (!contact)
     return;
   void *copy = malloc(size);

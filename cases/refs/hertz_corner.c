@@ -6,7 +6,7 @@
 
 #include "hertz_corner.h"
 
-/* zeta(-3/2, a), a > 0: ten terms, and the rest by Euler and Maclaurin; error below 1e-9. */
+/* zeta(-3/2, a), a > 0: ten terms, and the rest by Euler-Maclaurin; error below 1e-9. */
 static double zeta(double a) {
   enum { TERMS = 10 };
   double sum = 0;
@@ -16,9 +16,9 @@ static double zeta(double a) {
   return sum - pow(x, 2.5) / 2.5 + pow(x, 1.5) / 2 - sqrt(x) / 8 - pow(x, -1.5) / 1920;
 }
 
-double hertz_sooner(double fraction) { return 11. / 96 * fraction * gsl_sf_beta(1.6, 0.5); }
+double hertz_shortening(double fraction) { return 11. / 96 * fraction * gsl_sf_beta(1.6, 0.5); }
 
-double hertz_gain(double fraction, double in, double steps) {
-  const double out = in + steps - hertz_sooner(fraction);
+double hertz_restitution_error(double fraction, double in, double steps) {
+  const double out = in + steps - hertz_shortening(fraction);
   return 1.25 * pow(fraction, 2.5) * (zeta(out - floor(out)) - zeta(ceil(in) - in));
 }

@@ -1,19 +1,19 @@
 /* Reference: Hertz's impact of two elastic spheres, or of a sphere on a wall: quadrature and its inverse.
  *
  *   alpha* = (5 m* V_N^2/(4 K))^(2/5),   N* = K alpha*^(3/2)                                    [R89 5.5, 5.9]
- *   t = (alpha* / V_N) Int_0^(alpha/alpha*) ds/(1 - s^(5/2))^(1/2),   then the same way back     [R89 5.10]
+ *   t = (alpha* / V_N) Int_0^(alpha/alpha*) ds/(1 - s^(5/2))^(1/2),   then symmetric             [R89 5.10]
  *   T_c = 2.9432751843247047 alpha* / V_N                                                        [R89 5.12]
  *
- * The integrand has no bound where the spheres stop. With s^(5/4) = sin(theta) it is
+ * The integrand is singular at the largest overlap. With s^(5/4) = sin(theta) it becomes
  *
  *   t = (4/5) (alpha* / V_N) Int_0^theta theta^(-1/5) (theta/sin(theta))^(1/5) dtheta,     theta up to pi/2,
  *
- * a weight and a function without corners: Gauss and Jacobi's rule of twenty points gives it to rounding. alpha(t) is its
- * root, by Brent's method.
+ * a weight and a smooth function: a Gauss-Jacobi rule of twenty points gives it to rounding. alpha(t) is its root, by
+ * Brent's method.
  *
- * Known, where C is the watched contact and t_0 the moment of first touch, which the page chooses:
- *   C.overlap max, C.normal max;   C.normal along C.overlap;   C.overlap and C.normal along time, and in STAGE at its end, where the page says
- *   its number of cycles
+ * Returns, for C that monitors the contact:
+ *   C.overlap max, C.normal max;   C.normal along C.overlap;   C.overlap, C.normal along time
+ *   C.overlap, C.normal in STAGE   at the end of a stage of a given number of cycles
  *   impact.duration = T_c,  impact.restitution = 1
  * Exact in continuous time.
  *
@@ -29,23 +29,23 @@
 
 enum { POINTS = 20 };
 
-struct wanted {
+struct instant {
   const gsl_integration_fixed_workspace *rule; /* on 0 to 1 with the weight x^(-1/5) */
   double time;                                 /* t V_N/alpha* */
 };
 
-/* t V_N/alpha* of the way in to theta, less the time wanted. */
-static double late(double theta, void *data) {
-  const struct wanted *wanted = data;
-  const double *x = gsl_integration_fixed_nodes(wanted->rule), *w = gsl_integration_fixed_weights(wanted->rule);
+/* t V_N/alpha* of loading up to theta, less that of the instant. */
+static double time_difference(double theta, void *data) {
+  const struct instant *instant = data;
+  const double *x = gsl_integration_fixed_nodes(instant->rule), *w = gsl_integration_fixed_weights(instant->rule);
   double sum = 0;
   for (int k = 0; k < POINTS; k++)
     sum += w[k] * (theta > 0 ? pow(theta * x[k] / sin(theta * x[k]), 0.2) : 1);
-  return 0.8 * pow(theta, 0.8) * sum - wanted->time;
+  return 0.8 * pow(theta, 0.8) * sum - instant->time;
 }
 
-static double root(struct wanted *wanted) {
-  gsl_function f = {late, wanted};
+static double root(struct instant *instant) {
+  gsl_function f = {time_difference, instant};
   gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
   if (!solver)
     return NAN;
@@ -60,25 +60,25 @@ static double root(struct wanted *wanted) {
   return theta;
 }
 
-/* alpha/alpha* at t V_N/alpha* since first touch. */
-static double way_in(double time) {
-  const double whole = hertz_time();
-  struct wanted wanted = {.time = time > whole / 2 ? whole - time : time};
-  if (!(wanted.time > 0))
+/* alpha/alpha* at t V_N/alpha* since first contact. */
+static double relative_overlap(double time) {
+  const double whole = hertz_duration_factor();
+  struct instant instant = {.time = time > whole / 2 ? whole - time : time};
+  if (!(instant.time > 0))
     return 0;
   gsl_integration_fixed_workspace *rule =
       gsl_integration_fixed_alloc(gsl_integration_fixed_jacobi, POINTS, 0, 1, 0, -0.2);
   if (!rule)
     return NAN;
-  wanted.rule = rule;
-  const double theta = late(M_PI / 2, &wanted) > 0 ? root(&wanted) : M_PI / 2;
+  instant.rule = rule;
+  const double theta = time_difference(M_PI / 2, &instant) > 0 ? root(&instant) : M_PI / 2;
   gsl_integration_fixed_free(rule);
   return pow(sin(theta), 0.8);
 }
 
 static double overlap_at(const void *data, double t) {
   const struct hertz *hertz = data;
-  return hertz->depth * way_in((t - hertz->begin) / hertz->unit);
+  return hertz->depth * relative_overlap((t - hertz->begin) / hertz->unit);
 }
 static double normal_at(const void *data, double t) { return hertz_force(data, overlap_at(data, t)); }
 
@@ -86,7 +86,7 @@ static double normal_on(const void *data, double overlap) { return hertz_force(d
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct hertz hertz;
-  if (hertz_of(&hertz, scene, "hertz_impact", error))
+  if (hertz_read(&hertz, scene, "hertz_impact", error))
     return error->status;
   hertz_curve(solution, &hertz, "overlap", "time", overlap_at, &hertz, sizeof hertz);
   hertz_curve(solution, &hertz, "normal", "time", normal_at, &hertz, sizeof hertz);
@@ -94,7 +94,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   hertz_add_stages(solution, &hertz, overlap_at, &hertz, hertz.depth, hertz.begin + hertz.duration / 2);
   solution_value(solution, hertz.duration, "impact.duration");
   solution_value(solution, 1, "impact.restitution");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_hertz_impact = {
@@ -102,7 +102,7 @@ const struct nb_reference reference_hertz_impact = {
     .title = "two elastic spheres, or a sphere and a wall, head-on: alpha(t) by quadrature and its inverse",
     .source = "[R89 5.5-5.12]",
     .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
-    .normal = "hertz hertz_increment", /* R89's sum of increments, which is meant to miss */
+    .normal = "hertz hertz_increment", /* R89's sum of increments is expected to deviate */
     .shear = "none",
     .solve = solve,
 };

@@ -1,27 +1,28 @@
-/* Reference: what Hertz's force by increments loses in an impact, to first order in the step.
+/* Reference: the error of Hertz's force by increments in an impact, to first order in the step.
  *
- *   N <- N + 2 E* a dn,   a = (3 N R* / (4 E*))^(1/3) of before the step                             [R89 4.12, 4.14]
+ *   N <- N + 2 E* a dn,   a = (3 N R* / (4 E*))^(1/3) from before the step                           [R89 4.12, 4.14]
  *
- * is Euler's rule for dN/d(alpha) = c N^(1/3). Euler's rule follows, to the next order, another equation: with v = |alpha'|
+ * is Euler's rule for dN/d(alpha) = c N^(1/3). To the next order Euler's rule solves another equation: with v =
+ * |alpha'|
  *
- *   dN/d(alpha) = c N^(1/3) -+ (dt v/2) (c^2/3) N^(-1/3)            - on the way in, + on the way out
+ *   dN/d(alpha) = c N^(1/3) -+ (dt v/2) (c^2/3) N^(-1/3)            - in loading, + in unloading
  *
- * and N^(2/3) instead of N makes it one that can be integrated at sight: going in and coming out at the same overlap, N differs by
- * what v/alpha gathers between them. The area of the loop is the work lost,
+ * In N^(2/3) it can be integrated: at the same overlap, N in loading and unloading differ by the integral of v/alpha
+ * between them. The area of the loop is the work lost,
  *
  *   (K/2) dt Int_0^alpha* alpha^(1/2) v d(alpha),    v = V_N (1 - (alpha/alpha*)^(5/2))^(1/2)
  *
- * which is (5/2) dt V_N/alpha* (2/5) B(3/5, 3/2) of m* V_N^2/2, half of that, for e = 1 - half of the share lost:
+ * which is the fraction (dt V_N/alpha*) B(3/5, 3/2)/2 of m* V_N^2/2. So e = 1 - half the fraction lost:
  *
  *   e = 1 - (1/4) B(3/5, 3/2) V_N dt/alpha* = 1 - 0.92797/n,        n = T_c/dt
  *
- * The work of the way in, Int N d(alpha), is m* V_N^2/2 whatever the law is. With d(alpha)/dN of the same equation that gives the
- * largest force, less than Hertz's by (dt/6) Int v dN over d(work)/dN = (2/3) alpha*:
+ * The work of loading, Int N d(alpha), is m* V_N^2/2 for any law. With d(alpha)/dN of the same equation this gives the
+ * largest force, lower than Hertz's by (dt/6) Int v dN over d(work)/dN = (2/3) alpha*:
  *
  *   N_max = N* (1 - (3/20) B(3/5, 3/2) V_N dt/alpha*) = N* (1 - 0.55678/n)
  *
- * Known: impact.restitution; for a watch C of the contact, C.normal max in the first stage, which must hold it. The next order is of
- * 1/n^2. Depth and duration go as log(n)/n and are not known.
+ * Returns impact.restitution and, for C that monitors the contact, C.normal max in the first stage, which must contain
+ * it. Depth and duration have errors of log(n)/n and are not returned. Error: 1/n^2.
  *
  * Source   [R89 4.11-4.14]; e and N_max derived here.
  *
@@ -33,19 +34,19 @@
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct hertz hertz;
-  if (hertz_of(&hertz, scene, "hertz_increment", error))
+  if (hertz_read(&hertz, scene, "hertz_increment", error))
     return error->status;
   const double fraction = gsl_sf_beta(0.6, 1.5) * hertz.step / hertz.unit;
   char what[2 * NB_NAME_SIZE];
   snprintf(what, sizeof what, "normal max in %s", scene->stages[0].name);
   hertz_add(solution, &hertz, what, hertz_force(&hertz, hertz.depth) * (1 - 0.15 * fraction));
   solution_value(solution, 1 - fraction / 4, "impact.restitution");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_hertz_increment = {
     .name = "hertz_increment",
-    .title = "what R89's increments of Hertz's force lose in an impact, to first order in the step",
+    .title = "energy lost by R89's increments of Hertz's force in an impact, to first order in the step",
     .source = "[R89 4.11-4.14]",
     .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_IMPACT, HAS_WALLS, HAS_MOVING_WALLS, HAS_UNTIL},
     .normal = "hertz_increment",

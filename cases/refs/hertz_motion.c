@@ -1,4 +1,4 @@
-/* The equation of hertz_motion.h, and GSL.
+/* The equation of hertz_motion.h, integrated by GSL.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_errno.h>
@@ -10,12 +10,12 @@
 
 struct motion {
   double drag; /* (15/2)^(1/2) beta */
-  int along;   /* which unknown is integrated along */
+  int along;   /* the unknown that the equations are integrated over */
 };
 
 static int slope(double x, const double y[], double dydx[], void *data) {
   const struct motion *motion = data;
-  const double s = y[HERTZ_WAY] > 0 ? y[HERTZ_WAY] : 0, root = sqrt(s), v = y[HERTZ_SPEED];
+  const double s = y[HERTZ_OVERLAP] > 0 ? y[HERTZ_OVERLAP] : 0, root = sqrt(s), v = y[HERTZ_SPEED];
   const double rate[HERTZ_UNKNOWNS] = {1, v, -1.25 * s * root - motion->drag * sqrt(root) * v};
   (void)x;
   for (int k = 0; k < HERTZ_UNKNOWNS; k++)
@@ -23,7 +23,7 @@ static int slope(double x, const double y[], double dydx[], void *data) {
   return GSL_SUCCESS;
 }
 
-bool hertz_go(double y[], double beta, int along, double to) {
+bool hertz_integrate(double y[], double beta, int along, double to) {
   struct motion motion = {sqrt(7.5) * beta, along};
   gsl_odeiv2_system system = {slope, NULL, HERTZ_UNKNOWNS, &motion};
   double x = y[along];
@@ -31,21 +31,21 @@ bool hertz_go(double y[], double beta, int along, double to) {
     return true;
   gsl_odeiv2_driver *driver =
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, copysign(1e-6, to - x), 1e-13, 0);
-  const bool removed = driver && !gsl_odeiv2_driver_set_nmax(driver, 100000) &&
-                       gsl_odeiv2_driver_apply(driver, &x, to, y) == GSL_SUCCESS;
+  const bool solved = driver && !gsl_odeiv2_driver_set_nmax(driver, 100000) &&
+                      gsl_odeiv2_driver_apply(driver, &x, to, y) == GSL_SUCCESS;
   if (driver)
     gsl_odeiv2_driver_free(driver);
   y[along] = to;
-  return removed;
+  return solved;
 }
 
-bool hertz_tick(double y[], double beta, double fraction, double lowest[]) {
+bool hertz_advance(double y[], double beta, double time, double deepest[]) {
   double before[HERTZ_UNKNOWNS];
   memcpy(before, y, sizeof before);
-  if (!hertz_go(y, beta, HERTZ_TIME, y[HERTZ_TIME] + fraction))
+  if (!hertz_integrate(y, beta, HERTZ_TIME, y[HERTZ_TIME] + time))
     return false;
   if (!(before[HERTZ_SPEED] > 0) || y[HERTZ_SPEED] > 0)
     return true;
-  memcpy(lowest, before, sizeof before);
-  return hertz_go(lowest, beta, HERTZ_SPEED, 0);
+  memcpy(deepest, before, sizeof before);
+  return hertz_integrate(deepest, beta, HERTZ_SPEED, 0);
 }

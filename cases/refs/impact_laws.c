@@ -1,16 +1,17 @@
-/* Simplified laws in an oblique impact, each as the ordinary differential equation that it is in the limit of small steps.
+/* Simplified shear laws in an oblique impact, each as an ordinary differential equation: its limit for small steps.
  *
- *   mindlin          df = (3/2) xi^(1/2) dd                                   dT = 8 G* a d(delta): no slip but as a whole
- *   mindlin_scaled   and besides df = f dxi/(2 xi) while xi falls              T goes with a when N falls
- *   randall          df = (3/2) xi^(1/2) theta dd +- (1 - theta) dn            two reversals remembered [R89 3.94]
- *   linear           df = k dd                                                dT = k_s d(delta), k = k_s kappa alpha_max/N_max
+ *   mindlin          df = (3/2) xi^(1/2) dd                                   dT = 8 G* a d(delta), without partial
+ *                    slip
+ *   mindlin_scaled   and in addition df = f dxi/(2 xi) while xi decreases      T proportional to a while N decreases
+ *   randall          df = (3/2) xi^(1/2) theta dd +- (1 - theta) dn            two reversals stored [R89 3.94]
+ *   linear           df = k dd                                         dT = k_s d(delta), k = k_s kappa alpha_max/N_max
  *   none             f = 0
  *
- * all with |f| <= n = xi^(3/2), Coulomb's law. In the scale of impact_springs.h, where the step of slip beside which a new ring
- * sticks, mu dN/(8 G* a), is dxi.
+ * all with |f| <= n = xi^(3/2), Coulomb's law. In the units of impact_springs.h a new ring sticks at increments of slip
+ * up to mu dN/(8 G* a) = dxi.
  *
- * Leapfrog; f and n at the end of a step, xi at its middle: of first order where f or theta are in the law, which is taken out of
- * what is known of the end by a second run with half of the steps.
+ * Leapfrog, with f and n at the end of a step and xi at its middle. The error is first order where the law contains f
+ * or theta. A second run with half the steps removes it from the values at the end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -19,39 +20,40 @@
 
 #include "impact_springs.h"
 
-/* One step: slip dd, approach dxi, and where they lead. */
+/* One step: the force before it, the slip dd, the approach dxi, and n after it. */
 struct step {
-  double f, dd, dxi, n, dn, root; /* root: xi^(1/2) at its middle */
+  double f, dd, dxi, n, dn, root; /* root: xi^(1/2) at the middle */
   double spring;                  /* k_s kappa alpha_max/N_max */
 };
 
-/* What a law remembers; only `randall` does. */
-struct memory {
+/* The history of `randall`; the other laws have none. */
+struct history {
   double sense;   /* of the loading: 1, -1; the text's CDF */
-  bool unloading; /* UFL = -1; what an impact does not do, reloading, counts as loading */
-  double star;    /* T*, the force at the reversal, and what has become of it */
-  double deficit; /* DD, slip that the rings which stuck still have to make up for */
+  bool unloading; /* UFL = -1; reloading does not occur in an impact and counts as loading */
+  double star;    /* T*, the force at the reversal, updated as N changes */
+  double deficit; /* DD, the slip missing on rings that stuck */
 };
 
-static double none(struct step s, struct memory *m) { return (void)m, 0 * s.f; }
+static double none(struct step s, struct history *m) { return (void)m, 0 * s.f; }
 
-static double linear(struct step s, struct memory *m) { return (void)m, s.f + s.spring * s.dd; }
+static double linear(struct step s, struct history *m) { return (void)m, s.f + s.spring * s.dd; }
 
-static double mindlin(struct step s, struct memory *m) { return (void)m, s.f + 1.5 * s.root * s.dd; }
+static double mindlin(struct step s, struct history *m) { return (void)m, s.f + 1.5 * s.root * s.dd; }
 
-static double mindlin_scaled(struct step s, struct memory *m) {
+static double mindlin_scaled(struct step s, struct history *m) {
   const double before = s.n - s.dn;
   return mindlin(s, m) + (s.dn < 0 ? cbrt(s.n / before) - 1 : 0) * s.f;
 }
 
-/* In the reading that agrees best with the exact contact (R89's THETA, and what must be read into it). */
-static double randall(struct step s, struct memory *m) {
+/* R89's THETA in the interpretation that agrees best with the exact contact. */
+static double randall(struct step s, struct history *m) {
   if (m->sense == 0)
     m->sense = s.dd < 0 ? -1 : 1;
   if (m->unloading)
     m->star += m->sense * s.dn; /* 4.20 */
   double slip = (m->unloading ? -m->sense : m->sense) * s.dd;
-  if (slip < 0 && -slip > -s.dxi) { /* while N falls slip goes on, unless the motion turns faster than that */
+  if (slip < 0 &&
+      -slip > -s.dxi) { /* a reversal: while N decreases, slip continues unless the motion reverses faster */
     m->unloading = !m->unloading;
     m->star = s.f + m->sense * s.dn;
     m->deficit = 0;
@@ -66,24 +68,24 @@ static double randall(struct step s, struct memory *m) {
   return s.f + 1.5 * s.root * theta * s.dd + (m->unloading ? -1 : 1) * m->sense * (1 - theta) * s.dn;
 }
 
-/* What makes it forget: sliding; a reversal undone in full, or one whose ring has left the contact. */
-static void forget(struct memory *m, double f, bool slides) {
+/* Drops history: by sliding, by a reversal that is fully undone, or by one whose ring has left the contact. */
+static void drop_history(struct history *m, double f, bool slides) {
   if (slides)
-    *m = (struct memory){.sense = copysign(1, f)};
+    *m = (struct history){.sense = copysign(1, f)};
   else if (m->unloading && (m->star * m->sense <= 0 || f * m->sense <= -m->star * m->sense))
-    *m = (struct memory){.sense = -m->sense};
+    *m = (struct history){.sense = -m->sense};
   else if (m->unloading && (m->star - f) * m->sense <= 0)
-    *m = (struct memory){.sense = m->sense};
+    *m = (struct history){.sense = m->sense};
 }
 
 static const struct {
   const char *name;
-  double (*force)(struct step s, struct memory *m);
+  double (*force)(struct step s, struct history *m);
 } laws[] = {
     {"none", none}, {"linear", linear}, {"mindlin", mindlin}, {"mindlin_scaled", mindlin_scaled}, {"randall", randall}};
 enum { LAWS = sizeof laws / sizeof *laws };
 
-static int find(const char *law) {
+static int index_of(const char *law) {
   int k = 0;
   while (k < LAWS && strcmp(laws[k].name, law) != 0)
     k++;
@@ -92,15 +94,16 @@ static int find(const char *law) {
 
 static bool run(struct impact_path *path, int which, double spring, double chi, double psi1, int steps) {
   const double dt = IMPACT_DURATION / steps;
-  struct memory memory = {0};
+  struct history history = {0};
   if (!impact_path_create(path, steps))
     return false;
   double psi = psi1;
   for (int k = 0; k < steps; k++) {
-    const double from = path->xi[k], to = path->xi[k + 1], f = path->f[k], n = to * sqrt(to);
+    const double before = path->xi[k], after = path->xi[k + 1], f = path->f[k], n = after * sqrt(after);
     psi -= 2.5 * chi * f * (k ? dt : dt / 2);
-    const struct step step = {f, psi * dt, to - from, n, n - from * sqrt(from), sqrt((from + to) / 2), spring};
-    const double elastic = laws[which].force(step, &memory);
+    const struct step step = {f,     psi * dt, after - before, n, n - before * sqrt(before), sqrt((before + after) / 2),
+                              spring};
+    const double elastic = laws[which].force(step, &history);
     const bool slides = fabs(elastic) > n;
     path->f[k + 1] = slides ? copysign(n, elastic) : elastic;
     path->d[k + 1] = path->d[k] + step.dd;
@@ -108,16 +111,16 @@ static bool run(struct impact_path *path, int which, double spring, double chi, 
     if (slides)
       path->slid += (f + path->f[k + 1]) / 2 * (elastic - path->f[k + 1]) /
                     (laws[which].force == linear ? spring : 1.5 * step.root);
-    forget(&memory, path->f[k + 1], slides);
+    drop_history(&history, path->f[k + 1], slides);
   }
   path->psi2 = psi;
   return true;
 }
 
-/* Twice, for 2 b - a has no error of first order. */
+/* Two runs: 2 b - a has no first-order error. */
 bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps) {
   struct impact_path coarse;
-  const int which = find(law);
+  const int which = index_of(law);
   bool made = run(&coarse, which, spring, chi, psi1, steps / 2);
   made = run(path, which, spring, chi, psi1, steps) && made;
   path->psi2 += path->psi2 - coarse.psi2;

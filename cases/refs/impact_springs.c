@@ -1,14 +1,15 @@
-/* The exact contact in an oblique impact, as springs side by side that know nothing of each other.
+/* The exact contact in an oblique impact, as independent springs side by side.
  *
- * A Hertz contact has the same N, T and energy as a row of springs that a parabola is pressed into (Popov and Hess's
- * reduction): the one at y touches while y^2 < xi, its normal force is proportional to xi - y^2, its deflection u to its
- * tangential force, and Coulomb's law holds for each alone:
+ * A Hertz contact has the same N, T and energy as a row of independent springs under a parabolic indenter (method of
+ * dimensionality reduction, Popov and Hess). The spring at y touches while y^2 < xi. Its normal force is proportional
+ * to xi - y^2 and its deflection u to its tangential force; Coulomb's law holds for each spring:
  *
- *   du = dd,   |u| <= xi - y^2,   u = 0 while it does not touch,        f = (3/2) Int_0^sqrt(xi) u dy
+ *   du = dd,   |u| <= xi - y^2,   u = 0 without contact,        f = (3/2) Int_0^sqrt(xi) u dy
  *
- * No ring, no front, no history is in it, only the state of each spring: Cattaneo's and Mindlin's contact under any path of
- * xi and d comes out by itself. If both go along straight lines in a step, u = d clipped at its end is exact; one that begins
- * to touch in the step takes its share of it. Springs at the middles of equal cells; leapfrog in time: second order in both.
+ * The state of the springs is the only history; Cattaneo's and Mindlin's solutions follow from it for any path of xi
+ * and d. If both change linearly in a step, u = d clipped at the end of the step is exact; a spring that begins to
+ * touch in the step takes its fraction of the slip. Springs at the middles of equal cells, leapfrog in time: both
+ * second order.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "impact_springs.h"
@@ -29,9 +30,9 @@ double *impact_approach(int steps) {
   double *xi = calloc((size_t)steps + 1, sizeof *xi), t = 0, y[2] = {0, 1};
   gsl_odeiv2_system system = {accelerate, NULL, 2, NULL};
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-14, 1e-13);
-  for (int k = 1; xi && driver && 2 * k <= steps; k++) { /* the way out is the way in, backwards */
-    const bool removed = gsl_odeiv2_driver_apply(driver, &t, IMPACT_DURATION * k / steps, y) == GSL_SUCCESS;
-    xi[k] = xi[steps - k] = removed ? y[0] : NAN;
+  for (int k = 1; xi && driver && 2 * k <= steps; k++) { /* separation is approach reversed in time */
+    const bool solved = gsl_odeiv2_driver_apply(driver, &t, IMPACT_DURATION * k / steps, y) == GSL_SUCCESS;
+    xi[k] = xi[steps - k] = solved ? y[0] : NAN;
   }
   if (driver)
     gsl_odeiv2_driver_free(driver);
@@ -60,12 +61,11 @@ static int touching(double xi, int springs) {
   return count < springs ? (int)count : springs;
 }
 
-/* The springs after xi has gone from `from` to `to` and d by `slip`; the sum of their forces. *slipped: of the innermost one, which
- * is the last to slip, so that it is the sliding of the contact as a whole. Eight sums, so that the compiler makes them wide. */
-double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *slipped) {
+/* The innermost spring is the last to slip, so its slip is the gross sliding of the contact. Eight sums let the compiler vectorise. */
+double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *sliding) {
   const int before = touching(from, springs), after = touching(to, springs), stay = before < after ? before : after;
   double sum[8] = {0}, all = 0;
-  *slipped = stay > 0 ? u[0] + slip - clip(u[0] + slip, to - depth[0]) : 0;
+  *sliding = stay > 0 ? u[0] + slip - clip(u[0] + slip, to - depth[0]) : 0;
   int i = 0;
   for (; i + 8 <= stay; i += 8)
     for (int k = 0; k < 8; k++)
@@ -88,11 +88,11 @@ bool impact_springs(struct impact_path *path, double chi, double psi1, int steps
     depth[i] = (i + 0.5) / springs * ((i + 0.5) / springs);
   double psi = psi1;
   for (int k = 0; made && k < steps; k++) {
-    double slipped;
+    double sliding;
     psi -= 2.5 * chi * path->f[k] * (k ? dt : dt / 2);
     path->d[k + 1] = path->d[k] + psi * dt;
-    path->f[k + 1] = impact_press(u, depth, springs, path->xi[k], path->xi[k + 1], psi * dt, &slipped);
-    path->slid += slipped * (path->f[k] + path->f[k + 1]) / 2;
+    path->f[k + 1] = impact_press(u, depth, springs, path->xi[k], path->xi[k + 1], psi * dt, &sliding);
+    path->slid += sliding * (path->f[k] + path->f[k + 1]) / 2;
     path->slides[k + 1] = fabs(u[0]) >= path->xi[k + 1] - depth[0];
   }
   path->psi2 = psi; /* f is 0 at the end */
@@ -100,19 +100,19 @@ bool impact_springs(struct impact_path *path, double chi, double psi1, int steps
   return made;
 }
 
-/* (4 b - a)/3, which has no error of second order. */
-static double finer(double coarse, double fine) { return fine + (fine - coarse) / 3; }
+/* Richardson: (4 b - a)/3 has no second-order error. */
+static double extrapolated(double coarse, double fine) { return fine + (fine - coarse) / 3; }
 
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps) {
   struct impact_path coarse;
   bool made = impact_springs(&coarse, chi, psi1, steps / 2);
   made = impact_springs(path, chi, psi1, steps / 2 * 2) && made;
   if (made) {
-    path->psi2 = finer(coarse.psi2, path->psi2);
-    path->slid = finer(coarse.slid, path->slid);
+    path->psi2 = extrapolated(coarse.psi2, path->psi2);
+    path->slid = extrapolated(coarse.slid, path->slid);
     for (int k = 0; k <= coarse.steps; k++) {
-      path->f[2 * k] = finer(coarse.f[k], path->f[2 * k]);
-      path->d[2 * k] = finer(coarse.d[k], path->d[2 * k]);
+      path->f[2 * k] = extrapolated(coarse.f[k], path->f[2 * k]);
+      path->d[2 * k] = extrapolated(coarse.d[k], path->d[2 * k]);
     }
   }
   impact_path_free(&coarse);

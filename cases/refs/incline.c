@@ -1,16 +1,18 @@
-/* Reference: a body on a plane that is tilted: it rolls, or slides and turns. Rigid.
+/* Reference: a rigid particle on a plane whose inclination increases: it rolls, or slides and rotates.
  *
- * Along the plane acts the acceleration p, into it n; q = m R^2/I. Friction F makes m v' = m p - F and R w' = -q F/m, so
+ * p is the acceleration along the plane, n the one into it; q = m R^2/I. Friction F gives m v' = m p - F and R w' = -q
+ * F/m, so
  *
- *   rolling   F = m p/(1 + q),   v' = p q/(1 + q)      as long as F <= mu m n, that is p <= (1 + q) mu n:
+ *   rolling   F = m p/(1 + q),   v' = p q/(1 + q)      while F <= mu m n, that is p <= (1 + q) mu n:
  *                                                      tan of the angle at most 3 mu for a disc, 7/2 mu for a sphere
  *   sliding   F = mu m n,        v' = p - mu n,   R w' = -q mu n
  *
- * p and n go along straight lines while a stage ramps gravity, and stay otherwise: velocities are the areas under them.
+ * p and n change linearly in a stage that ramps gravity, and are constant otherwise. The velocities are their
+ * integrals.
  *
- * Known, where NAME watches the body: NAME.vx and NAME.spin along time, and at the end of every stage.
- * Rigid: with springs the speed lags by the spring's growing stretch, F'/k_s, and swings about it when the tilting ends;
- * a dashpot takes that out.
+ * Returns, for D that monitors the particle:   D.vx, D.spin along time and at the end of each stage
+ * Error: with springs the speed lags by the growing deflection of the spring, F'/k_s, and oscillates about it when the
+ * ramp ends; a dashpot damps that.
  *
  * Source   elementary.
  *
@@ -25,16 +27,16 @@ struct plane {
   double q, mu, radius;
   int count;
   double begin[STAGES + 1];          /* s */
-  double p[STAGES][2], n[STAGES][2]; /* at the begin and at the end of each stage, m/s2 */
+  double p[STAGES][2], n[STAGES][2]; /* at the begin and the end of each stage, m/s2 */
 };
 
-/* Area under p and n from the begin of a stage to `share` of it, as times of its length. */
-static double area(const double ends[2], double fraction) {
+/* Integral from the begin of a stage to a fraction of it, over its length. */
+static double integral(const double ends[2], double fraction) {
   return fraction * (ends[0] + (ends[1] - ends[0]) * fraction / 2);
 }
 
-/* Where in a stage p exceeds (1 + q) mu n: share of its length; 1: nowhere. */
-static double slides_from(const struct plane *f, int s) {
+/* The fraction of a stage at which p exceeds (1 + q) mu n; 1: nowhere. */
+static double sliding_begin(const struct plane *f, int s) {
   const double first = f->p[s][0] - (1 + f->q) * f->mu * f->n[s][0],
                last = f->p[s][1] - (1 + f->q) * f->mu * f->n[s][1];
   if (first > 0)
@@ -47,11 +49,11 @@ static void velocities(const struct plane *f, double t, double *v, double *spin)
   *v = 0;
   for (int s = 0; s < f->count && t > f->begin[s]; s++) {
     const double length = f->begin[s + 1] - f->begin[s];
-    const double fraction = t < f->begin[s + 1] ? (t - f->begin[s]) / length : 1, slides = slides_from(f, s);
+    const double fraction = t < f->begin[s + 1] ? (t - f->begin[s]) / length : 1, slides = sliding_begin(f, s);
     const double rolls = fraction < slides ? fraction : slides;
-    const double down = length * (area(f->p[s], fraction) - area(f->p[s], rolls));
-    const double grip = f->mu * length * (area(f->n[s], fraction) - area(f->n[s], rolls));
-    const double rolled = length * area(f->p[s], rolls) * f->q / (1 + f->q);
+    const double down = length * (integral(f->p[s], fraction) - integral(f->p[s], rolls));
+    const double grip = f->mu * length * (integral(f->n[s], fraction) - integral(f->n[s], rolls));
+    const double rolled = length * integral(f->p[s], rolls) * f->q / (1 + f->q);
     *v += rolled + down - grip;
     w -= (rolled + f->q * grip) / f->radius;
   }
@@ -69,13 +71,13 @@ static double spin_at(const void *data, double t) {
   return spin;
 }
 
-/* Once it slides it must go on sliding: a body that would roll again is not for this reference. */
-static bool goes_on(const struct plane *f) {
+/* The reference does not cover a particle that rolls again after sliding. */
+static bool slides_to_the_end(const struct plane *f) {
   bool slides = false;
   for (int s = 0; s < f->count; s++) {
-    if (slides && slides_from(f, s) > 0)
+    if (slides && sliding_begin(f, s) > 0)
       return false;
-    slides = slides || slides_from(f, s) < 1;
+    slides = slides || sliding_begin(f, s) < 1;
     if (slides && !(f->p[s][1] > (1 + f->q) * f->mu * f->n[s][1]))
       return false;
   }
@@ -100,23 +102,24 @@ static bool read_stages(struct plane *f, const struct nb_scene *scene, double st
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct single particle;
-  if (single_of(&particle, scene, error))
+  if (single_read(&particle, scene, error))
     return error->status;
   struct plane plane = {.q = particle.q, .mu = particle.pair.friction, .radius = particle.radius};
-  if (!read_stages(&plane, scene, particle.step) || !goes_on(&plane))
-    return nb_error_set(error, NB_BAD_USE, "incline is for stages that tilt the plane one way");
+  if (!read_stages(&plane, scene, particle.step) || !slides_to_the_end(&plane))
+    return nb_error_set(error, NB_BAD_USE,
+                        "incline is for stages that only increase the inclination once the particle slides");
   for (int s = 0; s < plane.count; s++) {
     single_add(solution, particle.particle, "vx", scene->stages[s].name, vx_at(&plane, plane.begin[s + 1]));
     single_add(solution, particle.particle, "spin", scene->stages[s].name, spin_at(&plane, plane.begin[s + 1]));
   }
   single_curve(solution, particle.particle, "vx", vx_at, &plane, sizeof plane);
   single_curve(solution, particle.particle, "spin", spin_at, &plane, sizeof plane);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_incline = {
     .name = "incline",
-    .title = "a body on a plane that is tilted: rolling, or sliding and turning",
+    .title = "a particle on a plane of increasing inclination: rolling, or sliding and rotating",
     .source = "-",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FRICTION, HAS_GRAVITY, HAS_CONTACT_DAMPING, HAS_GRAVITY_CHANGE, HAS_RAMP},
     .needs = {HAS_WALLS},

@@ -1,4 +1,4 @@
-/* From a scene to a network of springs: which bodies and walls touch, and what a displacement does to each contact.
+/* Builds the network of springs of a scene: its contacts, and the matrices from displacements to overlap and slip.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice.h"
@@ -9,18 +9,18 @@
 
 #include "core/vec.h"
 
-/* Two things touch when the gap between them is below this share of the radius: a page writes centres in decimals. */
+/* Gap over radius below which there is a contact: pages round coordinates to decimals. */
 static const double touch = 1e-9;
 
-/* Where a body's centre stands against a wall: the unit vector to the wall and the gap to it. */
-static struct nb_vec toward_wall(const struct nb_particle *particle, const struct nb_wall *wall, double *gap) {
+/* The unit vector from a particle to the nearest point of a wall, and the gap between them. */
+static struct nb_vec direction_to_wall(const struct nb_particle *particle, const struct nb_wall *wall, double *gap) {
   struct nb_vec e = vec(wall->ex, wall->ey), left = vec(-wall->ey, wall->ex);
   struct nb_vec p = vec_sub(vec(particle->x - wall->x, particle->y - wall->y), vec_scale(wall->h0, left));
   double along = fmin(fmax(vec_dot(p, e), wall->h1), wall->h2);
-  struct nb_vec way = vec_sub(vec_scale(along, e), p);
-  double length = vec_length(way);
+  struct nb_vec d = vec_sub(vec_scale(along, e), p);
+  double length = vec_length(d);
   *gap = length - particle->radius;
-  return vec_scale(1 / length, way);
+  return vec_scale(1 / length, d);
 }
 
 static struct matter_pair springs_of(const struct nb_scene *scene, int material_a, int material_b) {
@@ -30,25 +30,27 @@ static struct matter_pair springs_of(const struct nb_scene *scene, int material_
   return pair;
 }
 
-/* Judges one gap: 1 touches, 0 does not, -1 the network would not stay what it is. */
-static int touches(double gap, double radius, double reach) {
+enum contact_state { OPEN, CLOSED, MAY_CLOSE };
+
+/* MAY_CLOSE: it may become a contact in the run. */
+static enum contact_state contact_state(double gap, double radius, double largest_travel) {
   if (fabs(gap) <= touch * radius)
-    return 1;
-  return gap > 2 * reach ? 0 : -1;
+    return CLOSED;
+  return gap > 2 * largest_travel ? OPEN : MAY_CLOSE;
 }
 
-/* The contact that body a and body or wall b would have, and the gap between them. */
-static struct lattice_contact meeting(const struct nb_scene *scene, int a, int b, bool wall, double *gap) {
+/* The potential contact of particle a with particle or wall b, and the gap between them. */
+static struct lattice_contact contact_between(const struct nb_scene *scene, int a, int b, bool wall, double *gap) {
   const struct nb_particle *particle = &scene->particles[a];
   struct nb_vec e;
   int other;
   if (wall) {
-    e = toward_wall(particle, &scene->walls[b], gap);
+    e = direction_to_wall(particle, &scene->walls[b], gap);
     other = scene->walls[b].material;
   } else {
-    struct nb_vec way = vec(scene->particles[b].x - particle->x, scene->particles[b].y - particle->y);
-    double distance = vec_length(way);
-    e = vec_scale(1 / distance, way);
+    struct nb_vec d = vec(scene->particles[b].x - particle->x, scene->particles[b].y - particle->y);
+    double distance = vec_length(d);
+    e = vec_scale(1 / distance, d);
     *gap = distance - particle->radius - scene->particles[b].radius;
     other = scene->particles[b].material;
   }
@@ -59,15 +61,16 @@ static struct lattice_contact meeting(const struct nb_scene *scene, int a, int b
 static enum nb_status add_contact(struct lattice *lattice, const struct nb_scene *scene, int a, int b, bool wall,
                                   struct nb_error *error) {
   double gap;
-  struct lattice_contact contact = meeting(scene, a, b, wall, &gap);
-  int answer = touches(gap, scene->particles[a].radius, lattice->reach);
-  if (answer == 0)
+  struct lattice_contact contact = contact_between(scene, a, b, wall, &gap);
+  enum contact_state state = contact_state(gap, scene->particles[a].radius, lattice->largest_travel);
+  if (state == OPEN)
     return NB_OK;
-  if (answer < 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "this reference is for bodies that just touch: body %d and %s %d are %g apart, within the "
-                        "walls' way",
-                        a + 1, wall ? "wall" : "body", b + 1, gap);
+  if (state == MAY_CLOSE)
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "this reference is for particles that just touch: particle %d and %s %d are %g apart, less than the walls "
+        "move",
+        a + 1, wall ? "wall" : "particle", b + 1, gap);
   lattice->contacts[lattice->contact_count++] = contact;
   return NB_OK;
 }
@@ -85,27 +88,27 @@ static enum nb_status find_contacts(struct lattice *lattice, const struct nb_sce
       status = add_contact(lattice, scene, (int)a, (int)b, true, error);
   }
   if (status == NB_OK && lattice->contact_count == 0)
-    return nb_error_set(error, NB_BAD_USE, "this reference is for bodies that touch; nothing touches here");
+    return nb_error_set(error, NB_BAD_USE, "this reference is for particles in contact; there are no contacts");
   return status;
 }
 
-/* What freedoms x, y, theta of body a (sign 1) or b (sign -1) do to contact c [CS79 12, 13]. */
+/* Overlap and slip of contact c due to x, y, theta of particle a (sign 1) or b (sign -1) [CS79 12, 13]. */
 static void fill_stretch(struct lattice *lattice, const struct nb_scene *scene, size_t c, int index, double sign) {
   const struct nb_particle *particle = &scene->particles[index];
   if (particle->fixed)
     return;
   const struct lattice_contact *contact = &lattice->contacts[c];
   struct nb_vec e = vec(contact->ex, contact->ey), t = vec_clockwise(e);
-  double heavy = sqrt(matter_mass(scene, particle)), lazy = sqrt(matter_inertia(scene, particle));
+  double root_m = sqrt(matter_mass(scene, particle)), root_i = sqrt(matter_inertia(scene, particle));
   size_t x = 3 * (size_t)index;
-  gsl_matrix_set(lattice->stretch, 2 * c, x, sign * e.x / heavy);
-  gsl_matrix_set(lattice->stretch, 2 * c, x + 1, sign * e.y / heavy);
-  gsl_matrix_set(lattice->stretch, 2 * c + 1, x, sign * t.x / heavy);
-  gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 1, sign * t.y / heavy);
-  gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 2, -particle->radius / lazy);
+  gsl_matrix_set(lattice->stretch, 2 * c, x, sign * e.x / root_m);
+  gsl_matrix_set(lattice->stretch, 2 * c, x + 1, sign * e.y / root_m);
+  gsl_matrix_set(lattice->stretch, 2 * c + 1, x, sign * t.x / root_m);
+  gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 1, sign * t.y / root_m);
+  gsl_matrix_set(lattice->stretch, 2 * c + 1, x + 2, -particle->radius / root_i);
 }
 
-static void fill_push(struct lattice *lattice, const struct nb_scene *scene, size_t c) {
+static void fill_wall_stretch(struct lattice *lattice, const struct nb_scene *scene, size_t c) {
   const struct lattice_contact *contact = &lattice->contacts[c];
   const struct nb_wall *wall = &scene->walls[contact->b];
   const struct nb_particle *particle = &scene->particles[contact->a];
@@ -114,25 +117,25 @@ static void fill_push(struct lattice *lattice, const struct nb_scene *scene, siz
       vec(particle->x + particle->radius * e.x - wall->x, particle->y + particle->radius * e.y - wall->y);
   struct nb_vec turn = vec(-arm.y, arm.x);
   size_t x = LATTICE_WALL * (size_t)contact->b;
-  gsl_matrix_set(lattice->push, 2 * c, x, -e.x);
-  gsl_matrix_set(lattice->push, 2 * c, x + 1, -e.y);
-  gsl_matrix_set(lattice->push, 2 * c + 1, x, -t.x);
-  gsl_matrix_set(lattice->push, 2 * c + 1, x + 1, -t.y);
-  gsl_matrix_set(lattice->push, 2 * c, x + 2, -vec_dot(turn, e));
-  gsl_matrix_set(lattice->push, 2 * c + 1, x + 2, -vec_dot(turn, t));
+  gsl_matrix_set(lattice->wall_stretch, 2 * c, x, -e.x);
+  gsl_matrix_set(lattice->wall_stretch, 2 * c, x + 1, -e.y);
+  gsl_matrix_set(lattice->wall_stretch, 2 * c + 1, x, -t.x);
+  gsl_matrix_set(lattice->wall_stretch, 2 * c + 1, x + 1, -t.y);
+  gsl_matrix_set(lattice->wall_stretch, 2 * c, x + 2, -vec_dot(turn, e));
+  gsl_matrix_set(lattice->wall_stretch, 2 * c + 1, x + 2, -vec_dot(turn, t));
 }
 
 /* The matrices, once the contacts are known. */
-static void fill(struct lattice *lattice, const struct nb_scene *scene) {
+static void fill_matrices(struct lattice *lattice, const struct nb_scene *scene) {
   lattice->stretch = gsl_matrix_calloc(2 * lattice->contact_count, lattice->freedom_count);
   if (scene->wall_count > 0)
-    lattice->push = gsl_matrix_calloc(2 * lattice->contact_count, LATTICE_WALL * scene->wall_count);
+    lattice->wall_stretch = gsl_matrix_calloc(2 * lattice->contact_count, LATTICE_WALL * scene->wall_count);
   lattice->springs = gsl_vector_calloc(2 * lattice->contact_count);
   for (size_t c = 0; c < lattice->contact_count; c++) {
     const struct lattice_contact *contact = &lattice->contacts[c];
     fill_stretch(lattice, scene, c, contact->a, 1);
     if (contact->wall)
-      fill_push(lattice, scene, c);
+      fill_wall_stretch(lattice, scene, c);
     else
       fill_stretch(lattice, scene, c, contact->b, -1);
     gsl_vector_set(lattice->springs, 2 * c, contact->pair.kn);
@@ -140,37 +143,37 @@ static void fill(struct lattice *lattice, const struct nb_scene *scene) {
   }
 }
 
-/* The matrices are full: 1000 bodies take some 100 MB, and minutes. */
-static enum nb_status is_small(const struct nb_scene *scene, struct nb_error *error) {
+/* The matrices are dense: 1000 particles take some 100 MB and minutes. */
+static enum nb_status check_size(const struct nb_scene *scene, struct nb_error *error) {
   enum { MOST = 1000 };
   return scene->particle_count <= MOST
              ? NB_OK
-             : nb_error_set(error, NB_BAD_USE, "this reference is for up to %d bodies, not for %zu", MOST,
+             : nb_error_set(error, NB_BAD_USE, "this reference is for up to %d particles, not for %zu", MOST,
                             scene->particle_count);
 }
 
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
   *lattice = (struct lattice){.freedom_count = 3 * scene->particle_count};
-  enum nb_status status = is_small(scene, error);
+  enum nb_status status = check_size(scene, error);
   if (status == NB_OK && scene->wall_count == 0)
     status = nb_error_set(error, NB_BAD_USE, "this reference is for walls that move");
   if (status == NB_OK)
-    status = lattice_drive(lattice, scene, error);
+    status = lattice_read_walls(lattice, scene, error);
   if (status == NB_OK)
     status = find_contacts(lattice, scene, error);
   if (status != NB_OK) {
     lattice_free(lattice);
     return status;
   }
-  fill(lattice, scene);
+  fill_matrices(lattice, scene);
   return NB_OK;
 }
 
-enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scene, double reach,
-                            struct nb_error *error) {
+enum nb_status lattice_build_pairs(struct lattice *lattice, const struct nb_scene *scene, double largest_gap,
+                                   struct nb_error *error) {
   size_t n = scene->particle_count, most = n * (n + scene->wall_count);
   *lattice = (struct lattice){.freedom_count = 3 * n};
-  if (is_small(scene, error))
+  if (check_size(scene, error))
     return error->status;
   lattice->contacts = calloc(most + 1, sizeof *lattice->contacts);
   if (!lattice->contacts)
@@ -179,20 +182,20 @@ enum nb_status lattice_near(struct lattice *lattice, const struct nb_scene *scen
     for (size_t b = a + 1; b < n + scene->wall_count; b++) {
       bool wall = b >= n;
       double gap;
-      struct lattice_contact contact = meeting(scene, (int)a, (int)(wall ? b - n : b), wall, &gap);
-      bool held = scene->particles[a].fixed && (wall || scene->particles[b].fixed);
-      if (gap < reach && !held)
+      struct lattice_contact contact = contact_between(scene, (int)a, (int)(wall ? b - n : b), wall, &gap);
+      bool fixed = scene->particles[a].fixed && (wall || scene->particles[b].fixed);
+      if (gap < largest_gap && !fixed)
         lattice->contacts[lattice->contact_count++] = contact;
     }
   if (lattice->contact_count == 0) {
     lattice_free(lattice);
-    return nb_error_set(error, NB_BAD_USE, "this reference is for bodies that touch; nothing touches here");
+    return nb_error_set(error, NB_BAD_USE, "this reference is for particles in contact; there are no contacts");
   }
-  fill(lattice, scene);
+  fill_matrices(lattice, scene);
   return NB_OK;
 }
 
-int lattice_watched(const struct lattice *lattice, const struct nb_monitor *monitor) {
+int lattice_contact_of(const struct lattice *lattice, const struct nb_monitor *monitor) {
   if (monitor->kind != NB_MONITOR_PARTICLE_PARTICLE && monitor->kind != NB_MONITOR_PARTICLE_WALL)
     return -1;
   bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
@@ -209,15 +212,15 @@ int lattice_watched(const struct lattice *lattice, const struct nb_monitor *moni
 }
 
 void lattice_free(struct lattice *lattice) {
-  for (size_t i = 0; i < lattice->turn_count; i++)
-    gsl_vector_free(lattice->turns[i].change);
+  for (size_t i = 0; i < lattice->change_count; i++)
+    gsl_vector_free(lattice->changes[i].change);
   for (size_t i = 0; i < lattice->stage_count; i++)
     gsl_vector_free(lattice->travel[i]);
-  free(lattice->turns);
+  free(lattice->changes);
   free(lattice->travel);
   free(lattice->contacts);
   gsl_matrix_free(lattice->stretch);
-  gsl_matrix_free(lattice->push);
+  gsl_matrix_free(lattice->wall_stretch);
   gsl_vector_free(lattice->springs);
   *lattice = (struct lattice){0};
 }

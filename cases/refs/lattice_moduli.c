@@ -65,7 +65,7 @@ static void add_value(struct nb_solution *solution, const struct lattice *it, co
   }
 }
 
-static enum nb_status unfit(struct nb_error *error, const char *what) {
+static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "reference lattice_moduli is for %s", what);
 }
 
@@ -83,48 +83,48 @@ static int neighbours(const struct nb_scene *scene, double *spacing) {
   return count;
 }
 
-static enum nb_status fit(struct lattice *it, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status read_lattice(struct lattice *it, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *first = &scene->particles[0];
   *it = (struct lattice){.radius = first->radius, .hertz = strcmp(scene->normal, "hertz") == 0};
   it->thickness = first->shape == NB_SPHERE ? 2 * first->radius : 1;
   it->pair = matter_pair(scene, first->material, first->material);
   if (!scene->cell.line || scene->cell.h[1] != 0 || scene->cell.h[2] != 0)
-    return unfit(error, "an upright periodic cell");
+    return refuse(error, "an upright periodic cell");
   for (size_t k = 0; k < scene->particle_count; k++)
     if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
         scene->particles[k].shape != first->shape || scene->particles[k].vx != 0 || scene->particles[k].vy != 0)
-      return unfit(error, "equal bodies at rest");
+      return refuse(error, "equal bodies at rest");
   if (it->hertz ? strcmp(scene->shear, "none") != 0
                 : strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0)
-    return unfit(error, "linear springs, or elastic spheres without shear");
+    return refuse(error, "linear springs, or elastic spheres without shear");
   const int count = neighbours(scene, &it->spacing);
   if (count != 4 && count != 6)
-    return unfit(error, "a lattice in which every body touches four others, or six");
+    return refuse(error, "a lattice in which every body touches four others, or six");
   it->hexagonal = count == 6;
   const double place = it->hexagonal ? sqrt(0.75) : 1;
   const double area = (double)scene->particle_count * place * it->spacing * it->spacing;
   if (fabs(scene->cell.h[0] * scene->cell.h[3] / area - 1) > 1e-9)
-    return unfit(error, "a lattice that fills the cell");
+    return refuse(error, "a lattice that fills the cell");
   it->xx = it->yy = pressure(it);
   return NB_OK;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
-  if (scene->particle_count == 0 || fit(&lattice, scene, error))
+  if (scene->particle_count == 0 || read_lattice(&lattice, scene, error))
     return error->status;
   struct nb_strain_rate rate = {0};
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     rate = stage->cell_line ? stage->cell : rate;
     if (stage->step.kind != NB_STEP_TIME || stage->condition_count > 0 || rate.xy != rate.yx)
-      return unfit(error, "steps that are times, stages of so many cycles, and strain rates without rotation");
+      return refuse(error, "steps that are times, stages of so many cycles, and strain rates without rotation");
     const double time = rate.per_cycle ? (double)stage->cycles : (double)stage->cycles * stage->step.value;
     strain(&lattice, time * rate.xx, time * rate.yy, time * rate.xy);
     add_value(solution, &lattice, stage->name);
   }
   add_value(solution, &lattice, NULL);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_lattice_moduli = {

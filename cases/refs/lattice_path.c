@@ -1,19 +1,20 @@
-/* A network of springs led slowly along its walls' path: which contacts slide may change as it goes  [CS79 16-19, c = 0].
+/* A network of springs under slow motion of its walls, where contacts begin and cease to slide  [CS79 16-19, c = 0].
  *
- * Slow means that the network is at rest all the time: stretch' F = 0. In a small piece of the path that takes the walls
- * dw farther, with dn, ds the stretches of a contact,
+ * Slow means equilibrium at all times: stretch' F = 0. In an increment of the path in which the walls move by dw, with
+ * dn, ds the increments of overlap and slip of a contact,
  *
  *   every closed contact     F_n + dF_n = k_n (n + dn)
- *   one that sticks          F_s + dF_s = F_s + k_s ds
- *   one that slides          F_s + dF_s = (sense) tan phi (F_n + dF_n)
- *   one that is open         no force; n + dn <= 0
+ *   sticking contact         F_s + dF_s = F_s + k_s ds
+ *   sliding contact          F_s + dF_s = (sense) tan phi (F_n + dF_n)
+ *   open contact             no force; n + dn <= 0
  *
- * so du follows from one linear system. Who slides is found by trying, from who did so before: what friction cannot hold
- * begins to slide, in the sense of its shear force; what would have to slide against that sticks again; what would have to
- * pull opens; what is open and would overlap closes, and sticks, with no shear force yet. A piece in which
- * that comes to no end has no answer, and the reference says so. The error is that of a change within a piece: of the order
- * of one piece of the path. Where nothing holds a spin or a disc slides everywhere, du is not determined by the springs, and a
- * spring of `faint` of them, from each body to where it was, does: the forces notice no more than that share.
+ * so du follows from a linear system. The states of the contacts are found by iteration from the previous ones. A
+ * contact beyond the friction limit begins to slide in the sense of its shear force. One that would slide against its
+ * shear force sticks. One that would pull opens. An open one that would overlap closes and sticks, with no shear force.
+ * If the iteration does not end in an increment, there is no solution. The error is of the order of one increment.
+ * Where nothing resists a rotation or a disc slides everywhere, du is not determined; a spring of the fraction `weak`
+ * of the others from each particle to its place then determines it, and the forces change by no more than that
+ * fraction.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_path.h"
@@ -25,18 +26,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PIECES = 1000, TRIES = 60, OPEN = 2 }; /* pieces of each stage */
-static const double faint = 1e-10, rounding = 1e-10;
+enum { INCREMENTS = 1000, ATTEMPTS = 60, OPEN = 2 }; /* increments of each stage */
+static const double weak = 1e-10, rounding = 1e-10;
 
-/* All that changes, and room. */
+/* The state of the network, and workspace. */
 struct walk {
   const struct lattice *lattice;
-  int *slides;                    /* per contact: -1, 0, 1; OPEN */
-  gsl_vector *overlap;            /* per contact, n before the piece */
-  gsl_vector *forces, *next;      /* before the piece and after it */
-  gsl_vector *wanted, *stretches; /* by the walls alone; in all */
+  int *slides;                     /* per contact: -1, 0, 1; OPEN */
+  gsl_vector *overlap;             /* per contact, n before the increment */
+  gsl_vector *forces, *next;       /* before the increment and after it */
+  gsl_vector *imposed, *stretches; /* increments by the walls alone, and in all */
   gsl_vector *load, *du;
-  gsl_matrix *pulled, *a; /* law stretch; stretch' law stretch */
+  gsl_matrix *forces_of_u, *a; /* law stretch; stretch' law stretch */
   gsl_permutation *order;
 };
 
@@ -47,11 +48,11 @@ static struct walk walk_begin(const struct lattice *lattice) {
                        .overlap = gsl_vector_calloc(lattice->contact_count),
                        .forces = gsl_vector_calloc(rows),
                        .next = gsl_vector_alloc(rows),
-                       .wanted = gsl_vector_alloc(rows),
+                       .imposed = gsl_vector_alloc(rows),
                        .stretches = gsl_vector_alloc(rows),
                        .load = gsl_vector_alloc(n),
                        .du = gsl_vector_alloc(n),
-                       .pulled = gsl_matrix_alloc(rows, n),
+                       .forces_of_u = gsl_matrix_alloc(rows, n),
                        .a = gsl_matrix_alloc(n, n),
                        .order = gsl_permutation_alloc(n)};
 }
@@ -60,32 +61,33 @@ static void walk_end(struct walk *walk) {
   free(walk->slides);
   gsl_vector_free(walk->overlap);
   gsl_vector_free(walk->forces), gsl_vector_free(walk->next);
-  gsl_vector_free(walk->wanted), gsl_vector_free(walk->stretches);
+  gsl_vector_free(walk->imposed), gsl_vector_free(walk->stretches);
   gsl_vector_free(walk->load), gsl_vector_free(walk->du);
-  gsl_matrix_free(walk->pulled), gsl_matrix_free(walk->a);
+  gsl_matrix_free(walk->forces_of_u), gsl_matrix_free(walk->a);
   gsl_permutation_free(walk->order);
 }
 
-/* Forces after stretches d, by the rules above. */
+/* Forces after the increments d, by the rules above. */
 static void forces_after(const struct walk *walk, const gsl_vector *d, gsl_vector *forces) {
   for (size_t c = 0; c < walk->lattice->contact_count; c++) {
     const struct matter_pair *pair = &walk->lattice->contacts[c].pair;
     int slides = walk->slides[c];
     double normal = pair->kn * (gsl_vector_get(walk->overlap, c) + gsl_vector_get(d, 2 * c));
-    double held = gsl_vector_get(walk->forces, 2 * c + 1) + pair->ks * gsl_vector_get(d, 2 * c + 1);
+    double sticking = gsl_vector_get(walk->forces, 2 * c + 1) + pair->ks * gsl_vector_get(d, 2 * c + 1);
     gsl_vector_set(forces, 2 * c, slides == OPEN ? 0 : normal);
-    gsl_vector_set(forces, 2 * c + 1, slides == OPEN ? 0 : slides ? slides * pair->friction * normal : held);
+    gsl_vector_set(forces, 2 * c + 1, slides == OPEN ? 0 : slides ? slides * pair->friction * normal : sticking);
   }
 }
 
-/* du, the stretches and the forces of one piece, for those who slide now. */
-static void step(struct walk *walk) {
+/* du, the increments and the forces of one increment of the path, for the present states of the contacts. */
+static void solve_increment(struct walk *walk) {
   const struct lattice *lattice = walk->lattice;
   size_t n = lattice->freedom_count;
-  gsl_matrix_memcpy(walk->pulled, lattice->stretch);
+  gsl_matrix_memcpy(walk->forces_of_u, lattice->stretch);
   for (size_t c = 0; c < lattice->contact_count; c++) {
     const struct matter_pair *pair = &lattice->contacts[c].pair;
-    gsl_vector_view normal = gsl_matrix_row(walk->pulled, 2 * c), shear = gsl_matrix_row(walk->pulled, 2 * c + 1);
+    gsl_vector_view normal = gsl_matrix_row(walk->forces_of_u, 2 * c),
+                    shear = gsl_matrix_row(walk->forces_of_u, 2 * c + 1);
     gsl_vector_scale(&normal.vector, walk->slides[c] == OPEN ? 0 : pair->kn);
     gsl_vector_scale(&shear.vector, walk->slides[c] == OPEN ? 0 : pair->ks);
     if (!walk->slides[c] || walk->slides[c] == OPEN)
@@ -93,69 +95,70 @@ static void step(struct walk *walk) {
     gsl_vector_memcpy(&shear.vector, &normal.vector);
     gsl_vector_scale(&shear.vector, walk->slides[c] * pair->friction);
   }
-  gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, lattice->stretch, walk->pulled, 0, walk->a);
-  double most = 0;
+  gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, lattice->stretch, walk->forces_of_u, 0, walk->a);
+  double largest = 0;
   for (size_t i = 0; i < n; i++)
-    most = fmax(most, gsl_matrix_get(walk->a, i, i));
+    largest = fmax(largest, gsl_matrix_get(walk->a, i, i));
   for (size_t i = 0; i < n; i++)
-    gsl_matrix_set(walk->a, i, i, gsl_matrix_get(walk->a, i, i) + faint * most);
-  forces_after(walk, walk->wanted, walk->next);
+    gsl_matrix_set(walk->a, i, i, gsl_matrix_get(walk->a, i, i) + weak * largest);
+  forces_after(walk, walk->imposed, walk->next);
   gsl_blas_dgemv(CblasTrans, -1, lattice->stretch, walk->next, 0, walk->load);
   int sign;
   if (gsl_linalg_LU_decomp(walk->a, walk->order, &sign) != GSL_SUCCESS ||
       gsl_linalg_LU_solve(walk->a, walk->order, walk->load, walk->du) != GSL_SUCCESS)
     gsl_vector_set_all(walk->du, NAN);
-  gsl_vector_memcpy(walk->stretches, walk->wanted);
+  gsl_vector_memcpy(walk->stretches, walk->imposed);
   gsl_blas_dgemv(CblasNoTrans, 1, lattice->stretch, walk->du, 1, walk->stretches);
   forces_after(walk, walk->stretches, walk->next);
 }
 
-/* Corrects who slides and who is open; false when all was right. */
-static bool correct(struct walk *walk) {
-  double spare = rounding * fmax(gsl_vector_max(walk->next), -gsl_vector_min(walk->next));
+/* Corrects the states of the contacts; false: there was nothing to correct. */
+static bool correct_states(struct walk *walk) {
+  double allowed = rounding * fmax(gsl_vector_max(walk->next), -gsl_vector_min(walk->next));
   bool more = false;
   for (size_t c = 0; c < walk->lattice->contact_count; c++) {
     const struct matter_pair *pair = &walk->lattice->contacts[c].pair;
     double normal = gsl_vector_get(walk->next, 2 * c), shear = gsl_vector_get(walk->next, 2 * c + 1);
-    double held = gsl_vector_get(walk->forces, 2 * c + 1) + pair->ks * gsl_vector_get(walk->stretches, 2 * c + 1);
+    double sticking = gsl_vector_get(walk->forces, 2 * c + 1) + pair->ks * gsl_vector_get(walk->stretches, 2 * c + 1);
     double overlap = gsl_vector_get(walk->overlap, c) + gsl_vector_get(walk->stretches, 2 * c);
-    if (walk->slides[c] == OPEN ? pair->kn * overlap > spare : normal < -spare)
+    if (walk->slides[c] == OPEN ? pair->kn * overlap > allowed : normal < -allowed)
       walk->slides[c] = walk->slides[c] == OPEN ? 0 : OPEN, more = true;
     else if (walk->slides[c] == OPEN)
       continue;
-    else if (!walk->slides[c] && pair->ks > 0 && fabs(shear) > pair->friction * normal + spare)
+    else if (!walk->slides[c] && pair->ks > 0 && fabs(shear) > pair->friction * normal + allowed)
       walk->slides[c] = shear > 0 ? 1 : -1, more = true;
-    else if (walk->slides[c] && walk->slides[c] * (held - shear) < -spare)
+    else if (walk->slides[c] && walk->slides[c] * (sticking - shear) < -allowed)
       walk->slides[c] = 0, more = true;
   }
   return more;
 }
 
-enum nb_status lattice_path(const struct lattice *lattice, lattice_path_seen *seen, void *data,
+enum nb_status lattice_path(const struct lattice *lattice, lattice_path_point *add_point, void *data,
                             struct nb_error *error) {
   struct walk walk = walk_begin(lattice);
-  gsl_vector *way = gsl_vector_calloc(lattice->push->size2);
+  gsl_vector *travel = gsl_vector_calloc(lattice->wall_stretch->size2);
   enum nb_status status = walk.slides ? NB_OK : nb_error_memory(error);
   for (size_t s = 0; s < lattice->stage_count && status == NB_OK; s++) {
-    gsl_vector_memcpy(way, lattice->travel[s]);
+    gsl_vector_memcpy(travel, lattice->travel[s]);
     if (s > 0)
-      gsl_vector_sub(way, lattice->travel[s - 1]);
-    gsl_blas_dgemv(CblasNoTrans, 1. / PIECES, lattice->push, way, 0, walk.wanted);
-    seen(data, s, 0, walk.forces);
-    for (int k = 1; k <= PIECES && status == NB_OK; k++) {
-      int tries = 0;
+      gsl_vector_sub(travel, lattice->travel[s - 1]);
+    gsl_blas_dgemv(CblasNoTrans, 1. / INCREMENTS, lattice->wall_stretch, travel, 0, walk.imposed);
+    add_point(data, s, 0, walk.forces);
+    for (int k = 1; k <= INCREMENTS && status == NB_OK; k++) {
+      int attempts = 0;
       do
-        step(&walk);
-      while (correct(&walk) && ++tries < TRIES);
-      if (tries == TRIES)
-        status = nb_error_set(error, NB_BAD_USE, "the network finds no rest in piece %d of stage %zu", k, s + 1);
+        solve_increment(&walk);
+      while (correct_states(&walk) && ++attempts < ATTEMPTS);
+      if (attempts == ATTEMPTS)
+        status =
+            nb_error_set(error, NB_BAD_USE, "the network has no equilibrium in increment %d of stage %zu", k, s + 1);
       gsl_vector_memcpy(walk.forces, walk.next);
       gsl_vector_view dn = gsl_vector_subvector_with_stride(walk.stretches, 0, 2, lattice->contact_count);
       gsl_vector_add(walk.overlap, &dn.vector);
-      seen(data, s, (double)k / PIECES, walk.forces);
+      add_point(data, s, (double)k / INCREMENTS, walk.forces);
     }
   }
-  gsl_vector_free(way);
+  gsl_vector_free(travel);
   walk_end(&walk);
   return status;
 }

@@ -1,4 +1,4 @@
-/* A network led slowly along its walls' path.
+/* A network of springs under slow motion of its walls.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_LATTICE_PATH_H
@@ -6,10 +6,11 @@
 
 #include "lattice.h"
 
-/* Called for every point of the path, `share` (0 to 1) of stage `stage`, with the forces k_n n, F_s of all contacts there. */
-typedef void lattice_path_seen(void *data, size_t stage, double fraction, const gsl_vector *forces);
+/* Called for every point of the path, at `fraction` (0 to 1) of a stage, with the forces k_n n, F_s of all contacts. */
+typedef void lattice_path_point(void *data, size_t stage, double fraction, const gsl_vector *forces);
 
-/* NB_BAD_USE when nobody can say who slides. */
-enum nb_status lattice_path(const struct lattice *lattice, lattice_path_seen *seen, void *data, struct nb_error *error);
+/* NB_BAD_USE when the states of the contacts cannot be found. */
+enum nb_status lattice_path(const struct lattice *lattice, lattice_path_point *add_point, void *data,
+                            struct nb_error *error);
 
 #endif

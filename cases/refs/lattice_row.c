@@ -1,14 +1,14 @@
-/* Finds the row in a network: two bodies that touch each other, and one wall behind each.
+/* Finds two particles in contact with each other, and one wall behind each, in a network.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_row.h"
 
 #include <math.h>
 
-/* Unit vectors written in decimals agree or are perpendicular to this. */
+/* Tolerance for parallel and perpendicular unit vectors, which pages round to decimals. */
 static const double straight = 1e-9;
 
-/* Contacts of the row go to their places, others must not matter: across the row and without shear. */
+/* Finds the contacts A, B, C. Other contacts must have no effect: perpendicular to the row and without shear. */
 static bool sort_contacts(struct lattice_row *row) {
   const struct lattice *lattice = &row->lattice;
   size_t found[3] = {0};
@@ -37,41 +37,43 @@ static bool sort_contacts(struct lattice_row *row) {
   return found[0] == 1 && found[1] == 1 && found[2] == 1;
 }
 
-/* How far a wall's way w, x and y of each wall in turn, leads toward the bodies at contact A or C. */
-static double central(const struct lattice_row *row, size_t place, const gsl_vector *way) {
+/* The component of a wall's displacement or velocity toward the particles at contact A or C; x and y of each wall in turn. */
+static double inward(const struct lattice_row *row, size_t place, const gsl_vector *vector) {
   const struct lattice_contact *contact = &row->lattice.contacts[row->contact[place]];
   size_t x = LATTICE_WALL * (size_t)contact->b;
-  return -contact->ex * gsl_vector_get(way, x) - contact->ey * gsl_vector_get(way, x + 1);
+  return -contact->ex * gsl_vector_get(vector, x) - contact->ey * gsl_vector_get(vector, x + 1);
 }
 
 static bool find_motion(struct lattice_row *row, const struct nb_scene *scene) {
   const struct lattice *lattice = &row->lattice;
-  if (lattice->turn_count == 0 || lattice->turns[0].cycle != 0)
+  if (lattice->change_count == 0 || lattice->changes[0].cycle != 0)
     return false;
-  row->v = central(row, 0, lattice->turns[0].change);
-  if (!(row->v > 0) || fabs(central(row, 2, lattice->turns[0].change) - row->v) > straight * row->v)
+  row->v = inward(row, 0, lattice->changes[0].change);
+  if (!(row->v > 0) || fabs(inward(row, 2, lattice->changes[0].change) - row->v) > straight * row->v)
     return false;
-  row->even = lattice->undamped;
-  if (lattice->turn_count > 1 && lattice->turns[1].cycle < row->even)
-    row->even = lattice->turns[1].cycle;
-  if (!lattice->one_step && scene->stages[0].cycles < row->even)
-    row->even = scene->stages[0].cycles;
+  row->steady = lattice->undamped;
+  if (lattice->change_count > 1 && lattice->changes[1].cycle < row->steady)
+    row->steady = lattice->changes[1].cycle;
+  if (!lattice->one_step && scene->stages[0].cycles < row->steady)
+    row->steady = scene->stages[0].cycles;
   const gsl_vector *end = lattice->travel[lattice->stage_count - 1];
-  row->squeeze = central(row, 0, end) + central(row, 2, end);
+  row->compression = inward(row, 0, end) + inward(row, 2, end);
   return true;
 }
 
 enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene *scene, struct nb_error *error) {
   *row = (struct lattice_row){0};
   if (scene->particle_count != 2 || scene->particles[0].fixed || scene->particles[1].fixed)
-    return nb_error_set(error, NB_BAD_USE, "this reference is for two free bodies in a row");
+    return nb_error_set(error, NB_BAD_USE, "this reference is for two free particles in a row");
   enum nb_status status = lattice_build(&row->lattice, scene, error);
   if (status != NB_OK)
     return status;
   if (!sort_contacts(row))
-    status = nb_error_set(error, NB_BAD_USE, "this reference is for two bodies that touch, with one wall behind each");
+    status =
+        nb_error_set(error, NB_BAD_USE, "this reference is for two particles in contact, with one wall behind each");
   else if (!find_motion(row, scene))
-    status = nb_error_set(error, NB_BAD_USE, "this reference is for two walls that close in alike from the start");
+    status = nb_error_set(error, NB_BAD_USE,
+                          "this reference is for two walls that approach with equal speeds from the start");
   if (status != NB_OK) {
     lattice_row_free(row);
     return status;

@@ -1,4 +1,4 @@
-/* Two bodies x and y in a row between two walls: contacts A (wall and x), B (x and y), C (wall and y).
+/* Two particles x and y in a row between two walls: contacts A (wall and x), B (x and y), C (wall and y).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_LATTICE_ROW_H
@@ -8,15 +8,15 @@
 
 struct lattice_row {
   struct lattice lattice;
-  size_t contact[3];  /* A, B, C: which contacts of the lattice */
-  double k[3];        /* N/m */
-  double m[2];        /* of x and y, kg */
-  double v;           /* at which both walls close in at first, m/s */
-  unsigned long even; /* cycles from the start with that v, one step and no damping */
-  double squeeze;     /* how much closer the walls are at the end, m */
+  size_t contact[3];    /* A, B, C: indices in the lattice */
+  double k[3];          /* N/m */
+  double m[2];          /* of x and y, kg */
+  double v;             /* initial speed of both walls, m/s */
+  unsigned long steady; /* cycles from the start with that v, one step and no damping */
+  double compression;   /* total approach of the walls, m */
 };
 
-/* NB_BAD_USE when the scene is no such row. */
+/* NB_BAD_USE when the scene is not such a row. */
 enum nb_status lattice_row_build(struct lattice_row *row, const struct nb_scene *scene, struct nb_error *error);
 void lattice_row_free(struct lattice_row *row);
 /* 0, 1, 2 for A, B, C; -1 for any other contact. */

@@ -1,18 +1,19 @@
-/* Reference: stress, fabric and porosity of a lattice without end, in closed form.
+/* Reference: stress, fabric and porosity of an infinite lattice, in closed form.
  *
- * Equal discs of radius R at i a_1 + j a_2, on springs of stiffness k_n, a disc 1 m thick. Of the lattice vectors d with |d| < 2R
- * each disc has a contact along d and one along -d; with N = k_n (2R - |d|), n = d/|d| and the cell's area A = |a_1 x a_2|:
+ * Equal discs of radius R at i a_1 + j a_2, springs of stiffness k_n, discs 1 m thick. For each lattice vector d with
+ * |d| < 2R a disc has a contact along d and one along -d; with N = k_n (2R - |d|), n = d/|d| and the area of the cell A
+ * = |a_1 x a_2|:
  *
  *   sigma_ij = (1/A) sum over pairs +-d of N |d| n_i n_j             Phi_ij = <n_i n_j>,   Phi_ijkl = <n_i n_j n_k n_l>
- *   F_kk = z R/A                 coordination = z, twice the pairs      porosity = 1 - pi R^2/A (+ nothing: overlaps count twice)
+ *   F_kk = z R/A                 coordination = z, twice the pairs      porosity = 1 - pi R^2/A (overlaps count twice)
  *
- * a_1 is from the first body to the second, a_2 from the first body to the one that is nearest of those not on that line. All of
- * this is so in a box that holds whole cells; where the box begins makes no difference, also not to the outlines that it cuts.
+ * a_1 is the vector from particle 1 to particle 2, a_2 that from particle 1 to the nearest one off that line. The
+ * values hold for any box of whole cells, wherever it begins and whatever discs it cuts.
  *
- * Known, of every region that is such a box, at 0 cycles:
- *   NAME.stress.xx, xy, yy, mean, sinphi; NAME.fabric.xx, xy, yy, kk; NAME.fabric.fourth.xxxx, xxyy, yyyy
- *   NAME.coordination, NAME.porosity
- * Exact but for rounding.
+ * Returns, for A that monitors such a box, at 0 cycles:
+ *   A.stress.xx, xy, yy, mean, sinphi; A.fabric.xx, xy, yy, kk; A.fabric.fourth.xxxx, xxyy, yyyy
+ *   A.coordination, A.porosity
+ * Error: rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -26,7 +27,7 @@ struct lattice {
   double x1, y1, x2, y2, area;
 };
 
-static bool find(struct lattice *lattice, const struct nb_scene *scene) {
+static bool find_lattice(struct lattice *lattice, const struct nb_scene *scene) {
   const struct nb_particle *b = scene->particles;
   double nearest = INFINITY;
   if (scene->particle_count < 4)
@@ -40,7 +41,7 @@ static bool find(struct lattice *lattice, const struct nb_scene *scene) {
   }
   if (!(nearest < INFINITY))
     return false;
-  for (size_t k = 0; k < scene->particle_count; k++) { /* all are on it */
+  for (size_t k = 0; k < scene->particle_count; k++) { /* all must lie on it */
     const double x = b[k].x - b[0].x, y = b[k].y - b[0].y;
     const double i = (x * lattice->y2 - y * lattice->x2) / lattice->area;
     const double j = (lattice->x1 * y - lattice->y1 * x) / lattice->area;
@@ -58,8 +59,8 @@ static void add_value(struct nb_solution *solution, const char *region, const ch
   solution_value(solution, value, name);
 }
 
-static void know_region(struct nb_solution *solution, const char *name, const struct lattice *a, double radius,
-                        double kn) {
+static void add_region(struct nb_solution *solution, const char *name, const struct lattice *a, double radius,
+                       double kn) {
   double sigma[3] = {0}, phi[3] = {0}, fourth[3] = {0}, z = 0;
   for (int i = -4; i <= 4; i++)
     for (int j = -4; j <= 4; j++) {
@@ -92,8 +93,9 @@ static void know_region(struct nb_solution *solution, const char *name, const st
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
-  if (!find(&lattice, scene) || scene->wall_count > 0 || strcmp(scene->normal, "linear") != 0)
-    return nb_error_set(error, NB_BAD_USE, "lattice_stress wants equal discs on linear springs in a lattice, no walls");
+  if (!find_lattice(&lattice, scene) || scene->wall_count > 0 || strcmp(scene->normal, "linear") != 0)
+    return nb_error_set(error, NB_BAD_USE,
+                        "lattice_stress is for equal discs with linear springs in a lattice, without walls");
   const int m = scene->particles[0].material;
   for (size_t w = 0; w < scene->monitor_count; w++) {
     if (scene->monitors[w].kind != NB_MONITOR_REGION)
@@ -101,15 +103,15 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_region *region = &scene->regions[scene->monitors[w].a];
     const double cells = 4 * region->half_x * region->half_y / lattice.area;
     if (region->kind != NB_REGION_BOX || fabs(cells - round(cells)) > 1e-9)
-      return nb_error_set(error, NB_BAD_USE, "lattice_stress wants regions that are boxes of whole cells");
-    know_region(solution, scene->monitors[w].name, &lattice, scene->particles[0].radius, matter_pair(scene, m, m).kn);
+      return nb_error_set(error, NB_BAD_USE, "lattice_stress is for regions that are boxes of whole cells");
+    add_region(solution, scene->monitors[w].name, &lattice, scene->particles[0].radius, matter_pair(scene, m, m).kn);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_lattice_stress = {
     .name = "lattice_stress",
-    .title = "stress, fabric and porosity of a strained lattice without end, in closed form",
+    .title = "stress, fabric and porosity of an infinite lattice, in closed form",
     .source = "[R89 4.45-4.53]",
     .accepts = {HAS_DISCS},
     .normal = "linear",

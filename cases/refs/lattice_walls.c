@@ -1,5 +1,5 @@
-/* What the stages of a scene do to its walls: when their velocities change, and how far they come.
- * A stage's motions act from its first cycle and last until another stage says otherwise.
+/* The motion of the walls in the stages of a scene: when their velocities change, and their displacements. The motion
+ * set in a stage acts from its first cycle and lasts until another stage changes it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice.h"
@@ -7,13 +7,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The step in s. `of single-contact` is of 2 sqrt(m/k) [CS79, Motion]: m the smallest mass that is free, k the largest normal
- * stiffness between any two materials that bodies have, or a body and a wall. */
+/* The step in s. `of single-contact` refers to 2 sqrt(m/k) [CS79, Motion]: m the smallest free mass, k the largest normal stiffness
+ * between the materials of two particles or of a particle and a wall. */
 static double step_length(const struct nb_scene *scene, const struct nb_step *step) {
   if (step->kind == NB_STEP_TIME)
     return step->value;
   if (step->kind != NB_STEP_SINGLE_CONTACT)
-    return NAN; /* what the program finds out as it runs no reference is told */
+    return NAN; /* steps that depend on the run are unknown here */
   double lightest = INFINITY, max_stiffness = 0;
   for (size_t i = 0; i < scene->particle_count; i++) {
     const struct nb_particle *particle = &scene->particles[i];
@@ -47,20 +47,20 @@ static void stage_motions(gsl_vector *velocity, const struct nb_stage *stage) {
   }
 }
 
-/* Adds a turn when the velocities now differ from those before. */
-static void note_turn(struct lattice *lattice, const gsl_vector *before, const gsl_vector *now, unsigned long cycle) {
+/* Adds a velocity change if the velocities differ from those before. */
+static void note_change(struct lattice *lattice, const gsl_vector *before, const gsl_vector *now, unsigned long cycle) {
   if (gsl_vector_equal(before, now))
     return;
   gsl_vector *change = gsl_vector_alloc(now->size);
   gsl_vector_memcpy(change, now);
   gsl_vector_sub(change, before);
-  lattice->turns[lattice->turn_count++] = (struct lattice_turn){.cycle = cycle, .change = change};
+  lattice->changes[lattice->change_count++] = (struct lattice_velocity_change){.cycle = cycle, .change = change};
 }
 
-enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
-  lattice->turns = calloc(scene->stage_count, sizeof *lattice->turns);
+enum nb_status lattice_read_walls(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error) {
+  lattice->changes = calloc(scene->stage_count, sizeof *lattice->changes);
   lattice->travel = calloc(scene->stage_count, sizeof *lattice->travel);
-  if (!lattice->turns || !lattice->travel)
+  if (!lattice->changes || !lattice->travel)
     return nb_error_memory(error);
   gsl_vector *before = gsl_vector_calloc(LATTICE_WALL * scene->wall_count),
              *now = gsl_vector_calloc(LATTICE_WALL * scene->wall_count);
@@ -73,17 +73,17 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
   for (size_t i = 0; i < scene->stage_count; i++) {
     const struct nb_stage *stage = &scene->stages[i];
     stage_motions(now, stage);
-    note_turn(lattice, before, now, lattice->cycles);
+    note_change(lattice, before, now, lattice->cycles);
     gsl_vector_memcpy(before, now);
     if (stage->condition_count > 0 && !gsl_vector_isnull(now))
       status = nb_error_set(error, NB_BAD_USE,
-                            "this reference must know how far the walls go: stage %s moves them until something "
-                            "happens",
+                            "this reference needs the displacements of the walls: stage %s moves them until a "
+                            "condition holds",
                             stage->name);
     double step = step_length(scene, &stage->step);
     if (isnan(step))
-      status = nb_error_set(error, NB_BAD_USE,
-                            "this reference must know the step: say it as a time or as a fraction of single-contact");
+      status =
+          nb_error_set(error, NB_BAD_USE, "this reference needs the step as a time or as a fraction of single-contact");
     if (step != lattice->step)
       lattice->one_step = false;
     if (damped(&stage->damping))
@@ -92,11 +92,11 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
     if (still_undamped)
       lattice->undamped = lattice->cycles;
     for (size_t j = 0; j < now->size; j++) {
-      double way = (double)stage->cycles * step * gsl_vector_get(now, j);
-      gsl_vector_set(travel, j, gsl_vector_get(travel, j) + way);
+      double distance = (double)stage->cycles * step * gsl_vector_get(now, j);
+      gsl_vector_set(travel, j, gsl_vector_get(travel, j) + distance);
       const struct nb_wall *wall = &scene->walls[j / LATTICE_WALL];
       double arm = j % LATTICE_WALL < 2 ? 1 : hypot(wall->h0, fmax(fabs(wall->h1), fabs(wall->h2)));
-      lattice->reach = fmax(lattice->reach, arm * fabs(gsl_vector_get(travel, j)));
+      lattice->largest_travel = fmax(lattice->largest_travel, arm * fabs(gsl_vector_get(travel, j)));
     }
     lattice->travel[i] = gsl_vector_alloc(travel->size);
     gsl_vector_memcpy(lattice->travel[i], travel);
@@ -108,15 +108,15 @@ enum nb_status lattice_drive(struct lattice *lattice, const struct nb_scene *sce
   return status;
 }
 
-size_t lattice_standing(const struct lattice *lattice, const struct nb_scene *scene) {
+size_t lattice_first_at_rest(const struct lattice *lattice, const struct nb_scene *scene) {
   gsl_vector *velocity = gsl_vector_calloc(LATTICE_WALL * scene->wall_count);
-  for (size_t i = 0; i < lattice->turn_count; i++)
-    gsl_vector_add(velocity, lattice->turns[i].change);
-  double left = fmax(gsl_vector_max(velocity), -gsl_vector_min(velocity)) * lattice->step;
+  for (size_t i = 0; i < lattice->change_count; i++)
+    gsl_vector_add(velocity, lattice->changes[i].change);
+  double residual = fmax(gsl_vector_max(velocity), -gsl_vector_min(velocity)) * lattice->step;
   gsl_vector_free(velocity);
-  if (left > 1e-12 * lattice->reach)
-    return lattice->stage_count; /* v - v is 0; three changes may round */
-  unsigned long begin = 0, last = lattice->turn_count ? lattice->turns[lattice->turn_count - 1].cycle : 0;
+  if (residual > 1e-12 * lattice->largest_travel)
+    return lattice->stage_count; /* the changes may not add up to 0 exactly */
+  unsigned long begin = 0, last = lattice->change_count ? lattice->changes[lattice->change_count - 1].cycle : 0;
   for (size_t i = 0; i < scene->stage_count; i++) {
     if (begin >= last)
       return i;

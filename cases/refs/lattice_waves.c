@@ -1,20 +1,22 @@
-/* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs, from their velocities at the start.
+/* Reference: a standing wave in a periodic square or hexagonal lattice of equal discs, from given initial velocities.
  *
- * Around rest, with u = U sin(q.x) and the turning psi cos(q.x) of the disc at x, a contact of the branch s e takes
+ * About equilibrium, with u = U sin(q.x) and the rotation psi cos(q.x) of the disc at x, a contact along the branch
+ * vector s e has
  *
- *   along e                u_j.e - u_i.e                            the spring k_n
- *   across, n = e turned   (u_j - u_i).n - R (theta_i + theta_j)    the spring k_s; and F/s (u_j - u_i).n less, as F turns with e
+ *   along e                u_j.e - u_i.e                            with the stiffness k_n
+ *   across, n = e turned   (u_j - u_i).n - R (theta_i + theta_j)    with k_s; less F/s (u_j - u_i).n: F turns with e
  *
- * Over the contacts of half of all directions, phi = q.e s, that makes the dynamical matrix
+ * Summed over the contacts of half of all directions, with phi = q.e s, the dynamical matrix is
  *
  *   K_uu = sum 2 (1 - cos phi) (k_n e e' + (k_s - F/s) n n')
  *   K_up = -sum 2 k_s R sin phi n                K_pp = sum 2 k_s R^2 (1 + cos phi)
  *
- * and w^2 are the eigenvalues of M^(-1/2) K M^(-1/2), M = (m, m, I). Where bodies do not turn there is no psi. From the velocities V
- * at the start each mode goes as cos(w t).
+ * and w^2 are the eigenvalues of M^(-1/2) K M^(-1/2), M = (m, m, I). Without rotation there is no psi. From the initial
+ * velocities V each mode varies as cos(w t).
  *
- * Known, when NAME watches a body:   NAME.vx, NAME.vy, NAME.spin along time
- * Exact in continuous time for small waves: left out are terms of the order of u/s. A run lags by w t (w dt)^2/24.
+ * Returns, for D that monitors a particle:   D.vx, D.vy, D.spin along time
+ * Exact in continuous time for small amplitudes; terms of the order of u/s are neglected. A run lags in phase by w t (w
+ * dt)^2/24.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>
@@ -29,24 +31,24 @@
 
 static void add(gsl_matrix *k, int i, int j, double value) { *gsl_matrix_ptr(k, (size_t)i, (size_t)j) += value; }
 
-/* K, by the contacts of one direction and of the opposite one. */
+/* The part of K of the contacts in one direction and in the opposite one. */
 static void add_contacts(gsl_matrix *k, const struct waves_lattice *it, double angle, double qx, double qy) {
   const double e[2] = {cos(angle), sin(angle)}, n[2] = {-e[1], e[0]};
   const double phi = it->spacing * (qx * e[0] + qy * e[1]), across = it->ks - it->force / it->spacing;
   for (int i = 0; i < 2; i++) {
     for (int j = 0; j < 2; j++)
       add(k, i, j, 2 * (1 - cos(phi)) * (it->kn * e[i] * e[j] + across * n[i] * n[j]));
-    if (it->turns) {
+    if (it->rotates) {
       add(k, i, 2, -2 * it->ks * it->radius * sin(phi) * n[i]);
       add(k, 2, i, -2 * it->ks * it->radius * sin(phi) * n[i]);
     }
   }
-  if (it->turns)
+  if (it->rotates)
     add(k, 2, 2, 2 * it->ks * it->radius * it->radius * (1 + cos(phi)));
 }
 
 struct waves_modes waves_modes(const struct waves_lattice *it, double qx, double qy) {
-  struct waves_modes modes = {.count = it->turns ? 3 : 2};
+  struct waves_modes modes = {.count = it->rotates ? 3 : 2};
   const size_t n = (size_t)modes.count;
   const double root[WAVES_MODES] = {sqrt(it->mass), sqrt(it->mass), sqrt(it->inertia)};
   gsl_matrix *k = gsl_matrix_calloc(n, n), *shape = gsl_matrix_alloc(n, n);
@@ -80,7 +82,7 @@ struct wave {
   double start[2]; /* V, m/s */
 };
 
-static enum nb_status unfit(struct nb_error *error, const char *what) {
+static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "reference lattice_waves is for %s", what);
 }
 
@@ -88,12 +90,12 @@ static double phase(const struct nb_scene *scene, const struct nb_particle *part
   return qx * (particle->x - scene->cell.x) + qy * (particle->y - scene->cell.y);
 }
 
-/* The only wave vector of which the velocities at the start are a sine; true when there is one. */
+/* Finds the wave vector of which the initial velocities are a sine; false: there is none. */
 static bool find_wave(struct wave *it, const struct nb_scene *scene) {
-  const int most = (int)sqrt((double)scene->particle_count) / 2;
-  for (int nx = 0; nx <= most; nx++)
-    for (int ny = nx > 0 ? -most : 1; ny <= most; ny++) {
-      double vx = 0, vy = 0, squares = 0, off = 0, all = 0;
+  const int largest = (int)sqrt((double)scene->particle_count) / 2;
+  for (int nx = 0; nx <= largest; nx++)
+    for (int ny = nx > 0 ? -largest : 1; ny <= largest; ny++) {
+      double vx = 0, vy = 0, squares = 0, error = 0, top = 0;
       it->qx = 2 * M_PI * nx / scene->cell.h[0], it->qy = 2 * M_PI * ny / scene->cell.h[3];
       for (size_t k = 0; k < scene->particle_count; k++) {
         const struct nb_particle *particle = &scene->particles[k];
@@ -104,46 +106,46 @@ static bool find_wave(struct wave *it, const struct nb_scene *scene) {
       for (size_t k = 0; k < scene->particle_count; k++) {
         const struct nb_particle *particle = &scene->particles[k];
         const double wave = sin(phase(scene, particle, it->qx, it->qy));
-        off = fmax(off, hypot(particle->vx - wave * it->start[0], particle->vy - wave * it->start[1]));
-        all = fmax(all, hypot(particle->vx, particle->vy));
+        error = fmax(error, hypot(particle->vx - wave * it->start[0], particle->vy - wave * it->start[1]));
+        top = fmax(top, hypot(particle->vx, particle->vy));
       }
-      if (off < 1e-9 * all)
+      if (error < 1e-9 * top)
         return true;
     }
   return false;
 }
 
-/* Spacing and number of the first body's nearest copies of others. */
+/* The distance and the number of the nearest neighbours of particle 1, with periodic copies. */
 static int neighbours(const struct nb_scene *scene, double *spacing) {
   int count = 0;
   *spacing = INFINITY;
-  for (int again = 0; again < 2; again++)
+  for (int pass = 0; pass < 2; pass++)
     for (size_t j = 1; j < scene->particle_count; j++) {
       double x = scene->particles[j].x - scene->particles[0].x, y = scene->particles[j].y - scene->particles[0].y;
       x -= scene->cell.h[0] * round(x / scene->cell.h[0]), y -= scene->cell.h[3] * round(y / scene->cell.h[3]);
-      *spacing = again ? *spacing : fmin(*spacing, hypot(x, y));
-      count += again && hypot(x, y) < *spacing * (1 + 1e-9);
+      *spacing = pass ? *spacing : fmin(*spacing, hypot(x, y));
+      count += pass && hypot(x, y) < *spacing * (1 + 1e-9);
     }
   return count;
 }
 
-static enum nb_status fit(struct wave *it, const struct nb_scene *scene, struct nb_error *error) {
+static enum nb_status read_wave(struct wave *it, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_particle *first = &scene->particles[0];
   const struct nb_stage *stage = &scene->stages[0];
   double spacing;
   if (!scene->cell.line || scene->stage_count != 1 || stage->cell_line || stage->damping.contact_kind ||
       stage->damping.global_kind || scene->gravity.line || stage->gravity.line)
-    return unfit(error, "a periodic cell at rest, one stage, no damping and no gravity");
+    return refuse(error, "a periodic cell at rest, one stage, no damping and no gravity");
   for (size_t k = 0; k < scene->particle_count; k++)
     if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
         scene->particles[k].shape != first->shape || scene->particles[k].fixed || scene->particles[k].spin != 0)
-      return unfit(error, "equal bodies that are free and do not turn at first");
+      return refuse(error, "equal particles that are free and have no spin at first");
   const struct matter_pair pair = matter_pair(scene, first->material, first->material);
   if (strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0 || pair.friction < 1e6)
-    return unfit(error, "linear springs that never slide");
+    return refuse(error, "linear springs that never slide");
   const int count = neighbours(scene, &spacing);
   if ((count != 4 && count != 6) || spacing >= 2 * first->radius)
-    return unfit(error, "a lattice in which every body overlaps with four others, or six");
+    return refuse(error, "a lattice in which every particle overlaps four or six others");
   it->lattice = (struct waves_lattice){.kn = pair.kn,
                                        .ks = pair.ks,
                                        .force = pair.kn * (2 * first->radius - spacing),
@@ -152,11 +154,11 @@ static enum nb_status fit(struct wave *it, const struct nb_scene *scene, struct 
                                        .radius = first->radius,
                                        .spacing = spacing,
                                        .hexagonal = count == 6,
-                                       .turns = stage->rotation != NB_ROTATION_OFF};
-  return find_wave(it, scene) ? NB_OK : unfit(error, "velocities at the start that are one sine wave");
+                                       .rotates = stage->rotation != NB_ROTATION_OFF};
+  return find_wave(it, scene) ? NB_OK : refuse(error, "initial velocities that are one sine wave");
 }
 
-/* ---- what is known ---- */
+/* ---- curves ---- */
 
 struct oscillation {
   int count;
@@ -171,8 +173,8 @@ static double oscillation_at(const void *data, double time) {
   return sum;
 }
 
-static void add_value(struct nb_solution *solution, const struct wave *it, const struct waves_modes *modes,
-                      const char *monitor, double at) {
+static void add_curves(struct nb_solution *solution, const struct wave *it, const struct waves_modes *modes,
+                       const char *monitor, double at) {
   static const char *const names[WAVES_MODES] = {"vx", "vy", "spin"};
   for (int i = 0; i < WAVES_MODES; i++) {
     struct oscillation *oscillation = calloc(1, sizeof *oscillation);
@@ -191,16 +193,16 @@ static void add_value(struct nb_solution *solution, const struct wave *it, const
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct wave wave;
   if (scene->particle_count == 0)
-    return unfit(error, "bodies");
-  if (fit(&wave, scene, error))
+    return refuse(error, "particles");
+  if (read_wave(&wave, scene, error))
     return error->status;
   const struct waves_modes modes = waves_modes(&wave.lattice, wave.qx, wave.qy);
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind == NB_MONITOR_PARTICLE)
-      add_value(solution, &wave, &modes, monitor->name, phase(scene, &scene->particles[monitor->a], wave.qx, wave.qy));
+      add_curves(solution, &wave, &modes, monitor->name, phase(scene, &scene->particles[monitor->a], wave.qx, wave.qy));
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_lattice_waves = {

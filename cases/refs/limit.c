@@ -1,12 +1,12 @@
-/* The largest step that the calculation cycle stands on a network of springs and dashpots.
+/* The largest stable step of the calculation cycle for a network of springs and dashpots.
  *
- * One cycle without loads [CS79 20-23a, 26-28], with w = v dt and the freedoms scaled so that all masses are 1:
+ * One cycle without loads [CS79 20-23a, 26-28], with w = v dt and unit masses by scaling of the degrees of freedom:
  *
- *   w <- keep w - push (dt^2 K u + dt C w),    u <- u + w
+ *   w <- keep w - gain (dt^2 K u + dt C w),    u <- u + w
  *
- * The dashpot acts on the velocity of the half step behind. This is a matrix, and the step is too long when it has an
- * eigenvalue outside the unit circle. At the limit that eigenvalue is -1, where u changes sign every cycle; put into
- * the two lines, that is  det(dt^2 K + 2 dt C - 2 (1 + keep)/push) = 0.
+ * The dashpot acts on the velocity of the previous half step. The step is too long when this matrix has an eigenvalue
+ * outside the unit circle. At the limit that eigenvalue is -1, where u changes sign every cycle. Inserted into the two
+ * lines, this gives det(dt^2 K + 2 dt C - 2 (1 + keep)/gain) = 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "limit.h"
@@ -18,8 +18,8 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
-/* An eigenvalue 1 that is there twice, of what nothing holds, comes out as 1 + sqrt(rounding). */
-static const double grows = 1e-6;
+/* A double eigenvalue 1, of a degree of freedom without stiffness, is computed as 1 + sqrt(rounding). */
+static const double allowed_growth = 1e-6;
 
 static double reduced_mass(const struct nb_scene *scene, const struct lattice_contact *contact) {
   const struct nb_particle *a = &scene->particles[contact->a];
@@ -43,7 +43,7 @@ static double critical_step(const struct nb_scene *scene) {
   return 2 * sqrt(lightest / max_stiffness);
 }
 
-/* c of a spring k, as the four words of the page language mean it. */
+/* c of a dashpot beside the spring k, by the statements of the page. */
 static double dashpot(const struct nb_damping *damping, bool wall, double k, double mass, double critical) {
   double value;
   switch (nb_damping_at(damping, wall, &value)) {
@@ -59,22 +59,22 @@ static double dashpot(const struct nb_damping *damping, bool wall, double k, dou
   return 0;
 }
 
-/* CS79's alpha is left out: (1 - h)/(1 + h) and 1/(1 + h), h = alpha dt/2, make 2 (1 + keep)/push = 4 whatever h is. */
-static void global(struct limit *limit, const struct nb_damping *damping) {
+/* Mass-proportional damping does not matter: (1 - h)/(1 + h) and 1/(1 + h), h = alpha dt/2, give 2 (1 + keep)/gain = 4 for all h. */
+static void set_global_damping(struct limit *limit, const struct nb_damping *damping) {
   const double g = damping->global;
-  limit->keep = limit->push = 1;
+  limit->keep = limit->gain = 1;
   if (damping->global_kind == NB_GLOBAL_CON1_CS79)
-    limit->keep = g / (2 - g), limit->push = 1 / (2 - g);
+    limit->keep = g / (2 - g), limit->gain = 1 / (2 - g);
   if (damping->global_kind == NB_GLOBAL_CON1_VELOCITY)
     limit->keep = g;
   if (damping->global_kind == NB_GLOBAL_CON1_ALL)
-    limit->keep = limit->push = g;
+    limit->keep = limit->gain = g;
 }
 
 enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, const struct nb_damping *damping,
-                           double reach, struct nb_error *error) {
+                           double largest_gap, struct nb_error *error) {
   *limit = (struct limit){0};
-  if (lattice_near(&limit->lattice, scene, reach, error))
+  if (lattice_build_pairs(&limit->lattice, scene, largest_gap, error))
     return error->status;
   const struct lattice *lattice = &limit->lattice;
   limit->critical = critical_step(scene);
@@ -83,11 +83,11 @@ enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, co
     double k = gsl_vector_get(lattice->springs, r), mass = reduced_mass(scene, &lattice->contacts[r / 2]);
     gsl_vector_set(limit->dashpots, r, dashpot(damping, lattice->contacts[r / 2].wall, k, mass, limit->critical));
   }
-  global(limit, damping);
-  if (limit->push > 0 && gsl_vector_max(lattice->springs) > 0)
+  set_global_damping(limit, damping);
+  if (limit->gain > 0 && gsl_vector_max(lattice->springs) > 0)
     return NB_OK;
   limit_free(limit);
-  return nb_error_set(error, NB_BAD_USE, "nothing vibrates here, so no step is too long");
+  return nb_error_set(error, NB_BAD_USE, "there is no stiffness here, so no step is too long");
 }
 
 void limit_free(struct limit *limit) {
@@ -97,22 +97,22 @@ void limit_free(struct limit *limit) {
 }
 
 /* stretch' (a springs + b dashpots) stretch */
-static gsl_matrix *mixed(const struct limit *limit, double a, double b) {
+static gsl_matrix *assembled(const struct limit *limit, double a, double b) {
   const gsl_matrix *stretch = limit->lattice.stretch;
-  gsl_matrix *pulled = gsl_matrix_alloc(stretch->size1, stretch->size2);
+  gsl_matrix *forces_of_u = gsl_matrix_alloc(stretch->size1, stretch->size2);
   gsl_matrix *sum = gsl_matrix_alloc(stretch->size2, stretch->size2);
-  gsl_matrix_memcpy(pulled, stretch);
+  gsl_matrix_memcpy(forces_of_u, stretch);
   for (size_t r = 0; r < stretch->size1; r++) {
-    gsl_vector_view row = gsl_matrix_row(pulled, r);
+    gsl_vector_view row = gsl_matrix_row(forces_of_u, r);
     gsl_vector_scale(&row.vector,
                      a * gsl_vector_get(limit->lattice.springs, r) + b * gsl_vector_get(limit->dashpots, r));
   }
-  gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, stretch, pulled, 0, sum);
-  gsl_matrix_free(pulled);
+  gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, stretch, forces_of_u, 0, sum);
+  gsl_matrix_free(forces_of_u);
   return sum;
 }
 
-/* Destroys the matrix. */
+/* Overwrites the matrix. */
 static double largest_eigenvalue(gsl_matrix *matrix) {
   gsl_vector *values = gsl_vector_alloc(matrix->size1);
   gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(matrix->size1);
@@ -126,7 +126,7 @@ static double largest_eigenvalue(gsl_matrix *matrix) {
 double limit_radius(const struct limit *limit, double step) {
   size_t n = limit->lattice.freedom_count;
   gsl_matrix *cycle = gsl_matrix_calloc(2 * n, 2 * n);
-  gsl_matrix *k = mixed(limit, limit->push * step * step, 0), *c = mixed(limit, 0, limit->push * step);
+  gsl_matrix *k = assembled(limit, limit->gain * step * step, 0), *c = assembled(limit, 0, limit->gain * step);
   for (size_t i = 0; i < n; i++) {
     gsl_matrix_set(cycle, i, i, 1);
     for (size_t j = 0; j < n; j++) {
@@ -148,41 +148,42 @@ double limit_radius(const struct limit *limit, double step) {
   return radius;
 }
 
-/* The largest step that `stands`, by halving: some half of `critical` does, and longer ones stop to. NAN: none is found. */
-static double halve(const struct limit *limit, bool (*stands)(const struct limit *, const struct nb_scene *, double),
-                    const struct nb_scene *scene, int times) {
+/* The largest stable step by bisection, from powers of two of the single-contact step; NAN: none is found. */
+static double bisect(const struct limit *limit, bool (*stable)(const struct limit *, const struct nb_scene *, double),
+                     const struct nb_scene *scene, int times) {
   double high = limit->critical, low;
-  while (stands(limit, scene, high))
+  while (stable(limit, scene, high))
     if (!((high *= 2) < INFINITY))
       return NAN;
-  for (low = high / 2; !stands(limit, scene, low); low /= 2)
+  for (low = high / 2; !stable(limit, scene, low); low /= 2)
     if (!((high = low) > DBL_MIN))
       return NAN;
   for (int i = 0; i < times; i++) {
     double middle = (low + high) / 2;
-    *(stands(limit, scene, middle) ? &low : &high) = middle;
+    *(stable(limit, scene, middle) ? &low : &high) = middle;
   }
   return low;
 }
 
-static bool cycle_stands(const struct limit *limit, const struct nb_scene *scene, double step) {
+static bool cycle_is_stable(const struct limit *limit, const struct nb_scene *scene, double step) {
   (void)scene;
-  return limit_radius(limit, step) <= 1 + grows;
+  return limit_radius(limit, step) <= 1 + allowed_growth;
 }
 
-static bool modes_stand(const struct limit *limit, const struct nb_scene *scene, double step) {
+static bool modes_are_stable(const struct limit *limit, const struct nb_scene *scene, double step) {
   (void)scene;
-  gsl_matrix *sum = mixed(limit, step * step, 2 * step);
+  gsl_matrix *sum = assembled(limit, step * step, 2 * step);
   double largest = largest_eigenvalue(sum);
   gsl_matrix_free(sum);
-  return largest <= 2 * (1 + limit->keep) / limit->push;
+  return largest <= 2 * (1 + limit->keep) / limit->gain;
 }
 
-double limit_of_cycle(const struct limit *limit) { return halve(limit, cycle_stands, NULL, 24); }
-double limit_of_modes(const struct limit *limit) { return halve(limit, modes_stand, NULL, 50); }
+double limit_of_cycle(const struct limit *limit) { return bisect(limit, cycle_is_stable, NULL, 24); }
+double limit_of_modes(const struct limit *limit) { return bisect(limit, modes_are_stable, NULL, 50); }
 
-/* Sum over the contacts of body `index` of what row `2c + which` does in a step, times R^2 for the tangential one. */
-static double load(const struct limit *limit, const struct nb_scene *scene, int index, int which, double step) {
+/* Sum over the contacts of a particle of dt^2 k + 2 dt c, normal (which = 0) or tangential (1, times R^2). */
+static double total_hardness(const struct limit *limit, const struct nb_scene *scene, int index, int which,
+                             double step) {
   const struct lattice *lattice = &limit->lattice;
   double sum = 0, radius = scene->particles[index].radius;
   for (size_t c = 0; c < lattice->contact_count; c++) {
@@ -194,22 +195,22 @@ static double load(const struct limit *limit, const struct nb_scene *scene, int 
   return sum * step * (which ? radius * radius : 1);
 }
 
-/* One contact with its shares of mass: its rows of `stretch`, every freedom divided by the root of its share. */
-static double part_eigenvalue(const struct limit *limit, const struct nb_scene *scene, size_t c, double step) {
+/* One contact with its fractions of mass: its rows of `stretch`, each degree of freedom divided by the root of its fraction. */
+static double contact_eigenvalue(const struct limit *limit, const struct nb_scene *scene, size_t c, double step) {
   const struct lattice *lattice = &limit->lattice;
   const struct lattice_contact *contact = &lattice->contacts[c];
   gsl_matrix *part = gsl_matrix_calloc(6, 6);
   int particles[2] = {contact->a, contact->wall ? -1 : contact->b};
-  double row[2][6] = {{0}}, hard[2];
+  double row[2][6] = {{0}}, hardness[2];
   for (int which = 0; which < 2; which++) {
     size_t r = 2 * c + (size_t)which;
-    hard[which] = step * (gsl_vector_get(lattice->springs, r) * step + 2 * gsl_vector_get(limit->dashpots, r));
+    hardness[which] = step * (gsl_vector_get(lattice->springs, r) * step + 2 * gsl_vector_get(limit->dashpots, r));
   }
   for (int side = 0; side < 2; side++)
     for (int freedom = 0; freedom < 3 && particles[side] >= 0; freedom++) {
       double radius = scene->particles[particles[side]].radius;
-      double own = freedom < 2 ? hard[0] : hard[1] * radius * radius;
-      double fraction = own / load(limit, scene, particles[side], freedom < 2 ? 0 : 1, step);
+      double own = freedom < 2 ? hardness[0] : hardness[1] * radius * radius;
+      double fraction = own / total_hardness(limit, scene, particles[side], freedom < 2 ? 0 : 1, step);
       for (int which = 0; which < 2 && own > 0; which++)
         row[which][3 * side + freedom] =
             gsl_matrix_get(lattice->stretch, 2 * c + (size_t)which, 3 * (size_t)particles[side] + (size_t)freedom) /
@@ -217,19 +218,19 @@ static double part_eigenvalue(const struct limit *limit, const struct nb_scene *
     }
   for (size_t i = 0; i < 6; i++)
     for (size_t j = 0; j < 6; j++)
-      gsl_matrix_set(part, i, j, hard[0] * row[0][i] * row[0][j] + hard[1] * row[1][i] * row[1][j]);
+      gsl_matrix_set(part, i, j, hardness[0] * row[0][i] * row[0][j] + hardness[1] * row[1][i] * row[1][j]);
   double largest = largest_eigenvalue(part);
   gsl_matrix_free(part);
   return largest;
 }
 
-static bool parts_stand(const struct limit *limit, const struct nb_scene *scene, double step) {
+static bool contacts_are_stable(const struct limit *limit, const struct nb_scene *scene, double step) {
   double largest = 0;
   for (size_t c = 0; c < limit->lattice.contact_count; c++)
-    largest = fmax(largest, part_eigenvalue(limit, scene, c, step));
-  return largest <= 2 * (1 + limit->keep) / limit->push;
+    largest = fmax(largest, contact_eigenvalue(limit, scene, c, step));
+  return largest <= 2 * (1 + limit->keep) / limit->gain;
 }
 
-double limit_of_parts(const struct limit *limit, const struct nb_scene *scene) {
-  return halve(limit, parts_stand, scene, 48);
+double limit_of_contacts(const struct limit *limit, const struct nb_scene *scene) {
+  return bisect(limit, contacts_are_stable, scene, 48);
 }

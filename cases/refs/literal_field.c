@@ -1,14 +1,14 @@
-/* Reference: an assembly at rest in the field that a strain rate makes which is stored back [R89 4.43].
+/* Reference: an assembly at rest in an affine strain that is accumulated in the velocities [R89 4.43].
  *
  *   sum F = -m L x/dt,   mean |sum F| = <m> (2/3) R_A e/dt^2
  *
- *   e     strain of a cycle, the same along both axes but for its sign, L = e/dt
- *   R_A   radius of the region, a circle about the centre, m; bodies are spread evenly over it
- *   <m>   mean mass of all bodies, kg
+ *   e     strain of a cycle, of opposite sign along the two axes, L = e/dt
+ *   R_A   radius of the region, a circle about the centre, m; particles are spread evenly over it
+ *   <m>   mean mass of all particles, kg
  *
  * dt is F of R89's step [R89 4.33, 4.34]: pi R sqrt(rho/G)/(0.1631 nu + 0.876605), R the mean radius.
  *
- * Known: NAME.unbalanced.force in S, for each region that is a circle and the last stage S.
+ * Returns, for A that monitors a circular region:   A.unbalanced.force in the last stage, N
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -20,9 +20,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const struct nb_strain_rate *strain = last ? &last->affine.strain : NULL;
   if (!last || !last->affine.line || !last->affine.accumulated || !strain->per_cycle || strain->xx != -strain->yy ||
       strain->xy != 0 || strain->yx != 0 || last->step.kind != NB_STEP_RAYLEIGH_FIT_MEAN || last->damping.global_kind)
-    return nb_error_set(error, NB_BAD_USE,
-                        "literal_field wants a last stage with `affine strain E -E accumulated` per cycle, a step that "
-                        "is a share of rayleigh-fit-mean, and no damping but at contacts");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "literal_field is for a last stage with `affine strain E -E accumulated` per cycle, a step that "
+        "is a fraction of rayleigh-fit-mean, and no damping except at contacts");
   double mass = 0, radius = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
     mass += matter_mass(scene, &scene->particles[k]), radius += scene->particles[k].radius;
@@ -39,16 +40,16 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     snprintf(name, sizeof name, "%s.unbalanced.force in %s", monitor->name, last->name);
     solution_value(solution, mass * 2 / 3 * scene->regions[monitor->a].radius * fabs(strain->xx) / (step * step), name);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_literal_field = {
     .name = "literal_field",
-    .title = "an assembly at rest in the field of a continuum that is stored back",
+    .title = "an assembly at rest in an affine strain that is accumulated in the velocities",
     .source = "[R89 4.43]",
-    .accepts = {HAS_SPHERES, HAS_FRICTION, HAS_CONTACT_DAMPING, HAS_BOUNDARY, HAS_BOUNDARY_STRAIN, HAS_CONTINUUM,
-                HAS_START, HAS_STILL, HAS_UNTIL, HAS_STEP_CHANGE, HAS_MATERIAL_CHANGE},
-    .needs = {HAS_CONTINUUM_LITERAL},
+    .accepts = {HAS_SPHERES, HAS_FRICTION, HAS_CONTACT_DAMPING, HAS_BOUNDARY, HAS_BOUNDARY_STRAIN, HAS_AFFINE_STRAIN,
+                HAS_START, HAS_ZERO_VELOCITIES, HAS_UNTIL, HAS_STEP_CHANGE, HAS_MATERIAL_CHANGE},
+    .needs = {HAS_AFFINE_ACCUMULATED},
     .normal = "hertz",
     .shear = "mindlin",
     .solve = solve,

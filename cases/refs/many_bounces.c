@@ -1,18 +1,19 @@
-/* Reference: a sphere that bounces and bounces on a spring and a dashpot, its weight acting during the contact as well.
+/* Reference: a sphere that bounces repeatedly on a spring and a dashpot, with its weight also during the contact.
  *
- * While it touches, the overlap d obeys  m d'' + c d' + k d = m g,  d = 0 and d' = v at first touch. With u = w d/v, the time
- * t = w time, w^2 = k/m, b the share of critical damping, s = (1 - b^2)^(1/2) and eps = g/(w v),
+ * In contact the overlap d obeys  m d'' + c d' + k d = m g,  d = 0 and d' = v at first. With u = w d/v, the time t = w
+ * time, w^2 = k/m, the damping ratio b, s = (1 - b^2)^(1/2) and eps = g/(w v),
  *
  *   u = exp(-b t) sin(s t)/s + eps (1 - exp(-b t) (cos s t + b/s sin s t))
  *
- * It parts at the first root of u behind 0 with the speed -u' v, and rises by (u' v)^2/(2 g). The root comes by Newton's method
- * from t = pi/s, where it is without weight. To first order in eps the restitution is
+ * The contact ends at the first root of u after 0, with the speed -u' v, and the sphere rises by (u' v)^2/(2 g). The
+ * root is found by Newton's method from t = pi/s, the root without weight. To first order in eps the coefficient of
+ * restitution is
  *
  *   e = e_0 - 2 b (1 + e_0) eps,    e_0 = exp(-pi b/s)
  *
- * Known, where NAME watches the body: NAME.y in STAGE, for the k-th stage that ends when a body is at the top (`until NAME.vy
- * below 0`). Exact in continuous time. The scheme misses the beginning and the end of the dashpot's force by up to half a step,
- * and its dashpot lags half a step behind: b w dt (2 + pi b/2) of e.
+ * Returns, for D that monitors the particle:   D.y in STAGE, of each stage that ends at the top (`until D.vy below 0`)
+ * Exact in continuous time. The scheme misses the begin and the end of the dashpot's force by up to half a step, and
+ * its dashpot lags half a step: b w dt (2 + pi b/2) of e.
  *
  * Source   [MFiX DEM-02].
  *
@@ -21,7 +22,7 @@
 
 #include "single.h"
 
-/* The speed of parting over that of first touch; NAN where the weight keeps the sphere on the wall. */
+/* The coefficient of restitution; NAN: the weight keeps the sphere on the wall. */
 static double restitution(double b, double eps) {
   const double s = sqrt(1 - b * b);
   double t = 3.14159265358979323846 / s, slope = NAN;
@@ -38,30 +39,30 @@ static double restitution(double b, double eps) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct single particle;
-  if (single_of(&particle, scene, error))
+  if (single_read(&particle, scene, error))
     return error->status;
   if (scene->gravity.x != 0 || !(particle.height > particle.radius) || !(particle.gravity_n > 0) ||
       !(particle.cn < 2 * sqrt(particle.pair.kn * particle.m)))
     return nb_error_set(error, NB_BAD_USE,
-                        "many_bounces is for a body dropped straight down, from rest, on a dashpot below critical");
+                        "many_bounces is for a particle dropped straight down, from rest, on a dashpot below critical");
   const double w = sqrt(particle.pair.kn / particle.m), b = particle.cn / (2 * particle.m * w), g = particle.gravity_n;
-  double rise = particle.height - particle.radius; /* of the centre above where it touches */
+  double rise = particle.height - particle.radius; /* of the centre above first contact, m */
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     if (stage->condition_count != 1 || stage->conditions[0].relation != NB_BELOW)
       continue;
     const double v = sqrt(2 * g * rise), e = restitution(b, g / (w * v));
     if (!isfinite(e))
-      return nb_error_set(error, NB_BAD_USE, "many_bounces is for a wall that the body leaves again");
+      return nb_error_set(error, NB_BAD_USE, "many_bounces is for a particle that leaves the wall again");
     rise *= e * e;
     single_add(solution, particle.particle, "y", stage->name, scene->walls[0].y + particle.radius + rise);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_many_bounces = {
     .name = "many_bounces",
-    .title = "the heights of bounces on a spring and a dashpot, under weight",
+    .title = "heights of repeated bounces on a spring and a dashpot, with weight",
     .source = "[MFiX DEM-02]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_CONTACT_DAMPING, HAS_UNTIL},
     .needs = {HAS_WALLS, HAS_GRAVITY},

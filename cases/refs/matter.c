@@ -1,4 +1,4 @@
-/* Masses, moments of inertia and the constants of a contact, from the numbers of the page.
+/* Mass, moment of inertia, and the constants of a contact, from the numbers of the page.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "matter.h"

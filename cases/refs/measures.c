@@ -1,18 +1,20 @@
-/* Reference: what the measures of regions are at time 0, of bodies on linear springs without friction, by their definitions.
+/* Reference: measures of regions at time 0 by their definitions, for particles with linear springs without friction.
  *
- * Every pair of bodies is looked at, O(n^2). With the overlap a = R_i + R_j - |x_i - x_j| > 0, the force N = k_n a and the normal
- * n, a body inside adds for each of its contacts
+ * All pairs of particles are examined, O(n^2). With the overlap a = R_i + R_j - |x_i - x_j| > 0, the force N = k_n a
+ * and the normal n, a particle in the region adds for each of its contacts
  *
- *   N l n n/V    to the stress, l = R_i - a/2                    n n/2M, N n n/sum N    to the fabric, plain and weighted
+ *   N l n n/V    to the stress, l = R_i - a/2                    n n/2M, N n n/sum N    to the fabric, plain and
+ *                weighted
  *
- * Principal values and directions are GSL's eigenvalues and eigenvectors. What a region covers of an outline is the integral of
- * the length that a line through both has in common with them, by quadrature. Rattlers go one by one until none is left.
+ * Principal values and directions are GSL's eigenvalues and eigenvectors. The area of a particle in a region is the
+ * integral, by quadrature, of the length that a line through both has in common. Rattlers are removed one by one until
+ * none is left.
  *
- * Known, of a region NAME that is a circle or a box, at 0 cycles:
- *   NAME.stress.xx and its sisters, likewise NAME.stress.contacts, NAME.fabric, NAME.fabric.normal; NAME.fabric.kk
- *   NAME.particles, contacts, coordination, coordination.mechanical, rattlers, normal.mean, max, min
- *   NAME.porosity, porosity.volume, thickness
- * Exact but for rounding; porosity to what the quadrature is asked for, 1e-11.
+ * Returns, for A that monitors a circle or a box, at 0 cycles:
+ *   all components of A.stress, A.stress.contacts, A.fabric, A.fabric.normal; A.fabric.kk
+ *   A.particles, contacts, coordination, coordination.mechanical, rattlers, normal.mean, max, min
+ *   A.porosity, porosity.volume, thickness
+ * Error: rounding; of the porosity 1e-11, the tolerance of the quadrature.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>
@@ -38,15 +40,15 @@ static double overlap(const struct nb_particle *a, const struct nb_particle *b) 
   return a->radius + b->radius - hypot(a->x - b->x, a->y - b->y);
 }
 
-/* ---- how much of an outline is inside ---- */
+/* ---- area of a particle in a region ---- */
 
 struct cut {
   const struct nb_region *region;
-  double x, y, radius; /* of the body, in the region's own axes, from its centre */
+  double x, y, radius; /* of the particle, in the axes of the region, from its centre */
 };
 
-/* The length at height y that both have. */
-static double common(double y, void *data) {
+/* The length at height y inside both. */
+static double common_length(double y, void *data) {
   const struct cut *cut = data;
   const double up = y - cut->y, a = sqrt(fmax(0, cut->radius * cut->radius - up * up));
   const double R = cut->region->radius;
@@ -61,22 +63,22 @@ static double area_inside(const struct nb_region *region, const struct nb_partic
   if (box)
     cut.x = x * region->ex + y * region->ey, cut.y = y * region->ex - x * region->ey;
   else
-    cut.x = hypot(x, y), cut.y = 0; /* turned so that the body lies to the east */
+    cut.x = hypot(x, y), cut.y = 0; /* rotated so that the particle lies in +x */
   const double half = box ? region->half_y : R;
   const double low = fmax(-half, cut.y - particle->radius), high = fmin(half, cut.y + particle->radius);
   if (!(high > low) || (!box && cut.x >= R + particle->radius))
     return 0;
-  gsl_integration_cquad_workspace *room = gsl_integration_cquad_workspace_alloc(200);
-  gsl_function f = {common, &cut};
+  gsl_integration_cquad_workspace *workspace = gsl_integration_cquad_workspace_alloc(200);
+  gsl_function f = {common_length, &cut};
   double sum = 0, error = 0;
-  if (!room || gsl_integration_cquad(&f, low, high, 1e-13 * pi * particle->radius * particle->radius, 1e-12, room, &sum,
-                                     &error, NULL) != GSL_SUCCESS)
+  if (!workspace || gsl_integration_cquad(&f, low, high, 1e-13 * pi * particle->radius * particle->radius, 1e-12,
+                                          workspace, &sum, &error, NULL) != GSL_SUCCESS)
     sum = NAN;
-  gsl_integration_cquad_workspace_free(room);
+  gsl_integration_cquad_workspace_free(workspace);
   return sum;
 }
 
-/* ---- what is told ---- */
+/* ---- values ---- */
 
 static void add_value(struct nb_solution *solution, const char *region, const char *what, double value) {
   char name[3 * NB_NAME_SIZE];
@@ -88,15 +90,15 @@ static void add_tensor(struct nb_solution *solution, const char *region, const c
                        const char *deviator) {
   double both[] = {t[0], t[1], t[1], t[2]}, major = 0, minor = 0, x = 1, y = 0;
   gsl_matrix_view matrix = gsl_matrix_view_array(both, 2, 2);
-  gsl_eigen_symmv_workspace *room = gsl_eigen_symmv_alloc(2);
+  gsl_eigen_symmv_workspace *workspace = gsl_eigen_symmv_alloc(2);
   gsl_vector *values = gsl_vector_alloc(2);
   gsl_matrix *vectors = gsl_matrix_alloc(2, 2);
-  if (gsl_eigen_symmv(&matrix.matrix, values, vectors, room) != GSL_SUCCESS)
+  if (gsl_eigen_symmv(&matrix.matrix, values, vectors, workspace) != GSL_SUCCESS)
     gsl_vector_set_all(values, NAN);
   gsl_eigen_symmv_sort(values, vectors, GSL_EIGEN_SORT_VAL_DESC);
   major = gsl_vector_get(values, 0), minor = gsl_vector_get(values, 1);
   x = gsl_matrix_get(vectors, 0, 0), y = gsl_matrix_get(vectors, 1, 0);
-  gsl_eigen_symmv_free(room), gsl_vector_free(values), gsl_matrix_free(vectors);
+  gsl_eigen_symmv_free(workspace), gsl_vector_free(values), gsl_matrix_free(vectors);
   const struct {
     const char *name;
     double value;
@@ -122,7 +124,7 @@ static void add_tensor(struct nb_solution *solution, const char *region, const c
 struct sums {
   double stress[3], fabric[3], weighted[3]; /* xx, xy, yy */
   double particles, ends, contacts, force, radius, covered, volume;
-  double mean, most, least; /* of the contacts' forces */
+  double mean, largest, smallest; /* of the contact forces, N; mean is the sum */
 };
 
 static void add(double t[3], double weight, double x, double y) {
@@ -144,7 +146,7 @@ static void add_pair(struct sums *sums, const struct nb_scene *scene, const stru
   if (inside(region, b) && j < i)
     return;
   sums->contacts++, sums->mean += force;
-  sums->most = fmax(sums->most, force), sums->least = fmin(sums->least, force);
+  sums->largest = fmax(sums->largest, force), sums->smallest = fmin(sums->smallest, force);
 }
 
 static void find_rattlers(const struct nb_scene *scene, bool rattles[], int touching[]) {
@@ -167,9 +169,9 @@ static double thickness_of(const struct nb_scene *scene) {
   return sum / (double)scene->particle_count;
 }
 
-static void know_region(struct nb_solution *solution, const struct nb_scene *scene, const char *name,
-                        const struct nb_region *region, const bool rattles[], const int touching[]) {
-  struct sums sums = {.least = INFINITY};
+static void add_region(struct nb_solution *solution, const struct nb_scene *scene, const char *name,
+                       const struct nb_region *region, const bool rattles[], const int touching[]) {
+  struct sums sums = {.smallest = INFINITY};
   double rattlers = 0, loaded = 0;
   for (size_t i = 0; i < scene->particle_count; i++) {
     const struct nb_particle *particle = &scene->particles[i];
@@ -200,8 +202,8 @@ static void know_region(struct nb_solution *solution, const struct nb_scene *sce
   add_value(solution, name, "coordination.mechanical", loaded / (sums.particles - rattlers));
   add_value(solution, name, "rattlers", rattlers);
   add_value(solution, name, "normal.mean", sums.mean / sums.contacts);
-  add_value(solution, name, "normal.max", sums.most);
-  add_value(solution, name, "normal.min", sums.least);
+  add_value(solution, name, "normal.max", sums.largest);
+  add_value(solution, name, "normal.min", sums.smallest);
   add_value(solution, name, "porosity", 1 - sums.covered / area);
   add_value(solution, name, "porosity.volume", 1 - sums.volume / volume);
   add_value(solution, name, "thickness", thickness);
@@ -210,14 +212,14 @@ static void know_region(struct nb_solution *solution, const struct nb_scene *sce
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   bool *rattles = calloc(scene->particle_count, sizeof *rattles);
   int *touching = calloc(scene->particle_count, sizeof *touching);
-  solution->lacking = solution->lacking || !rattles || !touching;
+  solution->incomplete = solution->incomplete || !rattles || !touching;
   if (rattles && touching)
     find_rattlers(scene, rattles, touching);
   for (size_t w = 0; w < scene->monitor_count && rattles && touching; w++)
     if (scene->monitors[w].kind == NB_MONITOR_REGION && scene->regions[scene->monitors[w].a].kind <= NB_REGION_BOX)
-      know_region(solution, scene, scene->monitors[w].name, &scene->regions[scene->monitors[w].a], rattles, touching);
+      add_region(solution, scene, scene->monitors[w].name, &scene->regions[scene->monitors[w].a], rattles, touching);
   free(rattles), free(touching);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_measures = {

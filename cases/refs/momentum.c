@@ -1,10 +1,11 @@
-/* Reference: free bodies that only touch each other keep their momentum.
+/* Reference: free particles that interact only by contacts conserve their momentum.
  *
- *   p = sum m v         whatever the laws and the dashpots at contacts are: forces come in opposite pairs
- *   L = sum (m x x v + I w), about the origin, without shear forces only: with them CS79's moments F_s R add overlap
- *   times F_s to it
+ *   p = sum m v         for all laws and contact dashpots: forces are pairs of opposite forces
+ *   L = sum (m x x v + I w), about the origin, only without shear forces: CS79's moments F_s R change it by overlap
+ *     times F_s
  *
- * Known at any moment: momentum.x, momentum.y and, without friction, momentum.angular; each with max and min as well.
+ * Returns momentum.x, momentum.y and, without friction, momentum.angular, at any time; each also with max, min and
+ * mean.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -30,18 +31,18 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                matter_inertia(scene, particle) * particle->spin;
   }
   add_value(solution, "x", x), add_value(solution, "y", y);
-  if (strcmp(scene->shear, "none") == 0 && !scene->cell.line) /* a step across the cell's edge moves m x x v */
+  if (strcmp(scene->shear, "none") == 0 && !scene->cell.line) /* crossing an edge of the cell changes m x x v */
     add_value(solution, "angular", angular);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_momentum = {
     .name = "momentum",
-    .title = "free bodies keep their momentum; without shear forces their angular momentum too",
+    .title = "free particles conserve momentum; without shear forces also angular momentum",
     .source = "[CS79 20-23]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_CELL, HAS_CELL_STRAIN, HAS_FRICTION,
-                HAS_COHESION, HAS_PIECES, HAS_CONTACT_BETA, HAS_CONTACT_FRACTION, HAS_CONTACT_RATIO, HAS_DEEP_DAMPING,
-                HAS_UNTIL, HAS_STEP_CHANGE, HAS_DAMPING_CHANGE, HAS_MATERIAL_CHANGE},
+                HAS_COHESION, HAS_MEMORY, HAS_STIFFNESS_DAMPING, HAS_R89_FRACTION_DAMPING, HAS_RATIO_DAMPING,
+                HAS_CRITICAL_DAMPING, HAS_UNTIL, HAS_STEP_CHANGE, HAS_DAMPING_CHANGE, HAS_MATERIAL_CHANGE},
     .normal = NB_ANY_LAW,
     .shear = NB_ANY_LAW,
     .solve = solve,

@@ -1,63 +1,62 @@
-/* Reference: discs that touch, between walls that move and stop, without damping and without slip: the force at every
- * watched contact as the sum over the normal modes of the network [CS79 figures 6, 7].
+/* Reference: touching discs between walls that move and stop, without damping and sliding: the force at every monitored
+ * contact as the sum over the normal modes of the network [CS79 figures 6, 7].
  *
- * Known of a watched contact NAME:
- *   NAME.normal along cycle, time    the calculation cycle's own solution of the linear network, at its step
- *   NAME.normal mean                 about which it swings once the walls stand: the static force
- *   NAME.normal amplitude            half of highest minus lowest, ever: the sum of the amplitudes of its waves. A run
- *                                    of W cycles misses of it about 2 pi sqrt(A1 A2) / W
- *   NAME.normal frequency            how often it rises through its mean in unit time, in the long run; known only
- *                                    when one wave is higher and steeper than all others together
- * and the same of NAME.shear. Each with ` in STAGE` for every stage in which the walls stand, too.
- *
- * Not known where a contact would open, slip, or begin to touch: then the answer is an error. What the network leaves
- * out, the turning of contacts, is of the order of overlap over radius; nine discs: 0.01 (overlap / radius) of the mean
- * force and of the frequencies, which in a curve adds up from wave to wave.
+ * Returns, for C that monitors a contact:
+ *   C.normal along cycle, time    the exact solution of the calculation cycle for the linear network
+ *   C.normal mean                 the static force, about which it oscillates once the walls are at rest
+ *   C.normal amplitude            half of highest minus lowest value at all times: the sum of the amplitudes of its
+ *                                 waves. A run of W cycles gives about 2 pi sqrt(A1 A2) / W less
+ *   C.normal frequency            how often it rises through its mean per unit time, in the long run; returned only
+ *                                 when one wave has a larger amplitude and slope than all others together
+ *   the same of C.shear; mean, amplitude and frequency also `in STAGE` for every stage in which the walls are at rest
+ * Refuses scenes in which a contact opens, slips or closes. Error: the rotation of contacts, of the order of overlap
+ * over radius. For nine discs it is 0.01 (overlap / radius) of the mean force and of the frequencies; in a curve it
+ * adds up from wave to wave.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
 
-#include "lattice_tell.h"
+#include "lattice_values.h"
 
 enum { TEXT = 3 * NB_NAME_SIZE };
 
-/* ` mean` of `C.normal`, for the scene and for every stage in which the walls stand. */
-static void add_value(struct nb_solution *solution, const struct nb_scene *scene, size_t standing, const char *quantity,
+/* `C.normal mean`, of the scene and of every stage in which the walls are at rest. */
+static void add_value(struct nb_solution *solution, const struct nb_scene *scene, size_t at_rest, const char *quantity,
                       const char *reducer, double value) {
   char text[TEXT];
-  if (standing >= scene->stage_count)
+  if (at_rest >= scene->stage_count)
     return;
   snprintf(text, sizeof text, "%s %s", quantity, reducer);
   solution_value(solution, value, text);
-  for (size_t i = standing; i < scene->stage_count; i++) {
+  for (size_t i = at_rest; i < scene->stage_count; i++) {
     snprintf(text, sizeof text, "%s %s in %s", quantity, reducer, scene->stages[i].name);
     solution_value(solution, value, text);
   }
 }
 
-/* All that is known of one force; `row` as in struct lattice. */
+/* Values and curves of one force; `row` as in struct lattice. */
 static enum nb_status add_force(struct nb_solution *solution, const struct nb_scene *scene,
                                 const struct lattice *lattice, const struct oscillation_modes *modes,
                                 const char *quantity, size_t row, struct nb_error *error) {
   struct oscillation *oscillation = oscillation_create(lattice, modes, row, OSCILLATION_STEPS, 1, error);
   if (!oscillation)
     return error->status;
-  size_t standing = lattice_standing(lattice, scene);
-  double beat = oscillation_beat(oscillation) / lattice->step;
-  add_value(solution, scene, standing, quantity, "mean", oscillation_mean(oscillation));
-  add_value(solution, scene, standing, quantity, "amplitude", oscillation_amplitude(oscillation));
-  if (beat > 0)
-    add_value(solution, scene, standing, quantity, "frequency", beat);
+  size_t at_rest = lattice_first_at_rest(lattice, scene);
+  double frequency = oscillation_frequency(oscillation) / lattice->step;
+  add_value(solution, scene, at_rest, quantity, "mean", oscillation_mean(oscillation));
+  add_value(solution, scene, at_rest, quantity, "amplitude", oscillation_amplitude(oscillation));
+  if (frequency > 0)
+    add_value(solution, scene, at_rest, quantity, "frequency", frequency);
   free(oscillation);
   return lattice_add_curves(solution, lattice, modes, quantity, row, error);
 }
 
-static enum nb_status know_network(struct nb_solution *solution, const struct nb_scene *scene,
-                                   const struct lattice *lattice, struct nb_error *error) {
+static enum nb_status add_forces(struct nb_solution *solution, const struct nb_scene *scene,
+                                 const struct lattice *lattice, struct nb_error *error) {
   struct oscillation_modes modes = oscillation_modes_create(lattice);
-  enum nb_status status = lattice_stays(lattice, &modes, error);
+  enum nb_status status = lattice_check_run(lattice, &modes, error);
   for (size_t i = 0; i < scene->monitor_count && status == NB_OK; i++) {
-    int contact = lattice_watched(lattice, &scene->monitors[i]);
+    int contact = lattice_contact_of(lattice, &scene->monitors[i]);
     char quantity[TEXT];
     if (contact < 0)
       continue;
@@ -68,7 +67,7 @@ static enum nb_status know_network(struct nb_solution *solution, const struct nb
       status = add_force(solution, scene, lattice, &modes, quantity, 2 * (size_t)contact + 1, error);
   }
   oscillation_modes_free(&modes);
-  return status == NB_OK ? solution_full(solution, error) : status;
+  return status == NB_OK ? solution_status(solution, error) : status;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
@@ -76,7 +75,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   enum nb_status status = lattice_build(&lattice, scene, error);
   if (status != NB_OK)
     return status;
-  status = know_network(solution, scene, &lattice, error);
+  status = add_forces(solution, scene, &lattice, error);
   lattice_free(&lattice);
   return status;
 }

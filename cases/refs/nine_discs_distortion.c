@@ -1,10 +1,11 @@
-/* Reference: discs that touch, between walls that slowly close in and then turn, with friction  [CS79 16-19; figures 8, 9].
+/* Reference: touching discs between walls that approach slowly and then turn, with friction  [CS79 16-19; figures 8,
+ * 9].
  *
- * Known, for every watched contact: NAME.normal and NAME.shear along cycle (straight lines between the points of the path),
- * and their values at the end of each stage. The network of springs is led along the walls' path, at rest all the
- * time; contacts slide and stick again as they must. Exact for small displacements and infinitely slow walls: a run
- * misses by the ratio of overlap to radius, by the square of the angle over the overlap's share of the radius, and by
- * its speed.
+ * Returns, for C that monitors a contact:   C.normal, C.shear along cycle (linear between the points of the path) and
+ *                                           at the end of
+ * each stage. The network of springs follows the path of the walls in equilibrium; contacts slide and stick again.
+ * Exact for small displacements and infinitely slow walls. The errors of a run are the ratio of overlap to radius, the
+ * square of the angle over the ratio of overlap to radius, and the effect of its speed.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -15,14 +16,14 @@
 
 /* One force along the path: one allocation, so that it can be the data of a curve. */
 struct trace {
-  size_t count, room;
+  size_t count, capacity;
   struct {
     double cycle, force;
   } points[];
 };
 
-/* What is looked at: a row of the forces for each trace. */
-struct looked {
+/* The recorded forces: one trace for each. */
+struct recorder {
   const struct nb_scene *scene;
   size_t count;
   struct trace **traces;
@@ -30,14 +31,15 @@ struct looked {
   double *begin; /* of each stage, cycles */
 };
 
-static void see(void *data, size_t stage, double fraction, const gsl_vector *forces) {
-  const struct looked *looked = data;
-  for (size_t k = 0; k < looked->count; k++) {
-    struct trace *trace = looked->traces[k];
-    if (trace->count == trace->room)
+static void add_point(void *data, size_t stage, double fraction, const gsl_vector *forces) {
+  const struct recorder *recorder = data;
+  for (size_t k = 0; k < recorder->count; k++) {
+    struct trace *trace = recorder->traces[k];
+    if (trace->count == trace->capacity)
       continue;
-    trace->points[trace->count].cycle = looked->begin[stage] + fraction * (double)looked->scene->stages[stage].cycles;
-    trace->points[trace->count++].force = gsl_vector_get(forces, looked->rows[k]);
+    trace->points[trace->count].cycle =
+        recorder->begin[stage] + fraction * (double)recorder->scene->stages[stage].cycles;
+    trace->points[trace->count++].force = gsl_vector_get(forces, recorder->rows[k]);
   }
 }
 
@@ -56,50 +58,50 @@ static double at(const void *data, double x) {
   return trace->points[low].force + fraction * (trace->points[high].force - trace->points[low].force);
 }
 
-static enum nb_status look(struct looked *looked, const struct lattice *lattice, struct nb_error *error) {
-  const struct nb_scene *scene = looked->scene;
-  const size_t room = 1001 * scene->stage_count;
-  looked->traces = calloc(2 * scene->monitor_count + 1, sizeof *looked->traces);
-  looked->rows = calloc(2 * scene->monitor_count + 1, sizeof *looked->rows);
-  looked->begin = calloc(scene->stage_count + 1, sizeof *looked->begin);
-  bool made = looked->traces && looked->rows && looked->begin;
+static enum nb_status make_traces(struct recorder *recorder, const struct lattice *lattice, struct nb_error *error) {
+  const struct nb_scene *scene = recorder->scene;
+  const size_t capacity = 1001 * scene->stage_count;
+  recorder->traces = calloc(2 * scene->monitor_count + 1, sizeof *recorder->traces);
+  recorder->rows = calloc(2 * scene->monitor_count + 1, sizeof *recorder->rows);
+  recorder->begin = calloc(scene->stage_count + 1, sizeof *recorder->begin);
+  bool made = recorder->traces && recorder->rows && recorder->begin;
   for (size_t s = 0; s < scene->stage_count && made; s++)
-    looked->begin[s + 1] = looked->begin[s] + (double)scene->stages[s].cycles;
+    recorder->begin[s + 1] = recorder->begin[s] + (double)scene->stages[s].cycles;
   for (size_t w = 0; w < scene->monitor_count && made; w++) {
-    const int contact = lattice_watched(lattice, &scene->monitors[w]);
+    const int contact = lattice_contact_of(lattice, &scene->monitors[w]);
     for (size_t k = 0; k < 2 && contact >= 0 && made; k++) {
-      struct trace *trace = malloc(sizeof *trace + room * sizeof trace->points[0]);
+      struct trace *trace = malloc(sizeof *trace + capacity * sizeof trace->points[0]);
       made = trace != NULL;
       if (made)
-        trace->count = 0, trace->room = room, looked->rows[looked->count] = 2 * (size_t)contact + k,
-        looked->traces[looked->count++] = trace;
+        trace->count = 0, trace->capacity = capacity, recorder->rows[recorder->count] = 2 * (size_t)contact + k,
+        recorder->traces[recorder->count++] = trace;
     }
   }
   return made ? NB_OK : nb_error_memory(error);
 }
 
-/* Hands the traces over to what is known, in the order of `look`. */
-static void add_value(struct nb_solution *solution, struct looked *looked, const struct lattice *lattice) {
+/* Hands the traces over to the solution, in the order of make_traces. */
+static void add_value(struct nb_solution *solution, struct recorder *recorder, const struct lattice *lattice) {
   static const char *const kinds[2] = {"normal", "shear"};
-  const struct nb_scene *scene = looked->scene;
+  const struct nb_scene *scene = recorder->scene;
   char name[2 * NB_NAME_SIZE], ends[4 * NB_NAME_SIZE];
   size_t trace = 0;
   for (size_t w = 0; w < scene->monitor_count; w++)
-    for (size_t k = 0; k < 2 && lattice_watched(lattice, &scene->monitors[w]) >= 0; k++) {
+    for (size_t k = 0; k < 2 && lattice_contact_of(lattice, &scene->monitors[w]) >= 0; k++) {
       snprintf(name, sizeof name, "%s.%s", scene->monitors[w].name, kinds[k]);
       for (size_t s = 0; s < scene->stage_count; s++) {
         snprintf(ends, sizeof ends, "%s in %s", name, scene->stages[s].name);
-        solution_value(solution, at(looked->traces[trace], looked->begin[s + 1]), ends);
+        solution_value(solution, at(recorder->traces[trace], recorder->begin[s + 1]), ends);
       }
-      solution_value(solution, at(looked->traces[trace], looked->begin[scene->stage_count]), name);
-      solution_curve(solution, name, "cycle", at, looked->traces[trace++]);
+      solution_value(solution, at(recorder->traces[trace], recorder->begin[scene->stage_count]), name);
+      solution_curve(solution, name, "cycle", at, recorder->traces[trace++]);
     }
-  looked->count = 0; /* they are not ours any more */
+  recorder->count = 0; /* the solution owns them now */
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct lattice lattice;
-  struct looked looked = {.scene = scene};
+  struct recorder recorder = {.scene = scene};
   enum nb_status status = lattice_build(&lattice, scene, error);
   if (status != NB_OK)
     return status;
@@ -107,21 +109,21 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     if (lattice.contacts[c].pair.cohesion != 0)
       status = nb_error_set(error, NB_BAD_USE, "this reference is for friction without cohesion");
   if (status == NB_OK)
-    status = look(&looked, &lattice, error);
+    status = make_traces(&recorder, &lattice, error);
   if (status == NB_OK)
-    status = lattice_path(&lattice, see, &looked, error);
+    status = lattice_path(&lattice, add_point, &recorder, error);
   if (status == NB_OK)
-    add_value(solution, &looked, &lattice);
-  for (size_t k = 0; k < looked.count; k++)
-    free(looked.traces[k]);
-  free(looked.traces), free(looked.rows), free(looked.begin);
+    add_value(solution, &recorder, &lattice);
+  for (size_t k = 0; k < recorder.count; k++)
+    free(recorder.traces[k]);
+  free(recorder.traces), free(recorder.rows), free(recorder.begin);
   lattice_free(&lattice);
-  return status == NB_OK ? solution_full(solution, error) : status;
+  return status == NB_OK ? solution_status(solution, error) : status;
 }
 
 const struct nb_reference reference_nine_discs_distortion = {
     .name = "nine_discs_distortion",
-    .title = "touching discs between walls that close in and turn slowly: the network followed along its path",
+    .title = "touching discs between walls that approach and turn slowly: the network in equilibrium along the path",
     .source = "[CS79 16-19]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_MOVING_WALLS, HAS_TURNING_WALLS, HAS_FRICTION,
                 HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_STEP_CHANGE, HAS_UNTIL},

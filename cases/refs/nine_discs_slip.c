@@ -1,19 +1,21 @@
-/* Reference: discs that touch, between walls that close in slowly, with friction: the forces at rest [CS79 19].
+/* Reference: touching discs between walls that approach slowly, with friction: the forces in equilibrium [CS79 19].
  *
- * Known: the names of nine_discs_statics. Slow means that no swing makes anything slip that the growing load would
- * not: the forces of a run at speed v approach these with v, damped or not. At finite speed the rest depends on the
- * path.
+ * Returns the values of nine_discs_statics. Slow means that oscillations cause no sliding that the growing load alone
+ * would not: the forces of a run at speed v approach these with v, damped or not. At finite speed the equilibrium
+ * depends on the path.
  *
- * Nine equal discs, in units of k_n d and with r = k_s/k_n, f = tan phi: the corner discs slide on the walls when
- * r d_c > f (1 - d_c) in the solution without slip; then
+ * For nine equal discs, in units of k_n d, with r = k_s/k_n and f = tan phi: the corner discs slide on the walls when r
+ * d_c > f (1 - d_c) in the solution without sliding; then
+ *
  *   (1 - f) (1 - d_c) - d_c - r (d_c - d_m) = 0,   1 - 2 d_m - 2 r (d_m - d_c) = 0;
+ *
  * at 15 degrees the centre contact carries 0.46999 (r = 1) and 0.47486 (r = 2/3); at 30 degrees nothing slides.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "lattice_tell.h"
+#include "lattice_values.h"
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  return lattice_add_rest(solution, scene, lattice_rest_slipping, error);
+  return lattice_add_equilibria(solution, scene, lattice_equilibrium_sliding, error);
 }
 
 const struct nb_reference reference_nine_discs_slip = {

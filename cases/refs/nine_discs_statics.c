@@ -1,28 +1,29 @@
-/* Reference: discs that touch, between walls that have moved and stopped, at rest, without slip: the forces of the
- * linear network [CS79 figures 5, 6].
+/* Reference: touching discs between walls that have moved and stopped, in equilibrium without sliding: the forces of
+ * the linear network [CS79 figures 5, 6].
  *
- * Known of a watched contact NAME: NAME.normal and NAME.shear at the end, also ` mean`; and NAME.normal in STAGE,
- * where the stage's end finds the walls, as if everything had settled.
+ * Returns, for C that monitors a contact:   C.normal, C.shear at the end, also ` mean`; and in STAGE, the equilibrium
+ *                                           for the position
+ * of the walls at its end
  *
- * Nine equal discs, each wall gone inward by d, r = k_s/k_n, forces in units of k_n d:
+ * For nine equal discs, each wall displaced inward by d, r = k_s/k_n, forces in units of k_n d:
  *   d_c, d_m (corner disc, disc in the middle of a side):  (2 + 2 r) d_c - r d_m = 1,  (2 + 2 r) d_m - 2 r d_c = 1
  *   centre contact d_m, corner with middle d_c, corner with wall 1 - d_c, middle with wall 1 - d_m;
- * r = 1: 3/7, 5/14, 9/14, 4/7. Without shear force 1/2 everywhere. Linear: overlap over radius is neglected, and
- * 0.01 of that ratio is what it makes.
+ * r = 1: 3/7, 5/14, 9/14, 4/7. Without shear force 1/2 everywhere.
  *
- * Damping that is relative velocity times anything moves none of these values, as long as nothing slips.
+ * Error    0.01 of overlap over radius: the network is linear.
+ * Damping proportional to relative velocities does not change the values if nothing slides.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "lattice_tell.h"
+#include "lattice_values.h"
 
-static enum nb_status rest(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
-                           struct nb_error *error) {
-  enum nb_status status = lattice_rest(lattice, travel, forces, error);
-  return status == NB_OK ? lattice_holds(lattice, forces, (double)lattice->cycles, error) : status;
+static enum nb_status equilibrium(const struct lattice *lattice, const gsl_vector *travel, gsl_vector *forces,
+                                  struct nb_error *error) {
+  enum nb_status status = lattice_equilibrium(lattice, travel, forces, error);
+  return status == NB_OK ? lattice_check_forces(lattice, forces, (double)lattice->cycles, error) : status;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  return lattice_add_rest(solution, scene, rest, error);
+  return lattice_add_equilibria(solution, scene, equilibrium, error);
 }
 
 const struct nb_reference reference_nine_discs_statics = {

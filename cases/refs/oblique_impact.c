@@ -1,24 +1,27 @@
-/* Reference: a sphere that strikes a wall, or another sphere, at an angle.
+/* Reference: oblique impact of a sphere on a wall or on another sphere.
  *
- * For `shear mindlin_deresiewicz` the exact contact, as independent springs (impact_springs.c); for a simplified law what it comes
- * to in the limit of small steps (impact_laws.c). In pure numbers the impact has two parameters:
+ * For `shear mindlin_deresiewicz` the exact contact, as independent springs (impact_springs.c); for a simplified law
+ * its limit for small steps (impact_laws.c). In dimensionless numbers the impact has two parameters:
  *
  *   psi1 = V_T/(mu kappa V_N)       chi = (1 + m R^2/I)/(2 kappa)       kappa = (E* / G*)/4     [R89 5.14, 5.15]
  *
- * and two bodies count as one with 1/M = 1/m_x + 1/m_y. In gross sliding, psi1 >= 4 chi - 1, psi2 = psi1 - 4 chi.
- * What is lost is what the velocities say: with Lambda = (psi1^2 - psi2^2)/(5 chi) it is N_max mu^2 kappa alpha_max Lambda.
+ * Two spheres count as one with 1/M = 1/m_x + 1/m_y. In gross sliding, psi1 >= 4 chi - 1, psi2 = psi1 - 4 chi. The
+ * dissipated energy follows from the velocities: with Lambda = (psi1^2 - psi2^2)/(5 chi) it is N_max mu^2 kappa
+ * alpha_max Lambda.
  *
- * Known:
+ * Returns:
  *   impact.psi1, .psi2, .angle, .restitution, .duration, impact.energy.normal .tangential .rotational    at the end
- *   energy.frictional, energy.sliding              lost in all, and while the contact slides as a whole, J
+ *   energy.frictional, energy.sliding              dissipated in all, and in gross sliding, J
  *   impact.normal, .shear, .slip along impact.time
- *   impact.time, .slip in STAGE                         that ends when the contact begins or ceases to slide, or impact.shear passes
- *                                                  a value
- *   NAME.normal max, NAME.overlap max              where NAME watches the contact
+ *   impact.time, .slip in STAGE                    of a stage that ends when gross sliding begins or ends, or
+ *     impact.shear passes a
+ *                                                  value
+ *   C.normal max, C.overlap max                    for C that monitors the contact
  *
  * Source   Maw, Barber and Fawcett (1976) for the numbers [R89 5.3.2]; Popov and Hess (2015) for the springs.
- * Error    psi2 of the exact contact 1e-6, curves 1e-5 (interpolation between 2000 steps); of mindlin and mindlin_scaled 1e-6 and
- * 1e-4, of randall 1e-4 and 1e-3.
+ * Error    psi2 of the exact contact 1e-6, curves 1e-5 (interpolation between 2000 steps); of mindlin and
+ *          mindlin_scaled 1e-6 and
+ *          1e-4, of randall 1e-4 and 1e-3.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -30,7 +33,7 @@
 
 enum { STEPS = 2000, LAW_STEPS = 20000 };
 
-/* The pair as the scene says it; in SI. */
+/* The pair of the scene, in SI. */
 struct pair {
   double mass, inverse;      /* reduced, kg; 1/m + R^2/I of both, 1/kg */
   double friction, kappa;    /* 1 */
@@ -38,13 +41,13 @@ struct pair {
   double vn, vt;             /* V_N, and V_T of the contact, m/s */
   double centre;             /* V_T of the centre, m/s */
   double depth, force, time; /* alpha_max, m; N_max, N; T_c, s */
-  double rotation;           /* at first, J */
+  double rotation;           /* rotational energy at first, J */
 };
 
-static double fraction(const struct nb_scene *scene, const struct nb_particle *particle) {
+static double inverse_mass(const struct nb_scene *scene, const struct nb_particle *particle) {
   return particle->fixed ? 0 : 1 / matter_mass(scene, particle);
 }
-static double turning(const struct nb_scene *scene, const struct nb_particle *particle) {
+static double inverse_rotational_mass(const struct nb_scene *scene, const struct nb_particle *particle) {
   return particle->fixed ? 0 : particle->radius * particle->radius / matter_inertia(scene, particle);
 }
 
@@ -55,15 +58,16 @@ static void read_pair(struct pair *p, const struct nb_scene *scene) {
   const struct nb_wall *wall = b ? NULL : &scene->walls[monitor->b];
   const struct matter_pair pair = matter_pair(scene, a->material, b ? b->material : wall->material);
   const double vx = a->vx - (b ? b->vx : wall->vx), vy = a->vy - (b ? b->vy : wall->vy);
-  /* from what is struck to the sphere: the other's centre, or square to the wall on the sphere's side */
+  /* from the other sphere's centre, or normal to the wall, to the first sphere */
   double nx = b ? a->x - b->x : -wall->ey, ny = b ? a->y - b->y : wall->ex;
   const double side = b || (a->x - wall->x) * nx + (a->y - wall->y) * ny > 0 ? 1 / hypot(nx, ny) : -1;
   nx *= side, ny *= side;
   const double centre = vx * ny - vy * nx, surface = a->spin * a->radius + (b ? b->spin * b->radius : 0);
   const double radius = matter_radius(a->radius, b ? b->radius : INFINITY);
   *p = (struct pair){
-      .mass = 1 / (fraction(scene, a) + (b ? fraction(scene, b) : 0)),
-      .inverse = fraction(scene, a) + turning(scene, a) + (b ? fraction(scene, b) + turning(scene, b) : 0),
+      .mass = 1 / (inverse_mass(scene, a) + (b ? inverse_mass(scene, b) : 0)),
+      .inverse = inverse_mass(scene, a) + inverse_rotational_mass(scene, a) +
+                 (b ? inverse_mass(scene, b) + inverse_rotational_mass(scene, b) : 0),
       .friction = pair.friction,
       .kappa = pair.young / pair.shear / 4,
       .spring = pair.ks,
@@ -73,7 +77,7 @@ static void read_pair(struct pair *p, const struct nb_scene *scene) {
       .rotation =
           (matter_inertia(scene, a) * a->spin * a->spin + (b ? matter_inertia(scene, b) * b->spin * b->spin : 0)) / 2,
   };
-  /* [R89 5.5, 5.9]: K alpha^(3/2), and all of the energy in it at alpha_max */
+  /* [R89 5.5, 5.9]: K alpha^(3/2), which stores all of the energy at alpha_max */
   const double stiffness = 4. / 3 * sqrt(radius) * pair.young;
   p->depth = pow(5 * p->mass * p->vn * p->vn / (4 * stiffness), 0.4);
   p->force = stiffness * pow(p->depth, 1.5);
@@ -81,17 +85,17 @@ static void read_pair(struct pair *p, const struct nb_scene *scene) {
 }
 
 static enum nb_status refuse(const struct nb_scene *scene, struct nb_error *error) {
-  const char *wants = NULL;
-  for (size_t s = 0; s < scene->stage_count && !wants; s++)
+  const char *why = NULL;
+  for (size_t s = 0; s < scene->stage_count && !why; s++)
     if (scene->stages[s].motion_count)
-      wants = "a wall whose velocity no stage changes";
-  return wants ? nb_error_set(error, NB_BAD_USE, "oblique_impact is for %s", wants) : NB_OK;
+      why = "a wall whose velocity no stage changes";
+  return why ? nb_error_set(error, NB_BAD_USE, "oblique_impact is for %s", why) : NB_OK;
 }
 
-/* A curve: equal steps from touch to parting, a straight line behind it. */
+/* A curve: equal steps from first contact to separation, then a straight line. */
 struct curve {
   int steps;
-  double rate; /* of what comes after parting, for each T_c */
+  double rate; /* of the straight line, per T_c */
   double values[];
 };
 
@@ -116,7 +120,7 @@ static void add_curve(struct nb_solution *solution, const char *name, const doub
   solution_curve(solution, name, "impact.time", at, c);
 }
 
-/* The condition `until` of a stage at entry k of the path; those that it cannot tell never hold. */
+/* The condition `until` of a stage at entry k of the path. Unknown conditions never hold. */
 static bool holds(const struct nb_condition *condition, const struct impact_path *path, int k) {
   const char *name = condition->name, *part = strrchr(name, '.');
   double value = NAN;
@@ -131,7 +135,7 @@ static bool holds(const struct nb_condition *condition, const struct impact_path
   return condition->relation == NB_ABOVE ? value > condition->value : value < condition->value;
 }
 
-/* When the stages end that last until the contact begins to slide, or no longer does, or its force turns round. */
+/* The ends of stages that last until gross sliding begins or ends, or a force passes a value. */
 static void add_stages(struct nb_solution *solution, const struct nb_scene *scene, const struct impact_path *path,
                        double scale) {
   int k = 0;
@@ -151,12 +155,12 @@ static void add_stages(struct nb_solution *solution, const struct nb_scene *scen
   }
 }
 
-static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct pair *p,
-                      struct impact_path *path, double chi) {
+static void add_values(struct nb_solution *solution, const struct nb_scene *scene, const struct pair *p,
+                       struct impact_path *path, double chi) {
   const double slope = p->friction * p->kappa, psi1 = p->vt / (slope * p->vn);
   const double impulse = (p->vt - path->psi2 * slope * p->vn) / p->inverse; /* of T, N s */
   const double after = p->centre - impulse / p->mass;
-  const double lost = p->force * p->friction * slope * p->depth,
+  const double unit = p->force * p->friction * slope * p->depth,
                all = (psi1 * psi1 - path->psi2 * path->psi2) / (5 * chi);
   solution_value(solution, psi1, "impact.psi1");
   solution_value(solution, path->psi2, "impact.psi2");
@@ -165,10 +169,10 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
   solution_value(solution, p->time, "impact.duration");
   solution_value(solution, p->mass * p->vn * p->vn / 2, "impact.energy.normal");
   solution_value(solution, p->mass * after * after / 2, "impact.energy.tangential");
-  const double turned = p->rotation + p->mass * (p->centre * p->centre - after * after) / 2 - lost * all;
+  const double turned = p->rotation + p->mass * (p->centre * p->centre - after * after) / 2 - unit * all;
   solution_value(solution, turned, "impact.energy.rotational");
-  solution_value(solution, lost * all, "energy.frictional");
-  solution_value(solution, lost * path->slid, "energy.sliding");
+  solution_value(solution, unit * all, "energy.frictional");
+  solution_value(solution, unit * path->slid, "energy.sliding");
   add_curve(solution, "impact.shear", path->f, path->steps, 1, 0);
   add_curve(solution, "impact.slip", path->d, path->steps, slope * p->depth, path->psi2 * slope * p->vn * p->time);
   for (int k = 0; k <= path->steps; k++)
@@ -196,9 +200,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const bool made =
       exact ? impact_exact(&path, chi, psi1, STEPS) : impact_law(&path, scene->shear, spring, chi, psi1, LAW_STEPS);
   if (made)
-    add_stages(solution, scene, &path, p.friction * p.kappa * p.depth), add_value(solution, scene, &p, &path, chi);
+    add_stages(solution, scene, &path, p.friction * p.kappa * p.depth), add_values(solution, scene, &p, &path, chi);
   impact_path_free(&path);
-  return made ? solution_full(solution, error) : nb_error_memory(error);
+  return made ? solution_status(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_oblique_impact = {
@@ -206,7 +210,7 @@ const struct nb_reference reference_oblique_impact = {
     .title = "an oblique impact: exact contact as independent springs, simplified laws as differential equations",
     .source = "[R89 5.5, 5.6, 5.9, 5.12, 5.14, 5.15]",
     .accepts = {HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS, HAS_FRICTION,
-                HAS_PIECES, HAS_UNTIL},
+                HAS_MEMORY, HAS_UNTIL},
     .needs = {HAS_IMPACT},
     .normal = "hertz",
     .shear = "none linear mindlin mindlin_scaled mindlin_deresiewicz randall",

@@ -1,19 +1,20 @@
-/* Reference: two bodies, or a body and a wall, with one contact that does not slide: the equations of motion by GSL.
+/* Reference: two particles, or a particle and a wall, with one contact that does not slide: the equations of motion, by
+ * GSL.
  *
  *   m x'' = -+(P e + Q t),   I w' = Q R,   v = v_1 - v_2                                    [CS79 8-15, 20-23]
  *   P = k_n alpha + c_n (v.e),   Q = F_s + c_s s',   F_s' = k_s s',   s' = v.t - R_1 w_1 - R_2 w_2
  *   c = beta k,  or  beta 2 sqrt(M* k)                                                      [CS79 26-28] [R89 4.13]
  *
- * in continuous time, with the eighth-order method of Prince and Dormand at 1e-13. Nothing of the time steps is in it,
- * except the end: known is the state after all cycles of all stages, so that a run's difference from it is the error of
- * its step.
+ * in continuous time, by the eighth-order method of Prince and Dormand at 1e-13. The time step enters only by the end
+ * of the run, after all cycles of all stages, so the difference to a run is the error of its step.
  *
- * Known at the end, for a watch of a body x, y, angle, vx, vy, spin; of the contact overlap, normal, shear; and
+ * Returns, at the end, for D that monitors a particle D.x, y, angle, vx, vy, spin; for C that monitors the contact
+ * C.overlap, normal, shear; and
  *   energy.kinetic, energy.stored, momentum.x, momentum.y, momentum.angular
- *   energy.residual   dt/2 Int F_s (v.t)(v.e)/D dt, the first order of what the balance leaves: [CS79 15] takes t at
- *                     the end of the step, the forces act at its two ends, and t turns with (v.t)/D
+ *   energy.residual   dt/2 Int F_s (v.t)(v.e)/D dt, the first order of the residual of the balance: [CS79 15] takes t
+ *                     at the end of the step, the forces act at its two ends, and t rotates with (v.t)/D
  *
- * The contact may open, but not with its shear spring bent: that moment would have to be known too.
+ * The contact may open only while its shear spring is undeformed; otherwise the time of opening would have to be known.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_errno.h>
@@ -23,31 +24,31 @@
 
 #include "reference.h"
 
-/* The unknowns: six of each body, the spring, and the integral. */
-enum { X, Y, VX, VY, ANGLE, SPIN, SECOND, SHEAR = 2 * SECOND, TURNED, UNKNOWNS };
-enum { LOOKS = 1000 }; /* moments at which the limit of friction is looked at */
+/* The unknowns: six of each particle, the shear force of the spring, and the integral of energy.residual. */
+enum { X, Y, VX, VY, ANGLE, SPIN, SECOND, SHEAR = 2 * SECOND, RESIDUAL, UNKNOWNS };
+enum { SAMPLES = 1000 }; /* times at which the friction limit is checked */
 
 struct pair {
-  double mass[2], inertia[2], radius[2]; /* infinite for what is held; 0 radius for a wall */
-  const struct nb_wall *wall;            /* NULL: two bodies */
+  double mass[2], inertia[2], radius[2]; /* infinite if fixed; radius 0 for a wall */
+  const struct nb_wall *wall;            /* NULL: two particles */
   struct matter_pair values;
   double cn, cs; /* N s/m */
-  bool shears;
+  bool has_shear;
 };
 
-/* Of the contact in a state. */
-struct touch {
+/* Kinematics of the contact in a state. */
+struct kinematics {
   double ex, ey, tx, ty, distance, overlap; /* m */
   double dn, along, slip;                   /* v.e, v.t, s', m/s */
 };
 
-static struct touch touch(const struct pair *pair, const double y[]) {
+static struct kinematics kinematics(const struct pair *pair, const double y[]) {
   double ax = y[SECOND + X] - y[X], ay = y[SECOND + Y] - y[Y];
-  if (pair->wall) { /* the foot of the perpendicular; wall motion is in the second body's place */
+  if (pair->wall) { /* to the foot of the perpendicular; the wall is the second particle of the state */
     const double s = ax * pair->wall->ex + ay * pair->wall->ey;
     ax -= s * pair->wall->ex, ay -= s * pair->wall->ey;
   }
-  struct touch at = {.distance = hypot(ax, ay)};
+  struct kinematics at = {.distance = hypot(ax, ay)};
   at.ex = ax / at.distance, at.ey = ay / at.distance, at.tx = at.ey, at.ty = -at.ex;
   at.overlap = pair->radius[0] + pair->radius[1] - at.distance;
   const double vx = y[VX] - y[SECOND + VX], vy = y[VY] - y[SECOND + VY];
@@ -58,26 +59,26 @@ static struct touch touch(const struct pair *pair, const double y[]) {
 
 static int slope(double time, const double y[], double dydt[], void *data) {
   const struct pair *pair = data;
-  const struct touch at = touch(pair, y);
+  const struct kinematics at = kinematics(pair, y);
   const bool touching = at.overlap > 0;
-  const double push = touching ? pair->values.kn * at.overlap + pair->cn * at.dn : 0;
-  const double drag = touching && pair->shears ? y[SHEAR] + pair->cs * at.slip : 0;
+  const double normal = touching ? pair->values.kn * at.overlap + pair->cn * at.dn : 0;
+  const double shear = touching && pair->has_shear ? y[SHEAR] + pair->cs * at.slip : 0;
   (void)time;
   for (int k = 0; k < 2; k++) {
     const double *b = y + k * SECOND, sign = k ? 1 : -1;
     double *d = dydt + k * SECOND;
     d[X] = b[VX], d[Y] = b[VY], d[ANGLE] = b[SPIN];
-    d[VX] = sign * (push * at.ex + drag * at.tx) / pair->mass[k];
-    d[VY] = sign * (push * at.ey + drag * at.ty) / pair->mass[k];
-    d[SPIN] = drag * pair->radius[k] / pair->inertia[k];
+    d[VX] = sign * (normal * at.ex + shear * at.tx) / pair->mass[k];
+    d[VY] = sign * (normal * at.ey + shear * at.ty) / pair->mass[k];
+    d[SPIN] = shear * pair->radius[k] / pair->inertia[k];
   }
-  dydt[SHEAR] = touching && pair->shears ? pair->values.ks * at.slip : 0;
-  dydt[TURNED] = touching && !pair->wall ? y[SHEAR] * at.along * at.dn / at.distance : 0;
+  dydt[SHEAR] = touching && pair->has_shear ? pair->values.ks * at.slip : 0;
+  dydt[RESIDUAL] = touching && !pair->wall ? y[SHEAR] * at.along * at.dn / at.distance : 0;
   return GSL_SUCCESS;
 }
 
-static enum nb_status refuse(struct nb_error *error, const char *why) {
-  return nb_error_set(error, NB_BAD_USE, "one_contact %s", why);
+static enum nb_status refuse(struct nb_error *error, const char *what) {
+  return nb_error_set(error, NB_BAD_USE, "one_contact is for %s", what);
 }
 
 static void put_particle(struct pair *pair, double y[], const struct nb_scene *scene, int k) {
@@ -89,7 +90,7 @@ static void put_particle(struct pair *pair, double y[], const struct nb_scene *s
   pair->radius[k] = particle->radius;
 }
 
-/* How long all stages last, s; 0 when that cannot be said. */
+/* Of all stages, s; 0: unknown. */
 static double duration(const struct nb_scene *scene) {
   double time = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
@@ -108,13 +109,12 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
   memset(y, 0, UNKNOWNS * sizeof *y);
   *pair = (struct pair){.mass = {0, INFINITY}, .inertia = {0, INFINITY}};
   if (scene->particle_count + scene->wall_count != 2 || scene->particle_count < 1)
-    return refuse(error, "wants two bodies, or a body and a wall");
+    return refuse(error, "two particles, or a particle and a wall");
   if (strcmp(scene->normal, "linear") != 0)
-    return refuse(error, "wants `normal linear`");
+    return refuse(error, "`normal linear`");
   if (!(duration(scene) > 0) || scene->gravity.line || damping->global_kind)
-    return refuse(error,
-                  "wants one step, a time, stages of so many cycles that change nothing, no gravity and no global "
-                  "damping");
+    return refuse(error, "one step in seconds, stages of given cycles that change nothing, no gravity and no global "
+                         "damping");
   for (int k = 0; k < (int)scene->particle_count; k++)
     put_particle(pair, y, scene, k);
   const int a = scene->particles[0].material;
@@ -122,10 +122,10 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
     const struct nb_wall *wall = pair->wall = &scene->walls[0];
     y[SECOND + X] = wall->x, y[SECOND + Y] = wall->y, y[SECOND + VX] = wall->vx, y[SECOND + VY] = wall->vy;
     if (wall->spin != 0 || wall->h0 != 0)
-      return refuse(error, "wants a wall that does not turn, given by its ends");
+      return refuse(error, "a wall that does not turn, given by its ends");
   }
   pair->values = matter_pair(scene, a, pair->wall ? pair->wall->material : scene->particles[1].material);
-  pair->shears = strcmp(scene->shear, "none") != 0 && (pair->values.friction > 0 || pair->values.cohesion > 0);
+  pair->has_shear = strcmp(scene->shear, "none") != 0 && (pair->values.friction > 0 || pair->values.cohesion > 0);
   const double reduced = 1 / (1 / pair->mass[0] + 1 / pair->mass[1]);
   double value;
   switch (nb_damping_at(damping, pair->wall != NULL, &value)) {
@@ -137,53 +137,53 @@ static enum nb_status build(struct pair *pair, double y[], const struct nb_scene
     pair->cs = 2 * value * sqrt(reduced * pair->values.ks);
     break;
   case NB_CONTACT_R89_FRACTION:
-    return refuse(error, "wants `damping stiffness` or `damping ratio`");
+    return refuse(error, "`damping stiffness` or `damping ratio`");
   case NB_CONTACT_UNDAMPED:
     break;
   }
   return NB_OK;
 }
 
-/* Whether the contact slides, parts with its spring bent, or has left the wall. */
-static enum nb_status look(const struct pair *pair, const double y[], struct nb_error *error) {
-  const struct touch at = touch(pair, y);
+/* NB_BAD_USE: the contact slides, opens with a deformed shear spring, or has left the wall. */
+static enum nb_status check_contact(const struct pair *pair, const double y[], struct nb_error *error) {
+  const struct kinematics at = kinematics(pair, y);
   if (at.overlap > 0 && fabs(y[SHEAR]) > pair->values.kn * at.overlap * pair->values.friction + pair->values.cohesion)
-    return refuse(error, "judges no contact that slides");
+    return refuse(error, "a contact that does not slide");
   if (!(at.overlap > 0) && y[SHEAR] != 0)
-    return refuse(error, "judges no contact that parts with its shear spring bent: end the page before");
+    return refuse(error, "a contact that does not open with a deformed shear spring: end the page before that");
   const struct nb_wall *wall = pair->wall;
   const double s = wall ? (y[X] - y[SECOND + X]) * wall->ex + (y[Y] - y[SECOND + Y]) * wall->ey : 0;
   if (wall && !(s > wall->h1 && s < wall->h2))
-    return refuse(error, "wants a wall as long as the body's way");
+    return refuse(error, "a wall as long as the path of the particle");
   return NB_OK;
 }
 
 static enum nb_status solve_equations(struct pair *pair, double y[], double end, struct nb_error *error) {
   const double mass = pair->mass[0] < pair->mass[1] ? pair->mass[0] : pair->mass[1];
-  const double beat = sqrt(mass / (pair->values.kn + pair->values.ks)), radius = pair->radius[0];
-  double fastest = radius / beat * 1e-6, scale[UNKNOWNS];
+  const double timescale = sqrt(mass / (pair->values.kn + pair->values.ks)), radius = pair->radius[0];
+  double fastest = radius / timescale * 1e-6, scale[UNKNOWNS];
   for (int k = 0; k < 2; k++)
     fastest = fmax(fastest, hypot(y[k * SECOND + VX], y[k * SECOND + VY]) + fabs(y[k * SECOND + SPIN]) * radius);
-  for (int k = 0; k < 2; k++) { /* what a digit of each is worth */
+  for (int k = 0; k < 2; k++) { /* the scale of each for the error control */
     double *s = scale + k * SECOND;
-    s[X] = s[Y] = beat * fastest, s[VX] = s[VY] = fastest, s[ANGLE] = beat * fastest / radius,
+    s[X] = s[Y] = timescale * fastest, s[VX] = s[VY] = fastest, s[ANGLE] = timescale * fastest / radius,
     s[SPIN] = fastest / radius;
   }
-  scale[SHEAR] = mass / beat * fastest, scale[TURNED] = mass * fastest * fastest * fastest / radius;
+  scale[SHEAR] = mass / timescale * fastest, scale[RESIDUAL] = mass * fastest * fastest * fastest / radius;
   gsl_odeiv2_system system = {slope, NULL, UNKNOWNS, pair};
   gsl_odeiv2_driver *driver =
-      gsl_odeiv2_driver_alloc_scaled_new(&system, gsl_odeiv2_step_rk8pd, beat / 100, 1e-13, 0, 1, 0, scale);
+      gsl_odeiv2_driver_alloc_scaled_new(&system, gsl_odeiv2_step_rk8pd, timescale / 100, 1e-13, 0, 1, 0, scale);
   if (!driver)
     return nb_error_memory(error);
-  gsl_odeiv2_driver_set_hmax(driver, beat / 5);
+  gsl_odeiv2_driver_set_hmax(driver, timescale / 5);
   gsl_odeiv2_driver_set_nmax(driver, 1000000);
-  enum nb_status status = look(pair, y, error);
+  enum nb_status status = check_contact(pair, y, error);
   double time = 0;
-  for (int k = 1; k <= LOOKS && !status; k++) {
-    if (gsl_odeiv2_driver_apply(driver, &time, end * k / LOOKS, y) != GSL_SUCCESS)
+  for (int k = 1; k <= SAMPLES && !status; k++) {
+    if (gsl_odeiv2_driver_apply(driver, &time, end * k / SAMPLES, y) != GSL_SUCCESS)
       status = nb_error_set(error, NB_BROKEN, "the equations of motion could not be solved beyond %g s", time);
     else
-      status = look(pair, y, error);
+      status = check_contact(pair, y, error);
   }
   gsl_odeiv2_driver_free(driver);
   return status;
@@ -196,7 +196,7 @@ static void add_value(struct nb_solution *solution, const char *monitor, const c
 }
 
 static void add_sums(struct nb_solution *solution, const struct pair *pair, const double y[], double step) {
-  const struct touch at = touch(pair, y);
+  const struct kinematics at = kinematics(pair, y);
   double kinetic = 0, px = 0, py = 0, angular = 0;
   for (int k = 0; k < 2; k++) {
     const double *b = y + k * SECOND, m = pair->mass[k];
@@ -210,7 +210,7 @@ static void add_sums(struct nb_solution *solution, const struct pair *pair, cons
   solution_value(solution, kinetic, "energy.kinetic");
   solution_value(solution, normal + (pair->values.ks > 0 ? y[SHEAR] * y[SHEAR] / (2 * pair->values.ks) : 0),
                  "energy.stored");
-  solution_value(solution, step / 2 * y[TURNED], "energy.residual");
+  solution_value(solution, step / 2 * y[RESIDUAL], "energy.residual");
   solution_value(solution, px, "momentum.x"), solution_value(solution, py, "momentum.y");
   solution_value(solution, angular, "momentum.angular");
 }
@@ -224,7 +224,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     status = solve_equations(&pair, y, duration(scene), error);
   if (status)
     return status;
-  const struct touch at = touch(&pair, y);
+  const struct kinematics at = kinematics(&pair, y);
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind == NB_MONITOR_PARTICLE)
@@ -237,7 +237,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     add_value(solution, monitor->name, "shear", y[SHEAR]);
   }
   add_sums(solution, &pair, y, scene->step.value);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_one_contact = {
@@ -245,7 +245,7 @@ const struct nb_reference reference_one_contact = {
     .title = "one contact that does not slide: the equations of motion in continuous time, by GSL at 1e-13",
     .source = "[CS79 8-23, 26-28] [R89 4.13]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
-                HAS_FRICTION, HAS_COHESION, HAS_CONTACT_BETA, HAS_CONTACT_RATIO, HAS_WALL_DAMPING},
+                HAS_FRICTION, HAS_COHESION, HAS_STIFFNESS_DAMPING, HAS_RATIO_DAMPING, HAS_WALL_DAMPING},
     .normal = "linear",
     .shear = "none linear",
     .solve = solve,

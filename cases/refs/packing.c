@@ -1,14 +1,16 @@
-/* Reference: bodies that come from a file, and what they were when it was written.
+/* Reference: particles read from a packing file, and their state when it was written.
  *
- *   NAME.x, NAME.y at 0 cycles       the numbers of the body's record in the state, read digit by digit
- *   NAME.normal at 0 cycles          the force in the contact's record
- *   NAME.shear at 0 cycles           0: a packing remembers no slip
- *   contacts at 0 cycles             how many records of contacts there are
+ * Returns, for D that monitors a particle and C a contact, at 0 cycles:
+ *   D.x, D.y       the numbers of the particle's record in the state
+ *   C.normal       the force in the contact's record
+ *   C.shear        0: a packing has no shear history
+ *   contacts       the number of contact records
  *
- * The state is the file of the first `packing`, or, of a list, the one beside it that has the same name and ends in `.state`. It is
- * read here as text, without the reader of states.
+ * The state is the file of the `packing` itself or, for a list, the file of the same name that ends in `.state`. It is
+ * read here as text, without the simulator's reader of states.
  *
- * Exact, to the last bit: nothing has moved at cycle 0, and a normal law that has no memory makes the same force of the same numbers.
+ * Exact to the last bit: nothing has moved at cycle 0, and a normal law without history computes the same force from
+ * the same numbers.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -18,7 +20,7 @@
 
 enum { LINE = 4096 };
 
-/* The state that belongs to the scene's packing; NULL: there is none. */
+/* The state of the scene's packing; NULL: there is none. */
 static FILE *open_state(const struct nb_scene *scene) {
   char path[LINE];
   const char *from = scene->packings[0].path, *dot = strrchr(from, '.'), *slash = strrchr(from, '/');
@@ -28,7 +30,7 @@ static FILE *open_state(const struct nb_scene *scene) {
   return fopen(path, "r");
 }
 
-/* Field number `index` of a record, from 0: its word. */
+/* Word number `index` of a record, from 0. */
 static const char *field(const char *line, int index) {
   for (; index > 0; index--)
     line += strcspn(line, " ") + 1;
@@ -43,8 +45,8 @@ static void add_value(struct nb_solution *solution, const char *of, const char *
   solution_value(solution, value, name);
 }
 
-/* Where `fields` has the name, counted from the first number behind the force. */
-static int place_of(const char *fields, const char *name) {
+/* The index of a name in the record `fields`; -1: not there. */
+static int field_index(const char *fields, const char *name) {
   int place = 0;
   for (const char *at = field(fields, 1); *at && *at != '\n'; at += strcspn(at, " \n"), at += *at == ' ', place++)
     if (begins(at, name) && strchr(" \n", at[strlen(name)]))
@@ -85,27 +87,27 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   double contacts = 0;
   if (scene->packing_count != 1 || scene->packings[0].count != scene->particle_count ||
       strcmp(scene->normal, "linear") != 0)
-    return nb_error_set(error, NB_BAD_USE, "packing wants one `packing`, no other bodies, and `normal linear`");
+    return nb_error_set(error, NB_BAD_USE, "packing is for one `packing`, no other particles, and `normal linear`");
   FILE *file = open_state(scene);
   if (!file)
-    return nb_error_set(error, NB_BAD_USE, "packing wants a state beside %.200s, that ends in .state",
+    return nb_error_set(error, NB_BAD_USE, "packing needs a state beside %.200s that ends in .state",
                         scene->packings[0].path);
   while (fgets(line, sizeof line, file)) {
     if (begins(line, "body "))
       add_body(solution, scene, line);
     if (begins(line, "fields "))
-      normal = place_of(line, "normal");
+      normal = field_index(line, "normal");
     if (begins(line, "contact ") && normal >= 0)
       contacts++, add_contact(solution, scene, line, normal);
   }
   fclose(file);
   solution_value(solution, contacts, "contacts at 0 cycles");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_packing = {
     .name = "packing",
-    .title = "bodies from a file: where the file has them, and pressed as they were when it was written",
+    .title = "particles from a file: positions and forces as in the file",
     .source = "-",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
     .normal = "linear",

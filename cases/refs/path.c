@@ -1,4 +1,4 @@
-/* A path of the bench, for references.
+/* The path of a contact test, for references.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "path.h"
@@ -10,7 +10,7 @@
 enum nb_status path_contact(struct path_contact *contact, const struct nb_scene *scene, const char *reference,
                             struct nb_error *error) {
   if (!scene->contact_test || strcmp(scene->normal, "hertz") != 0)
-    return nb_error_set(error, NB_BAD_USE, "%s wants a path, with `normal hertz`", reference);
+    return nb_error_set(error, NB_BAD_USE, "%s is for a contact test with `normal hertz`", reference);
   const struct nb_particle *particles = scene->particles;
   const bool wall = scene->particle_count == 1;
   const struct matter_pair pair =
@@ -37,12 +37,12 @@ struct path_walk path_walk(const struct nb_scene *scene) {
   return (struct path_walk){.scene = scene, .step = 1};
 }
 
-static double on_the_way(const struct nb_target *aim, double from, double fraction) {
+static double interpolated(const struct nb_target *aim, double from, double fraction) {
   const double to = aim->by ? from + aim->value : aim->value;
   return fraction == 1 ? to : from + (to - from) * fraction;
 }
 
-bool path_next(struct path_walk *walk, struct path_place now, struct path_aim *aim) {
+bool path_next(struct path_walk *walk, struct path_point now, struct path_target *target) {
   if ((size_t)walk->segment == walk->scene->stage_count)
     return false;
   const struct nb_stage *stage = &walk->scene->stages[walk->segment];
@@ -50,13 +50,14 @@ bool path_next(struct path_walk *walk, struct path_place now, struct path_aim *a
   if (walk->step == 1)
     walk->begin = now;
   const double fraction = (double)walk->step / (double)stage->cycles;
-  *aim = (struct path_aim){walk->segment, segment->normal.force, segment->shear.force, 0, 0};
+  *target = (struct path_target){walk->segment, segment->normal.force, segment->shear.force, 0, 0};
   if (segment->points) {
-    aim->normal = segment->points[walk->step - 1].approach, aim->shear = segment->points[walk->step - 1].slip;
+    target->normal = segment->points[walk->step - 1].approach, target->shear = segment->points[walk->step - 1].slip;
   } else {
-    aim->normal =
-        on_the_way(&segment->normal, segment->normal.force ? walk->begin.normal : walk->begin.approach, fraction);
-    aim->shear = on_the_way(&segment->shear, segment->shear.force ? walk->begin.shear : walk->begin.slip, fraction);
+    target->normal =
+        interpolated(&segment->normal, segment->normal.force ? walk->begin.normal : walk->begin.approach, fraction);
+    target->shear =
+        interpolated(&segment->shear, segment->shear.force ? walk->begin.shear : walk->begin.slip, fraction);
   }
   if (walk->step++ == stage->cycles)
     walk->segment++, walk->step = 1;

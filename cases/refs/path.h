@@ -1,4 +1,5 @@
-/* A path of the bench, for references: the contact's constants, what its legs go to, and the tables of what is known.
+/* The path of a contact test, for references: the constants of the contact, the targets of the steps, and tables of
+ * results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_PATH_H
@@ -6,7 +7,7 @@
 
 #include "reference.h"
 
-/* Of two elastic spheres, or of one at a wall. */
+/* The constants of two elastic spheres, or of a sphere and a wall. */
 struct path_contact {
   double radius;   /* R*, m */
   double young;    /* E*, Pa */
@@ -14,41 +15,43 @@ struct path_contact {
   double friction; /* mu, 1 */
   double kappa;    /* E* / 4 G* */
 };
-/* NB_BAD_USE when the page has no path, or its normal law is not `hertz`. */
+/* NB_BAD_USE when the page is not a contact test with `normal hertz`. */
 enum nb_status path_contact(struct path_contact *contact, const struct nb_scene *scene, const char *reference,
                             struct nb_error *error);
-double path_normal(const struct path_contact *contact, double overlap); /* N [R89 3.13] */
-double path_overlap(const struct path_contact *contact, double normal); /* and back, m */
+double path_normal(const struct path_contact *contact, double overlap); /* normal force, N [R89 3.13] */
+double path_overlap(const struct path_contact *contact, double normal); /* its inverse, m */
 
-/* What a step of a leg goes to: places or forces, as the leg says. */
-struct path_aim {
+/* The target of a step: displacements or forces, as the segment prescribes. */
+struct path_target {
   int segment;
   bool normal_force, shear_force;
   double normal, shear; /* m or N */
 };
-/* Where a path has come. */
-struct path_place {
+/* A point of the path. */
+struct path_point {
   double approach, slip, normal, shear; /* m, N */
 };
 
-/* The aims of a path one after the other, asked for with the place that the steps so far have led to. */
+/* Iterates over the targets of a path; each depends on the point that the previous steps have reached. */
 struct path_walk {
   const struct nb_scene *scene;
   int segment;
-  unsigned long step;      /* of the leg, the next one, from 1 */
-  struct path_place begin; /* of the leg */
+  unsigned long step;      /* of the segment, the next one, from 1 */
+  struct path_point begin; /* of the segment */
 };
 struct path_walk path_walk(const struct nb_scene *scene);
-bool path_next(struct path_walk *walk, struct path_place now, struct path_aim *aim); /* false: that was the last one */
-size_t path_steps(const struct nb_scene *scene);                                     /* of all legs */
+bool path_next(struct path_walk *walk, struct path_point now,
+               struct path_target *target);      /* false: there are no more */
+size_t path_steps(const struct nb_scene *scene); /* of all segments */
 
-/* What is known at each step, 0 to path_steps: of one quantity. */
+/* The values of one quantity at each step, 0 to path_steps. */
 struct path_column {
   size_t count;
   double values[];
 };
-struct path_column *path_column(const struct nb_scene *scene); /* of zeros; NULL: no memory */
-/* A curve along `step`, and the value at the end of each leg, `NAME in LEG`. Takes the column; NAN is not known. */
+struct path_column *path_column(const struct nb_scene *scene); /* of zeros; NULL: out of memory */
+/* Adds the curve along `step` and the value at the end of each segment, `NAME in SEGMENT`. Takes ownership of the column. NAN: no
+ * value. */
 void path_add(struct nb_solution *solution, const struct nb_scene *scene, const char *name, struct path_column *column);
 
 #endif

@@ -1,15 +1,15 @@
-/* Reference: the simplified laws along a path of the bench, in the limit of small steps: as equations, not as increments. Of the
- * exact law it asks path_springs.c.
+/* Reference: the simplified laws along the path of a contact test, in the limit of small steps: as equations instead of
+ * increments. For the exact law it calls path_springs.c.
  *
  *   linear          dT = k_s d(delta)
- *   mindlin         dT = 8 G* a d(delta)                                                                       [R89 3.27]
- *   mindlin_scaled  the same while a grows;  d(T/a) = 8 G* d(delta)  while a falls
+ *   mindlin         dT = 8 G* a d(delta)                                                                     [R89 3.27]
+ *   mindlin_scaled  the same while a increases;  d(T/a) = 8 G* d(delta)  while a decreases
  *
- * with a^2 = R* alpha, and alpha and delta along a straight line in each step, so that Int a d(delta) is
- * (2/3) R*^(1/2) (alpha_1^(3/2) - alpha_0^(3/2)) d(delta)/d(alpha). None of them may come to Coulomb's limit: the path is refused.
+ * with a^2 = R* alpha, and alpha and delta linear in each step, so that Int a d(delta) is (2/3) R*^(1/2) (alpha_1^(3/2)
+ * - alpha_0^(3/2)) d(delta)/d(alpha).
  *
- * Known at each step and at the end of each leg: slip, shear, work.shear. Work by Simpson's rule over the step, exact where only
- * one of alpha and delta moves.
+ * Returns slip, shear and work.shear at each step and at the end of each segment. Work by Simpson's rule over the step,
+ * exact where only one of alpha and delta changes. Refuses paths on which a contact reaches Coulomb's limit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -26,20 +26,20 @@ struct contact {
   bool linear, scaled;
 };
 
-/* T after the share `share` of a step from a place to another. */
-static double force(const struct contact *contact, struct path_place from, double approach, double slip,
+/* T after a fraction of a step. */
+static double force(const struct contact *contact, struct path_point from, double approach, double slip,
                     double fraction) {
-  const double way = fraction * (slip - from.slip), alpha = from.approach + fraction * (approach - from.approach);
+  const double ds = fraction * (slip - from.slip), alpha = from.approach + fraction * (approach - from.approach);
   const double stiffness = 8 * contact->elastic.shear * sqrt(contact->elastic.radius), dn = alpha - from.approach;
   if (contact->linear)
-    return from.shear + contact->ks * way;
+    return from.shear + contact->ks * ds;
   if (contact->scaled && dn < 0)
-    return sqrt(alpha) * (from.shear / sqrt(from.approach) + stiffness * way);
+    return sqrt(alpha) * (from.shear / sqrt(from.approach) + stiffness * ds);
   const double mean = fabs(dn) > 1e-9 * alpha ? 2. / 3 * (pow(alpha, 1.5) - pow(from.approach, 1.5)) / dn : sqrt(alpha);
-  return from.shear + stiffness * mean * way;
+  return from.shear + stiffness * mean * ds;
 }
 
-static double work(const struct contact *contact, struct path_place from, double approach, double slip) {
+static double work(const struct contact *contact, struct path_point from, double approach, double slip) {
   enum { HALVES = 32 };
   double sum = 0;
   for (int k = 0; k <= HALVES; k++)
@@ -47,8 +47,8 @@ static double work(const struct contact *contact, struct path_place from, double
   return sum / (3. * HALVES) * (slip - from.slip);
 }
 
-/* All three make T a straight line in slip, for a given approach. */
-static double seek(const struct contact *contact, struct path_place from, double approach, double shear) {
+/* The slip that gives a shear force: T is linear in slip for all three laws. */
+static double slip_of_force(const struct contact *contact, struct path_point from, double approach, double shear) {
   const double none = force(contact, from, approach, from.slip, 1),
                one = force(contact, from, approach, from.slip + 1, 1);
   return from.slip + (shear - none) / (one - none);
@@ -59,15 +59,15 @@ static const char *const names[COLUMNS] = {"slip", "shear", "work.shear"};
 
 static bool walk_path(const struct contact *contact, const struct nb_scene *scene, struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);
-  struct path_place now = {0};
-  struct path_aim aim;
+  struct path_point now = {0};
+  struct path_target target;
   double done = 0;
-  for (size_t k = 1; path_next(&walk, now, &aim); k++) {
-    const double approach = aim.normal_force ? path_overlap(&contact->elastic, aim.normal) : aim.normal;
-    const double slip = aim.shear_force ? seek(contact, now, approach, aim.shear) : aim.shear;
+  for (size_t k = 1; path_next(&walk, now, &target); k++) {
+    const double approach = target.normal_force ? path_overlap(&contact->elastic, target.normal) : target.normal;
+    const double slip = target.shear_force ? slip_of_force(contact, now, approach, target.shear) : target.shear;
     const double shear = approach > 0 ? force(contact, now, approach, slip, 1) : 0;
     done += work(contact, now, approach, slip);
-    now = (struct path_place){approach, slip, path_normal(&contact->elastic, approach), shear};
+    now = (struct path_point){approach, slip, path_normal(&contact->elastic, approach), shear};
     if (fabs(shear) > contact->elastic.friction * now.normal)
       return false;
     columns[SLIP]->values[k] = slip, columns[SHEAR]->values[k] = shear, columns[WORK]->values[k] = done;
@@ -84,7 +84,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (path_contact(&contact.elastic, scene, "path_no_slip", error))
     return error->status;
   if (!contact.linear && !contact.scaled && strcmp(scene->shear, "mindlin") != 0)
-    return nb_error_set(error, NB_BAD_USE, "path_no_slip knows no equation of `shear %s`", scene->shear);
+    return nb_error_set(error, NB_BAD_USE, "path_no_slip does not cover `shear %s`", scene->shear);
   const struct nb_particle *particles = scene->particles;
   contact.ks = matter_pair(scene, particles[0].material,
                            scene->particle_count == 1 ? scene->walls[0].material : particles[1].material)
@@ -99,8 +99,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     else
       free(columns[c]);
   if (made && !sticks)
-    return nb_error_set(error, NB_BAD_USE, "path_no_slip wants a path on which nothing slides");
-  return made ? solution_full(solution, error) : nb_error_memory(error);
+    return nb_error_set(error, NB_BAD_USE, "path_no_slip is for a path without sliding");
+  return made ? solution_status(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_path_no_slip = {

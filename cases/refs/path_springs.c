@@ -1,20 +1,21 @@
-/* Reference: the exact contact along any path of the bench, as springs side by side that know nothing of each other.
+/* Reference: the exact contact along any path of a contact test, as independent springs side by side.
  *
- * A Hertz contact has the same N, T and energies as a row of springs that a parabola is pressed into (Popov and Hess's
- * reduction): the one at y, from -a to a, touches while y^2 < R* alpha, and has
+ * A Hertz contact has the same N, T and energies as a row of independent springs under a parabolic indenter (method of
+ * dimensionality reduction, Popov and Hess). The spring at y, from -a to a, touches while y^2 < R* alpha, and has
  *
- *   |u| <= mu kappa (alpha - y^2/R*)     Coulomb's law for it alone, kappa = E* / 4 G*; u is its deflection, m
- *   du = d(delta)                        while it sticks; u = 0 while it does not touch
+ *   |u| <= mu kappa (alpha - y^2/R*)     Coulomb's law for this spring, kappa = E* / 4 G*; u is its deflection, m
+ *   du = d(delta)                        while it sticks; u = 0 without contact
  *   T = Int 4 G* u dy                    the sum of their forces, N;  U = Int 2 G* u^2 dy  of their energies, J
  *
- * No ring, no front, no history is in it, only the state of each spring. A step in which alpha and delta go along straight lines
- * is exact: u + d(delta) clipped at the end, of a spring that begins to touch in the step its share of d(delta). What a spring
- * loses is its friction times the way that it slips, the friction going along a straight line too.
+ * The state of the springs is the only history. A step in which alpha and delta change linearly is exact: u + d(delta)
+ * is clipped at its end, and a spring that begins to touch takes its fraction of d(delta). A spring dissipates its
+ * friction, which changes linearly too, times its slip.
  *
- * Known at each step, as curves along `step`, and as values at the end of each leg:
- *   overlap, slip, normal, shear, which is traction.force too, stored.shear, dissipated, work.shear
- * The place where a force is reached is found by halving. work.shear is stored.shear and lost together: the work of the path
- * itself, not of its rows. Error: with n springs T is off by the order of mu N/n^2, 1e-7 of mu N; so are the energies.
+ * Returns, as curves along step and at the end of each segment:
+ *   overlap, slip, normal, shear, traction.force (equal to shear), stored.shear, dissipated, work.shear
+ * The slip for a prescribed force is found by bisection. work.shear is the sum of stored.shear and dissipated: the work
+ * along the path, not along its rows. Error: with n springs T is off by the order of mu N/n^2, 1e-7 of mu N; so are the
+ * energies.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -28,15 +29,15 @@ enum { SPRINGS = 3000 };
 struct row {
   struct path_contact contact;
   double dy;             /* m */
-  double depth[SPRINGS]; /* y^2/R*, m: overlap at which it begins to touch */
+  double depth[SPRINGS]; /* y^2/R*, m: overlap at which a spring begins to touch */
   double u[SPRINGS];
   double approach, slip, lost;
 };
 
-/* The springs after a straight step, written to `u`; *lost what they lose in it. Answers T. */
-static double press(const struct row *row, double u[], double approach, double slip, double *lost) {
+/* Writes the springs after a linear step to `u` and their dissipation to *lost. Returns T. */
+static double update_springs(const struct row *row, double u[], double approach, double slip, double *lost) {
   const double limit = row->contact.friction * row->contact.kappa, stiffness = 4 * row->contact.shear * row->dy;
-  const double from = row->approach, way = slip - row->slip;
+  const double from = row->approach, ds = slip - row->slip;
   double sum = 0;
   *lost = 0;
   for (int i = 0; i < SPRINGS; i++) {
@@ -46,38 +47,40 @@ static double press(const struct row *row, double u[], double approach, double s
     if (l0 <= 0 && l1 <= 0)
       continue;
     const double touches = l0 < 0 ? l1 / (l1 - l0) : l1 < 0 ? l0 / (l0 - l1) : 1;
-    const double begin = l0 > 0 ? l0 : 0, end = l1 > 0 ? l1 : 0, moved = way * touches;
-    const double wants = before + moved;
-    u[i] = wants > end ? end : wants < -end ? -end : wants;
+    const double begin = l0 > 0 ? l0 : 0, end = l1 > 0 ? l1 : 0, moved = ds * touches;
+    const double sticking = before + moved;
+    u[i] = sticking > end ? end : sticking < -end ? -end : sticking;
     sum += u[i];
-    if (u[i] != wants) {
-      const double s = wants > u[i] ? 1 : -1; /* it meets the limit where u0 + t moved = s (begin + t (end - begin)) */
+    if (u[i] != sticking) {
+      const double s =
+          sticking > u[i] ? 1 : -1; /* it reaches the limit where u0 + t moved = s (begin + t (end - begin)) */
       const double t = (s * begin - before) / (moved - s * (end - begin));
-      const double meets = begin + (t > 0 ? t : 0) * (end - begin);
-      *lost += stiffness * (meets + end) / 2 * fabs(wants - u[i]);
+      const double at_limit = begin + (t > 0 ? t : 0) * (end - begin);
+      *lost += stiffness * (at_limit + end) / 2 * fabs(sticking - u[i]);
     }
   }
   *lost *= 2;
   return 2 * stiffness * sum;
 }
 
-static void go(struct row *row, double approach, double slip, struct path_place *now) {
+static void advance(struct row *row, double approach, double slip, struct path_point *now) {
   double lost;
-  now->shear = press(row, row->u, approach, slip, &lost);
+  now->shear = update_springs(row, row->u, approach, slip, &lost);
   now->approach = row->approach = approach, now->slip = row->slip = slip;
   now->normal = path_normal(&row->contact, approach);
   row->lost += lost;
 }
 
-/* The slip at which T is the shear force aimed at; NAN: there is none. */
-static double seek(const struct row *row, double room[], double approach, double shear) {
-  const double far = 4 * row->contact.friction * row->contact.kappa * (approach + row->approach);
-  double low = row->slip - far, high = row->slip + far, lost;
-  if (press(row, room, approach, low, &lost) > shear || press(row, room, approach, high, &lost) < shear)
+/* The slip at which T has this value; NAN: there is none. */
+static double slip_of_force(const struct row *row, double workspace[], double approach, double shear) {
+  const double largest = 4 * row->contact.friction * row->contact.kappa * (approach + row->approach);
+  double low = row->slip - largest, high = row->slip + largest, lost;
+  if (update_springs(row, workspace, approach, low, &lost) > shear ||
+      update_springs(row, workspace, approach, high, &lost) < shear)
     return NAN;
   for (int k = 0; k < 60; k++) {
     const double middle = low + (high - low) / 2;
-    if (press(row, room, approach, middle, &lost) < shear)
+    if (update_springs(row, workspace, approach, middle, &lost) < shear)
       low = middle;
     else
       high = middle;
@@ -89,34 +92,36 @@ static double stored(const struct row *row) {
   double sum = 0;
   for (int i = 0; i < SPRINGS; i++)
     sum += row->u[i] * row->u[i];
-  return 4 * row->contact.shear * row->dy * sum; /* both sides, a half each */
+  return 4 * row->contact.shear * row->dy * sum; /* both halves of the row */
 }
 
-/* The largest overlap of the path: where the row of springs ends. */
-static double deepest(const struct path_contact *contact, const struct nb_scene *scene) {
+/* Of the path; the row of springs ends there. */
+static double largest_overlap(const struct path_contact *contact, const struct nb_scene *scene) {
   struct path_walk walk = path_walk(scene);
-  struct path_place now = {0};
-  struct path_aim aim;
-  double most = 0;
-  while (path_next(&walk, now, &aim)) {
-    now.approach = aim.normal_force ? path_overlap(contact, aim.normal) : aim.normal;
+  struct path_point now = {0};
+  struct path_target target;
+  double largest = 0;
+  while (path_next(&walk, now, &target)) {
+    now.approach = target.normal_force ? path_overlap(contact, target.normal) : target.normal;
     now.normal = path_normal(contact, now.approach);
-    most = now.approach > most ? now.approach : most;
+    largest = now.approach > largest ? now.approach : largest;
   }
-  return most;
+  return largest;
 }
 
 enum { OVERLAP, SLIP, NORMAL, SHEAR, TRACTION, STORED, LOST, WORK, COLUMNS };
 static const char *const names[COLUMNS] = {"overlap",        "slip",         "normal",     "shear",
                                            "traction.force", "stored.shear", "dissipated", "work.shear"};
 
-static void walk_path(struct row *row, double room[], const struct nb_scene *scene, struct path_column *columns[]) {
+static void walk_path(struct row *row, double workspace[], const struct nb_scene *scene,
+                      struct path_column *columns[]) {
   struct path_walk walk = path_walk(scene);
-  struct path_place now = {0};
-  struct path_aim aim;
-  for (size_t k = 1; path_next(&walk, now, &aim); k++) {
-    const double approach = aim.normal_force ? path_overlap(&row->contact, aim.normal) : aim.normal;
-    go(row, approach, aim.shear_force ? seek(row, room, approach, aim.shear) : aim.shear, &now);
+  struct path_point now = {0};
+  struct path_target target;
+  for (size_t k = 1; path_next(&walk, now, &target); k++) {
+    const double approach = target.normal_force ? path_overlap(&row->contact, target.normal) : target.normal;
+    advance(row, approach, target.shear_force ? slip_of_force(row, workspace, approach, target.shear) : target.shear,
+            &now);
     const double energy = stored(row);
     const double values[COLUMNS] = {
         approach > 0 ? approach : 0, now.slip, now.normal, now.shear, now.shear, energy, row->lost, energy + row->lost};
@@ -131,29 +136,29 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (path_contact(&contact, scene, "path_springs", error))
     return error->status;
   struct row *row = calloc(1, sizeof *row);
-  double *room = calloc(SPRINGS, sizeof *room);
-  bool made = row && room;
+  double *workspace = calloc(SPRINGS, sizeof *workspace);
+  bool made = row && workspace;
   for (int c = 0; c < COLUMNS; c++)
     made = (columns[c] = path_column(scene)) != NULL && made;
   if (made) {
     row->contact = contact;
-    row->dy = sqrt(contact.radius * deepest(&contact, scene)) / SPRINGS;
+    row->dy = sqrt(contact.radius * largest_overlap(&contact, scene)) / SPRINGS;
     for (int i = 0; i < SPRINGS; i++)
       row->depth[i] = (i + 0.5) * row->dy * (i + 0.5) * row->dy / contact.radius;
-    walk_path(row, room, scene, columns);
+    walk_path(row, workspace, scene, columns);
   }
   for (int c = 0; c < COLUMNS; c++)
     if (made)
       path_add(solution, scene, names[c], columns[c]);
     else
       free(columns[c]);
-  free(row), free(room);
-  return made ? solution_full(solution, error) : nb_error_memory(error);
+  free(row), free(workspace);
+  return made ? solution_status(solution, error) : nb_error_memory(error);
 }
 
 const struct nb_reference reference_path_springs = {
     .name = "path_springs",
-    .title = "any path of two elastic spheres: springs side by side, each with its own friction",
+    .title = "any path of two elastic spheres: independent springs, each with its own friction",
     .source = "Popov and Hess",
     .accepts = {HAS_SPHERES, HAS_WALLS, HAS_FRICTION},
     .needs = {HAS_CONTACT_TEST},

@@ -1,4 +1,4 @@
-/* Reference: an elastic sphere between two others that come towards each other, all without friction.
+/* Reference: an elastic sphere between two others that approach each other, without friction.
  *
  * By symmetry it moves along y alone, between spheres at -X and X:
  *
@@ -7,12 +7,12 @@
  *   m, r   of the small sphere, kg, m      R   radius of the two, m      V   speed of each, m/s
  *   E* = E/(2 (1 - nu^2)),  R* = R r/(R + r)
  *
- * integrated (Runge-Kutta-Prince-Dormand, 1e-12) until the outlines part, where the step is halved down to 1e-12 of itself.
+ * integrated (Runge-Kutta-Prince-Dormand, 1e-12) until the contacts end; there the step is reduced to 1e-12 of itself.
  *
- * Known, where NAME watches the small sphere or its contact with one of the two:
- *   NAME.vy                 after they have parted
- *   NAME.overlap max        the deepest
- *   energy.walls            m v^2/2: what the two have done
+ * Returns:
+ *   D.vy               after separation, for D that monitors the small sphere
+ *   C.overlap max      for C that monitors one of its contacts
+ *   energy.walls       m v^2/2: the work of the two moving spheres
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_errno.h>
@@ -38,32 +38,32 @@ static int slope(double t, const double u[], double du[], void *data) {
   return GSL_SUCCESS;
 }
 
-/* From touching to parting; the speed then, and the deepest overlap. */
-static bool leave(struct pinch *p, double y, double *speed, double *deepest) {
+/* From first contact to separation: the speed then, and the largest overlap. False: GSL gave up. */
+static bool integrate(struct pinch *p, double y, double *speed, double *largest) {
   const gsl_odeiv2_system system = {slope, NULL, 2, p};
   gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-9, 1e-18, 1e-12);
   if (!driver)
     return false;
   gsl_odeiv2_driver_set_nmax(driver, 100000);
   double t = 0, u[2] = {y, 0}, step = 1e-7;
-  bool good = true, pressed = false;
-  *deepest = 0;
-  for (long n = 0; n < 10000000 && good; n++) {
-    const double before = t, kept[2] = {u[0], u[1]};
-    good = gsl_odeiv2_driver_apply(driver, &t, t + step, u) == GSL_SUCCESS;
+  bool solved = true, touched = false;
+  *largest = 0;
+  for (long n = 0; n < 10000000 && solved; n++) {
+    const double before = t, previous[2] = {u[0], u[1]};
+    solved = gsl_odeiv2_driver_apply(driver, &t, t + step, u) == GSL_SUCCESS;
     const double alpha = overlap(p, t, u[0]);
-    pressed = pressed || alpha > 1e-12 * p->sum;
-    *deepest = alpha > *deepest ? alpha : *deepest;
-    if (!(pressed && alpha <= 0))
+    touched = touched || alpha > 1e-12 * p->sum;
+    *largest = alpha > *largest ? alpha : *largest;
+    if (!(touched && alpha <= 0))
       continue;
     if (step < 1e-18)
       break;
-    t = before, u[0] = kept[0], u[1] = kept[1], step /= 4;
+    t = before, u[0] = previous[0], u[1] = previous[1], step /= 4;
     gsl_odeiv2_driver_reset(driver);
   }
   gsl_odeiv2_driver_free(driver);
   *speed = u[1];
-  return good;
+  return solved;
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
@@ -72,7 +72,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       left->x != -right->x || left->vx != -right->vx || !(left->vx > 0) || small->x != 0 || small->vx != 0 ||
       small->vy != 0 || left->y != 0 || right->y != 0 || small->y <= 0 || left->vy != 0 || right->vy != 0)
     return nb_error_set(error, NB_BAD_USE,
-                        "pinched wants two equal spheres that are fixed and come towards each other along x, "
+                        "pinched is for two equal fixed spheres that approach each other along x, "
                         "and a third one at rest between them above the line");
   const struct nb_material *glass = &scene->materials[small->material];
   const double R = right->radius, r = small->radius;
@@ -82,22 +82,22 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
                         .sum = R + r,
                         .from = right->x,
                         .speed = left->vx};
-  double speed, deepest;
-  if (!leave(&pinch, small->y, &speed, &deepest))
+  double speed, largest;
+  if (!integrate(&pinch, small->y, &speed, &largest))
     return nb_error_set(error, NB_BROKEN, "pinched: the equation of motion could not be integrated");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     char name[3 * NB_NAME_SIZE];
     const bool particle = scene->monitors[w].kind == NB_MONITOR_PARTICLE;
     snprintf(name, sizeof name, "%s.%s", scene->monitors[w].name, particle ? "vy" : "overlap max");
-    solution_value(solution, particle ? speed : deepest, name);
+    solution_value(solution, particle ? speed : largest, name);
   }
   solution_value(solution, pinch.mass * speed * speed / 2, "energy.walls");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_pinched = {
     .name = "pinched",
-    .title = "a sphere pinched between two that come towards each other, Hertz: its equation of motion",
+    .title = "a sphere pinched between two approaching ones, Hertz: its equation of motion",
     .source = "[R89 6.4.2]",
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
     .needs = {HAS_FIXED_PARTICLES},

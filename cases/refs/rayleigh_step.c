@@ -1,21 +1,22 @@
-/* Reference: R89's step, and pairs of like spheres that meet head-on without damping.
+/* Reference: R89's time step, and pairs of equal spheres that collide head-on without damping.
  *
  *   t = pi R (rho/G)^(1/2) / alpha                                     [R89 4.33]
  *
- * alpha^2 = x is the root of Rayleigh's equation between 0.75 and 0.92. Its square [R89 4.32], divided by x, is a cubic,
+ * alpha^2 = x is the root of Rayleigh's equation between 0.75 and 0.92. Its square [R89 4.32], divided by x, is a
+ * cubic,
  *
  *   x^3 - 8 x^2 + (24 - 16 q) x - 16 (1 - q) = 0,   q = (1 - 2 nu)/(2 (1 - nu))
  *
- * solved in closed form. With R89's fit instead: alpha = 0.1631 nu + 0.876605 [R89 4.34].
+ * solved in closed form. R89's fit is alpha = 0.1631 nu + 0.876605 [R89 4.34].
  *
- * Known
- *   step.rayleigh, step.rayleigh-fit             of the body for which it is shortest
- *   step.rayleigh-mean, step.rayleigh-fit-mean   of the means of R, rho, G and nu over the bodies
- *   NAME.vx, NAME.vy                             of a watched body, at the end: two like spheres that meet head-on, bodies 1
- *                                                and 2, 3 and 4, ..., exchange their velocities but for what leapfrog gains
- *                                                at the corners of the contact by such a step (hertz_corner.h)
- * The steps are exact to rounding. Velocities to the order n^(-5/2), n steps in a contact: with few of them that is some
- * percent, and which it is follows from where in a step they touch.
+ * Returns
+ *   step.rayleigh, step.rayleigh-fit             of the particle for which it is shortest
+ *   step.rayleigh-mean, step.rayleigh-fit-mean   of the means of R, rho, G and nu over the particles
+ *   D.vx, D.vy                                   at the end, for D that monitors a particle: the equal spheres 1 and 2,
+ *                                                3 and 4, ... exchange their velocities, with the error of the steps
+ *                                                (hertz_corner.h)
+ * Error    the steps: rounding. Velocities: the order n^(-5/2) with n steps in a contact, some percent for few steps,
+ *          which depends on the phase of first contact in a step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_poly.h>
@@ -43,11 +44,11 @@ struct grain {
   double radius, density, shear, poisson;
 };
 
-static double half_round(struct grain grain, bool fit) {
+static double travel_time(struct grain grain, bool fit) {
   return pi * grain.radius * sqrt(grain.density / grain.shear) / wave(grain.poisson, fit);
 }
 
-/* e of two like spheres that meet head-on after flying through the gap between them, in steps of dt. */
+/* e of two equal spheres that collide head-on after closing the gap between them, in steps of dt. */
 static double rebound(const struct nb_scene *scene, const struct nb_particle *a, const struct nb_particle *b,
                       double dt) {
   const double young = matter_pair(scene, a->material, b->material).young;
@@ -55,16 +56,16 @@ static double rebound(const struct nb_scene *scene, const struct nb_particle *a,
   const double gap = hypot(a->x - b->x, a->y - b->y) - a->radius - b->radius;
   const double depth = pow(15 * mass * speed * speed / (16 * young * sqrt(a->radius / 2)), 0.4); /* [R89 5.9] */
   const double unit = depth / speed;
-  return 1 + hertz_gain(dt / unit, gap / speed / dt, hertz_time() * unit / dt);
+  return 1 + hertz_restitution_error(dt / unit, gap / speed / dt, hertz_duration_factor() * unit / dt);
 }
 
-/* The step of the run; 0 where it is none of R89's, and then velocities are those of no step. */
+/* The step of the run; 0 if it is not one of R89's: then e = 1. */
 static double step_of(const struct nb_scene *scene, const double shortest[2], struct grain mean) {
   const bool fit = scene->step.kind == NB_STEP_RAYLEIGH_FIT || scene->step.kind == NB_STEP_RAYLEIGH_FIT_MEAN;
   if (scene->step.kind == NB_STEP_RAYLEIGH || scene->step.kind == NB_STEP_RAYLEIGH_FIT)
     return scene->step.value * shortest[fit];
   if (scene->step.kind == NB_STEP_RAYLEIGH_MEAN || scene->step.kind == NB_STEP_RAYLEIGH_FIT_MEAN)
-    return scene->step.value * half_round(mean, fit);
+    return scene->step.value * travel_time(mean, fit);
   return 0;
 }
 
@@ -76,17 +77,17 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_particle *particle = &scene->particles[k];
     const struct nb_material *of = &scene->materials[particle->material];
     if (particle->fixed || !(of->young > 0) || isinf(of->young))
-      return nb_error_set(error, NB_BAD_USE, "reference rayleigh_step is for elastic bodies that are free");
+      return nb_error_set(error, NB_BAD_USE, "reference rayleigh_step is for free elastic particles");
     const struct grain grain = {particle->radius, of->density, of->young / (2 + 2 * of->poisson), of->poisson};
     for (int fit = 0; fit < 2; fit++)
-      shortest[fit] = fmin(shortest[fit], half_round(grain, fit));
+      shortest[fit] = fmin(shortest[fit], travel_time(grain, fit));
     mean.radius += fraction * grain.radius, mean.density += fraction * grain.density;
     mean.shear += fraction * grain.shear, mean.poisson += fraction * grain.poisson;
   }
   solution_value(solution, shortest[0], "step.rayleigh");
   solution_value(solution, shortest[1], "step.rayleigh-fit");
-  solution_value(solution, half_round(mean, false), "step.rayleigh-mean");
-  solution_value(solution, half_round(mean, true), "step.rayleigh-fit-mean");
+  solution_value(solution, travel_time(mean, false), "step.rayleigh-mean");
+  solution_value(solution, travel_time(mean, true), "step.rayleigh-fit-mean");
   const double dt = step_of(scene, shortest, mean);
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
@@ -101,12 +102,12 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     snprintf(name, sizeof name, "%s.vy", monitor->name);
     solution_value(solution, (self->vy + it->vy + e * (it->vy - self->vy)) / 2, name);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_rayleigh_step = {
     .name = "rayleigh_step",
-    .title = "R89's step, the wave's speed from the cubic; two like spheres that meet head-on",
+    .title = "R89's step, with the wave speed from the cubic; two equal spheres that collide head-on",
     .source = "[R89 4.29-4.34]",
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
     .normal = "hertz",

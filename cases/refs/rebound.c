@@ -45,7 +45,7 @@ static const char parts[] = "an impact that ends, with dashpots well below criti
 static double over(double a, double b) { return b > 0 ? a / b : 0; }
 
 /* What the pair is; NULL, or what it should have been. */
-static const char *meet(struct meeting *it, const struct nb_scene *scene) {
+static const char *read_impact(struct meeting *it, const struct nb_scene *scene) {
   const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
   const bool hertz = strcmp(scene->normal, "hertz") == 0;
   const struct nb_wall *wall = monitor->kind == NB_MONITOR_PARTICLE_WALL ? &scene->walls[monitor->b] : NULL;
@@ -140,7 +140,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct meeting it;
   const char *wants = refuse(scene);
   if (!wants)
-    wants = meet(&it, scene);
+    wants = read_impact(&it, scene);
   const double psi1 = wants ? 0 : fabs(it.vt) / (it.mu * it.kappa * it.vn);
   if (!wants && psi1 >= no_slip && psi1 < 4 * it.chi &&
       (strcmp(scene->shear, "mindlin_deresiewicz") != 0 || strcmp(scene->normal, "hertz") != 0))
@@ -153,7 +153,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (isinf(psi2))
     return nb_error_set(error, NB_BAD_USE, "rebound is for %s", parts);
   add_value(solution, scene, &it, psi1, psi2);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_rebound = {
@@ -161,7 +161,7 @@ const struct nb_reference reference_rebound = {
     .title = "velocities and spins after an impact: impulses in gross sliding, else the exact contact as springs",
     .source = "[R89 5.14, 5.15]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS,
-                HAS_PIECES, HAS_CONTACT_RATIO, HAS_UNTIL},
+                HAS_MEMORY, HAS_RATIO_DAMPING, HAS_UNTIL},
     .needs = {HAS_IMPACT, HAS_FRICTION},
     .normal = "linear hertz",
     .shear = "linear mindlin mindlin_scaled mindlin_deresiewicz randall randall_literal",

@@ -32,7 +32,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   const double centre = vt - (vt - after) / (1 + q);
   solution_value(solution, after / (pair.friction * pair.young / (4 * pair.shear) * vn), "impact.psi2");
   solution_value(solution, hypot(vn, centre) / hypot(vn, vt), "impact.restitution");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_rigid_impact = {

@@ -160,7 +160,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   it.wanted = KINETIC, it.level = energy;
   if (!stage->affine.accumulated)
     add_value(solution, &it, "energy.kinetic");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_ring_strain = {
@@ -169,8 +169,8 @@ const struct nb_reference reference_ring_strain = {
              "closed form",
     .source = "[R89 4.41-4.44]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL,
-                HAS_BOUNDARY_STRAIN, HAS_CONTINUUM_LITERAL},
-    .needs = {HAS_BOUNDARY, HAS_CONTINUUM},
+                HAS_BOUNDARY_STRAIN, HAS_AFFINE_ACCUMULATED},
+    .needs = {HAS_BOUNDARY, HAS_AFFINE_STRAIN},
     .normal = NB_ANY_LAW,
     .shear = "none",
     .solve = solve,

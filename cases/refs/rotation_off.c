@@ -104,7 +104,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     snprintf(name, sizeof name, "energy.changed in %s", stage->name);
     solution_value(solution, -m.removed, name);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_rotation_off = {

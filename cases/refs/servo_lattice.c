@@ -151,7 +151,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   }
   for (int c = 0; c < 3; c++)
     solution_curve(solution, names[c], "time", at, course[c]);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_servo_lattice = {

@@ -27,7 +27,7 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "this reference is for %s", what);
 }
 
-enum nb_status single_of(struct single *single, const struct nb_scene *scene, struct nb_error *error) {
+enum nb_status single_read(struct single *single, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 1)
     return refuse(error, "one body and one wall");
   const struct nb_particle *particle = &scene->particles[0];

@@ -19,7 +19,7 @@ struct single {
 };
 
 /* The wall must lie along x, below the body. */
-enum nb_status single_of(struct single *single, const struct nb_scene *scene, struct nb_error *error);
+enum nb_status single_read(struct single *single, const struct nb_scene *scene, struct nb_error *error);
 /* `WATCH.WHAT` {` in STAGE`}; nothing when it is not watched. */
 void single_add(struct nb_solution *solution, const char *monitor, const char *what, const char *stage, double value);
 void single_curve(struct nb_solution *solution, const char *monitor, const char *what,

@@ -107,7 +107,7 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   struct single particle;
-  if (single_of(&particle, scene, error))
+  if (single_read(&particle, scene, error))
     return error->status;
   const double weight = particle.m * particle.gravity_n, push = particle.pair.kn * (particle.radius - particle.height);
   const double u0 = scene->particles[0].vx;
@@ -131,7 +131,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!(square > 0) || !find_grip(&slide))
     return nb_error_set(error, NB_BAD_USE, "slide_to_roll is for a body that swings and slides; this one does not");
   add_value(solution, scene, &particle, &slide);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_slide_to_roll = {

@@ -48,7 +48,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   char name[3 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "unbalanced.max in %s", scene->stages[0].name);
   solution_value(solution, sqrt(2) * alpha * m * v / (pair.kn * v * t + alpha * m * v / 2), name);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_speed_of_loading = {
@@ -56,7 +56,7 @@ const struct nb_reference reference_speed_of_loading = {
     .title = "how far from equilibrium evenly loaded discs are: in proportion to the speed",
     .source = "[CS79, Speed of loading]",
     .accepts = {HAS_DISCS, HAS_MOVING_WALLS},
-    .needs = {HAS_WALLS, HAS_GLOBAL_DAMPING},
+    .needs = {HAS_WALLS, HAS_MASS_DAMPING},
     .normal = "linear",
     .shear = "none linear",
     .solve = solve,

@@ -125,14 +125,14 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       add_value(solution, monitor->name, "overlap", overlap, &stack);
     }
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_stacked = {
     .name = "stacked",
     .title = "two spheres squeezed between floor and ceiling: coupled oscillators by GSL at 1e-13",
     .source = "[MFiX DEM-03]",
-    .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_GRAVITY, HAS_CONTACT_RATIO},
+    .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_GRAVITY, HAS_RATIO_DAMPING},
     .needs = {HAS_WALLS},
     .normal = "linear",
     .shear = "none",

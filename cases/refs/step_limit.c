@@ -22,13 +22,13 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (limit_build(&limit, scene, &scene->damping, touch * scene->particles[0].radius, error))
     return error->status;
   solution_value(solution, limit.critical, "step.single-contact");
-  const double safe = limit_of_parts(&limit, scene), longest = limit_of_cycle(&limit);
+  const double safe = limit_of_contacts(&limit, scene), longest = limit_of_cycle(&limit);
   solution_value(solution, safe, "step.stable");
   solution_value(solution, longest, "step max");
   limit_free(&limit);
   if (isnan(safe) || isnan(longest))
     return nb_error_set(error, NB_BAD_USE, "step_limit finds no step at which these springs and dashpots are stable");
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_step_limit = {
@@ -36,7 +36,7 @@ const struct nb_reference reference_step_limit = {
     .title = "the longest step that touching bodies stand: eigenvalues of the calculation cycle",
     .source = "[CS79 20-23a, 26-28]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_FIXED_PARTICLES, HAS_WALLS, HAS_MOVING_WALLS, HAS_FRICTION,
-                HAS_CONTACT_DAMPING, HAS_GLOBAL_DAMPING, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL},
+                HAS_CONTACT_DAMPING, HAS_MASS_DAMPING, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL},
     .normal = "linear",
     .shear = "none linear",
     .solve = solve,

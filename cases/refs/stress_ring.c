@@ -110,7 +110,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   add_value(solution, scene, "boundary.roughness", fabs(d1 - d2) / (d1 + d2));
   add_value(solution, scene, "boundary.area", 1.5 * sqrt(3) * d1 * d2);
   add_value(solution, scene, "boundary.stress.mean", load->sxx);
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_stress_ring = {

@@ -6,6 +6,6 @@
 
 /* The mean of n values lies within so many times s/sqrt(n) of what they are drawn around, s their standard deviation, with a
  * confidence of `share`; infinite for n = 1. */
-double student_reach(double n, double fraction);
+double student_quantile(double n, double fraction);
 
 #endif

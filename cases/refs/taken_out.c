@@ -130,7 +130,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     add_place(solution, &oscillation, monitor->name, scene->particles[monitor->a].x, normal[0], "x");
     add_place(solution, &oscillation, monitor->name, scene->particles[monitor->a].y, normal[1], "y");
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_taken_out = {

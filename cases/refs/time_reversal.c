@@ -46,7 +46,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     add_value(solution, monitor->name, "vx", -particle->vx), add_value(solution, monitor->name, "vy", -particle->vy);
     add_value(solution, monitor->name, "spin", -particle->spin);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_time_reversal = {
@@ -55,7 +55,7 @@ const struct nb_reference reference_time_reversal = {
     .source = "-",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS, HAS_TURNING_WALLS,
                 HAS_GRAVITY},
-    .needs = {HAS_REVERSE},
+    .needs = {HAS_REVERSE_VELOCITIES},
     .normal = "linear hertz",
     .shear = "none",
     .solve = solve,

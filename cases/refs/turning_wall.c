@@ -121,7 +121,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       add_value(solution, &it, monitor->name, "normal", NORMAL),
           add_value(solution, &it, monitor->name, "shear", SHEAR);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_turning_wall = {

@@ -23,7 +23,7 @@
 #include <stdlib.h>
 
 #include "lattice_row.h"
-#include "lattice_tell.h"
+#include "lattice_values.h"
 
 /* Powers 0 to 5 of each variable: X_6 is of degree 5. */
 enum { SIDE = 6, SIZE = SIDE * SIDE * SIDE * SIDE, LAST = 6 };
@@ -137,8 +137,8 @@ static enum nb_status add_cycles(struct nb_solution *solution, const struct nb_s
   enum nb_status status = NB_OK;
   for (size_t i = 0; i < scene->monitor_count; i++) {
     const struct nb_monitor *monitor = &scene->monitors[i];
-    int place = lattice_row_place(row, lattice_watched(&row->lattice, monitor));
-    for (unsigned long n = 1; n <= LAST && n <= row->even && status == NB_OK; n++) {
+    int place = lattice_row_place(row, lattice_contact_of(&row->lattice, monitor));
+    for (unsigned long n = 1; n <= LAST && n <= row->steady && status == NB_OK; n++) {
       if (place >= 0)
         status = add_contact(solution, monitor->name, row, hand, place, n, error);
       if (monitor->kind == NB_MONITOR_PARTICLE)
@@ -155,9 +155,9 @@ static enum nb_status add_curves(struct nb_solution *solution, const struct nb_s
   struct oscillation_modes modes = oscillation_modes_create(lattice);
   enum nb_status status = NB_OK;
   struct nb_error open;
-  bool known_for_ever = lattice_stays(lattice, &modes, &open) == NB_OK;
+  bool known_for_ever = lattice_check_run(lattice, &modes, &open) == NB_OK;
   for (size_t i = 0; i < scene->monitor_count && known_for_ever && status == NB_OK; i++) {
-    int contact = lattice_watched(lattice, &scene->monitors[i]);
+    int contact = lattice_contact_of(lattice, &scene->monitors[i]);
     char quantity[2 * NB_NAME_SIZE];
     snprintf(quantity, sizeof quantity, "%s.normal", scene->monitors[i].name);
     if (contact >= 0)
@@ -183,7 +183,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     status = add_curves(solution, scene, &row.lattice, error);
   free(hand);
   lattice_row_free(&row);
-  return status == NB_OK ? solution_full(solution, error) : status;
+  return status == NB_OK ? solution_status(solution, error) : status;
 }
 
 const struct nb_reference reference_two_wall_compression = {

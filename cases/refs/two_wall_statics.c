@@ -1,7 +1,7 @@
 /* Reference: two discs in a row between two walls that have closed in: at rest, three springs in series.
  *
  * One force F goes through the contacts A, B, C, and their overlaps F/k together are the way that the walls have
- * come closer:   F = squeeze / (1/k_A + 1/k_B + 1/k_C);   2 v t_load k / 3 for equal stiffnesses.
+ * come closer:   F = compression / (1/k_A + 1/k_B + 1/k_C);   2 v t_load k / 3 for equal stiffnesses.
  * Exact, since nothing in a row turns; masses and damping do not enter.
  *
  * Known of watches on the contacts, once the walls stand: NAME.normal, NAME.normal mean, NAME.overlap; NAME.shear = 0.
@@ -20,11 +20,11 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   enum nb_status status = lattice_row_build(&row, scene, error);
   if (status != NB_OK)
     return status;
-  double force = row.squeeze / (1 / row.k[0] + 1 / row.k[1] + 1 / row.k[2]);
-  if (lattice_standing(&row.lattice, scene) == scene->stage_count)
+  double force = row.compression / (1 / row.k[0] + 1 / row.k[1] + 1 / row.k[2]);
+  if (lattice_first_at_rest(&row.lattice, scene) == scene->stage_count)
     status = nb_error_set(error, NB_BAD_USE, "reference two_wall_statics is for walls that stop");
   for (size_t i = 0; i < scene->monitor_count && status == NB_OK; i++) {
-    int place = lattice_row_place(&row, lattice_watched(&row.lattice, &scene->monitors[i]));
+    int place = lattice_row_place(&row, lattice_contact_of(&row.lattice, &scene->monitors[i]));
     if (place < 0)
       continue;
     add_value(solution, scene->monitors[i].name, "normal", force);
@@ -33,7 +33,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     add_value(solution, scene->monitors[i].name, "shear", 0);
   }
   lattice_row_free(&row);
-  return status == NB_OK ? solution_full(solution, error) : status;
+  return status == NB_OK ? solution_status(solution, error) : status;
 }
 
 const struct nb_reference reference_two_wall_statics = {

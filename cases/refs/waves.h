@@ -1,4 +1,4 @@
-/* Plane waves in an endless lattice of equal discs: the modes of one wave vector.
+/* Plane waves in an infinite lattice of equal discs: the modes of one wave vector.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_WAVES_H
@@ -11,15 +11,16 @@ struct waves_lattice {
   double force;           /* of a contact at rest, N */
   double mass, inertia;   /* kg, kg m2 */
   double radius, spacing; /* m */
-  bool hexagonal, turns;  /* six neighbours, one of them to the east, or four; bodies may turn */
+  bool hexagonal;         /* six neighbours, one of them in +x; else four */
+  bool rotates;           /* the discs are free to rotate */
 };
 
 enum { WAVES_MODES = 3 };
 struct waves_modes {
-  int count;                               /* 3, or 2 where nothing turns */
-  double omega[WAVES_MODES];               /* rad/s, from the slowest */
+  int count;                               /* 3, or 2 without rotation */
+  double omega[WAVES_MODES];               /* rad/s, ascending */
   double shape[WAVES_MODES][WAVES_MODES];  /* shape[k][i]: of u_x, u_y and psi in mode k, m and rad; */
-  double weight[WAVES_MODES][WAVES_MODES]; /* weight[k][i]: how much of mode k a velocity i has, so shape' weight = 1 */
+  double weight[WAVES_MODES][WAVES_MODES]; /* weight[k][i]: the amount of mode k in a velocity i; shape' weight = 1 */
 };
 struct waves_modes waves_modes(const struct waves_lattice *lattice, double qx, double qy); /* 1/m */
 

@@ -65,7 +65,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     add_value(solution, monitor->name, "chains.fraction", chain ? linked / free_particles : 0);
     add_value(solution, monitor->name, "chains.bend", chain ? 2 * phi : 0);
   }
-  return solution_full(solution, error);
+  return solution_status(solution, error);
 }
 
 const struct nb_reference reference_zigzag = {

@@ -93,7 +93,7 @@ static void report_run_note(void *data, const char *words) {
 static void run_one(struct nb_page_run *run, const struct nb_options *options, const struct nb_progress *progress) {
   run->status = NB_OK;
   if (run->expectations.reference)
-    run->status = nb_reference_ask(run->expectations.reference, &run->solution, &run->scene, &run->error);
+    run->status = nb_reference_solve(run->expectations.reference, &run->solution, &run->scene, &run->error);
   if (!run->status)
     run->status = nb_run(&run->result, &run->scene, options, progress, &run->error);
 }

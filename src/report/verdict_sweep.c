@@ -266,7 +266,7 @@ static bool check_difference(const struct group *group, size_t from, size_t to, 
     add(&d, after - before);
     add(&level, (before + after) / 2);
   }
-  const double half = student_reach(d.count, 0.95) * standard_deviation(&d) / sqrt(d.count);
+  const double half = student_quantile(d.count, 0.95) * standard_deviation(&d) / sqrt(d.count);
   const double low = d.mean - half, high = d.mean + half;
   char unit[NB_NAME_SIZE];
   nb_check_unit(unit, &group->outcome->runs[from], e);

@@ -1,18 +1,24 @@
-/* How a network of springs swings after its walls have moved: the sum over its normal modes, exact in steps.
+/* Oscillation of a network of springs after its walls have moved: the sum over its normal modes, exact in time steps.
  *
- * With u = sum q_i shape_i each mode obeys  q'' + w^2 q = g(t), w^2 = `square`. A wall whose velocity changes by c at
- * t = 0 makes g = b t with b = - shape_i' stretch' S push c. From rest
+ * With u = sum q_i shape_i each mode obeys  q'' + w^2 q = g(t), w^2 = `square`. A wall whose velocity changes by c at t
+ * = 0 gives g = b t with b = - shape_i' stretch' S wall_stretch c. From rest
+ *
  *     q = (b / w^2) (t - sin(w t) / w).
- * The calculation cycle [CS79 22, 22a] solves  q_(n+1) - 2 q_n + q_(n-1) = dt^2 (g_n - w^2 q_n)  with q_0 = q_1 = 0,
- * and that is as exactly
- *     q_n = (b dt / w^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = w dt / 2:
- * the same line, and a wave of a slightly higher frequency. So a program that follows the cycle must agree with it
- * to rounding, were it not for the small turning of its contacts. Every change of a wall's velocity starts such a
- * term of its own, and they add.
  *
- * Nine equal discs between four walls that close in alike: by symmetry only two of the 27 modes move, corner discs by
- * d_c and discs at the middle of a side by d_m along each axis, without spin. With r = k_s/k_n
+ * The calculation cycle [CS79 22, 22a] solves  q_(n+1) - 2 q_n + q_(n-1) = dt^2 (g_n - w^2 q_n)  with q_0 = q_1 = 0,
+ * which is exactly
+ *
+ *     q_n = (b dt / w^2) (n - sin(n phase) / sin(phase)),   sin(phase / 2) = w dt / 2:
+ *
+ * the same line and a wave of a slightly higher frequency. A program that follows the cycle agrees with it to rounding,
+ * except for the small rotation of its contacts. Every change of a wall's velocity starts such a term, and the terms
+ * add.
+ *
+ * For nine equal discs between four walls that approach with equal speeds only two of the 27 modes move, by symmetry:
+ * corner discs by d_c and middle discs of a side by d_m along each axis, without spin. With r = k_s/k_n
+ *
  *     m d_c'' / k_n = d - (2 + 2 r) d_c + r d_m       m d_m'' / k_n = d - (2 + 2 r) d_m + 2 r d_c
+ *
  * so w^2 = (2 + 2 r -+ r sqrt 2) k_n/m with d_m = +- sqrt 2 d_c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -24,12 +30,12 @@
 
 #include "lattice.h"
 
-/* Shares of the largest w^2 and of the largest term: below them there is no spring and no motion, only rounding. */
-static const double still = 1e-11, silent = 1e-12;
-/* Modes whose phases differ by less than this share are one wave. */
-static const double alike = 1e-9;
+/* Fractions of the largest w^2 and of the largest term; below them is only rounding. */
+static const double no_stiffness = 1e-11, no_motion = 1e-12;
+/* Modes whose phases differ by less than this fraction are one wave. */
+static const double same_phase = 1e-9;
 
-/* springs stretches, row by row. */
+/* Multiplies row i by springs[i]. */
 static void scale_rows(gsl_matrix *matrix, const gsl_vector *springs) {
   for (size_t i = 0; i < matrix->size1; i++) {
     gsl_vector_view row = gsl_matrix_row(matrix, i);
@@ -40,16 +46,16 @@ static void scale_rows(gsl_matrix *matrix, const gsl_vector *springs) {
 struct oscillation_modes oscillation_modes_create(const struct lattice *lattice) {
   size_t n = lattice->freedom_count;
   struct oscillation_modes modes = {.square = gsl_vector_alloc(n), .shape = gsl_matrix_alloc(n, n)};
-  gsl_matrix *pulled = gsl_matrix_alloc(lattice->stretch->size1, n), *a = gsl_matrix_alloc(n, n);
-  gsl_matrix_memcpy(pulled, lattice->stretch);
-  scale_rows(pulled, lattice->springs);
-  gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, lattice->stretch, pulled, 0, a);
+  gsl_matrix *forces_of_u = gsl_matrix_alloc(lattice->stretch->size1, n), *a = gsl_matrix_alloc(n, n);
+  gsl_matrix_memcpy(forces_of_u, lattice->stretch);
+  scale_rows(forces_of_u, lattice->springs);
+  gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, lattice->stretch, forces_of_u, 0, a);
   gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
   if (gsl_eigen_symmv(a, modes.square, modes.shape, work) != GSL_SUCCESS)
     gsl_vector_set_all(modes.square, NAN); /* no step is stable then */
   gsl_eigen_symmv_sort(modes.square, modes.shape, GSL_EIGEN_SORT_VAL_ASC);
   gsl_eigen_symmv_free(work);
-  gsl_matrix_free(pulled);
+  gsl_matrix_free(forces_of_u);
   gsl_matrix_free(a);
   return modes;
 }
@@ -60,33 +66,34 @@ void oscillation_modes_free(struct oscillation_modes *modes) {
   *modes = (struct oscillation_modes){0};
 }
 
-/* What one cycle of the walls' change of velocity does: straight, the wall's own part of each force, N per cycle, and
- * load, on each mode, as b dt of the comment above. */
-static void drive(const struct lattice *lattice, const struct oscillation_modes *modes, const gsl_vector *change,
-                  gsl_vector *straight, gsl_vector *load) {
+/* The effect of one cycle of a velocity change of the walls: `straight`, its direct part of each force, N per cycle, and the `load`
+ * on each mode, b dt above. */
+static void add_wall_loads(const struct lattice *lattice, const struct oscillation_modes *modes,
+                           const gsl_vector *change, gsl_vector *straight, gsl_vector *load) {
   gsl_vector *force = gsl_vector_alloc(lattice->freedom_count);
-  gsl_blas_dgemv(CblasNoTrans, lattice->step, lattice->push, change, 0, straight);
+  gsl_blas_dgemv(CblasNoTrans, lattice->step, lattice->wall_stretch, change, 0, straight);
   gsl_vector_mul(straight, lattice->springs);
   gsl_blas_dgemv(CblasTrans, -1, lattice->stretch, straight, 0, force);
   gsl_blas_dgemv(CblasTrans, 1, modes->shape, force, 0, load);
   gsl_vector_free(force);
 }
 
-/* The wave of a mode of the frequency `omega`. */
+/* The wave of a mode with the angular frequency `omega`. */
 static struct oscillation_term wave_of(double omega, double step, enum oscillation_time time) {
-  double turn = omega * step;
+  double angle = omega * step;
   if (time == OSCILLATION_CONTINUOUS)
-    return (struct oscillation_term){.phase = turn, .sine = turn};
-  double phase = 2 * asin(turn / 2);
+    return (struct oscillation_term){.phase = angle, .sine = angle};
+  double phase = 2 * asin(angle / 2);
   return (struct oscillation_term){.phase = phase, .sine = sin(phase)};
 }
 
-/* The fastest mode limits the step, even one that by symmetry does not move: rounding is enough to start it. */
+/* The fastest mode limits the step, even one that is at rest by symmetry: rounding excites it. */
 static bool step_is_stable(const struct lattice *lattice, double top, struct nb_error *error) {
   if (sqrt(top) * lattice->step < 2)
     return true;
   if (isnan(top)) {
-    nb_error_set(error, NB_BAD_USE, "the network has no modes that can be computed: its numbers are too far apart");
+    nb_error_set(error, NB_BAD_USE,
+                 "the modes of the network cannot be computed: its stiffnesses or masses differ too much");
     return false;
   }
   nb_error_set(error, NB_BAD_USE, "the step %g is too long for this network: its limit is %g", lattice->step,
@@ -96,7 +103,7 @@ static bool step_is_stable(const struct lattice *lattice, double top, struct nb_
 
 struct oscillation *oscillation_create(const struct lattice *lattice, const struct oscillation_modes *modes, size_t row,
                                        enum oscillation_time time, double unit, struct nb_error *error) {
-  size_t n = lattice->freedom_count, most = lattice->turn_count * (n + 1);
+  size_t n = lattice->freedom_count, most = lattice->change_count * (n + 1);
   double top = gsl_vector_get(modes->square, n - 1);
   if (time == OSCILLATION_STEPS && !step_is_stable(lattice, top, error))
     return NULL;
@@ -110,14 +117,14 @@ struct oscillation *oscillation_create(const struct lattice *lattice, const stru
   gsl_vector *fraction = gsl_vector_alloc(n); /* the force when a mode's q is 1 */
   gsl_vector_const_view stretch = gsl_matrix_const_row(lattice->stretch, row);
   gsl_blas_dgemv(CblasTrans, gsl_vector_get(lattice->springs, row), modes->shape, &stretch.vector, 0, fraction);
-  for (size_t k = 0; k < lattice->turn_count; k++) {
-    drive(lattice, modes, lattice->turns[k].change, straight, load);
-    double start = (double)lattice->turns[k].cycle, own = gsl_vector_get(straight, row);
-    double least = silent * (fabs(own) + gsl_blas_dnrm2(load) * gsl_blas_dnrm2(fraction) / top);
+  for (size_t k = 0; k < lattice->change_count; k++) {
+    add_wall_loads(lattice, modes, lattice->changes[k].change, straight, load);
+    double start = (double)lattice->changes[k].cycle, own = gsl_vector_get(straight, row);
+    double least = no_motion * (fabs(own) + gsl_blas_dnrm2(load) * gsl_blas_dnrm2(fraction) / top);
     oscillation->terms[oscillation->count++] = (struct oscillation_term){.start = start, .size = own};
     for (size_t i = 0; i < n; i++) {
       double square = gsl_vector_get(modes->square, i);
-      if (square < still * top)
+      if (square < no_stiffness * top)
         continue;
       struct oscillation_term term = wave_of(sqrt(square), lattice->step, time);
       term.start = start;
@@ -145,7 +152,7 @@ double oscillation_at(const void *data, double x) {
   return force;
 }
 
-/* The lines n - start add up to a constant when the walls stand. */
+/* The lines n - start add up to a constant once the walls are at rest. */
 double oscillation_mean(const struct oscillation *oscillation) {
   double mean = 0;
   for (size_t i = 0; i < oscillation->count; i++)
@@ -153,15 +160,15 @@ double oscillation_mean(const struct oscillation *oscillation) {
   return mean;
 }
 
-/* The amplitude of all waves of the phase of term i, or 0 when an earlier term has that phase: waves that started at
- * different cycles add as arrows do. */
-static double wave(const struct oscillation *oscillation, size_t i) {
+/* The amplitude of the sum of all waves with the phase of term i; 0 if an earlier term has that phase. Waves that start at different
+ * cycles add as vectors. */
+static double wave_amplitude(const struct oscillation *oscillation, size_t i) {
   double phase = oscillation->terms[i].phase, along = 0, across = 0;
   if (phase <= 0)
     return 0;
   for (size_t j = 0; j < oscillation->count; j++) {
     const struct oscillation_term *term = &oscillation->terms[j];
-    if (term->phase <= 0 || fabs(term->phase - phase) > alike * phase)
+    if (term->phase <= 0 || fabs(term->phase - phase) > same_phase * phase)
       continue;
     if (j < i)
       return 0;
@@ -174,20 +181,20 @@ static double wave(const struct oscillation *oscillation, size_t i) {
 double oscillation_amplitude(const struct oscillation *oscillation) {
   double sum = 0;
   for (size_t i = 0; i < oscillation->count; i++)
-    sum += wave(oscillation, i);
+    sum += wave_amplitude(oscillation, i);
   return sum;
 }
 
-/* One wave decides when it is higher than all others together and steeper than all others together: then the sum
- * crosses its mean as often as that wave alone does, in the long run. */
-double oscillation_beat(const struct oscillation *oscillation) {
+/* A wave dominates when its amplitude and its slope exceed those of all others together: then the sum crosses its mean as often as
+ * that wave alone, in the long run. */
+double oscillation_frequency(const struct oscillation *oscillation) {
   double height = 0, slope = 0;
   for (size_t i = 0; i < oscillation->count; i++) {
-    height += wave(oscillation, i);
-    slope += wave(oscillation, i) * oscillation->terms[i].phase;
+    height += wave_amplitude(oscillation, i);
+    slope += wave_amplitude(oscillation, i) * oscillation->terms[i].phase;
   }
   for (size_t i = 0; i < oscillation->count; i++) {
-    double own = wave(oscillation, i);
+    double own = wave_amplitude(oscillation, i);
     double phase = oscillation->terms[i].phase;
     if (2 * own > height && 2 * own * phase > slope)
       return phase / (2 * M_PI);

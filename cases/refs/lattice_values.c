@@ -1,7 +1,7 @@
-/* Forces of watched contacts, by name: at rest, and as curves.
+/* Values and curves of the forces at monitored contacts.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
-#include "lattice_tell.h"
+#include "lattice_values.h"
 
 #include <stdlib.h>
 
@@ -13,7 +13,7 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
   static const char *const kinds[2] = {"normal", "shear"};
   char text[TEXT];
   for (size_t i = 0; i < scene->monitor_count; i++) {
-    int contact = lattice_watched(lattice, &scene->monitors[i]);
+    int contact = lattice_contact_of(lattice, &scene->monitors[i]);
     for (size_t k = 0; k < 2 && contact >= 0; k++) {
       snprintf(text, sizeof text, "%s.%s%s", scene->monitors[i].name, kinds[k], suffix);
       solution_value(solution, gsl_vector_get(forces, 2 * (size_t)contact + k), text);
@@ -21,35 +21,36 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
   }
 }
 
-enum nb_status lattice_add_rest(struct nb_solution *solution, const struct nb_scene *scene,
-                                enum nb_status (*rest)(const struct lattice *lattice, const gsl_vector *travel,
-                                                       gsl_vector *forces, struct nb_error *error),
-                                struct nb_error *error) {
+enum nb_status lattice_add_equilibria(struct nb_solution *solution, const struct nb_scene *scene,
+                                      enum nb_status (*equilibrium)(const struct lattice *lattice,
+                                                                    const gsl_vector *travel, gsl_vector *forces,
+                                                                    struct nb_error *error),
+                                      struct nb_error *error) {
   struct lattice lattice;
   enum nb_status status = lattice_build(&lattice, scene, error);
   if (status != NB_OK)
     return status;
   gsl_vector *forces = gsl_vector_alloc(2 * lattice.contact_count);
-  size_t standing = lattice_standing(&lattice, scene);
+  size_t at_rest = lattice_first_at_rest(&lattice, scene);
   for (size_t i = 0; i < scene->stage_count && status == NB_OK; i++) {
     char suffix[TEXT];
-    status = rest(&lattice, lattice.travel[i], forces, error);
+    status = equilibrium(&lattice, lattice.travel[i], forces, error);
     if (status != NB_OK)
       break;
     snprintf(suffix, sizeof suffix, " in %s", scene->stages[i].name);
     add_value(solution, scene, &lattice, forces, suffix);
     snprintf(suffix, sizeof suffix, " mean in %s", scene->stages[i].name);
-    if (i >= standing)
+    if (i >= at_rest)
       add_value(solution, scene, &lattice, forces, suffix);
     if (i + 1 < scene->stage_count)
       continue;
     add_value(solution, scene, &lattice, forces, "");
-    if (i >= standing)
+    if (i >= at_rest)
       add_value(solution, scene, &lattice, forces, " mean");
   }
   gsl_vector_free(forces);
   lattice_free(&lattice);
-  return status == NB_OK ? solution_full(solution, error) : status;
+  return status == NB_OK ? solution_status(solution, error) : status;
 }
 
 enum nb_status lattice_add_curves(struct nb_solution *solution, const struct lattice *lattice,
@@ -66,27 +67,27 @@ enum nb_status lattice_add_curves(struct nb_solution *solution, const struct lat
   return NB_OK;
 }
 
-enum nb_status lattice_stays(const struct lattice *lattice, const struct oscillation_modes *modes,
-                             struct nb_error *error) {
+enum nb_status lattice_check_run(const struct lattice *lattice, const struct oscillation_modes *modes,
+                                 struct nb_error *error) {
   size_t rows = 2 * lattice->contact_count;
-  struct oscillation **uses_damping_ratio = calloc(rows, sizeof *uses_damping_ratio);
-  if (!uses_damping_ratio)
+  struct oscillation **oscillations = calloc(rows, sizeof *oscillations);
+  if (!oscillations)
     return nb_error_memory(error);
   gsl_vector *forces = gsl_vector_alloc(rows);
   enum nb_status status = NB_OK;
   for (size_t i = 0; i < rows && status == NB_OK; i++) {
-    uses_damping_ratio[i] = oscillation_create(lattice, modes, i, OSCILLATION_STEPS, 1, error);
-    if (!uses_damping_ratio[i])
+    oscillations[i] = oscillation_create(lattice, modes, i, OSCILLATION_STEPS, 1, error);
+    if (!oscillations[i])
       status = error->status;
   }
   for (unsigned long n = 1; n <= lattice->cycles && status == NB_OK; n++) {
     for (size_t i = 0; i < rows; i++)
-      gsl_vector_set(forces, i, oscillation_at(uses_damping_ratio[i], (double)n));
-    status = lattice_holds(lattice, forces, (double)n, error);
+      gsl_vector_set(forces, i, oscillation_at(oscillations[i], (double)n));
+    status = lattice_check_forces(lattice, forces, (double)n, error);
   }
   for (size_t i = 0; i < rows; i++)
-    free(uses_damping_ratio[i]);
-  free(uses_damping_ratio);
+    free(oscillations[i]);
+  free(oscillations);
   gsl_vector_free(forces);
   return status;
 }

@@ -1,4 +1,4 @@
-/* What a reference knows: named values and curves; and the register of all references.
+/* The values and curves of a solution, and the register of all references.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_errno.h>
@@ -7,8 +7,8 @@
 
 #include "reference.h"
 
-/* Room for one more element of `size` bytes; the array doubles when its count reaches a power of two. NULL: no memory,
- * and the old array stands. */
+/* The array with space for one more element of `size` bytes; it doubles when the count reaches a power of two. NULL: out of
+ * memory, and the old array is still valid. */
 static void *one_more(void *array, size_t count, size_t size) {
   if (count & (count - 1))
     return array;
@@ -23,7 +23,7 @@ static void copy_text(char *to, const char *from, size_t size) {
 void solution_value(struct nb_solution *solution, double value, const char *name) {
   struct nb_solution_value *values = one_more(solution->values, solution->value_count, sizeof *values);
   if (!values) {
-    solution->lacking = true;
+    solution->incomplete = true;
     return;
   }
   solution->values = values;
@@ -36,7 +36,7 @@ void solution_curve(struct nb_solution *solution, const char *name, const char *
                     double (*at)(const void *data, double x), void *data) {
   struct nb_solution_curve *curves = data ? one_more(solution->curves, solution->curve_count, sizeof *curves) : NULL;
   if (!curves) {
-    solution->lacking = true;
+    solution->incomplete = true;
     free(data);
     return;
   }
@@ -48,8 +48,8 @@ void solution_curve(struct nb_solution *solution, const char *name, const char *
   curves->data = data;
 }
 
-enum nb_status solution_full(const struct nb_solution *solution, struct nb_error *error) {
-  if (solution->lacking)
+enum nb_status solution_status(const struct nb_solution *solution, struct nb_error *error) {
+  if (solution->incomplete)
     return nb_error_memory(error);
   return NB_OK;
 }
@@ -77,7 +77,7 @@ void solution_free(struct nb_solution *solution) {
   *solution = (struct nb_solution){0};
 }
 
-/* references-register.h is made by make: a line NB_REFERENCE(nine_discs) for each file of REFERENCES in Makefile.am. */
+/* make writes references-register.h: a line NB_REFERENCE(nine_discs) for each file of REFERENCES in build-aux/lists.mk. */
 #define NB_REFERENCE(name) extern const struct nb_reference reference_##name;
 #include "references-register.h"
 #undef NB_REFERENCE
@@ -110,8 +110,8 @@ static void handle(const char *reason, const char *file, int line, int status) {
 
 void nb_references_prepare(void) { gsl_set_error_handler(handle); }
 
-enum nb_status nb_reference_ask(const struct nb_reference *reference, struct nb_solution *solution,
-                                const struct nb_scene *scene, struct nb_error *error) {
+enum nb_status nb_reference_solve(const struct nb_reference *reference, struct nb_solution *solution,
+                                  const struct nb_scene *scene, struct nb_error *error) {
   const enum nb_status status = nb_reference_covers(reference, scene, error);
   return status ? status : reference->solve(solution, scene, error);
 }
