@@ -1,19 +1,19 @@
-/* Reference: a square or hexagonal lattice of equal bodies in a periodic cell, pressed alike and strained little by little.
+/* Reference: a square or hexagonal lattice of equal particles in a periodic cell under small strains.
  *
- * Every body is a centre of symmetry, so a uniform strain e moves all bodies with it and turns none: the sum over the contacts of
- * one body, f_i l_j over its share of the volume, is exact for small strains (Born). With t the thickness, s the spacing, F the
- * normal force, and springs k_n = dF/d(alpha), k_s at every contact:
+ * Every particle is a centre of symmetry, so a uniform strain e moves all particles affinely without rotation: the sum
+ * over the contacts of one particle, f_i l_j over its fraction of the volume, is exact for small strains (Born). With
+ * the thickness t, the spacing s, the normal force F, and springs k_n = dF/d(alpha), k_s at every contact:
  *
- *   square      sigma = F/(s t),         C_11 = k_n/t,                     C_12 = 0,                        2 G = k_s/t
- *   hexagonal   sigma = 3^(1/2) F/(s t), C_11 = 3^(1/2)/4 (3 k_n + k_s)/t, C_12 = 3^(1/2)/4 (k_n - k_s)/t,  2 G = C_11 - C_12
+ *   square      sigma = F/(s t),     C_11 = k_n/t,               C_12 = 0,                2 G = k_s/t
+ *   hexagonal   sigma = 4 b F/(s t), C_11 = b (3 k_n + k_s)/t,   C_12 = b (k_n - k_s)/t,  2 G = C_11 - C_12,  b = 3^(1/2)/4
  *
- * so the hexagonal one has the bulk modulus 3^(1/2)/2 k_n/t in the plane, and of all directions the same moduli. Compression is
- * positive: sigma_xx falls by C_11 e_xx + C_12 e_yy, sigma_xy by 2 G e_xy.
- * Linear springs: F = k_n alpha. Elastic spheres without shear: F = 4/3 E* R*^(1/2) alpha^(3/2), R* = R/2, k_n = 2 E* (R* alpha)^(1/2),
- * so that all moduli go with p^(1/3); a strain alike in x and y is taken as far as it goes, by F at its end.
+ * The hexagonal lattice has the bulk modulus 3^(1/2)/2 k_n/t in the plane and is isotropic. Compression is positive:
+ * sigma_xx decreases by C_11 e_xx + C_12 e_yy, sigma_xy by 2 G e_xy. Linear springs: F = k_n alpha. Elastic spheres
+ * without shear: F = 4/3 E* R*^(1/2) alpha^(3/2), R* = R/2, k_n = 2 E* (R* alpha)^(1/2), so all moduli are proportional
+ * to p^(1/3); an isotropic strain of any size is covered, from F at its end.
  *
- * Known at the end of each stage, and at the end:   cell.stress.xx, .yy, .xy, .yx, .mean
- * Left out: what a lattice of another spacing is, of the order of the strain and of alpha/s.
+ * Returns, at the end of each stage and of the run:   cell.stress.xx, .yy, .xy, .yx, .mean
+ * Error: of the order of the strain and of alpha/s, by the change of the spacing.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -69,16 +69,16 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
   return nb_error_set(error, NB_BAD_USE, "reference lattice_moduli is for %s", what);
 }
 
-/* How many copies of the others touch the first body; the spacing is the way to the nearest. */
+/* The number of particles, with periodic copies, that touch particle 1; the spacing is the distance to the nearest. */
 static int neighbours(const struct nb_scene *scene, double *spacing) {
   int count = 0;
   *spacing = INFINITY;
   for (size_t j = 1; j < scene->particle_count; j++) {
     double x = scene->particles[j].x - scene->particles[0].x, y = scene->particles[j].y - scene->particles[0].y;
     x -= scene->cell.h[0] * round(x / scene->cell.h[0]), y -= scene->cell.h[3] * round(y / scene->cell.h[3]);
-    const double apart = hypot(x, y);
-    count += apart < 2 * scene->particles[0].radius * (1 + 1e-9); /* those that just touch will */
-    *spacing = fmin(*spacing, apart);
+    const double distance = hypot(x, y);
+    count += distance < 2 * scene->particles[0].radius * (1 + 1e-9); /* also those that just touch */
+    *spacing = fmin(*spacing, distance);
   }
   return count;
 }
@@ -93,16 +93,16 @@ static enum nb_status read_lattice(struct lattice *it, const struct nb_scene *sc
   for (size_t k = 0; k < scene->particle_count; k++)
     if (scene->particles[k].radius != first->radius || scene->particles[k].material != first->material ||
         scene->particles[k].shape != first->shape || scene->particles[k].vx != 0 || scene->particles[k].vy != 0)
-      return refuse(error, "equal bodies at rest");
+      return refuse(error, "equal particles at rest");
   if (it->hertz ? strcmp(scene->shear, "none") != 0
                 : strcmp(scene->normal, "linear") != 0 || strcmp(scene->shear, "linear") != 0)
     return refuse(error, "linear springs, or elastic spheres without shear");
   const int count = neighbours(scene, &it->spacing);
   if (count != 4 && count != 6)
-    return refuse(error, "a lattice in which every body touches four others, or six");
+    return refuse(error, "a lattice in which every particle touches four or six others");
   it->hexagonal = count == 6;
-  const double place = it->hexagonal ? sqrt(0.75) : 1;
-  const double area = (double)scene->particle_count * place * it->spacing * it->spacing;
+  const double cell = it->hexagonal ? sqrt(0.75) : 1;
+  const double area = (double)scene->particle_count * cell * it->spacing * it->spacing;
   if (fabs(scene->cell.h[0] * scene->cell.h[3] / area - 1) > 1e-9)
     return refuse(error, "a lattice that fills the cell");
   it->xx = it->yy = pressure(it);
@@ -118,7 +118,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_stage *stage = &scene->stages[s];
     rate = stage->cell_line ? stage->cell : rate;
     if (stage->step.kind != NB_STEP_TIME || stage->condition_count > 0 || rate.xy != rate.yx)
-      return refuse(error, "steps that are times, stages of so many cycles, and strain rates without rotation");
+      return refuse(error, "steps in seconds, stages of a given number of cycles, and strain rates without rotation");
     const double time = rate.per_cycle ? (double)stage->cycles : (double)stage->cycles * stage->step.value;
     strain(&lattice, time * rate.xx, time * rate.yy, time * rate.xy);
     add_value(solution, &lattice, stage->name);

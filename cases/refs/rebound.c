@@ -1,22 +1,26 @@
-/* Reference: the velocities and spins after a sphere or a disc has struck a wall, or another one, at an angle and spinning.
+/* Reference: velocities and spins after oblique impact of a spinning sphere or disc on a wall or another particle.
  *
- * The impulses J_n along the normal and J_t against the slip follow from the slip before and after, V_T and V_T',
+ * The impulses J_n along the normal and J_t against the slip follow from the slip velocities V_T and V_T' before and
+ * after,
  *
  *   J_n = (1 + e) M V_N,    J_t = (V_T - V_T')/B,    1/M = sum 1/m,    B = sum (1/m + R^2/I)
  *
- * and give each body  dv = (J_n n -+ J_t t)/m,  dw = -+ R J_t/I.  It remains to say e and V_T'.
+ * and change each particle by  dv = (J_n n -+ J_t t)/m,  dw = -+ R J_t/I.  The unknowns are e and V_T'.
  *
- *   e    of a dashpot of the share beta of critical: exp(-pi z/(1 - z^2)^(1/2)) with z = beta for a linear spring and
- *        z = (6/5)^(1/2) beta for Hertz's; 1 without. J_n is the impulse of the elastic force too: that of the dashpot,
- *        Int c(alpha) d(alpha) from 0 to 0, is none.
- *   V_T' where it slides throughout, J_t = mu J_n: the contact's velocity psi = V_T/(mu kappa V_N) goes from psi1 to
- *        psi2 = psi1 - 2 chi (1 + e),    chi = M B/(2 kappa),    kappa = (E* / G*)/4, or k_n/k_s of springs       [R89 5.14, 5.15]
- *        It does so from psi1 = 4 chi on, whatever the law, as long as that has Coulomb's limit and takes it at psi1 > 1 at once.
- *        A contact that arrives without slip, psi1 = 0, keeps none: nothing happens along it.
- *        Between, for `shear mindlin_deresiewicz` alone, psi2 is that of independent springs (impact_springs.c, impact_damped.c).
+ *   e    with a dashpot of the damping ratio beta: exp(-pi z/(1 - z^2)^(1/2)) with z = beta for a linear spring and z =
+ *        (6/5)^(1/2) beta for Hertz's; 1 without. J_n is the impulse of the elastic force too, because that of the
+ *        dashpot,
+ *        Int c(alpha) d(alpha) from 0 to 0, is zero.
+ *   V_T' in gross sliding throughout, J_t = mu J_n: psi = V_T/(mu kappa V_N) changes from psi1 to
+ *        psi2 = psi1 - 2 chi (1 + e),    chi = M B/(2 kappa),    kappa = (E* / G*)/4 or k_n/k_s  [R89 5.14, 5.15]
+ *        This holds for psi1 >= 4 chi and any law with Coulomb's limit that slides at once for psi1 > 1. A contact
+ *          without initial
+ *        slip, psi1 = 0, has no tangential force. Between these, only for `shear mindlin_deresiewicz`, psi2 is that of
+ *          independent
+ *        springs (impact_springs.c, impact_damped.c).
  *
- * Known: NAME.vx, NAME.vy, NAME.spin for watches of the bodies; impact.psi1, impact.psi2, impact.restitution (of the centre's
- * speed, relative to what is struck); energy.kinetic: all at the end. And energy.kinetic max, which is that at first.
+ * Returns, at the end: D.vx, D.vy, D.spin for D that monitors a particle; impact.psi1, impact.psi2, impact.restitution
+ * (ratio of the relative speeds of the centres); energy.kinetic. Also energy.kinetic max, the initial value.
  *
  * Error    in gross sliding rounding; psi2 of springs 1e-6 without dashpots, 5e-4 with them.
  *
@@ -31,25 +35,25 @@ enum { STEPS = 2000, DAMPED_STEPS = 8000 };
 
 static const double no_slip = 1e-12; /* rounding, in psi1 */
 
-struct meeting {
-  const struct nb_particle *particle[2]; /* the second NULL: a wall */
-  double m[2], i[2], r[2];               /* kg, kg m2, m; 0: does not move */
-  double nx, ny;                         /* from what is struck to the first body; t is that turned clockwise */
-  double vx, vy;                         /* of the first body, relative, m/s */
-  double vn, vt, mass, yield;            /* V_N, V_T signed along t, m/s; M, kg; B, 1/kg */
+struct impact {
+  const struct nb_particle *particle[2]; /* the second is NULL for a wall */
+  double m[2], i[2], r[2];               /* kg, kg m2, m; 0: fixed */
+  double nx, ny;                         /* normal toward the first particle; t is n turned clockwise */
+  double vx, vy;                         /* of the first particle, relative, m/s */
+  double vn, vt, mass, inverse_mass;     /* V_N, V_T signed along t, m/s; M, kg; B, 1/kg */
   double mu, kappa, chi, e, beta;
 };
 
-static const char parts[] = "an impact that ends, with dashpots well below critical damping";
+static const char separation[] = "an impact that ends, with dashpots well below critical damping";
 
 static double over(double a, double b) { return b > 0 ? a / b : 0; }
 
-/* What the pair is; NULL, or what it should have been. */
-static const char *read_impact(struct meeting *it, const struct nb_scene *scene) {
+/* Reads the pair; NULL, or what the reference is for. */
+static const char *read_impact(struct impact *it, const struct nb_scene *scene) {
   const struct nb_monitor *monitor = &scene->monitors[scene->impact.monitor];
   const bool hertz = strcmp(scene->normal, "hertz") == 0;
   const struct nb_wall *wall = monitor->kind == NB_MONITOR_PARTICLE_WALL ? &scene->walls[monitor->b] : NULL;
-  *it = (struct meeting){.particle = {&scene->particles[monitor->a], wall ? NULL : &scene->particles[monitor->b]}};
+  *it = (struct impact){.particle = {&scene->particles[monitor->a], wall ? NULL : &scene->particles[monitor->b]}};
   const struct nb_particle *a = it->particle[0], *b = it->particle[1];
   const struct matter_pair pair = matter_pair(scene, a->material, wall ? wall->material : b->material);
   if (!(pair.friction > 0) || (!hertz && !(pair.ks > 0)))
@@ -58,21 +62,21 @@ static const char *read_impact(struct meeting *it, const struct nb_scene *scene)
     if (it->particle[k] && !it->particle[k]->fixed) {
       it->m[k] = matter_mass(scene, it->particle[k]), it->i[k] = matter_inertia(scene, it->particle[k]);
       it->r[k] = it->particle[k]->radius, it->mass += 1 / it->m[k];
-      it->yield += 1 / it->m[k] + it->r[k] * it->r[k] / it->i[k];
+      it->inverse_mass += 1 / it->m[k] + it->r[k] * it->r[k] / it->i[k];
     }
   it->mass = 1 / it->mass;
   it->nx = wall ? -wall->ey : a->x - b->x, it->ny = wall ? wall->ex : a->y - b->y;
-  const double way = wall ? (a->x - wall->x) * it->nx + (a->y - wall->y) * it->ny : 1;
-  const double size = copysign(hypot(it->nx, it->ny), way);
+  const double side = wall ? (a->x - wall->x) * it->nx + (a->y - wall->y) * it->ny : 1;
+  const double size = copysign(hypot(it->nx, it->ny), side);
   it->nx /= size, it->ny /= size;
   it->vx = a->vx - (wall ? wall->vx : b->vx), it->vy = a->vy - (wall ? wall->vy : b->vy);
   it->vn = -(it->vx * it->nx + it->vy * it->ny);
   it->vt = it->vx * it->ny - it->vy * it->nx + a->spin * a->radius + (wall ? 0 : b->spin * b->radius);
   it->mu = pair.friction, it->kappa = hertz ? pair.young / (4 * pair.shear) : pair.kn / pair.ks;
-  it->chi = it->mass * it->yield / (2 * it->kappa);
+  it->chi = it->mass * it->inverse_mass / (2 * it->kappa);
   it->beta = scene->damping.contact;
   it->e = hertz ? hertz_restitution(it->beta) : exp(-M_PI * it->beta / sqrt(1 - it->beta * it->beta));
-  return !(it->vn > 0) ? "an impact" : it->e > 0 ? NULL : parts;
+  return !(it->vn > 0) ? "an impact" : it->e > 0 ? NULL : separation;
 }
 
 static const char *refuse(const struct nb_scene *scene) {
@@ -82,8 +86,8 @@ static const char *refuse(const struct nb_scene *scene) {
   return NULL;
 }
 
-/* NAN: out of memory; INFINITY: it does not end. */
-static double psi_after(const struct meeting *it, double psi1) {
+/* NAN: out of memory; INFINITY: the contact does not end. */
+static double psi_after(const struct impact *it, double psi1) {
   if (psi1 < no_slip)
     return 0;
   if (psi1 >= 4 * it->chi)
@@ -96,11 +100,12 @@ static double psi_after(const struct meeting *it, double psi1) {
   return psi2;
 }
 
-static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct meeting *it, double psi1,
-                      double psi2) {
+static void add_values(struct nb_solution *solution, const struct nb_scene *scene, const struct impact *it, double psi1,
+                       double psi2) {
   const double jn = (1 + it->e) * it->mass * it->vn;
-  const double jt = copysign((psi1 - psi2) * it->mu * it->kappa * it->vn / it->yield, it->vt);
-  const double jx = jn * it->nx - jt * it->ny, jy = jn * it->ny + jt * it->nx; /* on the first body; t = (ny, -nx) */
+  const double jt = copysign((psi1 - psi2) * it->mu * it->kappa * it->vn / it->inverse_mass, it->vt);
+  const double jx = jn * it->nx - jt * it->ny,
+               jy = jn * it->ny + jt * it->nx; /* on the first particle; t = (ny, -nx) */
   double first = 0, energy = 0;
   for (int k = 0; k < 2; k++) {
     const struct nb_particle *particle = it->particle[k];
@@ -137,22 +142,22 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  struct meeting it;
-  const char *wants = refuse(scene);
-  if (!wants)
-    wants = read_impact(&it, scene);
-  const double psi1 = wants ? 0 : fabs(it.vt) / (it.mu * it.kappa * it.vn);
-  if (!wants && psi1 >= no_slip && psi1 < 4 * it.chi &&
+  struct impact it;
+  const char *why = refuse(scene);
+  if (!why)
+    why = read_impact(&it, scene);
+  const double psi1 = why ? 0 : fabs(it.vt) / (it.mu * it.kappa * it.vn);
+  if (!why && psi1 >= no_slip && psi1 < 4 * it.chi &&
       (strcmp(scene->shear, "mindlin_deresiewicz") != 0 || strcmp(scene->normal, "hertz") != 0))
-    wants = "the exact law, or for an impact that slides from first touch to parting, psi1 >= 4 chi";
-  if (wants)
-    return nb_error_set(error, NB_BAD_USE, "rebound is for %s", wants);
+    why = "the exact law, or for gross sliding throughout, psi1 >= 4 chi";
+  if (why)
+    return nb_error_set(error, NB_BAD_USE, "rebound is for %s", why);
   const double psi2 = psi_after(&it, psi1);
   if (isnan(psi2))
     return nb_error_memory(error);
   if (isinf(psi2))
-    return nb_error_set(error, NB_BAD_USE, "rebound is for %s", parts);
-  add_value(solution, scene, &it, psi1, psi2);
+    return nb_error_set(error, NB_BAD_USE, "rebound is for %s", separation);
+  add_values(solution, scene, &it, psi1, psi2);
   return solution_status(solution, error);
 }
 

@@ -1,17 +1,17 @@
-/* Reference: what the rigid-body theory makes of an oblique impact, as hard-particle codes use it.
+/* Reference: oblique impact in rigid-body theory, as used in event-driven codes.
  *
- *   V_N' = -V_N,   V_T' = V_T - mu (1 + q) 2 V_N   while that is not below 0: sliding throughout      psi2 = psi1 - 4 chi
- *   V_T' = 0       else: friction stops the contact and nothing throws it back                        psi2 = 0
+ *   V_N' = -V_N,   V_T' = V_T - mu (1 + q) 2 V_N   if this is >= 0: sliding throughout              psi2 = psi1 - 4 chi
+ *   V_T' = 0       otherwise: friction stops the slip, without tangential restitution              psi2 = 0
  *
- * V_T of the point that touches, q = m R^2/I. It agrees with an elastic contact where that slides to the end with V_T' >= 0, from
- * psi1 = 4 chi on [R89 5.3.2]. There the speed comes back in the ratio
+ * V_T is the velocity of the contact point, q = m R^2/I. The theory agrees with an elastic contact that slides to the
+ * end with V_T' >= 0, for psi1 >= 4 chi [R89 5.3.2]. Then the ratio of the speeds is
  *
  *   e^2 = 1 - 2 mu sin(2 theta) + 2 mu^2 (1 + cos(2 theta)),   least e = sqrt(1 + mu^2) - mu at tan(2 theta) = -1/mu
  *
- * theta the angle of a sphere without spin: an elastic contact that slides to the end loses neither more nor less, so this holds from
- * psi1 = 4 chi - 1 on.
+ * with the angle of incidence theta of a sphere without spin. An elastic contact that slides to the end dissipates the
+ * same energy, so this e holds for psi1 >= 4 chi - 1.
  *
- * Known: impact.psi2, impact.restitution at the end, of a body that strikes a wall at rest. Exact.
+ * Returns impact.psi2, impact.restitution at the end, of a particle that strikes a wall at rest. Exact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -21,7 +21,7 @@
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 1)
-    return nb_error_set(error, NB_BAD_USE, "rigid_impact is for a body that strikes a wall");
+    return nb_error_set(error, NB_BAD_USE, "rigid_impact is for one particle and one wall");
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
   const struct matter_pair pair = matter_pair(scene, particle->material, wall->material);
@@ -37,7 +37,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_rigid_impact = {
     .name = "rigid_impact",
-    .title = "an oblique impact of rigid bodies: it slides throughout, or sticks for good",
+    .title = "oblique impact in rigid-body theory: sliding throughout, or sticking",
     .source = "[R89 5.3.2]",
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_UNTIL},
     .needs = {HAS_IMPACT, HAS_WALLS, HAS_FRICTION},

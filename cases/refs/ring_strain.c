@@ -1,20 +1,21 @@
-/* Reference: bodies that are carried along and touch nothing, in closed form.           [R89 4.41-4.44, 4.5.2]
+/* Reference: particles without contacts in an affine strain, with a boundary, in closed form.           [R89 4.41-4.44,
+ *   4.5.2]
  *
- * A boundary's body follows its strain rate; one that the continuum carries has besides a velocity v of its own, which damping
- * alone changes. With A = 1 + L dt, k what a cycle's damping keeps of v:
+ * A particle of the boundary follows its strain rate. One inside, with the affine motion, also has its own velocity v,
+ * which changes by damping alone. With A = 1 + L dt, and k the fraction of v that is left after one cycle of damping:
  *
  *   x_N = A^N x_0 + dt k (A - k)^-1 (A^N - k^N) v_0                      v_0 = 0 on the boundary
  *   K'  = m v_N^2/2,   v_N = k^N (1 + k)/2 v_0                           N >= 1: the mean of the half steps
- *   the boundary's area goes as (det A)^N
+ *   the area of the boundary is proportional to (det A)^N
  *
- * `accumulated`, as R89 codes 4.43, adds L x dt to the velocity and keeps it there: x_(N+1) = (2 + L dt) x_N - x_(N-1), x_1 = A x_0.
- * Along an axis of L with the eigenvalue s, from rest and undamped:
+ * `accumulated`, R89's code for 4.43, adds L x dt to the velocity and keeps it: x_(N+1) = (2 + L dt) x_N - x_(N-1), x_1
+ * = A x_0. Along an axis of L with the eigenvalue s, from rest and undamped:
  *
- *   x_N = x_0 (sinh((N+1) q) - sinh(N q))/sinh q,   cosh q = 1 + s dt/2, sinh q/2 = (s dt)^(1/2)/2;      s < 0: sin, cos
+ *   x_N = x_0 (sinh((N+1) q) - sinh(N q))/sinh q,   cosh q = 1 + s dt/2, sinh q/2 = (s dt)^(1/2)/2;     s < 0: sin, cos
  *
- * L is symmetric: its axes and eigenvalues are GSL's.
+ * L is symmetric; its axes and eigenvalues are GSL's.
  *
- * Known, along cycle:  NAME.x  .y of watched bodies, boundary.area, energy.kinetic.
+ * Returns, along cycle:  D.x, D.y for D that monitors a particle, boundary.area, energy.kinetic.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_eigen.h>
@@ -25,20 +26,20 @@
 
 #include "reference.h"
 
-enum wanted { X, Y, AREA, KINETIC };
+enum quantity { X, Y, AREA, KINETIC };
 
 struct strained {
-  double axis[2][2];   /* [k][0], [k][1]: of eigenvalue k */
-  double gain[2];      /* s dt */
-  double keep;         /* of v in a cycle */
-  double x[2], way[2]; /* x_0 from the centre, and v_0 dt, along the axes, m */
-  double centre[2];    /* m */
-  double level;        /* area, m2, or m v_0^2/2, J: at cycle 0 */
-  bool literal;
-  enum wanted wanted;
+  double axis[2][2];    /* [k][0], [k][1]: of eigenvalue k */
+  double gain[2];       /* s dt */
+  double keep;          /* fraction of v left after a cycle */
+  double x[2], step[2]; /* x_0 from the centre, and v_0 dt, along the axes, m */
+  double centre[2];     /* m */
+  double level;         /* area, m2, or m v_0^2/2, J: at cycle 0 */
+  bool accumulated;
+  enum quantity quantity;
 };
 
-static double literally(double gain, double n) {
+static double accumulated_growth(double gain, double n) {
   const double q = gain > 0 ? 2 * asinh(sqrt(gain) / 2) : 2 * asin(sqrt(-gain) / 2);
   if (gain == 0)
     return 1;
@@ -48,17 +49,17 @@ static double literally(double gain, double n) {
 static double at(const void *data, double n) {
   const struct strained *it = data;
   double x = 0, y = 0;
-  if (it->wanted == AREA)
+  if (it->quantity == AREA)
     return it->level * pow((1 + it->gain[0]) * (1 + it->gain[1]), n);
-  if (it->wanted == KINETIC)
+  if (it->quantity == KINETIC)
     return it->level * (n > 0 ? pow(it->keep, 2 * n) * (1 + it->keep) * (1 + it->keep) / 4 : 1);
   for (int k = 0; k < 2; k++) {
     const double a = 1 + it->gain[k], grown = pow(a, n);
-    const double own = it->keep * (grown - pow(it->keep, n)) / (a - it->keep) * it->way[k];
-    const double along = it->literal ? literally(it->gain[k], n) * it->x[k] : grown * it->x[k] + own;
+    const double own = it->keep * (grown - pow(it->keep, n)) / (a - it->keep) * it->step[k];
+    const double along = it->accumulated ? accumulated_growth(it->gain[k], n) * it->x[k] : grown * it->x[k] + own;
     x += along * it->axis[k][0], y += along * it->axis[k][1];
   }
-  return it->wanted == X ? it->centre[0] + x : it->centre[1] + y;
+  return it->quantity == X ? it->centre[0] + x : it->centre[1] + y;
 }
 
 static void add_value(struct nb_solution *solution, const struct strained *it, const char *name) {
@@ -72,15 +73,15 @@ static void find_axes(struct strained *it, const struct nb_strain_rate *rate) {
   double full[4] = {rate->xx, rate->xy, rate->yx, rate->yy}, values[2], vectors[4];
   gsl_matrix_view m = gsl_matrix_view_array(full, 2, 2), v = gsl_matrix_view_array(vectors, 2, 2);
   gsl_vector_view e = gsl_vector_view_array(values, 2);
-  gsl_eigen_symmv_workspace *room = gsl_eigen_symmv_alloc(2);
-  if (gsl_eigen_symmv(&m.matrix, &e.vector, &v.matrix, room) != GSL_SUCCESS)
+  gsl_eigen_symmv_workspace *workspace = gsl_eigen_symmv_alloc(2);
+  if (gsl_eigen_symmv(&m.matrix, &e.vector, &v.matrix, workspace) != GSL_SUCCESS)
     gsl_vector_set_all(&e.vector, NAN);
-  gsl_eigen_symmv_free(room);
+  gsl_eigen_symmv_free(workspace);
   for (int k = 0; k < 2; k++)
     it->gain[k] = values[k], it->axis[k][0] = vectors[k], it->axis[k][1] = vectors[2 + k];
 }
 
-static double kept(const struct nb_damping *damping) {
+static double kept_fraction(const struct nb_damping *damping) {
   switch (damping->global_kind) {
   case NB_GLOBAL_UNDAMPED:
     return 1;
@@ -94,7 +95,7 @@ static double kept(const struct nb_damping *damping) {
   }
 }
 
-static bool same(const struct nb_strain_rate *a, const struct nb_strain_rate *b) {
+static bool equal_rates(const struct nb_strain_rate *a, const struct nb_strain_rate *b) {
   return a->xx == b->xx && a->xy == b->xy && a->yx == b->yx && a->yy == b->yy && a->per_cycle == b->per_cycle;
 }
 
@@ -103,7 +104,7 @@ static bool on_boundary(const struct nb_scene *scene, const struct nb_particle *
   return circle->line && hypot(particle->x - circle->x, particle->y - circle->y) >= circle->radius * (1 - 1e-12);
 }
 
-/* Of the polygon through the boundary's bodies: they are given counterclockwise. */
+/* Of the polygon through the particles of the boundary, which the page gives counterclockwise. */
 static double area(const struct nb_scene *scene) {
   const struct nb_particle *first = NULL, *last = NULL;
   double twice = 0;
@@ -121,12 +122,13 @@ static double area(const struct nb_scene *scene) {
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_stage *stage = scene->stages;
   const struct nb_strain_rate *rate = &stage->affine.strain;
-  struct strained it = {.centre = {scene->circle.x, scene->circle.y}, .literal = stage->affine.accumulated};
+  struct strained it = {.centre = {scene->circle.x, scene->circle.y}, .accumulated = stage->affine.accumulated};
   if (scene->stage_count != 1 || !scene->circle.line || !stage->affine.line || !rate->per_cycle ||
-      rate->xy != rate->yx || !same(rate, &stage->boundary.strain) || !(scene->step.value > 0))
+      rate->xy != rate->yx || !equal_rates(rate, &stage->boundary.strain) || !(scene->step.value > 0))
     return nb_error_set(error, NB_BAD_USE,
-                        "ring_strain wants one stage with one symmetric strain per cycle of boundary and continuum");
-  it.keep = kept(&stage->damping);
+                        "ring_strain is for one stage with the same symmetric strain per cycle in `boundary strain` "
+                        "and `affine strain`");
+  it.keep = kept_fraction(&stage->damping);
   find_axes(&it, rate);
   double energy = 0;
   for (size_t k = 0; k < scene->particle_count; k++) {
@@ -134,9 +136,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     if (!on_boundary(scene, particle))
       energy += matter_mass(scene, particle) * (particle->vx * particle->vx + particle->vy * particle->vy) / 2;
   }
-  if (!(it.keep < 1 || energy == 0) || (it.literal && (energy > 0 || it.keep < 1)))
-    return nb_error_set(error, NB_BAD_USE,
-                        "ring_strain wants CON1 where something has a velocity, and `accumulated` undamped from rest");
+  if (!(it.keep < 1 || energy == 0) || (it.accumulated && (energy > 0 || it.keep < 1)))
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "ring_strain is for CON1 if particles have velocities, and for `accumulated` undamped from rest");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind != NB_MONITOR_PARTICLE)
@@ -144,20 +147,20 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_particle *particle = &scene->particles[monitor->a];
     const double x = particle->x - it.centre[0], y = particle->y - it.centre[1];
     const double dt = on_boundary(scene, particle) ? 0 : scene->step.value;
-    it.literal = stage->affine.accumulated && dt > 0;
+    it.accumulated = stage->affine.accumulated && dt > 0;
     char name[2 * NB_NAME_SIZE];
     for (int k = 0; k < 2; k++) {
       it.x[k] = x * it.axis[k][0] + y * it.axis[k][1];
-      it.way[k] = dt * (particle->vx * it.axis[k][0] + particle->vy * it.axis[k][1]);
+      it.step[k] = dt * (particle->vx * it.axis[k][0] + particle->vy * it.axis[k][1]);
     }
-    it.wanted = X;
+    it.quantity = X;
     snprintf(name, sizeof name, "%s.x", monitor->name), add_value(solution, &it, name);
-    it.wanted = Y;
+    it.quantity = Y;
     snprintf(name, sizeof name, "%s.y", monitor->name), add_value(solution, &it, name);
   }
-  it.wanted = AREA, it.level = area(scene);
+  it.quantity = AREA, it.level = area(scene);
   add_value(solution, &it, "boundary.area");
-  it.wanted = KINETIC, it.level = energy;
+  it.quantity = KINETIC, it.level = energy;
   if (!stage->affine.accumulated)
     add_value(solution, &it, "energy.kinetic");
   return solution_status(solution, error);
@@ -165,8 +168,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_ring_strain = {
     .name = "ring_strain",
-    .title = "bodies that a strain rate carries along, with velocities of their own, and R89's literal reading, in "
-             "closed form",
+    .title = "particles in an affine strain, with velocities of their own, and R89's accumulated form, in closed form",
     .source = "[R89 4.41-4.44]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_CON1_CS79, HAS_CON1_VELOCITY, HAS_CON1_ALL,
                 HAS_BOUNDARY_STRAIN, HAS_AFFINE_ACCUMULATED},

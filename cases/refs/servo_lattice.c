@@ -1,22 +1,22 @@
-/* Reference: a square lattice of springs in a periodic cell that is servoed, while the strain is small.
+/* Reference: a square lattice of springs in a periodic cell with a servo, for small strains.
  *
- * All discs follow the cell, and none turns, so that
+ * All discs follow the cell without rotation, so
  *
- *   s_xx' = -k_n (l_xx + L_xx),   s_yy likewise,   s_xy' = -k_s (l_xy + L_xy)     l what the page strains the cell with, L what the servo adds
+ *   s_xx' = -k_n (l_xx + L_xx),   s_yy likewise,   s_xy' = -k_s (l_xy + L_xy)     l: strain rate of the page, L: that
+ *                                 of the servo
  *   B = k_n/2,   T = W (rho/B)^(1/2),   W = (area of the cell)^(1/2)
  *
- * Of a stress that is held, e = s - s0 is what is off, and s0 goes at the rate q where it is ramped. With f = 1, of xy f = k_s/k_n:
+ * For a controlled stress, e = s - s0 is the error; a ramp changes s0 at the rate q. With f = 1, or f = k_s/k_n for xy:
  *
  *   e' = -f e/T - f k_n Z - c,   Z' = e/(16 k_n T^2),   c = f k_n l + q,   so   e'' + f e'/T + f e/(16 T^2) = 0
  *   e  = a exp(-u t) + b exp(-v t),   u, v = f (1 -+ (1 - 1/4f)^(1/2))/2T
  *
- * from e(0) and e'(0) at the beginning of the stage, where Z is -g e/(k_n T), g = (1 - (3/4)^(1/2))/2. What is off by more than k_n T `at most` is
- * beyond what the servo may do: until it is down to that, e' = -f k_n `at most` (1 - g) - c. What is not held goes as s' = -k l.
- * `servo mean` holds (xx + yy)/2, and their difference goes on.
+ * from e(0) and e'(0) at the begin of the stage, where Z is -g e/(k_n T), g = (1 - (3/4)^(1/2))/2. An error above k_n T
+ * times the `at most` rate r exceeds what the servo may do; until it is down to that, e' = -f k_n r (1 - g) - c. A
+ * stress that is not controlled follows s' = -k l. `servo mean` controls (xx + yy)/2, and their difference continues.
  *
- * Exact while s/k_n and dt/T are small: it is wrong by their order. One component alone may be too far off, or xx and yy alike.
- *
- * Known: cell.stress.xx, cell.stress.yy, cell.stress.xy along time.
+ * Returns cell.stress.xx, cell.stress.yy, cell.stress.xy along time. Error: of the order of s/k_n and dt/T. Only one
+ * component, or xx and yy equally, may exceed the largest rate.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <complex.h>
@@ -34,10 +34,10 @@ struct lattice {
 /* One stress over one stage. */
 struct piece {
   double begin;      /* s */
-  double from, rate; /* s0 and q; of what is not held s and s' */
-  bool held;
-  double far;            /* e as it begins, */
-  double slope, limited; /* e' while that is too far, and for how long, s */
+  double from, rate; /* s0 and q; s and s' if the stress is not controlled */
+  bool controlled;
+  double initial;        /* e at the begin */
+  double slope, limited; /* e' at the largest rate, and the duration of that, s */
   double complex a, b, u, v;
 };
 
@@ -47,11 +47,11 @@ struct course {
 };
 
 static double value(const struct piece *it, double time) {
-  const double t = time - it->begin, late = t - it->limited;
-  if (!it->held)
+  const double t = time - it->begin, unlimited = t - it->limited;
+  if (!it->controlled)
     return it->from + it->rate * t;
-  const double e =
-      late < 0 ? it->far + it->slope * t : creal(it->a * cexp(-it->u * late) + it->b * cexp(-it->v * late));
+  const double e = unlimited < 0 ? it->initial + it->slope * t
+                                 : creal(it->a * cexp(-it->u * unlimited) + it->b * cexp(-it->v * unlimited));
   return it->from + it->rate * t + e;
 }
 
@@ -63,23 +63,23 @@ static double at(const void *data, double time) {
   return value(&course->piece[k], time);
 }
 
-/* What is off goes from `far`; `most` is the largest rate of the servo. */
-static void solve_equations(struct piece *it, const struct lattice *lattice, double f, double far, double c,
-                            double most) {
-  const double t = lattice->wave, g = (1 - sqrt(0.75)) / 2, reach = copysign(lattice->kn * t * most, far);
+/* The course of an error from its initial value; `max_rate` of the servo. */
+static void solve_equations(struct piece *it, const struct lattice *lattice, double f, double initial, double c,
+                            double max_rate) {
+  const double t = lattice->wave, g = (1 - sqrt(0.75)) / 2, largest = copysign(lattice->kn * t * max_rate, initial);
   const double complex root = csqrt(1 - 1 / (4 * f));
-  it->held = true, it->far = far;
+  it->controlled = true, it->initial = initial;
   it->u = f * (1 - root) / (2 * t), it->v = f * (1 + root) / (2 * t);
-  it->slope = -copysign(f * lattice->kn * most * (1 - g), far) - c;
-  it->limited = fabs(far) > fabs(reach) ? (reach - far) / it->slope : 0;
-  const double e = fabs(far) > fabs(reach) ? reach : far;
+  it->slope = -copysign(f * lattice->kn * max_rate * (1 - g), initial) - c;
+  it->limited = fabs(initial) > fabs(largest) ? (largest - initial) / it->slope : 0;
+  const double e = fabs(initial) > fabs(largest) ? largest : initial;
   it->a = (it->v * e - f * (1 - g) * e / t - c) / (it->v - it->u); /* e' is -f (1 - g) e/T - c */
   it->b = e - it->a;
 }
 
 /* xx, yy and xy over a stage that begins with s. */
-static void go(struct piece *const now[3], const struct lattice *lattice, const struct nb_stage *stage,
-               struct nb_strain_rate strain, double begin, const double s[3]) {
+static void advance(struct piece *const now[3], const struct lattice *lattice, const struct nb_stage *stage,
+                    struct nb_strain_rate strain, double begin, const double s[3]) {
   const struct nb_servo *servo = &stage->servo;
   const double length = (double)stage->cycles * lattice->step, l[3] = {strain.xx, strain.yy, strain.xy};
   for (int k = 0; k < 3; k++) {
@@ -88,16 +88,16 @@ static void go(struct piece *const now[3], const struct lattice *lattice, const 
     *it = (struct piece){.begin = begin, .from = s[k], .rate = -f * lattice->kn * l[k]};
     if (!servo->line || !servo->controlled[k] || (servo->mean && k == 2))
       continue;
-    /* of `mean` s is the mean and a part beside it that goes on as the page says */
+    /* with `mean`, s is the mean and a deviation that follows the strain rate of the page */
     const double change = servo->mean ? (l[0] + l[1]) / 2 : l[k], begun = servo->mean ? (s[0] + s[1]) / 2 : s[k];
-    const double wanted = servo->stress[k], q = servo->ramp ? (wanted - begun) / length : 0;
-    const double from = servo->ramp ? begun : wanted;
+    const double target = servo->stress[k], q = servo->ramp ? (target - begun) / length : 0;
+    const double from = servo->ramp ? begun : target;
     solve_equations(it, lattice, f, begun - from, f * lattice->kn * change + q, servo->max_rate);
     it->from = from + s[k] - begun, it->rate = q - f * lattice->kn * (l[k] - change);
   }
 }
 
-/* A square lattice of equal discs in a cell, and stages that it can judge. */
+/* A square lattice of equal discs in a cell, and stages that the reference covers. */
 static bool fits(const struct nb_scene *scene) {
   bool right = scene->cell.line && scene->wall_count == 0 && scene->particle_count > 0 && scene->stage_count > 0 &&
                strcmp(scene->normal, "linear") == 0 && strcmp(scene->shear, "linear") == 0 &&
@@ -119,11 +119,12 @@ static bool fits(const struct nb_scene *scene) {
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (!fits(scene))
-    return nb_error_set(error, NB_BAD_USE,
-                        "servo_lattice wants a square lattice of equal discs in an upright cell, `normal linear`, no "
-                        "shear, a step in seconds, "
-                        "and stages of so many "
-                        "cycles that strain, without turning it, or servo the cell at rates in 1/s");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "servo_lattice is for a square lattice of equal discs in an upright cell, `normal linear`, no "
+        "shear, a step in seconds, "
+        "and stages of a given number of cycles that strain the cell without rotation, or control it with a servo, at "
+        "rates in 1/s");
   const struct nb_particle *particle = &scene->particles[0];
   const double area = scene->cell.h[0] * scene->cell.h[3], n = (double)scene->particle_count;
   const struct matter_pair pair = matter_pair(scene, particle->material, particle->material);
@@ -144,7 +145,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     struct piece *const now[] = {&course[0]->piece[i], &course[1]->piece[i], &course[2]->piece[i]};
     if (scene->stages[i].cell_line)
       strain = scene->stages[i].cell;
-    go(now, &lattice, &scene->stages[i], strain, begin, s);
+    advance(now, &lattice, &scene->stages[i], strain, begin, s);
     begin += (double)scene->stages[i].cycles * lattice.step;
     for (int c = 0; c < 3; c++)
       s[c] = value(now[c], begin), course[c]->count++;
@@ -156,7 +157,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_servo_lattice = {
     .name = "servo_lattice",
-    .title = "a square lattice in a cell that is servoed: what is off in closed form",
+    .title = "a square lattice in a cell with a servo: the error of the stress in closed form",
     .source = "[R89 4.1]",
     .accepts = {HAS_DISCS, HAS_FRICTION, HAS_CELL_STRAIN, HAS_SERVO, HAS_RAMP},
     .needs = {HAS_CELL},

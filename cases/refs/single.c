@@ -1,4 +1,4 @@
-/* One body on one straight wall at rest: read from the scene.
+/* One particle on one straight wall at rest: read from the scene.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "single.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* c of a dashpot beside a spring k on a mass m, by the page's word [CS79 28; R89 4.3, 4.13]. */
+/* c of a dashpot beside a spring k on a mass m, by the statement of the page [CS79 28; R89 4.3, 4.13]. */
 static double dashpot(const struct nb_damping *damping, double k, double m, double critical) {
   double value;
   switch (nb_damping_at(damping, true, &value)) {
@@ -29,11 +29,11 @@ static enum nb_status refuse(struct nb_error *error, const char *what) {
 
 enum nb_status single_read(struct single *single, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 1)
-    return refuse(error, "one body and one wall");
+    return refuse(error, "one particle and one wall");
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
   if (fabs(wall->ey) > 0 || !(particle->y > wall->y))
-    return refuse(error, "a wall along x, below the body");
+    return refuse(error, "a wall along x, below the particle");
   const double m = matter_mass(scene, particle);
   const struct matter_pair pair = matter_pair(scene, particle->material, wall->material);
   const double critical = 2 * sqrt(m / pair.kn);
@@ -52,7 +52,7 @@ enum nb_status single_read(struct single *single, const struct nb_scene *scene, 
   else if (scene->step.kind == NB_STEP_SINGLE_CONTACT)
     single->step = scene->step.value * critical;
   else
-    return refuse(error, "a step that is a time or a share of the critical one");
+    return refuse(error, "a step that is a time or a fraction of single-contact");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     if (scene->monitors[w].kind == NB_MONITOR_PARTICLE)
       single->particle = scene->monitors[w].name;

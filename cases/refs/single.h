@@ -1,4 +1,5 @@
-/* One body on one straight wall at rest, linear springs: what the references of falling, sliding and rolling share.
+/* One particle on one straight wall at rest, with linear springs: shared by the references of falling, sliding and
+ * rolling.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SINGLE_H
@@ -9,18 +10,18 @@
 struct single {
   double m, q;             /* mass, kg; m R^2/I: 2 for a disc, 5/2 for a sphere */
   double radius;           /* m */
-  struct matter_pair pair; /* of body and wall */
+  struct matter_pair pair; /* of particle and wall */
   double height;           /* of the centre above the wall at time 0, m */
   double gravity_n;        /* toward the wall, m/s2 */
   double cn, cs;           /* of the dashpots, N s/m */
   double step;             /* of the scene, s */
-  const char *particle;    /* names of the watches; NULL: not watched */
+  const char *particle;    /* names of the monitors; NULL: none */
   const char *contact;
 };
 
-/* The wall must lie along x, below the body. */
+/* NB_BAD_USE unless the wall lies along x, below the particle. */
 enum nb_status single_read(struct single *single, const struct nb_scene *scene, struct nb_error *error);
-/* `WATCH.WHAT` {` in STAGE`}; nothing when it is not watched. */
+/* Adds `MONITOR.WHAT`, with ` in STAGE` if there is one; nothing without a monitor. */
 void single_add(struct nb_solution *solution, const char *monitor, const char *what, const char *stage, double value);
 void single_curve(struct nb_solution *solution, const char *monitor, const char *what,
                   double (*at)(const void *data, double t), const void *data, size_t size);

@@ -1,21 +1,22 @@
-/* Reference: a body set down on a floor with speed and without spin slides, and then rolls: exact, springs included.
+/* Reference: a particle set on a floor with a velocity and without spin slides, then rolls; exact, with springs.
  *
- * With q = m R^2/I (2 for a disc, 5/2 for a sphere), v the speed and s' = v + R w the slip at the floor, friction F slows the one
- * and makes the other: m v' = -F, R w' = -q F/m. So s'' = -(1 + q) F/m, and at every moment
+ * With q = m R^2/I (2 for a disc, 5/2 for a sphere), v the velocity and s' = v + R w the slip velocity, friction F
+ * gives m v' = -F and R w' = -q F/m. So s'' = -(1 + q) F/m, and at all times
  *
  *   v = (s' + q u0)/(1 + q),     x = (s + q u0 t)/(1 + q)
  *
- * whatever F is. Rigid: F = mu m g until s' = 0 at t_s = u0/((1 + q) mu g), from then on v = q u0/(1 + q): 2/3, 5/7 of u0.
- * With springs, w_s^2 = (1 + q) k_s/m, b = (1 + q) c_s/(2 m), d_m = mu m g/k_s:
+ * for any F. Rigid: F = mu m g until s' = 0 at t_s = u0/((1 + q) mu g), then v = q u0/(1 + q): 2/3, 5/7 of u0. With
+ * springs, w_s^2 = (1 + q) k_s/m, b = (1 + q) c_s/(2 m), d_m = mu m g/k_s:
  *
- *   grip    s = u0 e^(-b t) sin(w't)/w'                              until s = d_m
- *   slide   s' falls by (1 + q) mu g a second                         until s' = 0
- *   roll    the spring is still stretched by d_m and lets go: it swings, d = d_m e^(-b t) (cos w't + (b/w') sin w't), s' = d'
+ *   stick   s = u0 e^(-b t) sin(w't)/w'                              until s = d_m
+ *   slide   s' decreases by (1 + q) mu g per second                  until s' = 0
+ *   roll    the spring, stretched by d_m, oscillates: d = d_m e^(-b t) (cos w't + (b/w') sin w't), s' = d'
  *
- * Known, where NAME watches the body: NAME.vx, NAME.spin, NAME.x along time; `time in STAGE`, NAME.x in STAGE for the stage that
- * ends when the contact no longer slides; NAME.vx in STAGE after it, when the swing has died out.
+ * Returns, for D that monitors the particle:   D.vx, D.spin, D.x along time; `time in STAGE`, D.x in STAGE of the stage
+ *   that ends when
+ * sliding ends; D.vx in later stages, when the oscillation has decayed.
  *
- * Source   [MFiX DEM-04] for the rigid body; the springs are elementary.
+ * Source   [MFiX DEM-04] for the rigid particle; the springs are elementary.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -27,23 +28,23 @@ struct slide {
   double b, damped;         /* 1/s */
   double limit;             /* d_m, m */
   double brake;             /* (1 + q) mu g, m/s2 */
-  double grip, slide;       /* when they end, s */
-  double slip;              /* s' when sliding begins, m/s */
+  double stick, slide;      /* times at which they end, s */
+  double slip;              /* s' at the begin of sliding, m/s */
 };
 
-static double gripped(const struct slide *f, double t, double *rate) {
+static double sticking_slip(const struct slide *f, double t, double *rate) {
   const double fade = f->u0 * exp(-f->b * t) / f->damped, s = sin(f->damped * t), c = cos(f->damped * t);
   *rate = fade * (f->damped * c - f->b * s);
   return fade * s;
 }
 
 /* s and s' at time t. */
-static double slipped(const struct slide *f, double t, double *rate) {
-  if (t <= f->grip)
-    return gripped(f, t, rate);
-  const double slid = f->slide - f->grip, end = f->limit + f->slip * slid - f->brake * slid * slid / 2;
+static double slip_at(const struct slide *f, double t, double *rate) {
+  if (t <= f->stick)
+    return sticking_slip(f, t, rate);
+  const double slid = f->slide - f->stick, end = f->limit + f->slip * slid - f->brake * slid * slid / 2;
   if (t <= f->slide) {
-    t -= f->grip;
+    t -= f->stick;
     *rate = f->slip - f->brake * t;
     return f->limit + f->slip * t - f->brake * t * t / 2;
   }
@@ -56,7 +57,7 @@ static double slipped(const struct slide *f, double t, double *rate) {
 static double vx_at(const void *data, double t) {
   const struct slide *f = data;
   double rate;
-  slipped(f, t, &rate);
+  slip_at(f, t, &rate);
   return (rate + f->q * f->u0) / (1 + f->q);
 }
 static double spin_at(const void *data, double t) {
@@ -66,27 +67,27 @@ static double spin_at(const void *data, double t) {
 static double x_at(const void *data, double t) {
   const struct slide *f = data;
   double rate;
-  const double s = slipped(f, t, &rate);
+  const double s = slip_at(f, t, &rate);
   return f->x0 + (s + f->q * f->u0 * t) / (1 + f->q);
 }
 
-/* When the spring reaches its limit: before s' is 0, or the body never slides. */
-static bool find_grip(struct slide *f) {
+/* The begin and the end of sliding. False: s' is 0 before the spring reaches its limit, so the particle never slides. */
+static bool find_sliding(struct slide *f) {
   double low = 0, high = atan2(f->damped, f->b) / f->damped, rate;
-  if (gripped(f, high, &rate) < f->limit)
+  if (sticking_slip(f, high, &rate) < f->limit)
     return false;
   for (int n = 0; n < 200; n++) {
     const double middle = low + (high - low) / 2;
-    *(gripped(f, middle, &rate) < f->limit ? &low : &high) = middle;
+    *(sticking_slip(f, middle, &rate) < f->limit ? &low : &high) = middle;
   }
-  f->grip = high;
-  gripped(f, high, &f->slip);
-  f->slide = f->grip + f->slip / f->brake;
+  f->stick = high;
+  sticking_slip(f, high, &f->slip);
+  f->slide = f->stick + f->slip / f->brake;
   return true;
 }
 
-static void add_value(struct nb_solution *solution, const struct nb_scene *scene, const struct single *particle,
-                      const struct slide *f) {
+static void add_values(struct nb_solution *solution, const struct nb_scene *scene, const struct single *particle,
+                       const struct slide *f) {
   bool slid = false;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
@@ -109,13 +110,13 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct single particle;
   if (single_read(&particle, scene, error))
     return error->status;
-  const double weight = particle.m * particle.gravity_n, push = particle.pair.kn * (particle.radius - particle.height);
+  const double weight = particle.m * particle.gravity_n, force = particle.pair.kn * (particle.radius - particle.height);
   const double u0 = scene->particles[0].vx;
-  if (scene->gravity.x != 0 || scene->particles[0].vy != 0 || !(u0 > 0) || !(fabs(push - weight) < 1e-4 * weight))
+  if (scene->gravity.x != 0 || scene->particles[0].vy != 0 || !(u0 > 0) || !(fabs(force - weight) < 1e-4 * weight))
     return nb_error_set(error, NB_BAD_USE,
-                        "slide_to_roll is for a body that lies on the floor with its weight, %g, and moves along it "
-                        "without spin; the floor pushes %g",
-                        weight, push);
+                        "slide_to_roll is for a particle that moves along the floor without spin, with an initial "
+                        "normal force equal to its weight %g; the force is %g",
+                        weight, force);
   const double b = (1 + particle.q) * particle.cs / (2 * particle.m),
                square = (1 + particle.q) * particle.pair.ks / particle.m - b * b;
   struct slide slide = {
@@ -128,15 +129,16 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
       .limit = (weight * particle.pair.friction + particle.pair.cohesion) / particle.pair.ks,
       .brake = (1 + particle.q) * (particle.pair.friction * particle.gravity_n + particle.pair.cohesion / particle.m),
   };
-  if (!(square > 0) || !find_grip(&slide))
-    return nb_error_set(error, NB_BAD_USE, "slide_to_roll is for a body that swings and slides; this one does not");
-  add_value(solution, scene, &particle, &slide);
+  if (!(square > 0) || !find_sliding(&slide))
+    return nb_error_set(error, NB_BAD_USE,
+                        "slide_to_roll is for a particle that slides, with a dashpot below critical");
+  add_values(solution, scene, &particle, &slide);
   return solution_status(solution, error);
 }
 
 const struct nb_reference reference_slide_to_roll = {
     .name = "slide_to_roll",
-    .title = "a body that slides until it rolls: friction, spring and dashpot in closed form",
+    .title = "a particle that slides until it rolls: friction, spring and dashpot in closed form",
     .source = "[MFiX DEM-04]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_FRICTION, HAS_COHESION, HAS_CONTACT_DAMPING, HAS_UNTIL},
     .needs = {HAS_WALLS, HAS_GRAVITY},

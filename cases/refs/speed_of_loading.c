@@ -1,23 +1,25 @@
-/* Reference: how far nine discs without friction are from equilibrium while four walls close in evenly, with global damping.
+/* Reference: the unbalanced force of nine discs without friction while four walls approach with equal speeds, with
+ * mass-proportional damping.
  *
- * Along each axis the middle disc of a row stays where it is, and the outer one follows its wall. With x its way in, v t the
- * wall's, and the damping alpha of all bodies:
+ * Along each axis the middle disc of a row stays at rest and the outer one follows its wall. With its displacement x
+ * inward, the wall's v t, and the damping alpha of all discs:
  *
  *   m x'' + alpha m x' + 2 k x = k v t
  *
- * What the walls have set going dies out as e^(-alpha t/2); what stays moves evenly:
+ * The oscillation decays as e^(-alpha t/2). What remains is steady motion:
  *
  *   x' = v/2,    x = v t/2 - alpha m v/(4 k)
  *
- * so the force left on an outer disc is alpha m v/2 along an axis, on a corner disc sqrt(2) of it; the largest contact force is
- * the wall's, k (v t - x). Their ratio, dF/F of [CS79 table 1], is
+ * so the unbalanced force on an outer disc is alpha m v/2 along an axis, on a corner disc sqrt(2) times that. The
+ * largest contact force is that of the wall, k (v t - x). Their ratio, dF/F of [CS79 table 1], is
  *
  *   unbalanced.max = (alpha m v/sqrt(2)) / (k v t/2 + alpha m v/4) = sqrt(2) alpha m v/(k d + alpha m v/2),     d = v t
  *
- * at the same d proportional to the speed, as long as that is small: [CS79, Speed of loading]. Linear: overlap over radius is
- * neglected, which does not matter here, where all contacts lie along the axes.
+ * which at the same d is proportional to the speed while it is small: [CS79, Speed of loading]. Overlap over radius is
+ * neglected, which has no effect here, because all contacts lie along the axes.
  *
- * Known: `unbalanced.max in STAGE`, the first stage; it wants e^(-alpha t/2) to be small.
+ * Returns `unbalanced.max in STAGE` for the first stage.
+ * Accepts alpha t > 20, so that e^(-alpha t/2) is small.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -28,8 +30,8 @@
 static enum nb_status refuse(struct nb_error *error) {
   return nb_error_set(
       error, NB_BAD_USE,
-      "speed_of_loading is for nine equal discs without friction, three by three in a box that closes in "
-      "evenly from the first stage on, with `damping mass` only");
+      "speed_of_loading is for nine equal discs without friction, three by three in a box whose walls approach "
+      "with equal speeds from the first stage on, with `damping mass` only");
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
@@ -53,7 +55,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_speed_of_loading = {
     .name = "speed_of_loading",
-    .title = "how far from equilibrium evenly loaded discs are: in proportion to the speed",
+    .title = "unbalanced force of nine discs under loading at constant speed",
     .source = "[CS79, Speed of loading]",
     .accepts = {HAS_DISCS, HAS_MOVING_WALLS},
     .needs = {HAS_WALLS, HAS_MASS_DAMPING},

@@ -1,12 +1,13 @@
-/* Reference: two spheres, one on the other, squeezed between a floor and a ceiling: coupled oscillators by GSL.
+/* Reference: two spheres, one on the other, compressed between a floor and a ceiling: coupled oscillators, by GSL.
  *
  *   m_1 y_1'' = -m_1 g + P_1 - P_12,    m_2 y_2'' = -m_2 g + P_12 - P_2
- *   P = k alpha + c alpha'  while alpha > 0:  alpha_1 = R_1 - y_1,  alpha_12 = R_1 + R_2 - (y_2 - y_1),  alpha_2 = R_2 - (h - y_2)
+ *   P = k alpha + c alpha'  while alpha > 0
+ *   alpha_1 = R_1 - y_1,  alpha_12 = R_1 + R_2 - (y_2 - y_1),  alpha_2 = R_2 - (h - y_2)
  *   c = 2 beta (m* k)^(1/2), m* of each contact                                                              [R89 4.13]
  *
- * with the eighth-order method of Prince and Dormand at 1e-13, from what the page gives to each moment asked for.
+ * by the eighth-order method of Prince and Dormand at 1e-13.
  *
- * Known along time, for watches of the spheres NAME.y and NAME.vy; for that of their contact NAME.overlap.
+ * Returns, along time:   D.y, D.vy for D that monitors a sphere; C.overlap for C that monitors their contact
  *
  * Source   [MFiX DEM-03].
  *
@@ -25,18 +26,18 @@ enum { LOWER, MIDDLE, UPPER, CONTACTS };
 struct stack {
   double mass[2], radius[2], floor, ceiling, gravity; /* kg, m, m/s2 */
   double k[CONTACTS], c[CONTACTS];                    /* N/m, N s/m */
-  double start[UNKNOWNS], beat;                       /* m, m/s; s */
+  double start[UNKNOWNS], timescale;                  /* m, m/s; s */
 };
 
-static double push(const struct stack *stack, int contact, double overlap, double dn) {
+static double normal_force(const struct stack *stack, int contact, double overlap, double dn) {
   return overlap > 0 ? stack->k[contact] * overlap + stack->c[contact] * dn : 0;
 }
 
 static int slope(double t, const double y[], double dydt[], void *data) {
   const struct stack *s = data;
-  const double lower = push(s, LOWER, s->radius[0] - (y[Y1] - s->floor), -y[V1]);
-  const double middle = push(s, MIDDLE, s->radius[0] + s->radius[1] - (y[Y2] - y[Y1]), y[V1] - y[V2]);
-  const double upper = push(s, UPPER, s->radius[1] - (s->ceiling - y[Y2]), y[V2]);
+  const double lower = normal_force(s, LOWER, s->radius[0] - (y[Y1] - s->floor), -y[V1]);
+  const double middle = normal_force(s, MIDDLE, s->radius[0] + s->radius[1] - (y[Y2] - y[Y1]), y[V1] - y[V2]);
+  const double upper = normal_force(s, UPPER, s->radius[1] - (s->ceiling - y[Y2]), y[V2]);
   (void)t;
   dydt[Y1] = y[V1], dydt[Y2] = y[V2];
   dydt[V1] = -s->gravity + (lower - middle) / s->mass[0];
@@ -50,8 +51,8 @@ static void state_at(const struct stack *stack, double t, double y[]) {
   memcpy(y, stack->start, sizeof stack->start);
   if (!(t > 0))
     return;
-  gsl_odeiv2_driver *driver =
-      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, stack->beat / 100, stack->radius[0] * 1e-14, 1e-13);
+  gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, stack->timescale / 100,
+                                                            stack->radius[0] * 1e-14, 1e-13);
   if (!driver || gsl_odeiv2_driver_set_nmax(driver, 1000000) ||
       gsl_odeiv2_driver_apply(driver, &time, t, y) != GSL_SUCCESS)
     y[Y1] = y[Y2] = y[V1] = y[V2] = NAN;
@@ -75,7 +76,7 @@ static double overlap(const void *data, double t) {
   return fmax(stack->radius[0] + stack->radius[1] - (y[Y2] - y[Y1]), 0);
 }
 
-static void add_value(struct nb_solution *solution, const char *monitor, const char *what,
+static void add_curve(struct nb_solution *solution, const char *monitor, const char *what,
                       double (*at)(const void *data, double t), const struct stack *stack) {
   char name[2 * NB_NAME_SIZE];
   snprintf(name, sizeof name, "%.*s.%s", NB_NAME_SIZE, monitor, what);
@@ -102,11 +103,11 @@ static enum nb_status build(struct stack *stack, const struct nb_scene *scene, s
   const double m1 = matter_mass(scene, &b[0]), m2 = matter_mass(scene, &b[1]);
   const double reduced[] = {m1, m1 * m2 / (m1 + m2), m2};
   *stack = (struct stack){.mass = {m1, m2}, .radius = {b[0].radius, b[1].radius}, .gravity = -scene->gravity.y};
-  stack->floor = w[0].y, stack->ceiling = w[1].y, stack->beat = INFINITY;
+  stack->floor = w[0].y, stack->ceiling = w[1].y, stack->timescale = INFINITY;
   for (int c = 0; c < CONTACTS; c++) {
     stack->k[c] = matter_pair(scene, material[c], material[c + 1]).kn;
     stack->c[c] = 2 * beta * sqrt(reduced[c] * stack->k[c]);
-    stack->beat = fmin(stack->beat, sqrt(reduced[c] / stack->k[c]));
+    stack->timescale = fmin(stack->timescale, sqrt(reduced[c] / stack->k[c]));
   }
   stack->start[Y1] = b[0].y, stack->start[Y2] = b[1].y, stack->start[V1] = b[0].vy, stack->start[V2] = b[1].vy;
   return NB_OK;
@@ -119,10 +120,10 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind == NB_MONITOR_PARTICLE) {
-      add_value(solution, monitor->name, "y", monitor->a ? upper_y : lower_y, &stack);
-      add_value(solution, monitor->name, "vy", monitor->a ? upper_v : lower_v, &stack);
+      add_curve(solution, monitor->name, "y", monitor->a ? upper_y : lower_y, &stack);
+      add_curve(solution, monitor->name, "vy", monitor->a ? upper_v : lower_v, &stack);
     } else if (monitor->kind == NB_MONITOR_PARTICLE_PARTICLE) {
-      add_value(solution, monitor->name, "overlap", overlap, &stack);
+      add_curve(solution, monitor->name, "overlap", overlap, &stack);
     }
   }
   return solution_status(solution, error);
@@ -130,7 +131,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_stacked = {
     .name = "stacked",
-    .title = "two spheres squeezed between floor and ceiling: coupled oscillators by GSL at 1e-13",
+    .title = "two spheres compressed between floor and ceiling: coupled oscillators by GSL at 1e-13",
     .source = "[MFiX DEM-03]",
     .accepts = {HAS_SPHERES, HAS_VELOCITIES, HAS_GRAVITY, HAS_RATIO_DAMPING},
     .needs = {HAS_WALLS},

@@ -1,17 +1,21 @@
-/* Reference: six elastic spheres around a seventh, pressed together by a stress on them.        [R89 4.7, 5.5, 6.4.1]
+/* Reference: six elastic spheres around a seventh, compressed by a boundary stress.        [R89 4.7, 5.5, 6.4.1]
  *
- * The six are the boundary, of radii R_1 and R_2 in turn (they may be equal), at the distances d_1 and d_2 from the one in the middle, R_0. By
- * symmetry, at rest, there are three forces: middle with 1, middle with 2, and 1 with 2, s = (d_1^2 + d_2^2 - d_1 d_2)^(1/2) apart:
+ * The six are the boundary, with radii R_1 and R_2 in turn (possibly equal), at the distances d_1 and d_2 from the one
+ * in the middle, R_0. By symmetry there are three forces in equilibrium: middle with 1, middle with 2, and 1 with 2,
+ * which are s = (d_1^2 + d_2^2 - d_1 d_2)^(1/2) apart:
  *
  *   N_01 + 2 N_12 (d_1 - d_2/2)/s = p h d_2 3^(1/2)/2           and the same with 1 and 2 exchanged
  *   N = 4/3 E* R*^(1/2) (R_x + R_y - distance)^(3/2)            or 0
  *
- * h is the mean diameter: a body bears p on half of its two sides of the polygon, whose chord is 3^(1/2) times its neighbours' distance. All equal:
- * N = 3^(1/2)/4 p d h. d_1 and d_2 are found by Newton's method with differences (GSL, hybrids).
+ * h is the mean diameter. A particle carries p on half of its two sides of the polygon, whose chord is 3^(1/2) times
+ * the distance of its neighbours. All equal: N = 3^(1/2)/4 p d h. d_1 and d_2 are found by Newton's method with
+ * differences (GSL, hybrids).
  *
- *   radius = (d_1 + d_2)/2,  roughness = |d_1 - d_2|/(d_1 + d_2),  stress on the boundary p, its area 3/2 3^(1/2) d_1 d_2
+ *   radius = (d_1 + d_2)/2,  roughness = |d_1 - d_2|/(d_1 + d_2),  stress on the boundary p, its area 3/2 3^(1/2) d_1
+ *                            d_2
  *
- * Known, at the end of the last stage:  NAME.normal of watched contacts, boundary.radius .roughness .area .stress.mean
+ * Returns, at the end of the last stage:   C.normal for C that monitors a contact, boundary.radius, .roughness, .area,
+ *                                          .stress.mean
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <gsl/gsl_multiroots.h>
@@ -32,23 +36,23 @@ static double normal(const struct ring *ring, int a, int b, double distance) {
 
 static double between(double d1, double d2) { return sqrt(d1 * d1 + d2 * d2 - d1 * d2); }
 
-/* In overlaps with the middle one, over R_0, so that numbers are small and of one size; forces over those of the load. */
-static int left_over(const gsl_vector *at, void *data, gsl_vector *left) {
+/* Residuals over the load; the unknowns are the overlaps with the middle sphere over R_0, so that all are of similar size. */
+static int residuals(const gsl_vector *at, void *data, gsl_vector *residual) {
   const struct ring *ring = data;
   const double r0 = ring->radius[0];
   const double d1 = r0 + ring->radius[1] - r0 * gsl_vector_get(at, 0);
   const double d2 = r0 + ring->radius[2] - r0 * gsl_vector_get(at, 1), s = between(d1, d2);
   const double side = 2 * normal(ring, 1, 2, s) / s;
-  gsl_vector_set(left, 0, (normal(ring, 0, 1, d1) + side * (d1 - d2 / 2)) / (ring->load * d2) - 1);
-  gsl_vector_set(left, 1, (normal(ring, 0, 2, d2) + side * (d2 - d1 / 2)) / (ring->load * d1) - 1);
+  gsl_vector_set(residual, 0, (normal(ring, 0, 1, d1) + side * (d1 - d2 / 2)) / (ring->load * d2) - 1);
+  gsl_vector_set(residual, 1, (normal(ring, 0, 2, d2) + side * (d2 - d1 / 2)) / (ring->load * d1) - 1);
   return GSL_SUCCESS;
 }
 
 static bool solve_equations(struct ring *ring, double *d1, double *d2) {
   gsl_multiroot_fsolver *solver = gsl_multiroot_fsolver_alloc(gsl_multiroot_fsolver_hybrids, 2);
-  gsl_multiroot_function function = {left_over, 2, ring};
+  gsl_multiroot_function function = {residuals, 2, ring};
   gsl_vector *at = gsl_vector_alloc(2);
-  const double force = ring->load * ring->radius[0]; /* about half of what presses on each */
+  const double force = ring->load * ring->radius[0]; /* about half of the load on each */
   const double guess = pow(force / (4 / 3. * ring->young * sqrt(ring->radius[0] / 2)), 2 / 3.) / ring->radius[0];
   gsl_vector_set_all(at, guess);
   gsl_multiroot_fsolver_set(solver, &function, at);
@@ -61,7 +65,7 @@ static bool solve_equations(struct ring *ring, double *d1, double *d2) {
   return status == GSL_SUCCESS;
 }
 
-/* 0: the middle one, 1 and 2 in turn. */
+/* 0 for the middle sphere, 1 and 2 in turn for the others */
 static int kind(size_t particle) { return particle == 0 ? 0 : particle % 2 ? 1 : 2; }
 
 static bool is_ring(const struct nb_scene *scene) {
@@ -83,9 +87,10 @@ static void add_value(struct nb_solution *solution, const struct nb_scene *scene
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   const struct nb_boundary *load = scene->stage_count ? &scene->stages[scene->stage_count - 1].boundary : NULL;
   if (!is_ring(scene) || !load->line || load->control != NB_CONTROL_STRESS || load->sxx != load->syy || load->sxy != 0)
-    return nb_error_set(error, NB_BAD_USE,
-                        "stress_ring wants six spheres of two sizes in turn around a seventh, and the same stress on "
-                        "them in all directions");
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "stress_ring is for six spheres of two sizes in turn around a seventh, and an isotropic boundary "
+        "stress");
   struct ring ring;
   double h = 0, d1, d2;
   for (size_t k = 0; k < 7; k++)
@@ -95,7 +100,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   ring.young = matter_pair(scene, scene->particles[0].material, scene->particles[0].material).young;
   ring.load = load->sxx * h * sqrt(3) / 2;
   if (!solve_equations(&ring, &d1, &d2))
-    return nb_error_set(error, NB_BAD_USE, "stress_ring finds no rest of these spheres under this stress");
+    return nb_error_set(error, NB_BAD_USE, "stress_ring finds no equilibrium of these spheres under this stress");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     char name[2 * NB_NAME_SIZE + 1];
@@ -115,7 +120,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_stress_ring = {
     .name = "stress_ring",
-    .title = "six elastic spheres around a seventh at rest under a stress on them, from equilibrium",
+    .title = "six elastic spheres around a seventh under a boundary stress, from equilibrium",
     .source = "[R89 4.7, 5.5]",
     .accepts = {HAS_SPHERES, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_UNTIL},
     .needs = {HAS_BOUNDARY, HAS_BOUNDARY_STRESS},

@@ -6,6 +6,6 @@
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 
-double student_quantile(double n, double fraction) {
-  return n > 1 ? gsl_cdf_tdist_Pinv((1 + fraction) / 2, n - 1) : INFINITY;
+double student_quantile(double n, double confidence) {
+  return n > 1 ? gsl_cdf_tdist_Pinv((1 + confidence) / 2, n - 1) : INFINITY;
 }

@@ -1,11 +1,11 @@
-/* Student's distribution, for what is said of samples.
+/* Student's t distribution, for confidence intervals of means.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef STUDENT_H
 #define STUDENT_H
 
-/* The mean of n values lies within so many times s/sqrt(n) of what they are drawn around, s their standard deviation, with a
- * confidence of `share`; infinite for n = 1. */
-double student_quantile(double n, double fraction);
+/* The half width of the confidence interval of the mean of n values, in s/sqrt(n), with their standard deviation s; infinite for
+ * n = 1. */
+double student_quantile(double n, double confidence);
 
 #endif

@@ -1,10 +1,12 @@
-/* Reference: what goes forward, turns round and goes back as long arrives where it began, with opposite velocities.
+/* Reference: motion reversed after half of the cycles returns to its start with opposite velocities.
  *
- * True of the continuous motion without friction and damping, and of the leapfrog scheme, which is symmetric in
- * time: only rounding is left. The scene needs one stage with `reverse velocities`, as many cycles before it as from it on, and
- * one step.
+ * This holds for the continuous motion without friction and damping, and for the leapfrog scheme, which is symmetric in
+ * time.
  *
- * Known at the end, for every watch of a body: x, y, angle, and vx, vy, spin with the opposite sign.
+ * Returns, at the end:   D.x, D.y, D.angle, and D.vx, D.vy, D.spin with the opposite sign, for D that monitors a
+ *                        particle
+ * Accepts one stage with `reverse velocities`, equal numbers of cycles before and after its begin, and one step. Error:
+ * rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -17,7 +19,7 @@ static void add_value(struct nb_solution *solution, const char *monitor, const c
   solution_value(solution, value, text);
 }
 
-static bool goes_back(const struct nb_scene *scene) {
+static bool is_symmetric(const struct nb_scene *scene) {
   unsigned long cycles[2] = {0, 0};
   int turns = 0;
   bool plain = true;
@@ -31,11 +33,11 @@ static bool goes_back(const struct nb_scene *scene) {
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
-  if (!goes_back(scene))
-    return nb_error_set(error, NB_BAD_USE,
-                        "time_reversal wants one `reverse velocities`, as many cycles before it as after it, and walls "
-                        "whose motion no stage "
-                        "changes but the first");
+  if (!is_symmetric(scene))
+    return nb_error_set(
+        error, NB_BAD_USE,
+        "time_reversal is for one `reverse velocities`, as many cycles before it as after it, and walls "
+        "whose motion is set only in the first stage");
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind != NB_MONITOR_PARTICLE)
@@ -51,7 +53,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_time_reversal = {
     .name = "time_reversal",
-    .title = "forward, turned round and back: the scene as it began, with opposite velocities",
+    .title = "motion reversed in time: the initial state with opposite velocities",
     .source = "-",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_WALLS, HAS_MOVING_WALLS, HAS_TURNING_WALLS,
                 HAS_GRAVITY},

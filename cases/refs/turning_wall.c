@@ -1,17 +1,19 @@
-/* Reference: a body that rolls along a wall which turns about a fixed point  [CS79 figure 4].
+/* Reference: a particle that rolls along a wall which turns about a fixed point  [CS79 figure 4].
  *
- * In the frame of the wall the body is at s along it and at n to its left, from P. It stays as far from the wall's line
- * as it is; sigma = 1 where it is to the left of it, else -1; W is the wall's angular velocity. Centrifugal and
- * Coriolis force and the wall's N and F (on the body, along the wall) balance its acceleration:
+ * In the frame of the wall the particle is at s along it and at n to its left, from P. Its distance from the line of
+ * the wall is constant; sigma = 1 if it is to the left of that line, else -1; W is the angular velocity of the wall.
+ * The centrifugal and Coriolis forces and the forces N and F of the wall (F on the particle, along the wall) balance
+ * its acceleration:
  *
  *   m (s'' - W^2 s) = F              m (2 W s' - W^2 n) = sigma N
- *   it rolls:  s' + sigma R (w - W) = 0,     I w' = sigma R F      so     s'' = W^2 s / (1 + I/(m R^2))
+ *   rolling:  s' + sigma R (w - W) = 0,     I w' = sigma R F      so     s'' = W^2 s / (1 + I/(m R^2))
  *
  *   s = s_0 cosh(q t),   q = W / sqrt(1 + I/(m R^2)),   F = -(I/R^2) s'',   w = W - sigma s'/R
  *
- * q/W is sqrt(2/3) for a disc and sqrt(5/7) for a sphere. What is left out is the overlap, of the order of N/k_n beside s_0.
+ * q/W is sqrt(2/3) for a disc and sqrt(5/7) for a sphere.
  *
- * Known, along time:  NAME.x  .y  .spin of the watched body;  NAME.normal  .shear of its contact with the wall.
+ * Returns, along time:  D.x, D.y, D.spin for D that monitors the particle;  C.normal, C.shear for C that monitors its
+ * contact Error: the overlap is neglected, N/k_n relative to s_0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -20,13 +22,13 @@
 
 #include "reference.h"
 
-enum wanted { X, Y, SPIN, NORMAL, SHEAR, WANTED };
+enum quantity { X, Y, SPIN, NORMAL, SHEAR, QUANTITIES };
 
 struct rolling {
   double px, py, ex, ey;     /* P and e at time 0 */
   double w, q, s0, n, sigma; /* rad/s, 1/s, m, m, 1 */
   double radius, mass, inertia;
-  enum wanted wanted;
+  enum quantity quantity;
 };
 
 static double at(const void *data, double t) {
@@ -34,37 +36,37 @@ static double at(const void *data, double t) {
   const double s = it->s0 * cosh(it->q * t), ds = it->s0 * it->q * sinh(it->q * t), dds = it->q * it->q * s;
   const double c = cos(it->w * t), b = sin(it->w * t);
   const double ex = c * it->ex - b * it->ey, ey = b * it->ex + c * it->ey;
-  const double all[WANTED] = {
+  const double all[QUANTITIES] = {
       [X] = it->px + s * ex - it->n * ey,
       [Y] = it->py + s * ey + it->n * ex,
       [SPIN] = it->w - it->sigma * ds / it->radius,
       [NORMAL] = it->sigma * it->mass * (2 * it->w * ds - it->w * it->w * it->n),
-      [SHEAR] = -it->sigma * it->inertia / (it->radius * it->radius) * dds, /* on the body along -t, t = -sigma e */
+      [SHEAR] = -it->sigma * it->inertia / (it->radius * it->radius) * dds, /* on the particle along -t, t = -sigma e */
   };
-  return all[it->wanted];
+  return all[it->quantity];
 }
 
-/* Whether the body starts as a point of the turning wall would move, and nothing disturbs it. */
-static const char *wrong(const struct nb_scene *scene, const struct rolling *it) {
+/* NULL if the particle starts with the motion of a point of the wall, undisturbed; else what the reference is for. */
+static const char *check_start(const struct nb_scene *scene, const struct rolling *it) {
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
   const double speed = fabs(it->w) * hypot(particle->x - it->px, particle->y - it->py);
-  const double off =
+  const double difference =
       hypot(particle->vx + it->w * (particle->y - it->py), particle->vy - it->w * (particle->x - it->px));
   if (wall->vx != 0 || wall->vy != 0 || !(fabs(it->w) > 0))
     return "a wall that turns about a fixed point";
-  if (!(off <= 1e-9 * speed) || particle->spin != it->w)
-    return "a body that turns with the wall at first";
+  if (!(difference <= 1e-9 * speed) || particle->spin != it->w)
+    return "a particle that turns with the wall at first";
   if (!(fabs(fabs(it->n - wall->h0) - it->radius) <= 1e-9 * it->radius))
-    return "a body that just touches the wall";
+    return "a particle that just touches the wall";
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].motion_count)
       return "a wall whose motion no stage changes";
   return NULL;
 }
 
-/* Friction must hold it and the wall must be long enough until the scene ends. */
-static const char *ends(const struct nb_scene *scene, const struct rolling *it, double friction) {
+/* The same for friction and the length of the wall until the end of the run. */
+static const char *check_run(const struct nb_scene *scene, const struct rolling *it, double friction) {
   double end = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     if (scene->stages[s].step.kind != NB_STEP_TIME)
@@ -72,24 +74,24 @@ static const char *ends(const struct nb_scene *scene, const struct rolling *it, 
     end += (double)scene->stages[s].cycles * scene->stages[s].step.value;
   }
   struct rolling shear = *it, normal = *it;
-  shear.wanted = SHEAR, normal.wanted = NORMAL;
+  shear.quantity = SHEAR, normal.quantity = NORMAL;
   for (int k = 0; k <= 1000; k++) {
     const double t = end * k / 1000, s = it->s0 * cosh(it->q * t);
     if (!(fabs(at(&shear, t)) < friction * at(&normal, t)))
-      return "friction that holds the body, pressed by its wall, to the end";
+      return "a particle that sticks to the wall until the end";
     if (!(s > scene->walls[0].h1 && s < scene->walls[0].h2))
       return "a wall long enough to roll on to the end";
   }
   return NULL;
 }
 
-static void add_value(struct nb_solution *solution, const struct rolling *it, const char *monitor, const char *what,
-                      enum wanted wanted) {
+static void add_curve(struct nb_solution *solution, const struct rolling *it, const char *monitor, const char *what,
+                      enum quantity quantity) {
   char name[2 * NB_NAME_SIZE];
   struct rolling *data = malloc(sizeof *data);
   if (data) {
     *data = *it;
-    data->wanted = wanted;
+    data->quantity = quantity;
   }
   snprintf(name, sizeof name, "%.60s.%s", monitor, what);
   solution_curve(solution, name, "time", at, data);
@@ -97,7 +99,7 @@ static void add_value(struct nb_solution *solution, const struct rolling *it, co
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   if (scene->particle_count != 1 || scene->wall_count != 1)
-    return nb_error_set(error, NB_BAD_USE, "turning_wall wants one body and one wall");
+    return nb_error_set(error, NB_BAD_USE, "turning_wall is for one particle and one wall");
   const struct nb_particle *particle = &scene->particles[0];
   const struct nb_wall *wall = &scene->walls[0];
   const double dx = particle->x - wall->x, dy = particle->y - wall->y;
@@ -107,26 +109,26 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   it.s0 = dx * wall->ex + dy * wall->ey, it.n = dy * wall->ex - dx * wall->ey;
   it.sigma = it.n > wall->h0 ? 1 : -1;
   it.q = it.w / sqrt(1 + it.inertia / (it.mass * it.radius * it.radius));
-  const char *why = wrong(scene, &it);
+  const char *why = check_start(scene, &it);
   if (!why)
-    why = ends(scene, &it, matter_pair(scene, particle->material, wall->material).friction);
+    why = check_run(scene, &it, matter_pair(scene, particle->material, wall->material).friction);
   if (why)
-    return nb_error_set(error, NB_BAD_USE, "turning_wall wants %s", why);
+    return nb_error_set(error, NB_BAD_USE, "turning_wall is for %s", why);
   for (size_t w = 0; w < scene->monitor_count; w++) {
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind == NB_MONITOR_PARTICLE)
-      add_value(solution, &it, monitor->name, "x", X), add_value(solution, &it, monitor->name, "y", Y),
-          add_value(solution, &it, monitor->name, "spin", SPIN);
+      add_curve(solution, &it, monitor->name, "x", X), add_curve(solution, &it, monitor->name, "y", Y),
+          add_curve(solution, &it, monitor->name, "spin", SPIN);
     if (monitor->kind == NB_MONITOR_PARTICLE_WALL)
-      add_value(solution, &it, monitor->name, "normal", NORMAL),
-          add_value(solution, &it, monitor->name, "shear", SHEAR);
+      add_curve(solution, &it, monitor->name, "normal", NORMAL),
+          add_curve(solution, &it, monitor->name, "shear", SHEAR);
   }
   return solution_status(solution, error);
 }
 
 const struct nb_reference reference_turning_wall = {
     .name = "turning_wall",
-    .title = "a body that rolls along a turning wall: its motion in the frame of the wall",
+    .title = "a particle that rolls along a turning wall: its motion in the frame of the wall",
     .source = "[CS79 figure 4]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_VELOCITIES, HAS_SPINS, HAS_CONTACT_DAMPING, HAS_DAMPING_CHANGE},
     .needs = {HAS_WALLS, HAS_TURNING_WALLS, HAS_FRICTION},

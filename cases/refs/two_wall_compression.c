@@ -1,23 +1,23 @@
-/* Reference: two discs in a row between two walls that close in with v: the first calculation cycles by hand
- * [CS79 1-7].
+/* Reference: two discs in a row between two walls that approach with the speed v each: the first calculation cycles by
+ * hand [CS79 1-7].
  *
- * At t_0 everything touches and no force exists. With X_n, Y_n the displacements of the discs x and y at t_n in units
- * of v dt, along the row, the overlaps at A (wall and x), B (x and y), C (y and wall) are, in that unit,
+ * At t_0 everything touches without forces. With X_n, Y_n the displacements of the discs x and y at t_n along the row,
+ * in units of v dt, the overlaps at A (wall and x), B (x and y), C (y and wall) are, in that unit,
  *     a_n = n - X_n,    b_n = X_n - Y_n,    c_n = n + Y_n
  * and the cycle, with p = k_A dt^2/m_x, q = k_B dt^2/m_x, r = k_B dt^2/m_y, s = k_C dt^2/m_y, is
  *     X_(n+1) = 2 X_n - X_(n-1) + p a_n - q b_n,    Y_(n+1) = 2 Y_n - Y_(n-1) + r b_n - s c_n,
- * X_0 = X_1 = Y_0 = Y_1 = 0: the discs rest while the walls make their first step. So every displacement is a
- * polynomial in p, q, r, s with whole coefficients, worked out here in whole numbers; the first are
+ * X_0 = X_1 = Y_0 = Y_1 = 0, because the discs are at rest during the first step of the walls. So each displacement is
+ * a polynomial in p, q, r, s with integer coefficients, which are computed exactly; the first are
  *     a_1 = 1, b_1 = 0              (1)
- *     a_2 = 2 - p, b_2 = p + s, c_2 = 2 - s      (5) (6) (7), each with what (1) gave before
- * and nothing is rounded until the polynomial is evaluated. No position is added to anything: a program that keeps
- * positions x must differ by rounding(x) / overlap.
+ *     a_2 = 2 - p, b_2 = p + s, c_2 = 2 - s      (5) (6) (7), each added to the value of (1)
+ * Rounding occurs only when a polynomial is evaluated. A program that stores positions x differs by rounding(x) /
+ * overlap.
  *
- * Known for n = 1 ... 6 within the first undamped motion of the walls, of watches on contacts:
- *     NAME.normal at n cycles = k v dt a_n (or b_n, c_n),     NAME.overlap at n cycles;
- * of watches on the discs: the sum of forces (2), and the velocity over the step behind, which (4) calls that of t_n:
- *     NAME.fx, NAME.fy at n cycles,     NAME.vx.half, NAME.vy.half at n cycles;
- * and, when nothing is ever damped and no contact ever opens, NAME.normal along cycle and along time, by normal modes.
+ * Returns, for n = 1 ... 6 within the first undamped motion of the walls, for C that monitors a contact and D a disc:
+ *     C.normal at n cycles = k v dt a_n (or b_n, c_n),     C.overlap at n cycles;
+ *     D.fx, D.fy at n cycles, the sum of forces (2);     D.vx.half, D.vy.half at n cycles, the velocity over the
+ *       previous step (4);
+ * and, if there is never any damping and no contact opens, C.normal along cycle and along time, by normal modes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -27,11 +27,11 @@
 
 /* Powers 0 to 5 of each variable: X_6 is of degree 5. */
 enum { SIDE = 6, SIZE = SIDE * SIDE * SIDE * SIDE, LAST = 6 };
-/* How far one power of p, q, r, s moves in the array of coefficients. */
+/* The stride of each variable in the array of coefficients. */
 enum power { ONE = 0, P = 1, Q = SIDE, R = SIDE * SIDE, S = SIDE * SIDE * SIDE };
 
 struct polynomial {
-  long long of[SIZE]; /* whole coefficients */
+  long long of[SIZE]; /* integer coefficients */
 };
 
 /* sum += factor * power * other */
@@ -56,7 +56,7 @@ static long double evaluate(const struct polynomial *polynomial, const long doub
   return sum;
 }
 
-/* At t_0 ... t_LAST, in units of v dt: overlaps of A, B, C, displacements of x and y. */
+/* Overlaps of A, B, C and displacements of x and y at t_0 ... t_LAST, in units of v dt. */
 struct hand {
   struct polynomial overlap[3][LAST + 1], displacement[2][LAST + 1];
 };
@@ -85,14 +85,14 @@ static void calculate(struct hand *hand) {
 
 /* The four variables, and v dt. */
 struct numbers {
-  long double at[4], way;
+  long double at[4], unit;
 };
 
 static struct numbers numbers_of(const struct lattice_row *row) {
   long double square = (long double)row->lattice.step * row->lattice.step;
   return (struct numbers){.at = {row->k[0] * square / row->m[0], row->k[1] * square / row->m[0],
                                  row->k[1] * square / row->m[1], row->k[2] * square / row->m[1]},
-                          .way = (long double)row->v * row->lattice.step};
+                          .unit = (long double)row->v * row->lattice.step};
 }
 
 static void add_value(struct nb_solution *solution, const char *monitor, const char *quantity, unsigned long n,
@@ -102,14 +102,14 @@ static void add_value(struct nb_solution *solution, const char *monitor, const c
   solution_value(solution, (double)value, text);
 }
 
-/* Of disc x (0) or y (1), along the row: the sum of forces at t_n, and the velocity over the step before. */
+/* The sum of forces at t_n and the velocity over the previous step, of disc x (0) or y (1) along the row. */
 static void add_disc(struct nb_solution *solution, const char *monitor, const struct lattice_row *row,
                      const struct hand *hand, int disc, unsigned long n) {
   struct numbers numbers = numbers_of(row);
   const struct lattice_contact *between = &row->lattice.contacts[row->contact[1]];
   long double before = evaluate(&hand->overlap[disc][n], numbers.at) * row->k[disc];
   long double behind = evaluate(&hand->overlap[disc + 1][n], numbers.at) * row->k[disc + 1];
-  long double force = (before - behind) * numbers.way;
+  long double force = (before - behind) * numbers.unit;
   struct polynomial step = {{0}};
   add(&step, 1, ONE, &hand->displacement[disc][n]);
   add(&step, -1, ONE, &hand->displacement[disc][n - 1]);
@@ -123,7 +123,7 @@ static void add_disc(struct nb_solution *solution, const char *monitor, const st
 static enum nb_status add_contact(struct nb_solution *solution, const char *monitor, const struct lattice_row *row,
                                   const struct hand *hand, int place, unsigned long n, struct nb_error *error) {
   struct numbers numbers = numbers_of(row);
-  long double overlap = numbers.way * evaluate(&hand->overlap[place][n], numbers.at);
+  long double overlap = numbers.unit * evaluate(&hand->overlap[place][n], numbers.at);
   if (overlap < 0)
     return nb_error_set(error, NB_BAD_USE, "the contact of monitor %s opens at cycle %lu: the step is too long",
                         monitor, n);
@@ -155,8 +155,8 @@ static enum nb_status add_curves(struct nb_solution *solution, const struct nb_s
   struct oscillation_modes modes = oscillation_modes_create(lattice);
   enum nb_status status = NB_OK;
   struct nb_error open;
-  bool known_for_ever = lattice_check_run(lattice, &modes, &open) == NB_OK;
-  for (size_t i = 0; i < scene->monitor_count && known_for_ever && status == NB_OK; i++) {
+  bool stays_closed = lattice_check_run(lattice, &modes, &open) == NB_OK;
+  for (size_t i = 0; i < scene->monitor_count && stays_closed && status == NB_OK; i++) {
     int contact = lattice_contact_of(lattice, &scene->monitors[i]);
     char quantity[2 * NB_NAME_SIZE];
     snprintf(quantity, sizeof quantity, "%s.normal", scene->monitors[i].name);
@@ -188,7 +188,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_two_wall_compression = {
     .name = "two_wall_compression",
-    .title = "two discs between two walls that close in: the first cycles by hand, in whole numbers",
+    .title = "two discs between two approaching walls: the first cycles by hand, in integers",
     .source = "[CS79 1-7]",
     .accepts = {HAS_DISCS, HAS_SPHERES, HAS_MOVING_WALLS, HAS_FRICTION, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE,
                 HAS_STEP_CHANGE},

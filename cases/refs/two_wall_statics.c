@@ -1,10 +1,10 @@
-/* Reference: two discs in a row between two walls that have closed in: at rest, three springs in series.
+/* Reference: two discs in a row between two walls that have approached, in equilibrium: three springs in series.
  *
- * One force F goes through the contacts A, B, C, and their overlaps F/k together are the way that the walls have
- * come closer:   F = compression / (1/k_A + 1/k_B + 1/k_C);   2 v t_load k / 3 for equal stiffnesses.
- * Exact, since nothing in a row turns; masses and damping do not enter.
+ * The same force F acts at the contacts A, B, C, and their overlaps F/k add up to the approach of the walls:
+ * F = compression / (1/k_A + 1/k_B + 1/k_C);   2 v t_load k / 3 for equal stiffnesses.
  *
- * Known of watches on the contacts, once the walls stand: NAME.normal, NAME.normal mean, NAME.overlap; NAME.shear = 0.
+ * Returns, for C that monitors a contact, once the walls are at rest:   C.normal, C.normal mean, C.overlap; C.shear = 0
+ * Exact: nothing in a row rotates, and masses and damping have no effect.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "lattice_row.h"

@@ -1,16 +1,17 @@
-/* Reference: force chains of a zigzag of like discs between two walls, all links alike, and of discs that carry nothing.
+/* Reference: force chains of a zigzag of equal discs between two walls, and of discs without load.
  *
- * Each link makes the angle phi with the axis of the zigzag and carries F; each disc is held from aside by a wall with
- * 2 F sin phi. The stress of a disc is then, but for overlaps, F R over its volume times
+ * Each link makes the angle phi with the axis of the zigzag and carries F. A wall supports each disc laterally with 2 F
+ * sin phi. The stress of a disc is then, up to overlaps, F R over its volume times
  *
  *   along the axis    2 cos^2 phi                 across    2 sin^2 phi + 2 sin phi
  *
- * and the axis is the major one while cos 2 phi > sin phi, which is phi < 30 degrees. Then all contacts of discs are links, and
- * from one to the next the way turns by 2 phi. Beyond 30 degrees the discs carry more from wall to wall, no contact of two discs
- * lies within 45 degrees of that, and there is no chain. What presses the ends is fixed, and counts for nothing else.
+ * The axis is the major one while cos 2 phi > sin phi, that is phi < 30 degrees. Then all contacts of discs are links,
+ * and the direction changes by 2 phi from one link to the next. Beyond 30 degrees the major stress acts from wall to
+ * wall, no contact of two discs lies within 45 degrees of it, and there is no chain. The discs that load the ends are
+ * fixed and count for nothing else.
  *
- * Known, of a region NAME that holds all: NAME.chains, NAME.chains.length, NAME.chains.fraction, NAME.chains.bend. Exact where
- * |phi - 30 degrees| is above the order of overlap over radius.
+ * Returns, for A that monitors a region of all particles:   A.chains, A.chains.length, A.chains.fraction, A.chains.bend
+ * Exact where |phi - 30 degrees| is above the order of overlap over radius.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -22,23 +23,23 @@ static bool touch(const struct nb_particle *a, const struct nb_particle *b) {
   return hypot(a->x - b->x, a->y - b->y) < a->radius + b->radius;
 }
 
-/* The largest angle between the y axis and a link, rad; how many discs have links. All links must make it. */
+/* The angle of the links with the y axis, rad, and the number of free discs with links. False: the angles differ. */
 static bool links_alike(const struct nb_scene *scene, double *phi, double *linked) {
-  double least = INFINITY, most = 0;
+  double smallest = INFINITY, largest = 0;
   *linked = 0;
   for (size_t i = 0; i < scene->particle_count; i++) {
-    bool has = false;
+    bool is_linked = false;
     for (size_t j = 0; j < scene->particle_count; j++) {
       const struct nb_particle *a = &scene->particles[i], *b = &scene->particles[j];
       if (i == j || !touch(a, b))
         continue;
       const double angle = atan2(fabs(a->x - b->x), fabs(a->y - b->y));
-      has = true, least = fmin(least, angle), most = fmax(most, angle);
+      is_linked = true, smallest = fmin(smallest, angle), largest = fmax(largest, angle);
     }
-    *linked += has && !scene->particles[i].fixed;
+    *linked += is_linked && !scene->particles[i].fixed;
   }
-  *phi = most;
-  return *linked > 2 && most - least < 1e-9;
+  *phi = largest;
+  return *linked > 2 && largest - smallest < 1e-9;
 }
 
 static void add_value(struct nb_solution *solution, const char *region, const char *what, double value) {
@@ -51,7 +52,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   double phi, linked;
   if (scene->region_count == 0 || !links_alike(scene, &phi, &linked))
     return nb_error_set(error, NB_BAD_USE,
-                        "zigzag wants a region, and discs of which all that touch make one angle with y");
+                        "zigzag is for a region and discs whose contacts all make the same angle with y");
   double free_particles = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
     free_particles += !scene->particles[k].fixed;
