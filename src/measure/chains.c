@@ -77,7 +77,7 @@ static void merge(struct nb_chain_particle *chain_particles, int i, int j) {
   chain_particles[a].particles += chain_particles[b].particles;
 }
 
-/* Adds the pairs of this link and the particle's further ones. */
+/* Adds the bends between this link and the later links of the same particle. */
 static void add_bends(const struct nb_model *model, struct nb_ends ends, const struct nb_end *link, double *bends,
                       double *pairs) {
   struct nb_end other;

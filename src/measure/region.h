@@ -91,7 +91,7 @@ enum nb_measure { NB_MEASURE_ROWS(NB_MEASURE_NUMBER) NB_MEASURES };
 struct nb_region_state {
   const struct nb_region *definition;
   struct nb_vec centre;
-  double radius;              /* of a circle, m; 0: a box */
+  double radius;              /* of a circle, m; 0: a box, or no boundary */
   struct nb_vec corners[4];   /* counterclockwise, m */
   double area, thickness;     /* m2, m */
   unsigned long placed_cycle; /* the cycle of this geometry, plus 1; 0: none */

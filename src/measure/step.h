@@ -49,7 +49,7 @@ static inline double nb_element_normal(const struct nb_element *element, double 
 static inline double nb_element_rotational(const struct nb_element *element, double dt) {
   return dt * (dt * element->q + 2 * element->p);
 }
-/* "turning of body 5 at wall east" */
+/* Text for messages: what limits the step. */
 void nb_stable_text(char *text, size_t size, const struct nb_model *model, const struct nb_stable *stable);
 
 /* ---- stability.c ---- */
