@@ -1,4 +1,4 @@
-/* The commands.
+/* The commands of the program.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -25,7 +25,7 @@ static enum nb_status print_error(const struct nb_error *error) {
 
 /* ---- run, check, figure, report ---- */
 
-/* What is done with the outcome of a page; a set. */
+/* What a command does with the outcome of a page: a set. */
 enum { VERDICT = 1, REQUIRE_CHECKS = 2, TABLES = 4, FIGURE = 8 };
 
 static void run_page(struct nb_outcome *outcome, const struct nb_call *call, const char *path) {
@@ -35,7 +35,7 @@ static void run_page(struct nb_outcome *outcome, const struct nb_call *call, con
   nb_print_progress_end(&line);
 }
 
-/* What two pages write must not lie in one folder, where one would write over the other. */
+/* Two pages of the same name would overwrite each other's files. */
 static enum nb_status check_folders(const struct nb_call *call) {
   for (size_t k = 0; k < call->page_count; k++)
     for (size_t j = 0; j < k; j++) {
@@ -51,7 +51,7 @@ static enum nb_status check_folders(const struct nb_call *call) {
   return NB_OK;
 }
 
-/* Whether there is anything to keep: also of a run that did not come to its end. */
+/* Whether there is anything to write; aborted runs may have rows. */
 static bool has_rows(const struct nb_outcome *outcome) {
   bool found = outcome->status <= NB_FAILED;
   for (size_t r = 0; r < outcome->run_count && outcome->status == NB_BROKEN; r++)
@@ -59,12 +59,12 @@ static bool has_rows(const struct nb_outcome *outcome) {
   return found;
 }
 
-/* No page passes unless something is checked. */
+/* A page without a single check must not pass. */
 static bool is_unchecked(const struct nb_outcome *outcome) {
   return outcome->status == NB_OK && !outcome->mark_count[NB_PASS];
 }
 
-/* Tables and figure, into the folder, and where they are. */
+/* Writes tables and figure, and prints where they are. */
 static enum nb_status save_outputs(const struct nb_outcome *outcome, const struct nb_call *call, const char *path,
                                    unsigned actions) {
   struct nb_error error;
@@ -128,7 +128,7 @@ enum nb_status nb_command_run(const struct nb_call *call) { return process_pages
 enum nb_status nb_command_check(const struct nb_call *call) { return process_pages(call, VERDICT | REQUIRE_CHECKS); }
 enum nb_status nb_command_figure(const struct nb_call *call) { return process_pages(call, FIGURE); }
 
-/* Tables and figure of one page, and its line of the report, which keeps all of the outcome but the runs. */
+/* Tables and figure of one page, and its line of the report; the line keeps the outcome without the runs. */
 static enum nb_status report_page(const struct nb_call *call, const char *path, const char *folder,
                                   struct nb_report_line *line) {
   struct nb_outcome *outcome = &line->outcome;
@@ -136,7 +136,7 @@ static enum nb_status report_page(const struct nb_call *call, const char *path, 
   char subfolder[4096];
   const char *name;
   const size_t length = nb_page_name(path, &name);
-  snprintf(line->name, sizeof line->name, "%.*s", (int)length, name); /* a page that cannot be read has one too */
+  snprintf(line->name, sizeof line->name, "%.*s", (int)length, name); /* also if the page cannot be read */
   run_page(outcome, call, path);
   nb_print_errors(outcome, path);
   if (outcome->status > NB_FAILED)
@@ -213,7 +213,7 @@ enum nb_status nb_command_explain(const struct nb_call *call) {
 
 /* ---- state ---- */
 
-/* Index of the stage whose end is wanted, by default the last one; -1 with a message. */
+/* Index of the stage at whose end the state is taken, by default the last one; -1 with a message. */
 static int stage_of(const struct nb_call *call, const struct nb_outcome *outcome) {
   const struct nb_scene *scene = &outcome->runs[0].scene;
   char hint[NB_HINT_SIZE];
@@ -237,7 +237,7 @@ static int stage_of(const struct nb_call *call, const struct nb_outcome *outcome
   return -1;
 }
 
-/* The state at the end of a stage in a file of its own, which says what the page was given. */
+/* Runs the scene to the end of the stage and writes the state with the settings of the page. */
 static enum nb_status write_state(struct nb_scene *scene, size_t stage, const char *path, const struct nb_call *call,
                                   struct nb_error *error) {
   struct nb_saved saved = {0};
@@ -254,7 +254,7 @@ static enum nb_status write_state(struct nb_scene *scene, size_t stage, const ch
   return status;
 }
 
-/* A state takes the place of nothing but a state: a page or a table of that name stays. */
+/* A state file replaces only another state file, not a page or a table of that name. */
 static bool is_replaceable(const char *path) {
   struct stat status;
   if (lstat(path, &status) != 0)
@@ -298,7 +298,7 @@ enum nb_status nb_command_state(const struct nb_call *call) {
 
 /* ---- migrate ---- */
 
-/* A page in the words of today, into its own file or to standard output. */
+/* Rewrites a page in the words of this version, into its own file or to standard output. */
 static enum nb_status migrate(const char *path, bool in_place, struct nb_error *error) {
   struct nb_text text = {0};
   struct nb_save save;

@@ -1,8 +1,10 @@
-/* What a page expects: its `expect` blocks, read.
+/* Reads the `expect` blocks of a page.
  *
  *   reference NAME
  *   report MEASURE
- *   MEASURE EXPECTATION       one row of a table each, from which `nineball --help scene` and the manual come too
+ *   MEASURE EXPECTATION
+ *
+ * Each kind of expectation is a row of a table, from which `nineball --help` and the manual are made, too.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "expect.h"
@@ -15,7 +17,7 @@
 #include "input/reader.h"
 #include "reference.h"
 
-/* ---- what is measured: QUANTITY {REDUCER} {in STAGE} ---- */
+/* ---- the measure: QUANTITY {REDUCER} {in STAGE} ---- */
 
 static const struct nb_reducer_row reducers[] = {
     {"last", NB_LAST, "the last row; also without any of these words"},
@@ -33,7 +35,7 @@ static const struct nb_reducer_row reducers[] = {
 
 const struct nb_reducer_row *nb_reducer_rows(void) { return reducers; }
 
-/* The column of the scene's table that the token names, and its quantity. */
+/* Finds the column of the scene's table that the token names, and its quantity. */
 static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_token *token,
                         size_t *column, struct nb_quantity *quantity) {
   for (size_t c = 0; c < scene->column_count; c++)
@@ -53,7 +55,7 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
   return nb_token_mistake(reader, token, hint, "expected a quantity that the scene records, found `%s`", token->text);
 }
 
-/* `in STAGE`, or nothing. */
+/* Optional `in STAGE`. */
 static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   char hint[NB_HINT_SIZE];
   measure->stage = -1;
@@ -75,7 +77,7 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
   return true;
 }
 
-/* Behind `at`: a number of cycles, of a path of steps, or a time. */
+/* After `at`: a number of cycles, in a contact test of steps, or a time. */
 static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
   const char *const words[] = {scene->contact_test ? "steps" : "cycles", scene->contact_test ? "step" : "cycle"};
   const struct nb_token *number = nb_token_peek(reader);
@@ -119,9 +121,9 @@ static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene,
   return take_stage(reader, scene, measure);
 }
 
-/* ---- how near it must be ---- */
+/* ---- tolerances ---- */
 
-/* `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`: the last two where there is a scene. */
+/* `0.1 %`, `0.5 % of peak`, `1e-9 of energy.kinetic max`; the last two only if `scene` is not NULL. */
 static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene, struct nb_tolerance *tolerance) {
   tolerance->kind = NB_RELATIVE;
   if (!nb_take_number(reader, NB_UNIT_NUMBER, NB_NOT_NEGATIVE, &tolerance->value))
@@ -132,12 +134,12 @@ static bool take_fraction(struct nb_reader *reader, const struct nb_scene *scene
   return tolerance->kind == NB_OF_PEAK ? nb_take_word(reader, "peak") : take_measure(reader, scene, &tolerance->of);
 }
 
-/* Whether the number that comes is followed by that word. */
+/* Whether the word follows the next token. */
 static bool is_before(const struct nb_reader *reader, const char *word) {
   return reader->next + 1 < reader->count && strcmp(reader->tokens[reader->next + 1].text, word) == 0;
 }
 
-/* `within` and a share, or a number in the unit of what is measured: `within 2 nm`, `within 1e-12`. */
+/* `within` and a fraction, or a number in the unit of the measure: `within 2 nm`, `within 1e-12`. */
 static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scene, const char *unit,
                            struct nb_tolerance *tolerance) {
   if (!nb_take_word(reader, "within"))
@@ -154,7 +156,7 @@ static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scen
                                                    "expected a tolerance of 0 or more, found `%s`", tolerance->text);
 }
 
-/* A percentage of a reference that is 0 allows no error, so it cannot have been meant. */
+/* A percentage of a reference that is 0 would allow no error, so it is a mistake. */
 static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *scene, const char *unit, bool zero,
                               struct nb_tolerance *tolerance) {
   const size_t at = reader->next + 1;
@@ -166,7 +168,7 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
                           "expected a tolerance other than a fraction of 0, found `%s`", tolerance->text);
 }
 
-/* ---- what is expected of it ---- */
+/* ---- the expectation ---- */
 
 static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
   static const char what[] = "the name of a `sweep`";
@@ -178,7 +180,7 @@ static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *sce
   return scene->bindings[k].sweep >= 0 || nb_expected_at(reader, token, "it is a `let`, which has one value", what);
 }
 
-/* `over NAME`, or nothing: the sweep whose runs are a sample. */
+/* Optional `over NAME`: the sweep whose runs are a sample. */
 static bool take_sample(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
   return !nb_token_skip(reader, "over") || take_sweep_name(reader, scene, expectation->sample);
 }
@@ -308,14 +310,14 @@ struct reading {
   const struct nb_scene *scene;
 };
 
-/* One of the words of the table; or else what could have been meant, also of what may stand before it. */
+/* Reads the expectation by its word of the table. The hint for an unknown word also suggests reducers and `in`. */
 static bool take_kind(struct nb_reader *reader, const struct reading *reading, struct nb_expectation *expectation) {
   char hint[NB_HINT_SIZE], words[256] = "";
   const struct nb_token *token = nb_token_peek(reader);
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
   for (const struct nb_expectation_row *row = rows; row->word; row++) {
     if (nb_token_is(reader, row->word)) {
-      reader->next += row->kind != NB_WITHIN; /* which begins the tolerance */
+      reader->next += row->kind != NB_WITHIN; /* `within` is part of the tolerance */
       expectation->kind = row->kind;
       return row->take(reader, reading->scene, expectation);
     }
@@ -329,7 +331,7 @@ static bool take_kind(struct nb_reader *reader, const struct reading *reading, s
                      words);
 }
 
-/* `report MEASURE`: into the tables, without a claim about it. */
+/* `report MEASURE`: into the tables, without a check. */
 static void apply_report(struct nb_reader *reader, const struct nb_record *record, void *subject) {
   const struct reading *reading = subject;
   struct nb_expectation expectation = {.kind = NB_REPORTED, .line = (int)reader->line};
@@ -385,7 +387,7 @@ const struct nb_family *nb_expect_keywords(void) {
   return families;
 }
 
-/* A line of the first expectation that only a reference can tell; 0: there is none. */
+/* The line of the first expectation that needs a reference; 0: none. */
 static int line_needing_reference(const struct nb_expectations *expectations) {
   for (size_t k = 0; k < expectations->count; k++) {
     const struct nb_expectation *e = &expectations->list[k];
@@ -407,8 +409,7 @@ enum nb_status nb_expectations_read(struct nb_expectations *expectations, const 
   }
   reader->page = page, reader->mistakes = mistakes, reader->unitless = scene->unitless;
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
-  bool reference_required =
-      true; /* a wrong line of two words was meant to name a reference: an expectation has three or more */
+  bool reference_required = true; /* not after a wrong line of two words, which is most probably `reference NAME` */
   for (size_t line = 1; line <= page->line_count && !scene->path_replaced; line++)
     if (page->kind_of[line - 1] == 1 + NB_BLOCK_EXPECT && nb_line_read(reader, line)) {
       nb_statement_read(reader, nb_expect_keywords(), NB_IN_EXPECT, &reading);

@@ -1,4 +1,4 @@
-/* What a page expects: its `expect` blocks, read.
+/* The expectations of a page: its `expect` blocks.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_EXPECT_H
@@ -8,56 +8,56 @@
 
 struct nb_reference;
 
-/* From the rows of a stage to one number. */
+/* How the rows of a stage become one number. */
 enum nb_reducer { NB_LAST, NB_MAX, NB_MIN, NB_MEAN, NB_AMPLITUDE, NB_FREQUENCY, NB_AT_CYCLE, NB_AT_TIME };
 
 enum { NB_STAGE_ALL = -2 };
 
 /* `C.normal mean in rest` */
 struct nb_measure {
-  char label[4 * NB_NAME_SIZE]; /* as references know it: quantity, reducer, stage, whole */
+  char label[4 * NB_NAME_SIZE]; /* quantity, reducer, stage; references use the same labels */
   size_t bare_length;           /* length of the label without ` in STAGE` */
   size_t column;                /* of the table */
-  const char *unit;             /* NULL: unknown, as a mistake of the scene leaves it */
+  const char *unit;             /* NULL: unknown, because of a mistake in the scene */
   enum nb_reducer reducer;
   double at;        /* cycle or s */
   int stage;        /* -1: the last one that has rows; NB_STAGE_ALL: `in all` */
-  bool is_residual; /* a residual: known to be 0 by what it is, without a reference */
+  bool is_residual; /* a residual: it is 0 by definition, without a reference */
 };
 
 enum nb_tolerance_kind { NB_ABSOLUTE, NB_RELATIVE, NB_OF_PEAK, NB_OF_MEASURE };
 struct nb_tolerance {
   enum nb_tolerance_kind kind;
-  double value;         /* SI, or a share */
-  struct nb_measure of; /* NB_OF_MEASURE: of this, in the same run */
+  double value;         /* SI, or a fraction */
+  struct nb_measure of; /* NB_OF_MEASURE: a fraction of this, in the same run */
   char text[NB_NAME_SIZE];
 };
 
 enum nb_expectation_kind {
-  NB_WITHIN,   /* a tolerance of the reference */
+  NB_WITHIN,   /* agrees with the reference */
   NB_VERSUS,   /* the same for a curve, at every row */
-  NB_EXPECTED, /* a tolerance of a number that the page gives */
-  NB_LESS,     /* than another measure of the same run */
+  NB_EXPECTED, /* agrees with a number of the page */
+  NB_LESS,     /* less than another measure of the same run */
   NB_GREATER,
-  NB_INCREASES, /* from each value of a sweep to the next */
+  NB_INCREASES, /* from each value of a sweep to the next larger one */
   NB_DECREASES,
   NB_CONSTANT, /* for all values of a sweep */
   NB_ORDER,    /* the error is proportional to this power of the swept value */
-  NB_REPORTED  /* nothing is expected of it */
+  NB_REPORTED  /* nothing is expected */
 };
 
 struct nb_expectation {
   enum nb_expectation_kind kind;
   struct nb_measure measure;
   struct nb_measure
-      other; /* NB_LESS, NB_GREATER: the other one; NB_EXPECTED with `has_scale`: the number is a fraction of it */
+      other; /* NB_LESS, NB_GREATER: to compare with; NB_EXPECTED with `has_scale`: the number is a fraction of it */
   bool has_scale;
   struct nb_tolerance tolerance;
   double number;             /* NB_EXPECTED: SI; NB_ORDER: the power */
   char source[NB_NAME_SIZE]; /* "[CS79 figure 6]" */
   /* NB_VERSUS: the independent variable, `time`; NB_INCREASES to NB_ORDER: the swept name */
   char against[2 * NB_NAME_SIZE];
-  char sample[2 * NB_NAME_SIZE]; /* the sweep whose runs are realizations of one case; empty: none */
+  char sample[2 * NB_NAME_SIZE]; /* the sweep whose runs are realizations of the case; empty: none */
   size_t column;                 /* of the independent variable */
   int line;
 };
@@ -69,7 +69,7 @@ struct nb_expectations {
   size_t count;
 };
 
-/* How the rows of a table become one number; the list ends in a row without a word. */
+/* The words for reducers; the list ends in a row without a word. */
 struct nb_reducer_row {
   const char *word;
   enum nb_reducer reducer;
@@ -77,24 +77,24 @@ struct nb_reducer_row {
 };
 const struct nb_reducer_row *nb_reducer_rows(void);
 
-/* What may be expected of a measure; the list ends in a row without a word. */
+/* The kinds of expectations; the list ends in a row without a word. */
 struct nb_reader;
 struct nb_expectation_row {
-  const char *word; /* that follows the measure */
+  const char *word; /* after the measure */
   enum nb_expectation_kind kind;
   const char *syntax; /* of the whole statement, for the manual */
-  /* Reads from the word on; what is measured is in place. */
+  /* Reads the rest of the line after the word; expectation->measure is set. */
   bool (*take)(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation);
   const char *help;
-  const char *example; /* as those of struct nb_keyword */
+  const char *example; /* as in struct nb_keyword */
 };
 const struct nb_expectation_row *nb_expectation_rows(void);
 struct nb_family;
 const struct nb_family *
 nb_expect_keywords(void); /* the statements of expect blocks: `reference NAME`, and all others */
 
-/* The expect blocks of the page, for one run. Empty when there are mistakes. A page may have none. The scene may be one that
- * has mistakes: what they leave unknown is not asked about. */
+/* Reads the expect blocks of the page for one run; empty if there are mistakes. The scene may have mistakes: names that they
+ * leave undefined are not reported again. */
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes);
 void nb_expectations_free(struct nb_expectations *expectations);

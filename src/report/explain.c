@@ -1,5 +1,6 @@
-/* What a page would do: what it starts from, its particles, the passes and hooks of a cycle and the line of the page that asked for each,
- * memory, the time step and what sets it, and the statements of each stage with the values of this run. Of a path: the contact, its laws, its legs.
+/* `nineball explain`: the state from which a page starts, its particles, the passes and hooks of a cycle with the lines of the page
+ * that request them, memory, the time step and what limits it, and the statements of each stage with the values of this run. For a
+ * contact test: the contact, its laws, its segments.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -19,12 +20,12 @@
 
 static const char *unit(const struct nb_scene *scene, const char *name) { return scene->unitless ? "" : name; }
 
-/* ---- statements, as the page has them but with the values of this run ---- */
+/* ---- statements of the page, with the values of this run ---- */
 
-/* The words of a line of the page; false: it is no statement. */
+/* Reads a line of the page; false: it is not a statement. */
 static bool read_statement(struct nb_reader *reader, const struct nb_scene *scene, size_t line) {
   const unsigned char *kind = scene->page->kind_of;
-  struct nb_mistakes none = {0}; /* the page has been read before, without any */
+  struct nb_mistakes none = {0}; /* the page has been read without mistakes */
   *reader = (struct nb_reader){.page = scene->page, .mistakes = &none, .unitless = scene->unitless};
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
   const bool read =
@@ -40,7 +41,7 @@ static void print_statement(FILE *out, const struct nb_reader *reader) {
     fprintf(out, " %s", reader->tokens[k].text);
 }
 
-/* A statement that the scene has, if it has it. */
+/* Prints the statement on this line; nothing if line is 0. */
 static void explain_statement(FILE *out, const struct nb_scene *scene, int line, const char *end) {
   struct nb_reader reader;
   if (line == 0 || !read_statement(&reader, scene, (size_t)line))
@@ -50,11 +51,11 @@ static void explain_statement(FILE *out, const struct nb_scene *scene, int line,
   fputs(end, out);
 }
 
-/* Those of a stage or a segment, up to the next one. Those behind `start` belong to the first stage. */
+/* Prints the statements of a stage or a segment. Statements after `start` belong to the first stage. */
 static void explain_statements(FILE *out, const struct nb_scene *scene, size_t stage) {
   const size_t line = (size_t)scene->stages[stage].line;
   const bool is_first = scene->start.line && stage == scene->start.stages;
-  size_t end = line ? scene->page->line_count + 1 : 0; /* one of --set follow=FILE has no line */
+  size_t end = line ? scene->page->line_count + 1 : 0; /* a segment of --set follow=FILE has no line */
   for (size_t s = scene->start.stages; s < scene->stage_count; s++)
     if ((size_t)scene->stages[s].line > line && (size_t)scene->stages[s].line < end)
       end = (size_t)scene->stages[s].line;
@@ -68,9 +69,9 @@ static void explain_statements(FILE *out, const struct nb_scene *scene, size_t s
   }
 }
 
-/* ---- as the scene begins ---- */
+/* ---- the beginning of the scene ---- */
 
-/* What the page starts from, and what that starts from. */
+/* The state from which the page starts, and those from which that page starts. */
 static void explain_start(FILE *out, const struct nb_scene *scene, const struct nb_options *options) {
   static const char *const words[] = {[NB_STATE_PRESENT] = "present",
                                       [NB_STATE_OUTDATED] = "out of date, will be computed again",
@@ -92,7 +93,7 @@ static void explain_start(FILE *out, const struct nb_scene *scene, const struct 
   }
 }
 
-/* Of a grading what was wanted, and what became of it. */
+/* How many particles of each size of a grading were placed. */
 static void explain_fill(FILE *out, const struct nb_scene *scene, const struct nb_fill *fill) {
   const struct nb_grading *grading = &scene->gradings[fill->grading];
   fprintf(out, "  %s %s, seed %lu: %zu of %zu particles placed in %llu attempts, particles %zu to %zu (line %d)\n",
@@ -110,7 +111,7 @@ static void explain_fill(FILE *out, const struct nb_scene *scene, const struct n
   }
 }
 
-/* Bodies: how many, and those that the page has not said one by one. */
+/* Number of particles, random fillings and packings. */
 static void explain_particles(FILE *out, const struct nb_scene *scene) {
   fprintf(out, "particles\n  %zu particles, %zu walls\n", scene->particle_count, scene->wall_count);
   if (scene->fill_count > 0)
@@ -133,7 +134,7 @@ static size_t bit_count(unsigned set) {
   return count;
 }
 
-/* Whether such a contact can form: it takes two particles, or a particle and a wall. */
+/* Whether such a contact can form: a material of only one particle has no contact with itself. */
 static bool can_touch(const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
   size_t particles = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
@@ -225,7 +226,7 @@ static void explain_history(FILE *out, const struct nb_model *model) {
           isa_names[model->machine.isa], model->machine.threads_used, model->machine.threads_used == 1 ? "" : "s");
 }
 
-/* What a cycle does besides motion, search and forces, as the run begins. */
+/* The hooks of the cycle at the start of the run. */
 static void explain_hooks(FILE *out, const struct nb_model *model) {
   static const char *const when[NB_WHENS] = {[NB_BEFORE_MOTION] = "before the motion",
                                              [NB_AFTER_MOTION] = "after the motion",
@@ -349,7 +350,7 @@ static void explain_step(FILE *out, const struct nb_model *model) {
 
 /* ---- stages ---- */
 
-/* The gain of a servo: B and T as the scene begins, where something is pressed then. */
+/* The gain of a servo: B and T at the beginning, if there are contacts. */
 static void explain_gain(FILE *out, const struct nb_model *model, const struct nb_servo *servo) {
   const struct nb_scene *scene = model->scene;
   double b, t;
@@ -397,7 +398,7 @@ static bool explain_stages(FILE *out, const struct nb_model *model) {
   return error.status != NB_NO_MEMORY;
 }
 
-/* ---- a path ---- */
+/* ---- contact test ---- */
 
 static void explain_contact_test_law(FILE *out, const struct nb_law *law, int doubles, int line) {
   fprintf(out, "  %s %s: %s %s", law->kind, law->name, law->title, law->source);
@@ -449,7 +450,7 @@ static enum nb_status explain_contact_test(FILE *out, const struct nb_scene *sce
   return NB_OK;
 }
 
-/* ---- all of it ---- */
+/* ---- nb_explain ---- */
 
 enum nb_status nb_explain(FILE *out, const struct nb_scene *scene, const struct nb_options *options,
                           struct nb_warnings *warnings, struct nb_error *error) {

@@ -1,5 +1,5 @@
-/* A page's figure: its gnuplot block, behind the style and all computed and reference values, as one script that can be read, changed
- * and run again by hand. `nineball --help gnuplot` (manual.c) lists what the block is given.
+/* The figure of a page: one gnuplot script with the style, all computed and reference values, and the gnuplot blocks of the page.
+ * The script can be edited and run by hand. `nineball --help gnuplot` (manual.c) lists the variables and data that it defines.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -16,7 +16,7 @@
 
 enum { STYLE_MAX = 1 << 20 }; /* bytes */
 
-/* The same for every page: no text of a page or name is among gnuplot's arguments. */
+/* Constant, so that no text of a page is among the arguments of gnuplot. */
 #define SETTINGS(terminal) "terminal = \"" terminal "\"; set terminal " terminal " size 840,560"
 
 bool nb_page_has_figure(const struct nb_page *page) {
@@ -26,13 +26,13 @@ bool nb_page_has_figure(const struct nb_page *page) {
   return false;
 }
 
-/* A name that gnuplot takes: C.normal at 40 cycles -> C_normal_at_40_cycles. */
+/* A valid name of gnuplot: C.normal at 40 cycles -> C_normal_at_40_cycles. */
 static void write_name(FILE *out, const char *label) {
   for (const char *c = label; *c; c++)
     fputc(isalnum((unsigned char)*c) ? *c : '_', out);
 }
 
-enum { VARIABLE_MAX = 49 }; /* characters of a name that gnuplot keeps; a longer one would hide another */
+enum { VARIABLE_MAX = 49 }; /* characters; gnuplot truncates longer names, which could then be equal */
 
 static void write_value(FILE *out, const char *prefix, const char *label, const char *number, double value) {
   if (strlen(prefix) + strlen(label) + strlen(number) > VARIABLE_MAX)
@@ -94,8 +94,8 @@ static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   }
 }
 
-/* The folder of style and recipes, the program's own and never the page's: beside the program in the tree where it was built,
- * else where both were installed. Empty with an error: it is nowhere. */
+/* Finds the folder of style and recipes, never one of the page: beside the program in the build tree, else where both were
+ * installed. Empty with an error if not found. */
 static void find_plots(char *plots, size_t size, struct nb_error *error) {
   char program[2048], style[4096];
   const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
@@ -117,7 +117,7 @@ static void find_plots(char *plots, size_t size, struct nb_error *error) {
                  "the style of figures, plots/style.gp, is neither beside the program nor in %s/plots", NB_DATADIR);
 }
 
-/* As gnuplot reads it: nothing in single quotes stands for anything but itself, two of them for one. */
+/* In single quotes gnuplot interprets nothing; a quote is doubled. */
 static void write_quoted(FILE *out, const char *name, const char *text) {
   static const struct nb_escape quote[] = {{'\'', "''"}, {0, NULL}};
   fprintf(out, "%s = '", name);
@@ -169,7 +169,7 @@ static enum nb_status save_script(const struct nb_outcome *outcome, const char *
   return status;
 }
 
-/* FOLDER/NAME.KIND, by one of gnuplot's terminals. */
+/* Draws FOLDER/NAME.KIND with one terminal of gnuplot. */
 static enum nb_status draw(struct nb_gnuplot *drawing, const char *kind, const char *magic, struct nb_error *error) {
   char begin[8] = "";
   struct nb_save file;

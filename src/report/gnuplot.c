@@ -1,8 +1,8 @@
-/* gnuplot, confined: it reads one script and the recipes, and writes the figure to its standard output.
+/* Runs gnuplot confined: it reads one script and the recipes, and writes the figure to its standard output.
  *
- * The script is code of the page. So gnuplot has no rights but those of sandbox.c, no start-up files (-d), and what it says is
- * cleaned before it reaches the terminal. No name of a file is part of a command: the script is an argument of its own, and
- * begins with `./`, since gnuplot would run `<NAME` as a command.
+ * The script contains code of the page. So gnuplot has only the rights of sandbox.c, reads no start-up files (-d), and control
+ * characters are removed from its messages. No file name is part of a gnuplot command: the script is a separate argument, and it
+ * begins with `./`, because gnuplot would run `<NAME` as a shell command.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _DEFAULT_SOURCE
@@ -15,9 +15,9 @@
 #include "core/clean.h"
 #include "sandbox.h"
 
-/* Writes what gnuplot said to stderr, if aloud; into `last` the line that names the mistake: the last one that is not blank. A
- * column that is not there is only a warning of gnuplot's, and the figure lacks a line: then `last` is that warning and the
- * answer is true. */
+/* Copies the messages of gnuplot to stderr if verbose. `reason` receives the error message: the last line that is not blank. A
+ * missing column is only a warning for gnuplot, but the figure then lacks a curve: `reason` receives that warning, and the function
+ * returns true. */
 static bool copy_messages(FILE *messages, bool verbose, char *reason, size_t size) {
   char line[1024];
   unsigned byte;
@@ -55,7 +55,7 @@ enum nb_status nb_gnuplot_run(const struct nb_gnuplot *drawing, struct nb_error 
       const int end = nb_confine_run(confined, drawing->figure, fileno(messages));
       const bool missing_column = copy_messages(messages, drawing->verbose, reason, sizeof reason);
       const int code = WIFEXITED(end) ? WEXITSTATUS(end) : 0;
-      const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : code > 128 ? code - 128 : 0; /* bwrap hands it on so */
+      const int fatal = WIFSIGNALED(end) ? WTERMSIG(end) : code > 128 ? code - 128 : 0; /* as bwrap reports a signal */
       if (fatal)
         status = nb_error_set(error, NB_BAD_USE, "gnuplot was stopped while it drew %.150s/%s: %s", drawing->folder,
                               file + 2, strsignal(fatal));

@@ -38,11 +38,11 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 
 #define AT(member) offsetof(struct nb_call, member)
 static const struct option_row {
-  const char *name, *value; /* how the help writes the value; NULL: there is none */
-  int letter;               /* its short form; 0: none */
+  const char *name, *value; /* name of the value in the help; NULL: none */
+  int letter;               /* short form; 0: none */
   enum { TEXT, NUMBER, FLAG, SETTING } kind;
-  size_t at;            /* where it goes */
-  const char *commands; /* that take it; NULL: it stands alone */
+  size_t at;            /* offset in struct nb_call */
+  const char *commands; /* that take it; NULL: it is used alone */
   const char *help;
 } options[] = {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, state",
@@ -97,7 +97,7 @@ static void print_help(FILE *out) {
         out);
   for (int k = 0; k < COMMANDS; k++) {
     snprintf(term, sizeof term, "%s %s", commands[k].name, commands[k].arguments);
-    int width = 28; /* columns; a character of several bytes takes one of them */
+    int width = 28; /* columns; plus the extra bytes of UTF-8 characters */
     for (const char *c = term; *c; c++)
       width += (*c & 0xC0) == 0x80;
     fprintf(out, "  %-*s %s\n", width, term, commands[k].help);
@@ -175,7 +175,7 @@ static enum nb_status read_options(struct nb_call *call, int count, char **words
     int k = 0;
     while (k < OPTIONS && found != list[k].val)
       k++;
-    if (k == OPTIONS) { /* getopt has said what it did not like */
+    if (k == OPTIONS) { /* getopt has printed the error */
       fputs("nineball: see nineball --help\n", stderr);
       return NB_BAD_USE;
     }
@@ -192,7 +192,7 @@ static int find_command(const char *word) {
   return -1;
 }
 
-/* Whether the word is one of those of a list, which commas part. */
+/* Whether the word is in the comma-separated list. */
 static bool list_contains(const char *list, const char *word) {
   const size_t length = strlen(word);
   for (; *list; list += strcspn(list, " "), list += strspn(list, " "))
@@ -245,7 +245,7 @@ static enum nb_status execute(struct nb_call *call, int count, char **words) {
   return run_command(call, word);
 }
 
-/* Names and values go to the terminal and into files: none may hold what a terminal would obey. */
+/* Names and values are printed: they must not contain control characters of a terminal. */
 static enum nb_status check_text(const char *word) {
   char *shown = word ? strdup(word) : NULL;
   unsigned byte;

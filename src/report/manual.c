@@ -1,6 +1,6 @@
-/* The manual, made from the tables that the program itself reads: statements, expectations, quantities, units. As Markdown it is
- * docs/LANGUAGE.md, from which docs/man.sh makes the manual page; on a terminal it is `nineball --help scene`, and of one
- * word `nineball --help WORD`.
+/* The manual of the page language, made from the tables by which the program reads pages: statements, expectations, quantities,
+ * units. As Markdown it is docs/LANGUAGE.md, from which docs/man.sh makes the manual page. On a terminal it is `nineball --help
+ * scene`, and for one word `nineball --help WORD`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -12,16 +12,16 @@
 #include "input/old_words.h"
 #include "laws/law.h"
 
-/* Where it goes, and how. */
+/* Output file and format. */
 struct manual {
   FILE *out;
   bool markdown; /* else for a terminal */
-  bool whole;    /* with what every statement takes, and examples */
+  bool whole;    /* with the arguments of every statement, and examples */
 };
 
-/* ---- how it is written ---- */
+/* ---- formatting ---- */
 
-/* The text in lines of at most 100 characters: the first one and the others begin at these columns. */
+/* Prints the text in lines of at most 100 characters; the first line begins at the column `first`, the others at `other`. */
 static void wrapped(FILE *out, int first, int other, const char *text) {
   enum { WIDEST = 100 };
   int column = first;
@@ -59,7 +59,7 @@ static void paragraph(const struct manual *to, const char *text) {
   end(to);
 }
 
-/* What belongs to a statement, or a row of a list; unit or NULL. */
+/* A list item, such as an argument of a statement; unit may be NULL. */
 static void part(const struct manual *to, const char *name, const char *unit, const char *text) {
   char line[1024];
   snprintf(line, sizeof line, to->markdown ? "- `%s`%s%s: %s" : "%s%s%s: %s", name, unit ? ", " : "", unit ? unit : "",
@@ -79,7 +79,7 @@ static void item(const struct manual *to, const char *word, const char *syntax, 
   wrapped(to->out, 6, 6, help);
 }
 
-/* Whole lines of a block of that kind, the last one without its end. */
+/* An example: lines of a block of that kind; the last one has no newline. */
 static void example(const struct manual *to, const char *block, const char *lines) {
   if (to->markdown) {
     fprintf(to->out, "\n```%s\n%s\n```\n", block, lines);
@@ -91,7 +91,7 @@ static void example(const struct manual *to, const char *block, const char *line
 
 /* ---- one statement ---- */
 
-/* As far as the full stop of the first sentence: there may be one within, in an equation's number. */
+/* Length of the first sentence. A full stop without a space after it, as in an equation's number, does not end it. */
 static int first_sentence(const char *help) {
   const char *end = strstr(help, ". ");
   const size_t all = strlen(help);
@@ -115,7 +115,7 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
   part(to, name, NULL, text);
 }
 
-/* Examples of scenes and expectations are, one after the other, the page docs/LANGUAGE.md; others are text of it. */
+/* Examples of scenes and expectations together make docs/LANGUAGE.md a page that can be run; other examples are blocks of text. */
 static const char *block_of(const struct nb_keyword *keyword) {
   return keyword->where == NB_IN_EXPECT                 ? "expect"
          : keyword->where & NB_IN_CELL                  ? "text of a scene with a cell"
@@ -288,7 +288,7 @@ static void grammar(const struct manual *to) {
   paragraph(to, text);
 }
 
-/* Those that may stand here, and not there. */
+/* Statements that are allowed in `here` and not in `there`. */
 static void statements(const struct manual *to, const struct nb_family *table, unsigned here, unsigned there) {
   const struct nb_keyword *keyword;
   for (size_t k = 0; (keyword = nb_keyword_row(table, k)); k++)

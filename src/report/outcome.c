@@ -1,4 +1,4 @@
-/* A page carried out: read, run by run; asked of the reference; judged.
+/* Reads a page, runs its runs, solves their references, and checks the expectations.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "outcome.h"
@@ -17,7 +17,7 @@ static void add_warnings(struct nb_outcome *outcome, const struct nb_warnings *w
     nb_warnings_add(&outcome->warnings, &warnings->list[k]);
 }
 
-/* All runs of the page, up to the first one that has mistakes: most of them would be in all. */
+/* Reads all runs of the page, up to the first one with mistakes, since most mistakes would be in every run. */
 static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
   const size_t runs = nb_scene_runs(&outcome->page, settings, &outcome->mistakes);
   outcome->runs = calloc(runs + 1, sizeof *outcome->runs);
@@ -42,7 +42,7 @@ enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_
   return outcome->status;
 }
 
-/* Overlaps too deep for elastic spheres, of all runs together, and which one was the first. */
+/* Warns of overlaps beyond the theory of elastic spheres: their number in all runs, and the first one. */
 static void warn_deep(struct nb_outcome *outcome) {
   unsigned long long count = 0;
   const struct nb_page_run *first = NULL;
@@ -57,7 +57,7 @@ static void warn_deep(struct nb_outcome *outcome) {
         count, first->result.deep_first, first->label[0] ? ", run " : "", first->label);
 }
 
-/* Progress of all runs together, of which several may be at it at once; of one of them. */
+/* Callback data of one run; progress is reported for all runs together, of which several may be running. */
 struct run_progress {
   struct nb_outcome *outcome;
   const struct nb_progress *progress;
@@ -109,8 +109,8 @@ static int job_count(const struct nb_outcome *outcome, const struct nb_options *
   return jobs > 0 ? jobs : 1;
 }
 
-/* After one that has not come to its end no other is begun; those before it in the sweep have been by then, so which one is
- * reported does not depend on how many go side by side. */
+/* After a failed run no other run is started. Runs before it in the sweep have been started by then, so the run that is reported
+ * does not depend on the number of jobs. */
 static enum nb_status run_all(struct nb_outcome *outcome, const struct nb_options *options,
                               const struct nb_progress *progress) {
   const size_t runs = outcome->run_count;

@@ -1,4 +1,4 @@
-/* A page carried out: all its runs, what the reference knows of each, and the verdict.
+/* The outcome of a page: all its runs, the reference solutions, and the verdict.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_OUTCOME_H
@@ -7,7 +7,7 @@
 #include "expect.h"
 #include "reference.h"
 
-/* One run: one choice of the swept values. */
+/* One run: one combination of the swept values. */
 struct nb_page_run {
   struct nb_scene scene;
   struct nb_expectations expectations;
@@ -15,20 +15,20 @@ struct nb_page_run {
   struct nb_result result;
   char label[256];       /* "v=0.12 n=40", empty without a sweep */
   double done;           /* fraction, 1 */
-  enum nb_status status; /* of the run itself; */
-  struct nb_error error; /* in words */
+  enum nb_status status; /* of the run itself */
+  struct nb_error error; /* its message */
 };
 
-/* What came of an expectation. Only the first two are judgements. */
+/* The result of an expectation. Only the first two count as checks. */
 enum nb_mark {
   NB_FAIL,
   NB_PASS,
-  NB_NOTE, /* a value, or where a number lies in a sample: never a failure */
-  NB_SKIP, /* not checked, and the words say why */
+  NB_NOTE, /* a value, or the position of a number in a sample: cannot fail */
+  NB_SKIP, /* not checked; the message says why */
   NB_MARKS
 };
 
-/* One expectation compared with what was computed. */
+/* One expectation and its result. */
 struct nb_check {
   char label[640];   /* "C.normal mean within 0.1 %" and the run */
   char message[512]; /* "computed 1.002 N, reference 1.003 N, error 0.05 %, tolerance 0.1 %" */
@@ -38,36 +38,37 @@ struct nb_check {
 
 struct nb_outcome {
   struct nb_page page;
-  nb_settings settings;        /* those it was made with: the caller's */
-  struct nb_mistakes mistakes; /* of the page, when status is NB_BAD_USE */
-  struct nb_page_run *runs;    /* owned, as is all below */
+  nb_settings settings;        /* of the caller */
+  struct nb_mistakes mistakes; /* in the page, if status is NB_BAD_USE */
+  struct nb_page_run *runs;    /* owned, as is everything below */
   size_t run_count;
   struct nb_check *checks;
-  size_t check_count, mark_count[NB_MARKS]; /* checks in all, and of each mark */
+  size_t check_count, mark_count[NB_MARKS]; /* all checks; checks of each mark */
   struct nb_warnings warnings;              /* of all runs, each once */
-  enum nb_status status;                    /* the worst that came up */
-  struct nb_error error;                    /* in words, when it is NB_BAD_USE without mistakes, or NB_BROKEN */
+  enum nb_status status;                    /* the worst one */
+  struct nb_error error;                    /* the message, if status is NB_BAD_USE without mistakes, or NB_BROKEN */
 };
 
-/* Reads the page, runs it, options->jobs of its runs at a time, judges it. What can be known of it is in the outcome whatever the status; free it in any case. */
+/* Reads the page, runs it, options->jobs runs at a time, and checks its expectations. After an error the outcome has what was
+ * computed before; free it in any case. */
 enum nb_status nb_outcome_make(struct nb_outcome *outcome, const char *path, nb_settings settings,
                                const struct nb_options *options, const struct nb_progress *progress);
-/* Only read: pages, scenes, expectations. What `run` and `explain` begin with. */
+/* Only reads the page: scenes and expectations of all runs. */
 enum nb_status nb_outcome_read(struct nb_outcome *outcome, const char *path, nb_settings settings);
 void nb_outcome_free(struct nb_outcome *outcome);
-void nb_outcome_free_runs(struct nb_outcome *outcome); /* page, checks, warnings and error stay */
+void nb_outcome_free_runs(struct nb_outcome *outcome); /* keeps page, checks, warnings and error */
 
 /* ---- reducers.c: from the rows of a table to one number ---- */
 
-/* False when the table has no rows to reduce, or none at that moment, or when a value is not finite; then the error says so. */
+/* The value of the measure. False with an error if the table has no rows for it, or if a value is not finite. */
 bool nb_measure_value(double *value, const struct nb_measure *measure, const struct nb_table *table,
                       struct nb_error *error);
-/* The rows of a stage, or of the last stage that has any: first and one past the last. */
+/* The rows of the measure's stage, or of the last stage that has rows: first, and one past the last. */
 void nb_measure_rows(const struct nb_measure *measure, const struct nb_table *table, size_t *from, size_t *to);
-/* What the reference knows under the measure's label, with the stage or without; NULL: nothing. */
+/* The value that the reference returns for the measure's label, with the stage or without; NULL: none. */
 const double *nb_measure_solution(const struct nb_measure *measure, const struct nb_solution *solution);
 
-/* What is swept, in this run: "v=0.12, n=40"; without what the expectation is judged over, if there is one. */
+/* The swept values of the run, "v=0.12, n=40", without those of the sweeps that the expectation spans; it may be NULL. */
 void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, const struct nb_expectation *expectation);
 
 /* ---- verdict.c ---- */

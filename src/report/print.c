@@ -1,4 +1,4 @@
-/* What the terminal shows: verdicts, mistakes, progress.
+/* Verdicts, errors and progress on the terminal.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -9,7 +9,7 @@
 
 #include "commands.h"
 
-/* What was expected and not checked, each with its line and the reason. */
+/* Expectations that were not checked, with line and reason. */
 static void print_skipped(const struct nb_outcome *outcome) {
   const size_t skipped = outcome->mark_count[NB_SKIP];
   if (skipped)
@@ -31,7 +31,7 @@ void nb_print_warnings(FILE *out, const char *before, const char *path, const st
   }
 }
 
-/* Whether both come to one terminal, where once is enough. */
+/* Whether standard output and standard error are the same terminal. */
 static bool is_one_terminal(void) {
   struct stat out, err;
   return isatty(STDOUT_FILENO) && isatty(STDERR_FILENO) && fstat(STDOUT_FILENO, &out) == 0 &&

@@ -1,10 +1,10 @@
-/* From the rows of a table to one number: the reducers.
+/* Reducers: the rows of a table become one number.
  *
- *   mean        sum of the rows over their number
- *   amplitude   half of the largest less the smallest
- *   frequency   upward crossings of the mean, less one, over the time from the first to the last; the moment of a crossing
- *               is found on the straight line between two rows
- *   at TIME     on the straight line between two rows
+ *   mean        sum of the rows divided by their number
+ *   amplitude   half the difference of largest and smallest value
+ *   frequency   number of upward crossings of the mean, minus one, divided by the time from the first to the last crossing; the
+ *               time of a crossing is interpolated linearly between two rows
+ *   at TIME     interpolated linearly between two rows
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -65,7 +65,7 @@ static double frequency(const struct column *column) {
   return crossings > 1 ? (crossings - 1) / (last - first) : NAN;
 }
 
-/* Leaves the rows that a measure is formed of: the last one, the one at a moment, or the two around it. */
+/* Restricts the column to the rows of the measure: the last one, the one at a given time, or the two around it. */
 static void select_rows(struct column *column, const struct nb_measure *measure) {
   const bool by_time = measure->reducer == NB_AT_TIME;
   const double *abscissa = by_time ? column->table->time : column->table->cycle, target = measure->at;
@@ -82,7 +82,7 @@ static void select_rows(struct column *column, const struct nb_measure *measure)
   column->to = exact || bracketed ? r + 1 : r;
 }
 
-/* On the straight line between two rows, or the only row. */
+/* Interpolates linearly between two rows, or returns the only row. */
 static double interpolate(const struct column *column, const double *abscissa, double target) {
   const size_t r = column->from;
   const double before = value(column, r);

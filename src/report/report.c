@@ -1,4 +1,4 @@
-/* The report: one static page about all pages, with their verdicts and figures. It needs no server and no script.
+/* The report: one static HTML page with verdicts and figures of all pages. It needs no server and no script.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -6,9 +6,9 @@
 
 #include "commands.h"
 
-enum { FOLD_LIMIT = 20 }; /* so many checks are folded away, unless one failed */
+enum { FOLD_LIMIT = 20 }; /* checks; longer lists are folded unless one failed */
 
-/* HTML, then a text of the page or of the program, then HTML. */
+/* Writes HTML, an escaped text, and HTML. */
 static void text(FILE *out, const char *before, const char *words, const char *after) {
   static const struct nb_escape list[] = {{'<', "&lt;"},   {'>', "&gt;"},   {'&', "&amp;"},
                                           {'"', "&quot;"}, {'\'', "&#39;"}, {0, NULL}};
@@ -17,7 +17,7 @@ static void text(FILE *out, const char *before, const char *words, const char *a
   fputs(after, out);
 }
 
-/* NAME/FILE as an address: all but letters, digits, `-`, `_` and `.` as %XX (RFC 3986). */
+/* An attribute with the URL FOLDER/NAME.KIND, percent-encoded (RFC 3986). */
 static void address(FILE *out, const char *attribute, const char *folder, const char *name, const char *kind) {
   fprintf(out, "%s=\"", attribute);
   for (int k = 0; k < 2; k++) {
@@ -78,7 +78,7 @@ static void write_checks(FILE *out, const struct nb_outcome *outcome) {
           mark_count[NB_PASS] + mark_count[NB_FAIL], mark_count[NB_FAIL], mark_count[NB_NOTE], mark_count[NB_SKIP]);
   for (size_t k = 0; k < outcome->check_count; k++) {
     const struct nb_check *check = &outcome->checks[k];
-    fprintf(out, "<tr><td class=\"%s\">%s", /* note and skip have no look of their own */
+    fprintf(out, "<tr><td class=\"%s\">%s", /* note and skip have no style */
             check->mark == NB_FAIL ? "fail" : nb_mark_word(check->mark), nb_mark_word(check->mark));
     text(out, "</td><td>", check->label, "</td>");
     text(out, "<td>", check->message, "</td></tr>\n");
@@ -118,7 +118,7 @@ static void write_page(FILE *out, const struct nb_report_line *line, size_t numb
   fputs("</p>\n", out);
 }
 
-/* The heading, and all pages in figures. */
+/* The heading, and the numbers of pages, checks and failures. */
 static void write_head(FILE *out, const struct nb_report_line *lines, size_t count) {
   size_t checks = 0, failed = 0, broken = 0, bare = 0, unchecked = 0;
   for (size_t k = 0; k < count; k++) {

@@ -1,10 +1,10 @@
-/* Landlock (Linux 5.13 and later, landlock(7)) or bubblewrap (bwrap(1)) around a program that runs code from a page.
+/* Confines a program that runs code of a page, by Landlock (Linux 5.13 and later, landlock(7)) or bubblewrap (bwrap(1)).
  *
- * Either way the program can read the system's libraries and fonts, one file and one folder, and nothing else; it can write
- * nowhere; it can execute itself and its ELF loader, so there is no shell; it has no network and no environment of the user's.
+ * The program can read the libraries and fonts of the system, one file and one folder. It can write no file. It can execute only
+ * itself and its ELF loader, so it has no shell. It has no network and no environment variables of the user.
  *
- * Both give the same rights, from the one list below. Headers may be older than the kernel, so the constants of Landlock are here
- * and the kernel is asked which version of its interface it has.
+ * Both methods grant the same rights, from the list below. The system's headers may be older than the kernel, so the constants of
+ * Landlock are defined here, and the program asks the kernel for the version of the interface.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _GNU_SOURCE
@@ -24,7 +24,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* What gnuplot and the libraries that draw need of a system, where it has them. */
+/* Files and folders that gnuplot and its graphics libraries read, if they exist. */
 static const char *const readable[] = {"/lib",
                                        "/lib64",
                                        "/usr/lib",
@@ -84,9 +84,9 @@ static void find_loader(char *loader, const char *program) {
 #define SYS_landlock_restrict_self 446
 #endif
 
-/* linux/landlock.h, of which Debian 12 has the first version of the interface and the kernel may have a later one. */
+/* From linux/landlock.h; the header of Debian 12 has only version 1 of the interface. */
 struct ruleset {
-  uint64_t fs, net, scoped; /* kinds of access that are forbidden unless a rule allows them */
+  uint64_t fs, net, scoped; /* accesses that are forbidden unless a rule allows them */
 };
 struct path_rule {
   uint64_t allowed;
@@ -98,19 +98,19 @@ static const struct {
   int version;
   struct ruleset forbidden;
 } versions[] = {
-    {1, {.fs = (1 << 13) - 1}},      /* all that can be done with files as of Linux 5.13 */
-    {2, {.fs = 1 << 13}},            /* to link or rename into another folder */
-    {3, {.fs = 1 << 14}},            /* to truncate */
-    {4, {.net = 1 << 0 | 1 << 1}},   /* TCP: to bind, to connect */
+    {1, {.fs = (1 << 13) - 1}},      /* all file accesses of Linux 5.13 */
+    {2, {.fs = 1 << 13}},            /* link or rename into another folder */
+    {3, {.fs = 1 << 14}},            /* truncate */
+    {4, {.net = 1 << 0 | 1 << 1}},   /* TCP: bind, connect */
     {5, {.fs = 1 << 15}},            /* ioctl of devices */
-    {6, {.scoped = 1 << 0 | 1 << 1}} /* abstract sockets and signals, of and to others */
+    {6, {.scoped = 1 << 0 | 1 << 1}} /* abstract sockets and signals of other processes */
 };
 
 static bool allow(int rules, const char *path, uint64_t access) {
   struct stat status;
   const int file = open(path, O_PATH | O_CLOEXEC);
   if (file < 0)
-    return errno == ENOENT; /* what is not there needs no rule */
+    return errno == ENOENT; /* a missing file needs no rule */
   if (fstat(file, &status) == 0 && !S_ISDIR(status.st_mode))
     access &= ~(uint64_t)READ_FOLDER;
   const struct path_rule rule = {access, file};
@@ -119,7 +119,7 @@ static bool allow(int rules, const char *path, uint64_t access) {
   return allowed;
 }
 
-/* False with the reason in `why` when this kernel does not do it. */
+/* False with the reason if the kernel does not support it. */
 static bool prepare_landlock(struct nb_confined *confined, const char **reason) {
   struct ruleset forbidden = {0};
   const long version = syscall(SYS_landlock_create_ruleset, NULL, 0, ASK_VERSION);
@@ -148,16 +148,16 @@ static bool prepare_landlock(struct nb_confined *confined, const char **reason) 
 
 /* ---- the program, confined ---- */
 
-/* So much and no more, whatever a page asks for. */
+/* Sets a resource limit, never above the present one. */
 static void limit(int what, rlim_t maximum) {
   struct rlimit limits;
-  if (getrlimit(what, &limits) == 0 && limits.rlim_max < maximum) /* RLIM_INFINITY is the largest number */
+  if (getrlimit(what, &limits) == 0 && limits.rlim_max < maximum) /* RLIM_INFINITY is the largest value */
     maximum = limits.rlim_max;
   limits = (struct rlimit){maximum, maximum};
   setrlimit(what, &limits);
 }
 
-/* Between fork and exec: gives up all other rights and becomes the program. 126 is the exit status if that fails. */
+/* In the child process: drops rights and executes the program. Exits with status 126 if that fails. */
 _Noreturn static void exec_confined(const struct nb_confined *confined) {
   static const char message[] = "gnuplot could not be confined\n";
   const bool landlock = confined->method == NB_CONFINE_LANDLOCK, bwrap = confined->method == NB_CONFINE_BWRAP;
@@ -165,9 +165,9 @@ _Noreturn static void exec_confined(const struct nb_confined *confined) {
   limit(RLIMIT_FSIZE, 200 << 20);
   limit(RLIMIT_AS, (rlim_t)4 << 30);
   limit(RLIMIT_CORE, 0);
-  alarm(300); /* s by the clock: a page may sleep */
+  alarm(300); /* s of wall time, because a script may sleep */
   if (chdir(confined->folder) == 0 &&
-      (bwrap || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) && /* bwrap does so itself, when it has done its work */
+      (bwrap || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) && /* bwrap does so itself, later */
       (!landlock || syscall(SYS_landlock_restrict_self, confined->rules, 0) == 0)) {
     for (int file = 3; file < 1024; file++)
       close(file);
@@ -222,7 +222,7 @@ static bool prepare_bwrap(struct nb_confined *confined, const char **reason) {
   snprintf(confined->text[1], sizeof confined->text[1], "/figure/%s", confined->file);
   add_binding(&list, confined->text[0], confined->text[1]);
   add(&list, "--chdir"), add(&list, "/figure"), add(&list, "--"), add(&list, confined->program);
-  /* Does it work here? Containers often forbid it. */
+  /* Test whether bwrap works, because containers often forbid namespaces. */
   const int first = list.count;
   add(&list, "--version"), add(&list, NULL);
   const int null = open("/dev/null", O_WRONLY);
@@ -237,7 +237,7 @@ static bool prepare_bwrap(struct nb_confined *confined, const char **reason) {
   return works;
 }
 
-/* ---- which of them ---- */
+/* ---- choice of the method ---- */
 
 enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct nb_error *error) {
   const char *choice = getenv("NINEBALL_CONFINE"), *landlock = "Landlock: not asked for",

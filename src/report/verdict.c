@@ -1,4 +1,4 @@
-/* The verdict: every expectation of a page against the computed values.
+/* The verdict: compares every expectation of a page with the computed values.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -43,7 +43,7 @@ double nb_error_ratio(const struct nb_tolerance *tolerance, double computed, dou
   return error > 0 ? error / allowed : 0;
 }
 
-/* So many digits that two numbers which differ look different, and two of the difference. */
+/* Digits to print, so that two significant digits of the difference of a and b are visible; from 6 to 17. */
 static int digit_count(double a, double b) {
   const double error = fabs(a - b) / fmax(fabs(a), fabs(b));
   const int needed = error > 0 ? 2 - (int)floor(log10(error)) : 0;
@@ -63,7 +63,7 @@ void nb_check_error(struct nb_check *check, const char *what, double error, doub
               tolerance->kind == NB_OF_PEAK ? "peak" : tolerance->of.label);
 }
 
-/* One number beside another: both, the error and the tolerance, or why there is no error. The unit begins with a space. */
+/* Compares two numbers. The message has both, the error and the tolerance, or why there is no error. `unit` begins with a space. */
 static void compare(struct nb_check *check, const struct nb_tolerance *tolerance, double computed, double reference,
                     double scale, const char *unit, const char *from) {
   const bool relative = tolerance->kind != NB_ABSOLUTE;
@@ -83,7 +83,7 @@ static void compare(struct nb_check *check, const struct nb_tolerance *tolerance
   }
 }
 
-/* What a tolerance is a fraction of: the other measure that it names, or else `own`; false with words when there is none. */
+/* The value of which the tolerance is a fraction: the measure that it names, or `own`; false with a message if it is undefined. */
 static bool find_scale(double *scale, double own, struct nb_check *check, const struct nb_page_run *run,
                        const struct nb_tolerance *tolerance) {
   struct nb_error error;
@@ -110,14 +110,13 @@ bool nb_check_computed(double *value, struct nb_check *check, const struct nb_pa
   return isfinite(*value);
 }
 
-/* Of the reference, or 0 for a residual. */
 const double *nb_check_solution(const struct nb_page_run *run, const struct nb_measure *measure) {
   static const double zero = 0;
   const double *solution = nb_measure_solution(measure, &run->solution);
   return solution || !measure->is_residual ? solution : &zero;
 }
 
-/* A unit behind a number: with a space, or nothing. */
+/* The unit after a number: with a space, or empty. */
 static const char *unit_suffix(char *text, const struct nb_page_run *run, const char *unit) {
   const bool unitless = run->scene.unitless || strcmp(unit, "1") == 0;
   snprintf(text, NB_NAME_SIZE, "%s%s", unitless ? "" : " ", unitless ? "" : unit);
@@ -128,7 +127,7 @@ const char *nb_check_unit(char *text, const struct nb_page_run *run, const struc
   return unit_suffix(text, run, e->has_scale ? "1" : e->measure.unit);
 }
 
-/* One number beside that of the reference, or beside the one that the page gives. */
+/* Compares a value with the reference, or with the number that the page gives. */
 static void check_value(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const bool expected = e->kind == NB_EXPECTED;
   const double *reference = expected ? &e->number : nb_check_solution(run, &e->measure);
@@ -141,7 +140,7 @@ static void check_value(struct nb_check *check, const struct nb_page_run *run, c
             expected ? "expected" : "reference");
 }
 
-/* The same at every row: all of them must hold, and the worst one is reported. */
+/* Compares a curve at every row. All rows must pass; the message is about the worst one. */
 static void check_curve(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   const struct nb_table *table = &run->result.table;
   const char *quantity = table->names[e->measure.column];
@@ -174,7 +173,7 @@ static void check_curve(struct nb_check *check, const struct nb_page_run *run, c
   }
 }
 
-/* Two measures of one run, or one that is reported. */
+/* Compares two measures of one run, or reports one. */
 static void check_measures(struct nb_check *check, const struct nb_page_run *run, const struct nb_expectation *e) {
   struct nb_error error;
   double one, other = 0;
@@ -193,7 +192,7 @@ static void check_measures(struct nb_check *check, const struct nb_page_run *run
     check->mark = NB_NOTE;
 }
 
-/* The statement on a line of the page, without its comment. */
+/* Sets the label: the statement of the page without its comment. */
 static void set_label(struct nb_check *check, const struct nb_outcome *outcome, int line) {
   const char *c = outcome->page.lines[line - 1];
   size_t n = 0;
@@ -230,7 +229,7 @@ static bool is_skipped(const struct nb_outcome *outcome, int line) {
   return false;
 }
 
-/* A check that is not carried out for this reason, once for each line of the page. False when memory runs out. */
+/* Adds a skipped check with its reason, once for each line of the page. False when out of memory. */
 static bool skip(struct nb_outcome *outcome, int line, const char *format, const char *name) {
   if (is_skipped(outcome, line))
     return true;
@@ -243,7 +242,7 @@ static bool skip(struct nb_outcome *outcome, int line, const char *format, const
   return true;
 }
 
-/* The statements of expect blocks that nobody has read. */
+/* Adds skipped checks for statements of expect blocks that were not read. False when out of memory. */
 static bool skip_unread(struct nb_outcome *outcome) {
   const struct nb_page *page = &outcome->page;
   const bool followed = outcome->runs[0].scene.path_replaced;
@@ -262,7 +261,7 @@ static bool skip_unread(struct nb_outcome *outcome) {
   return stored;
 }
 
-/* What run r expects, unless an earlier run of the same group has been judged for it. */
+/* Evaluates the expectations of run r, except those that were evaluated at an earlier run of the same group. */
 static bool evaluate_run(struct nb_outcome *outcome, size_t r) {
   const struct nb_expectations *expectations = &outcome->runs[r].expectations;
   bool stored = true;

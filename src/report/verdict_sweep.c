@@ -1,18 +1,18 @@
 /* Expectations about several runs of a sweep.
  *
- *   increases, decreases with N      from each value of N to the next larger one; words keep the order in which the sweep has them
- *   constant with N within           the largest less the smallest; a percentage is of the mean
- *   order P in N within              P is the slope of the straight line nearest to log(error) over log(N)
+ *   increases, decreases with N      from each value of N to the next larger one; words keep their order in the sweep
+ *   constant with N within           largest minus smallest value; a percentage is of the mean
+ *   order P in N within              P is the slope of the least-squares line of log(error) against log(N)
  *
- * Over S, a sweep whose runs are realizations of one case, as assemblies that differ in their seed are:
+ * Over S, a sweep whose runs are realizations of one case, such as assemblies with different seeds:
  *
- *   expected X over S                where X lies in the sample: the fraction of the runs below it, and half of those at it
- *   increases, decreases with N over S   d, the difference from one value of N to the next, run by run of S: the interval
- *                                    mean d -+ t s/sqrt(n) of 95 % confidence lies above 0, or below
+ *   expected X over S                the percentile of X: the fraction of the runs below X, plus half of those equal to X
+ *   increases, decreases with N over S   d is the difference from one value of N to the next, for each run of S: the 95 %
+ *                                    confidence interval mean(d) -+ t s/sqrt(n) lies above 0, or below 0
  *   constant with N over S within    that interval, between every two values of N, lies within -+ the tolerance
  *
- * s is the standard deviation of the n differences, t the quantile 0.975 of Student's distribution of n - 1 degrees of freedom.
- * Runs are paired, since two that share a seed share most of what makes a sample scatter.
+ * s is the standard deviation of the n differences, t the 0.975 quantile of Student's distribution with n - 1 degrees of freedom.
+ * Runs are paired because two runs with the same seed share most of their scatter.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -23,7 +23,7 @@
 #include "student.h"
 #include "verdict.h"
 
-/* ---- runs and what is swept ---- */
+/* ---- runs and sweeps ---- */
 
 static bool is_trend(enum nb_expectation_kind kind) {
   return kind == NB_INCREASES || kind == NB_DECREASES || kind == NB_CONSTANT || kind == NB_ORDER;
@@ -33,7 +33,7 @@ bool nb_is_over_sweep(const struct nb_expectation *e) { return is_trend(e->kind)
 
 static const char *trend_name(const struct nb_expectation *e) { return is_trend(e->kind) ? e->against : ""; }
 
-/* There is one: expectations name only what is swept. */
+/* Always found: expectations can name only sweeps. */
 static const struct nb_binding *binding_of(const struct nb_page_run *run, const char *name) {
   size_t k = 0;
   while (k + 1 < run->scene.binding_count && strcmp(run->scene.bindings[k].name, name) != 0)
@@ -41,13 +41,14 @@ static const struct nb_binding *binding_of(const struct nb_page_run *run, const 
   return &run->scene.bindings[k];
 }
 
-/* Whether two runs differ in nothing but these names, and in what goes with them in the same sweep. Empty: no such name. */
+/* Whether two runs differ only in these names and in names of the same sweeps. An empty name is none. */
 static bool same_except(const struct nb_page_run *a, const struct nb_page_run *b, const char *name, const char *other) {
   const int sweep = name[0] ? binding_of(a, name)->sweep : -1;
   const int second = other[0] ? binding_of(a, other)->sweep : -1;
   for (size_t k = 0; k < a->scene.binding_count; k++) {
     const struct nb_binding *binding = &a->scene.bindings[k];
-    const bool fixed = binding->sweep >= 0 && binding->sweep != sweep && binding->sweep != second; /* a `let` follows */
+    const bool fixed =
+        binding->sweep >= 0 && binding->sweep != sweep && binding->sweep != second; /* a `let` depends on sweeps */
     if (fixed && strcmp(binding->text, b->scene.bindings[k].text) != 0)
       return false;
   }
@@ -90,34 +91,34 @@ void nb_sweep_label(char *text, size_t size, const struct nb_page_run *run, cons
   }
 }
 
-/* ---- an expectation and the runs that it is about ---- */
+/* ---- an expectation and its group of runs ---- */
 
 struct group {
   struct nb_check *check;
   const struct nb_outcome *outcome;
-  size_t first, index; /* the first run, and which of its expectations */
+  size_t first, index; /* index of the first run, and of the expectation in it */
   const struct nb_expectation *e;
-  bool words; /* some value of the swept name is a word */
+  bool words; /* a value of the sweep is a word */
 };
 
-/* Whether run r differs from run `as` in these names only. */
+/* Whether run r differs from run `as` only in these names. */
 static bool matches(const struct group *group, size_t r, size_t as, const char *name, const char *other) {
   return same_except(&group->outcome->runs[as], &group->outcome->runs[r], name, other);
 }
 
-/* What is swept along, in run r, as it was written. */
+/* The swept value of the trend in run r, as the page writes it. */
 static const char *swept_text(const struct group *group, size_t r) {
   return binding_of(&group->outcome->runs[r], group->e->against)->text;
 }
 
-/* Whether run a comes before run b along the swept name: by its values, or as the sweep has them where one is a word. */
+/* Whether run a comes before run b: by value, or in the order of the sweep if values are words. */
 static bool is_before(const struct group *group, size_t a, size_t b) {
   const double x = binding_of(&group->outcome->runs[a], group->e->against)->value;
   const double y = binding_of(&group->outcome->runs[b], group->e->against)->value;
   return group->words || x == y ? a < b : x < y;
 }
 
-/* The run that follows run r along the swept name, the first one for r = run_count; run_count behind the last. */
+/* The run that follows run r in this order, or the first one for r = run_count; run_count after the last. */
 static size_t next_run(const struct group *group, size_t r) {
   const size_t runs = group->outcome->run_count;
   size_t next = runs;
@@ -128,14 +129,14 @@ static size_t next_run(const struct group *group, size_t r) {
   return next;
 }
 
-/* Of run r; false with words when it cannot be formed. */
+/* The value of the measure in run r; false with a message if undefined. */
 static bool compute_value(double *value, const struct group *group, size_t r) {
   const struct nb_page_run *run = &group->outcome->runs[r];
   return nb_check_computed(value, group->check, run, &run->expectations.list[group->index]);
 }
 
 struct sample {
-  double count, mean, squares, smallest, largest; /* squares: of the distances from the mean (Welford 1962) */
+  double count, mean, squares, smallest, largest; /* squares: sum of squared deviations from the mean (Welford 1962) */
 };
 
 static void add(struct sample *sample, double value) {
@@ -149,7 +150,7 @@ static void add(struct sample *sample, double value) {
 
 static double standard_deviation(const struct sample *sample) { return sqrt(sample->squares / (sample->count - 1)); }
 
-/* ---- along a sweep ---- */
+/* ---- trends ---- */
 
 static void check_trend(const struct group *group) {
   const struct nb_expectation *e = group->e;
@@ -243,16 +244,16 @@ static void check_position(const struct group *group) {
   group->check->mark = NB_NOTE;
 }
 
-/* The run that goes with run r when the swept name has the value it has in `as`: the same but for that name. */
+/* The run paired with run r: it differs from r only in the swept name, which has the value of run `as`. */
 static size_t paired_run(const struct group *group, size_t r, size_t as) {
-  size_t other = 0; /* there is one: sweeps are combined with each other */
+  size_t other = 0; /* always found, because all combinations of sweeps are run */
   while (!matches(group, r, other, group->e->against, "") || !matches(group, as, other, "", group->e->sample))
     other++;
   return other;
 }
 
-/* Differences from the runs that have the value of `from` to those that have the value of `to`, held against what is expected of
- * them, and said. */
+/* Whether the paired differences between runs with the value of `from` and those with the value of `to` meet the expectation;
+ * appends them to the message. *is_defined: false if a value is undefined. */
 static bool check_difference(const struct group *group, size_t from, size_t to, bool *is_defined) {
   const struct nb_expectation *e = group->e;
   struct sample d = {.count = 0}, level = {.count = 0};
@@ -289,7 +290,7 @@ static void check_differences(const struct group *group) {
       if (!is_defined)
         return;
       if (group->e->kind != NB_CONSTANT)
-        break; /* from each value to the next */
+        break; /* only from each value to the next */
     }
   }
   group->check->mark = passed ? NB_PASS : NB_FAIL;
