@@ -51,11 +51,11 @@ chapters() {
   done
 }
 
-# The index.
-tried() {
+# Features and the cases that use them.
+features() {
   cat <<'TEXT'
 
-## Which case uses what
+## Features and the cases that use them
 
 For every word of the language, every law and every quantity, the cases that use it. If more than a dozen cases use a word, their number is given. A case that starts from another one is not listed for the words of the other one. Words without a case are covered by other tests.
 TEXT
@@ -75,7 +75,7 @@ awk '
       if (part == "Quantities" && of != "" && line ~ /^- `/) {
         word = substr(line, 4, index(substr(line, 4), "`") - 1)
         sub(/\..*/, "", word)
-        row(held, of ": " word)
+        row(checked, of ": " word)
         if (of !~ /particle|wall|pair|region|grading|contact test/ || of == "a box of walls") alone[word] = of
       }
     }
@@ -92,9 +92,9 @@ awk '
     for (i = 1; i <= m; i++) row(part, verb " … " all[i])
   }
   # ---- the words of a page ----
-  function found(part, name) { if (!((part, name, page) in has)) { has[part, name, page] = 1; pages[part, name] = pages[part, name] " " page; count[part, name]++ } }
+  function use(part, name) { if (!((part, name, page) in has)) { has[part, name, page] = 1; pages[part, name] = pages[part, name] " " page; count[part, name]++ } }
   # The longest word of the language that the line begins with.
-  function verb_of(text,  m, all, k, try, best) {
+  function statement_of(text,  m, all, k, try, best) {
     m = split(text, all, /[ \t]+/)
     for (k = 1; k <= m && k <= 3; k++) {
       try = try (k > 1 ? " " : "") all[k]
@@ -102,7 +102,7 @@ awk '
     }
     return best
   }
-  function holds(text, word) { return index(" " text " ", " " word " ") > 0 }
+  function contains(text, word) { return index(" " text " ", " " word " ") > 0 }
   function kind_of(text) {
     if (text ~ /^region /) return "a region"
     if (text ~ / grading /) return "a grading"
@@ -110,26 +110,26 @@ awk '
     return text ~ /^monitor +[^ ]+ +wall / ? "a wall" : "a particle"
   }
   function scene_line(text, place,  verb, i, m, all) {
-    if (text ~ /^ramp /) { found("In a stage", "ramp"); sub(/^ramp +/, "", text) }
-    verb = verb_of(text)
+    if (text ~ /^ramp /) { use("In a stage", "ramp"); sub(/^ramp +/, "", text) }
+    verb = statement_of(text)
     if (verb == "") return
-    found(place, verb)
+    use(place, verb)
     split(text, all, /[ \t]+/)
     if (verb == "monitor" || verb == "region") kind[all[2]] = kind_of(text)
     if (verb == "sweep" || verb == "let") swept = swept " " text
     if (verb == "normal" || verb == "shear") {
       m = split(text, all, /[ \t]+/)
-      if (all[2] !~ /^\$/) found("Laws", verb " " all[2])
+      if (all[2] !~ /^\$/) use("Laws", verb " " all[2])
       else chosen[verb] = 1
     }
     for (i = 1; i <= n; i++)
-      if (names[i] ~ / … / && parts[i] == "Clauses" && substr(names[i], 1, index(names[i], " …") - 1) == verb_kind(verb) && holds(text, substr(names[i], index(names[i], "… ") + 4)))
-        found(parts[i], names[i])
+      if (names[i] ~ / … / && parts[i] == "Clauses" && substr(names[i], 1, index(names[i], " …") - 1) == statement_kind(verb) && contains(text, substr(names[i], index(names[i], "… ") + 4)))
+        use(parts[i], names[i])
   }
-  function verb_kind(verb) { return verb ~ /^servo / ? "servo" : verb }
+  function statement_kind(verb) { return verb ~ /^servo / ? "servo" : verb }
   function expect_line(text, path,  i, all, word, of) {
     for (i = 1; i <= n; i++)
-      if (parts[i] == "Expectations" && holds(text, names[i])) found(parts[i], names[i])
+      if (parts[i] == "Expectations" && contains(text, names[i])) use(parts[i], names[i])
     if (text ~ /^reference /) return
     split(text, all, /[ \t]+/)
     word = all[1]
@@ -138,9 +138,9 @@ awk '
     sub(/\..*/, "", word)
     if (path) of = "a contact test"
     if (of == "") of = alone[word]
-    found(held, of ": " word)
+    use(checked, of ": " word)
   }
-  function look(file,  line, block, place, path, i) {
+  function read_page(file,  line, block, place, path, i) {
     page = file; sub(/.*\//, "", page); sub(/\.md$/, "", page); path_of[page] = substr(file, 7)
     swept = ""; delete chosen; delete kind; path = 0; place = "The scene"; block = ""
     while ((getline line < file) > 0) {
@@ -155,8 +155,8 @@ awk '
     }
     close(file)
     for (i = 1; i <= n; i++) # laws named by a sweep
-      if (parts[i] == "Laws" && (substr(names[i], 1, index(names[i], " ") - 1) in chosen) && holds(swept, substr(names[i], index(names[i], " ") + 1)))
-        found("Laws", names[i])
+      if (parts[i] == "Laws" && (substr(names[i], 1, index(names[i], " ") - 1) in chosen) && contains(swept, substr(names[i], index(names[i], " ") + 1)))
+        use("Laws", names[i])
   }
   function links(list,  m, all, k, text) {
     m = split(list, all, " ")
@@ -165,7 +165,7 @@ awk '
   }
   BEGIN {
     while ((("ls src/laws/normal_*.c src/laws/shear_*.c") | getline line) > 0) laws[++law_count] = line
-    held = "Quantities in expectations"
+    checked = "Quantities in expectations"
     word_rows()
     law_rows()
     kinds("Clauses", "damping", "stiffness r89-fraction ratio walls critical mass con1")
@@ -175,14 +175,14 @@ awk '
     kinds("Clauses", "snapshot", "from")
     kinds("Clauses", "units", "none")
     row("Expectations", "over"); row("Expectations", "of peak")
-    for (k = 1; k < ARGC; k++) look(ARGV[k])
-    split("The scene|In a stage|Contact test|Laws|Clauses|Expectations|" held, order, "|")
+    for (k = 1; k < ARGC; k++) read_page(ARGV[k])
+    split("The scene|In a stage|Contact test|Laws|Clauses|Expectations|" checked, order, "|")
     for (p = 1; p <= 7; p++) {
-      printf "\n### %s\n\n| | pages |\n| --- | --- |\n", order[p]
+      printf "\n### %s\n\n| feature | cases |\n| --- | --- |\n", order[p]
       for (i = 1; i <= n; i++) {
         if (parts[i] != order[p]) continue
         c = count[parts[i], names[i]] + 0
-        printf "| %s | %s |\n", names[i] ~ /: / ? names[i] : "`" names[i] "`", (c == 0 ? "none" : c > 12 ? c " pages" : links(pages[parts[i], names[i]]))
+        printf "| %s | %s |\n", names[i] ~ /: / ? names[i] : "`" names[i] "`", (c == 0 ? "none" : c > 12 ? c " cases" : links(pages[parts[i], names[i]]))
       }
     }
     exit
@@ -206,11 +206,11 @@ renew() {
   mkdir -p "$into/${readme%/*}"
   test -f "$into/$readme" && cmp -s "$work/README.md" "$into/$readme" || cp "$work/README.md" "$into/$readme"
 }
-whole() { chapters && tried && echo; }
+all_lists() { chapters && features && echo; }
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-renew cases/README.md whole
+renew cases/README.md all_lists
 for chapter in cases/[1-9]-*; do
   renew "$chapter/README.md" chapter_list "$chapter"
 done

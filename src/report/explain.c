@@ -169,7 +169,7 @@ static void explain_change(FILE *out, const struct nb_stage *stage, const struct
         out);
 }
 
-/* What stages change of the values of the pair, in the order of the run; false: out of memory. */
+/* The values of the pair that stages change, in the order of the run; false: out of memory. */
 static bool explain_changes(FILE *out, const struct nb_scene *scene, const struct nb_material_pair *material_pair) {
   struct nb_properties now = {0};
   if (!nb_properties_create(&now, scene))
@@ -362,8 +362,7 @@ static void explain_gain(FILE *out, const struct nb_model *model, const struct n
     fputs("B from the contacts' stiffness, T a wave's time across; there are no contacts yet\n", out);
 }
 
-/* Measured, not guessed: some cycles of a model of its own, at rest as the scene begins. Seconds a cycle; 0 and an error when
- * not even one could be made. */
+/* Measures the time of a cycle, s, with a few cycles of a second model. 0 and an error if no cycle could be run. */
 static double seconds_a_cycle(const struct nb_scene *scene, const struct nb_model *model, struct nb_error *error) {
   struct nb_model *trial =
       nb_model_create(scene, &(struct nb_options){.threads = model->machine.threads, .states = model->states}, error);

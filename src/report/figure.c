@@ -54,7 +54,7 @@ static void write_measures(FILE *out, const struct nb_page_run *run, const char 
     write_value(out, "reference_", run->solution.values[k].name, number, run->solution.values[k].value);
 }
 
-/* The datablock `$NAMENUMBER`, its rows copied by gnuplot: the script holds them once. */
+/* The data block `$NAMENUMBER`, copied by gnuplot so that the script has the rows only once. */
 static void copy_block(FILE *out, const char *name, const char *number) {
   fputs("set print $", out), write_name(out, name);
   fprintf(out, "%s\ndo for [nineball_row=1:|$", number), write_name(out, name);

@@ -27,7 +27,7 @@ void nb_preamble_write(FILE *out, const struct nb_outcome *outcome) {
     fprintf(out, "# incomplete: %s\n", outcome->error.text);
 }
 
-/* The swept values: "0.12 m/s" becomes 0.12 in the column v/(m/s). A sweep that --set reduces to one value keeps its column, because
+/* The swept values: "0.12 m/s" becomes 0.12 in the column v/(m/s). A sweep that --set reduces to one value keeps its column, since
  * figures use it. */
 static void write_swept_values(FILE *out, const struct nb_page_run *run, bool names) {
   for (size_t k = 0; k < run->scene.binding_count; k++) {
