@@ -49,8 +49,8 @@ enum nb_expectation_kind {
 struct nb_expectation {
   enum nb_expectation_kind kind;
   struct nb_measure measure;
-  struct nb_measure
-      other; /* NB_LESS, NB_GREATER: to compare with; NB_EXPECTED with `has_scale`: the number is a fraction of it */
+  /* NB_LESS, NB_GREATER: to compare with. NB_EXPECTED with `has_scale`: the number is a fraction of it. */
+  struct nb_measure other;
   bool has_scale;
   struct nb_tolerance tolerance;
   double number;             /* NB_EXPECTED: SI; NB_ORDER: the power */
@@ -90,8 +90,8 @@ struct nb_expectation_row {
 };
 const struct nb_expectation_row *nb_expectation_rows(void);
 struct nb_family;
-const struct nb_family *
-nb_expect_keywords(void); /* the statements of expect blocks: `reference NAME`, and all others */
+/* The statements of expect blocks: `reference NAME`, `report MEASURE`, and expectations. */
+const struct nb_family *nb_expect_keywords(void);
 
 /* Reads the expect blocks of the page for one run; empty if there are mistakes. The scene may have mistakes: names that they
  * leave undefined are not reported again. */

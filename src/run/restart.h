@@ -19,8 +19,8 @@ enum nb_status nb_start_obtain(struct nb_saved *saved, const struct nb_scene *sc
 /* A model of a scene that starts from a state; an error if that state does not exist. */
 struct nb_model *nb_start_model(const struct nb_scene *scene, const struct nb_options *options, struct nb_error *error);
 
-bool nb_start_is_ready(const struct nb_scene *scene,
-                       const struct nb_options *options); /* true also if the scene starts from no state */
+/* Whether that state exists, or the scene starts from none. */
+bool nb_start_is_ready(const struct nb_scene *scene, const struct nb_options *options);
 
 /* run.c: runs the scene and returns the state at the end of its last stage */
 enum nb_status nb_run_to(struct nb_saved *saved, const struct nb_scene *scene, const struct nb_options *options,

@@ -6,9 +6,8 @@
 
 #include "core/model.h"
 
-/* Both return false when out of memory. */
-bool nb_result_begin(struct nb_result *result,
-                     const struct nb_scene *scene); /* an empty table with the scene's columns */
+/* Begins an empty table with the columns of the scene, and adds rows to it. Both return false when out of memory. */
+bool nb_result_begin(struct nb_result *result, const struct nb_scene *scene);
 bool nb_result_add_row(struct nb_table *table, const struct nb_model *model, int stage);
 /* Contact fields that columns, conditions, servos and snapshots of the scene read, and what else they request: NB_REQUEST_ of
  * model.h. */
@@ -20,7 +19,6 @@ struct nb_reporter {
   double began, last_call; /* s */
 };
 struct nb_reporter nb_reporter_begin(const struct nb_progress *progress);
-void nb_reporter_update(struct nb_reporter *reporter, const char *stage,
-                        double fraction); /* at once, then not more than ten times a second */
+void nb_reporter_update(struct nb_reporter *reporter, const char *stage, double fraction);
 
 #endif
