@@ -68,7 +68,7 @@ struct run_progress {
 static void report_run_progress(void *data, const char *stage, double fraction, double seconds) {
   const struct run_progress *this = data;
   (void)seconds;
-#pragma omp critical(nb_outcome_tell)
+#pragma omp critical(nb_outcome_progress)
   {
     double sum = 0;
     char text[512];
@@ -81,12 +81,12 @@ static void report_run_progress(void *data, const char *stage, double fraction, 
   }
 }
 
-static void report_run_note(void *data, const char *words) {
+static void report_run_note(void *data, const char *message) {
   const struct run_progress *this = data;
   const char *label = this->outcome->runs[this->run].label;
   char text[1024];
-  snprintf(text, sizeof text, "%s%s%s", words, label[0] ? ", run " : "", label);
-#pragma omp critical(nb_outcome_tell)
+  snprintf(text, sizeof text, "%s%s%s", message, label[0] ? ", run " : "", label);
+#pragma omp critical(nb_outcome_progress)
   this->progress->note(this->progress->data, text);
 }
 

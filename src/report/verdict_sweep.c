@@ -98,7 +98,7 @@ struct group {
   const struct nb_outcome *outcome;
   size_t first, index; /* index of the first run, and of the expectation in it */
   const struct nb_expectation *e;
-  bool words; /* a value of the sweep is a word */
+  bool has_words; /* as values of the sweep */
 };
 
 /* Whether run r differs from run `as` only in these names. */
@@ -115,7 +115,7 @@ static const char *swept_text(const struct group *group, size_t r) {
 static bool is_before(const struct group *group, size_t a, size_t b) {
   const double x = binding_of(&group->outcome->runs[a], group->e->against)->value;
   const double y = binding_of(&group->outcome->runs[b], group->e->against)->value;
-  return group->words || x == y ? a < b : x < y;
+  return group->has_words || x == y ? a < b : x < y;
 }
 
 /* The run that follows run r in this order, or the first one for r = run_count; run_count after the last. */
@@ -300,7 +300,7 @@ void nb_check_sweep(struct nb_check *check, const struct nb_outcome *outcome, si
   const struct nb_expectation *e = &outcome->runs[first].expectations.list[index];
   struct group group = {check, outcome, first, index, e, false};
   for (size_t r = first; r < outcome->run_count && is_trend(e->kind); r++)
-    group.words = group.words || isnan(binding_of(&outcome->runs[r], e->against)->value);
+    group.has_words = group.has_words || isnan(binding_of(&outcome->runs[r], e->against)->value);
   if (e->sample[0])
     (e->kind == NB_EXPECTED ? check_position : check_differences)(&group);
   else

@@ -22,9 +22,9 @@
 
 /* Values at the beginning of a stage, from which ramps start, and whether the stage still changes something. */
 struct nb_changes {
-  bool changing, ramping_walls;    /* properties, laws or gravity change; velocities of walls ramp */
-  struct nb_pair *properties_from; /* per change; per wall motion */
-  struct nb_velocities *walls_from;
+  bool changing, ramping_walls;     /* properties, laws or gravity change; velocities of walls ramp */
+  struct nb_pair *properties_from;  /* per change */
+  struct nb_velocities *walls_from; /* per wall motion */
   struct nb_vec gravity_from;
   struct nb_central central_from;
 };
