@@ -203,11 +203,11 @@ said 'see nineball --help'
 run 2 check --threads many "$pages/passes.md"
 said 'found `many`'
 run 2 check --threads 0 "$pages/passes.md"
-said 'behind --threads'
+said 'after --threads'
 run 2 check --isa mmx "$pages/passes.md"
 said 'instruction set `mmx`'
 run 2 check --set v "$pages/passes.md"
-said 'expected NAME=VALUE behind --set, found `v`'
+said 'expected NAME=VALUE after --set, found `v`'
 run 2 run -o both "$pages/passes.md" "$pages/swept.md"
 said 'one page at a time'
 absent both
@@ -420,7 +420,7 @@ sed 's/^sweep.*/sweep v 0 0.01 0.02/; s/^cycles .*/until D.x above 1.02 at most 
 run 3 check ends.md --jobs 2 # the first run never ends, the others end late
 said 'D.x is 1 and should be above 1.02 (run v=0)'
 run 2 check "$pages/swept.md" --jobs 0
-said 'expected a number from 1 to 256 behind --jobs, found `0`'
+said 'expected a number from 1 to 256 after --jobs, found `0`'
 verdict '--jobs: parallel runs, the same rows, and the first aborted run is reported'
 
 # ---- failures of writing ----

@@ -305,7 +305,7 @@ static void explain_collision(FILE *out, const struct nb_model *model, const cha
     fprintf(out, "  collision: no pair approaches\n");
     return;
   }
-  fprintf(out, "  collision, Hertz: %g%s, %.3g steps; particle %d meets ", collision.duration, s,
+  fprintf(out, "  collision, Hertz: %g%s, %.3g steps; particle %d and ", collision.duration, s,
           collision.duration / model->step, model->particles.number[collision.a]);
   if (collision.wall)
     fprintf(out, "wall %s", model->scene->walls[collision.b].name);
@@ -343,7 +343,8 @@ static void explain_step(FILE *out, const struct nb_model *model) {
   const double smallest = nb_step_rayleigh(model, false, false), mean = nb_step_rayleigh(model, false, true);
   if (smallest < INFINITY)
     fprintf(out,
-            "  rayleigh, the time of a surface wave round half a sphere: smallest %g%s, mean %g%s; the step is %g and "
+            "  rayleigh, the travel time of a surface wave round half a sphere: smallest %g%s, mean %g%s; the step is "
+            "%g and "
             "%g of it\n",
             smallest, s, mean, s, model->step / smallest, model->step / mean);
 }
@@ -356,10 +357,10 @@ static void explain_gain(FILE *out, const struct nb_model *model, const struct n
   double b, t;
   fputs("    gain of the servo: rate = error/(2 B T), and the integral of the error over 16 T; ", out);
   if (nb_servo_scales(model, servo, &b, &t))
-    fprintf(out, "now B is %g%s, from the contacts' stiffness, and T %g%s, a wave's time across\n", b,
+    fprintf(out, "now the bulk stiffness B is %g%s, the travel time T of a wave across the assembly %g%s\n", b,
             unit(scene, " Pa"), t, unit(scene, " s"));
   else
-    fputs("B from the contacts' stiffness, T a wave's time across; there are no contacts yet\n", out);
+    fputs("B is the bulk stiffness, T the travel time of a wave across the assembly; no contacts yet\n", out);
 }
 
 /* Measures the time of a cycle, s, with a few cycles of a second model. 0 and an error if no cycle could be run. */

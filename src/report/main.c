@@ -154,11 +154,11 @@ static enum nb_status set_option(struct nb_call *call, const struct option_row *
     break;
   case NUMBER:
     if (!parse_number(at, value))
-      return usage("expected a number from 1 to 256 behind --%s, found `%s`", row->name, value);
+      return usage("expected a number from 1 to 256 after --%s, found `%s`", row->name, value);
     break;
   case SETTING:
     if (!strchr(value, '='))
-      return usage("expected NAME=VALUE behind --set, found `%s`", value);
+      return usage("expected NAME=VALUE after --set, found `%s`", value);
     call->settings[settings] = value;
     break;
   }
@@ -237,7 +237,7 @@ static enum nb_status execute(struct nb_call *call, int count, char **words) {
   if (call->help || !word) {
     char suggestion[NB_HINT_SIZE];
     print_help(call->help ? stdout : stderr);
-    if (word) /* it is a command; in a page it may be something else */
+    if (word) /* a command; the word may also be one of the page language */
       nb_manual_word(stdout, word, suggestion);
     return call->help ? NB_OK : NB_BAD_USE;
   }

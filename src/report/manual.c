@@ -130,7 +130,7 @@ static void statement(const struct manual *to, const struct nb_keyword *keyword)
   const bool both = keyword->where & NB_IN_SCENE && keyword->where & NB_IN_STAGE;
   const bool shared = keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_PATH | NB_IN_SEGMENT);
   snprintf(help, sizeof help, "%s%s%s%s", keyword->help, both ? " In the scene and in stages." : "",
-           keyword->where & NB_IN_RAMP ? " Also behind `ramp`." : "", shared ? " Also in a contact test." : "");
+           keyword->where & NB_IN_RAMP ? " Also after `ramp`." : "", shared ? " Also in a contact test." : "");
   item(to, keyword->word, syntax, help);
   if (!to->whole)
     return;
@@ -246,7 +246,8 @@ static void values(const struct manual *to) {
   snprintf(text, sizeof text,
            "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. Names are bare in it, and "
            "stand for what "
-           "`let` and `sweep` give them. There is `pi`, and there are the functions %s. What binds first stands first: "
+           "`let` and `sweep` give them. There is `pi`, and there are the functions %s. Operators, highest precedence "
+           "first: "
            "a unit; `^`, from right "
            "to left; a sign, so that -2^2 is -4; `*` and `/`; `+` and `-`. A number and a name side by side are no "
            "product: `2 N` is two "
@@ -276,11 +277,11 @@ static void grammar(const struct manual *to) {
             "is one line of words with spaces between; `#` begins a comment.");
   paragraph(to,
             "Below, CAPITALS stand for a value, `{...}` is optional, and `a|b` is one of the two. Clauses (a word and "
-            "its values) may stand in any order. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
+            "its values) may be in any order. `$NAME` is the value that `let` or `sweep` gives to NAME above.");
   snprintf(
       text, sizeof text,
       "A name is a letter, then letters, digits, `_` and `-`, less than %d in all. A number is decimal: `-1.5e3`. A "
-      "page may have %d MB, lines of %d bytes and %d words, %d runs, %d bodies, %d materials, and %d of each other "
+      "page may have %d MB, lines of %d bytes and %d words, %d runs, %d particles, %d materials, and %d of each other "
       "thing that has a name. All mistakes of a page are reported at once, each with its line, what was expected and, "
       "if a known word is similar, what was probably meant.",
       NB_NAME_SIZE, NB_PAGE_MAX >> 20, NB_LINE_MAX, NB_TOKENS_MAX - 1, NB_RUNS_MAX, NB_PARTICLES_MAX, NB_MATERIALS_MAX,
@@ -324,7 +325,7 @@ void nb_manual(FILE *out, bool markdown) {
 
 /* ---- one word ---- */
 
-/* Whether it is one of the words of a line of syntax: `ratio` of "damping {walls} stiffness TIME|ratio X". */
+/* Whether the word occurs in a line of syntax: `ratio` in "damping {walls} stiffness TIME|ratio X". */
 static bool has_word(const char *syntax, const char *word) {
   static const char between[] = " {}[]|";
   for (size_t length; *syntax; syntax += length + strspn(syntax + length, between)) {
@@ -335,7 +336,7 @@ static bool has_word(const char *syntax, const char *word) {
   return false;
 }
 
-/* Statements that begin with the word; of others that it is a part of the syntax, and what the part takes or what they do. */
+/* Statements that begin with the word. For statements with the word in their syntax: the syntax and the argument, or the help. */
 static bool find_statement(const struct manual *to, const char *word, struct nb_guess *guess) {
   const struct nb_family *const tables[] = {nb_keywords(), nb_expect_keywords()};
   const struct nb_keyword *row;
@@ -365,7 +366,7 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
   return found;
 }
 
-/* What may be expected of a measure, and how it is formed. */
+/* Expectations and reducers with the word in their syntax. */
 static bool find_expectation(const struct manual *to, const char *word, struct nb_guess *guess) {
   const struct manual brief = {to->out, false, false};
   bool found = false;
@@ -376,11 +377,11 @@ static bool find_expectation(const struct manual *to, const char *word, struct n
   }
   for (const struct nb_reducer_row *row = nb_reducer_rows(); row->word; row++)
     if (has_word(row->word, word))
-      part(to, row->word, "behind the quantity of an expectation", row->help), found = true;
+      part(to, row->word, "after the quantity of an expectation", row->help), found = true;
   return found;
 }
 
-/* `C.normal`, `normal` and `energy`: of whatever has a quantity that is called so, or begins so; also a part of one, `kinetic`. */
+/* Quantities of this name, `C.normal` or `normal`, or that begin with it, `energy`; if `part_of`, also `kinetic`. */
 static bool find_quantity(const struct manual *to, const char *word, struct nb_guess *guess, bool part_of) {
   struct nb_quantity_row row;
   const char *const dot = strchr(word, '.'), *const names[] = {word, dot ? dot + 1 : word};
@@ -402,7 +403,7 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
   return found;
 }
 
-/* A law, a function, a unit. */
+/* A function or constant of expressions, a law, a unit. */
 static bool find_name(const struct manual *to, const char *word, struct nb_guess *guess) {
   struct nb_unit unit;
   char kind[2 * NB_NAME_SIZE];
@@ -412,7 +413,7 @@ static bool find_name(const struct manual *to, const char *word, struct nb_guess
   for (const struct nb_law *const *law = nb_laws(); *law; law++) {
     nb_guess_offer(guess, (*law)->name);
     if (strcmp((*law)->name, word) == 0)
-      part(to, word, "a law behind `normal` or `shear`; see nineball laws", (*law)->title), found = true;
+      part(to, word, "a law after `normal` or `shear`; see nineball laws", (*law)->title), found = true;
   }
   if (nb_unit_read(&unit, word)) {
     nb_dimension_words(kind, sizeof kind, unit.dimension);
@@ -422,7 +423,7 @@ static bool find_name(const struct manual *to, const char *word, struct nb_guess
   return found;
 }
 
-/* Whatever the word is in a page. */
+/* All meanings of the word in a page. */
 static bool find(const struct manual *to, const char *word, struct nb_guess *guess) {
   static const struct {
     const char *word;

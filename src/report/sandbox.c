@@ -240,8 +240,8 @@ static bool prepare_bwrap(struct nb_confined *confined, const char **reason) {
 /* ---- choice of the method ---- */
 
 enum nb_status nb_confine_begin(struct nb_confined *confined, bool trust, struct nb_error *error) {
-  const char *choice = getenv("NINEBALL_CONFINE"), *landlock = "Landlock: not asked for",
-             *bwrap = "bwrap: not asked for";
+  const char *choice = getenv("NINEBALL_CONFINE"), *landlock = "Landlock: not requested",
+             *bwrap = "bwrap: not requested";
   confined->rules = -1;
   if (choice && strcmp(choice, "landlock") != 0 && strcmp(choice, "bwrap") != 0 && strcmp(choice, "none") != 0)
     return nb_error_set(error, NB_BAD_USE, "NINEBALL_CONFINE: expected landlock, bwrap or none, found `%.100s`",

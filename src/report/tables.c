@@ -131,12 +131,12 @@ void nb_values_write(FILE *out, const struct nb_outcome *outcome) {
     fprintf(out, "%zu", r + 1);
     for (size_t k = 0; k < all->count; k++) {
       struct nb_error error;
-      double seen;
+      double computed;
       if (!first_of_its_name(all, k))
         continue;
       const double *solution = nb_measure_solution(&all->list[k].measure, &run->solution);
-      nb_measure_value(&seen, &all->list[k].measure, &run->result.table, &error);
-      fprintf(out, "\t%.17g\t%.17g", seen, solution ? *solution : NAN);
+      nb_measure_value(&computed, &all->list[k].measure, &run->result.table, &error);
+      fprintf(out, "\t%.17g\t%.17g", computed, solution ? *solution : NAN);
     }
     fputc('\n', out);
   }
