@@ -20,14 +20,14 @@
 /* ---- the measure: QUANTITY {REDUCER} {in STAGE} ---- */
 
 static const struct nb_reducer_row reducers[] = {
-    {"last", NB_LAST, "the last row; also without any of these words"},
-    {"max", NB_MAX, "the largest"},
-    {"min", NB_MIN, "the smallest"},
+    {"last", NB_LAST, "the last row; the default"},
+    {"max", NB_MAX, "the largest value"},
+    {"min", NB_MIN, "the smallest value"},
     {"mean", NB_MEAN, "the mean of all rows"},
-    {"amplitude", NB_AMPLITUDE, "half of the largest less the smallest"},
-    {"frequency", NB_FREQUENCY, "upward crossings of its mean for each second, 1/s"},
+    {"amplitude", NB_AMPLITUDE, "half the difference between the largest and the smallest value"},
+    {"frequency", NB_FREQUENCY, "upward crossings of the mean per second, 1/s"},
     {"at N cycles", NB_AT_CYCLE,
-     "the row of that cycle, counted from the start of the run; of a contact test `at N steps`"},
+     "the row of that cycle, counted from the start of the run; in a contact test `at N steps`"},
     {"at TIME", NB_AT_TIME, "the value at that time, interpolated linearly between two rows"},
     {"in all", NB_LAST, "the rows of all stages"},
     {NULL, NB_LAST, NULL},
@@ -266,36 +266,36 @@ static bool take_order(struct nb_reader *reader, const struct nb_scene *scene, s
 static const struct nb_expectation_row rows[] = {
   {"within", NB_WITHIN, "MEASURE within TOLERANCE", take_within,
    "The computed value agrees with the reference; a residual should be 0. TOLERANCE: `0.1 %` or `10 ppm` of the reference, `2 nm` with "
-   "a unit, a bare `1e-12` of a quantity without unit, `1e-12 of energy.kinetic max` of another measure.",
+   "a unit, `1e-12` for a quantity without unit, or a fraction of another measure, `1e-12 of energy.kinetic max`.",
    "C.normal max in strike  within 0.1 %"},
   {"versus", NB_VERSUS, "QUANTITY versus COLUMN {in STAGE} within TOLERANCE", take_versus,
-   "The same for a curve, at every row. COLUMN is the independent variable of the reference. `0.5 % of peak`: of the largest "
-   "reference value.",
+   "A curve agrees with that of the reference at every row. COLUMN is the independent variable. `0.5 % of peak` is a fraction of the "
+   "largest reference value.",
    "C.normal versus time in strike  within 0.5 % of peak"},
   {"expected", NB_EXPECTED, "MEASURE expected NUMBER {of MEASURE} within TOLERANCE [SOURCE]", take_expected,
-   "The computed value agrees with NUMBER; SOURCE says where that comes from. With `of` it is a fraction of another measure. "
-   "`expected NUMBER over SAMPLE [SOURCE]` reports where NUMBER lies among the runs of the sweep SAMPLE, which are realizations of one "
-   "case; it is noted, and cannot fail.",
+   "The computed value agrees with NUMBER, which comes from SOURCE. With `of` NUMBER is a fraction of another measure. `expected NUMBER "
+   "over SAMPLE [SOURCE]` reports the percentile of NUMBER in the runs of the sweep SAMPLE, which are realizations of one case; it is "
+   "noted, and cannot fail.",
    "time at 0 cycles  expected 0 s within 0 s  [the clock starts]\n"
    "C.normal in part  expected 0 of C.normal max in strike within 0.01  [the discs separate]"},
-  {"below", NB_LESS, "MEASURE below MEASURE", take_other, "Compares two measures of the same run.",
+  {"below", NB_LESS, "MEASURE below MEASURE", take_other, "The first measure is less than the second one of the same run.",
    "C.overlap in part  below  C.overlap max in strike"},
-  {"above", NB_GREATER, "MEASURE above MEASURE", take_other, "Likewise.",
+  {"above", NB_GREATER, "MEASURE above MEASURE", take_other, "The first measure is greater than the second one of the same run.",
    "C.normal max in strike  above  C.normal mean in strike"},
   {"increases", NB_INCREASES, "MEASURE increases with NAME {over SAMPLE}", take_trend,
-   "NAME is a sweep: the measure increases from each of its values to the next larger one, while other sweeps keep theirs; words keep the "
-   "order of the sweep. With `over` the runs of "
-   "the sweep SAMPLE are realizations of one case: the mean of their differences is above 0 with 95 % confidence (Student).",
+   "The measure increases from each value of the sweep NAME to the next larger one, with all other swept values equal; words keep their "
+   "order in the sweep. With `over` the runs of the sweep SAMPLE are realizations of one case: the mean difference is above 0 with 95 % "
+   "confidence (Student).",
    "C.normal max in strike  increases with speed"},
-  {"decreases", NB_DECREASES, "MEASURE decreases with NAME {over SAMPLE}", take_trend, "Likewise.",
+  {"decreases", NB_DECREASES, "MEASURE decreases with NAME {over SAMPLE}", take_trend, "The same for a decrease.",
    "A.vx in strike  decreases with speed"},
   {"constant", NB_CONSTANT, "MEASURE constant with NAME {over SAMPLE} within TOLERANCE", take_constant,
-   "For all values of a sweep: the largest less the smallest is within TOLERANCE; a percentage is of their mean. With `over` the interval of "
-   "95 % confidence of every mean difference lies within.",
+   "The difference between the largest and the smallest value over the sweep NAME is within TOLERANCE; a percentage is of their mean. "
+   "With `over` the 95 % confidence interval of every mean difference lies within TOLERANCE.",
    "time at 100 cycles in strike  constant with speed within 1 ns"},
   {"order", NB_ORDER, "MEASURE order NUMBER in NAME within TOLERANCE", take_order,
-   "The error is proportional to this power of the swept NAME: the slope of the best straight line through log(error) against log(NAME). The "
-   "error is computed less reference; a residual is an error by itself.",
+   "The error is proportional to this power of the swept NAME: NUMBER is the slope of the least-squares line of log(error) against "
+   "log(NAME). The error is the computed value minus the reference; for a residual it is the value itself.",
    "C.normal max in strike  order 2 in speed  within 0.1"},
   {NULL, NB_WITHIN, NULL, NULL, NULL, NULL},
 };

@@ -360,7 +360,7 @@ static void explain_gain(FILE *out, const struct nb_model *model, const struct n
     fprintf(out, "now the bulk stiffness B is %g%s, the travel time T of a wave across the assembly %g%s\n", b,
             unit(scene, " Pa"), t, unit(scene, " s"));
   else
-    fputs("B is the bulk stiffness, T the travel time of a wave across the assembly; no contacts yet\n", out);
+    fputs("B is the bulk stiffness, T the travel time of a wave across the assembly; there are no contacts yet\n", out);
 }
 
 /* Measures the time of a cycle, s, with a few cycles of a second model. 0 and an error if no cycle could be run. */

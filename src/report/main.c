@@ -24,11 +24,11 @@ static const struct {
     {"figure", nb_command_figure, "PAGE… [-o FOLDER]", "run pages, draw their figures with gnuplot"},
     {"report", nb_command_report, "PAGE… [-o FOLDER]", "run pages, draw figures, write one HTML page about all"},
     {"explain", nb_command_explain, "PAGE…",
-     "the plan: passes and hooks, the lines that ask for them, the step, the cost"},
+     "print the plan: passes and hooks, the lines that request them, the step, the cost"},
     {"state", nb_command_state, "PAGE [-o FILE]", "run a page to the end of a stage, save its state in a file"},
     {"migrate", nb_command_migrate, "PAGE… [--in-place]", "rewrite pages of version 0.3 in the words of this one"},
-    {"laws", nb_command_laws, "", "the contact laws: equations, material parameters"},
-    {"list", nb_command_list, "", "the references; quantities are in nineball --help scene"},
+    {"laws", nb_command_laws, "", "list the contact laws: equations, material parameters"},
+    {"list", nb_command_list, "", "list the references"},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -46,19 +46,20 @@ static const struct option_row {
   const char *help;
 } options[] = {
     {"output", "FOLDER", 'o', TEXT, AT(folder), "run, figure, report, state",
-     "where files go (default: NAME.out; report: report); of `state` a FILE (NAME-STAGE.state)"},
+     "output folder (default: NAME.out; report: report); for `state` a FILE (NAME-STAGE.state)"},
     {"set", "NAME=VALUE", 0, SETTING, 0, ALL,
-     "instead of the page's `let` or `sweep` NAME; also normal, shear, step, and follow: a FILE with the segments of a "
+     "replaces the value of the page's `let` or `sweep` NAME; also normal, shear, step, and follow: a FILE with the "
+     "segments of a "
      "contact test"},
     {"stage", "NAME", 0, TEXT, AT(stage), "state", "the stage at whose end the state is taken (default: the last one)"},
     {"states", "FOLDER", 0, TEXT, AT(options.states), ALL,
-     "where saved states are, from which pages start (default: $NINEBALL_STATES, or states)"},
+     "folder of the saved states from which pages start (default: $NINEBALL_STATES, or states)"},
     {"jobs", "N", 0, NUMBER, AT(options.jobs), CHECKING,
-     "runs of a sweep at a time (default: the number of processors)"},
+     "runs of a sweep in parallel (default: the number of processors)"},
     {"threads", "N", 0, NUMBER, AT(options.threads), ALL,
      "threads of one run (default 1); the results do not depend on it"},
     {"isa", "NAME", 0, TEXT, AT(options.isa), ALL,
-     "instruction set: plain, avx2 or avx512 (default: the widest); the same"},
+     "instruction set: plain, avx2 or avx512 (default: the widest); the results do not depend on it"},
     {"trust", NULL, 0, FLAG, AT(trust), "figure, report",
      "draw even where gnuplot cannot be confined: for pages that you trust"},
     {"in-place", NULL, 0, FLAG, AT(in_place), "migrate", "write into the pages (default: to standard output)"},
