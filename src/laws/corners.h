@@ -1,10 +1,10 @@
-/* The path of approach and slip that the exact law keeps of a contact: corners, from inside to outside, and a straight piece from
- * each to the next. Symbols and units as in shear_mindlin_deresiewicz.c.
+/* The loading path (overlap against tangential displacement) that the exact law stores for a contact: corners, from the centre
+ * outwards, joined by straight pieces. Symbols and units as in shear_mindlin_deresiewicz.c.
  *
- * Where two pieces join, delta stays what it is at their ends, and u is wrong between them by a triangle. A wrong du(x) makes T wrong
- * by mu N Int du d2n, d2n = (3/4) x^(-1/2) dx^2, so the area of the triangle over x^(1/2) says what a joint costs. With no room left the
- * corner goes that costs least, the area that is wrong in its pieces already included; one beside it moves along u, so that T
- * is kept as well, and what is wrong stays within three pieces.
+ * Merging two pieces keeps delta at their outer ends and changes u between them by a triangle. An error du(x) changes T by
+ * mu N Int du d2n, d2n = (3/4) x^(-1/2) dx^2, so the cost of a merge is the area of the triangle over x^(1/2). When all pieces
+ * are in use, the corner with the lowest cost is removed; the cost includes the errors of earlier merges in its pieces. A
+ * neighbouring corner then moves along u so that T is kept too, and the error stays within three pieces.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CORNERS_H
@@ -12,21 +12,23 @@
 
 #include "law.h"
 
-/* Where piece k begins, and what it is. Behind the last piece its end: x and u; d and b as if it went on. */
+/* The begin of piece k, and its line. The entry after the last piece is its end: x and u, with d and b of that piece.
+ * */
 struct corner {
-  double x, u, d, b; /* on the piece u grows by d of each x, and t = b + d n */
-  double e;          /* twice the area between u and what it was before pieces joined; of old joints a share */
+  double x, u, d, b; /* on the piece u grows by d per unit of x, and t = b + d n */
+  double e;          /* twice the area between u and its value before merges; of older ones a fraction */
 };
 
-/* Can a path with |D| <= 1 go from (x0, u0) to (x, u)? */
+/* Whether a path with |D| <= 1 leads from (x0, u0) to (x, u). */
 static inline bool reachable(double x0, double u0, double x, double u) { return fabs(u - u0) <= x - x0; }
 
 static inline double n_of(double x) { return x * sqrt(x); }
 
-/* Twice the area of the triangle by which u changes when the joint of two pieces goes, x1 and x2 their spans: its height times x1 + x2. */
+/* Twice the area of the triangle that a merge of two pieces with spans x1 and x2 adds to u: its height times x1 + x2.
+ * */
 static inline double kink(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
 
-/* Int t du over a piece. */
+/* Int t du over a piece; stored_energy sums it over all pieces. */
 static inline double piece_energy(const struct corner *piece) {
   const double x0 = piece->x, x1 = piece[1].x;
   return piece->d * (piece->b * (x1 - x0) + 0.4 * piece->d * (x1 * n_of(x1) - x0 * n_of(x0)));
@@ -38,27 +40,28 @@ static inline double stored_energy(const struct corner at[], int pieces) {
   return sum;
 }
 
-/* The mean of n over the overlaps from x0 to x1: 0.4 (x1^(5/2) - x0^(5/2))/(x1 - x0), without the difference. */
+/* The mean of n over overlaps from x0 to x1, 0.4 (x1^(5/2) - x0^(5/2))/(x1 - x0), without cancellation. */
 static inline double mean_n(double x0, double x1) {
   const double a = sqrt(x0), b = sqrt(x1), sum = a + b;
   return sum > 0 ? 0.4 * ((a * a + b * b) * (a * a + a * b + b * b) - x0 * x1) / sum : 0;
 }
 
-/* Int n(x) - n(y) - n'(y)(x - y) dy over rings that the front passes inwards, from y1, at the overlap x1, to y0, at x0: what they lose. */
+/* The energy lost in rings that the slip front passes on its way inwards from y1, at the overlap x1, to y0, at x0:
+ * Int n(x) - n(y) - n'(y)(x - y) dy. */
 static inline double front_loss(double y0, double x0, double y1, double x1) {
   const double slope = (x1 - x0) / (y1 - y0), foot = x0 - slope * y0; /* x = foot + slope y */
   const double n0 = n_of(y0), n1 = n_of(y1);
   return mean_n(x0, x1) * (y1 - y0) - foot * (n1 - n0) + (0.2 - 0.6 * slope) * (n1 * y1 - n0 * y0);
 }
 
-/* A row: how many pieces, mu kappa, and the corners. */
+/* A row holds the number of pieces, mu kappa, and the corners. */
 enum { HEAD = 2 };
 static inline int corners_used(const double m[]) { return HEAD + 5 * ((int)m[0] + 1); }
 
-/* By how much |D|, 1, may exceed 1: a slope is the quotient of two differences of sums, each rounded. */
+/* Excess of |D| over 1 that rounding may cause: a slope is a quotient of differences of sums. */
 static const double slope_rounding = 1e-9;
 
-/* Corners from inside to outside, and no ring that carries more than its friction, up to rounding. */
+/* Whether a row is consistent: corners in ascending order, and no ring beyond its friction limit, up to rounding. */
 static inline bool corners_valid(const double m[], int doubles, int max_pieces) {
   const struct corner *at = (const struct corner *)(m + HEAD);
   bool is = doubles > HEAD && m[0] >= 1 && m[0] <= max_pieces && m[0] == floor(m[0]) && m[1] > 0;
@@ -68,7 +71,7 @@ static inline bool corners_valid(const double m[], int doubles, int max_pieces) 
   return is;
 }
 
-/* Corner k goes, and one piece lies where two were; answers what t behind them grows by. */
+/* Removes corner k by merging its two pieces. Returns the change of t behind them. */
 static inline double merge(struct corner at[], int k, int pieces) {
   const struct corner one = at[k - 1], two = at[k], end = at[k + 1];
   const double x1 = two.x - one.x, x2 = end.x - two.x, d = (end.u - one.u) / (x1 + x2);
@@ -79,7 +82,8 @@ static inline double merge(struct corner at[], int k, int pieces) {
   return at[k - 1].b - two.b + (d - two.d) * n_of(end.x);
 }
 
-/* Moves corner k along u, so that t behind piece k grows by `more`; false if a ring would carry more than its friction then. */
+/* Moves corner k along u so that t behind piece k grows by `more`. False, without a change, if a ring would exceed
+ * its friction limit. */
 static inline bool shift_corner(struct corner at[], int k, double more) {
   const double x1 = at[k].x - at[k - 1].x, x2 = at[k + 1].x - at[k].x;
   const double n0 = n_of(at[k - 1].x), n1 = n_of(at[k].x), n2 = n_of(at[k + 1].x);
@@ -92,9 +96,10 @@ static inline bool shift_corner(struct corner at[], int k, double more) {
   return true;
 }
 
-/* Of the corners between pieces the one goes that costs least, and one beside it moves, so that neither delta nor T changes. What was
- * wrong before counts three quarters at each joint: as much as all of it keeps corners among old pieces that new ones want, none of it
- * joins the same ones again and again; with 64 pieces ring-downs come back with up to 2.3e-4 and 4e-4 mu N wrong then. */
+/* Removes the corner with the lowest cost and moves a neighbour, so that delta and T keep their values. Earlier
+ * errors count three quarters at each merge. Counting all of them keeps corners among old pieces where new ones need
+ * them; counting none merges the same pieces again and again. With 64 pieces those choices give errors of 2.3e-4 and
+ * 4e-4 mu N in decaying oscillations. */
 static NB_COLD void drop_corner(struct corner at[], int pieces) {
   int k = 1;
   double lowest = INFINITY;

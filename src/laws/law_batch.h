@@ -1,27 +1,27 @@
-/* A law over a block, for each instruction set, and its row in the register. Included by the last line of a law's file, which
- * says before:
+/* The loop of a law over a block, for each instruction set, and its entry in the register. The last line of a law's file includes
+ * this file, after the definitions
  *
- *   #define LAW     shear_linear            its function, and its file's name
- *   #define SHEAR   or  #define NORMAL      which of the two shapes it has
+ *   #define LAW     shear_linear            its function, and the name of its file
+ *   #define SHEAR   or  #define NORMAL      the kind of law
  *   #define TITLE   "..."                   one line
  *   #define SOURCE  "[CS79 17-19]"          where the equations come from
- *   #define PARAMETERS "ks, friction"       of the materials, on which its force depends; young and poisson give E* and G*
- *   #define MEMORY  1                       doubles it remembers per contact
- *   #define PIECE   4, #define PIECES  16   and so many more for each piece of its history, of which so many (optional)
- *   #define NEEDS   NB_BIT(NB_CLOSING)      fields it reads besides the ones every law is given (optional)
+ *   #define PARAMETERS "ks, friction"       material properties that its force depends on; young and poisson give E* and G*
+ *   #define HISTORY 1                       doubles of history per contact
+ *   #define PIECE   4, #define PIECES  16   additional doubles for each piece of the history, and the number of pieces (optional)
+ *   #define NEEDS   NB_BIT(NB_NORMAL_INCREMENT)   fields that it reads besides those every law gets (optional)
  *   #define STORED  shear_linear_stored     its elastic energy (optional)
- *   #define ELASTIC                         it is of elastic spheres: p.young, p.shear and p.radius (optional)
- *   #define LOSES                           it says what micro-slip loses (optional)
- *   #define COHESIONLESS                    it knows no cohesion (optional)
- *   #define AHEAD     ..._ahead             fetches what of a row it will need soon (optional)
- *   #define USED  ..._used                  tells how many doubles of its row mean something (optional)
- *   #define VALID ..._valid                 tells whether doubles from a file can be its row (optional)
- *   #define PIECES_OF  ..._pieces           tells the pieces of its history (optional)
- *   #define STAGED                          it is three functions, see law_stages.h (optional; elastic shear laws with rows)
- *   #define BRANCHING, GAINS, INCREMENTAL   (optional, see law.h)
+ *   #define ELASTIC                         for elastic spheres: p.young, p.shear and p.radius (optional)
+ *   #define DISSIPATIVE                     returns the energy lost to micro-slip (optional)
+ *   #define COHESIONLESS                    does not support cohesion (optional)
+ *   #define PREFETCH  ..._prefetch          prefetches the part of a row that it will read (optional)
+ *   #define USED  ..._used                  returns the number of doubles in use in a row (optional)
+ *   #define VALID ..._valid                 tells whether doubles from a file are a valid row (optional)
+ *   #define PIECES_OF  ..._pieces           returns the pieces of its history (optional)
+ *   #define STAGED                          split into three functions, see law_stages.h (optional; elastic shear laws with rows)
+ *   #define BRANCHING, NON_CONSERVATIVE, INCREMENTAL   (optional, see law.h)
  *
- * A law that remembers more than four doubles finds m[0] = 0 when it remembers nothing, and the rest as it may be; it is not
- * called where nothing touches.
+ * A law with more than four doubles of history finds m[0] = 0 when the history is empty; the others are then undefined. Such a
+ * law is not called without contact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
@@ -52,10 +52,11 @@
 #ifdef STAGED
 #include "law_stages.h"
 #else
-/* `counts`: what is lost is told. Two loops, since few ask for it, and a law may have to work for it. */
+/* `counts`: stores the energy lost. A second loop, because few runs need it and it may be expensive. */
 static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
   (void)counts;
-  const struct nb_pair pair = *(const struct nb_pair *)block->material_pair; /* a pairing begins with its constants */
+  const struct nb_pair pair =
+      *(const struct nb_pair *)block->material_pair; /* a material pair begins with its parameters */
   const double *overlap = block->f[NB_OVERLAP];
 #ifdef ELASTIC
   const double *reduced = block->f[NB_REDUCED];
@@ -98,7 +99,7 @@ static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
     m[0] = HISTORY > 0 ? m0[c] : 0, m[1] = HISTORY > 1 ? m1[c] : 0, m[2] = HISTORY > 2 ? m2[c] : 0,
     m[3] = HISTORY > 3 ? m3[c] : 0;
 #endif
-    const bool touching = overlap[c] > 0; /* what is remembered ends with the contact */
+    const bool touching = overlap[c] > 0; /* the history ends with the contact */
 #if LAW_ROWS
     if (!touching)
       m[0] = 0;

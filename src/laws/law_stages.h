@@ -1,16 +1,16 @@
-/* The loop of a law in three, for one that remembers a row of each contact and has far to go from there to the force: to look
- * into the row and to write into it take branches, what lies between does not. Each is a loop of its own, over as many contacts as
- * stay in the first-level cache with their rows, so that the one between is wide and the others wait for nothing. The law says
+/* The loop of a law in three stages, for a law with a long row of history per contact. Reading and writing the row needs
+ * branches, the computation between does not. Each stage is a loop over as many contacts as fit into the first-level cache with
+ * their rows, so that the middle loop vectorises and the others do not wait for it. The law's file defines
  *
  *   #define STAGED
- *   #define FOUND   struct found            of doubles: what it has found in the row
- *   #define SOLVED  struct leg              of doubles: what has come of it
+ *   #define FETCHED  struct fetched         of doubles: what the first stage reads from the row
+ *   #define SOLVED   struct piece           of doubles: the result of the second stage
  *
- *   FOUND           LAW_look(p, n, m)
- *   struct nb_shear LAW_solve(p, n, slip, found, &solved)               straight-line: law.h; never says that it slides
- *   void            LAW_settle(p, n, slip, m, solved, &out, counts)     may say so, and another force; counts: what is lost as well
+ *   FETCHED         LAW_fetch(p, n, m)
+ *   struct nb_shear LAW_solve(p, n, ds, fetched, &solved)               straight-line, see law.h; does not set `sliding`
+ *   void            LAW_store(p, n, ds, m, solved, &out, counts)        may set it, and replace the force; counts: the energy lost too
  *
- * and has no function of its own name, which is the three one after the other.
+ * and no function LAW, which is the three in sequence.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 
@@ -25,9 +25,9 @@ static struct nb_shear LAW(struct nb_pair p, struct nb_normal n, double ds, doub
   return out;
 }
 
-/* A struct of doubles is an array of each in a block, so that the loop between is wide. */
+/* In a block, a struct of doubles is stored as one array per member, so that the middle loop vectorises. */
 enum {
-  LAW_STAGE = 32, /* contacts; more of them do not stay in the first-level cache */
+  LAW_STAGE = 32, /* contacts; more would not fit into the first-level cache */
   LAW_FETCHED = sizeof(FETCHED) / sizeof(double),
   LAW_SOLVED = sizeof(SOLVED) / sizeof(double)
 };
@@ -41,7 +41,8 @@ union law_solved {
 };
 
 static inline NB_FORM void LAW_LOOP(const struct nb_block *block, bool counts) {
-  const struct nb_pair pair = *(const struct nb_pair *)block->material_pair; /* a pairing begins with its constants */
+  const struct nb_pair pair =
+      *(const struct nb_pair *)block->material_pair; /* a material pair begins with its parameters */
   const double *overlap = block->f[NB_OVERLAP], *reduced = block->f[NB_REDUCED],
                *ds = block->f[NB_TANGENTIAL_INCREMENT];
   const double *normal = block->f[NB_NORMAL], *normal_stiffness = block->f[NB_STIFFNESS], *radius = block->f[NB_RADIUS];

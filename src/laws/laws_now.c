@@ -1,7 +1,7 @@
-/* Which laws contacts follow: those of the scene, until a stage says others.
+/* The current contact laws: those of the scene, until a stage changes them.
  *
- * Another law begins with contacts of which it remembers nothing: what the old one knew of them means nothing to it. The same law
- * with room for another number of pieces is another one. A law that is said again as it is goes on.
+ * A new law starts with an empty contact history, because it cannot interpret that of another law. A different number of
+ * pieces counts as a new law. A law that a stage repeats unchanged keeps its history.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -40,7 +40,7 @@ bool nb_laws_shear(const struct nb_scene *scene) {
   return shear;
 }
 
-/* Contacts that had no friction and no cohesion may get them from a stage. */
+/* A stage may give friction or cohesion to contacts that had none. */
 static bool friction_later(const struct nb_scene *scene) {
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].change_count; k++)

@@ -1,24 +1,24 @@
-/* Hertz's contact as R89 coded it, by increments:         N <- N + 2 E* a dn,      a = (3 N R* / 4 E*)^(1/3)
+/* Hertz's contact as R89 coded it, in increments:         N <- N + 2 E* a dn,      a = (3 N R* / 4 E*)^(1/3)
  *
- *   dn      approach over this step, m; of a step in which they came to touch, the share behind the touch
- *   a       radius of the contact circle, m, of the force before the step: forward Euler in N(alpha)
+ *   dn      approach in this step, m; in the step of first touch only the part after the touch
+ *   a       radius of the contact circle, m, from the force before the step: forward Euler in N(alpha)
  *   E*, R*  as in normal_hertz.c
  *
- * Where there was no force there is no radius, and the first one is  N = (4/3) E* (R* dn^3)^(1/2)  [R89 4.11].
+ * Without a previous force there is no radius, and the first force is  N = (4/3) E* (R* dn^3)^(1/2)  [R89 4.11].
  *
- * Source     [R89 4.11, 4.12, 4.14]. The stiffness answered is that of the step to come, 2 E* a with the a of now; R89's dashpot
- *            [R89 4.13] has the a before it, which is the same to first order.
- * Order      first, and always to one side: dn at the old radius is too little while N grows and too much while it falls. A blow
- *            comes back with 0.971, 0.975 and 0.978 of its speed at 30, 35 and 40 steps a contact (cases/2-hertz/hertz-increment.md), and the force is
- *            gone before the overlap is, at a tenth of the largest one.
- * Parting    when N <= 0, and then "the contact data is set to zero" (4.3.1): N, a, and with them what a shear law
- *            remembers. The outlines may still overlap; R89's [4.11] would then want the root of a negative number. Read here:
- *            no force while they go apart, and a first touch anew, by 4.11, should they come closer before they have parted. An overlap that is
- *            there at time 0 has never been an increment, and presses with nothing.
+ * Source     [R89 4.11, 4.12, 4.14]. The returned stiffness 2 E* a is that of the next step, with the new a; R89's dashpot
+ *            [R89 4.13] uses the a before the step, which is equal to first order.
+ * Order      first, with an error of one sign: dn at the old radius is too little while N grows and too much while it falls. An impact
+ *            rebounds with 0.971, 0.975 and 0.978 of its speed at 30, 35 and 40 steps per collision
+ *            (cases/2-hertz/hertz-increment.md), and the force ends while a tenth of the largest overlap is left.
+ * Separation when N <= 0, and then "the contact data is set to zero" (4.3.1): N, a, and the history of the shear law. The
+ *            particles may still overlap; R89's [4.11] would then need the root of a negative number. Interpretation here: no
+ *            force while they separate, and a new first touch, by 4.11, if they approach again before the overlap has ended. An
+ *            overlap at time 0 was never an increment and causes no force.
  * Range      as normal_hertz.c.
- * Remembers  m[0]  N, N.
- * Stores     (2/5) N a^2/R*, the work of Hertz's contact under that N. A step never gives back more than it takes from there: with
- *            the mean of N over the step the work is more than that by a term of second order, going in and coming out.
+ * History    m[0]  N, N.
+ * Stores     (2/5) N a^2/R*, the energy of Hertz's contact at the force N. No step returns more energy than it takes from the store:
+ *            with the mean of N over the step the work exceeds the stored energy by a second-order term, on loading and unloading.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

@@ -1,13 +1,12 @@
 /* The linear spring:                                      F_n = k_n alpha
  *
- *   alpha   overlap of the two outlines, m, >= 0
+ *   alpha   overlap, m, >= 0
  *   k_n     normal stiffness of the pair, N/m
  *
- * Source     [CS79 16, 18], which add dF_n = k_n dn step by step. This is their sum: while the direction of the contact is
- *            fixed the two agree to rounding, and the sum leaves nothing behind when the discs part, as increments along a
- *            turning direction do.
- * Range      any overlap; the paper asks for overlaps small beside the discs.
- * Remembers  nothing.
+ * Source     [CS79 16, 18], which add dF_n = k_n dn in each step. This is their sum. For a contact of constant direction the two
+ *            agree to rounding; with a rotating direction the increments leave a force behind when the discs separate, the sum does not.
+ * Range      any overlap; the paper requires overlaps that are small compared with the discs.
+ * History    none.
  * Stores     F_n^2 / (2 k_n).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -1,4 +1,4 @@
-/* Materials and pairs as they are now: the scene's at time 0, and what stages have made of them since.
+/* The current materials and pairs: those of the scene at time 0, with the changes of stages since.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 
 #include "laws_now.h"
 
-/* Two springs in series, each half of the contact: 2ab/(a+b), which is k between like ones. A stiffness of 0 wins. */
+/* Two springs in series, each half of the contact: 2ab/(a+b), which is k for equal ones and 0 if one is 0. */
 static double series(double a, double b) { return a == b ? a : 2 * a * b / (a + b); }
 
 static double smaller(double a, double b) { return a < b ? a : b; }
@@ -18,7 +18,7 @@ static bool is_of(const struct nb_pair_rule *rule, int a, int b) {
   return (rule->a == a && rule->b == b) || (rule->a == b && rule->b == a);
 }
 
-/* The number of `rule` where it says one, else that of the rule for all pairs. */
+/* The value of a rule where it has one, otherwise the combined value. */
 static double given(double number, double otherwise) { return isnan(number) ? otherwise : number; }
 
 static struct nb_pair pair_of(const struct nb_material *materials, const struct nb_pair_rule *rules, size_t rule_count,
@@ -29,7 +29,7 @@ static struct nb_pair pair_of(const struct nb_material *materials, const struct 
       NB_PAIR_ROWS(ROW)
 #undef ROW
   };
-  if (a->young > 0 && b->young > 0) { /* 1/infinity is 0: what is rigid gives nothing */
+  if (a->young > 0 && b->young > 0) { /* 1/infinity is 0: a rigid material adds no compliance */
     pair.young = 1 / ((1 - a->poisson * a->poisson) / a->young + (1 - b->poisson * b->poisson) / b->young);
     pair.shear = 1 / (shear_yield(a) + shear_yield(b));
   }
@@ -87,7 +87,7 @@ struct nb_pair nb_properties_before(const struct nb_properties *now, const struc
 #undef ROW
 }
 
-/* The rule of a pair, a new one that says nothing yet when there was none; create made room for all that may come. */
+/* The rule of a pair; a new one without values if there was none. `create` has reserved capacity for all stages. */
 static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
   for (size_t i = 0; i < now->rule_count; i++)
     if (is_of(&now->rules[i], a, b))
@@ -99,7 +99,7 @@ static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
   return rule;
 }
 
-/* `share` of the way; all of it is the very number that the page says. */
+/* At fraction 1 the value is exactly the page's number. */
 static void interpolate(double *value, double from, double to, double fraction) {
   if (!isnan(to))
     *value = fraction < 1 ? from + (to - from) * fraction : to;

@@ -1,4 +1,4 @@
-/* What shear_randall.c and shear_randall_literal.c share: the increment and the share of the circle that sticks.
+/* Functions that shear_randall.c and shear_randall_literal.c share: the increment and the sticking fraction of the radius.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_RANDALL_H
@@ -9,9 +9,9 @@
 
 #include "law.h"
 
-/* x^(1/3), within two units of the last place. From + - x / alone, so its bits are the same everywhere; those of the library's
- * cbrt are not, as it need not round correctly. A guess by the exponent, off by 3 % at most; Halley's step makes of an error
- * e one of (2/3) e^3. */
+/* x^(1/3), within two units of the last place. It uses only + - x / and is the same on all machines; library
+ * functions cbrt round differently. The start value, from the exponent, is off by at most 3 %; Halley's step turns a
+ * relative error e into (2/3) e^3. */
 static inline double cube_root(double x) {
   const double size = fabs(x);
   uint64_t bits;
@@ -24,16 +24,17 @@ static inline double cube_root(double x) {
   return size > 0 ? copysign(y, x) : 0;
 }
 
-/* x CDF or x UFL, of which either is -1 where it is turned, else 1. */
+/* x CDF or x UFL; `back`: that factor is -1. */
 static inline double flip_if(bool back, double x) { return back ? -x : x; }
 
-/* theta = c/a, c the front of slip, for which T has changed by `force` since it began to go this way: [R89 4.22] from T = 0,
- * times 1; [R89 4.23, 4.24] from a reversal, times 2. Forces are those before the step, limit = mu N the one after it. */
+/* theta = c/a, c the radius of the sticking region, for a change of T by `force` since the last reversal: [R89 4.22]
+ * from T = 0, times 1; [R89 4.23, 4.24] from a reversal, times 2. Forces are those before the step, limit = mu N after
+ * it. */
 static inline double stuck_fraction(double force, double times, double rise, double limit) {
   return cube_root(1 - (force + times * rise) / (times * limit));
 }
 
-/* dT [R89 4.15], which is [R89 3.94]: push = 8 G* a ds, drift = CDF UFL mu dN, and CDF CDF = 1. */
+/* dT [R89 4.15], which is [R89 3.94]: elastic = 8 G* a ds, frictional = CDF UFL mu dN, and CDF CDF = 1. */
 static inline double increment(double theta, double elastic, double frictional) {
   return theta * (elastic - frictional) + frictional;
 }

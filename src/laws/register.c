@@ -1,4 +1,4 @@
-/* The register of laws: LAWS in Makefile.am becomes laws-register.h, one line NB_LAW(normal_linear) each.
+/* The register of laws. The build makes laws-register.h from LAWS in build-aux/lists.mk, one line NB_LAW(normal_linear) for each.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

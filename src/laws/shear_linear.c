@@ -1,14 +1,14 @@
-/* The linear spring with a slider:                        F_s <- F_s + k_s ds,  cut at  |F_s| <= F_n tan(phi) + c
+/* The linear spring with a slider:                        F_s <- F_s + k_s ds,  limited to  |F_s| <= F_n tan(phi) + c
  *
- *   ds        slip over this step, m, positive when the first body moves along t past the second [CS79 13, 15]
+ *   ds        tangential increment of this step, m, positive when the first particle moves along t past the second [CS79 13, 15]
  *   k_s       shear stiffness of the pair, N/m
  *   tan(phi)  the smaller friction of the two materials, 1
- *   c         the smaller cohesion, N; it lets a contact that is pressed carry shear, it pulls nothing together
+ *   c         the smaller cohesion, N; it increases the shear limit of a compressed contact and causes no attraction
  *   F_n       the elastic normal force, without dashpots
  *
- * Source     [CS79 17-19]. The sign is kept when the force is cut.
+ * Source     [CS79 17-19]. The limit keeps the sign of the force.
  * Range      any.
- * Remembers  m[0]  F_s, N.
+ * History    m[0]  F_s, N.
  * Stores     F_s^2 / (2 k_s).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -17,7 +17,7 @@
 static inline struct nb_shear shear_linear(struct nb_pair p, struct nb_normal n, double ds, double m[]) {
   const bool touching = n.stiffness > 0;
   const double limit = n.force * p.friction + p.cohesion;
-  const double trial = touching ? m[0] + p.ks * ds : 0; /* what does not touch does not slide either */
+  const double trial = touching ? m[0] + p.ks * ds : 0; /* without contact there is no sliding */
   const double size = fabs(trial);
   m[0] = copysign(size > limit ? limit : size, trial);
   return (struct nb_shear){

@@ -1,19 +1,20 @@
-/* Elastic spheres that do not slip but as a whole:        T <- T + 8 G* a ds,  cut at  |T| <= mu N + c
+/* Elastic spheres without micro-slip:        T <- T + 8 G* a ds,  limited to  |T| <= mu N + c
  *
- *   ds   slip over this step, m, as in shear_linear.c
- *   a    radius of the contact circle, m, the one at the end of the step
+ *   ds   tangential increment of this step, m, as in shear_linear.c
+ *   a    radius of the contact circle at the end of the step, m
  *   G*   1/G* = (2 - nu_x)/G_x + (2 - nu_y)/G_y, Pa [R89 4.8-4.10]
  *   mu   the smaller friction, 1;  c the smaller cohesion, N
  *   N    the elastic normal force, without dashpots
  *
- * Source     the stiffness of a contact that sticks all over [R89 3.27; 3.94 with theta = 1], and Coulomb's limit for the whole of
- *            it. In wide use; what it leaves out is the slip that begins at the edge.
- * Order      exact at constant N. While N changes the radius at the end of the step, not the mean one, makes it first order in
- *            the step: T is off by half a step of  8 G* Int (da/dt) ds.
+ * Source     the stiffness of a contact that sticks everywhere [R89 3.27; 3.94 with theta = 1], with Coulomb's limit for the whole
+ *            contact. In wide use; it neglects the slip that begins at the edge.
+ * Order      exact at constant N. While N changes, using the radius at the end of the step makes it first order in the step:
+ *            T is off by half a step of  8 G* Int (da/dt) ds.
  * Range      as normal_hertz.c.
- * Remembers  m[0]  T, N.
- * Gains      T is kept when N falls, as if the part of the circle that is gone still held it: around a closed square in (N, ds),
- *            up to a2, out by s, down to a1, back by s, the work is  -4 G* (a2 - a1) s^2  (cases/4-oblique/closed-squares.md). So it has no stored energy.
+ * History    m[0]  T, N.
+ * Creates    energy, because T is kept when N falls, although a part of the contact area that carried it has separated. Around a
+ *            closed square in (N, ds), up to a2, out by s, down to a1, back by s, the work is  -4 G* (a2 - a1) s^2
+ *            (cases/4-oblique/closed-squares.md). So it has no stored energy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

@@ -1,41 +1,43 @@
-/* The exact law of Cattaneo and Mindlin under any history of approach and slip:
+/* The exact law of Cattaneo and Mindlin for any loading path:
  *
  *   T = mu Int_0^alpha D dN(x),      delta = mu kappa Int_0^alpha D dx,      -1 <= D(x) <= 1,      kappa = E* / 4 G*
  *
- *   alpha, N  overlap, m, and Hertz's force at it, N(x) = N (x/alpha)^(3/2); alpha = a^2/R*, what belongs to the force
- *   delta     tangential displacement since nothing slid as a whole, m;  T  the force that it makes, N
- *   D(x)      what the ring that grew at the overlap x carries, 1: a share of its friction; 1 or -1 where it has slipped
+ *   alpha, N  overlap, m, and Hertz's force at it, N(x) = N (x/alpha)^(3/2); alpha = a^2/R*, the overlap of the force
+ *   delta     tangential displacement since the last gross sliding, m;  T  its force, N
+ *   D(x)      of the ring that joined the contact at the overlap x: its traction as a fraction of the friction limit; 1 or -1 where
+ *             it has slipped
  *   mu        the smaller friction of the two materials, 1
  *
- * D is piecewise constant: delta(x) = mu kappa Int_0^x D is a path of straight pieces with corners, the path of approach and slip
- * that would make the contact. One step, to alpha and delta: of the corners those go from which no path with |D| <= 1 leads there, which
+ * D is piecewise constant: delta(x) = mu kappa Int_0^x D is a polygonal path, the shortest loading path that leads to the present state
+ * of the contact. A step to a new alpha and delta keeps those corners k from which a path with |D| <= 1 leads there:
  *
  *   |delta - delta_k| <= mu kappa (alpha - x_k)
  *
- * says. If the last one stays, a new ring sticks, with D = d(delta)/(mu kappa d(alpha)). If an inner one does, the path goes on from
- * there on its old piece up to the front c, and from c to alpha with D = s, s = 1 or -1, which has slipped. If none stays, not
- * the one at 0 either, the contact slides. No step size enters: a step is exact where (alpha, delta) moves on a straight line,
- * and on a path of as many legs as there is room for pieces.
+ * If the last corner is kept, a new ring sticks, with D = d(delta)/(mu kappa d(alpha)). If an inner one is the last kept, the path
+ * continues from it on its old piece up to the slip front c, and from c to alpha with D = s, s = 1 or -1: those rings have
+ * slipped. If none is kept, not even the one at 0, the contact slides. The result does not depend on the step size: a
+ * step is exact where (alpha, delta) moves on a straight line, and so is a path of as many segments as there are pieces.
  *
- * A piece that makes delta(x) wrong by less than 1e-7 mu kappa alpha joins the one before it, keeping delta. With no room left two
- * others join (corners.h). On contacts that ring down in 20 to 3000 turns and come back, T is wrong by at most 1.2e-4 mu N with the 64
- * pieces of a contact by default, as measured (docs/CONTACT.md). What joining changes of the energy stored counts as lost, at times less than 0.
+ * A piece that changes delta(x) by less than 1e-7 mu kappa alpha is merged with the one before it, with delta kept. When all pieces are
+ * in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000 reversals the measured error of T is
+ * at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of the stored energy by a merge counts as loss; it may
+ * be negative.
  *
- * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of the radii a(x), each displaced by d(delta)(x):
- *            forces 8 G* a(x) d(delta). One of radius a(x) displaces all that a smaller one, at y, presses by the whole of its
- *            d(delta), so by reciprocity the energy of the two together is the smaller one's force times that, and
+ * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced by d(delta)(x), with
+ *            forces 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a smaller one, at y, by its d(delta), so
+ *            by reciprocity the interaction energy of the two is the force of the smaller one times that displacement:
  *            U = Int d(delta)(x) Int_(y < x) 8 G* a(y) d(delta)(y), where the inner integral is T(x).
- * Loses      a front that goes in from c to c - dc takes d(delta) = mu kappa (1 - s D) dc, and of the work T d(delta)
- *            mu^2 kappa (1 - s D) [N(alpha) - N(c) - N'(c)(alpha - c)] dc  is not stored; a slide takes mu N of each metre. Both with
- *            alpha as it is when the front is there, so that the sum is exact on a straight leg on which slip keeps its sense.
+ * Dissipates a slip front that advances inwards from c to c - dc takes d(delta) = mu kappa (1 - s D) dc. Of its work T d(delta),
+ *            mu^2 kappa (1 - s D) [N(alpha) - N(c) - N'(c)(alpha - c)] dc  is not stored. Sliding dissipates mu N times
+ *            displacement. Both use alpha at the time of the front, so the sum is exact on a straight segment without a reversal.
  * Source     Jaeger (1993-1998); Aleshin, Bou Matar and Van Den Abeele (2015). All cases of Mindlin and Deresiewicz
  *            (1953) follow: [R89 3.25, 3.40, 3.50, 3.94].
- * Range      slip along one line; no coupling of normal and tangential motion; a friction of the stress, so no cohesion. When
- *            friction changes, the path of the pieces is gone anew: nothing moves where it grows.
- * Remembers  x R* for x, which is the square of a radius, m2, and of the rest what mu, E* and N have no part in:
+ * Range      slip along one line; no coupling of normal and tangential motion; friction limits the traction, so no cohesion. When
+ *            the friction changes, the path of the pieces is computed again; where it grows nothing moves.
+ * History    in variables that do not contain mu, E* and N. x stands for x R*, the square of a radius, m2;
  *            n = x^(3/2), m3; u = R* delta/(mu kappa), m2; t = Int D dn, m3, so that T/mu N = t/n at alpha
- *            m[0]  how many pieces; 0: none;  m[1]  mu kappa, which they are made with
- *            m[2 + 5k ...]  the corner at which piece k begins, from inside to outside (corners.h); piece 0 begins at 0
+ *            m[0]  number of pieces; 0: none;  m[1]  mu kappa of these pieces
+ *            m[2 + 5k ...]  the corner at which piece k begins, from the centre outwards (corners.h); piece 0 begins at 0
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -43,36 +45,37 @@
 #include "corners.h"
 
 static const double merge_tolerance = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T */
-/* The largest ratio of the old friction to the new one: with a larger one all slides as well, and its square is finite. */
+/* Upper limit of the ratio of old to new friction: the contact slides in any case, and the square of the ratio stays
+ * finite. */
 static const double max_friction_ratio = 1e150;
 
 static inline double unit_of(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
 static inline double u_of(struct nb_pair p, double ds) { return ds * p.radius * (1 / unit_of(p)); }
 
-/* A friction whose inverse a double cannot hold counts as none. */
+/* A friction whose inverse overflows counts as none. */
 static inline bool has_friction(struct nb_pair p) { return unit_of(p) >= DBL_MIN; }
 
-/* Nothing rubs without friction, nor where a normal law lets go before the outlines part. */
+/* No tangential force without friction, nor where a normal law ends the force before the overlap. */
 static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
   return has_friction(p) && n.radius * n.radius * n.radius > 0;
 }
 
-/* From where a leg of the path, to an overlap x and a slip u, goes on: the outermost corner that stays. */
+/* The outermost corner that is kept in a step to an overlap x and a displacement u: the new piece begins there. */
 struct base {
-  double k;          /* the piece that comes to be: behind k others; below 0: none has been met */
+  double k;          /* index of the new piece; below 0: not found yet */
   double x, u, d, b; /* the corner */
-  double from;       /* where the piece before the new one begins */
+  double from;       /* begin of the piece before the new one */
 };
 
-/* The piece that comes to be, and u at its end. */
+/* The new piece, and u at its end. */
 struct piece {
-  double k; /* below 0: by rounding there may be none, or it may join the one before it */
+  double k; /* below 0: general case, because the piece may vanish by rounding, or be merged */
   double x, u, d, b, end;
 };
 
 static inline NB_FORM struct piece new_piece(struct base at, bool sticks, double x, double u) {
   const double h = x - at.x, wanted = u - at.u, s = copysign(1, wanted - at.d * h);
-  const double v = fabs(wanted) > h ? s * h : wanted; /* more: it slides */
+  const double v = fabs(wanted) > h ? s * h : wanted; /* beyond it the contact slides */
   const double part = (sticks ? v : h - s * v) / (sticks ? h : 1 - s * at.d), in = at.x + part;
   const double d = sticks ? part : s, c = sticks ? at.x : in < x ? in : x;
   const double x1 = c - at.from, x2 = x - c, end = at.u + v;
@@ -80,7 +83,7 @@ static inline NB_FORM struct piece new_piece(struct base at, bool sticks, double
   return (struct piece){k, c, end - d * x2, d, at.b + (at.d - d) * n_of(c), end};
 }
 
-/* Of all corners; if none stays, all slides from the one at 0. */
+/* Searches all corners; if none is kept, the contact slides from the one at 0. */
 static inline struct base find_base(const struct corner at[], int pieces, double x, double u) {
   int k = pieces;
   while (k > 0 && !reachable(at[k].x, at[k].u, x, u))
@@ -94,14 +97,15 @@ static inline NB_FORM void append_piece(struct corner at[], int k, double x, con
   at[k + 1] = (struct corner){x, piece->end, piece->d, piece->b, 0};
 }
 
-/* A piece that is little enough joins the last; so does one that there is no room for. Answers how many there are then. */
+/* Adds a piece. Merges it with the last one if the change is small enough, or merges others if all are in use.
+ * Returns the number of pieces. */
 static int append_or_merge(struct corner at[], int k, double x, const struct piece *piece, int max_pieces,
                            double *dissipated) {
-  if (!(piece->x < x)) { /* nothing new */
+  if (!(piece->x < x)) { /* no new ring */
     at[k] = (struct corner){x, piece->end, at[k - 1].d, at[k - 1].b, 0};
     return k;
   }
-  if (k > 0 && !(piece->x > at[k - 1].x)) /* nothing left of the one before */
+  if (k > 0 && !(piece->x > at[k - 1].x)) /* the piece before has vanished */
     k--;
   append_piece(at, k, x, piece);
   const int pieces = k + 1;
@@ -123,17 +127,19 @@ static int append_or_merge(struct corner at[], int k, double x, const struct pie
   return k;
 }
 
-/* What a leg loses, to the front, through the end of the piece before the new one and all behind it, and to a slide; as Int t du. With
- * slip in the sense s the front is where y - s u(y) is as much as x - s u at the edge, g, which falls along the leg; below 0 all slides. */
+/* The energy lost in a step, as Int t du: at the front, which passes the end of the piece before the new one and all
+ * pieces outside it, and by sliding. For a displacement in the sense s the front is at the y where y - s u(y) equals g =
+ * x - s u of the edge, which falls during the step; below 0 the contact slides. */
 static double energy_loss(const struct corner at[], int pieces, double x, double u, int index,
                           const struct piece *piece) {
-  const double s = at[index].x < x ? copysign(1, u - at[index].u) : piece->d; /* at a corner leg->d may be rounding */
+  const double s =
+      at[index].x < x ? copysign(1, u - at[index].u) : piece->d; /* at a corner piece->d may come from rounding */
   const double x0 = at[pieces].x, g0 = x0 - s * at[pieces].u, g1 = x - s * u, fall = g0 - g1;
   if (!(fall > 0))
     return 0;
   double g = g1 > 0 ? g1 : 0,
-         y = piece->x < at[index].x ? piece->x : at[index].x;  /* with D = s there the front may be anywhere */
-  double now = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0; /* the overlap as the front is at y */
+         y = piece->x < at[index].x ? piece->x : at[index].x;  /* where D = s the front has no unique position */
+  double now = g < g0 ? x + (x0 - x) * ((g - g1) / fall) : x0; /* the overlap when the front is at y */
   double sum = g1 < 0 ? -g1 * mean_n(x, now) : 0;
   for (int k = index > 0 ? index - 1 : 0; k < pieces; k++) {
     const double to = at[k + 1].x;
@@ -147,7 +153,7 @@ static double energy_loss(const struct corner at[], int pieces, double x, double
   return sum;
 }
 
-/* Any leg, one by one; answers how many pieces there are then. */
+/* A step in the general case. Returns the number of pieces. */
 static NB_COLD int advance(struct corner at[], int pieces, double x, double u, int max_pieces, double *dissipated) {
   const struct base base = find_base(at, pieces, x, u);
   const int index = (int)base.k;
@@ -157,7 +163,7 @@ static NB_COLD int advance(struct corner at[], int pieces, double x, double u, i
   return append_or_merge(at, index, x, &piece, max_pieces, dissipated);
 }
 
-/* With another friction the path goes anew, in the same memory: a leg makes at most one piece. Returns the loss. */
+/* Computes the path again for another friction, in place: a step adds at most one piece. Returns the energy lost. */
 static NB_COLD double rebuild(struct corner at[], double *count, double fraction, int max_pieces) {
   const int pieces = (int)*count;
   const double before = fraction * fraction * stored_energy(at, pieces);
@@ -173,8 +179,8 @@ static NB_COLD double rebuild(struct corner at[], double *count, double fraction
   return before - stored_energy(at, k);
 }
 
-/* ---- in a block, see law_stages.h: what is seen of the last four corners, of which one stays in most steps; what a leg
- * makes of them; and what is left of the leg ---- */
+/* ---- in a block, see law_stages.h: the last four corners, of which one is kept in most steps; the new piece; the
+ * update of the row ---- */
 
 struct corner_values {
   double x, u, d, b;
@@ -196,7 +202,7 @@ static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_p
     at[0] = (struct corner){0};
   } else if (m[1] != unit_of(p)) {
     const double dissipated = rebuild(at, &m[0], fmin(m[1] / unit_of(p), max_friction_ratio), (int)p.pieces);
-    at[(int)m[0]].e = dissipated; /* until it is told */
+    at[(int)m[0]].e = dissipated; /* until it is reported */
   }
   m[1] = unit_of(p);
   const int k = (int)m[0];
@@ -204,7 +210,7 @@ static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_p
                           corner_values(&at[k > 1 ? k - 2 : 0]), corner_values(&at[k > 2 ? k - 3 : 0])};
 }
 
-/* This corner, of piece k, if it stays; else what has been met farther in. */
+/* This corner, of piece k, if it is kept; otherwise the one found farther inside. */
 static inline struct base select_base(struct corner_values at, double k, double x, double u, struct base inner) {
   const bool here = reachable(at.x, at.u, x, u);
   return (struct base){.k = here ? k : inner.k,
@@ -246,12 +252,12 @@ static NB_COLD void advance_general(struct nb_pair p, struct nb_normal n, double
   out->force = force_of(p, n, at[pieces].d, at[pieces].b);
 }
 
-/* A leg that has not met its corner, or is no more than rounding or the piece too much, goes one by one. */
+/* The general case: no corner found among the last four, a piece that rounding affects, or no free piece. */
 static inline NB_FORM void shear_mindlin_deresiewicz_store(struct nb_pair p, struct nb_normal n, double ds, double m[],
                                                            struct piece piece, struct nb_shear *out, bool counts) {
   struct corner *at = (struct corner *)(m + HEAD);
   const double x = n.radius * n.radius;
-  double dissipated = at[(int)m[0]].e; /* before, with another friction */
+  double dissipated = at[(int)m[0]].e; /* from a change of friction */
   if (piece.k >= 0 && piece.k < p.pieces) {
     if (counts)
       dissipated += energy_loss(at, (int)m[0], x, piece.end, (int)piece.k, &piece);
@@ -271,7 +277,7 @@ static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_norma
   return pieces > 0 ? m[1] / p.radius * friction * (n.force / n_of(at[pieces].x)) * stored_energy(at, pieces) : 0;
 }
 
-/* From inside to outside: where pieces end, m, and their D. */
+/* From the centre outwards: the ends of the pieces, m, and their D. */
 static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n, const double m[], double x[],
                                             double d[]) {
   (void)n;
@@ -281,7 +287,7 @@ static int shear_mindlin_deresiewicz_pieces(struct nb_pair p, struct nb_normal n
   return (int)m[0];
 }
 
-/* The last corners, and room for one more. */
+/* The last corners, and the place of a new one. */
 static inline void shear_mindlin_deresiewicz_prefetch(const double m[]) {
   for (int line = -2; line < 2; line++)
     __builtin_prefetch(&m[m[0] > 2 ? HEAD + 5 * (int)m[0] + 8 * line + 1 : 0], 1);

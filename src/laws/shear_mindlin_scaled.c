@@ -1,16 +1,15 @@
-/* As shear_mindlin.c, but when N falls T goes with the radius:    T <- T a/a_before + 8 G* a ds,  cut at  |T| <= mu N + c
+/* As shear_mindlin.c, but T decreases with the radius when N falls:    T <- T a/a_before + 8 G* a ds,  limited to  |T| <= mu N + c
  *
- *   a, a_before   radius of the contact circle at the end of this step and of the one before, m; a/a_before < 1 where N fell,
- *                 and 1 is put in its place where it did not
+ *   a, a_before   radius of the contact circle at the end of this step and of the previous one, m; the ratio is 1 unless N fell
  *   ds, G*, mu, c, N   as in shear_mindlin.c
  *
- * Source     in use wherever shear_mindlin.c was seen to make energy; the increment is [R89 3.27].
+ * Source     in use wherever shear_mindlin.c was found to create energy; the increment is [R89 3.27].
  * Order      exact at constant N, first order in the step while N changes, as shear_mindlin.c.
  * Range      as normal_hertz.c.
- * Remembers  m[0]  T, N;   m[1]  a, m.
- * Energy     none is made around any closed path. T^2/(16 G* a), the work of bringing T on at this a, falls when a grows with T as
- *            it is, falls with a when T goes with it, and changes by T ds otherwise: it is never more than the work put in. But it is no
- *            state function of the path, what a change of N takes is lost without sliding: none is declared, shear work is recorded.
+ * History    m[0]  T, N;   m[1]  a, m.
+ * Energy     none is created in any closed path. T^2/(16 G* a), the work of applying T at this a, falls when a grows at constant T,
+ *            falls with a when T is reduced with it, and otherwise changes by T ds: it never exceeds the work done. But it is no state
+ *            function: a change of N loses energy without sliding. So no stored energy is declared, and shear work is recorded.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"
@@ -19,7 +18,7 @@ static inline struct nb_shear shear_mindlin_scaled(struct nb_pair p, struct nb_n
   const double stiffness = 8 * p.shear * n.radius;
   const double limit = n.force * p.friction + p.cohesion;
   const double kept = n.radius < m[1] ? n.radius / m[1] : 1;
-  const double trial = kept * m[0] + stiffness * ds; /* 0 where the radius is */
+  const double trial = kept * m[0] + stiffness * ds; /* 0 where the radius is 0 */
   const double size = fabs(trial);
   m[0] = copysign(size > limit ? limit : size, trial);
   m[1] = n.radius;

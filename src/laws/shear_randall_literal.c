@@ -1,28 +1,28 @@
-/* R89's law as the text of FORD and THETA has it, so that what is wrong with it can be seen; to compute with, take
- * shear_randall.c, where the symbols are.
+/* R89's law exactly as the text of FORD and THETA gives it, to demonstrate its errors; for computations use
+ * shear_randall.c, which also explains the symbols.
  *
  *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL)                         [R89 4.15]
  *
- * As it stands: T* and T** are 0 while they have no value, are set after dT has been worked out and are not moved by the dN
- * of that step; UFL = -1 in re-unloading too; theta of reloading has T*, not T** [R89 4.24], and nothing keeps any theta below
- * 1; the critical slip has mu twice; DD loses |ds_c| in any step in which N falls [R89 4.18], grows with |ds| in
- * unloading and never starts anew.
+ * In the text T* and T** are 0 while they have no value, are set after dT has been computed, and are not moved by the dN of that
+ * step. UFL is -1 in re-unloading too. theta of reloading uses T* instead of T** [R89 4.24], and nothing limits any theta to 1. The
+ * critical increment contains mu twice. DD loses |ds_c| in every step in which N falls [R89 4.18], grows with |ds| in unloading,
+ * and is never reset.
  *
- * What cannot be coded as it stands, or is not said:
+ * Choices where the text cannot be coded, or is silent:
  *
- *   - chapter 3 knows positive forces only. Sliding is |T| > mu N, with the sign of T; slip compared with ds_c + DD is ds CDF.
- *   - CDF of a contact without T*, T and T**: the sense of ds.
- *   - Virgin loading is re-established where |T| >= |T*|, by which THETA tells it from reloading; T** goes where T CDF <= T** CDF.
- *   - theta of a negative number is the negative root, and what comes of it is cut at mu N. The contact stiffness 8 G* a theta
- *     is 0 there: a share of critical damping, which goes with its root, has no value otherwise [R89 4.19].
+ *   - Chapter 3 has positive forces only. Sliding is |T| > mu N, with the sign of T; the increment compared with ds_c + DD is ds CDF.
+ *   - CDF of a contact without T*, T and T** is the sense of ds.
+ *   - Virgin loading resumes where |T| >= |T*|, by which THETA distinguishes it from reloading; T** is deleted where T CDF <= T** CDF.
+ *   - theta of a negative number is the negative root, and the result is limited to mu N. The contact stiffness 8 G* a theta
+ *     is then 0; otherwise critical damping, which uses its root, would have no value [R89 4.19].
  *
- * With mu twice in the critical slip a contact that ought to stick slides from first touch on, T = mu N to the last bit of both,
- * and that bit decides whether dT < mu dN: what comes then differs by a third of psi2 (tests/randall_exact.c).
+ * With mu twice in the critical increment, a contact that should stick slides from first touch on: T = mu N to the last bit of
+ * both, and that bit decides whether dT < mu dN. What follows then varies by a third of psi2 (tests/randall_exact.c).
  *
  * Source     [R89 4.15-4.25], FORD and THETA.
  * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and hardly elsewhere.
- * Remembers  m[0..4]  N of the step before, 0: nothing yet; T, T*, T**, N; DD, m.
- * Gains      energy, from the first round on: around the square of shear_randall.c 0.0067, then 0.0113 mu N A in each.
+ * History    m[0..4]  N of the previous step, 0: none; T, T*, T**, N; DD, m.
+ * Creates    energy, from the first cycle on: around the square of shear_randall.c 0.0067, then 0.0113 mu N A in each.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "randall.h"
@@ -31,7 +31,7 @@ struct history {
   double n, t, t_star, t_star2, deficit;
 };
 
-/* THE1, by which theta is found. */
+/* THE1, which selects the equation of theta. */
 enum the1 { VIRGIN = 1, UNLOADING, RELOADING, STICKING };
 
 /* `along`: ds CDF. */
@@ -55,7 +55,7 @@ static inline double theta(const struct history *h, enum the1 the1, bool back, d
   return 1; /* 4.25 */
 }
 
-/* FORD, from the direction of loading to the test for load reversals; answers the stiffness. */
+/* FORD, from the direction of loading to the test for load reversals. Returns the stiffness. */
 static inline double ford_increment(struct history *h, double ds, double stiffness, double rise, double limit,
                                     double mu, bool *reversed) {
   const bool back = h->t_star != 0 ? h->t_star < 0 : h->t != 0 ? h->t < 0 : ds < 0; /* CDF = -1 */
@@ -64,7 +64,7 @@ static inline double ford_increment(struct history *h, double ds, double stiffne
   if (rise > 0 && along < mu * critical + h->deficit)
     the1 = STICKING;
   const double fraction = theta(h, the1, back, rise, limit), before = h->t;
-  const double dt = increment(fraction, stiffness * ds, flip_if(ds < 0, rise)); /* CDF UFL has the sense of ds */
+  const double dt = increment(fraction, stiffness * ds, flip_if(ds < 0, rise)); /* CDF UFL is the sense of ds */
   if (rise < 0)
     h->deficit += critical; /* 4.18 */
   else if (flip_if(back, dt) < rise || h->deficit > 0)
