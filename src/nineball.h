@@ -50,7 +50,7 @@ struct nb_warnings {
 struct nb_mistakes {
   char *text;                        /* the messages, ready to print; NULL while there are none; owned here */
   size_t count;                      /* messages in `text` */
-  size_t made;                       /* errors found, including those without a message */
+  size_t total;                      /* errors found, including those without a message */
   bool no_memory;                    /* memory ran out; counts as an error without a message, and stays set */
   struct nb_mistakes_inside *inside; /* private to mistakes.c; owned here */
 };
@@ -338,9 +338,9 @@ struct nb_condition {
 
 /* Target of one direction, normal or tangential, in a segment of a contact test. */
 struct nb_target {
-  bool force;   /* the force varies linearly; otherwise overlap or tangential displacement */
-  bool by;      /* value is relative to the current one; otherwise absolute */
-  double value; /* m or N; relative 0: held constant */
+  bool force;    /* the force varies linearly; otherwise overlap or tangential displacement */
+  bool relative; /* value is relative to the current one; otherwise absolute */
+  double value;  /* m or N; relative 0: held constant */
 };
 struct nb_path_point {
   double approach, slip; /* m; an approach below 0 is a gap */

@@ -223,8 +223,8 @@ static void sheared_cells_are_set_upright(void) {
     if (fabs(tensor_determinant(cell.h)) < 0.1)
       continue;
     const struct nb_wrap wrap = nb_cell_wrap(&cell);
-    const struct nb_tensor same = tensor_product(cell.h, wrap.whole);
-    CU_ASSERT_DOUBLE_EQUAL(fabs(tensor_determinant(wrap.whole)), 1, 0);
+    const struct nb_tensor same = tensor_product(cell.h, wrap.multiples);
+    CU_ASSERT_DOUBLE_EQUAL(fabs(tensor_determinant(wrap.multiples)), 1, 0);
     CU_ASSERT_DOUBLE_EQUAL(same.xx, wrap.h.xx, 1e-10);
     CU_ASSERT_DOUBLE_EQUAL(same.xy, wrap.h.xy, 1e-10);
     CU_ASSERT_DOUBLE_EQUAL(same.yx, wrap.h.yx, 1e-10);

@@ -40,7 +40,7 @@ static struct nb_binding value_of(const char *text, bool unitless, const char **
   reader->bindings = names, reader->binding_count = COUNT(names);
   nb_line_begin(reader, 1);
   const bool is = nb_expression(reader, lines[0], lines[0], lines[0] + strlen(text), &value);
-  CU_ASSERT_EQUAL(is, mistakes.made == 0);
+  CU_ASSERT_EQUAL(is, mistakes.total == 0);
   if (!is)
     value = (struct nb_binding){.value = NAN};
   *given = mistakes.text ? mistakes.text : "";

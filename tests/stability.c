@@ -123,7 +123,7 @@ static void a_stiffer_way_back_is_sure_earlier(void) {
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     if (k == 1) {
-      model->next.normal = &law;
+      model->next_laws.normal = &law;
       for (size_t p = 0; p < model->material_pair_count; p++)
         model->material_pairs[p].normal = &law;
     }

@@ -237,7 +237,7 @@ static void a_stiffer_way_back_counts(void) {
     written_scene(&it, &page);
     struct nb_model *model = written_model(&it, NULL);
     const double before = nb_stable_step(model).step;
-    model->next.normal = &law;
+    model->next_laws.normal = &law;
     CU_ASSERT_DOUBLE_EQUAL(nb_stable_step(model).step, before / sqrt(40), 1e-12 * before);
     nb_model_free(model);
     written_free(&it);

@@ -82,7 +82,7 @@ struct nb_wrap nb_cell_wrap(const struct nb_cell *cell) {
     *longer = to;
     *(second ? &nb : &na) = vec_sub(second ? nb : na, vec_scale(n, second ? na : nb));
   }
-  wrap.h = tensor(a.x, b.x, a.y, b.y), wrap.whole = tensor(na.x, nb.x, na.y, nb.y);
+  wrap.h = tensor(a.x, b.x, a.y, b.y), wrap.multiples = tensor(na.x, nb.x, na.y, nb.y);
   wrap.inverse = tensor_inverse(wrap.h);
   return wrap;
 }
@@ -103,7 +103,7 @@ struct nb_vec nb_wrapped(const struct nb_wrap *wrap, struct nb_vec x) {
 }
 
 struct nb_vec nb_wrap_image(const struct nb_wrap *wrap, struct nb_vec apart) {
-  return tensor_times(wrap->whole, sides(wrap, apart));
+  return tensor_times(wrap->multiples, sides(wrap, apart));
 }
 
 struct nb_vec nb_cell_wrapped_position(const struct nb_model *model, size_t slot) {

@@ -32,7 +32,7 @@ void nb_cell_reset_travel(struct nb_cell *cell, double skin);
 struct nb_wrap {
   struct nb_vec centre;
   struct nb_tensor h, inverse; /* its sides, m; 1/m */
-  struct nb_tensor whole;      /* its sides are H times these integers */
+  struct nb_tensor multiples;  /* its sides are H times these integers */
 };
 struct nb_wrap nb_cell_wrap(const struct nb_cell *cell);
 double nb_wrap_width(const struct nb_wrap *wrap);                      /* its smaller height, m */

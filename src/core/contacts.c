@@ -95,9 +95,9 @@ static void create_arrays(struct nb_contacts *contacts, const struct nb_model *m
   contacts->normal_history = nb_history_create(owner, model->plan.history.normal, n);
   contacts->shear_history = nb_history_create(owner, model->plan.history.shear, n);
   contacts->slip_sum = nb_history_create(owner, model->plan.history.slip_sum, n);
-  contacts->of.first = nb_own(owner, model->particles.count + 1, sizeof(int));
-  contacts->of.middle = nb_own(owner, model->particles.count + 1, sizeof(int));
-  contacts->of.entry = nb_own(owner, 2 * n, sizeof(int));
+  contacts->incidence.first = nb_own(owner, model->particles.count + 1, sizeof(int));
+  contacts->incidence.middle = nb_own(owner, model->particles.count + 1, sizeof(int));
+  contacts->incidence.entry = nb_own(owner, 2 * n, sizeof(int));
 }
 
 /* The index of each pair's contact: in the order of the pairs, grouped by material pair. */
@@ -144,7 +144,7 @@ static bool contacts_create(struct nb_contacts *contacts, const struct nb_model 
   create_arrays(contacts, model);
   const bool made = contact && !contacts->owner.failed && number_contacts(contact, pairs, model);
   if (made)
-    fill_incidence(&contacts->of, pairs, contact, model);
+    fill_incidence(&contacts->incidence, pairs, contact, model);
   for (size_t p = 0; p < pairs->count && made; p++) {
     const struct nb_neighbour_pair *pair = &pairs->list[p];
     const int c = contact[p];
@@ -191,7 +191,7 @@ struct nb_pair nb_contact_constants(const struct nb_model *model, size_t contact
 
 long nb_contacts_find(const struct nb_model *model, int a, int b, bool wall) {
   const struct nb_contacts *contacts = &model->contacts;
-  const struct nb_contact_range range = nb_contact_range(&model->contacts.of, (size_t)a);
+  const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, (size_t)a);
   for (const int *entry = range.first; entry < range.end; entry++) {
     const int c = *entry;
     if (model->material_pairs[contacts->material_pair[c]].wall != wall)

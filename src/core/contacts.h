@@ -25,7 +25,7 @@ struct nb_contacts {
   struct nb_vec *force;    /* on the first particle, with dashpots, N */
   double *kept[NB_FIELDS]; /* the fields that are kept after the pass; else NULL */
   size_t wall_from;        /* first contact with a wall; all later ones are with walls */
-  struct nb_incidence of;  /* the contacts of each particle */
+  struct nb_incidence incidence; /* the contacts of each particle */
   struct nb_history normal_history, shear_history,
       slip_sum; /* m, tangential displacement since each reference stage, configuration.c */
 };
@@ -59,7 +59,7 @@ static inline bool nb_touches(const struct nb_contacts *contacts, size_t contact
 }
 static inline int nb_coordination_number(const struct nb_contacts *contacts,
                                          size_t slot) { /* number of contacts that touch */
-  const struct nb_contact_range range = nb_contact_range(&contacts->of, slot);
+  const struct nb_contact_range range = nb_contact_range(&contacts->incidence, slot);
   int count = 0;
   for (const int *c = range.first; c < range.end; c++)
     count += nb_touches(contacts, (size_t)*c);

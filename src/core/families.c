@@ -56,5 +56,5 @@ double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model
   if (!quantity.suffix)
     return parts[0];
   const struct nb_tensor t = tensor(parts[0], parts[1], parts[2], parts[3]);
-  return quantity.suffix->of ? quantity.suffix->of(&t) : parts[quantity.suffix->part];
+  return quantity.suffix->function ? quantity.suffix->function(&t) : parts[quantity.suffix->part];
 }

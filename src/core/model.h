@@ -172,12 +172,12 @@ struct nb_model {
   const struct nb_scene *scene;
   struct nb_owner owner; /* of everything that is allocated once for the life of the model */
   struct nb_machine machine;
-  struct nb_particles particles;    /* motion.c */
-  struct nb_walls walls;            /* walls.c */
-  struct nb_cell *cell;             /* cell.c; NULL: not periodic */
-  struct nb_vertices vertices;      /* wall_vertices.c */
-  struct nb_properties properties;  /* properties.c */
-  struct nb_active_laws laws, next; /* of the last forces, and of the next: a stage may change them (laws_now.c) */
+  struct nb_particles particles;         /* motion.c */
+  struct nb_walls walls;                 /* walls.c */
+  struct nb_cell *cell;                  /* cell.c; NULL: not periodic */
+  struct nb_vertices vertices;           /* wall_vertices.c */
+  struct nb_properties properties;       /* properties.c */
+  struct nb_active_laws laws, next_laws; /* of the last forces, and of the next: a stage may change them (laws_now.c) */
   struct nb_material_pair *material_pairs; /* plan.c */
   size_t material_pair_count;
   struct nb_plan plan;
@@ -193,10 +193,10 @@ struct nb_model {
   unsigned long long updates; /* contact updates; to here */
   double critical;            /* 2 sqrt(m/k), s (measure/step.c) */
 
-  const struct nb_stage *stage;              /* run/stage.c, from here: the current stage, NULL before the first */
-  struct nb_changes *changes;                /* its ramps */
-  struct nb_damping damping, damping_before; /* of this stage; of the previous one */
-  struct nb_vec gravity;                     /* for the next kick, m/s2 */
+  const struct nb_stage *stage;                /* run/stage.c, from here: the current stage, NULL before the first */
+  struct nb_changes *changes;                  /* its ramps */
+  struct nb_damping damping, previous_damping; /* of this stage; of the previous one */
+  struct nb_vec gravity;                       /* for the next kick, m/s2 */
   struct nb_central {
     double acceleration; /* towards the point, m/s2; 0: none */
     struct nb_vec point; /* m */

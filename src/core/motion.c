@@ -214,7 +214,7 @@ int nb_motion_part(struct nb_model *model, int part, int parts) {
   const struct nb_contact_forces contact_forces = nb_contact_forces_of(model);
   const double time = nb_kick_time(model);
   const struct task mine = {.particles = model->particles,
-                            .incidence = &model->contacts.of,
+                            .incidence = &model->contacts.incidence,
                             .factors = nb_kick_factors(model, time, nb_kick_fraction_before(model)),
                             .gravity = model->gravity,
                             .central = model->central,

@@ -36,10 +36,10 @@ static inline struct nb_damping_losses nb_damping_losses_of(const struct nb_damp
 static inline struct nb_damping_losses nb_damping_losses(const struct nb_model *model, double dt, double before) {
   const struct nb_damping_losses now = nb_damping_losses_of(&model->damping, dt);
   if (model->stage_cycle > 0 || before == 0 ||
-      (model->damping.global_kind == model->damping_before.global_kind &&
-       model->damping.global == model->damping_before.global))
+      (model->damping.global_kind == model->previous_damping.global_kind &&
+       model->damping.global == model->previous_damping.global))
     return now;
-  const struct nb_damping_losses was = nb_damping_losses_of(&model->damping_before, dt);
+  const struct nb_damping_losses was = nb_damping_losses_of(&model->previous_damping, dt);
   const double after = 1 - before;
   return (struct nb_damping_losses){before * was.old + after * now.old, before * was.new + after *now.new,
                                     before *was.impulse + after *now.impulse};

@@ -66,9 +66,9 @@ bool nb_quantity_row(struct nb_quantity_row *row, size_t k);
 struct nb_suffix {
   unsigned families; /* set of families that have it */
   const char *name, *help;
-  int part;                                /* index of the number; or */
-  double (*of)(const struct nb_tensor *t); /* function of the tensor */
-  const char *unit;                        /* NULL: the family's */
+  int part;                                      /* index of the number; or */
+  double (*function)(const struct nb_tensor *t); /* function of the tensor */
+  const char *unit;                              /* NULL: the family's */
 };
 const struct nb_suffix *nb_suffix(enum nb_quantity_family family, size_t k);       /* NULL past the last one */
 double nb_quantity_now(struct nb_quantity quantity, const struct nb_model *model); /* SI */

@@ -88,35 +88,35 @@ static bool neighbour_pair(struct nb_neighbour_pairs *pairs, struct nb_model *mo
 }
 
 /* A particle, and the position, its own or an image's, from which to search. */
-struct observer {
+struct origin {
   int i;
   struct nb_vec from; /* m */
 };
 
 /* Tests the particles of one box: all larger ones, and those of the same level with larger numbers. */
 static bool neighbours_in_box(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
-                              struct observer observer, struct nb_box box) {
+                              struct origin origin, struct nb_box box) {
   const int *number = model->particles.number;
-  const bool own = box.level == search->grid.entry[observer.i].box.level;
+  const bool own = box.level == search->grid.entry[origin.i].box.level;
   NB_GRID_FOR_BOX(&search->grid, j, box) {
-    if (own && number[j] <= number[observer.i])
+    if (own && number[j] <= number[origin.i])
       continue;
-    if (!neighbour_pair(pairs, model, observer.i, j, vec_sub(wrapped_position(search, model, j), observer.from)))
+    if (!neighbour_pair(pairs, model, origin.i, j, vec_sub(wrapped_position(search, model, j), origin.from)))
       return false;
   }
   return true;
 }
 
 static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model *model, const struct search *search,
-                              struct observer observer) {
+                              struct origin origin) {
   const struct nb_grid *grid = &search->grid;
-  for (int level = grid->entry[observer.i].box.level; level >= 0; level--) {
+  for (int level = grid->entry[origin.i].box.level; level >= 0; level--) {
     if (!grid->count[level])
       continue;
-    const int64_t x = nb_grid_place(grid, level, observer.from.x), y = nb_grid_place(grid, level, observer.from.y);
+    const int64_t x = nb_grid_place(grid, level, origin.from.x), y = nb_grid_place(grid, level, origin.from.y);
     for (int64_t dy = -1; dy <= 1; dy++)
       for (int64_t dx = -1; dx <= 1; dx++)
-        if (!neighbours_in_box(pairs, model, search, observer, (struct nb_box){level, x + dx, y + dy}))
+        if (!neighbours_in_box(pairs, model, search, origin, (struct nb_box){level, x + dx, y + dy}))
           return false;
   }
   return true;
@@ -134,8 +134,7 @@ static bool neighbour_copies(struct nb_neighbour_pairs *pairs, struct nb_model *
   for (int m = 0; m < 9; m++) {
     const struct nb_vec from = vec_add(search->wrapped[i], tensor_times(wrap->h, vec(m % 3 - 1, m / 3 - 1)));
     const struct nb_vec at = tensor_times(wrap->inverse, vec_sub(from, wrap->centre));
-    if (fabs(at.x) <= edge && fabs(at.y) <= edge &&
-        !neighbours_around(pairs, model, search, (struct observer){i, from}))
+    if (fabs(at.x) <= edge && fabs(at.y) <= edge && !neighbours_around(pairs, model, search, (struct origin){i, from}))
       return false;
   }
   return true;
@@ -169,7 +168,7 @@ static bool find_pairs(struct nb_neighbour_pairs *found, struct nb_model *model)
     if (model->cell)
       ok = neighbour_copies(found, model, &search, i);
     else if (!all)
-      ok = neighbours_around(found, model, &search, (struct observer){i, x[i]});
+      ok = neighbours_around(found, model, &search, (struct origin){i, x[i]});
     for (int l = k + 1; l < n && all && ok; l++)
       ok = neighbour_pair(found, model, i, particles->slot[l], vec_sub(x[particles->slot[l]], x[i]));
     ok = ok && neighbour_walls(found, model, i);

@@ -88,7 +88,7 @@ bool nb_vertices_find(struct nb_model *model) {
   if (!contacts->suppressed)
     return true;
   for (size_t c = model->contacts.wall_from; c < contacts->count; c++) {
-    const struct nb_contact_range own = nb_contact_range(&model->contacts.of, (size_t)contacts->a[c]);
+    const struct nb_contact_range own = nb_contact_range(&model->contacts.incidence, (size_t)contacts->a[c]);
     for (const int *d = own.middle; d < own.end; d++) /* walls in the order of the page */
       if (*d >= (int)model->contacts.wall_from && contacts->b[*d] > contacts->b[c] && !find_vertices(model, (int)c, *d))
         return false;

@@ -137,7 +137,7 @@ bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char 
 bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted *wanted, int count,
                      bool unitless, struct nb_mistakes *mistakes) {
   struct table table = {.unitless = unitless, .mistakes = mistakes};
-  const size_t before = mistakes->made;
+  const size_t before = mistakes->total;
   bool head = false;
   *lengths = NULL, *rows = 0;
   if (nb_page_read_most(&table.file, path, NB_FILE_MAX, mistakes))
@@ -160,8 +160,8 @@ bool nb_columns_read(double **lengths, size_t *rows, const char *path, const str
       whole = read_number(*lengths + *rows * (size_t)count + c, &table, line, c, &wanted[c]) && whole;
     *rows += whole;
   }
-  if (*rows == 0 && mistakes->made == before)
+  if (*rows == 0 && mistakes->total == before)
     nb_mistake(mistakes, &table.file, 0, 0, 0, NULL, "expected a head line and rows of numbers below it, found none");
   nb_page_free(&table.file);
-  return mistakes->made == before;
+  return mistakes->total == before;
 }

@@ -120,15 +120,15 @@ static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, 
   mistakes->count++;
 }
 
-void nb_mistake_memory(struct nb_mistakes *mistakes) { mistakes->made++, mistakes->no_memory = true; }
+void nb_mistake_memory(struct nb_mistakes *mistakes) { mistakes->total++, mistakes->no_memory = true; }
 
 enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before) {
-  return mistakes->no_memory ? NB_NO_MEMORY : mistakes->made > before ? NB_BAD_USE : NB_OK;
+  return mistakes->no_memory ? NB_NO_MEMORY : mistakes->total > before ? NB_BAD_USE : NB_OK;
 }
 
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) {
-  mistakes->made++;
+  mistakes->total++;
   if (mistakes->count > MISTAKES_MAX)
     return;
   struct nb_text message = {0};

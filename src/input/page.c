@@ -237,7 +237,7 @@ static void take(struct nb_page *page, const char *bytes, size_t size, struct nb
 
 enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
                                   struct nb_mistakes *mistakes) {
-  const size_t before = mistakes->made;
+  const size_t before = mistakes->total;
   if (begin(page, path, mistakes))
     take(page, bytes, size, mistakes);
   return end(page, mistakes, before);
@@ -253,7 +253,7 @@ static const char *whole_name(char *hint, const char *path) {
 }
 
 enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes) {
-  const size_t before = mistakes->made;
+  const size_t before = mistakes->total;
   struct nb_error error;
   char hint[NB_HINT_SIZE];
   size_t size;

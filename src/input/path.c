@@ -83,10 +83,10 @@ static bool read_points(struct nb_segment *it, const char *path, bool unitless, 
 
 static bool take_aim(struct nb_reader *reader, struct nb_target *aim, bool force, bool normal) {
   aim->force = force;
-  aim->by = nb_token_skip(reader, "by");
-  if (!aim->by && !nb_token_skip(reader, "to"))
+  aim->relative = nb_token_skip(reader, "by");
+  if (!aim->relative && !nb_token_skip(reader, "to"))
     return nb_expected(reader, NULL, "`to` or `by`");
-  const bool push = normal && force && !aim->by; /* spheres do not pull */
+  const bool push = normal && force && !aim->relative; /* spheres do not pull */
   return nb_take_number(reader, force ? NB_UNIT_FORCE : NB_UNIT_LENGTH, push ? NB_NOT_NEGATIVE : NB_ANY, &aim->value);
 }
 
@@ -157,7 +157,7 @@ NB_APPLY(apply_segment) {
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
   struct nb_stage one = {.record_interval = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
-  one.segment.normal.by = one.segment.shear.by = true;
+  one.segment.normal.relative = one.segment.shear.relative = true;
   if (!scene->contact_test) /* in a scene it is a mistake */
     return;
   reading->here = NB_IN_SEGMENT;

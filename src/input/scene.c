@@ -197,7 +197,7 @@ static void check_whole(struct nb_scene_reading *reading) {
 }
 
 static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
-  const size_t before = mistakes->made;
+  const size_t before = mistakes->total;
   struct nb_scene *scene = reading->scene;
   survey(reading, mistakes);
   read_lines(reading);
@@ -210,22 +210,22 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
     strcpy(scene->normal, "linear");
   if (!scene->shear[0])
     strcpy(scene->shear, "none");
-  if (scene->impact.line && mistakes->made == before)
+  if (scene->impact.line && mistakes->total == before)
     nb_impact_aim(reading);
-  if (!nb_scene_place(scene, &reading->place) && mistakes->made == before)
+  if (!nb_scene_place(scene, &reading->place) && mistakes->total == before)
     nb_line_mistake(&reading->reader, (size_t)reading->place.line, NULL,
                     "expected finite coordinates after `transform`, these are too large");
   scene->unitless = reading->reader.unitless;
-  if (mistakes->made == before)
+  if (mistakes->total == before)
     nb_laws_check(reading);
-  if (mistakes->made == before && scene->contact_test)
+  if (mistakes->total == before && scene->contact_test)
     nb_path_laws_check(reading);
 }
 
 /* Reads one run, and says how many there are. */
 static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                                struct nb_mistakes *mistakes, const struct nb_scene_reading *above, size_t *runs) {
-  size_t before = mistakes->made;
+  size_t before = mistakes->total;
   *scene = (struct nb_scene){.page = page};
   struct nb_scene_reading *reading = calloc(1, sizeof *reading);
   *runs = 1;

@@ -191,19 +191,19 @@ static bool find_page(const struct nb_scene_reading *reading, struct nb_reader *
 static void read_scene(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
                        const char *const *settings, const struct nb_token *word) {
   struct nb_mistakes *mistakes = reader->mistakes;
-  const size_t before = mistakes->made;
+  const size_t before = mistakes->total;
   size_t runs = 1;
   nb_scene_read_below(start->scene, start->page, settings, mistakes, reading, &runs);
-  if (mistakes->made == before && start->scene->contact_test)
+  if (mistakes->total == before && start->scene->contact_test)
     nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a contact test");
-  else if (mistakes->made == before && runs > 1)
+  else if (mistakes->total == before && runs > 1)
     nb_token_mistake(reader, word, "choose one run: `with NAME=VALUE`", "expected a page of one run, found one of %zu",
                      runs);
 }
 
 static bool read_other(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
                        const struct nb_token *word) {
-  const size_t before = reader->mistakes->made;
+  const size_t before = reader->mistakes->total;
   const char **settings = calloc(start->setting_count + 1, sizeof *settings);
   char path[NB_PATH_SIZE];
   start->page = calloc(1, sizeof *start->page), start->scene = calloc(1, sizeof *start->scene);
@@ -216,9 +216,9 @@ static bool read_other(const struct nb_scene_reading *reading, struct nb_reader 
   if (find_page(reading, reader, word, path) && !nb_page_read(start->page, path, reader->mistakes))
     read_scene(reading, reader, start, settings, word);
   free(settings);
-  if (reader->mistakes->made > before && !reader->bad)
+  if (reader->mistakes->total > before && !reader->bad)
     nb_token_mistake(reader, word, NULL, "the page that this one starts from has mistakes, listed above or below");
-  return reader->mistakes->made == before;
+  return reader->mistakes->total == before;
 }
 
 void nb_scene_cut(struct nb_scene *scene, size_t stage) {

@@ -64,10 +64,10 @@ const struct nb_law *nb_laws_unstored(const struct nb_scene *scene, bool normal)
   return NULL;
 }
 
-bool nb_laws_normal_changes(const struct nb_model *model) { return model->next.normal != model->laws.normal; }
+bool nb_laws_normal_changes(const struct nb_model *model) { return model->next_laws.normal != model->laws.normal; }
 
 bool nb_laws_shear_changes(const struct nb_model *model) {
-  return model->next.shear != model->laws.shear || model->next.pieces != model->laws.pieces;
+  return model->next_laws.shear != model->laws.shear || model->next_laws.pieces != model->laws.pieces;
 }
 
 void nb_laws_change(struct nb_model *model) {
@@ -78,5 +78,5 @@ void nb_laws_change(struct nb_model *model) {
     if (shear)
       nb_history_forget(&model->contacts.shear_history, c);
   }
-  model->laws = model->next;
+  model->laws = model->next_laws;
 }

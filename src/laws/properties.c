@@ -12,9 +12,11 @@ static double series(double a, double b) { return a == b ? a : 2 * a * b / (a + 
 static double smaller(double a, double b) { return a < b ? a : b; }
 
 /* (2 - nu)/G, with G = E/2(1 + nu); 1/Pa [R89 4.9, 4.10] */
-static double shear_yield(const struct nb_material *a) { return 2 * (1 + a->poisson) * (2 - a->poisson) / a->young; }
+static double shear_compliance(const struct nb_material *a) {
+  return 2 * (1 + a->poisson) * (2 - a->poisson) / a->young;
+}
 
-static bool is_of(const struct nb_pair_rule *rule, int a, int b) {
+static bool matches(const struct nb_pair_rule *rule, int a, int b) {
   return (rule->a == a && rule->b == b) || (rule->a == b && rule->b == a);
 }
 
@@ -31,11 +33,11 @@ static struct nb_pair pair_of(const struct nb_material *materials, const struct 
   };
   if (a->young > 0 && b->young > 0) { /* 1/infinity is 0: a rigid material adds no compliance */
     pair.young = 1 / ((1 - a->poisson * a->poisson) / a->young + (1 - b->poisson * b->poisson) / b->young);
-    pair.shear = 1 / (shear_yield(a) + shear_yield(b));
+    pair.shear = 1 / (shear_compliance(a) + shear_compliance(b));
   }
   for (size_t i = 0; i < rule_count; i++) {
     const struct nb_pair_rule *rule = &rules[i];
-    if (!is_of(rule, material_a, material_b))
+    if (!matches(rule, material_a, material_b))
       continue;
 #define ROW(name, ...) pair.name = given(rule->name, pair.name);
     NB_PAIR_ROWS(ROW)
@@ -90,7 +92,7 @@ struct nb_pair nb_properties_before(const struct nb_properties *now, const struc
 /* The rule of a pair; a new one without values if there was none. `create` has reserved capacity for all stages. */
 static struct nb_pair_rule *rule_of(struct nb_properties *now, int a, int b) {
   for (size_t i = 0; i < now->rule_count; i++)
-    if (is_of(&now->rules[i], a, b))
+    if (matches(&now->rules[i], a, b))
       return &now->rules[i];
   struct nb_pair_rule *rule = &now->rules[now->rule_count++];
 #define ROW(name, ...) .name = NAN,

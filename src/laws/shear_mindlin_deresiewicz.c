@@ -49,11 +49,11 @@ static const double merge_tolerance = 1e-7 / 1.5; /* of x, in u: 1e-7 mu N in T 
  * finite. */
 static const double max_friction_ratio = 1e150;
 
-static inline double unit_of(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
-static inline double u_of(struct nb_pair p, double ds) { return ds * p.radius * (1 / unit_of(p)); }
+static inline double mu_kappa(struct nb_pair p) { return p.friction * p.young / (4 * p.shear); }
+static inline double u_increment(struct nb_pair p, double ds) { return ds * p.radius * (1 / mu_kappa(p)); }
 
 /* A friction whose inverse overflows counts as none. */
-static inline bool has_friction(struct nb_pair p) { return unit_of(p) >= DBL_MIN; }
+static inline bool has_friction(struct nb_pair p) { return mu_kappa(p) >= DBL_MIN; }
 
 /* No tangential force without friction, nor where a normal law ends the force before the overlap. */
 static inline bool can_slide(struct nb_pair p, struct nb_normal n) {
@@ -200,11 +200,11 @@ static inline NB_FORM struct fetched shear_mindlin_deresiewicz_fetch(struct nb_p
     m[0] = 0;
   if (m[0] == 0) {
     at[0] = (struct corner){0};
-  } else if (m[1] != unit_of(p)) {
-    const double dissipated = rebuild(at, &m[0], fmin(m[1] / unit_of(p), max_friction_ratio), (int)p.pieces);
+  } else if (m[1] != mu_kappa(p)) {
+    const double dissipated = rebuild(at, &m[0], fmin(m[1] / mu_kappa(p), max_friction_ratio), (int)p.pieces);
     at[(int)m[0]].e = dissipated; /* until it is reported */
   }
-  m[1] = unit_of(p);
+  m[1] = mu_kappa(p);
   const int k = (int)m[0];
   return (struct fetched){m[0], corner_values(&at[k]), corner_values(&at[k > 0 ? k - 1 : 0]),
                           corner_values(&at[k > 1 ? k - 2 : 0]), corner_values(&at[k > 2 ? k - 3 : 0])};
@@ -226,7 +226,7 @@ static inline NB_FORM double force_of(struct nb_pair p, struct nb_normal n, doub
 
 static inline NB_FORM struct nb_shear shear_mindlin_deresiewicz_solve(struct nb_pair p, struct nb_normal n, double ds,
                                                                       struct fetched at, struct piece *piece) {
-  const double x = n.radius * n.radius, u = at.end.u + u_of(p, ds);
+  const double x = n.radius * n.radius, u = at.end.u + u_increment(p, ds);
   struct base base = {.k = -1};
   base = select_base(at.third, at.pieces - 2, x, u, base);
   base = select_base(at.next, at.pieces - 1, x, u, base);
@@ -245,7 +245,7 @@ static NB_COLD void advance_general(struct nb_pair p, struct nb_normal n, double
     out->force = 0, out->sliding = has_friction(p) ? 0 : 1;
     return;
   }
-  const double x = n.radius * n.radius, u = at[(int)m[0]].u + u_of(p, ds);
+  const double x = n.radius * n.radius, u = at[(int)m[0]].u + u_increment(p, ds);
   const int pieces = advance(at, (int)m[0], x, u, (int)p.pieces, dissipated);
   m[0] = pieces;
   out->sliding = fabs(u) > x ? 1 : 0;
@@ -267,7 +267,7 @@ static inline NB_FORM void shear_mindlin_deresiewicz_store(struct nb_pair p, str
     advance_general(p, n, ds, m, out, counts ? &dissipated : NULL);
   }
   if (counts && m[0] > 0)
-    out->dissipated = unit_of(p) / p.radius * (p.friction * n.force / (x * n.radius)) * dissipated;
+    out->dissipated = mu_kappa(p) / p.radius * (p.friction * n.force / (x * n.radius)) * dissipated;
 }
 
 static double shear_mindlin_deresiewicz_stored(struct nb_pair p, struct nb_normal n, const double m[]) {

@@ -38,7 +38,7 @@ static void remove_particle(struct nb_model *model, size_t i) {
   struct nb_particles *particles = &model->particles;
   if (model->terms)
     nb_sum_add(&model->terms[NB_TERM_REMOVED], nb_energy_of_particle(model, i));
-  const struct nb_contact_range range = nb_contact_range(&model->contacts.of, i);
+  const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, i);
   for (const int *c = range.first; c < range.end; c++)
     end_contact(model, (size_t)*c);
   if (model->boundary)

@@ -36,7 +36,7 @@ static void find_rattlers(const struct nb_model *model) {
     touching[queue[k]] = -1;
   while (queued > 0) {
     const size_t i = (size_t)queue[--queued];
-    const struct nb_contact_range range = nb_contact_range(&model->contacts.of, i);
+    const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, i);
     for (const int *entry = range.first; entry < range.end; entry++) {
       const size_t c = (size_t)*entry;
       const int other = nb_touches(&model->contacts, c) ? partner(model, c, i) : -1;
@@ -59,7 +59,7 @@ void nb_measure_coordination(const struct nb_model *model, struct nb_region_stat
     it->particles++;
     it->rattlers += touching[i] < 0, loaded += touching[i] >= 0;
     it->mechanical += touching[i] >= 0 ? touching[i] : 0;
-    const struct nb_contact_range range = nb_contact_range(&model->contacts.of, i);
+    const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, i);
     for (const int *entry = range.first; entry < range.end; entry++) {
       const size_t c = (size_t)*entry;
       if (!nb_touches(&model->contacts, c))

@@ -73,7 +73,7 @@ double nb_energy_of_contact(const struct nb_model *model, size_t c) {
 }
 
 double nb_energy_of_particle(const struct nb_model *model, size_t slot) {
-  const struct nb_contact_range range = nb_contact_range(&model->contacts.of, slot);
+  const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, slot);
   double sum = nb_energy_kinetic_of(model, slot);
   for (const int *c = range.first; c < range.end; c++)
     add_stored(&sum, model, (size_t)*c);

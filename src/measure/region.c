@@ -180,7 +180,7 @@ struct nb_ends nb_ends_begin(const struct nb_model *model, const struct nb_regio
 bool nb_ends_next_particle(struct nb_ends *ends) {
   const struct nb_model *model = ends->model;
   while (nb_region_next(model, ends->region, &ends->particle, &ends->slot)) {
-    const struct nb_contact_range range = nb_contact_range(&model->contacts.of, ends->slot);
+    const struct nb_contact_range range = nb_contact_range(&model->contacts.incidence, ends->slot);
     ends->next = range.first, ends->end = range.end;
     if (ends->next < ends->end)
       return true;

@@ -54,7 +54,7 @@ bool nb_stability_create(struct nb_model *model) {
 
 /* A stage may have changed properties and laws since the last force calculation. */
 static void update_next_properties(const struct nb_model *model) {
-  const struct nb_law *shear = strcmp(model->next.shear->name, "none") == 0 ? NULL : model->next.shear;
+  const struct nb_law *shear = strcmp(model->next_laws.shear->name, "none") == 0 ? NULL : model->next_laws.shear;
   for (size_t p = 0; p < model->material_pair_count; p++) {
     struct nb_material_pair *material_pair = &model->material_pairs[p];
     material_pair->next = nb_properties_pair(&model->properties, material_pair->a, material_pair->b);
@@ -69,7 +69,7 @@ static struct nb_coefficients coefficients_at(const struct nb_model *model,
                                               double shear_history[]) {
   struct nb_pair values = material_pair->next;
   values.radius = radius;
-  struct nb_normal normal = model->next.normal->normal(values, overlap, 0, normal_history);
+  struct nb_normal normal = model->next_laws.normal->normal(values, overlap, 0, normal_history);
   normal.overlap = overlap;
   struct nb_coefficients k = {.kn = nb_normal_max_stiffness(normal)};
   if (material_pair->next_shear)
@@ -105,7 +105,7 @@ static struct nb_coefficients coefficients_of(const struct nb_model *model, size
     else
       memcpy(to, nb_history_read(history, c, buffer), (size_t)doubles * sizeof *to);
   }
-  const double overlap = nb_overlap(model, c), least = model->next.normal->elastic ? 0 : smallest_overlap;
+  const double overlap = nb_overlap(model, c), least = model->next_laws.normal->elastic ? 0 : smallest_overlap;
   return coefficients_at(model, material_pair, overlap > least ? overlap : least,
                          inverse_mass(model, c, material_pair->wall),
                          nb_contact_constants(model, c, material_pair->next).radius,
@@ -188,7 +188,7 @@ struct nb_stable nb_stable_step_apart(const struct nb_model *model) {
         inverse += particles->inverse_mass[lightest[side]];
         curvature += 1 / particles->surface[lightest[side]].radius;
       }
-    if (model->next.normal->elastic)
+    if (model->next_laws.normal->elastic)
       continue; /* elastic spheres have no stiffness when they just touch */
     struct nb_element element = {
         .own = coefficients_at(model, material_pair, smallest_overlap, inverse, 1 / curvature, false, normal, shear)};

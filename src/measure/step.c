@@ -64,7 +64,7 @@ double nb_step_collision(const struct nb_model *model) {
 }
 
 bool nb_step_elastic(const struct nb_model *model) {
-  return model->material_pair_count > 0 && model->next.normal->elastic;
+  return model->material_pair_count > 0 && model->next_laws.normal->elastic;
 }
 
 /* Largest overlap of elastic spheres that counts as rounding, over the radius; its stiffness is negligible. */

@@ -399,7 +399,7 @@ static int line_needing_reference(const struct nb_expectations *expectations) {
 
 enum nb_status nb_expectations_read(struct nb_expectations *expectations, const struct nb_page *page,
                                     const struct nb_scene *scene, struct nb_mistakes *mistakes) {
-  const size_t before = mistakes->made;
+  const size_t before = mistakes->total;
   *expectations = (struct nb_expectations){0};
   struct reading reading = {expectations, scene};
   struct nb_reader *reader = calloc(1, sizeof *reader);

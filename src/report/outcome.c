@@ -23,7 +23,7 @@ static void read_runs(struct nb_outcome *outcome, nb_settings settings) {
   outcome->runs = calloc(runs + 1, sizeof *outcome->runs);
   if (!outcome->runs)
     nb_mistake_memory(&outcome->mistakes);
-  for (size_t r = 0; r < runs && outcome->runs && outcome->mistakes.made == 0; r++) {
+  for (size_t r = 0; r < runs && outcome->runs && outcome->mistakes.total == 0; r++) {
     struct nb_page_run *run = &outcome->runs[outcome->run_count++];
     nb_scene_read(&run->scene, &outcome->page, r, settings, &outcome->mistakes);
     nb_expectations_read(&run->expectations, &outcome->page, &run->scene, &outcome->mistakes);

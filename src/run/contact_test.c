@@ -163,7 +163,7 @@ struct segment {
 };
 
 static double target_value(const struct nb_target *target, double from) {
-  return target->by ? from + target->value : target->value;
+  return target->relative ? from + target->value : target->value;
 }
 
 static struct segment segment_begin(const struct nb_contact_test *contact_test, const struct nb_stage *stage) {

@@ -158,7 +158,7 @@ static void set_initial_values(struct nb_model *model, const struct nb_scene *sc
   model->stability->allow_unstable = scene->allow_unstable;
   model->plan.keep_all = options && options->keep_all;
   model->states = options ? options->states : NULL;
-  model->laws = model->next = nb_laws_initial(scene);
+  model->laws = model->next_laws = nb_laws_initial(scene);
 }
 
 /* Makes the plan and the first list of contacts, and sets the step. */

@@ -61,7 +61,7 @@ static enum nb_status conditions_not_met(const struct nb_stage *stage, const str
 static void note_laws(const struct run *run, const struct nb_stage *stage) {
   const struct nb_model *model = run->model;
   const struct nb_progress *progress = run->reporter.progress;
-  const struct nb_active_laws *before = &model->laws, *next = &model->next;
+  const struct nb_active_laws *before = &model->laws, *next = &model->next_laws;
   char text[6 * NB_NAME_SIZE], old[NB_NAME_SIZE], memory[NB_NAME_SIZE] = "";
   for (int shear = 0; shear < 2 && progress && progress->note; shear++) {
     if (!(shear ? nb_laws_shear_changes(model) : nb_laws_normal_changes(model)))

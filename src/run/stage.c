@@ -217,14 +217,14 @@ static enum nb_status begin_loading(struct nb_model *model, const struct nb_stag
 }
 
 enum nb_status nb_stage_begin(struct nb_model *model, const struct nb_stage *stage, struct nb_error *error) {
-  model->damping_before = model->damping;
+  model->previous_damping = model->damping;
   model->stage_time = model->time;
   model->stage_cycle = 0;
   if (begin_assembly(model, stage, error))
     return error->status;
   model->damping = stage->damping;
-  model->next = nb_laws_of(stage, model->laws);
-  model->properties.pieces = model->next.pieces;
+  model->next_laws = nb_laws_of(stage, model->laws);
+  model->properties.pieces = model->next_laws.pieces;
   struct nb_stable apart;
   begin_wall_motions(model, stage), begin_property_changes(model, &apart);
   if (nb_step_set(model, &stage->step, error) || begin_loading(model, stage, error))

@@ -256,8 +256,8 @@ static void restore_walls(struct nb_walls *walls, const struct nb_saved *saved) 
 static void restore_stage(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   for (size_t s = 0; s < scene->start.stages; s++)
-    model->next = nb_laws_of(&scene->stages[s], model->next);
-  model->laws = model->next;
+    model->next_laws = nb_laws_of(&scene->stages[s], model->next_laws);
+  model->laws = model->next_laws;
   model->properties.pieces = model->laws.pieces;
   model->stage = &scene->stages[scene->start.stages - 1];
   model->damping = model->stage->damping;
