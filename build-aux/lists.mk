@@ -410,7 +410,7 @@ CORE = \
   src/core/wall_vertices.c \
   src/core/machine.c \
   src/core/materials.c \
-  src/core/memory.c \
+  src/core/history.c \
   src/core/model.h \
   src/core/motion.c \
   src/core/motion.h \

@@ -110,7 +110,7 @@ static inline double nb_touch_fraction(double overlap, double dn) {
   return nb_touch_began(overlap, dn) ? overlap / dn : 1;
 }
 
-/* ---- memory.c ---- */
+/* ---- history.c ---- */
 /* An empty history of so many contacts; a failed allocation is recorded in the owner. */
 struct nb_history nb_history_create(struct nb_owner *owner, int doubles, size_t contacts);
 struct nb_history nb_history_from(const struct nb_history *memory, size_t first); /* of the contacts from `first` on */
