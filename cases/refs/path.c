@@ -38,7 +38,7 @@ struct path_walk path_walk(const struct nb_scene *scene) {
 }
 
 static double interpolated(const struct nb_target *aim, double from, double fraction) {
-  const double to = aim->by ? from + aim->value : aim->value;
+  const double to = aim->relative ? from + aim->value : aim->value;
   return fraction == 1 ? to : from + (to - from) * fraction;
 }
 
