@@ -1,4 +1,4 @@
-/* What every reference shares: it keeps what it knows, is found by its name, and refuses what it cannot judge.
+/* Common to all references: their solutions, the register, and scenes that they refuse.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L /* fork */
@@ -18,12 +18,12 @@
 
 static const double kn = 1.35e9;
 
-static void what_cannot_be_judged_is_refused(void) {
+static void scenes_outside_the_theory_are_refused(void) {
   struct refs_scene it;
   refs_nine_discs(&it, kn, 2, 40, 400);
   it.stages[1].damping.contact_kind = NB_CONTACT_STIFFNESS;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "damping"));
-  struct nb_solution solution = refs_solution("nine_discs_statics", &it); /* at rest damping does not matter */
+  struct nb_solution solution = refs_solution("nine_discs_statics", &it); /* damping does not change the equilibrium */
   solution_free(&solution);
   refs_nine_discs(&it, kn, 2, 40, 400);
   it.stages[1].step.value = 0.05;
@@ -46,8 +46,8 @@ static void what_cannot_be_judged_is_refused(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "hertz"));
 }
 
-/* GSL gives up here, or the matrices would fill the memory: an error in words, and the program goes on. */
-static void what_cannot_be_computed_is_refused(void) {
+/* GSL gives up, or the matrices would be too large: an error in words, and the program continues. */
+static void unsolvable_networks_are_refused(void) {
   struct refs_scene it;
   nb_references_prepare();
   for (double ks = 1e200; ks < 1e301; ks *= 1e100) {
@@ -55,7 +55,7 @@ static void what_cannot_be_computed_is_refused(void) {
     CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "cannot be solved"));
     CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_slip", &it).text, "cannot be solved"));
   }
-  it.scene.particle_count = 1001; /* nobody looks at them */
+  it.scene.particle_count = 1001; /* their values are not read */
   struct nb_particle *many = calloc(it.scene.particle_count, sizeof *many);
   CU_ASSERT_PTR_NOT_NULL_FATAL(many);
   it.scene.particles = many;
@@ -63,8 +63,8 @@ static void what_cannot_be_computed_is_refused(void) {
   free(many);
 }
 
-/* A NULL from GSL is looked at by nobody. */
-static void memory_that_gsl_does_not_get_ends_the_program(void) {
+/* References do not check the allocations of GSL. */
+static void failed_allocation_in_gsl_ends_the_program(void) {
   int status = -1;
   nb_references_prepare();
   fflush(NULL);
@@ -80,7 +80,7 @@ static void memory_that_gsl_does_not_get_ends_the_program(void) {
 
 static double twice(const void *data, double x) { return 2 * x + *(const double *)data; }
 
-static void known_keeps_what_it_is_told(void) {
+static void solution_keeps_values_and_curves(void) {
   struct nb_solution solution = {0};
   struct nb_error error = {0};
   char name[16];
@@ -102,7 +102,7 @@ static void known_keeps_what_it_is_told(void) {
   CU_ASSERT_EQUAL(curve->at(curve->data, 3), 7);
   CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "C.normal", "cycle"));
   CU_ASSERT_EQUAL(solution_status(&solution, &error), NB_OK);
-  solution_curve(&solution, "C.shear", "time", twice, NULL); /* a curve whose data could not be made */
+  solution_curve(&solution, "C.shear", "time", twice, NULL); /* a curve whose data could not be allocated */
   CU_ASSERT_EQUAL(solution_status(&solution, &error), NB_NO_MEMORY);
   solution_free(&solution);
   CU_ASSERT_EQUAL(solution.value_count, 0);
@@ -111,8 +111,8 @@ static void known_keeps_what_it_is_told(void) {
   CU_ASSERT_PTR_NULL(nb_reference_find("nine_disks"));
 }
 
-/* Numbers worked out by hand; and the simulator's own, which came another way, are the same. */
-static void matter_is_what_books_say(void) {
+/* Values computed by hand, and by the independent functions of the simulator. */
+static void masses_and_contact_constants(void) {
   struct nb_material materials[3] = {
       {.density = 3, .kn = 6, .ks = 2, .friction = 0.5, .cohesion = 7, .young = 182, .poisson = 0.3},
       {.density = 5, .kn = 3, .ks = 2, .friction = 0.25, .cohesion = 9, .young = 75, .poisson = 0.25},
@@ -138,16 +138,16 @@ static void matter_is_what_books_say(void) {
   pair = matter_pair(&scene, 0, 1);
   CU_ASSERT_DOUBLE_EQUAL(pair.kn, 4, 1e-15);
   CU_ASSERT(pair.ks == 11 && pair.friction == 0 && pair.cohesion == 7);
-  const struct nb_pair theirs = nb_scene_pair(&scene, 0, 1);
-  REFS_NEAR(theirs.kn, pair.kn, 1e-15, 4.);
-  REFS_NEAR(theirs.young, pair.young, 1e-15, 60.);
-  REFS_NEAR(theirs.shear, pair.shear, 1e-15, 12.);
+  const struct nb_pair simulated = nb_scene_pair(&scene, 0, 1);
+  REFS_NEAR(simulated.kn, pair.kn, 1e-15, 4.);
+  REFS_NEAR(simulated.young, pair.young, 1e-15, 60.);
+  REFS_NEAR(simulated.shear, pair.shear, 1e-15, 12.);
   REFS_NEAR(nb_particle_mass(&scene, &disc), matter_mass(&scene, &disc), 1e-15, 40.);
   REFS_NEAR(nb_particle_inertia(&scene, &sphere), matter_inertia(&scene, &sphere), 1e-15, 2000.);
 }
 
-/* A body of material 0, which has neither by itself, and a wall of material 1: what rubs or holds is their pair alone. */
-static void friction_at_a_wall(void) {
+/* A particle of material 0 and a wall of material 1: only their pair has friction and cohesion. */
+static void friction_and_cohesion_at_a_wall(void) {
   struct refs_scene it;
   memset(&it, 0, sizeof it);
   strcpy(it.scene.normal, "linear"), strcpy(it.scene.shear, "linear");
@@ -156,8 +156,9 @@ static void friction_at_a_wall(void) {
   it.scene.particles = it.particles, it.scene.particle_count = 1;
   it.scene.walls = it.walls, it.scene.wall_count = 1;
   it.materials[0].line = 12, it.materials[1].line = 13, it.walls[0].material = 1;
-  for (int b = 0; b < 2; b++)              /* the wall's material with that of the body, or with itself */
-    for (int wall = 0; wall < 2; wall++) { /* the wall is of that material, or of the body's */
+  for (int b = 0; b < 2;
+       b++) /* the rule is for the material of the wall and that of the particle, or for the wall's twice */
+    for (int wall = 0; wall < 2; wall++) { /* the wall has the material of the particle, or the other one */
       int lines[NB_FEATURES];
       it.rules[0] = (struct nb_pair_rule){.a = 1, .b = b, .kn = NAN, .ks = NAN, .friction = 0.5, .cohesion = 1};
       it.walls[0].material = wall;
@@ -169,10 +170,10 @@ static void friction_at_a_wall(void) {
 
 void suite_refs(void) {
   CU_pSuite suite = CU_add_suite("refs", NULL, NULL);
-  CU_add_test(suite, "masses and constants of contacts are what books say", matter_is_what_books_say);
-  CU_add_test(suite, "what a reference knows is kept", known_keeps_what_it_is_told);
-  CU_add_test(suite, "what cannot be judged is refused", what_cannot_be_judged_is_refused);
-  CU_add_test(suite, "what cannot be computed is refused", what_cannot_be_computed_is_refused);
-  CU_add_test(suite, "memory that GSL does not get ends the program", memory_that_gsl_does_not_get_ends_the_program);
-  CU_add_test(suite, "friction and cohesion of a body and a wall count", friction_at_a_wall);
+  CU_add_test(suite, "masses and constants of contacts", masses_and_contact_constants);
+  CU_add_test(suite, "a solution keeps its values and curves", solution_keeps_values_and_curves);
+  CU_add_test(suite, "scenes outside the theory are refused", scenes_outside_the_theory_are_refused);
+  CU_add_test(suite, "networks that cannot be solved are refused", unsolvable_networks_are_refused);
+  CU_add_test(suite, "failed allocation in GSL ends the program", failed_allocation_in_gsl_ends_the_program);
+  CU_add_test(suite, "friction and cohesion of a particle and a wall", friction_and_cohesion_at_a_wall);
 }

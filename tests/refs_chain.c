@@ -1,4 +1,4 @@
-/* The judge of rows: against the calculation cycle done by hand, disc by disc, and against Bessel's functions.
+/* The reference `chain`: against the calculation cycle, disc by disc, and against Bessel functions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -33,10 +33,10 @@ static const struct nb_solution_curve *curve(const struct nb_solution *solution,
 
 static void check_cycle(const char *step, double dt) {
   struct written it;
-  struct refs_scene around;
+  struct refs_scene scene;
   row(&it, 7, step, "stage s\ncycles 100\n");
-  around.scene = it.scene;
-  struct nb_solution solution = refs_solution("chain", &around);
+  scene.scene = it.scene;
+  struct nb_solution solution = refs_solution("chain", &scene);
   const struct nb_solution_curve *w = curve(&solution, "W.normal"), *e = curve(&solution, "E.normal"),
                                  *c = curve(&solution, "C.normal");
   const struct nb_solution_curve *x = curve(&solution, "D.x"), *v = curve(&solution, "D.vx.half");
@@ -63,19 +63,19 @@ static void check_cycle(const char *step, double dt) {
   written_free(&it);
 }
 
-static void modes_are_the_cycle(void) {
+static void modes_equal_the_cycle(void) {
   check_cycle("0.05", 0.1);
   check_cycle("0.45", 0.9);
   check_cycle("0.53", 1.06); /* cos(pi/16) dt > 1: one mode grows */
 }
 
-/* Struck at the end that is held: J_(2l-2)(2t) - J_(2l+2)(2t), until something comes back. */
-static void a_blow_is_bessels(void) {
+/* An initial velocity of the disc at the wall: J_(2l-2)(2t) - J_(2l+2)(2t), until the reflection arrives. */
+static void impulse_gives_bessel_functions(void) {
   struct written it;
-  struct refs_scene around;
+  struct refs_scene scene;
   row(&it, N, "0.001", "stage s\nuntil D.vx.half above 1e-4 at most 5000 cycles\n");
-  around.scene = it.scene;
-  struct nb_solution solution = refs_solution("chain", &around);
+  scene.scene = it.scene;
+  struct nb_solution solution = refs_solution("chain", &scene);
   const struct nb_solution_curve *v = curve(&solution, "D.vx.half");
   double worst = 0, first = 0;
   for (int n = 1; n <= 15000; n += 7) {
@@ -93,6 +93,6 @@ static void a_blow_is_bessels(void) {
 
 void suite_refs_chain(void) {
   CU_pSuite suite = CU_add_suite("refs_chain", NULL, NULL);
-  CU_add_test(suite, "modes are the cycle", modes_are_the_cycle);
-  CU_add_test(suite, "a blow is Bessel's", a_blow_is_bessels);
+  CU_add_test(suite, "the sum of modes equals the calculation cycle", modes_equal_the_cycle);
+  CU_add_test(suite, "an impulse gives Bessel functions", impulse_gives_bessel_functions);
 }

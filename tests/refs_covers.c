@@ -1,4 +1,4 @@
-/* Every reference against every feature that a scene may have: what it does not list, it refuses, and says what and where.
+/* Every reference with every feature of scenes: it refuses those that it does not list, and names the feature and its line.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -12,8 +12,8 @@ enum {
   NEEDS = sizeof((struct nb_reference *)0)->needs / sizeof(enum nb_feature)
 };
 
-static bool lists(const enum nb_feature list[], size_t room, enum nb_feature feature) {
-  for (size_t k = 0; k < room && list[k] != HAS_NOTHING; k++)
+static bool lists(const enum nb_feature list[], size_t size, enum nb_feature feature) {
+  for (size_t k = 0; k < size && list[k] != HAS_NOTHING; k++)
     if (list[k] == feature)
       return true;
   return false;
@@ -29,7 +29,8 @@ static void first_word(char to[NB_NAME_SIZE], const char *words, const char *any
   snprintf(to, NB_NAME_SIZE, "%.*s", (int)strcspn(words, " "), words);
 }
 
-/* One body and two stages, of which the first has what the reference needs and the second what is added. */
+/* One particle and two stages; the first one gets the features that the reference needs, the second one the tested
+ * feature. */
 static void plain(struct refs_scene *it, const struct nb_reference *reference) {
   memset(it, 0, sizeof *it);
   first_word(it->scene.normal, reference->normal, "linear");
@@ -107,7 +108,7 @@ static void add(struct refs_scene *it, enum nb_feature feature, int stage) {
   case HAS_MASS_DAMPING:
   case HAS_CON1_CS79:
   case HAS_CON1_VELOCITY:
-  case HAS_CON1_ALL: /* in all stages, so that none changes it; but not in the place of what is needed */
+  case HAS_CON1_ALL: /* in all stages, so that no stage changes the damping; but it must not replace a needed one */
     if (scene->damping.global_kind && feature > HAS_MASS_DAMPING) {
       add_damping(&it->stages[stage].damping, feature);
       break;
@@ -192,7 +193,7 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
   case HAS_STEP_CHANGE:
     stage->step.value = 1, stage->step.line = LINE;
     break;
-  case HAS_DAMPING_CHANGE: /* 0 is none, and another kind of none */
+  case HAS_DAMPING_CHANGE: /* another kind of damping with the value 0 */
     stage->damping.contact_kind = NB_CONTACT_STIFFNESS;
     break;
   case HAS_LAW_CHANGE:
@@ -209,8 +210,8 @@ static void add_to_stage(struct nb_stage *stage, enum nb_feature feature) {
   }
 }
 
-/* What the reference needs, and this feature if it is another one. */
-static void with(struct refs_scene *it, const struct nb_reference *reference, enum nb_feature feature) {
+/* A scene with the needed features and this one. */
+static void scene_with(struct refs_scene *it, const struct nb_reference *reference, enum nb_feature feature) {
   plain(it, reference);
   for (int k = 0; k < NEEDS; k++)
     if (reference->needs[k] != HAS_NOTHING && reference->needs[k] != feature)
@@ -219,13 +220,13 @@ static void with(struct refs_scene *it, const struct nb_reference *reference, en
     add(it, feature, 1);
 }
 
-static void what_is_not_listed_is_refused(void) {
+static void unlisted_features_are_refused(void) {
   for (const struct nb_reference *const *it = nb_references(); *it; it++)
     for (enum nb_feature feature = HAS_NOTHING; feature < NB_FEATURES; feature++) {
       struct refs_scene scene;
       struct nb_error error = {0};
       char expected[512];
-      with(&scene, *it, feature);
+      scene_with(&scene, *it, feature);
       const enum nb_status status = nb_reference_covers(*it, &scene.scene, &error);
       const bool fits = feature == HAS_NOTHING || covered(*it, feature);
       snprintf(expected, sizeof expected, "the reference `%s` does not cover `%s` (line %d)", (*it)->name,
@@ -238,18 +239,18 @@ static void what_is_not_listed_is_refused(void) {
     }
 }
 
-static void what_is_needed_must_be_there(void) {
+static void missing_features_are_refused(void) {
   for (const struct nb_reference *const *it = nb_references(); *it; it++)
-    for (int left = 0; left < NEEDS && (*it)->needs[left] != HAS_NOTHING; left++) {
+    for (int omitted = 0; omitted < NEEDS && (*it)->needs[omitted] != HAS_NOTHING; omitted++) {
       struct refs_scene scene;
       struct nb_error error = {0};
       char expected[512];
       plain(&scene, *it);
       for (int k = 0; k < NEEDS; k++)
-        if ((*it)->needs[k] != HAS_NOTHING && k != left)
+        if ((*it)->needs[k] != HAS_NOTHING && k != omitted)
           add(&scene, (*it)->needs[k], 0);
       snprintf(expected, sizeof expected, "the reference `%s` is for a scene with `%s`, and this one has none",
-               (*it)->name, nb_feature_name((*it)->needs[left]));
+               (*it)->name, nb_feature_name((*it)->needs[omitted]));
       CU_ASSERT_EQUAL(nb_reference_covers(*it, &scene.scene, &error), NB_BAD_USE);
       CU_ASSERT_STRING_EQUAL(error.text, expected);
     }
@@ -261,9 +262,9 @@ static void other_laws_are_refused(void) {
       struct refs_scene scene;
       struct nb_error error = {0};
       const char *laws = shear ? (*it)->shear : (*it)->normal;
-      with(&scene, *it, HAS_NOTHING);
+      scene_with(&scene, *it, HAS_NOTHING);
       CU_ASSERT_PTR_NOT_NULL_FATAL(laws);
-      strcpy(shear ? scene.scene.shear : scene.scene.normal, "line"); /* the beginning of a name is no name */
+      strcpy(shear ? scene.scene.shear : scene.scene.normal, "line"); /* the begin of a name is not accepted */
       scene.scene.normal_line = scene.scene.shear_line = LINE;
       const enum nb_status any = strcmp(laws, NB_ANY_LAW) == 0 ? NB_OK : NB_BAD_USE;
       CU_ASSERT_EQUAL(nb_reference_covers(*it, &scene.scene, &error), any);
@@ -283,7 +284,7 @@ static void every_feature_has_a_name(void) {
 void suite_refs_covers(void) {
   CU_pSuite suite = CU_add_suite("refs_covers", NULL, NULL);
   CU_add_test(suite, "every feature has a name of its own", every_feature_has_a_name);
-  CU_add_test(suite, "what a reference does not list is refused", what_is_not_listed_is_refused);
-  CU_add_test(suite, "what a reference needs must be there", what_is_needed_must_be_there);
+  CU_add_test(suite, "features that a reference does not list are refused", unlisted_features_are_refused);
+  CU_add_test(suite, "scenes without a needed feature are refused", missing_features_are_refused);
   CU_add_test(suite, "other laws are refused", other_laws_are_refused);
 }

@@ -1,4 +1,4 @@
-/* Which features a scene has: each way in which a scene can have one, in bodies, laws, loading and stages, by itself.
+/* The features of a scene: each way to have one, in particles, laws, loading and stages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -20,8 +20,8 @@ static struct refs_scene plain(void) {
   return it;
 }
 
-/* The features that follow, up to HAS_NOTHING, are those of the scene, all from LINE. */
-static void has(struct refs_scene *it, const char *what, const enum nb_feature expected[]) {
+/* The scene has exactly the expected features, up to HAS_NOTHING, all from LINE. */
+static void check_features(struct refs_scene *it, const char *what, const enum nb_feature expected[]) {
   int lines[NB_FEATURES];
   struct nb_scene *scene = &it->scene;
   scene->materials = it->materials, scene->particles = it->particles, scene->walls = it->walls,
@@ -44,10 +44,10 @@ static void has(struct refs_scene *it, const char *what, const enum nb_feature e
     struct nb_stage *const stage = &it.stages[1];                                                                      \
     (void)particle, (void)scene, (void)stage;                                                                          \
     change;                                                                                                            \
-    has(&it, #change, (const enum nb_feature[]){__VA_ARGS__});                                                         \
+    check_features(&it, #change, (const enum nb_feature[]){__VA_ARGS__});                                              \
   } while (0)
 
-static void of_particles_and_walls(void) {
+static void features_of_particles_and_walls(void) {
   HAS((void)0, HAS_NOTHING);
   for (int sign = -1; sign < 2; sign += 2) {
     HAS((particle->vx = sign, particle->line = LINE), HAS_DISCS, HAS_VELOCITIES, HAS_NOTHING);
@@ -58,14 +58,14 @@ static void of_particles_and_walls(void) {
     HAS((it.walls->spin = sign, it.walls->line = LINE, scene->wall_count = 1), HAS_WALLS, HAS_TURNING_WALLS,
         HAS_NOTHING);
   }
-  /* The first line that asks for it. */
+  /* The first line counts. */
   HAS((particle[0].fixed = particle[1].fixed = 3, particle[0].line = LINE, particle[1].line = LATER,
        scene->particle_count = 2),
       HAS_DISCS, HAS_FIXED_PARTICLES, HAS_NOTHING);
 }
 
-/* Of pairs that may touch, and where there is a shear law. */
-static void of_contacts(void) {
+/* Only of pairs that can touch, and with a shear law. */
+static void features_of_contacts(void) {
   struct nb_change has_friction = {.friction = 1, .line = LINE}, sticks = {.cohesion = 1, .line = LINE};
   struct nb_change swells = {.friction = 0, .cohesion = 0, .ramp = true, .line = LINE};
   HAS(it.materials[0].friction = 1, HAS_FRICTION, HAS_NOTHING);
@@ -86,8 +86,8 @@ static void of_contacts(void) {
   HAS((stage->laws.pieces = 8, stage->laws.shear_line = LINE), HAS_MEMORY, HAS_NOTHING);
 }
 
-/* A rule for two materials holds between bodies of the two, or a body and a wall; walls do not touch each other. */
-static void of_pairs(void) {
+/* A rule for two materials applies to two particles, or a particle and a wall; walls do not touch each other. */
+static void features_of_pairs(void) {
   const struct nb_pair_rule rule = {.a = 0, .b = 1, .kn = NAN, .ks = NAN, .friction = 1, .cohesion = 1};
 #define BETWEEN(first, second, walled, ...)                                                                            \
   HAS((scene->pair_rules = it.rules, scene->pair_rule_count = 1, it.rules[0] = rule, particle[0].material = first,     \
@@ -102,7 +102,7 @@ static void of_pairs(void) {
   BETWEEN(1, 1, 1, HAS_WALLS, HAS_NOTHING);
 }
 
-static void of_damping(void) {
+static void features_of_damping(void) {
   for (int kind = 0; kind < 3; kind++) {
     const enum nb_contact_damping kinds[] = {NB_CONTACT_STIFFNESS, NB_CONTACT_R89_FRACTION, NB_CONTACT_RATIO};
     const enum nb_feature feature = (enum nb_feature)(HAS_STIFFNESS_DAMPING + kind);
@@ -119,7 +119,7 @@ static void of_damping(void) {
   HAS(scene->damping = stage[-1].damping = stage->damping = none, HAS_NOTHING);
 }
 
-static void of_loading(void) {
+static void features_of_loading(void) {
   struct nb_wall_motion motion = {.line = LINE};
   for (int sign = -1; sign < 2; sign += 2) {
     for (int k = 0; k < 4; k++) {
@@ -157,9 +157,9 @@ static void of_loading(void) {
 
 void suite_refs_features(void) {
   CU_pSuite suite = CU_add_suite("refs_features", NULL, NULL);
-  CU_add_test(suite, "features of bodies and walls", of_particles_and_walls);
-  CU_add_test(suite, "friction and cohesion, from the start or from a stage on", of_contacts);
-  CU_add_test(suite, "rules for two materials", of_pairs);
-  CU_add_test(suite, "damping, of walls and in stages too; none is none", of_damping);
-  CU_add_test(suite, "strains, gravity, walls that move, steps and ramps", of_loading);
+  CU_add_test(suite, "features of particles and walls", features_of_particles_and_walls);
+  CU_add_test(suite, "friction and cohesion, from the start or from a stage on", features_of_contacts);
+  CU_add_test(suite, "rules for two materials", features_of_pairs);
+  CU_add_test(suite, "damping, also of walls and in stages; 0 is no damping", features_of_damping);
+  CU_add_test(suite, "strains, gravity, moving walls, steps and ramps", features_of_loading);
 }

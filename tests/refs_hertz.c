@@ -1,4 +1,4 @@
-/* Hertz's impact: the references against each other, against closed forms, and what they refuse.
+/* The references of Hertz's impact: against each other and closed forms, and the scenes that they refuse.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -11,8 +11,9 @@
 #include "refs_scenes.h"
 #include "suites.h"
 
-/* Sphere 1 above comes down on sphere 2, or on a wall, along a line that is not an axis: E, nu, density, R of both, and V. */
-static void meet(struct refs_scene *it, bool wall, double damping) {
+/* Head-on impact of sphere 1 on sphere 2 or on a wall, along a line that is not an axis; different materials and radii.
+ * */
+static void make_impact(struct refs_scene *it, bool wall, double damping) {
   memset(it, 0, sizeof *it);
   it->materials[0] = (struct nb_material){.name = "a", .density = 7800, .young = 210e9, .poisson = 0.3};
   it->materials[1] = (struct nb_material){.name = "b", .density = 2650, .young = 70e9, .poisson = 0.25};
@@ -44,11 +45,11 @@ static double at(const struct nb_solution *solution, const char *name, double t)
   return curve->at(curve->data, t);
 }
 
-/* Written out once more, with the numbers of the scene: m*, R*, E*, alpha*, N*, T_c [R89 5.4, 5.5, 5.9, 5.12]. */
-static void the_numbers_of_the_book(void) {
+/* The formulas with the numbers of the scene: m*, R*, E*, alpha*, N*, T_c [R89 5.4, 5.5, 5.9, 5.12]. */
+static void values_of_the_formulas(void) {
   for (int wall = 0; wall < 2; wall++) {
     struct refs_scene it;
-    meet(&it, wall, 0);
+    make_impact(&it, wall, 0);
     struct nb_solution solution = refs_solution("hertz_impact", &it);
     const double m1 = 4 * M_PI / 3 * 1e-6 * 7800, m2 = 4 * M_PI / 3 * 1.728e-6 * 2650;
     const double m = wall ? m1 : m1 * m2 / (m1 + m2), r = wall ? 0.01 : 0.01 * 0.012 / 0.022;
@@ -65,9 +66,9 @@ static void the_numbers_of_the_book(void) {
 }
 
 /* t(s) is the incomplete beta function: 2 t/T_c = I(s^(5/2); 2/5, 1/2). The gap of 1e-5 m takes 5 us at 2 m/s. */
-static void the_way_in_is_a_beta_function(void) {
+static void loading_is_a_beta_function(void) {
   struct refs_scene it;
-  meet(&it, false, 0);
+  make_impact(&it, false, 0);
   struct nb_solution solution = refs_solution("hertz_impact", &it);
   const double depth = refs_value(&solution, "C.overlap max"), duration = refs_value(&solution, "impact.duration");
   const double begin = 5e-6;
@@ -83,10 +84,10 @@ static void the_way_in_is_a_beta_function(void) {
   solution_free(&solution);
 }
 
-/* Without damping the ODE is the quadrature; with damping it gives the closed form of the restitution. */
-static void the_ode_agrees(void) {
+/* Without damping the ODE equals the quadrature; with damping its restitution equals the closed form. */
+static void ode_equals_closed_forms(void) {
   struct refs_scene it;
-  meet(&it, true, 0);
+  make_impact(&it, true, 0);
   struct nb_solution free = refs_solution("hertz_impact", &it), ode = refs_solution("hertz_damped", &it);
   static const char *const same[] = {"C.overlap max", "C.normal max", "impact.duration", "impact.restitution"};
   for (int k = 0; k < 4; k++)
@@ -95,23 +96,23 @@ static void the_ode_agrees(void) {
     REFS_NEAR(at(&free, "C.normal", t), at(&ode, "C.normal", t), 1e-11, refs_value(&free, "C.normal max"));
   solution_free(&free), solution_free(&ode);
   for (double beta = 0.05; beta < 0.9; beta += 0.05) {
-    meet(&it, true, beta);
+    make_impact(&it, true, beta);
     ode = refs_solution("hertz_damped", &it);
     REFS_NEAR(refs_value(&ode, "impact.restitution"), hertz_restitution(beta), 1e-11, 1.);
     CU_ASSERT(fabs(hertz_ratio(hertz_restitution(beta)) - beta) < 1e-13);
     solution_free(&ode);
   }
-  meet(&it, true, 1);
+  make_impact(&it, true, 1);
   ode = refs_solution("hertz_damped", &it);
   CU_ASSERT_EQUAL(refs_value(&ode, "impact.restitution"), 0);
   CU_ASSERT_PTR_NULL(solution_find(&ode, "impact.duration"));
   solution_free(&ode);
 }
 
-/* The curve obeys m* alpha'' = -N - D, with D as [R89 4.13] has it. */
-static void the_dashpot_is_the_one_of_the_book(void) {
+/* The curve obeys m* alpha'' = -N - D, with D of [R89 4.13]. */
+static void dashpot_is_that_of_r89(void) {
   struct refs_scene it;
-  meet(&it, true, 0.3);
+  make_impact(&it, true, 0.3);
   struct nb_solution ode = refs_solution("hertz_damped", &it);
   const double m = 4 * M_PI / 3 * 1e-6 * 7800, young = 1 / (0.91 / 210e9 + 0.9375 / 70e9), h = 2e-8;
   for (double t = 1e-5; t < 5e-5; t += 5e-6) {
@@ -125,12 +126,13 @@ static void the_dashpot_is_the_one_of_the_book(void) {
   solution_free(&ode);
 }
 
-/* zeta(-3/2, a + 1) = zeta(-3/2, a) - a^(3/2) shows as e over a whole turn of the phase; and its bound, -0.0315 and 0.0241. */
-static void the_phase_comes_round(void) {
+/* zeta(-3/2, a + 1) = zeta(-3/2, a) - a^(3/2) gives the same e after a phase of 1; its bounds are -0.0315 and 0.0241.
+ * */
+static void step_error_is_periodic(void) {
   struct refs_scene it;
   double first = 0, least = 1, most = 1;
   for (int k = 0; k <= 64; k++) {
-    meet(&it, true, 0);
+    make_impact(&it, true, 0);
     it.scene.impact = (struct nb_impact){.phase = k / 64., .line = 1};
     struct nb_solution solution = refs_solution("hertz_phase", &it);
     const double e = refs_value(&solution, "impact.restitution");
@@ -139,17 +141,17 @@ static void the_phase_comes_round(void) {
       CU_ASSERT(fabs(e - first) < 1e-9);
     solution_free(&solution);
   }
-  meet(&it, true, 0);
+  make_impact(&it, true, 0);
   struct nb_solution solution = refs_solution("hertz_impact", &it);
   const double n = refs_value(&solution, "impact.duration") / 1e-7;
   CU_ASSERT(most - least > 0.5 * pow(n, -2.5) && most - least < 2.1 * pow(n, -2.5));
   solution_free(&solution);
 }
 
-/* (1/4) B(3/5, 3/2) 2.9432751843247047 = 0.92797, and the law's recursion by itself: at 400 steps e = 0.99769. */
-static void increments_lose_this_much(void) {
+/* (1/4) B(3/5, 3/2) 2.9432751843247047 = 0.92797, and the recursion of the law: e = 0.99769 with 400 steps. */
+static void energy_lost_by_increments(void) {
   struct refs_scene it;
-  meet(&it, true, 0);
+  make_impact(&it, true, 0);
   strcpy(it.scene.normal, "hertz_increment");
   it.scene.step = it.stages[0].step = (struct nb_step){.kind = NB_STEP_COLLISION, .value = 1. / 400};
   struct nb_solution solution = refs_solution("hertz_increment", &it);
@@ -165,8 +167,8 @@ static void increments_lose_this_much(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_increment", &it).text, "hertz_increment"));
 }
 
-/* Two spheres of different size between two walls that have come nearer by s = 2 (y0 - y). */
-static void a_column(struct refs_scene *it) {
+/* Two spheres of different size between two walls that have approached by s = 2 (y0 - y). */
+static void make_column(struct refs_scene *it) {
   memset(it, 0, sizeof *it);
   it->materials[0] = (struct nb_material){.name = "a", .density = 7800, .young = 210e9, .poisson = 0.3};
   it->materials[1] = (struct nb_material){.name = "b", .young = INFINITY};
@@ -191,13 +193,14 @@ static double along(const struct nb_solution *solution, const char *name, const 
   return curve->at(curve->data, x);
 }
 
-/* Sneddon's integrals are [R89 3.13]; all contacts of a column bear the same, and their overlaps are together s. */
-static void a_column_is_in_equilibrium(void) {
+/* Sneddon's integrals equal [R89 3.13]; all contacts of a column have the same force, and their overlaps add up to s.
+ * */
+static void column_is_in_equilibrium(void) {
   static const char *const overlap[] = {"L.overlap", "C.overlap", "U.overlap"};
   static const char *const normal[] = {"L.normal", "C.normal", "U.normal"};
   const double radius[] = {1, 0.75, 3}, young[] = {210e9 / 0.91, 210e9 / 0.91 / 2, 210e9 / 0.91};
   struct refs_scene it;
-  a_column(&it);
+  make_column(&it);
   struct nb_solution solution = refs_solution("hertz_curve", &it);
   for (double s = 1e-6; s < 1e-2; s *= 10) {
     double sum = 0;
@@ -216,19 +219,19 @@ static void a_column_is_in_equilibrium(void) {
   solution_free(&solution);
   it.particles[1].x = 0.1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "one above the other"));
-  a_column(&it);
+  make_column(&it);
   it.walls[1].vy = -2;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "approach with equal speeds"));
-  a_column(&it);
+  make_column(&it);
   it.walls[1].y = 8.1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_curve", &it).text, "just touch"));
 }
 
-/* They never part, and creep: the overlap falls and stays above 0, also at times behind the last of the kept states, as far as
- * it is followed. With less damping they part, and nothing is left. */
-static void long_after_first_touch(void) {
+/* An overdamped contact does not end: its overlap decreases and stays positive, also after the last stored state, as
+ * far as it is followed. With less damping the contact ends. */
+static void overdamped_contacts_at_late_times(void) {
   struct refs_scene it;
-  meet(&it, true, 1);
+  make_impact(&it, true, 1);
   struct nb_solution solution = refs_solution("hertz_damped", &it);
   double before = INFINITY;
   int followed = 0;
@@ -239,50 +242,50 @@ static void long_after_first_touch(void) {
   }
   CU_ASSERT(followed > 8 && isnan(before));
   solution_free(&solution);
-  meet(&it, true, 0.1);
+  make_impact(&it, true, 0.1);
   solution = refs_solution("hertz_damped", &it);
   for (double t = 1e-2; t < 1e300; t *= 1e10)
     CU_ASSERT(at(&solution, "C.overlap", t) == 0);
   solution_free(&solution);
 }
 
-static void what_is_no_such_impact_is_refused(void) {
+static void other_impacts_are_refused(void) {
   struct refs_scene it;
-  meet(&it, false, 0.1);
+  make_impact(&it, false, 0.1);
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "`damping ratio`"));
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_phase", &it).text, "`damping ratio`"));
-  meet(&it, false, 0);
+  make_impact(&it, false, 0);
   it.particles[0].vx += 0.01;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "head-on"));
-  meet(&it, false, 0);
+  make_impact(&it, false, 0);
   it.particles[1].spin = 1;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_damped", &it).text, "spin"));
-  meet(&it, false, 0);
+  make_impact(&it, false, 0);
   it.scene.gravity = (struct nb_gravity){.y = -1, .line = 3};
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "gravity"));
-  meet(&it, false, 0);
+  make_impact(&it, false, 0);
   it.particles[1].shape = NB_DISC;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "`disc`"));
-  meet(&it, false, 0);
+  make_impact(&it, false, 0);
   it.materials[1].young = 0;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "young"));
-  meet(&it, true, 0);
+  make_impact(&it, true, 0);
   it.walls[0].h1 = 0.5;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_impact", &it).text, "head-on"));
-  meet(&it, false, 0);
+  make_impact(&it, false, 0);
   it.scene.damping = it.stages[0].damping = (struct nb_damping){.contact_kind = NB_CONTACT_STIFFNESS, .contact = 0.1};
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("hertz_damped", &it).text, "`damping stiffness`"));
 }
 
 void suite_refs_hertz(void) {
   CU_pSuite suite = CU_add_suite("refs_hertz", NULL, NULL);
-  CU_add_test(suite, "the numbers of the book", the_numbers_of_the_book);
-  CU_add_test(suite, "the way in is a beta function", the_way_in_is_a_beta_function);
-  CU_add_test(suite, "the ODE agrees with quadrature and closed form", the_ode_agrees);
-  CU_add_test(suite, "the dashpot is the one of the book", the_dashpot_is_the_one_of_the_book);
-  CU_add_test(suite, "the phase comes round", the_phase_comes_round);
-  CU_add_test(suite, "increments lose this much", increments_lose_this_much);
-  CU_add_test(suite, "a column is in equilibrium", a_column_is_in_equilibrium);
-  CU_add_test(suite, "long after first touch", long_after_first_touch);
-  CU_add_test(suite, "what is no such impact is refused", what_is_no_such_impact_is_refused);
+  CU_add_test(suite, "values of the formulas of R89", values_of_the_formulas);
+  CU_add_test(suite, "loading is an incomplete beta function", loading_is_a_beta_function);
+  CU_add_test(suite, "the ODE equals quadrature and closed form", ode_equals_closed_forms);
+  CU_add_test(suite, "the dashpot is that of R89 4.13", dashpot_is_that_of_r89);
+  CU_add_test(suite, "the error of the step is periodic in the phase of first contact", step_error_is_periodic);
+  CU_add_test(suite, "energy lost by increments of the force", energy_lost_by_increments);
+  CU_add_test(suite, "a column is in equilibrium", column_is_in_equilibrium);
+  CU_add_test(suite, "overdamped contacts at late times", overdamped_contacts_at_late_times);
+  CU_add_test(suite, "other impacts are refused", other_impacts_are_refused);
 }

@@ -1,4 +1,4 @@
-/* The reference of an oblique impact: it converges, and it has the numbers that are known of Maw's curve.
+/* The reference of oblique impact: convergence, and published values of Maw's curve.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -22,12 +22,12 @@ static double rebound(const char *law, double chi, double psi1, int steps) {
   return psi2;
 }
 
-/* The time it takes and the way there and back [R89 5.10-5.12]. */
+/* Duration and symmetry of the approach [R89 5.10-5.12]. */
 static void approach_is_hertz(void) {
   double *xi = impact_approach(1000), most = 0;
   CU_ASSERT_PTR_NOT_NULL_FATAL(xi);
   CU_ASSERT(fabs(xi[500] - 1) < 1e-12 && xi[0] == 0 && xi[1000] == 0);
-  /* the second difference is the acceleration at the middle of the step, but for dt^2/12 of its curvature */
+  /* the second difference is the acceleration at the middle of the step, except for dt^2/12 of its curvature */
   const double dt = IMPACT_DURATION / 1000;
   for (int k = 2; k < 999; k++)
     most = fmax(most, fabs((xi[k + 1] - 2 * xi[k] + xi[k - 1]) / (dt * dt) + 1.25 * pow(xi[k], 1.5)));
@@ -43,8 +43,8 @@ static void springs_converge(void) {
   }
 }
 
-/* Where psi2 changes its sign. */
-static double rotates(double chi) {
+/* The psi1 at which psi2 changes its sign. */
+static double sign_change(double chi) {
   double low = 0.6, high = 1.1;
   for (int n = 0; n < 20; n++) {
     const double middle = (low + high) / 2;
@@ -53,9 +53,9 @@ static double rotates(double chi) {
   return low;
 }
 
-static void springs_know_the_curve(void) {
-  CU_ASSERT(fabs(rotates(chi28) - 0.9075) < 5e-5);
-  CU_ASSERT(fabs(rotates(chi30) - 0.8099) < 5e-5);
+static void springs_give_maws_curve(void) {
+  CU_ASSERT(fabs(sign_change(chi28) - 0.9075) < 5e-5);
+  CU_ASSERT(fabs(sign_change(chi30) - 0.8099) < 5e-5);
   const double chi[] = {chi28, chi30}, least[] = {-1.49, -1.48};
   for (int c = 0; c < 2; c++) {
     double min = 0, where = 0, max = 0;
@@ -71,7 +71,7 @@ static void springs_know_the_curve(void) {
   }
 }
 
-/* The largest error of a law in psi2, from that psi1 on. */
+/* The largest error of a law in psi2, for psi1 from this value on. */
 static double error_of(const char *law, double psi1) {
   double most = 0;
   for (; psi1 < 6; psi1 += 0.1)
@@ -79,7 +79,7 @@ static double error_of(const char *law, double psi1) {
   return most;
 }
 
-static void simplified_laws_are_off_by_what_is_known(void) {
+static void errors_of_simplified_laws(void) {
   CU_ASSERT(fabs(error_of("mindlin", 0.1) - 0.49) < 0.005);
   CU_ASSERT(fabs(error_of("mindlin_scaled", 0.1) - 0.44) < 0.005);
   CU_ASSERT(fabs(error_of("randall", 0.1) - 0.15) < 0.002);
@@ -95,8 +95,9 @@ static void simplified_laws_are_off_by_what_is_known(void) {
     }
 }
 
-/* All that is lost, (psi1^2 - psi2^2)/(5 chi), is sliding where the contact slides throughout; else some of it. */
-static void sliding_is_part_of_what_is_lost(void) {
+/* In gross sliding throughout, all of the dissipation (psi1^2 - psi2^2)/(5 chi) is by gross sliding; else a part of it.
+ * */
+static void gross_sliding_is_part_of_dissipation(void) {
   for (double psi1 = 0.25; psi1 < 8; psi1 += 0.25) {
     struct impact_path path;
     CU_ASSERT(impact_exact(&path, chi28, psi1, 2000));
@@ -121,13 +122,13 @@ static double average(int by, int to) {
   return sum / count;
 }
 
-static void restitution_has_a_mean(void) {
+static void mean_restitution(void) {
   CU_ASSERT(fabs(average(1, 90) - 0.9371) < 5e-5);
   CU_ASSERT(fabs(average(5, 85) - 0.9365) < 5e-5);
   CU_ASSERT(fabs(average(10, 60) - 0.9356) < 5e-5);
 }
 
-static void only_impacts_are_judged(void) {
+static void other_scenes_are_refused(void) {
   struct refs_scene it;
   refs_nine_discs(&it, 1e9, 2, 40, 400);
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("oblique_impact", &it).text, "impact"));
@@ -135,11 +136,11 @@ static void only_impacts_are_judged(void) {
 
 void suite_refs_impact(void) {
   CU_pSuite suite = CU_add_suite("refs_impact", NULL, NULL);
-  CU_add_test(suite, "approach is Hertz's", approach_is_hertz);
-  CU_add_test(suite, "springs converge", springs_converge);
-  CU_add_test(suite, "springs know Maw's curve", springs_know_the_curve);
-  CU_add_test(suite, "simplified laws are off by what is known", simplified_laws_are_off_by_what_is_known);
-  CU_add_test(suite, "sliding is part of what is lost", sliding_is_part_of_what_is_lost);
-  CU_add_test(suite, "restitution has the mean that pages state", restitution_has_a_mean);
-  CU_add_test(suite, "only impacts are judged", only_impacts_are_judged);
+  CU_add_test(suite, "the approach is that of Hertz", approach_is_hertz);
+  CU_add_test(suite, "the springs converge", springs_converge);
+  CU_add_test(suite, "the springs give Maw's curve", springs_give_maws_curve);
+  CU_add_test(suite, "errors of simplified laws", errors_of_simplified_laws);
+  CU_add_test(suite, "dissipation by gross sliding is part of all", gross_sliding_is_part_of_dissipation);
+  CU_add_test(suite, "mean restitution over the angle of incidence", mean_restitution);
+  CU_add_test(suite, "other scenes are refused", other_scenes_are_refused);
 }

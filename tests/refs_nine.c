@@ -14,7 +14,7 @@
 
 static const double kn = 1.35e9;
 
-/* k_n d: the force that a wall's way would make at one contact. */
+/* k_n d: the force of one contact at the displacement d of a wall. */
 static double force_unit(const struct refs_scene *it) {
   double mass = nb_particle_mass(&it->scene, &it->particles[0]);
   return kn * 0.12 * (double)it->stages[0].cycles * 0.12 * 2 * sqrt(mass / kn);
@@ -29,8 +29,8 @@ static void check_forces(const struct nb_solution *solution, double unit, double
   REFS_NEAR(refs_value(solution, "M.shear"), 0, 1e-12, unit);
 }
 
-/* The fractions in which k_n d is carried, known without any matrix. */
-static void statics_are_the_closed_forms(void) {
+/* The forces over k_n d in closed form. */
+static void static_forces_equal_closed_forms(void) {
   struct refs_scene it;
   refs_nine_discs(&it, kn, 1, 40, 400);
   double unit = force_unit(&it);
@@ -48,12 +48,12 @@ static void statics_are_the_closed_forms(void) {
   check_forces(&solution, unit, 21. / 46, 9. / 23, 14. / 23, 25. / 46);
   solution_free(&solution);
 
-  refs_nine_discs(&it, kn, 0, 40, 400); /* without friction nothing holds a spin */
+  refs_nine_discs(&it, kn, 0, 40, 400); /* without friction nothing resists a rotation */
   solution = refs_solution("nine_discs_statics", &it);
   check_forces(&solution, unit, 0.5, 0.5, 0.5, 0.5);
   solution_free(&solution);
 
-  refs_nine_discs(&it, kn, 2, 40, 400); /* without friction at the walls all may turn like gears */
+  refs_nine_discs(&it, kn, 2, 40, 400); /* without friction at the walls the discs can rotate like gears */
   it.materials[1] = it.materials[0];
   it.materials[1].friction = 0;
   for (size_t i = 0; i < 4; i++)
@@ -66,7 +66,7 @@ static void statics_are_the_closed_forms(void) {
   }
 }
 
-/* Corner discs that slide on the walls, against the two equations of the reference's comment, by Cramer. */
+/* Corner discs that slide on the walls: the two equations in the reference's header, by Cramer's rule. */
 static void check_slip(double r, double f) {
   struct refs_scene it;
   refs_nine_discs(&it, r * kn, f, 40, 400);
@@ -78,12 +78,12 @@ static void check_slip(double r, double f) {
   solution_free(&solution);
 }
 
-static void slip_is_the_closed_form(void) {
+static void sliding_equals_closed_form(void) {
   double f15 = tan(15 * M_PI / 180), f30 = tan(30 * M_PI / 180);
   check_slip(1, f15);
   check_slip(2. / 3, f15);
   check_slip(0.5, 0.1);
-  /* At 30 degrees the load can be held. */
+  /* At 30 degrees nothing slides. */
   struct refs_scene it;
   refs_nine_discs(&it, kn, f30, 40, 400);
   struct nb_solution slip = refs_solution("nine_discs_slip", &it), solution = refs_solution("nine_discs_statics", &it);
@@ -92,11 +92,11 @@ static void slip_is_the_closed_form(void) {
   solution_free(&solution);
   refs_nine_discs(&it, kn, f15, 40, 400);
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs_statics", &it).text, "slips"));
-  refs_nine_discs(&it, kn, f30, 40, 400); /* but it slips while it swings */
+  refs_nine_discs(&it, kn, f30, 40, 400); /* but it slips during the oscillation */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("nine_discs", &it).text, "slips"));
 }
 
-/* Corner and middle discs stepped as the calculation cycle does, against the sum over modes of 27 freedoms. */
+/* Leapfrog for the corner and middle discs, against the sum over the modes of 27 degrees of freedom. */
 static void check_leapfrog(double r, unsigned long load) {
   struct refs_scene it;
   refs_nine_discs(&it, r * kn, 2, load, 4000);
@@ -107,7 +107,7 @@ static void check_leapfrog(double r, unsigned long load) {
   CU_ASSERT_PTR_NOT_NULL_FATAL(wall);
   double unit = force_unit(&it), f = 0.12, worst = 0, sign = refs_value(&solution, "S.shear mean") > 0 ? 1 : -1;
   double dt = f * 2 * sqrt(nb_particle_mass(&it.scene, &it.particles[0]) / kn);
-  double d = 0, c = 0, m = 0, vc = 0, vm = 0; /* in units of the walls' whole way and of the step */
+  double d = 0, c = 0, m = 0, vc = 0, vm = 0; /* in units of the total displacement of the walls and of the step */
   for (unsigned long n = 0; n <= load + 4000; n++) {
     worst = fmax(worst, fabs(centre->at(centre->data, (double)n) / unit - m));
     worst = fmax(worst, fabs(sign * wall->at(wall->data, (double)n * dt) / unit - r * c));
@@ -122,12 +122,12 @@ static void check_leapfrog(double r, unsigned long load) {
   solution_free(&solution);
 }
 
-static void modes_are_the_leapfrog(void) {
+static void modes_equal_leapfrog(void) {
   check_leapfrog(1, 40);
   check_leapfrog(2. / 3, 120);
 }
 
-/* The two waves of the centre contact in closed form, and the mean that statics finds by another route. */
+/* The two waves of the centre contact in closed form, and the mean from the static reference. */
 static void mean_amplitude_and_frequency(void) {
   struct refs_scene it;
   refs_nine_discs(&it, kn, 2, 40, 4000);
@@ -150,7 +150,7 @@ static void mean_amplitude_and_frequency(void) {
   REFS_NEAR(refs_value(&solution, "D.shear mean in rest"), refs_value(&rest, "D.shear"), 1e-11, unit);
   CU_ASSERT_PTR_NULL(solution_find(&solution, "C.normal mean in load"));
 
-  /* The curve itself: how far it goes, and how often it rises through its mean. */
+  /* The range of the curve, and how often it rises through its mean. */
   const struct nb_solution_curve *curve = solution_find_curve(&solution, "C.normal", "cycle");
   CU_ASSERT_PTR_NOT_NULL_FATAL(curve);
   double high = 0, low = unit, mean = refs_value(&solution, "C.normal mean"), before = 0;
@@ -169,13 +169,14 @@ static void mean_amplitude_and_frequency(void) {
   solution_free(&rest);
 }
 
-/* Forces of the nine discs straight from [CS79 12, 13, 16, 17], contacts found by counting; 27 freedoms. */
+/* Forces of the nine discs directly from [CS79 12, 13, 16, 17]; contacts by index; 27 degrees of freedom. */
 struct ode {
   double r, square;   /* k_s/k_n, k_n/m */
   double east, south; /* displacement of two walls along x */
 };
 
-static void feel(const struct ode *ode, const double u[27], double f[27], int a, int b, double ex, double ey) {
+static void add_contact_force(const struct ode *ode, const double u[27], double f[27], int a, int b, double ex,
+                              double ey) {
   double wall = ex > 0.5 ? ode->east : ey < -0.5 ? ode->south : 0;
   double dx = u[3 * a] - (b < 0 ? wall : u[3 * b]), dy = u[3 * a + 1] - (b < 0 ? 0 : u[3 * b + 1]);
   double spin = u[3 * a + 2] + (b < 0 ? 0 : u[3 * b + 2]); /* R theta */
@@ -197,12 +198,12 @@ static int motion(double t, const double y[], double dy[], void *data) {
   now.south *= t;
   double f[27] = {0};
   for (int i = 0; i < 9; i++) {
-    feel(&now, y, f, i, i % 3 < 2 ? i + 1 : -1, 1, 0);
-    feel(&now, y, f, i, i / 3 < 2 ? i + 3 : -1, 0, 1);
+    add_contact_force(&now, y, f, i, i % 3 < 2 ? i + 1 : -1, 1, 0);
+    add_contact_force(&now, y, f, i, i / 3 < 2 ? i + 3 : -1, 0, 1);
     if (i % 3 == 0)
-      feel(&now, y, f, i, -1, -1, 0);
+      add_contact_force(&now, y, f, i, -1, -1, 0);
     if (i / 3 == 0)
-      feel(&now, y, f, i, -1, 0, -1);
+      add_contact_force(&now, y, f, i, -1, 0, -1);
   }
   for (int i = 0; i < 27; i++) {
     dy[i] = y[27 + i];
@@ -211,8 +212,8 @@ static int motion(double t, const double y[], double dy[], void *data) {
   return GSL_SUCCESS;
 }
 
-/* One wall moves inward and one along itself, which makes everything move and spin; in continuous time, to 1e-12. */
-static void modes_are_the_ode(void) {
+/* One wall moves inward and one along itself, so that all discs move and rotate; in continuous time, to 1e-12. */
+static void modes_equal_ode(void) {
   struct refs_scene it;
   refs_nine_discs(&it, 0.7 * kn, 2, 40, 40);
   for (size_t i = 0; i < 4; i++)
@@ -242,7 +243,7 @@ static void modes_are_the_ode(void) {
     spin = fmax(spin, fabs(y[2]) / (40 * lattice.step));
   }
   CU_ASSERT(worst < 1e-12);
-  CU_ASSERT(spin > 1e-3); /* it was a test of spins too */
+  CU_ASSERT(spin > 1e-3); /* the discs do rotate */
   free(normal);
   free(shear);
   gsl_odeiv2_driver_free(driver);
@@ -252,9 +253,9 @@ static void modes_are_the_ode(void) {
 
 void suite_refs_nine(void) {
   CU_pSuite suite = CU_add_suite("refs_nine", NULL, NULL);
-  CU_add_test(suite, "statics are the closed forms", statics_are_the_closed_forms);
-  CU_add_test(suite, "slip is the closed form", slip_is_the_closed_form);
-  CU_add_test(suite, "modes in steps are the leapfrog", modes_are_the_leapfrog);
-  CU_add_test(suite, "modes in time are the ODE", modes_are_the_ode);
+  CU_add_test(suite, "static forces equal closed forms", static_forces_equal_closed_forms);
+  CU_add_test(suite, "forces with sliding equal the closed form", sliding_equals_closed_form);
+  CU_add_test(suite, "modes in steps equal the leapfrog scheme", modes_equal_leapfrog);
+  CU_add_test(suite, "modes in continuous time equal the ODE", modes_equal_ode);
   CU_add_test(suite, "mean, amplitude, frequency", mean_amplitude_and_frequency);
 }

@@ -12,8 +12,8 @@
 static const double k[3] = {3e6, 5e6, 2e6}, m[2] = {4000, 9000};
 static const double v = 0.05, step = 0.01;
 
-/* What CS79 prints, in its own symbols: forces by (1), increments (5)-(7), added up. */
-static void first_cycles_are_the_papers(void) {
+/* The printed equations of CS79: forces (1) and increments (5)-(7), added up. */
+static void first_cycles_equal_cs79(void) {
   struct refs_scene it;
   double same[3] = {3e6, 3e6, 3e6};
   refs_row(&it, same, m, v, step, 6, 100);
@@ -41,8 +41,8 @@ static double refs_value_at(const struct nb_solution *solution, const char *name
   return refs_value(solution, text);
 }
 
-/* Unlike springs and masses, all six cycles: the same recursion in rounded numbers, and the modes. */
-static void hand_is_the_recursion_and_the_modes(void) {
+/* Different springs and masses, all six cycles: the recursion in floating point, and the modes. */
+static void hand_equals_recursion_and_modes(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 6, 100);
   struct nb_solution solution = refs_solution("two_wall_compression", &it);
@@ -71,15 +71,15 @@ static void hand_is_the_recursion_and_the_modes(void) {
   solution_free(&solution);
 }
 
-/* Only as far as the walls keep their way and nothing is damped. */
-static void hand_stops_where_the_scene_turns(void) {
+/* Values are returned only while the walls keep their velocity and nothing is damped. */
+static void hand_ends_with_the_first_motion(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 3, 100);
   struct nb_solution solution = refs_solution("two_wall_compression", &it);
   CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "A.normal at 3 cycles"));
   CU_ASSERT_PTR_NULL(solution_find(&solution, "A.normal at 4 cycles"));
   solution_free(&solution);
-  it.stages[1].motion_count = 0; /* the walls go on, but in longer steps */
+  it.stages[1].motion_count = 0; /* the walls keep moving, in longer steps */
   it.stages[1].step.value = 2 * step;
   solution = refs_solution("two_wall_compression", &it);
   CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "A.normal at 3 cycles"));
@@ -91,18 +91,18 @@ static void hand_stops_where_the_scene_turns(void) {
   CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "A.normal at 6 cycles"));
   CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "A.normal", "cycle"));
   solution_free(&solution);
-  refs_row(&it, k, m, v, step, 1, 100); /* after so short a push B swings open */
+  refs_row(&it, k, m, v, step, 1, 100); /* after a short loading B opens in the oscillation */
   solution = refs_solution("two_wall_compression", &it);
   CU_ASSERT_PTR_NOT_NULL(solution_find(&solution, "B.normal at 1 cycles"));
   CU_ASSERT_PTR_NULL(solution_find_curve(&solution, "B.normal", "cycle"));
   solution_free(&solution);
   it.motions[1].vx *= 1.5;
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_compression", &it).text, "equal speeds"));
-  refs_row(&it, k, m, v, 6 * step, 6, 100); /* q + r = 6.5: B is torn open by overshoot */
+  refs_row(&it, k, m, v, 6 * step, 6, 100); /* q + r = 6.5: B opens by overshoot */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_compression", &it).text, "opens"));
 }
 
-static void springs_in_series(void) {
+static void static_forces_of_springs_in_series(void) {
   struct refs_scene it;
   refs_row(&it, k, m, v, step, 6, 100);
   struct nb_solution solution = refs_solution("two_wall_statics", &it);
@@ -114,14 +114,14 @@ static void springs_in_series(void) {
   REFS_NEAR(refs_value(&network, "B.normal"), force, 1e-12, force);
   solution_free(&solution);
   solution_free(&network);
-  it.stages[1].motion_count = 0; /* they go on */
+  it.stages[1].motion_count = 0; /* they keep moving */
   CU_ASSERT_PTR_NOT_NULL(strstr(refs_refused("two_wall_statics", &it).text, "stop"));
 }
 
 void suite_refs_row(void) {
   CU_pSuite suite = CU_add_suite("refs_row", NULL, NULL);
-  CU_add_test(suite, "first cycles are the paper's", first_cycles_are_the_papers);
-  CU_add_test(suite, "hand calculation, recursion and modes", hand_is_the_recursion_and_the_modes);
-  CU_add_test(suite, "the hand calculation stops in time", hand_stops_where_the_scene_turns);
-  CU_add_test(suite, "springs in series", springs_in_series);
+  CU_add_test(suite, "first cycles equal the equations of CS79", first_cycles_equal_cs79);
+  CU_add_test(suite, "the hand calculation equals recursion and modes", hand_equals_recursion_and_modes);
+  CU_add_test(suite, "the hand calculation ends with the first motion of the walls", hand_ends_with_the_first_motion);
+  CU_add_test(suite, "static forces are those of springs in series", static_forces_of_springs_in_series);
 }

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-static void point(struct refs_scene *it, size_t particles, size_t walls, size_t monitors) {
+static void set_scene(struct refs_scene *it, size_t particles, size_t walls, size_t monitors) {
   struct nb_scene *scene = &it->scene;
   scene->unitless = true;
   scene->materials = it->materials;
@@ -24,8 +24,8 @@ static void point(struct refs_scene *it, size_t particles, size_t walls, size_t 
   strcpy(scene->shear, "linear");
 }
 
-/* Walls move inward in the first stage, stand in the second. */
-static void drive(struct refs_scene *it, double v, struct nb_step step, unsigned long load, unsigned long rest) {
+/* Walls move inward in the first stage and are at rest in the second. */
+static void set_stages(struct refs_scene *it, double v, struct nb_step step, unsigned long load, unsigned long rest) {
   size_t n = it->scene.wall_count;
   for (size_t i = 0; i < n; i++) {
     it->motions[i] = (struct nb_wall_motion){.wall = (int)i, .vx = v * it->walls[i].inx, .vy = v * it->walls[i].iny};
@@ -50,7 +50,7 @@ static void monitor(struct refs_scene *it, size_t i, const char *name, int a, in
 
 void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned long load, unsigned long rest) {
   *it = (struct refs_scene){0};
-  point(it, 9, 4, 4);
+  set_scene(it, 9, 4, 4);
   it->scene.material_count = 1;
   it->materials[0] =
       (struct nb_material){.name = "rock", .density = 1000, .kn = 1.35e9, .ks = ks, .friction = friction};
@@ -67,13 +67,13 @@ void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned
   monitor(it, 1, "D", 1, 0, false);
   monitor(it, 2, "S", 0, 0, true);
   monitor(it, 3, "M", 1, 0, true);
-  drive(it, 0.12, (struct nb_step){.kind = NB_STEP_SINGLE_CONTACT, .value = 0.12}, load, rest);
+  set_stages(it, 0.12, (struct nb_step){.kind = NB_STEP_SINGLE_CONTACT, .value = 0.12}, load, rest);
 }
 
 void refs_row(struct refs_scene *it, const double k[3], const double m[2], double v, double step, unsigned long load,
               unsigned long rest) {
   *it = (struct refs_scene){0};
-  point(it, 2, 2, 5);
+  set_scene(it, 2, 2, 5);
   it->scene.material_count = 3;
   it->scene.pair_rule_count = 3;
   static const int pairs[3][2] = {{2, 0}, {0, 1}, {1, 2}};
@@ -96,7 +96,7 @@ void refs_row(struct refs_scene *it, const double k[3], const double m[2], doubl
     monitor(it, 3 + (size_t)i, i == 0 ? "X" : "Y", i, -1, false);
     it->monitors[3 + i].kind = NB_MONITOR_PARTICLE;
   }
-  drive(it, v, (struct nb_step){.kind = NB_STEP_TIME, .value = step}, load, rest);
+  set_stages(it, v, (struct nb_step){.kind = NB_STEP_TIME, .value = step}, load, rest);
 }
 
 struct nb_solution refs_solution(const char *name, const struct refs_scene *it) {
@@ -114,7 +114,7 @@ struct nb_solution refs_solution(const char *name, const struct refs_scene *it) 
 double refs_value(const struct nb_solution *solution, const char *name) {
   const double *value = solution_find(solution, name);
   if (!value)
-    printf("# not known: %s\n", name);
+    printf("# no such value: %s\n", name);
   CU_ASSERT_PTR_NOT_NULL(value);
   return value ? *value : NAN;
 }

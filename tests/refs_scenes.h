@@ -1,4 +1,4 @@
-/* Scenes for the tests of references, built by hand so that no reader of pages is needed.
+/* Scenes for the tests of references, built without reading a page.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_REFS_SCENES_H
@@ -6,7 +6,7 @@
 
 #include "reference.h"
 
-/* Room for what a test changes; scene points into it. Nothing to free. */
+/* A scene and its arrays, which a test may change. Nothing to free. */
 struct refs_scene {
   struct nb_scene scene;
   struct nb_material materials[3];
@@ -18,25 +18,25 @@ struct refs_scene {
   struct nb_wall_motion motions[8];
 };
 
-/* Nine discs of R = 50, density 1000, in a box [CS79 figure 5]; walls south, east, north, west close in with 0.12 for
- * `load` cycles of 0.12 of single-contact, and stand for `rest`. Watches: C, disc 5 with disc 6; D, disc 1 with disc 2;
- * S, disc 1 with wall south; M, disc 2 with wall south. kn = 1.35e9. */
+/* Nine discs of R = 50, density 1000, in a box [CS79 figure 5]; walls south, east, north, west move inward at 0.12 for
+ * `load` cycles of 0.12 of single-contact and are at rest for `rest`. Monitors: C, disc 5 with disc 6; D, disc 1 with
+ * disc 2; S, disc 1 with wall south; M, disc 2 with wall south. kn = 1.35e9. */
 void refs_nine_discs(struct refs_scene *it, double ks, double friction, unsigned long load, unsigned long rest);
 
-/* Two discs between walls west and east that close in with v for `load` cycles, and stand for `rest`. Disc 1 has
- * radius 1, disc 2 radius 2; the stiffnesses of A, B, C are `k`, the masses `m`; `step` in s. Watches A, B, C,
+/* Two discs between walls west and east that move inward at v for `load` cycles and are at rest for `rest`. Disc 1 has
+ * radius 1, disc 2 radius 2; the stiffnesses of A, B, C are `k`, the masses `m`; `step` in s. Monitors A, B, C,
  * and X, Y on the discs. */
 void refs_row(struct refs_scene *it, const double k[3], const double m[2], double v, double step, unsigned long load,
               unsigned long rest);
 
-/* What a reference knows of a scene; the test fails when it does not answer. known_free it. */
+/* The solution of a reference; the test fails when the reference refuses the scene. Free with solution_free. */
 struct nb_solution refs_solution(const char *reference, const struct refs_scene *it);
-/* The value; not a number, and the test fails, when it is not known. */
+/* The value; NAN, and the test fails, when there is none of that name. */
 double refs_value(const struct nb_solution *solution, const char *name);
-/* What the reference says against the scene; the test fails when it has nothing against it. */
+/* The error of a reference that refuses the scene; the test fails when it accepts it. */
 struct nb_error refs_refused(const char *reference, const struct refs_scene *it);
 
-/* Asserts |a - b| <= share * scale. */
+/* Asserts |a - b| <= fraction * scale. */
 #define REFS_NEAR(a, b, fraction, scale) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(scale))
 
 #endif

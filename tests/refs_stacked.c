@@ -36,9 +36,9 @@ static double at(const struct nb_solution *solution, const char *name, double t)
   return curve->at(curve->data, t);
 }
 
-/* d = 0.4 too little room: at rest each spring has d/3. From there the spheres move apart alike, at w^2 = 3 k/m, undamped; with
- * ratio b, c = 2 b sqrt(m k) at a wall and sqrt(1/2) of it between: c_in = c (1 + 2 sqrt(1/2)). */
-static void equal_spheres_breathe(void) {
+/* The springs share the total overlap d = 0.4. The spheres oscillate symmetrically, at w^2 = 3 k/m without damping;
+ * with ratio b, c = 2 b sqrt(m k) at a wall and sqrt(1/2) of it between: c_in = c (1 + 2 sqrt(1/2)). */
+static void equal_spheres_oscillate_symmetrically(void) {
   for (int damped = 0; damped < 2; damped++) {
     struct refs_scene it;
     const double b = damped ? 0.1 : 0, m = 4 * M_PI / 3, w2 = 300 / m;
@@ -56,8 +56,8 @@ static void equal_spheres_breathe(void) {
   }
 }
 
-/* Damped and with weight they come to rest where the springs bear F + (m_1 + m_2) g, F + m_2 g and F. */
-static void they_come_to_rest_under_their_weight(void) {
+/* Damped and with weight, the springs carry F + (m_1 + m_2) g, F + m_2 g and F in equilibrium. */
+static void equilibrium_under_weight(void) {
   struct refs_scene it;
   stack(&it, 3, 0.5);
   it.scene.gravity = (struct nb_gravity){.y = -0.1, .line = 1};
@@ -71,7 +71,7 @@ static void they_come_to_rest_under_their_weight(void) {
   solution_free(&solution);
 }
 
-static void another_scene_is_refused(void) {
+static void other_scenes_are_refused(void) {
   struct refs_scene it;
   stack(&it, 1, 0);
   it.particles[1].x = 0.1;
@@ -86,7 +86,7 @@ static void another_scene_is_refused(void) {
 
 void suite_refs_stacked(void) {
   CU_pSuite suite = CU_add_suite("refs_stacked", NULL, NULL);
-  CU_add_test(suite, "equal spheres breathe", equal_spheres_breathe);
-  CU_add_test(suite, "they come to rest under their weight", they_come_to_rest_under_their_weight);
-  CU_add_test(suite, "another scene is refused", another_scene_is_refused);
+  CU_add_test(suite, "equal spheres oscillate symmetrically", equal_spheres_oscillate_symmetrically);
+  CU_add_test(suite, "equilibrium under weight", equilibrium_under_weight);
+  CU_add_test(suite, "other scenes are refused", other_scenes_are_refused);
 }

@@ -77,8 +77,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
     const struct nb_monitor *monitor = &scene->monitors[w];
     if (monitor->kind != NB_MONITOR_PARTICLE_WALL || monitor->b > 1)
       continue;
-    /* e points down at the first wall and up at the second, so t points in -x and in +x. The plates move in +x ahead of the disc,
-     * so the displacement of the disc along t past the wall is positive below and negative above. */
+    /* e points down at the first wall and up at the second, so t points in -x and in +x. The plates move in +x ahead of
+     * the disc, so the displacement of the disc along t past the wall is positive below and negative above. */
     single_add(solution, monitor->name, "normal", stage, normal);
     single_add(solution, monitor->name, "shear", stage, monitor->b == 0 ? shear : -shear);
     if (monitor->b == 1) {

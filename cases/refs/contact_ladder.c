@@ -69,8 +69,8 @@ static double end_of(const struct state *s) {
   return s->count == 1 ? b->d + b->sense : s->count == 2 ? 2 * b[-1].d - b->d : b[-1].d;
 }
 
-/* Beyond the end of a branch: sliding, virgin loading in the other sense, or the branch before the two. That one is shifted where
- * literal_third has ended elsewhere. */
+/* Beyond the end of a branch: sliding, virgin loading in the other sense, or the branch before the two. That one is
+ * shifted where literal_third has ended elsewhere. */
 static void erase(struct state *s, double end, double d) {
   struct branch *b = &s->branches[s->count - 1];
   if (s->count == 1) {

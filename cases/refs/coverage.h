@@ -74,8 +74,8 @@ const char *nb_feature_name(enum nb_feature feature);
 /* lines[f]: the line of the page that asks for feature f; 0: no line asks for it; -1: the scene does not have it. */
 void nb_features(int lines[NB_FEATURES], const struct nb_scene *scene);
 
-/* NB_BAD_USE when the scene has a feature that the reference does not accept, or lacks one that it needs. The error names the
- * first such feature and its line. */
+/* NB_BAD_USE when the scene has a feature that the reference does not accept, or lacks one that it needs. The error
+ * names the first such feature and its line. */
 struct nb_reference;
 enum nb_status nb_reference_covers(const struct nb_reference *reference, const struct nb_scene *scene,
                                    struct nb_error *error);

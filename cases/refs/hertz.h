@@ -28,25 +28,26 @@ struct hertz {
 /* T_c V_N/alpha* = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) = 2.9432751843247047  [R89 5.12] */
 double hertz_duration_factor(void);
 
-/* The coefficient of restitution of a dashpot with the damping ratio beta, e = exp(-pi z/(1 - z^2)^(1/2)), z = (6/5)^(1/2) beta: in
- * alpha^(5/4) and alpha' the damped equation of impact is that of a linear spring and dashpot (Antypov and Elliott 2011). e = 0
- * for beta >= (5/6)^(1/2). hertz_ratio is the inverse. */
+/* The coefficient of restitution of a dashpot with the damping ratio beta, e = exp(-pi z/(1 - z^2)^(1/2)), z =
+ * (6/5)^(1/2) beta: in alpha^(5/4) and alpha' the damped equation of impact is that of a linear spring and dashpot
+ * (Antypov and Elliott 2011). e = 0 for beta >= (5/6)^(1/2). hertz_ratio is the inverse. */
 double hertz_restitution(double beta);
 double hertz_ratio(double restitution);
 
 /* The normal force at an overlap, N [R89 5.5] */
 double hertz_force(const struct hertz *hertz, double overlap);
 
-/* NB_BAD_USE unless the scene has this pair only: no gravity, no global damping, no spin, stages that change nothing. */
+/* NB_BAD_USE unless the scene has this pair only: no gravity, no global damping, no spin, stages that change nothing.
+ * */
 enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, const char *reference,
                           struct nb_error *error);
 
-/* Adds C.overlap and C.normal at the end of each stage of a given number of cycles, and their maxima: of the run, and of the stage
- * that contains the time `when` of the largest overlap `deepest`. */
+/* Adds C.overlap and C.normal at the end of each stage of a given number of cycles, and their maxima: of the run, and
+ * of the stage that contains the time `when` of the largest overlap `deepest`. */
 void hertz_add_stages(struct nb_solution *solution, const struct hertz *hertz,
                       double (*overlap_at)(const void *data, double t), const void *data, double deepest, double when);
-/* Add C.WHAT for the monitor of the contact, if there is one: a value, or a curve along `time` or along C.overlap. `size` bytes of
- * data are copied. */
+/* Add C.WHAT for the monitor of the contact, if there is one: a value, or a curve along `time` or along C.overlap.
+ * `size` bytes of data are copied. */
 void hertz_add(struct nb_solution *solution, const struct hertz *hertz, const char *what, double value);
 void hertz_curve(struct nb_solution *solution, const struct hertz *hertz, const char *what, const char *along,
                  double (*at)(const void *data, double x), const void *data, size_t size);

@@ -61,7 +61,8 @@ static int touching(double xi, int springs) {
   return count < springs ? (int)count : springs;
 }
 
-/* The innermost spring is the last to slip, so its slip is the gross sliding of the contact. Eight sums let the compiler vectorise. */
+/* The innermost spring is the last to slip, so its slip is the gross sliding of the contact. Eight sums let the
+ * compiler vectorise. */
 double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *sliding) {
   const int before = touching(from, springs), after = touching(to, springs), stay = before < after ? before : after;
   double sum[8] = {0}, all = 0;

@@ -28,7 +28,8 @@ struct impact_path {
 
 /* Computes xi only; false: out of memory. */
 bool impact_path_create(struct impact_path *path, int steps);
-/* Approach alone: xi at each of the steps + 1 times; NULL: out of memory. By GSL's Runge-Kutta method of order 8 at 1e-13. Free with free(). */
+/* Approach alone: xi at each of the steps + 1 times; NULL: out of memory. By GSL's Runge-Kutta method of order 8 at
+ * 1e-13. Free with free(). */
 double *impact_approach(int steps);
 
 /* The exact contact, and a simplified law. False: out of memory. Call impact_path_free in any case. */
@@ -37,11 +38,11 @@ bool impact_springs(struct impact_path *path, double chi, double psi1, int steps
 bool impact_law(struct impact_path *path, const char *law, double spring, double chi, double psi1, int steps);
 /* The exact contact without its second-order error, extrapolated from half of the steps and all of them. */
 bool impact_exact(struct impact_path *path, double chi, double psi1, int steps);
-/* psi2 with normal and tangential dashpots of the damping ratio beta (impact_damped.c); NAN: out of memory, INFINITY: the contact
- * does not end, or GSL gave up. */
+/* psi2 with normal and tangential dashpots of the damping ratio beta (impact_damped.c); NAN: out of memory, INFINITY:
+ * the contact does not end, or GSL gave up. */
 double impact_damped(double chi, double kappa, double beta, double psi1, int steps);
-/* Updates the springs for a change of xi from `from` to `to` and of d by `slip`, and returns f. Spring i touches at xi = depth[i].
- * *sliding: the gross sliding of the contact. */
+/* Updates the springs for a change of xi from `from` to `to` and of d by `slip`, and returns f. Spring i touches at xi
+ * = depth[i]. *sliding: the gross sliding of the contact. */
 double impact_press(double *u, const double *depth, int springs, double from, double to, double slip, double *sliding);
 void impact_path_free(struct impact_path *path);
 

@@ -60,8 +60,8 @@ struct lattice {
 
 /* NB_BAD_USE and an error in words when the scene is not such a network. */
 enum nb_status lattice_build(struct lattice *lattice, const struct nb_scene *scene, struct nb_error *error);
-/* The network of all pairs whose gap is smaller than `largest_gap`, m, for any loading: sets only contacts, stretch, wall_stretch
- * and springs. */
+/* The network of all pairs whose gap is smaller than `largest_gap`, m, for any loading: sets only contacts, stretch,
+ * wall_stretch and springs. */
 enum nb_status lattice_build_pairs(struct lattice *lattice, const struct nb_scene *scene, double largest_gap,
                                    struct nb_error *error);
 void lattice_free(struct lattice *lattice);
@@ -112,8 +112,8 @@ struct oscillation_modes {
 struct oscillation_modes oscillation_modes_create(const struct lattice *lattice);
 void oscillation_modes_free(struct oscillation_modes *modes);
 
-/* Force `row` (2c: normal, 2c + 1: shear of contact c), starting from rest. NULL and an error when memory runs out or the step
- * is too long. Free with free(). */
+/* Force `row` (2c: normal, 2c + 1: shear of contact c), starting from rest. NULL and an error when memory runs out or
+ * the step is too long. Free with free(). */
 struct oscillation *oscillation_create(const struct lattice *lattice, const struct oscillation_modes *modes, size_t row,
                                        enum oscillation_time time, double unit, struct nb_error *error);
 double oscillation_at(const void *oscillation, double x);       /* x in cycles times unit */

@@ -66,8 +66,8 @@ void oscillation_modes_free(struct oscillation_modes *modes) {
   *modes = (struct oscillation_modes){0};
 }
 
-/* The effect of one cycle of a velocity change of the walls: `straight`, its direct part of each force, N per cycle, and the `load`
- * on each mode, b dt above. */
+/* The effect of one cycle of a velocity change of the walls: `straight`, its direct part of each force, N per cycle,
+ * and the `load` on each mode, b dt above. */
 static void add_wall_loads(const struct lattice *lattice, const struct oscillation_modes *modes,
                            const gsl_vector *change, gsl_vector *straight, gsl_vector *load) {
   gsl_vector *force = gsl_vector_alloc(lattice->freedom_count);
@@ -160,8 +160,8 @@ double oscillation_mean(const struct oscillation *oscillation) {
   return mean;
 }
 
-/* The amplitude of the sum of all waves with the phase of term i; 0 if an earlier term has that phase. Waves that start at different
- * cycles add as vectors. */
+/* The amplitude of the sum of all waves with the phase of term i; 0 if an earlier term has that phase. Waves that start
+ * at different cycles add as vectors. */
 static double wave_amplitude(const struct oscillation *oscillation, size_t i) {
   double phase = oscillation->terms[i].phase, along = 0, across = 0;
   if (phase <= 0)
@@ -185,8 +185,8 @@ double oscillation_amplitude(const struct oscillation *oscillation) {
   return sum;
 }
 
-/* A wave dominates when its amplitude and its slope exceed those of all others together: then the sum crosses its mean as often as
- * that wave alone, in the long run. */
+/* A wave dominates when its amplitude and its slope exceed those of all others together: then the sum crosses its mean
+ * as often as that wave alone, in the long run. */
 double oscillation_frequency(const struct oscillation *oscillation) {
   double height = 0, slope = 0;
   for (size_t i = 0; i < oscillation->count; i++) {

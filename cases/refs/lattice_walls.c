@@ -7,8 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The step in s. `of single-contact` refers to 2 sqrt(m/k) [CS79, Motion]: m the smallest free mass, k the largest normal stiffness
- * between the materials of two particles or of a particle and a wall. */
+/* The step in s. `of single-contact` refers to 2 sqrt(m/k) [CS79, Motion]: m the smallest free mass, k the largest
+ * normal stiffness between the materials of two particles or of a particle and a wall. */
 static double step_length(const struct nb_scene *scene, const struct nb_step *step) {
   if (step->kind == NB_STEP_TIME)
     return step->value;

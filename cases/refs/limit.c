@@ -59,7 +59,8 @@ static double dashpot(const struct nb_damping *damping, bool wall, double k, dou
   return 0;
 }
 
-/* Mass-proportional damping does not matter: (1 - h)/(1 + h) and 1/(1 + h), h = alpha dt/2, give 2 (1 + keep)/gain = 4 for all h. */
+/* Mass-proportional damping does not matter: (1 - h)/(1 + h) and 1/(1 + h), h = alpha dt/2, give 2 (1 + keep)/gain = 4
+ * for all h. */
 static void set_global_damping(struct limit *limit, const struct nb_damping *damping) {
   const double g = damping->global;
   limit->keep = limit->gain = 1;
@@ -195,7 +196,8 @@ static double total_hardness(const struct limit *limit, const struct nb_scene *s
   return sum * step * (which ? radius * radius : 1);
 }
 
-/* One contact with its fractions of mass: its rows of `stretch`, each degree of freedom divided by the root of its fraction. */
+/* One contact with its fractions of mass: its rows of `stretch`, each degree of freedom divided by the root of its
+ * fraction. */
 static double contact_eigenvalue(const struct limit *limit, const struct nb_scene *scene, size_t c, double step) {
   const struct lattice *lattice = &limit->lattice;
   const struct lattice_contact *contact = &lattice->contacts[c];

@@ -20,15 +20,16 @@ enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, co
                            double largest_gap, struct nb_error *error);
 void limit_free(struct limit *limit);
 
-/* The spectral radius of the cycle as a matrix from (u, v dt) to those of the next cycle: above 1 when a free oscillation grows. */
+/* The spectral radius of the cycle as a matrix from (u, v dt) to those of the next cycle: above 1 when a free
+ * oscillation grows. */
 double limit_radius(const struct limit *limit, double step);
 /* The largest step for which it is 1, s. */
 double limit_of_cycle(const struct limit *limit);
 /* The same from theory: the largest eigenvalue of dt^2 K + 2 dt C reaches 2 (1 + keep)/gain. */
 double limit_of_modes(const struct limit *limit);
-/* The guaranteed stable step: the largest eigenvalue of each contact alone, with six degrees of freedom. A contact has the fraction
- * of the masses of its particles that its normal spring and dashpot have of all theirs, and of the moments of inertia that its
- * tangential ones have. */
+/* The guaranteed stable step: the largest eigenvalue of each contact alone, with six degrees of freedom. A contact has
+ * the fraction of the masses of its particles that its normal spring and dashpot have of all theirs, and of the moments
+ * of inertia that its tangential ones have. */
 double limit_of_contacts(const struct limit *limit, const struct nb_scene *scene);
 
 #endif

@@ -79,8 +79,8 @@ static struct branch *branch_to(struct loops *loops, double shear, double slip, 
     top = &loops->branches[loops->count++];
     *top = (struct branch){loops->shear, loops->slip, loops->lost, loops->work, sense, loops->count == 1 ? 1 : 2};
   }
-  /* A branch that returns is erased together with the one on which it began. After the first loading this happens at the same T
-   * with the opposite sign. */
+  /* A branch that returns is erased together with the one on which it began. After the first loading this happens at
+   * the same T with the opposite sign. */
   while (loops->count > 1) {
     if (sense != top->sense) { /* no branch is free: back along this one, at most to its begin */
       const double end = top->shear, lost = top->lost, work = top->work;

@@ -50,8 +50,8 @@ struct path_column {
   double values[];
 };
 struct path_column *path_column(const struct nb_scene *scene); /* of zeros; NULL: out of memory */
-/* Adds the curve along `step` and the value at the end of each segment, `NAME in SEGMENT`. Takes ownership of the column. NAN: no
- * value. */
+/* Adds the curve along `step` and the value at the end of each segment, `NAME in SEGMENT`. Takes ownership of the
+ * column. NAN: no value. */
 void path_add(struct nb_solution *solution, const struct nb_scene *scene, const char *name, struct path_column *column);
 
 #endif

@@ -33,7 +33,8 @@ struct nb_solution {
   bool incomplete; /* memory ran out: some values or curves are missing */
 };
 
-/* Both copy their texts. When memory runs out they set `incomplete`; solution_status reports it in the last line of `solve`. */
+/* Both copy their texts. When memory runs out they set `incomplete`; solution_status reports it in the last line of
+ * `solve`. */
 void solution_value(struct nb_solution *solution, double value, const char *name);
 void solution_curve(struct nb_solution *solution, const char *name, const char *along,
                     double (*at)(const void *data, double x), void *data);
@@ -49,18 +50,21 @@ struct nb_reference {
   const char *name;   /* the word after `reference`; also the name of the file */
   const char *title;  /* one line: what it computes and how */
   const char *source; /* equation tags: "[CS79 1-7]" */
-  /* Features of scenes that its theory covers, and those that it needs. Unset elements are HAS_NOTHING, which ends a list. */
+  /* Features of scenes that its theory covers, and those that it needs. Unset elements are HAS_NOTHING, which ends a
+   * list. */
   enum nb_feature accepts[NB_FEATURES], needs[4];
   const char *normal, *shear; /* names of laws, separated by spaces, or NB_ANY_LAW */
-  /* NB_BAD_USE and an error in words when the reference does not cover the numbers or the geometry of the scene. It is called
-   * only for scenes whose features it accepts. */
+  /* NB_BAD_USE and an error in words when the reference does not cover the numbers or the geometry of the scene. It is
+   * called only for scenes whose features it accepts. */
   enum nb_status (*solve)(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error);
 };
 
-/* From then on GSL returns a status instead of aborting the program. If GSL cannot allocate memory, the program ends with
- * NB_NO_MEMORY, so references do not check its allocations. To be called before any reference; more than once is allowed. */
+/* From then on GSL returns a status instead of aborting the program. If GSL cannot allocate memory, the program ends
+ * with NB_NO_MEMORY, so references do not check its allocations. To be called before any reference; more than once is
+ * allowed. */
 void nb_references_prepare(void);
-/* Compares the features of the scene with those that the reference accepts, then solves. Call solution_free in any case. */
+/* Compares the features of the scene with those that the reference accepts, then solves. Call solution_free in any
+ * case. */
 enum nb_status nb_reference_solve(const struct nb_reference *reference, struct nb_solution *solution,
                                   const struct nb_scene *scene, struct nb_error *error);
 const struct nb_reference *nb_reference_find(const char *name); /* NULL: no reference of that name */

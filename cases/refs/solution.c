@@ -7,8 +7,8 @@
 
 #include "reference.h"
 
-/* The array with space for one more element of `size` bytes; it doubles when the count reaches a power of two. NULL: out of
- * memory, and the old array is still valid. */
+/* The array with space for one more element of `size` bytes; it doubles when the count reaches a power of two. NULL:
+ * out of memory, and the old array is still valid. */
 static void *one_more(void *array, size_t count, size_t size) {
   if (count & (count - 1))
     return array;
@@ -77,7 +77,8 @@ void solution_free(struct nb_solution *solution) {
   *solution = (struct nb_solution){0};
 }
 
-/* make writes references-register.h: a line NB_REFERENCE(nine_discs) for each file of REFERENCES in build-aux/lists.mk. */
+/* make writes references-register.h: a line NB_REFERENCE(nine_discs) for each file of REFERENCES in build-aux/lists.mk.
+ * */
 #define NB_REFERENCE(name) extern const struct nb_reference reference_##name;
 #include "references-register.h"
 #undef NB_REFERENCE

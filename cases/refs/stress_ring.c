@@ -36,7 +36,8 @@ static double normal(const struct ring *ring, int a, int b, double distance) {
 
 static double between(double d1, double d2) { return sqrt(d1 * d1 + d2 * d2 - d1 * d2); }
 
-/* Residuals over the load; the unknowns are the overlaps with the middle sphere over R_0, so that all are of similar size. */
+/* Residuals over the load; the unknowns are the overlaps with the middle sphere over R_0, so that all are of similar
+ * size. */
 static int residuals(const gsl_vector *at, void *data, gsl_vector *residual) {
   const struct ring *ring = data;
   const double r0 = ring->radius[0];

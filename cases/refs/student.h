@@ -4,8 +4,8 @@
 #ifndef STUDENT_H
 #define STUDENT_H
 
-/* The half width of the confidence interval of the mean of n values, in s/sqrt(n), with their standard deviation s; infinite for
- * n = 1. */
+/* The half width of the confidence interval of the mean of n values, in s/sqrt(n), with their standard deviation s;
+ * infinite for n = 1. */
 double student_quantile(double n, double confidence);
 
 #endif
