@@ -25,22 +25,22 @@ STATEMENTS = \
   src/input/law.c \
   src/input/damping.c \
   src/input/gravity.c \
-  src/input/body.c \
+  src/input/particle.c \
   src/input/fill.c \
   src/input/packing.c \
   src/input/wall.c \
   src/input/cell.c \
-  src/input/watch.c \
+  src/input/monitor.c \
   src/input/region.c \
   src/input/impact.c \
-  src/input/place.c \
+  src/input/transform.c \
   src/input/step.c \
   src/input/record.c \
   src/input/stage.c \
   src/input/remove.c \
   src/input/servo.c \
   src/input/boundary.c \
-  src/input/path.c
+  src/input/contact_test.c
 
 # One reference solution each.
 REFERENCES = \

@@ -1,4 +1,4 @@
-/* What can be recorded and expected of the contact on the bench. The page knows names and units (path.c), the bench
+/* What can be recorded and expected of the contact on the bench. The page knows names and units (contact_test.c), the bench
  * works them out (run/contact_test_quantities.c).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -161,7 +161,7 @@ bool nb_scene_place(struct nb_scene *scene, const struct nb_place *to) {
 }
 
 /* clang-format off */
-NB_STATEMENTS(place) = {
+NB_STATEMENTS(transform) = {
   {"transform", NB_IN_SCENE, place_fields, NULL, 0, false, apply_place,
    "Transforms the whole scene, as it is at the end of the page: positions, velocities, walls and what they do in stages. "
    "First it is mirrored, then rotated about the origin, then translated. `mirror x` changes the sign of x, `mirror y` that of y. All that the page says with a direction turns with it, "

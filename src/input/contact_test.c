@@ -240,7 +240,7 @@ void nb_path_laws_check(struct nb_scene_reading *reading) {
 }
 
 /* clang-format off */
-NB_STATEMENTS(path) = {
+NB_STATEMENTS(contact_test) = {
   {"contact", NB_IN_PATH, nothing, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, false, apply_contact,
    "The contact that is tested: of two particles, or of one with a wall. They just touch at first.",
    "contact   disc 10 mm steel  with wall steel"},

@@ -99,7 +99,7 @@ NB_APPLY(apply_lattice) {
 }
 
 /* clang-format off */
-NB_STATEMENTS(body) = {
+NB_STATEMENTS(particle) = {
   {"disc", NB_IN_SCENE, particle_fields, NULL, NB_DISC, false, apply_particle,
    "One disc, a cylinder 1 m thick; it gets the next number.",
    "disc      35.02 mm 60 mm  radius 5 mm  steel  velocity -$speed 0 m/s  spin -3 rad/s"},

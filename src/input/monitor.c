@@ -73,7 +73,7 @@ NB_APPLY(apply_monitor) {
 }
 
 /* clang-format off */
-NB_STATEMENTS(watch) = {
+NB_STATEMENTS(monitor) = {
   {"monitor", NB_IN_SCENE | NB_IN_START, monitor_fields,
    "disc N | disc N with disc M | disc N with wall NAME | wall NAME | grading NAME {radius R}", 0, false, apply_monitor,
    "Names a particle, a contact, a wall, or a grading or one size of it, so that its quantities can be recorded: `C.normal`. Spheres are `sphere N`.",
