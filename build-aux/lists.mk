@@ -437,7 +437,7 @@ LAWS_SHARED = \
   src/laws/randall.h \
   src/laws/register.c
 
-# The passes of the force calculation.
+# The kernels of the force calculation.
 PASS = \
   src/pass/dashpots.c \
   src/pass/deep.c \

@@ -1,4 +1,4 @@
-/* What carries bodies along is one thing, whether a cell, a boundary or a continuum does: the same motion, and energies that
+/* Imposed affine motion is the same whether a cell, a boundary or `affine strain` imposes it: the same motion, and energies that
  * balance to second order of the step.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

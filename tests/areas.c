@@ -13,7 +13,7 @@ static const double pi = 3.14159265358979323846;
 
 /* How much of the chord at height y is inside both: the chord of the disc about the origin, and that of the other one. */
 struct pair {
-  double r, R, d;                  /* two circles, the second d to the east; */
+  double r, R, d;                  /* two circles, the second at the distance d in x; */
   double west, east, south, north; /* or a box in the place of the second */
 };
 

@@ -132,7 +132,7 @@ static void incline(struct nb_result *result, struct written *it, double frictio
 
 static void slides(void) {
   const double friction = 0.1, mass = 2600 * 4 / 3. * 3.14159265358979323846 * 1e-3;
-  /* at first the spring takes up the slip, which swings with w^2 = 7/2 k_s/m about p/w^2, up to mu N/k_s; then it slides */
+  /* at first the spring takes up the slip, which oscillates with w^2 = 7/2 k_s/m about p/w^2, up to mu N/k_s; then it slides */
   const double w2 = 3.5 * ks / mass, spring = friction * mass * n / ks;
   const double begins = acos(1 - spring * w2 / p) / sqrt(w2), v = sqrt(spring * (2 * p - w2 * spring));
   const double t = (cycles + 2) * step - begins, way = v * t + (p - 3.5 * friction * n) * t * t / 2;

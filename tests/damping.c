@@ -177,7 +177,7 @@ static void sliding(void) {
 }
 
 /* A disc on a wall, parted when nothing overlaps any more, though the dashpot pulls before: half a period of the damped
- * swing, e = exp(-pi beta/sqrt(1 - beta^2)). Meeting, parting and the dashpot's half step are each late by up to a
+ * oscillation, e = exp(-pi beta/sqrt(1 - beta^2)). Meeting, parting and the dashpot's half step are each late by up to a
  * step, which costs up to c dt/m = 2 beta w dt of the velocity. */
 static void restitution(void) {
   const double m = pi * 3, w = sqrt(400 / m);

@@ -25,7 +25,7 @@ static void run(struct nb_result *result, const char *statements) {
 /* From rest at d it falls along parabolas through the point: period 4 (2d/G)^(1/2). With d = G dt^2 ((N + 1/2)^2 + 1/4)/2 the scheme steps
  * over the point evenly, so that it is at rest at -d after 2N + 1 steps to rounding, and back after as many more: the period but
  * for 1/(8 N^2). On its way gravity has done m G (d - r). */
-static void a_particle_uses_damping_ratio_through_the_point(void) {
+static void a_particle_oscillates_through_the_point(void) {
   enum { N = 100 };
   const double dt = 0.01, g = 0.5, d = g * dt * dt / 2 * ((N + 0.5) * (N + 0.5) + 0.25), mass = 2 * pi;
   struct words page = {0};
@@ -211,7 +211,7 @@ static void one_strain_after_another(void) {
 
 void suite_driven(void) {
   CU_pSuite suite = CU_add_suite("driven", NULL, NULL);
-  CU_add_test(suite, "a body swings through the point", a_particle_uses_damping_ratio_through_the_point);
+  CU_add_test(suite, "a particle oscillates through the point", a_particle_oscillates_through_the_point);
   CU_add_test(suite, "a body goes round the point", a_particle_goes_round_the_point);
   CU_add_test(suite, "rest counts all that is felt", rest_counts_all_that_is_contact_forces);
   CU_add_test(suite, "rotation stops and goes on", rotation_stops_and_goes_on);

@@ -58,7 +58,7 @@ static void as_defined(void) {
   written_free(&it);
 }
 
-/* In the step in which a disc at rest is struck it has a dSF and no dx, so no K; the one that strikes has both. It comes with
+/* In the step in which a disc at rest is hit it has a dSF and no dx, so no K; the one that hits it has both. It comes with
  * 1 and overlaps by 0.02 after the step, of which dSF = k_n 0.02; then by 0.03 more, less what both have given way. */
 static void without_a_way_there_is_none(void) {
   struct words page = {0};
@@ -71,7 +71,7 @@ static void without_a_way_there_is_none(void) {
   CU_ASSERT_EQUAL_FATAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   written_cycles(model, 1);
   NEAR(written_now(model, "step.fracc"), by_hand(1, 0.03, 0, 0.02, 1, 0), 1e-12);
-  written_cycles(model, 1); /* F dt/M = 6e-4 to each: closing 1 - 12e-4, the struck one moves with 6e-4 */
+  written_cycles(model, 1); /* F dt/M = 6e-4 to each: closing 1 - 12e-4, the one that is hit moves with 6e-4 */
   NEAR(written_now(model, "step.fracc"), by_hand(1, 0.03, 0.02, 0.02 + 0.03 * (1 - 12e-4), 6e-4, 0), 1e-11);
   nb_model_free(model);
   written_free(&it);

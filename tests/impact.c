@@ -47,7 +47,7 @@ static void it_comes_as_it_is_told(void) {
   nb_model_free(model), written_free(&it);
 }
 
-/* R w counts in psi1, in the sense of the tangent; what is struck may move, and its spin counts too. */
+/* R w counts in psi1, in the sense of the tangent; the particle that is hit may move, and its spin counts too. */
 static void psi1_is_of_the_contact(void) {
   static const char *const particles[] = {
       "sphere 0 3 radius 0.5 m spin 0.8\nwall f -9 0 to 9 0 m\nmonitor B sphere 1\nmonitor C sphere 1 with wall f\n",
@@ -116,7 +116,7 @@ static void two_particles_count_as_one(void) {
 }
 
 /* The nearest point of a wall: beside it, off the point it turns about, past its ends. */
-static void a_wall_is_struck_where_it_is_nearest(void) {
+static void impact_on_a_wall_at_its_nearest_point(void) {
   static const struct {
     const char *wall;
     double x, y, nx, ny;
@@ -224,7 +224,7 @@ static void it_measures_gross_sliding(void) {
   }
 }
 
-/* The kinds of energy are those of the bodies where what is struck stands still. */
+/* The kinds of energy are those of the particles where the one that is hit does not move. */
 static void energies_are_those_of_the_particles(void) {
   struct written it;
   struct nb_model *model = made(&it, ON_FLOOR, "impact C speed 2 angle 0.4");
@@ -263,7 +263,7 @@ void suite_impact(void) {
   CU_add_test(suite, "it comes as it is told", it_comes_as_it_is_told);
   CU_add_test(suite, "psi1 is of the contact", psi1_is_of_the_contact);
   CU_add_test(suite, "two bodies count as one", two_particles_count_as_one);
-  CU_add_test(suite, "a wall is struck where it is nearest", a_wall_is_struck_where_it_is_nearest);
+  CU_add_test(suite, "impact on a wall at its nearest point", impact_on_a_wall_at_its_nearest_point);
   CU_add_test(suite, "it is over when they part", it_is_over_when_they_part);
   CU_add_test(suite, "wrong impacts are refused", wrong_impacts_are_refused);
   CU_add_test(suite, "it measures gross sliding", it_measures_gross_sliding);

@@ -78,7 +78,7 @@ static bool near(double seen, long double solution, double scale) {
   return fabsl(seen - solution) <= 16 * 2.2e-16L * (fabsl(solution) + scale);
 }
 
-/* [CS79 8-15] for disc c against a point at (qx, qy) with radius `other`, velocity (ux, uy) and rim speed `turning`. */
+/* [CS79 8-15] for disc c against a point at (qx, qy) with radius `other`, velocity (ux, uy) and surface speed `turning`. */
 static void compare(const struct bench *it, int c, const long double q[2], const long double u[2], long double other,
                     long double turning) {
   const struct nb_vec x = it->position[2 * c], v = it->velocity[2 * c];

@@ -181,7 +181,7 @@ static void unlike_steps_keep_the_second_order(void) {
   }
 }
 
-/* The energy with the velocity now swings within (w dt)^2 of itself and does not drift. */
+/* The energy with the velocity now oscillates within (w dt)^2 of itself and does not drift. */
 static void energy_does_not_drift(void) {
   struct written it;
   char text[128];

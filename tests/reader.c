@@ -1,5 +1,5 @@
 /* The reader: numbers, pages and their blocks, names for values, and the scene that a page says. What it
- * answers to wrong pages is tested by tests/mistakes.sh.
+ * answers to invalid pages is tested by tests/mistakes.sh.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE

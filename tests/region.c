@@ -222,7 +222,7 @@ static void loads(void) {
   done(&it, model);
 }
 
-/* A disc that slides along a wall to the east, one that lies on a wall to the west and does not. */
+/* A disc that slides along a wall in x, and one that rests on a wall. */
 static void who_slides(void) {
   struct words page = {0};
   struct written it;

@@ -10,7 +10,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* What bodies have beyond what carries them along, in either coding; the fixed one is left out. */
+/* Velocities of particles less the imposed motion, in either coding; the fixed particle is left out. */
 static void speeds(void) {
   static const char *const codings[] = {"apart", "accumulated"};
   for (int k = 0; k < 2; k++) {

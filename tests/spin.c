@@ -71,8 +71,8 @@ static void moments_turn(void) {
   }
 }
 
-/* And the contact feels it: slip is that of the rims as they turn now. */
-static void rims_go_with_their_particles(void) {
+/* And the contact uses it: the tangential increment is that of the surfaces as they move now. */
+static void surface_goes_with_its_particle(void) {
   struct written it;
   struct nb_model *model = gears(&it, "mass 30");
   for (int cycle = 0; cycle < 9; cycle++) {
@@ -107,7 +107,7 @@ static void turned_round(void) {
 }
 
 /* Stopped, discs that turned as they touched rub no more when a later stage lets them rub. */
-static void still_rims(void) {
+static void surface_at_rest(void) {
   static const char *const still[] = {"", "zero velocities\n"};
   for (int k = 0; k < 2; k++) {
     struct words page = {0};
@@ -129,7 +129,7 @@ static void still_rims(void) {
 void suite_spin(void) {
   CU_pSuite suite = CU_add_suite("spin", NULL, NULL);
   CU_add_test(suite, "moments turn bodies, damped or not", moments_turn);
-  CU_add_test(suite, "rims go with their bodies", rims_go_with_their_particles);
+  CU_add_test(suite, "surface speed and particle", surface_goes_with_its_particle);
   CU_add_test(suite, "turned round", turned_round);
-  CU_add_test(suite, "still rims", still_rims);
+  CU_add_test(suite, "surface at rest", surface_at_rest);
 }

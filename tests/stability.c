@@ -1,4 +1,4 @@
-/* The watch over the step between its looks: no cycle of elastic spheres is done whose step is not sure to be stable.
+/* The stability check between its updates: no cycle of elastic spheres runs with a step that is not guaranteed stable.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -49,7 +49,7 @@ static void an_impact_between_two_looks(void) {
   CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "particle 1 (line 7): at cycle "));
   const double force = written_now(model, "C.normal"), young = 0.5;
   const double square = cbrt(6 * force * young * young * 0.5) + cbrt(6 * force * young * young * 1);
-  CU_ASSERT(fabs(2 / sqrt(square) - 3) < 0.15); /* it swings a little about that balance */
+  CU_ASSERT(fabs(2 / sqrt(square) - 3) < 0.15); /* it oscillates a little about that equilibrium */
   CU_ASSERT(model->stability->checks < (unsigned long)done / 2 && model->search.count == 1);
   nb_model_free(model);
   written_free(&it);
@@ -64,7 +64,7 @@ static double overlap_stable(const struct nb_model *model, int contact) {
 }
 
 /* Of a pair alone all that is left is the one contact's: at the overlap that is sure its step is the bound. With dashpots h is a
- * little more than the ratio that they have, and so is what is sure a little less. */
+ * little more than the ratio that they have, and so the guaranteed stable step is a little less. */
 static void a_pair_may_use_it_up(void) {
   static const struct {
     const char *statements;

@@ -14,10 +14,11 @@
 
 #define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
 
-/* All of one scene: what the program says, and what the judges say. */
+/* All of one scene: what the program computes, and the references. */
 struct told {
-  double safe, critical;      /* the program */
-  double parts, modes, cycle; /* the judges: contact by contact; by theory; by eigenvalues of the cycle, 0: not asked */
+  double safe, critical; /* the program */
+  double parts, modes,
+      cycle; /* the references: contact by contact; by theory; by eigenvalues of the cycle, 0: not asked */
 };
 
 static struct told told(struct words *page, bool cycle) {

@@ -29,7 +29,7 @@ result $? 'explain says that the state will be computed'
 run whole cases/3-nine-discs/nine-discs.md
 run now "$pages/saved-stage.md" && test "$(made)" -eq 1
 result $? 'the state is computed'
-rows "$work/whole" swing >"$work/wanted"
+rows "$work/whole" oscillate >"$work/wanted"
 rows "$work/now" rest | sed 1d | head -n 400 | diff - "$work/wanted" >"$work/said" && test "$(wc -l <"$work/wanted")" -eq 400
 result $? 'the results are those of the uninterrupted run'
 run found "$pages/saved-stage.md" && test "$(made)" -eq 0 && cmp "$work/now/table.tsv" "$work/found/table.tsv"

@@ -1,4 +1,4 @@
-/* Assemblies that go on from a saved state: with a boundary, what carries bodies along, a servo, and a cell. Every stage is followed by
+/* Assemblies that go on from a saved state: with a boundary, imposed affine motion, a servo, and a cell. Every stage is followed by
  * one that says no more than another step, so that all that it has set must still be there.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -15,7 +15,7 @@ static const char exact[] = "units none\nmaterial m density 3 friction 0.3 young
                             "wall w -5 0 to 5 0 m\nlattice spheres 2 by 1 m radius 1 spacing 1.99 from 0 "
                             "0.995\ngravity 1 -1\nstep 0.001\nstage a\ncycles 20\n";
 
-static const char struck[] =
+static const char impact[] =
     "units none\nmaterial m density 3 young 5000 poisson 0.2\nnormal hertz\nwall w -5 0 to 5 0 m\n"
     "sphere 0 5 radius 1 m\nlattice spheres 3 by 1 m radius 0.3 spacing 0.59 from 2 0.29\nmonitor C sphere 1 with wall "
     "w\nimpact C speed 1 angle 0.5 phase 0.3\n"
@@ -43,7 +43,7 @@ static const struct {
     {state_plain, "shear", "g"},
     {exact, "shear", "ggg"},
     {state_ring, "inward", "fff"},
-    {struck, "impact", "n"},
+    {impact, "impact", "n"},
     {state_ring, "rotation", "w"},
     {state_ring, "centre", "ff"},
     {state_ring, "carrier", "wwffffwffff"},
@@ -155,7 +155,7 @@ static void every_record(void) {
       {state_plain, "fields", "expected a record `fields` before the first contact"},
       {state_plain, "shear", NULL},
       {state_ring, "inward", NULL},
-      {struck, "impact", NULL},
+      {impact, "impact", NULL},
       {state_ring, "rotation", NULL},
       {state_ring, "centre", NULL},
       {state_ring, "boundary", "expected records `boundary` and `members`, or neither"},

@@ -170,7 +170,8 @@ static double push(const char *walls, double x, double y, double *contacts) {
 static void one_contact_at_a_corner(void) {
   const char *corner = "wall a -9 0 to 0 0 m\nwall b 0 0 to 0 -9 m"; /* seen from outside, then from inside */
   double contacts;
-  for (double angle = -0.1; angle < pi / 2 + 0.1; angle += 0.05) { /* all around it from above to the east: one force */
+  for (double angle = -0.1; angle < pi / 2 + 0.1;
+       angle += 0.05) { /* all around it from above to the right: one force */
     const double x = 0.9 * sin(angle), y = 0.9 * cos(angle);
     const double alpha = x < 0 ? 1 - y : y < 0 ? 1 - x : 0.1;
     CU_ASSERT_DOUBLE_EQUAL(push(corner, x, y, &contacts), 100 * alpha, 1e-9);

@@ -34,7 +34,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_fracc_touch = {
     .name = "fracc_touch",
-    .title = "FRACC of a disc struck by another one, from the first two forces",
+    .title = "FRACC of a disc hit by another one, from the first two forces",
     .source = "[R89 4.35-4.40]",
     .accepts = {HAS_DISCS, HAS_VELOCITIES},
     .normal = "linear",

@@ -174,7 +174,7 @@ static int run(int number, const char *folder, unsigned long n, bool lasting, un
 }
 
 /* The failure of a run; NULL: none. */
-static const char *judge(int status, int undisturbed, const char *folder, const char *wanted, size_t whole) {
+static const char *verdict(int status, int undisturbed, const char *folder, const char *wanted, size_t whole) {
   static char what[2 * PATH_SIZE];
   char path[PATH_SIZE];
   size_t size = 0;
@@ -214,7 +214,7 @@ static bool inject(int number, unsigned long only) {
   for (unsigned long n = only ? only : 1; n <= (only ? only : calls); n++)
     for (int lasting = 0; lasting < (only || n % 8 == 1 ? 2 : 1); lasting++) {
       const int status = run(number, folder, n, lasting, &ignored);
-      const char *what = judge(status, WEXITSTATUS(undisturbed), folder, wanted, whole);
+      const char *what = verdict(status, WEXITSTATUS(undisturbed), folder, wanted, whole);
       if (what && wrong++ < 20)
         printf("# call %lu of %lu%s: %s\n", n, calls, lasting ? " and all after it" : "", what);
       if (what && only)
