@@ -291,7 +291,7 @@ struct nb_impact {
   int line;     /* 0: no such statement */
 };
 
-/* Motion of a wall from the begin of a stage until another stage changes it. */
+/* Motion of a wall from the beginning of a stage until another stage changes it. */
 struct nb_wall_motion {
   int wall;      /* index */
   double vx, vy; /* of P, m/s */
@@ -417,7 +417,7 @@ struct nb_stage {
   unsigned long check_interval;  /* cycles between two tests of the conditions */
   unsigned long record_interval; /* cycles between two rows; 0: no rows */
   bool snapshot;                 /* keep particles, walls and contacts at its end, */
-  int snapshot_from;             /* with the changes since the begin of the stage of this index; -1: none */
+  int snapshot_from;             /* with the changes since the beginning of the stage of this index; -1: none */
   struct nb_step step;           /* as the scene's, unless the stage gives its own */
   bool allow_unstable;           /* the stability of the step is not checked in this stage */
   struct nb_damping damping;     /* as in the stage before, unless the stage gives its own */

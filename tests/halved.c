@@ -126,7 +126,7 @@ static bool counted(const char *name) {
          strcmp(name, "step.stable") == 0;
 }
 
-/* The time is that at the begin of the stage and its cycles. */
+/* The time is that at the beginning of the stage and its cycles. */
 static bool timed(const char *name) {
   return strcmp(name, "time") == 0 || strcmp(name, "impact.time") == 0 || strcmp(name, "impact.duration") == 0;
 }

@@ -35,7 +35,7 @@ static struct told told(struct words *page, bool cycle) {
   answer.parts = limit_of_contacts(&limit, &it.scene), answer.modes = limit_of_modes(&limit);
   if (cycle)
     answer.cycle = limit_of_cycle(&limit);
-  NEAR(answer.critical, limit.critical, 1e-14);
+  NEAR(answer.critical, limit.single_contact, 1e-14);
   limit_free(&limit);
   nb_model_free(model);
   written_free(&it);
@@ -100,7 +100,7 @@ static void as_the_page_says(void) {
 }
 
 /* Nine discs that may not turn: omega^2 = 2 (2 + sqrt 2) k/m, rows and columns at once; spin doubles it. */
-static void turning_costs_thirty_per_cent(void) {
+static void rotation_costs_thirty_per_cent(void) {
   struct words page = {0};
   struct written it;
   struct limit limit;
@@ -109,13 +109,13 @@ static void turning_costs_thirty_per_cent(void) {
                    "lattice discs 3 by 3 radius 1 rough\nstep 0.1 of stable\nstage s\ncycles 1\n");
   written_scene(&it, &page);
   CU_ASSERT_EQUAL_FATAL(limit_build(&limit, &it.scene, &it.scene.damping, 1e-9, &error), NB_OK);
-  NEAR(limit_of_modes(&limit) / limit.critical, 0.267092622512110, 1e-13);
+  NEAR(limit_of_modes(&limit) / limit.single_contact, 0.267092622512110, 1e-13);
   for (size_t spin = 2; spin < 27; spin += 3) {
     gsl_vector_view column = gsl_matrix_column(limit.lattice.stretch, spin);
     gsl_vector_set_zero(&column.vector);
   }
-  NEAR(limit_of_modes(&limit) / limit.critical, 1 / sqrt(2 * (2 + sqrt(2))), 1e-13);
-  NEAR(limit_of_cycle(&limit) / limit.critical, 1 / sqrt(2 * (2 + sqrt(2))), 3e-6);
+  NEAR(limit_of_modes(&limit) / limit.single_contact, 1 / sqrt(2 * (2 + sqrt(2))), 1e-13);
+  NEAR(limit_of_cycle(&limit) / limit.single_contact, 1 / sqrt(2 * (2 + sqrt(2))), 3e-6);
   limit_free(&limit);
   written_free(&it);
 }
@@ -249,7 +249,7 @@ void suite_stable(void) {
   CU_pSuite suite = CU_add_suite("stable", NULL, NULL);
   CU_add_test(suite, "lattices are the closed forms", lattices_are_the_closed_forms);
   CU_add_test(suite, "as the page says", as_the_page_says);
-  CU_add_test(suite, "turning costs thirty per cent", turning_costs_thirty_per_cent);
+  CU_add_test(suite, "rotation costs thirty per cent", rotation_costs_thirty_per_cent);
   CU_add_test(suite, "damping has its formula", damping_has_its_formula);
   CU_add_test(suite, "safe is safe, by chance", safe_is_safe);
   CU_add_test(suite, "a stiffer way back counts", a_stiffer_way_back_counts);

@@ -148,7 +148,7 @@ static void no_step_for_spheres(void) {
       {"lattice spheres 3 by 1 radius 1 m\nstep 0.1 of stable\n",
        "elastic spheres without overlap have none: write `N per collision`"},
       {"lattice spheres 2 by 1 radius 1 spacing 1.9 m\nstep 0.1 of single-contact\n",
-       "line 8: elastic spheres have no critical step"},
+       "line 8: elastic spheres have no single-contact step"},
   };
   for (size_t n = 0; n < sizeof pages / sizeof *pages; n++) {
     struct words page = {0};

@@ -1,14 +1,16 @@
-/* Reference: stress in spheres that a central gravity G has drawn together, without friction, at rest.            [R89 6.4.2]
+/* Reference: stress in frictionless spheres at rest under central gravity G.                                      [R89 6.4.2]
+ *
+ * Without friction the stress is isotropic, p(r), and radial equilibrium at distance r from the centre is
  *
  *   dp/dr = -G M/(pi R^2 t),   p = p_0 (1 - r/R),   p_0 = G M/(pi R t)        mean over a circle of radius a: p_0 (1 - 2a/(3R))
  *
  *   G   acceleration, m/s2     M   total mass, kg     t   mean diameter, taken as the thickness of the layer, m
  *   R   radius of the assembly, m:   pi R^2 (1 - n) = sum pi r_i^2,   n its areal porosity
  *
- * n = 0.155 is assumed; random packings without friction have 0.14 to 0.17.
+ * n = 0.155 is assumed, the middle of the range 0.14 to 0.17 of random frictionless packings.
  *
- * Returns, for A that monitors a circular region about the centre:   A.stress.mean in the last stage, Pa
- * Error    that of n: p_0 is proportional to (1 - n)^(1/2), so 1 % where n is off by 0.015.
+ * Returns   A.stress.mean in the last stage, Pa, for every monitor A of a circular region; its centre must be that of gravity
+ * Error     p_0 is proportional to (1 - n)^(1/2): an error of 0.015 in n gives 1 %
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -18,18 +20,20 @@
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {
   static const double pi = 3.14159265358979323846, porosity = 0.155;
   const struct nb_gravity *gravity = &scene->gravity;
-  double mass = 0, diameter = 0, section = 0;
+  double mass = 0, diameter = 0, area = 0;
   for (size_t s = 0; s < scene->stage_count; s++)
     if (scene->stages[s].gravity.line)
       gravity = &scene->stages[s].gravity;
   if (!(gravity->central > 0) || scene->particle_count == 0)
-    return nb_error_set(error, NB_BAD_USE, "centripetal is for particles and `gravity centripetal` to the end");
+    return nb_error_set(error, NB_BAD_USE,
+                        "centripetal is for scenes with particles and `gravity centripetal` in the last stage");
   for (size_t k = 0; k < scene->particle_count; k++) {
     const struct nb_particle *particle = &scene->particles[k];
-    mass += matter_mass(scene, particle), diameter += 2 * particle->radius,
-        section += pi * particle->radius * particle->radius;
+    mass += matter_mass(scene, particle);
+    diameter += 2 * particle->radius;
+    area += pi * particle->radius * particle->radius;
   }
-  const double R = sqrt(section / (1 - porosity) / pi);
+  const double R = sqrt(area / (1 - porosity) / pi);
   const double p0 = gravity->central * mass / (pi * R * diameter / (double)scene->particle_count);
   const struct nb_stage *last = &scene->stages[scene->stage_count - 1];
   for (size_t w = 0; w < scene->monitor_count; w++) {
@@ -45,7 +49,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
 
 const struct nb_reference reference_centripetal = {
     .name = "centripetal",
-    .title = "stress in spheres drawn together by central gravity, from equilibrium of rings",
+    .title = "stress in frictionless spheres at rest under central gravity, from radial equilibrium",
     .source = "[R89 6.4.2]",
     .accepts = {HAS_SPHERES, HAS_ALL_DAMPING, HAS_DAMPING_CHANGE, HAS_GRAVITY_CHANGE, HAS_UNTIL},
     .needs = {HAS_CENTRIPETAL_GRAVITY},

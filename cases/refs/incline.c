@@ -27,10 +27,10 @@ struct plane {
   double q, mu, radius;
   int count;
   double begin[STAGES + 1];          /* s */
-  double p[STAGES][2], n[STAGES][2]; /* at the begin and the end of each stage, m/s2 */
+  double p[STAGES][2], n[STAGES][2]; /* at the beginning and the end of each stage, m/s2 */
 };
 
-/* Integral from the begin of a stage to a fraction of it, over its length. */
+/* Integral from the beginning of a stage to a fraction of it, over its length. */
 static double integral(const double ends[2], double fraction) {
   return fraction * (ends[0] + (ends[1] - ends[0]) * fraction / 2);
 }

@@ -1,4 +1,4 @@
-/* Values and curves of the forces at monitored contacts.
+/* Adds the normal and shear forces at monitored contacts to a solution, as values and as curves.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_LATTICE_VALUES_H
@@ -6,19 +6,20 @@
 
 #include "lattice.h"
 
-/* Normal and shear force of every monitored contact in the equilibrium after each stage, as `equilibrium` finds it. */
+/* Adds both forces of every monitored contact in the equilibrium after each stage. `equilibrium` computes the forces, in N, from
+ * the displacements of the walls, `travel`. */
 enum nb_status lattice_add_equilibria(struct nb_solution *solution, const struct nb_scene *scene,
                                       enum nb_status (*equilibrium)(const struct lattice *lattice,
                                                                     const gsl_vector *travel, gsl_vector *forces,
                                                                     struct nb_error *error),
                                       struct nb_error *error);
 
-/* Force `row` as curves along cycle and time, named `quantity`. */
+/* Adds the force in row `row` of lattice->stretch as two curves named `quantity`, against cycle and against time. */
 enum nb_status lattice_add_curves(struct nb_solution *solution, const struct lattice *lattice,
                                   const struct oscillation_modes *modes, const char *quantity, size_t row,
                                   struct nb_error *error);
 
-/* Checks all cycles of an undamped run: NB_BAD_USE when a contact opens or slips. */
+/* Checks every cycle of an undamped run. NB_BAD_USE: a contact opens or slips, so the lattice is not linear. */
 enum nb_status lattice_check_run(const struct lattice *lattice, const struct oscillation_modes *modes,
                                  struct nb_error *error);
 

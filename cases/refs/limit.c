@@ -78,11 +78,11 @@ enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, co
   if (lattice_build_pairs(&limit->lattice, scene, largest_gap, error))
     return error->status;
   const struct lattice *lattice = &limit->lattice;
-  limit->critical = critical_step(scene);
+  limit->single_contact = critical_step(scene);
   limit->dashpots = gsl_vector_alloc(2 * lattice->contact_count);
   for (size_t r = 0; r < 2 * lattice->contact_count; r++) {
     double k = gsl_vector_get(lattice->springs, r), mass = reduced_mass(scene, &lattice->contacts[r / 2]);
-    gsl_vector_set(limit->dashpots, r, dashpot(damping, lattice->contacts[r / 2].wall, k, mass, limit->critical));
+    gsl_vector_set(limit->dashpots, r, dashpot(damping, lattice->contacts[r / 2].wall, k, mass, limit->single_contact));
   }
   set_global_damping(limit, damping);
   if (limit->gain > 0 && gsl_vector_max(lattice->springs) > 0)
@@ -152,7 +152,7 @@ double limit_radius(const struct limit *limit, double step) {
 /* The largest stable step by bisection, from powers of two of the single-contact step; NAN: none is found. */
 static double bisect(const struct limit *limit, bool (*stable)(const struct limit *, const struct nb_scene *, double),
                      const struct nb_scene *scene, int times) {
-  double high = limit->critical, low;
+  double high = limit->single_contact, low;
   while (stable(limit, scene, high))
     if (!((high *= 2) < INFINITY))
       return NAN;

@@ -6,30 +6,31 @@
 
 #include "lattice.h"
 
-/* Degrees of freedom in units of 1/sqrt(mass), as in lattice.h:  u'' = -K u - C u',  K = stretch' springs stretch, C likewise. */
+/* d2u/dt2 = -K u - C du/dt,   K = S^T diag(springs) S,   C = S^T diag(dashpots) S,   S = lattice.stretch. Every degree of
+ * freedom u_i is scaled by the square root of its mass or moment of inertia (lattice.h), so the mass matrix is the identity. */
 struct limit {
   struct lattice lattice;
-  gsl_vector *dashpots; /* c_n, c_s of each contact in turn, N s/m */
-  double keep, gain;    /* of a cycle: v <- keep v + gain (F/m) dt; with `damping mass` at alpha dt = 0 */
-  double
-      critical; /* single-contact step 2 sqrt(m/k): lightest free mass, stiffest pair of materials, s [CS79, Motion] */
+  gsl_vector *dashpots; /* c_n, c_s of contact 0, of contact 1, ..., N s/m */
+  double keep, gain;    /* factors of a cycle, v <- keep v + gain (F/m) dt; both 1 with `damping mass` (see limit.c) */
+  /* single-contact step 2 sqrt(m/k) with the lightest free mass and the stiffest pair of materials, s [CS79, Motion] */
+  double single_contact;
 };
 
-/* For all pairs whose gap is below `largest_gap`, m, with the given damping. NB_BAD_USE when there are none. */
+/* Builds the network of all pairs with a gap below `largest_gap`, m, and the given damping. NB_BAD_USE: no pair. */
 enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, const struct nb_damping *damping,
                            double largest_gap, struct nb_error *error);
 void limit_free(struct limit *limit);
 
-/* The spectral radius of the cycle as a matrix from (u, v dt) to those of the next cycle: above 1 when a free
- * oscillation grows. */
+/* Method 1: the spectral radius of the matrix that maps (u, v dt) of one cycle to those of the next. Above 1, an oscillation
+ * grows. */
 double limit_radius(const struct limit *limit, double step);
-/* The largest step for which it is 1, s. */
+/* The largest step, s, with a spectral radius of at most 1. */
 double limit_of_cycle(const struct limit *limit);
-/* The same from theory: the largest eigenvalue of dt^2 K + 2 dt C reaches 2 (1 + keep)/gain. */
+/* Method 2: the step, s, at which the largest eigenvalue of dt^2 K + 2 dt C equals 2 (1 + keep)/gain. */
 double limit_of_modes(const struct limit *limit);
-/* The guaranteed stable step: the largest eigenvalue of each contact alone, with six degrees of freedom. A contact has
- * the fraction of the masses of its particles that its normal spring and dashpot have of all theirs, and of the moments
- * of inertia that its tangential ones have. */
+/* Method 3: the guaranteed stable step, s. It is the smallest limit of any contact alone, with its two particles and six degrees
+ * of freedom. The mass of a particle is divided among its contacts in proportion to their normal springs and dashpots, its
+ * moment of inertia in proportion to the tangential ones. */
 double limit_of_contacts(const struct limit *limit, const struct nb_scene *scene);
 
 #endif

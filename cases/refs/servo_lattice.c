@@ -1,22 +1,25 @@
 /* Reference: a square lattice of springs in a periodic cell with a servo, for small strains.
  *
- * All discs follow the cell without rotation, so
+ * The strain rate is l + L, 1/s: l is given on the page, L is that of the servo. All discs follow the cell without rotation, and
+ * discs are 1 m thick, so k_n and k_s are also the stiffnesses of the lattice in Pa:
  *
- *   s_xx' = -k_n (l_xx + L_xx),   s_yy likewise,   s_xy' = -k_s (l_xy + L_xy)     l: strain rate of the page, L: that
- *                                 of the servo
+ *   s_xx' = -k_n (l_xx + L_xx),   s_yy' = -k_n (l_yy + L_yy),   s_xy' = -k_s (l_xy + L_xy)
  *   B = k_n/2,   T = W (rho/B)^(1/2),   W = (area of the cell)^(1/2)
  *
- * For a controlled stress, e = s - s0 is the error; a ramp changes s0 at the rate q. With f = 1, or f = k_s/k_n for xy:
+ * The error of a controlled stress s with target s0 is e = s - s0. A ramp changes s0 at the rate q. Z is the integral term of
+ * the servo. With f = 1 for xx and yy, and f = k_s/k_n for xy:
  *
  *   e' = -f e/T - f k_n Z - c,   Z' = e/(16 k_n T^2),   c = f k_n l + q,   so   e'' + f e'/T + f e/(16 T^2) = 0
- *   e  = a exp(-u t) + b exp(-v t),   u, v = f (1 -+ (1 - 1/4f)^(1/2))/2T
+ *   e  = a exp(-u t) + b exp(-v t),   u, v = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
- * from e(0) and e'(0) at the begin of the stage, where Z is -g e/(k_n T), g = (1 - (3/4)^(1/2))/2. An error above k_n T
- * times the `at most` rate r exceeds what the servo may do; until it is down to that, e' = -f k_n r (1 - g) - c. A
- * stress that is not controlled follows s' = -k l. `servo mean` controls (xx + yy)/2, and their difference continues.
+ * a and b follow from e(0) and e'(0) at the beginning of the stage. The servo sets Z = -g e/(k_n T) there,
+ * g = (1 - (3/4)^(1/2))/2 (src/loading/servo.c). While |e| exceeds k_n T r, where r is the `at most` rate, the rate is limited and
+ * e' = -f k_n r (1 - g) - c for e > 0. A stress that is not controlled follows s' = -k_n l or -k_s l. `servo mean` controls
+ * (xx + yy)/2; the difference xx - yy then follows l.
  *
- * Returns cell.stress.xx, cell.stress.yy, cell.stress.xy along time. Error: of the order of s/k_n and dt/T. Only one
- * component, or xx and yy equally, may exceed the largest rate.
+ * Returns   cell.stress.xx, cell.stress.yy, cell.stress.xy versus time, Pa
+ * Error     relative, of the order of s/k_n and dt/T
+ * Range     the rate of one component only may be limited, or those of xx and yy if they are equal
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <complex.h>
@@ -27,17 +30,17 @@
 #include "reference.h"
 
 struct lattice {
-  double kn, ks, wave; /* N/m, of discs 1 m thick Pa; T, s */
+  double kn, ks, wave; /* k_n and k_s, Pa; T, s */
   double step;         /* s */
 };
 
-/* One stress over one stage. */
+/* One stress component during one stage. */
 struct piece {
   double begin;      /* s */
-  double from, rate; /* s0 and q; s and s' if the stress is not controlled */
+  double from, rate; /* controlled: s0 at the beginning, Pa, and q, Pa/s; not controlled: s and s' */
   bool controlled;
-  double initial;        /* e at the begin */
-  double slope, limited; /* e' at the largest rate, and the duration of that, s */
+  double initial;        /* e at the beginning, Pa */
+  double slope, limited; /* e' while the rate is limited, Pa/s, and how long it is, s */
   double complex a, b, u, v;
 };
 
@@ -63,7 +66,7 @@ static double at(const void *data, double time) {
   return value(&course->piece[k], time);
 }
 
-/* The course of an error from its initial value; `max_rate` of the servo. */
+/* Solves for the error e of a controlled stress from its initial value. `max_rate` is r. */
 static void solve_equations(struct piece *it, const struct lattice *lattice, double f, double initial, double c,
                             double max_rate) {
   const double t = lattice->wave, g = (1 - sqrt(0.75)) / 2, largest = copysign(lattice->kn * t * max_rate, initial);
@@ -77,7 +80,7 @@ static void solve_equations(struct piece *it, const struct lattice *lattice, dou
   it->b = e - it->a;
 }
 
-/* xx, yy and xy over a stage that begins with s. */
+/* Solves one stage for xx, yy and xy, which are s, Pa, at its beginning. */
 static void advance(struct piece *const now[3], const struct lattice *lattice, const struct nb_stage *stage,
                     struct nb_strain_rate strain, double begin, const double s[3]) {
   const struct nb_servo *servo = &stage->servo;
@@ -88,7 +91,7 @@ static void advance(struct piece *const now[3], const struct lattice *lattice, c
     *it = (struct piece){.begin = begin, .from = s[k], .rate = -f * lattice->kn * l[k]};
     if (!servo->line || !servo->controlled[k] || (servo->mean && k == 2))
       continue;
-    /* with `mean`, s is the mean and a deviation that follows the strain rate of the page */
+    /* with `mean`, s is the controlled mean plus a deviation from it, which follows l */
     const double change = servo->mean ? (l[0] + l[1]) / 2 : l[k], begun = servo->mean ? (s[0] + s[1]) / 2 : s[k];
     const double target = servo->stress[k], q = servo->ramp ? (target - begun) / length : 0;
     const double from = servo->ramp ? begun : target;
@@ -121,10 +124,9 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (!fits(scene))
     return nb_error_set(
         error, NB_BAD_USE,
-        "servo_lattice is for a square lattice of equal discs in an upright cell, `normal linear`, no "
-        "shear, a step in seconds, "
-        "and stages of a given number of cycles that strain the cell without rotation, or control it with a servo, at "
-        "rates in 1/s");
+        "servo_lattice is for a square lattice of equal discs in a rectangular cell, `normal linear`, `shear linear`, "
+        "a step in seconds, and stages with `cycles N` that strain the cell without rotation, or control it with a "
+        "servo, at rates in 1/s");
   const struct nb_particle *particle = &scene->particles[0];
   const double area = scene->cell.h[0] * scene->cell.h[3], n = (double)scene->particle_count;
   const struct matter_pair pair = matter_pair(scene, particle->material, particle->material);

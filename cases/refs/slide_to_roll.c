@@ -29,7 +29,7 @@ struct slide {
   double limit;             /* d_m, m */
   double brake;             /* (1 + q) mu g, m/s2 */
   double stick, slide;      /* times at which they end, s */
-  double slip;              /* s' at the begin of sliding, m/s */
+  double slip;              /* s' at the beginning of sliding, m/s */
 };
 
 static double sticking_slip(const struct slide *f, double t, double *rate) {

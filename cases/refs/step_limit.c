@@ -21,7 +21,7 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   struct limit limit;
   if (limit_build(&limit, scene, &scene->damping, touch * scene->particles[0].radius, error))
     return error->status;
-  solution_value(solution, limit.critical, "step.single-contact");
+  solution_value(solution, limit.single_contact, "step.single-contact");
   const double stable = limit_of_contacts(&limit, scene), longest = limit_of_cycle(&limit);
   solution_value(solution, stable, "step.stable");
   solution_value(solution, longest, "step max");

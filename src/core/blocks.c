@@ -6,7 +6,7 @@
 static bool stable_overlap_begin(struct nb_model *model, size_t blocks) {
   model->blocks.stable_overlap = nb_own(&model->contacts.owner, blocks, sizeof *model->blocks.stable_overlap);
   for (size_t v = 0; model->blocks.stable_overlap && v < blocks; v++)
-    model->blocks.stable_overlap[v].overlap = INFINITY; /* until the step has been checked */
+    model->blocks.stable_overlap[v].overlap = INFINITY; /* no limit until the stability check sets one */
   return model->blocks.stable_overlap != NULL;
 }
 
@@ -18,7 +18,8 @@ static struct nb_block block_of(const struct nb_model *model, size_t from, size_
   block.material_pair = &model->material_pairs[contacts->material_pair[from]];
   for (int f = 0; f < NB_FIELDS; f++)
     block.f[f] = contacts->kept[f] ? contacts->kept[f] + from : scratch + f * NB_BLOCK_SIZE;
-  block.f[NB_DISSIPATED] = contacts->kept[NB_DISSIPATED] ? block.f[NB_DISSIPATED] : NULL; /* not requested */
+  block.f[NB_DISSIPATED] =
+      contacts->kept[NB_DISSIPATED] ? block.f[NB_DISSIPATED] : NULL; /* NULL: the laws do not compute it */
   if (!model->plan.dashpots)
     block.f[NB_TOTAL_NORMAL] = block.f[NB_NORMAL], block.f[NB_TOTAL_SHEAR] = block.f[NB_SHEAR];
   block.normal_history = nb_history_from(&contacts->normal_history, from);
@@ -26,7 +27,7 @@ static struct nb_block block_of(const struct nb_model *model, size_t from, size_
   return block;
 }
 
-/* Starts of the blocks, and the end of the last one; returns their number. */
+/* Finds the first contact of each block, and after them the end of the last block. Returns the number of blocks. */
 static size_t find_starts(size_t start[], const struct nb_contacts *contacts) {
   size_t n = 0;
   for (size_t c = 0; c < contacts->count; c++)
@@ -36,27 +37,29 @@ static size_t find_starts(size_t start[], const struct nb_contacts *contacts) {
   return n;
 }
 
-/* Counters for each block, as far as the plan needs them. */
+/* Creates the counters of each block that the plan needs. False: out of memory. */
 static bool create_counters(struct nb_model *model, size_t blocks) {
-  const bool watched = model->plan.kept & NB_BIT(NB_STABLE_OVERLAP);
+  const bool check_stable = model->plan.kept & NB_BIT(NB_STABLE_OVERLAP);
   if (!model->plan.elastic)
     nb_deep_end(model);
   model->blocks.stable_overlap = NULL;
-  return (!model->plan.elastic || nb_deep_begin(model, blocks)) && (!watched || stable_overlap_begin(model, blocks));
+  return (!model->plan.elastic || nb_deep_begin(model, blocks)) &&
+         (!check_stable || stable_overlap_begin(model, blocks));
 }
 
-/* Thread t of T computes blocks n t/T to n (t+1)/T, with scratch memory of its own. */
+/* Thread t of T computes the n blocks from n t/T to n (t+1)/T - 1 in its own scratch memory. */
 enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error) {
   const struct nb_contacts *contacts = &model->contacts;
-  const size_t fraction = contacts->count / NB_CONTACTS_PER_THREAD; /* a thread with fewer waits longer than it works */
-  model->machine.threads_used = fraction < 1                                ? 1
-                                : fraction < (size_t)model->machine.threads ? (int)fraction
-                                                                            : model->machine.threads;
-  size_t most = contacts->count / NB_BLOCK_SIZE + model->material_pair_count + 1;
+  /* a thread with fewer contacts waits longer than it computes */
+  const size_t threads = contacts->count / NB_CONTACTS_PER_THREAD;
+  model->machine.threads_used = threads < 1                                ? 1
+                                : threads < (size_t)model->machine.threads ? (int)threads
+                                                                           : model->machine.threads;
+  size_t max_blocks = contacts->count / NB_BLOCK_SIZE + model->material_pair_count + 1;
   struct nb_owner *owner = &model->contacts.owner;
-  model->blocks.list = nb_own(owner, most, sizeof *model->blocks.list);
+  model->blocks.list = nb_own(owner, max_blocks, sizeof *model->blocks.list);
   model->blocks.coefficients = nb_own(owner, contacts->count, sizeof *model->blocks.coefficients);
-  size_t *start = nb_own(owner, most + 1, sizeof *start);
+  size_t *start = nb_own(owner, max_blocks + 1, sizeof *start);
   const size_t n = start ? find_starts(start, contacts) : 0;
   if (owner->failed || !create_counters(model, n))
     return nb_error_memory(error);

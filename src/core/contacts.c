@@ -1,4 +1,4 @@
-/* The list of contacts, its renewal after a search, and the contacts of each particle.
+/* The list of contacts, built anew after each search, and the contacts of each particle.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <limits.h>
@@ -13,12 +13,12 @@ int nb_partner_rank(const struct nb_model *model, struct nb_neighbour_pair pair)
 
 int nb_contacts_order(const struct nb_model *model, struct nb_neighbour_pair p, struct nb_neighbour_pair q) {
   const int *number = model->particles.number;
-  const int by[] = {p.material_pair - q.material_pair, number[p.a] - number[q.a],
-                    nb_partner_rank(model, p) - nb_partner_rank(model, q)};
-  return by[0] ? by[0] : by[1] ? by[1] : by[2];
+  const int difference[] = {p.material_pair - q.material_pair, number[p.a] - number[q.a],
+                            nb_partner_rank(model, p) - nb_partner_rank(model, q)};
+  return difference[0] ? difference[0] : difference[1] ? difference[1] : difference[2];
 }
 
-/* What the energy balance compares with the previous step. */
+/* The fields whose values of the last step the energy balance still needs. */
 static void copy_energy_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   static const enum nb_field fields[] = {NB_OVERLAP, NB_SHEAR_BEFORE, NB_SHEAR_STIFFNESS_BEFORE};
   for (size_t f = 0; f < sizeof fields / sizeof *fields; f++)
@@ -26,7 +26,7 @@ static void copy_energy_fields(struct nb_contacts *now, size_t c, const struct n
       now->kept[fields[f]][c] = old->kept[fields[f]][o];
 }
 
-/* Except M*: a particle may have become part of a boundary, with infinite mass. */
+/* All fields except M*, which changes when a particle becomes part of a boundary: its mass is then infinite. */
 static void copy_all_fields(struct nb_contacts *now, size_t c, const struct nb_contacts *old, size_t o) {
   now->force[c] = old->force[o];
   for (int f = 0; f < NB_FIELDS; f++)
@@ -59,7 +59,8 @@ static void copy_histories(const struct nb_model *model, const struct nb_contact
   }
 }
 
-/* Fixed particles and walls have infinite mass, walls also an infinite radius. One particle of a pair is free. */
+/* M* and R*. Fixed particles and walls have infinite mass, and walls an infinite radius. M* is finite because at least
+ * one particle of a listed pair is free. */
 static void find_constants(struct nb_contacts *contacts, size_t c, const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   const int a = contacts->a[c], b = contacts->b[c];
@@ -72,7 +73,7 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
     contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, particles->surface[b].radius);
 }
 
-/* At most one image of a listed pair is near, and it is the nearest. */
+/* Selects the nearest image of the second particle: the cell is wide enough that no other image comes within the skin. */
 static void find_images(struct nb_contacts *contacts, const struct nb_model *model) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
   const struct nb_vec *x = model->particles.position;
@@ -100,7 +101,8 @@ static void create_arrays(struct nb_contacts *contacts, const struct nb_model *m
   contacts->incidence.entry = nb_own(owner, 2 * n, sizeof(int));
 }
 
-/* The index of each pair's contact: in the order of the pairs, grouped by material pair. */
+/* Computes the contact index of each pair. Contacts are grouped by material pair; within a group they keep the order of
+ * `pairs`. False: out of memory. */
 static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pairs, const struct nb_model *model) {
   int *next = nb_array(model->material_pair_count + 1, sizeof *next);
   if (!next)
@@ -115,9 +117,9 @@ static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pair
   return true;
 }
 
-/* The contacts of each particle in the order of the partners' numbers, walls last, which is the order of force
- * summation. Partners with smaller numbers come first, so the contacts in which the particle is the second one precede
- * the others. `pairs` has that order already. */
+/* Lists the contacts of each particle in the order of force summation: by the partners' numbers, walls last. Contacts in
+ * which the particle is the second one come first, because their partners have smaller numbers. `pairs` is already in
+ * this order. */
 static void fill_incidence(struct nb_incidence *of, const struct nb_neighbour_pairs *pairs, const int contact[],
                            const struct nb_model *model) {
   for (size_t p = 0; p < pairs->count; p++) {
@@ -172,8 +174,8 @@ bool nb_contacts_renew(struct nb_model *model, const struct nb_neighbour_pairs *
 struct nb_vec nb_contacts_branch(const struct nb_model *model, size_t contact) {
   const struct nb_contacts *contacts = &model->contacts;
   const struct nb_vec *x = model->particles.position;
-  const struct nb_vec apart = vec_sub(x[contacts->b[contact]], x[contacts->a[contact]]);
-  return model->cell ? vec_add(apart, tensor_times(model->cell->h, contacts->image[contact])) : apart;
+  const struct nb_vec branch = vec_sub(x[contacts->b[contact]], x[contacts->a[contact]]);
+  return model->cell ? vec_add(branch, tensor_times(model->cell->h, contacts->image[contact])) : branch;
 }
 
 struct nb_tensor nb_contacts_virial(const struct nb_model *model) {

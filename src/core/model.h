@@ -1,8 +1,9 @@
-/* A running simulation: the scene as arrays, with a plan of the passes. Internal to the library; users see `struct nb_model` as an opaque type.
+/* The state of a running simulation: the scene's data as arrays, and the planned passes. Internal to the library; for users
+ * `struct nb_model` is an opaque type.
  *
  * A particle's slot is the index of its data in the arrays; its number (1, 2, ...) never changes. Results depend on
- * numbers only: sums over a particle's contacts run in the order of the partners' numbers, walls last, so storage order,
- * search and threads do not change a bit of them.
+ * numbers only: sums over a particle's contacts run in the order of the partners' numbers, walls last, so they do not depend on
+ * storage order, search or threads, to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_MODEL_H
@@ -19,26 +20,25 @@
 
 /* The particle data besides position and velocity that every contact reads. */
 struct nb_surface {
-  double radius, speed; /* R, m; R w, m/s, of the same time as the velocity, 0 without rotation */
+  double radius, speed; /* R, m; R omega, m/s, at the time of the velocity, 0 without rotation */
 };
 static inline struct nb_surface nb_surface(double radius, double speed) { return (struct nb_surface){radius, speed}; }
 
 struct nb_particles {
   size_t count;
-  int *number;                /* slot -> number */
-  int *slot;                  /* number - 1 -> slot */
-  struct nb_vec *position;    /* m */
-  struct nb_vec *velocity;    /* of the last half step, t_(N-1/2), m/s */
-  struct nb_surface *surface; /* radius and surface speed */
-  double *spin, *angle;       /* rad/s, of the same time as the velocity; rad. NULL in a scene without rotation */
-  double *mass, *inertia;     /* kg, kg m2 */
+  int *number;                            /* slot -> number */
+  int *slot;                              /* number - 1 -> slot */
+  struct nb_vec *position;                /* m */
+  struct nb_vec *velocity;                /* of the last half step, t_(N-1/2), m/s */
+  struct nb_surface *surface;             /* radius and surface speed */
+  double *spin, *angle;                   /* omega, rad/s, at the time of the velocity; rad. NULL without rotation */
+  double *mass, *inertia;                 /* kg, kg m2 */
   double *inverse_mass, *inverse_inertia; /* 0 for fixed particles */
   int *material;
-  struct nb_vec *search_position; /* positions at the last search, m */
-  struct nb_vec *imposed;         /* c, the affine part of the velocity, m/s; NULL: none (affine.h) */
-  const struct nb_vec
-      *boundary_force; /* for each slot: force of a stress on the boundary, N; NULL: none (loading/boundary.c) */
-  bool *removed;       /* removed from the scene (remove.c); NULL when no stage removes any */
+  struct nb_vec *search_position;      /* positions at the last search, m */
+  struct nb_vec *imposed;              /* c, the affine part of the velocity, m/s; NULL: none (affine.h) */
+  const struct nb_vec *boundary_force; /* force of a boundary stress, N; NULL: none (loading/boundary.c) */
+  bool *removed;                       /* removed from the scene (remove.c); NULL when no stage removes any */
 };
 
 /* Velocity, m/s, and spin, rad/s, of a particle or a wall. */
@@ -54,7 +54,7 @@ struct nb_pass {
 };
 enum { NB_PASSES = 7, NB_THREADS = 256, NB_CONTACTS_PER_THREAD = 128 };
 
-/* Contacts between two materials, or between a material and the walls' one: their parameters and passes. */
+/* The contacts between two materials, or between particles and walls of two materials: their parameters and passes. */
 struct nb_material_pair {
   struct nb_pair values;               /* must be first: the parameters that laws read */
   int a, b;                            /* materials */
@@ -66,8 +66,8 @@ struct nb_material_pair {
     int line; /* line of the page that requires it; 0: required by another part of the scene */
   } passes[NB_PASSES];
   int pass_count;
-  struct nb_pair next;             /* values for the next forces, */
-  const struct nb_law *next_shear; /* and their shear law: for stable_step.c */
+  struct nb_pair next;             /* parameters of the next force calculation: stable_step.c */
+  const struct nb_law *next_shear; /* shear law of the next force calculation */
 };
 
 /* The current materials and pairs; stages change them. */
@@ -92,15 +92,14 @@ struct nb_machine {
   int threads_used; /* threads for the current number of contacts, at least NB_CONTACTS_PER_THREAD each */
 };
 
-/* What the contacts need now; run/plan.c finds it. */
+/* What the current stage requires of the contacts; run/plan.c determines it. */
 struct nb_plan {
-  unsigned requested; /* set of fields, and of NB_REQUEST_ bits, that columns and conditions read */
-  unsigned kept;      /* set of fields that are kept for all contacts */
-  enum nb_field
-      total_shear; /* the field with the shear force that acts: NB_TOTAL_SHEAR, or NB_SHEAR without dashpots */
+  unsigned requested;        /* fields and NB_REQUEST_ bits that columns and conditions read */
+  unsigned kept;             /* set of fields that are kept for all contacts */
+  enum nb_field total_shear; /* field of the total shear force: NB_TOTAL_SHEAR, or NB_SHEAR without dashpots */
   struct {
     int normal, shear, slip_sum;
-  } history;         /* doubles per contact: histories of its laws, and displacement for configuration.c */
+  } history;         /* doubles per contact: histories of the two laws, tangential displacement for configuration.c */
   bool keep_all;     /* keep all fields that a saved state contains */
   bool elastic;      /* the normal law is for elastic spheres */
   bool has_friction; /* some material pair has a shear law now */
@@ -119,7 +118,7 @@ struct nb_blocks {
   double *scratch; /* for each thread NB_FIELDS * NB_BLOCK_SIZE doubles */
   struct nb_stable_overlap {
     double overlap;                     /* smallest NB_STABLE_OVERLAP of the block, m */
-    unsigned long above;                /* contacts above their own NB_STABLE_OVERLAP */
+    unsigned long above;                /* number of contacts that overlap by more than their NB_STABLE_OVERLAP */
     double padding[6];                  /* two threads must not write to the same cache line */
   } * stable_overlap;                   /* for each block; NULL: no checked contact stiffens with overlap */
   struct nb_coefficients *coefficients; /* for each contact: working memory of measure/stable_step.c */
@@ -130,11 +129,10 @@ struct nb_search {
   double skin; /* m: pairs closer than this are listed [R89 TOL]; infinite: nothing can touch, and there is no search */
   double smallest_radius;               /* of all particles, m */
   unsigned long last_cycle;             /* cycle of the last search */
-  unsigned long long count, candidates; /* searches; distances computed in them */
-  bool keep_forces;                     /* no forces follow the next search: contacts keep their current ones */
-  bool check_walls;                     /* a centre was within the skin of a wall: test crossings in every cycle */
-  bool
-      check_pairs; /* a pair was within the skin of the largest overlap that guard.c allows: test pairs in every cycle */
+  unsigned long long count, candidates; /* number of searches; number of distances computed in them */
+  bool keep_forces;   /* contacts keep their forces in the next search, because no force calculation follows it */
+  bool check_walls;   /* a centre was within the skin of a wall: test crossings in every cycle */
+  bool check_pairs;   /* a pair was within the skin of the overlap limit of guard.c: test pairs in every cycle */
   bool coarse_warned; /* the warning about coarse positions has been given */
 };
 
@@ -145,16 +143,16 @@ struct nb_vertex {
 };
 struct nb_vertices {
   bool any;               /* two walls have a common end */
-  struct nb_vertex *list; /* those that a disc may touch before the next search */
+  struct nb_vertex *list; /* vertices that a disc may touch before the next search */
   size_t count;
 };
 
-/* Optional actions at fixed places of a cycle. Only those that a scene uses are in the list; run/hooks.c makes it. */
+/* Optional actions at fixed places of a cycle. run/hooks.c lists those that the scene uses. */
 enum nb_when {
   NB_BEFORE_MOTION, /* loading for the next step */
-  NB_AFTER_MOTION,  /* forces and steps are still those of the kick */
-  NB_BEFORE_SEARCH, /* positions and time are those of the next forces */
-  NB_BEFORE_FORCES, /* so is the list of contacts */
+  NB_AFTER_MOTION,  /* forces and time step are still those of this motion */
+  NB_BEFORE_SEARCH, /* positions and time are those of the next force calculation */
+  NB_BEFORE_FORCES, /* so is the contact list */
   NB_AFTER_FORCES,
   NB_WHENS
 };
@@ -167,17 +165,17 @@ struct nb_hooks {
   } list[NB_HOOKS];
 };
 
-/* A run. Each part is changed only by its owner, the file in its comment. */
+/* A run. Only the file in a member's comment changes that member. */
 struct nb_model {
   const struct nb_scene *scene;
-  struct nb_owner owner; /* of everything that is allocated once for the life of the model */
+  struct nb_owner owner; /* of all memory that lives as long as the model */
   struct nb_machine machine;
-  struct nb_particles particles;         /* motion.c */
-  struct nb_walls walls;                 /* walls.c */
-  struct nb_cell *cell;                  /* cell.c; NULL: not periodic */
-  struct nb_vertices vertices;           /* wall_vertices.c */
-  struct nb_properties properties;       /* properties.c */
-  struct nb_active_laws laws, next_laws; /* of the last forces, and of the next: a stage may change them (laws_now.c) */
+  struct nb_particles particles;           /* motion.c */
+  struct nb_walls walls;                   /* walls.c */
+  struct nb_cell *cell;                    /* cell.c; NULL: not periodic */
+  struct nb_vertices vertices;             /* wall_vertices.c */
+  struct nb_properties properties;         /* properties.c */
+  struct nb_active_laws laws, next_laws;   /* of the last and the next forces; a stage may change them (laws_now.c) */
   struct nb_material_pair *material_pairs; /* plan.c */
   size_t material_pair_count;
   struct nb_plan plan;
@@ -186,38 +184,37 @@ struct nb_model {
   struct nb_blocks blocks;
   struct nb_hooks hooks[NB_WHENS];
 
-  unsigned long cycle;        /* cycle.c, from here */
-  unsigned long stage_cycle;  /* cycles since the begin of the stage */
-  double stage_time, time;    /* at the begin of the stage; now, s */
-  double step, previous_step; /* dt of the next and of the last step (0 at the start), s */
-  unsigned long long updates; /* contact updates; to here */
-  double critical;            /* 2 sqrt(m/k), s (measure/step.c) */
+  unsigned long cycle;        /* cycle.c, to `updates`: number of the last cycle */
+  unsigned long stage_cycle;  /* cycles since the beginning of the stage */
+  double stage_time, time;    /* time at the beginning of the stage, s; current time, s */
+  double step, previous_step; /* dt of the next step, and of the last one (0 at the start), s */
+  unsigned long long updates; /* contact updates so far */
+  double critical;            /* single-contact step 2 sqrt(m/k), s (measure/step.c) */
 
-  const struct nb_stage *stage;                /* run/stage.c, from here: the current stage, NULL before the first */
+  const struct nb_stage *stage;                /* run/stage.c, to `central`: current stage; NULL before the first */
   struct nb_changes *changes;                  /* its ramps */
-  struct nb_damping damping, previous_damping; /* of this stage; of the previous one */
-  struct nb_vec gravity;                       /* for the next kick, m/s2 */
+  struct nb_damping damping, previous_damping; /* of the current stage; of the previous stage */
+  struct nb_vec gravity;                       /* in the next step, m/s2 */
   struct nb_central {
     double acceleration; /* towards the point, m/s2; 0: none */
     struct nb_vec point; /* m */
-  } central;             /* for the next kick; to here */
+  } central;             /* in the next step */
 
   struct nb_affine *affine;               /* affine.h; NULL: no affine motion */
-  struct nb_boundary_state *boundary;     /* boundary.h; NULL: no boundary, and particles rotate */
+  struct nb_boundary_state *boundary;     /* boundary.h; NULL: no boundary, and rotation is on */
   struct nb_stability *stability;         /* measure/step.h */
-  struct nb_sum *terms;                   /* core/energy_terms.h, NB_TERMS of them; NULL: not requested */
+  struct nb_sum *terms;                   /* NB_TERMS sums, core/energy_terms.h; NULL: not requested */
   struct nb_balance *balance;             /* measure/energy.h; NULL: not requested */
   struct nb_regions *regions;             /* measure/region.h; NULL: the scene has none */
   struct nb_configuration *configuration; /* measure/configuration.h; NULL: no snapshot requests changes */
   struct nb_fracc *fracc;                 /* measure/fracc.c; NULL: not requested */
   struct nb_deep {
-    unsigned long
-        *counts; /* for each block since the last search, at a stride of NB_DEEP_STRIDE; NULL: no elastic law */
-    unsigned long long count;     /* contact updates with too large an overlap, until then */
-    char first[3 * NB_NAME_SIZE]; /* description of the first; empty: none yet */
+    unsigned long *counts;        /* per block, since the last search, NB_DEEP_STRIDE apart; NULL: no elastic law */
+    unsigned long long count;     /* contact updates with too large an overlap, up to the last search */
+    char first[3 * NB_NAME_SIZE]; /* text: the first contact with too large an overlap; empty: none yet */
   } deep;                         /* deep.c */
   struct nb_warnings warnings;    /* of this model only; the scene has its own */
-  double impact_time;             /* when the sphere of `impact` touches, s (measure/impact.c) */
+  double impact_time;             /* time at which the sphere of `impact` touches, s (measure/impact.c) */
   const char *states;             /* folder of saved states; NULL: the default (run/restart.c) */
 };
 
@@ -244,35 +241,35 @@ double nb_particle_mass(const struct nb_scene *scene, const struct nb_particle *
 double nb_particle_inertia(const struct nb_scene *scene, const struct nb_particle *particle); /* kg m2 */
 double nb_thickness(const struct nb_model *model); /* discs 1 m; spheres their mean diameter, m */
 
-/* guard.c: prevents particles from passing through each other or through walls */
-/* NB_BROKEN when a position is NaN or infinite; when a particle moved, or a wall rotated, too far in the last step.
- * */
+/* guard.c: stops a run before particles pass through each other or through walls */
+/* NB_BROKEN when a position is NaN or infinite. */
 enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error);
+/* NB_BROKEN when a particle moved, or a wall rotated, too far in the last step. */
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error);
 /* NB_BROKEN (at cycle 0 NB_BAD_USE) when a listed pair of particles overlaps by more than the smaller radius. */
 enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *error);
 
-/* The checks of a cycle without a search. */
+/* The guards of a cycle without a search. */
 enum nb_status nb_guard_cycle(const struct nb_model *model, struct nb_error *error);
 
 /* Warns when the resolution of positions is too coarse for the current overlaps. */
 void nb_guard_resolution(struct nb_model *model);
 
-/* neighbours.c: the guards, then a new list of contacts */
+/* neighbours.c: runs the guards, then builds a new contact list */
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
 
 /* motion.c */
-/* Both return the number of particles or walls that moved by more than half the skin since the last search, or to
- * NaN. */
+/* Both move particles or walls by one step. They return how many have moved by more than half the skin since the last search,
+ * or to NaN. */
 int nb_motion_part(struct nb_model *model, int part, int parts);
 int nb_motion_walls(struct nb_model *model);    /* walls.c */
-void nb_motion_reverse(struct nb_model *model); /* time reversal; the length of the next step must be known */
+void nb_motion_reverse(struct nb_model *model); /* time reversal; model->step must be that of the next step */
 struct nb_force {
   struct nb_vec force; /* N */
   double moment;       /* N m, counterclockwise */
 };
-struct nb_force nb_force_on(const struct nb_model *model, size_t slot);           /* sum over its contacts, N, N m */
-struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot); /* at the last half step */
+struct nb_force nb_force_on(const struct nb_model *model, size_t slot);           /* sum over its contacts */
+struct nb_velocities nb_velocity_half(const struct nb_model *model, size_t slot); /* at t_(N-1/2) */
 struct nb_velocities nb_velocity_now(const struct nb_model *model,
                                      size_t slot); /* at t_N: mean of the half steps [CS79 31]; without affine motion */
 struct nb_vec nb_imposed_now(const struct nb_model *model, size_t slot);    /* affine velocity at t_N, m/s */
@@ -283,28 +280,29 @@ struct nb_vec nb_weight(const struct nb_model *model, size_t slot,
 struct nb_vec nb_unbalanced_force(const struct nb_model *model,
                                   size_t slot); /* unbalanced force on a free particle, N */
 
-/* The first sets a particle's velocities at t_N. The second keeps them when a force and a moment cease to act at t_N,
- * by moving their effect into the half-step velocities. */
+/* Sets a particle's velocities at t_N. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now);
+/* Keeps a particle's velocities at t_N when a force and a moment end there: adds their effect to the half-step velocities. */
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */
-bool nb_rotates_too_far(const struct nb_model *model, size_t wall, double angle); /* for one step, rad */
-void nb_walls_reset_travel(struct nb_walls *walls); /* stores the ends as the reference of travel */
-/* NB_BROKEN when the centre of a particle crossed a wall in the last step; of listed pairs, or of all. */
+bool nb_rotates_too_far(const struct nb_model *model, size_t wall, double angle); /* by `angle` in one step, rad */
+void nb_walls_reset_travel(struct nb_walls *walls); /* measures the travel of walls from their current ends */
+/* NB_BROKEN when the centre of a particle crossed a wall in the last step. Tests listed pairs, or all pairs. */
 enum nb_status nb_walls_crossed(const struct nb_model *model, bool all, struct nb_error *error);
 
 /* wall_vertices.c */
 bool nb_vertices_exist(const struct nb_scene *scene); /* two walls have a common end */
-bool nb_vertices_find(struct nb_model *model);        /* after a search; false: no memory */
-void nb_vertices_suppress(struct nb_model *model);    /* before the forces: finds the suppressed contacts */
+bool nb_vertices_find(struct nb_model *model);        /* after a search; false: out of memory */
+void nb_vertices_suppress(struct nb_model *model);    /* before the force calculation: marks the suppressed contacts */
 
 /* deep.c: overlaps beyond the range of Hertz theory */
 enum { NB_DEEP_STRIDE = 8 }; /* in counters: two threads must not write to the same cache line */
-double nb_deep_fraction(const struct nb_model *model);     /* of the smaller diameter: the page's, or 7 % [R89 6.4.3] */
-bool nb_deep_begin(struct nb_model *model, size_t blocks); /* new counters, after a search; false: no memory */
-void nb_deep_end(struct nb_model *model);                  /* there is no elastic law any more */
-void nb_deep_record_first(struct nb_model *model);         /* after the forces: describes the first one */
+double nb_deep_fraction(
+    const struct nb_model *model); /* overlap limit over the smaller diameter, from the page or 0.07 [R89 6.4.3] */
+bool nb_deep_begin(struct nb_model *model, size_t blocks); /* new counters, after a search; false: out of memory */
+void nb_deep_end(struct nb_model *model);                  /* when the law of elastic spheres ends: keeps the count */
+void nb_deep_record_first(struct nb_model *model); /* after the force calculation: describes the first such contact */
 bool nb_is_deep(const struct nb_model *model, size_t contact);
 unsigned long long nb_deep_count(const struct nb_model *model);
 

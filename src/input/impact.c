@@ -39,7 +39,7 @@ NB_APPLY(apply_impact) {
   if (nb_given_twice(reader, scene->impact.line))
     return;
   if (kind != NB_MONITOR_PARTICLE_PARTICLE && kind != NB_MONITOR_PARTICLE_WALL)
-    nb_not_known(reader, name, "name it above: `monitor NAME sphere N with wall NAME`",
+    nb_not_known(reader, name, "define it above with `monitor NAME sphere N with wall NAME`",
                  "the name of a monitored contact");
   if (angle && psi1)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected either `angle` or `psi1`, found both");

@@ -95,7 +95,7 @@ static bool put_named(struct nb_reader *reader, const char *word, size_t before,
     return put(reader, word, length);
   if (!isnan(value->value) && behind < end) {
     snprintf(hint, sizeof hint, "%.*s", (int)(end - behind), behind);
-    nb_token_mistake(reader, token, "put operators into parentheses: `(2*v)`",
+    nb_token_mistake(reader, token, "write the whole expression in parentheses: `(2*v)`",
                      "expected a space after `$%s`, found `%.*s`", text, (int)(end - behind), behind);
   }
   return put_value(reader, value, word, before, behind, (size_t)(end - behind));
@@ -111,7 +111,7 @@ static bool put_computed(struct nb_reader *reader, const char *line, const char 
   while (++close < length && depth > 0);
   if (close < length) {
     const struct nb_token token = nb_token_at(line, word + close, length - close);
-    nb_token_mistake(reader, &token, "put the operator into the parentheses, and a space before a unit",
+    nb_token_mistake(reader, &token, "write the whole expression in parentheses, and a space before a unit",
                      "expected a space after `)`, found `%.*s`", (int)(length - close), word + close);
   }
   return nb_expression(reader, line, word + before, word + close, &value)

@@ -13,7 +13,7 @@
  * Particles that give way make the assembly softer: its stiffness is f B with 0 < f <= 1, and the error e of the stress
  * obeys
  *
- *   e'' + f e'/T + f e/(16 T^2) = 0          with decay rates r = f (1 -+ (1 - 1/4f)^(1/2))/2T
+ *   e'' + f e'/T + f e/(16 T^2) = 0          with decay rates r = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
  * This is stable for every f and does not oscillate for f >= 1/4. T is the shortest time in which the middle of the
  * assembly can respond. P alone would leave the error B T e_v at a steady dilatation rate e_v; Z removes it. Z begins

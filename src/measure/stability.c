@@ -36,7 +36,7 @@
 
 void nb_stable_text(char *text, size_t size, const struct nb_model *model, const struct nb_stable *stable) {
   const int *number = model->particles.number;
-  const char *motion = stable->rotational ? "turning" : "normal motion";
+  const char *motion = stable->rotational ? "rotation" : "normal motion";
   if (stable->a < 0)
     snprintf(text, size, "no contact");
   else if (stable->material_pair->wall && stable->b < 0)

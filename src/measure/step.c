@@ -87,7 +87,7 @@ static const char *objection(const struct nb_model *model, enum nb_step_kind kin
   if (!nb_step_elastic(model))
     return NULL;
   if (kind == NB_STEP_SINGLE_CONTACT)
-    return "elastic spheres have no critical step: their stiffness grows with the load";
+    return "elastic spheres have no single-contact step, because their stiffness increases with the load";
   if (kind == NB_STEP_STABLE && !nb_step_loaded(model))
     return "the stable step follows from the stiffness of the contacts, and elastic spheres without overlap have none";
   if (kind == NB_STEP_COLLISION && !(unit < INFINITY))

@@ -10,7 +10,7 @@
  * every second row is shifted by half a spacing in x, and rows are sqrt(3)/2 spacings apart, so all six neighbours
  * have the same distance. Each centre is the first one plus a product, not a running sum, so rounding does not grow
  * along a row. */
-bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle first) {
+bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle prototype) {
   struct nb_particle *particles =
       nb_array_reserve(scene->particles, scene->particle_count, lattice.nx * lattice.ny, sizeof *particles);
   if (!particles)
@@ -20,7 +20,7 @@ bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct n
   for (size_t row = 0; row < lattice.ny; row++) {
     for (size_t column = 0; column < lattice.nx; column++) {
       struct nb_particle *particle = &particles[scene->particle_count++];
-      *particle = first;
+      *particle = prototype;
       particle->x = lattice.x + ((double)column + (double)(row % 2) * offset) * lattice.spacing;
       particle->y = lattice.y + (double)row * row_spacing * lattice.spacing;
     }

@@ -1,4 +1,4 @@
-/* Particles that are added to a scene on a lattice or at random.
+/* Adds particles to a scene, on a lattice or at random.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_PACKING_H
@@ -11,10 +11,10 @@ struct nb_lattice {
   double x, y, spacing; /* centre of the first particle and spacing, m */
   bool hexagonal;       /* else square */
 };
-/* Adds particles row by row, in x and then in y; false: no memory. */
-bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle first);
-/* Adds particles at random, largest first; counts attempts in `fill`, wanted and placed particles in the sizes of its
- * grading. */
+/* Adds copies of `prototype`, row by row: x increases within a row, y from row to row. False: out of memory. */
+bool nb_fill_lattice(struct nb_scene *scene, struct nb_lattice lattice, struct nb_particle prototype);
+/* Adds copies of `prototype` with the sizes of the grading at random places, largest first. Counts the attempts in
+ * fill->attempts_made, and the requested and the placed particles in each size of the grading. */
 enum nb_fill_result { NB_FILL_DONE, NB_FILL_STOPPED, NB_FILL_NO_MEMORY };
 enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill, struct nb_particle prototype);
 

@@ -164,8 +164,10 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
     return false;
   return !zero || tolerance->kind != NB_RELATIVE ||
          nb_token_mistake(reader, &reader->tokens[at],
-                          "give it a unit, or say of what it is a fraction: `within 1 % of energy.kinetic max`",
-                          "expected a tolerance other than a fraction of 0, found `%s`", tolerance->text);
+                          "give an absolute tolerance with its unit, or a fraction of another quantity: `within 1 % of "
+                          "energy.kinetic max`",
+                          "expected an absolute tolerance, because the reference value is 0, found `%s`",
+                          tolerance->text);
 }
 
 /* ---- the expectation ---- */

@@ -1,4 +1,4 @@
-/* Captures, restores and writes saved states. Their contents: input/state_file.h.
+/* Captures, restores and writes saved states. input/state_file.h describes their contents.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_STATE_H
@@ -7,17 +7,19 @@
 #include "core/model.h"
 #include "input/state_file.h"
 
-/* The model must have been made with options.keep_all. Free *saved in any case. */
+/* The model must have been created with options.keep_all. The caller frees *saved, also after an error. */
 enum nb_status nb_saved_capture(struct nb_saved *saved, const struct nb_model *model, struct nb_error *error);
-/* NB_BAD_USE, with what does not fit, if the state is not one of this scene; `path` is for the message. */
+/* Checks that the state belongs to the scene. NB_BAD_USE if not; the message names the state file, `path`, and the
+ * difference. */
 enum nb_status nb_saved_fits(const struct nb_saved *saved, const struct nb_scene *scene, const char *path,
                              struct nb_error *error);
-/* Before the plan: particles, walls, properties and time; then cell, boundary and affine motion. After the search: forces and
- * histories of contacts. */
+/* Restores particles, walls, material properties and time; before the model is planned. */
 void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved);
-enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
+/* Restores cell, boundary and affine motion; after nb_saved_restore. */
 enum nb_status nb_saved_restore_loading(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
-/* Reads the text back before it writes the file, so that no state is written that cannot be read. */
+/* Restores forces and histories of the contacts; after the search has listed them. */
+enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error);
+/* Writes the state to a file. Parses the text first, so that every written state can be read again. */
 enum nb_status nb_saved_write(const struct nb_saved *saved, const char *path, struct nb_error *error);
 
 #endif
