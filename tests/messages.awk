@@ -9,7 +9,7 @@ function statement_ends() {
   joining = 0
 }
 BEGIN {
-  speaks = "(nb_mistake|nb_token_mistake|nb_line_mistake|nb_expected|nb_not_known|refuse|nb_say_of_scene|say_of_law|say|nb_take|nb_take_name|snprintf[(](hint|what))[(,]"
+  speaks = "(nb_mistake|nb_token_mistake|nb_line_mistake|nb_expected|nb_unknown_name|number_mistake|nb_scene_mistake|report_law|report|say|nb_take_token|nb_take_name|snprintf[(](hint|what))[(,]"
 }
 /^#/ { next } # an #include is no message
 {

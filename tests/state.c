@@ -295,7 +295,7 @@ static void what_is_remembered_behind_a_0(void) {
   CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
   CU_ASSERT_EQUAL_FATAL(saved.contact_count, 1);
   CU_ASSERT_EQUAL_FATAL(saved.contacts[0].shear.count, 2); /* T and a */
-  CU_ASSERT(saved.memory[saved.contacts[0].shear.at] == 0 && saved.memory[saved.contacts[0].shear.at + 1] > 0);
+  CU_ASSERT(saved.history[saved.contacts[0].shear.at] == 0 && saved.history[saved.contacts[0].shear.at + 1] > 0);
   nb_saved_free(&saved);
   nb_model_free(model);
   continued_same(&it, "poisson 0.5");

@@ -61,7 +61,7 @@ static void one_rigid_sphere(void) {
 
 /* The columns `a`, or `b`, and `c` of a file, of which c must be above 0: what of them, and how many mistakes. */
 static size_t columns(double *sum, size_t *mistakes, bool unitless, const char *text) {
-  static const struct nb_wanted wanted[] = {{"a", "b", false}, {"c", NULL, true}};
+  static const struct nb_wanted_column wanted[] = {{"a", "b", false}, {"c", NULL, true}};
   char path[] = "/tmp/nineball-columns-XXXXXX";
   struct nb_mistakes given = {0};
   double *values;
@@ -156,18 +156,18 @@ static const struct {
 } frames[] = {
     {NB_IN_SCENE, "```scene\nlet speed = 1 m/s\n", "\nstage go\ncycles 1\n```\n"},
     {NB_IN_STAGE, "```scene\nlet speed = 1 m/s\nstage go\n", "\ncycles 1\n```\n"},
-    {NB_IN_PATH, "```contact-test\nlet speed = 1 m/s\n", "\nsegment go slip by 1 um\n```\n"},
+    {NB_IN_CONTACT_TEST, "```contact-test\nlet speed = 1 m/s\n", "\nsegment go slip by 1 um\n```\n"},
     {NB_IN_SEGMENT, "```contact-test\nlet speed = 1 m/s\nsegment go slip by 1 um\n", "\n```\n"},
 };
 
 static const char *rightly(unsigned where, unsigned here) {
-  const unsigned test = NB_IN_PATH | NB_IN_SEGMENT, scene = NB_IN_SCENE | NB_IN_STAGE;
+  const unsigned test = NB_IN_CONTACT_TEST | NB_IN_SEGMENT, scene = NB_IN_SCENE | NB_IN_STAGE;
   if (!(where & (here & test ? test : scene)))
     return here & test ? "in a block of kind `scene`" : "in a block of kind `contact-test`";
-  return here == NB_IN_SCENE   ? "in a stage: below a line `stage NAME`"
-         : here == NB_IN_STAGE ? "before the first `stage`"
-         : here == NB_IN_PATH  ? "in a segment: below a line `segment NAME …`"
-                               : "before the first `segment`";
+  return here == NB_IN_SCENE          ? "in a stage: below a line `stage NAME`"
+         : here == NB_IN_STAGE        ? "before the first `stage`"
+         : here == NB_IN_CONTACT_TEST ? "in a segment: below a line `segment NAME …`"
+                                      : "before the first `segment`";
 }
 
 /* The line of the row's example that the row reads: its words, whatever blanks are between them. */

@@ -1,4 +1,4 @@
-/* What moves an assembly from outside: its boundary, what carries it along, a box that is strained.
+/* Loading of an assembly: its boundary, imposed affine motion, strain of a box of walls.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "loading/loading.h"
@@ -9,10 +9,10 @@
 
 enum { AT_X, AT_Y, AT_RADIUS };
 enum { AT_SXX, AT_SYY, AT_SXY };
-enum { AT_APART = NB_AT_BEHIND_STRAIN, AT_LITERAL };
+enum { AT_APART = NB_AT_AFTER_STRAIN, AT_ACCUMULATED };
 
 /* clang-format off */
-static const struct nb_argument nothing[] = {END};
+static const struct nb_argument no_fields[] = {END};
 static const struct nb_argument circle_fields[] = {
   VALUE("X", NB_UNIT_LENGTH, NB_ANY, AT_X, "x of the centre."),
   VALUE("Y", NB_UNIT_LENGTH, NB_ANY, AT_Y, "y of the centre."),
@@ -20,40 +20,40 @@ static const struct nb_argument circle_fields[] = {
   END
 };
 static const struct nb_argument stress_fields[] = {
-  VALUE("SXX", NB_UNIT_PRESSURE, NB_ANY, AT_SXX, "Compression is positive."),
-  VALUE("SYY", NB_UNIT_PRESSURE, NB_ANY, AT_SYY, "Likewise."),
-  CLAUSE("shear", "SXY", NB_UNIT_PRESSURE, NB_ANY, AT_SXY, 1, "0", "The same on both pairs of sides."),
+  VALUE("SXX", NB_UNIT_PRESSURE, NB_ANY, AT_SXX, "Normal stress in x; compression is positive."),
+  VALUE("SYY", NB_UNIT_PRESSURE, NB_ANY, AT_SYY, "Normal stress in y."),
+  CLAUSE("shear", "SXY", NB_UNIT_PRESSURE, NB_ANY, AT_SXY, 1, "0", "Shear stress, s_xy = s_yx."),
   END
 };
 static const struct nb_argument strain_fields[] = {STRAIN, END};
 static const struct nb_argument box_strain_fields[] = {STRAIN_SIDES, END};
-static const struct nb_argument continuum_strain_fields[] = {
+static const struct nb_argument affine_fields[] = {
   STRAIN,
   FLAG("apart", AT_APART, "apart", "The imposed velocity is not part of the particle's own velocity [R89 4.41]."),
-  FLAG("accumulated", AT_LITERAL, "apart",
-       "The interpretation that R89 codes: the imposed velocity is added to the velocity of a particle in every cycle and accumulates there."),
+  FLAG("accumulated", AT_ACCUMULATED, "apart",
+       "As R89's program does: the imposed velocity is added to the particle's own velocity in every cycle and accumulates there."),
   END
 };
 /* clang-format on */
 
 /* ---- strain rates ---- */
 
-bool nb_is_per_cycle(const struct nb_reader *reader, const struct nb_value *value) {
+bool nb_value_per_cycle(const struct nb_reader *reader, const struct nb_value *value) {
   const struct nb_token *unit = value->token ? value->token + 1 : NULL;
   return unit && unit < reader->tokens + reader->count && strcmp(unit->text, NB_PER_CYCLE) == 0;
 }
 
-struct nb_strain_rate nb_strain_of(struct nb_reader *reader, const struct nb_value value[]) {
+struct nb_strain_rate nb_strain_rate_of(struct nb_reader *reader, const struct nb_value value[]) {
   const bool shear = value[NB_AT_XY].token;
   const struct nb_strain_rate rate = {.xx = value[NB_AT_XX].number,
                                       .xy = value[shear ? NB_AT_XY : NB_AT_C12].number,
                                       .yx = value[shear ? NB_AT_XY : NB_AT_C21].number,
                                       .yy = value[NB_AT_YY].number,
-                                      .per_cycle = nb_is_per_cycle(reader, &value[NB_AT_XX])};
+                                      .per_cycle = nb_value_per_cycle(reader, &value[NB_AT_XX])};
   if (shear && (value[NB_AT_C12].token || value[NB_AT_C21].token))
     nb_token_mistake(reader, value[NB_AT_XY].token, NULL, "expected `shear`, or `c12` and `c21`, found both");
   for (int k = NB_AT_YY; k <= NB_AT_C21; k++)
-    if (value[k].token && nb_is_per_cycle(reader, &value[k]) != rate.per_cycle)
+    if (value[k].token && nb_value_per_cycle(reader, &value[k]) != rate.per_cycle)
       nb_token_mistake(reader, value[k].token, NULL,
                        "expected all strain rates of a statement in one kind of unit, `per cycle` or `1/s`");
   return rate;
@@ -61,10 +61,9 @@ struct nb_strain_rate nb_strain_of(struct nb_reader *reader, const struct nb_val
 
 /* ---- the boundary ---- */
 
-/* Before the first stage, or in one. */
 NB_APPLY(apply_circle) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   const struct nb_value *value = record->value;
   struct nb_circle *it = stage ? &stage->circle : &scene->circle;
   if (!nb_given_twice(reader, it->line))
@@ -78,8 +77,8 @@ bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
     if (scene->stages[s].boundary.line && scene->stages[s].boundary.control == NB_CONTROL_NONE)
       begun = false;
   }
-  if (!begun && nb_excused(reader->mistakes, "boundary"))
-    nb_silent(reader);
+  if (!begun && nb_name_suppressed(reader->mistakes, "boundary"))
+    nb_fail_silently(reader);
   if (!begun)
     nb_token_mistake(reader, &reader->tokens[0], "define it above with `boundary circle X Y radius R`",
                      "expected a scene with a boundary, found none");
@@ -90,50 +89,50 @@ bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader) {
 NB_APPLY(apply_boundary) {
   static const enum nb_control controls[] = {NB_CONTROL_STRAIN, NB_CONTROL_STRESS, NB_CONTROL_STRAIN, NB_CONTROL_NONE};
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   const struct nb_value *value = record->value;
   const int variant = record->keyword->variant;
   struct nb_boundary boundary = {.control = controls[variant], .line = (int)reader->line};
   if (variant == 0)
-    boundary.strain = nb_strain_of(reader, value);
+    boundary.strain = nb_strain_rate_of(reader, value);
   if (variant == 1)
     boundary.sxx = value[AT_SXX].number, boundary.syy = value[AT_SYY].number, boundary.sxy = value[AT_SXY].number;
   if (!nb_given_twice(reader, stage->boundary.line) && !nb_lacks_boundary(scene, reader))
     stage->boundary = boundary;
 }
 
-/* ---- the continuum, and the box ---- */
+/* ---- affine motion, and the box ---- */
 
 /* variant 1: none */
-NB_APPLY(apply_continuum) {
-  struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+NB_APPLY(apply_affine) {
+  struct nb_stage *stage = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   const struct nb_value *value = record->value;
-  struct nb_affine_motion continuum = {.line = (int)reader->line, .accumulated = value[AT_LITERAL].token != NULL};
+  struct nb_affine_motion affine = {.line = (int)reader->line, .accumulated = value[AT_ACCUMULATED].token != NULL};
   if (record->keyword->variant == 0)
-    continuum.strain = nb_strain_of(reader, value);
-  if (continuum.accumulated && value[AT_APART].token)
-    nb_token_mistake(reader, value[AT_LITERAL].token, NULL, "expected `apart` or `accumulated`, found both");
+    affine.strain = nb_strain_rate_of(reader, value);
+  if (affine.accumulated && value[AT_APART].token)
+    nb_token_mistake(reader, value[AT_ACCUMULATED].token, NULL, "expected `apart` or `accumulated`, found both");
   if (!nb_given_twice(reader, stage->affine.line))
-    stage->affine = continuum;
+    stage->affine = affine;
 }
 
 NB_APPLY(apply_box_strain) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   if (nb_lacks_box(scene, reader) || nb_given_twice(reader, stage->box_line))
     return;
-  stage->box = nb_strain_of(reader, record->value);
+  stage->box = nb_strain_rate_of(reader, record->value);
   stage->box_line = (int)reader->line;
 }
 
-/* ---- what must hold in all stages ---- */
+/* ---- checks of all stages ---- */
 
-static void say(struct nb_scene_reading *reading, int line, const char *hint, const char *what) {
+static void report(struct nb_scene_reading *reading, int line, const char *hint, const char *what) {
   nb_line_mistake(&reading->reader, (size_t)line, hint, "%s", what);
 }
 
-/* Walls that follow the box do nothing else. */
-void nb_boxes_check(struct nb_scene_reading *reading) {
+/* Walls that follow the strain of a box have no motion of their own. */
+void nb_box_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const int first = nb_box_first_wall(scene);
   bool turned = false;
@@ -142,19 +141,19 @@ void nb_boxes_check(struct nb_scene_reading *reading) {
     const int line = stage->box_line ? stage->box_line : stage->servo.box ? stage->servo.line : 0;
     bool moved = false;
     for (size_t m = 0; m < stage->motion_count; m++) {
-      const bool mine = stage->motions[m].wall >= first && stage->motions[m].wall < first + 4;
-      moved = moved || mine, turned = turned || (mine && stage->motions[m].spin != 0);
+      const bool of_box = stage->motions[m].wall >= first && stage->motions[m].wall < first + 4;
+      moved = moved || of_box, turned = turned || (of_box && stage->motions[m].spin != 0);
     }
     if (!line || s < scene->start.stages)
       continue;
     if (moved)
-      say(reading, line, NULL, "expected one statement that moves the walls of the box in this stage, found two");
+      report(reading, line, NULL, "expected one statement that moves the walls of the box in this stage, found two");
     if (turned)
-      say(reading, line, NULL, "expected a box whose walls have no `spin`");
+      report(reading, line, NULL, "expected a box whose walls have no `spin`");
   }
 }
 
-/* A cell carries its bodies itself. */
+/* A cell imposes an affine motion on all its particles, so the scene has no other one. */
 static void check_cell(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   int line = scene->circle.line;
@@ -166,8 +165,8 @@ static void check_cell(struct nb_scene_reading *reading) {
                     scene->cell.line);
 }
 
-/* The line of a stage that imposes motion on particles or walls; 0: none. */
-static int carries(const struct nb_stage *stage) {
+/* The line that imposes motion on particles or walls in a stage; 0: none. */
+static int imposed_motion_line(const struct nb_stage *stage) {
   const struct nb_strain_rate *rate = &stage->boundary.strain;
   if (rate->xx != 0 || rate->xy != 0 || rate->yx != 0 || rate->yy != 0)
     return stage->boundary.line;
@@ -177,13 +176,13 @@ static int carries(const struct nb_stage *stage) {
 }
 
 /* Imposed motion uses the positions at the beginning of a step, so its displacements are not reversible. */
-void nb_drives_check(struct nb_scene_reading *reading) {
+void nb_imposed_motion_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   check_cell(reading);
   int line = 0;
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    line = line ? line : carries(stage);
+    line = line ? line : imposed_motion_line(stage);
     if (stage->reverse_velocities && line)
       nb_line_mistake(
           &reading->reader, (size_t)stage->line, NULL,
@@ -194,33 +193,32 @@ void nb_drives_check(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(boundary) = {
   {"boundary circle", NB_IN_SCENE | NB_IN_STAGE, circle_fields, NULL, 0, false, apply_circle,
-   "Particles whose centres are on this circle or outside are the boundary of the assembly from here on; at first they are fixed. While the "
+   "From here on, particles whose centres are on this circle or outside are the boundary of the assembly; at first they are fixed. While the "
    "boundary is fixed or strained, the circle moves with it, and a particle whose centre crosses the circle joins the boundary [R89 6.4.1].",
    "boundary  circle 40 mm 40 mm  radius 1 m"},
   {"boundary strain", NB_IN_STAGE, strain_fields, NULL, 0, false, apply_boundary,
-   "The centres of the boundary's particles follow a strain rate about the circle's centre, exactly; they do not rotate, and there is no force "
-   "between two of them. From this stage on.",
+   "From this stage on, the centres of the boundary's particles follow a strain rate about the circle's centre exactly. They do not rotate, and there is no force "
+   "between two of them.",
    "stage     squeeze\n  boundary strain -1e-6 per cycle -1e-6 per cycle\n  cycles  10"},
   {"boundary stress", NB_IN_STAGE, stress_fields, NULL, 1, false, apply_boundary,
-   "The boundary's particles are free, and on each acts the force of a stress on its part of the polygon through their centres. From this "
-   "stage on.",
+   "From this stage on, the boundary's particles are free. A force acts on each: this stress times its part of the polygon through their centres.",
    "stage     load\n  boundary stress 1 kPa 1 kPa\n  cycles  10"},
-  {"boundary fixed", NB_IN_STAGE, nothing, NULL, 2, false, apply_boundary,
+  {"boundary fixed", NB_IN_STAGE, no_fields, NULL, 2, false, apply_boundary,
    "The boundary's particles are fixed from this stage on.",
    "stage     rest\n  boundary fixed\n  cycles  10"},
-  {"boundary none", NB_IN_STAGE, nothing, NULL, 3, false, apply_boundary,
-   "There is no boundary from this stage on: its particles are free, with the velocity that they have.",
+  {"boundary none", NB_IN_STAGE, no_fields, NULL, 3, false, apply_boundary,
+   "There is no boundary from this stage on: its particles are free and keep their velocities.",
    "stage     loose\n  boundary none\n  cycles  10"},
   {"box strain", NB_IN_STAGE, box_strain_fields, NULL, 0, false, apply_box_strain,
-   "The walls of the box follow a strain rate about its middle, exactly; they grow or shrink with it, so that its corners stay closed. From this stage on, until a stage moves one "
-   "of them by `wall` or `walls`.",
+   "From this stage on, the walls of the box follow a strain rate about its centre exactly, until a stage moves one of them by `wall` or `walls`. "
+   "Their lengths change with the box, so that its corners stay closed.",
    "stage     narrow\n  box     strain -1e-6 per cycle 1e-7 per cycle\n  cycles  10"},
-  {"affine strain", NB_IN_STAGE, continuum_strain_fields, NULL, 0, false, apply_continuum,
-   "All free particles that are not of the boundary follow an affine motion of this strain rate about the boundary's centre, or the origin of the page. "
-   "Forces and damping change their velocities relative to it [R89 4.41, 4.42]. From this stage on.",
+  {"affine strain", NB_IN_STAGE, affine_fields, NULL, 0, false, apply_affine,
+   "From this stage on, all free particles inside the boundary follow an affine motion of this strain rate about the boundary's centre; without a boundary, about the origin. "
+   "Forces and damping change their velocities relative to it [R89 4.41, 4.42].",
    "stage     carry\n  affine  strain -1e-6 per cycle 1e-6 per cycle  shear 1e-7 per cycle\n  cycles  10"},
-  {"affine none", NB_IN_STAGE, nothing, NULL, 1, false, apply_continuum,
-   "No affine motion is imposed on particles from this stage on, except those of the boundary.",
+  {"affine none", NB_IN_STAGE, no_fields, NULL, 1, false, apply_affine,
+   "From this stage on, no affine motion is imposed on the particles inside the boundary.",
    "stage     stop\n  affine  none\n  cycles  10"},
   {0},
 };

@@ -23,14 +23,14 @@ NB_APPLY(apply_cell) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
   const double x = value[AT_X].number, y = value[AT_Y].number, x1 = value[AT_X1].number, y1 = value[AT_Y1].number;
-  if (!nb_given_twice(reader, scene->cell.line) && !nb_inside_out(reader, x, y, x1, y1))
+  if (!nb_given_twice(reader, scene->cell.line) && !nb_corners_swapped(reader, x, y, x1, y1))
     scene->cell = (struct nb_scene_cell){
         .x = x + (x1 - x) / 2, .y = y + (y1 - y) / 2, .h = {x1 - x, 0, 0, y1 - y}, .line = (int)reader->line};
 }
 
 bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader) {
-  if (!scene->cell.line && nb_excused(reader->mistakes, "cell"))
-    nb_silent(reader);
+  if (!scene->cell.line && nb_name_suppressed(reader->mistakes, "cell"))
+    nb_fail_silently(reader);
   if (!scene->cell.line)
     nb_token_mistake(reader, &reader->tokens[0], "define it before the stages with `cell X Y to X Y`",
                      "expected a scene with a periodic cell, found none");
@@ -39,17 +39,17 @@ bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader) {
 
 NB_APPLY(apply_strain) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   if (nb_lacks_cell(scene, reader))
     return;
-  stage->cell = nb_strain_of(reader, record->value);
+  stage->cell = nb_strain_rate_of(reader, record->value);
   stage->cell_line = (int)reader->line;
 }
 
 NB_APPLY(apply_wave) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
-  const double most = 1e6; /* the sine of a number without digits behind the point is none */
+  const double most = 1e6; /* the argument of the sine is then exact to 1e-9 */
   double nx, ny;
   if (nb_lacks_cell(scene, reader) || !nb_take_word(reader, "periods") ||
       !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &nx) || !nb_take_number(reader, NB_UNIT_NUMBER, NB_ANY, &ny))
@@ -69,8 +69,8 @@ NB_APPLY(apply_wave) {
   }
 }
 
-/* A mistake of the cell as a whole, at its line. */
-static void say(struct nb_scene_reading *reading, const char *hint, const char *what) {
+/* Reports a mistake of the whole cell, at its line. */
+static void report(struct nb_scene_reading *reading, const char *hint, const char *what) {
   nb_line_mistake(&reading->reader, (size_t)reading->scene->cell.line, hint, "%s", what);
 }
 
@@ -81,7 +81,8 @@ void nb_cell_check(struct nb_scene_reading *reading) {
   if (!scene->cell.line)
     return;
   if (scene->wall_count > 0)
-    say(reading, "a periodic cell has no walls: remove the walls, or the cell", "expected a cell or walls, found both");
+    report(reading, "a periodic cell has no walls: remove the walls, or the cell",
+           "expected a cell or walls, found both");
   for (size_t i = 0; i < scene->particle_count; i++)
     largest = fmax(largest, scene->particles[i].radius), sum += scene->particles[i].radius;
   const double skin = scene->skin > 0 ? scene->skin : 0.1 * sum / (double)scene->particle_count;
@@ -92,21 +93,20 @@ void nb_cell_check(struct nb_scene_reading *reading) {
   snprintf(what, sizeof what,
            "expected cell sides of at least %g%s, twice the sum of the largest diameter and the skin, found %g%s",
            least, unit, width, unit);
-  say(reading, "in a smaller cell a particle could touch two images of another one", what);
+  report(reading, "in a smaller cell a particle could touch two images of another one", what);
 }
 
 /* clang-format off */
 NB_STATEMENTS(cell) = {
   {"cell", NB_IN_SCENE | NB_IN_CELL, cell_fields, NULL, 0, false, apply_cell,
-   "A periodic cell: its images fill the plane, and particles touch images of others across its edges. All particles belong to it, wherever "
-   "they are. It takes the place of walls, and there are quantities `cell.NAME`.",
+   "A periodic cell: its images fill the plane, and particles touch the images of others across its sides. All particles belong to it, wherever "
+   "they are. A scene with a cell has no walls. Its quantities are called `cell.NAME`.",
    "cell      0 mm 0 mm to 80 mm 80 mm"},
   {"perturb wave", NB_IN_SCENE | NB_IN_CELL, wave_fields, "periods NX NY", 0, false, apply_wave,
-   "Adds a velocity to those of the free particles above: its amplitude times the sine of a plane wave of NX and NY periods across the "
-   "cell, from its centre.",
+   "Adds a plane wave of velocity to the free particles above: the amplitude times sin(2 pi (NX x/LX + NY y/LY)), x and y from the centre of the cell, which is LX by LY.",
    "perturb   wave 0 m/s 1 mm/s  periods 1 0"},
   {"cell strain", NB_IN_STAGE | NB_IN_CELL, strain_fields, NULL, 0, false, apply_strain,
-   "Strain rate of the periodic cell about its centre, from the beginning of this stage on; all particles follow it as an affine motion "
+   "Strain rate of the periodic cell about its centre, from this stage on. It is imposed on all particles as an affine motion "
    "[R89 4.43, 4.44].",
    "  cell    strain -0.01 1/s -0.01 1/s"},
   {0},

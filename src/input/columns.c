@@ -1,4 +1,4 @@
-/* A file of columns: its head line, then its numbers; every mistake with file, line and column.
+/* A file of columns: a head line, then rows of numbers. Every mistake is reported with file, line and column.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "columns.h"
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A field of a line: from its begin, `length` bytes; columns count characters from 1. */
+/* A field of a line: `length` bytes; its column counts characters from 1. */
 struct field {
   const char *at;
   size_t length;
@@ -15,40 +15,40 @@ struct field {
 
 struct table {
   struct nb_page file;
-  bool unitless, blanks; /* no units; fields are parted by blanks */
+  bool unitless, spaces; /* `units none`; spaces, not tabs, separate the fields */
   struct {
-    int index; /* -1: not there */
-    int shift; /* of its unit */
+    int index; /* of the field in a line; -1: there is none */
+    int shift; /* power of ten of its unit */
   } columns[NB_COLUMNS_MAX];
   struct nb_mistakes *mistakes;
 };
 
-static void move(struct field *field, size_t bytes) {
+static void advance(struct field *field, size_t bytes) {
   for (size_t k = 0; k < bytes; k++)
     field->column += (field->at[k] & 0xC0) != 0x80;
   field->at += bytes;
 }
 
-/* Field number `index`, from 0; false: the line has fewer, and field is empty at its end. */
+/* Finds field `index`, from 0. False if the line has fewer; then the field is empty, at the end of the line. */
 static bool find_field(struct field *field, const struct table *table, size_t line, int index) {
-  const bool blanks = table->blanks;
+  const bool spaces = table->spaces;
   *field = (struct field){table->file.lines[line - 1], 0, 1};
   for (int k = 0;; k++) {
-    move(field, blanks ? strspn(field->at, " ") : 0);
-    field->length = strcspn(field->at, blanks ? " " : "\t");
-    const bool there = !blanks || field->length > 0;
+    advance(field, spaces ? strspn(field->at, " ") : 0);
+    field->length = strcspn(field->at, spaces ? " " : "\t");
+    const bool there = !spaces || field->length > 0;
     if (k == index && there)
       return true;
-    if (!there || (!blanks && !field->at[field->length]))
+    if (!there || (!spaces && !field->at[field->length]))
       break;
-    move(field, field->length + !blanks);
+    advance(field, field->length + !spaces);
   }
-  move(field, field->length);
+  advance(field, field->length);
   field->length = 0;
   return false;
 }
 
-static void say(const struct table *table, size_t line, struct field field, const char *expected) {
+static void report(const struct table *table, size_t line, struct field field, const char *expected) {
   const int shown = field.length < 80 ? (int)field.length : 80;
   if (field.length == 0)
     nb_mistake(table->mistakes, &table->file, line, field.column, 1, NULL, "expected %s, found nothing", expected);
@@ -57,7 +57,7 @@ static void say(const struct table *table, size_t line, struct field field, cons
                expected, shown, field.at);
 }
 
-/* A field of the head: `slip/um`. */
+/* Whether a field of the head line is that column: `slip/um`. */
 static bool is_column(const struct field *field, const char *name, bool unitless, int *shift) {
   char text[NB_NAME_SIZE];
   const size_t length = name ? strlen(name) : 0;
@@ -75,17 +75,17 @@ static bool is_column(const struct field *field, const char *name, bool unitless
   return here;
 }
 
-static bool read_head(struct table *table, size_t line, const struct nb_wanted *wanted, int count) {
+static bool read_head(struct table *table, size_t line, const struct nb_wanted_column *wanted, int count) {
   struct field field;
   char names[256] = "", text[320];
   const char *head = table->file.lines[line - 1], *unit = table->unitless ? "-" : "m";
   bool whole = true;
-  table->blanks = !strchr(head, '\t');
+  table->spaces = !strchr(head, '\t');
   for (int c = 0; c < count; c++) {
     table->columns[c].index = -1;
     for (int k = 0; find_field(&field, table, line, k); k++)
       if (is_column(&field, wanted[c].name, table->unitless, &table->columns[c].shift) ||
-          is_column(&field, wanted[c].also, table->unitless, &table->columns[c].shift))
+          is_column(&field, wanted[c].alternative, table->unitless, &table->columns[c].shift))
         table->columns[c].index = k;
     whole = whole && table->columns[c].index >= 0;
     const size_t used = strlen(names);
@@ -98,11 +98,12 @@ static bool read_head(struct table *table, size_t line, const struct nb_wanted *
   if (whole)
     return true;
   snprintf(text, sizeof text, "a head line with columns %s%s", names, table->unitless ? "" : ", in a unit of length");
-  say(table, line, (struct field){head, strlen(head), 1}, text);
+  report(table, line, (struct field){head, strlen(head), 1}, text);
   return false;
 }
 
-static bool read_number(double *value, const struct table *table, size_t line, int c, const struct nb_wanted *wanted) {
+static bool read_number(double *value, const struct table *table, size_t line, int c,
+                        const struct nb_wanted_column *wanted) {
   struct field field;
   char text[NB_NAME_SIZE] = "";
   find_field(&field, table, line, table->columns[c].index);
@@ -113,7 +114,7 @@ static bool read_number(double *value, const struct table *table, size_t line, i
   if (nb_number_read(value, text, table->columns[c].shift) == NB_READ && (*value > 0 || !wanted->positive))
     return true;
   snprintf(text, sizeof text, "a number%s for the %.20s", wanted->positive ? " above 0" : "", wanted->name);
-  say(table, line, field, text);
+  report(table, line, field, text);
   return false;
 }
 
@@ -134,13 +135,13 @@ bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char 
   return file != NULL;
 }
 
-bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted *wanted, int count,
+bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted_column *wanted, int count,
                      bool unitless, struct nb_mistakes *mistakes) {
   struct table table = {.unitless = unitless, .mistakes = mistakes};
   const size_t before = mistakes->total;
   bool head = false;
   *lengths = NULL, *rows = 0;
-  if (nb_page_read_most(&table.file, path, NB_FILE_MAX, mistakes))
+  if (nb_page_read_limited(&table.file, path, NB_FILE_MAX, mistakes))
     return false;
   *lengths = calloc(table.file.line_count + 1, (size_t)count * sizeof **lengths);
   if (!*lengths)

@@ -1,6 +1,5 @@
-/* Lengths from a file: lines of columns under a head line that names them as our own tables do, `slip/um`, in any unit of length.
- * Columns are parted by tabs; by blanks, where the head line has no tab. Others than those wanted are passed over, and so are
- * empty lines and those that begin with `#`.
+/* Lengths from a file of columns under a head line, as in the program's own tables: `slip/um`, in any unit of length. Tabs separate
+ * the columns, or spaces if the head line has no tab. Other columns, empty lines and lines that begin with `#` are ignored.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_COLUMNS_H
@@ -10,16 +9,17 @@
 
 enum { NB_COLUMNS_MAX = 3 };
 
-/* The file that the token names, which may be NULL; false with a message when it cannot be opened. `path` has NB_PATH_SIZE bytes. */
+/* Finds the file that the token names; `path` has NB_PATH_SIZE bytes. False if the token is NULL, or, with a message, if the file
+ * cannot be opened. */
 bool nb_file_named(struct nb_reader *reader, const struct nb_token *token, char *path);
 
-struct nb_wanted {
-  const char *name, *also; /* "approach"; another name that will do, NULL: none */
-  bool positive;           /* above 0 */
+struct nb_wanted_column {
+  const char *name, *alternative; /* "approach"; another accepted name, or NULL */
+  bool positive;                  /* above 0 */
 };
 
-/* Row by row what `count` wanted columns hold, m; to be freed, in any case. False when there is a mistake, which has been said. */
-bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted *wanted, int count,
+/* Reads `count` columns row by row, in m. The caller frees *lengths in any case. False after a mistake, which has been reported. */
+bool nb_columns_read(double **lengths, size_t *rows, const char *path, const struct nb_wanted_column *wanted, int count,
                      bool unitless, struct nb_mistakes *mistakes);
 
 #endif

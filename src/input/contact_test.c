@@ -1,6 +1,6 @@
-/* A contact test: its `contact`, and the prescribed displacements or forces, `segment` by `segment`. Its particles and its wall are
- * those of a scene, so that whoever reads a scene finds them; its segments are stages. A segment, or --follow, may take its points from a file
- * of columns: `approach` (or `overlap`, from a table of our own) and `slip`.
+/* A contact test: `contact`, and the prescribed displacements or forces of each `segment`. Its particles, wall and stages (the segments)
+ * are stored as in other scenes. A segment, or --follow, may take its points from a file with columns `approach` (or `overlap`, as in
+ * tables of the program) and `slip`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -15,16 +15,16 @@
 enum { STEPS_DEFAULT = 100 };
 
 enum { AT_NAME };
-static const struct nb_argument nothing[] = {END};
+static const struct nb_argument no_fields[] = {END};
 static const struct nb_argument segment_fields[] = {NAME(AT_NAME, "a name for the segment"), END};
 
 /* ---- contact ---- */
 
 static int take_material(const struct nb_scene *scene, struct nb_reader *reader) {
-  return nb_material_of(scene, reader, nb_take(reader, "the name of a material"));
+  return nb_material_of(scene, reader, nb_take_token(reader, "the name of a material"));
 }
 
-/* `sphere R MATERIAL`: a body that touches the plane x = 0, the first one from the left. */
+/* `sphere R MATERIAL`: a particle that touches the plane x = 0; the first one lies at x < 0. */
 static void take_particle(struct nb_scene *scene, struct nb_reader *reader) {
   const bool sphere = nb_token_skip(reader, "sphere");
   if (!sphere && !nb_token_skip(reader, "disc"))
@@ -70,7 +70,7 @@ NB_APPLY(apply_contact) {
 /* ---- segments ---- */
 
 static bool read_points(struct nb_segment *it, const char *path, bool unitless, struct nb_mistakes *mistakes) {
-  static const struct nb_wanted wanted[] = {{"approach", "overlap", false}, {"slip", NULL, false}};
+  static const struct nb_wanted_column wanted[] = {{"approach", "overlap", false}, {"slip", NULL, false}};
   double *lengths;
   size_t rows;
   const bool whole = nb_columns_read(&lengths, &rows, path, wanted, 2, unitless, mistakes);
@@ -81,17 +81,18 @@ static bool read_points(struct nb_segment *it, const char *path, bool unitless, 
   return whole;
 }
 
-static bool take_aim(struct nb_reader *reader, struct nb_target *aim, bool force, bool normal) {
-  aim->force = force;
-  aim->relative = nb_token_skip(reader, "by");
-  if (!aim->relative && !nb_token_skip(reader, "to"))
+static bool take_target(struct nb_reader *reader, struct nb_target *target, bool force, bool normal) {
+  target->force = force;
+  target->relative = nb_token_skip(reader, "by");
+  if (!target->relative && !nb_token_skip(reader, "to"))
     return nb_expected(reader, NULL, "`to` or `by`");
-  const bool push = normal && force && !aim->relative; /* spheres do not pull */
-  return nb_take_number(reader, force ? NB_UNIT_FORCE : NB_UNIT_LENGTH, push ? NB_NOT_NEGATIVE : NB_ANY, &aim->value);
+  const bool no_tension = normal && force && !target->relative; /* the normal force is compressive */
+  return nb_take_number(reader, force ? NB_UNIT_FORCE : NB_UNIT_LENGTH, no_tension ? NB_NOT_NEGATIVE : NB_ANY,
+                        &target->value);
 }
 
 enum word { OVERLAP, NORMAL, SLIP, SHEAR, HOLD, IN, FOLLOW, WORDS };
-enum part { PART_NORMAL, PART_SHEAR, PART_STEPS, PARTS }; /* of a segment, each said once */
+enum part { PART_NORMAL, PART_SHEAR, PART_STEPS, PARTS }; /* of a segment, each at most once */
 
 static enum word take_segment_word(struct nb_reader *reader) {
   static const char *const words[] = {"overlap", "normal", "slip", "shear", "hold", "in", "follow"};
@@ -108,22 +109,22 @@ static enum part part_of(const struct nb_reader *reader, enum word word) {
 
 static bool take_points(struct nb_reader *reader, struct nb_segment *it) {
   char path[NB_PATH_SIZE];
-  return (nb_file_named(reader, nb_take(reader, "the name of a file"), path) &&
+  return (nb_file_named(reader, nb_take_token(reader, "the name of a file"), path) &&
           read_points(it, path, reader->unitless, reader->mistakes)) ||
-         nb_silent(reader);
+         nb_fail_silently(reader);
 }
 
 static void take_part(struct nb_reader *reader, struct nb_stage *stage, enum word word, enum part part) {
-  struct nb_target *aim = part == PART_NORMAL ? &stage->segment.normal : &stage->segment.shear;
+  struct nb_target *target = part == PART_NORMAL ? &stage->segment.normal : &stage->segment.shear;
   if (word == IN)
-    nb_take_counted(reader, "step", &stage->cycles);
+    nb_take_count_of(reader, "step", &stage->cycles);
   else if (word == HOLD)
-    reader->next++, aim->force = true;
+    reader->next++, target->force = true;
   else
-    take_aim(reader, aim, word == NORMAL || word == SHEAR, part == PART_NORMAL);
+    take_target(reader, target, word == NORMAL || word == SHEAR, part == PART_NORMAL);
 }
 
-/* What a segment says, in any order, each part once. */
+/* Takes the parts of a segment, in any order, each at most once. */
 static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
   static const char *const once[] = {[PART_NORMAL] = "one of `overlap`, `normal` and `hold normal`",
                                      [PART_SHEAR] = "one of `slip`, `shear` and `hold shear`",
@@ -151,14 +152,14 @@ static bool take_segment(struct nb_reader *reader, struct nb_stage *stage) {
          nb_expected(reader, NULL, "`overlap`, `normal`, `slip`, `shear`, `hold` or `follow FILE`");
 }
 
-/* A wrong line begins a segment too: the lines below belong to it. */
+/* A line with a mistake begins a segment, too, because the lines below belong to it. */
 NB_APPLY(apply_segment) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
   struct nb_stage one = {.record_interval = 1, .cycles = STEPS_DEFAULT, .line = (int)reader->line};
   one.segment.normal.relative = one.segment.shear.relative = true;
-  if (!scene->contact_test) /* in a scene it is a mistake */
+  if (!scene->contact_test) /* a mistake, which is reported elsewhere */
     return;
   reading->here = NB_IN_SEGMENT;
   if (name)
@@ -176,15 +177,15 @@ NB_APPLY(apply_segment) {
 /* ---- quantities ---- */
 
 const struct nb_quantity_kind nb_contact_test_kinds[] = {
-#define ROW(function, name, unit, asks, help) {name, NB_OF_CONTACT_TEST, unit, asks, NULL, help},
+#define ROW(function, name, unit, needs, help) {name, NB_OF_CONTACT_TEST, unit, needs, NULL, help},
     NB_CONTACT_TEST_QUANTITIES(ROW)
 #undef ROW
         {NULL, 0, NULL, 0, NULL, NULL}};
 
-/* ---- the whole ---- */
+/* ---- checks at the end of the page ---- */
 
-/* --follow: one segment with the points of a file instead of those of the page. */
-static void follow(struct nb_scene_reading *reading) {
+/* --follow: one segment with the points of a file replaces those of the page. */
+static void replace_segments(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_stage one = {.name = "follow", .record_interval = 1, .check_interval = 1, .snapshot_from = -1};
   for (size_t s = 0; s < scene->stage_count; s++)
@@ -197,59 +198,59 @@ static void follow(struct nb_scene_reading *reading) {
     free(one.segment.points);
 }
 
-void nb_path_check(struct nb_scene_reading *reading) {
+void nb_contact_test_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
-  static const char *const usual[] = {"step", "overlap", "slip", "normal", "shear"};
+  static const char *const default_columns[] = {"step", "overlap", "slip", "normal", "shear"};
   if (!reading->contact_line)
-    nb_say_of_scene(reading, "contact", "add `contact sphere R MATERIAL with sphere R MATERIAL`",
-                    "expected a contact test with a `contact`, found none");
+    nb_scene_mistake(reading, "contact", "add `contact sphere R MATERIAL with sphere R MATERIAL`",
+                     "expected a contact test with a `contact`, found none");
   if (scene->stage_count == 0 && !reading->follow)
-    nb_say_of_scene(reading, "segment", "add a line such as `segment NAME overlap to 1 um in 10 steps`",
-                    "expected a contact test with a `segment`, found none");
+    nb_scene_mistake(reading, "segment", "add a line such as `segment NAME overlap to 1 um in 10 steps`",
+                     "expected a contact test with a `segment`, found none");
   if (reading->follow)
-    follow(reading);
-  for (size_t k = 0; k < sizeof usual / sizeof *usual && reading->requested_count == 0; k++) {
+    replace_segments(reading);
+  for (size_t k = 0; k < sizeof default_columns / sizeof *default_columns && reading->requested_count == 0; k++) {
     struct nb_column column = {.quantity = {NULL, -1}};
-    strcpy(column.name, usual[k]);
-    nb_quantity_find(&column.quantity, scene, usual[k]);
+    strcpy(column.name, default_columns[k]);
+    nb_quantity_find(&column.quantity, scene, default_columns[k]);
     NB_APPEND(&reading->reader, scene->columns, scene->column_count, column);
   }
 }
 
-/* ---- what quantities and snapshots ask of the laws ---- */
+/* ---- requirements of quantities and snapshots ---- */
 
-/* At the name of the column. */
-static void say_of_law(struct nb_scene_reading *reading, const struct nb_requested *requested,
+/* Reports a mistake at the name of a column. */
+static void report_law(struct nb_scene_reading *reading, const struct nb_requested *requested,
                        const struct nb_law *law) {
   nb_mistake(reading->reader.mistakes, reading->reader.page, requested->line, requested->column, requested->length,
              "`nineball laws` lists what each law reports", "expected a law that reports `%s`, `%s %s` does not",
              requested->name, law->kind, law->name);
 }
 
-void nb_path_laws_check(struct nb_scene_reading *reading) {
+void nb_contact_test_laws_check(struct nb_scene_reading *reading) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_law *normal = nb_law_find("normal", scene->normal), *shear = nb_law_find("shear", scene->shear);
   for (size_t k = 0; k < reading->requested_count; k++) {
-    const unsigned asks = scene->columns[k].quantity.kind->fields;
-    if (asks & NB_REQUEST_STORE && !normal->stored)
-      say_of_law(reading, &reading->requested[k], normal);
-    if ((asks & NB_REQUEST_STORE && !shear->stored) || (asks & NB_REQUEST_LOSS && !shear->dissipative) ||
-        (asks & NB_REQUEST_PIECES && !shear->pieces_of))
-      say_of_law(reading, &reading->requested[k], shear);
+    const unsigned needs = scene->columns[k].quantity.kind->fields;
+    if (needs & NB_REQUEST_STORE && !normal->stored)
+      report_law(reading, &reading->requested[k], normal);
+    if ((needs & NB_REQUEST_STORE && !shear->stored) || (needs & NB_REQUEST_LOSS && !shear->dissipative) ||
+        (needs & NB_REQUEST_PIECES && !shear->pieces_of))
+      report_law(reading, &reading->requested[k], shear);
   }
 }
 
 /* clang-format off */
 NB_STATEMENTS(contact_test) = {
-  {"contact", NB_IN_PATH, nothing, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, false, apply_contact,
-   "The contact that is tested: of two particles, or of one with a wall. They just touch at first.",
+  {"contact", NB_IN_CONTACT_TEST, no_fields, "disc|sphere R MATERIAL with disc|sphere R MATERIAL | with wall MATERIAL", 0, false, apply_contact,
+   "The contact that is tested, between two particles or a particle and a wall. At the start they just touch.",
    "contact   disc 10 mm steel  with wall steel"},
-  {"segment", NB_IN_PATH | NB_IN_SEGMENT, segment_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
+  {"segment", NB_IN_CONTACT_TEST | NB_IN_SEGMENT, segment_fields, "{overlap|normal to|by X} {slip|shear to|by X} {hold normal|shear} {in N steps} | follow FILE",
    0, true, apply_segment,
-   "Prescribes the overlap or the normal force, and the slip or the shear force, each linearly to "
-   "a value or by a difference; default 100 steps. Overlap and slip stay constant unless the segment names them; `hold` "
-   "keeps a force constant instead. `follow` takes it from point to point of a file of tab-separated columns `approach/m` and "
-   "`slip/m`, one step each; the file is found as a page is by `start`.",
+   "Prescribes the overlap or the normal force, and the slip or the shear force. Each changes linearly, `to` a value or `by` a difference; "
+   "default 100 steps. Overlap and slip stay constant unless the segment names them; `hold` "
+   "keeps a force constant instead. `follow` prescribes the points of a file with tab-separated columns `approach/m` and "
+   "`slip/m`, one step each; `start` tells where the program searches the file.",
    "segment   press  overlap to 10 um  in 5 steps\nsegment   load   shear to 15 N  hold normal\n"
    "segment   back   slip by -2 um  overlap by -1 um  in 1 step"},
   {0},

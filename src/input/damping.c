@@ -1,16 +1,16 @@
-/* Damping, of the scene and from a stage on.
+/* `damping`, of the scene and of stages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "statement.h"
 
-static const struct nb_argument nothing[] = {END};
+static const struct nb_argument no_fields[] = {END};
 
 static const struct damping_word {
-  enum nb_contact_damping contact_kind; /* or, of all bodies: */
+  enum nb_contact_damping contact_kind; /* or, of all particles: */
   enum nb_global_damping global_kind;
   enum nb_unit_kind unit;
   enum nb_range range;
-} words[] = {
+} kinds[] = {
     {NB_CONTACT_STIFFNESS, NB_GLOBAL_UNDAMPED, NB_UNIT_TIME, NB_NOT_NEGATIVE},
     {NB_CONTACT_R89_FRACTION, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
     {NB_CONTACT_RATIO, NB_GLOBAL_UNDAMPED, NB_UNIT_NUMBER, NB_NOT_NEGATIVE},
@@ -18,18 +18,18 @@ static const struct damping_word {
     {NB_CONTACT_UNDAMPED, NB_GLOBAL_CON1_VELOCITY, NB_UNIT_NUMBER, NB_FRACTION},
 };
 #define CONTACT_WORDS "stiffness|r89-fraction|ratio"
-enum { WALLS = 3, CRITICAL, GLOBAL, CON1, NONE }; /* the words behind them */
+enum { WALLS = 3, CRITICAL, GLOBAL, CON1, NONE }; /* indices of the words after CONTACT_WORDS */
 
-/* What one statement says. */
+/* What one statement sets. */
 struct given {
-  bool all, walls; /* of all contacts; of those with walls alone */
+  bool all, walls; /* all contacts; only those with walls */
   bool global, deep;
   struct damping_word of;
   double value;
 };
 
 static void take_damping(struct nb_reader *reader, struct given *given) {
-  static const enum nb_global_damping readings[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
+  static const enum nb_global_damping variants[] = {NB_GLOBAL_CON1_CS79, NB_GLOBAL_CON1_VELOCITY, NB_GLOBAL_CON1_ALL};
   int word = nb_take_choice(reader, CONTACT_WORDS "|walls|critical|mass|con1|none");
   if (word == WALLS) {
     given->walls = true;
@@ -38,30 +38,30 @@ static void take_damping(struct nb_reader *reader, struct given *given) {
   }
   if (word == NONE)
     given->all = given->global = given->deep = !given->walls;
-  if (word == CRITICAL) { /* `beyond overlap 7 %`: of the smaller diameter */
+  if (word == CRITICAL) { /* `beyond overlap 7 %` of the smaller diameter */
     given->deep = nb_take_word(reader, "beyond") && nb_take_word(reader, "overlap");
     nb_take_number(reader, NB_UNIT_NUMBER, NB_POSITIVE, &given->value);
   }
   if (word < 0 || word == NONE || word == CRITICAL)
     return;
-  given->of = words[word < WALLS ? word : WALLS + word - GLOBAL];
+  given->of = kinds[word < WALLS ? word : WALLS + word - GLOBAL];
   given->global = word >= GLOBAL, given->all = !given->global && !given->walls;
   nb_take_number(reader, given->of.unit, given->of.range, &given->value);
   if (word == CON1 && !nb_token_skip(reader, "as"))
     nb_expected(reader, NULL, "`as cs79`, `as velocity` or `as all`");
   if (word == CON1) {
-    const int reading = nb_take_choice(reader, "cs79|velocity|all");
-    given->of.global_kind = readings[reading < 0 ? 0 : reading];
+    const int variant = nb_take_choice(reader, "cs79|velocity|all");
+    given->of.global_kind = variants[variant < 0 ? 0 : variant];
   }
 }
 
-/* One statement each for what contacts do, for contacts with walls, for those that are deep, and for all bodies; `none` is
- * all of them. In a stage each replaces what it inherits. */
+/* There is one statement each for all contacts, for contacts with walls, for deep contacts and for all particles; `none` sets all of
+ * them. In a stage each replaces the inherited one. */
 NB_APPLY(apply_damping) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   struct nb_damping *damping = stage ? &stage->damping : &scene->damping;
-  const int line = (int)reader->line, since = stage ? stage->line : 0;
+  const int line = (int)reader->line, stage_line = stage ? stage->line : 0;
   struct given given = {0};
   (void)record;
   take_damping(reader, &given);
@@ -73,7 +73,7 @@ NB_APPLY(apply_damping) {
                {given.global, &damping->global_line},
                {given.deep, &damping->deep_line}};
   for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-    if (parts[k].given && *parts[k].line > since && *parts[k].line < line)
+    if (parts[k].given && *parts[k].line > stage_line && *parts[k].line < line)
       nb_given_twice(reader, *parts[k].line);
   if (reader->bad)
     return;
@@ -94,12 +94,12 @@ NB_APPLY(apply_damping) {
 
 /* clang-format off */
 NB_STATEMENTS(damping) = {
-  {"damping", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing,
+  {"damping", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields,
    "{walls} stiffness TIME|ratio X|r89-fraction X | walls none | critical beyond overlap F | mass RATE | "
    "con1 X as cs79|velocity|all | none",
    0, false, apply_damping,
    "Damping at contacts [CS79 28] [R89 4.3, 4.13] and of all particles [CS79 34] [R89 6.5.1], one statement for each; "
-   "default none. `walls` is for contacts with walls alone, which are damped as all others without it. `critical beyond overlap`: contacts "
+   "default none. `walls` sets the damping of contacts with walls; without it they are damped as all others. `critical beyond overlap`: contacts "
    "that overlap by more than that fraction of the smaller diameter are damped critically [R89 6.4.3]. In a stage: from this "
    "stage on.",
    "damping   ratio 0.1\ndamping   walls ratio 0.3\ndamping   mass 2 1/s"},

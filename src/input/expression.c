@@ -6,9 +6,9 @@
  *   power     operand {^ sign}               from right to left: 2^3^2 is 2^9; the exponent is a number
  *   operand   literal {unit} | ( sum ) {unit} | NAME | pi | FUNCTION( sum {, sum} )
  *
- * A unit is one word behind a blank: `2 N/m` is a stiffness, `2 N / m` a force over what has the name m. A number and a name side by
- * side are no product. A literal is rounded once, together with the power of ten of its unit: `0.3 mm` is the double nearest to 0.0003.
- * All else is computed in double, operation by operation as it is written. Powers and functions are those of the C library.
+ * A unit is one word after a space: `2 N/m` is a stiffness, `2 N / m` is a force divided by the value named m. A number and a name side
+ * by side are not a product. A literal is rounded once, together with the power of ten of its unit: `0.3 mm` is the double nearest to
+ * 0.0003. All else is computed in double precision, in the written order. Powers and functions are those of the C library.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -20,10 +20,10 @@
 #include "expression.h"
 
 enum {
-  DEEPEST = 100,
+  DEPTH_MAX = 100,
   SIXTIETHS = 60,
-  HIGHEST = 99,
-  WORD_SIZE = NB_NAME_SIZE + 1 /* a longer word is cut to one that is no name */
+  POWER_MAX = 99,
+  WORD_SIZE = NB_NAME_SIZE + 1 /* a longer word is truncated to a text that cannot be a name */
 };
 
 struct quantity {
@@ -32,7 +32,7 @@ struct quantity {
 };
 
 struct parser {
-  struct nb_reader *reader; /* bad after the first mistake: then there is nothing more to be read */
+  struct nb_reader *reader; /* bad after the first mistake; then parsing ends */
   const char *line, *at, *end;
   int depth;
 };
@@ -41,10 +41,11 @@ static struct quantity sum(struct parser *p);
 
 /* ---- functions ---- */
 
-static double least(double a, double b) { return a < b ? a : b; }
-static double greatest(double a, double b) { return a > b ? a : b; }
+static double smaller(double a, double b) { return a < b ? a : b; }
+static double larger(double a, double b) { return a > b ? a : b; }
 
-enum rule { OF_NUMBERS, OF_ROOT, OF_RATIO, OF_LIKE }; /* of numbers; dimensions as of the root, the ratio, its values */
+/* Dimensions of a function: of numbers; the root of its argument's; none, of two equal ones; as its arguments. */
+enum rule { OF_NUMBERS, OF_ROOT, OF_RATIO, OF_LIKE };
 static const struct function {
   const char *name;
   enum rule rule;
@@ -53,7 +54,7 @@ static const struct function {
                  {"tan", OF_NUMBERS, tan, NULL},   {"asin", OF_NUMBERS, asin, NULL}, {"acos", OF_NUMBERS, acos, NULL},
                  {"atan", OF_NUMBERS, atan, NULL}, {"atan2", OF_RATIO, NULL, atan2}, {"hypot", OF_LIKE, NULL, hypot},
                  {"exp", OF_NUMBERS, exp, NULL},   {"log", OF_NUMBERS, log, NULL},   {"abs", OF_LIKE, fabs, NULL},
-                 {"min", OF_LIKE, NULL, least},    {"max", OF_LIKE, NULL, greatest}};
+                 {"min", OF_LIKE, NULL, smaller},  {"max", OF_LIKE, NULL, larger}};
 const char nb_function_names[] = "sqrt, sin, cos, tan, asin, acos, atan, atan2, hypot, exp, log, abs, min, max";
 
 static const struct function *function_of(const char *name) {
@@ -67,7 +68,7 @@ bool nb_name_reserved(const char *name) { return function_of(name) || strcmp(nam
 
 /* ---- characters and mistakes ---- */
 
-/* The next character behind blanks; 0 at the end and after a mistake. */
+/* The next character that is not a space; 0 at the end and after a mistake. */
 static char peek(struct parser *p) {
   while (p->at < p->end && (*p->at == ' ' || *p->at == '\t'))
     p->at++;
@@ -80,8 +81,8 @@ static bool skip(struct parser *p, char sign) {
   return is;
 }
 
-/* Letters, digits and those signs at the place where the parser is. */
-static size_t word(const struct parser *p, const char *signs, char text[WORD_SIZE]) {
+/* Copies letters, digits and those signs at the current position; returns their number of bytes. */
+static size_t read_word(const struct parser *p, const char *signs, char text[WORD_SIZE]) {
   size_t n = 0;
   while (p->at + n < p->end && (isalnum((unsigned char)p->at[n]) || p->at[n] & 0x80 || strchr(signs, p->at[n])))
     n++;
@@ -89,11 +90,11 @@ static size_t word(const struct parser *p, const char *signs, char text[WORD_SIZ
   return n;
 }
 
-/* Reports a mistake at `length` bytes from `at`. The value is never used. */
-static struct quantity wrong(struct parser *p, const char *at, size_t length, const char *hint, const char *format, ...)
-    __attribute__((format(printf, 5, 6)));
-static struct quantity wrong(struct parser *p, const char *at, size_t length, const char *hint, const char *format,
-                             ...) {
+/* Reports a mistake at `length` bytes from `at`. The returned value is never used. */
+static struct quantity mistake(struct parser *p, const char *at, size_t length, const char *hint, const char *format,
+                               ...) __attribute__((format(printf, 5, 6)));
+static struct quantity mistake(struct parser *p, const char *at, size_t length, const char *hint, const char *format,
+                               ...) {
   char text[512];
   const struct nb_token token = nb_token_at(p->line, at, length);
   va_list list;
@@ -108,8 +109,8 @@ static struct quantity expected(struct parser *p, const char *what) {
   char text[WORD_SIZE], hint[NB_HINT_SIZE];
   const char c = peek(p);
   if (!c)
-    return wrong(p, p->at, 1, NULL, "expected %s, found the end of the expression", what);
-  const size_t length = word(p, "_.%$", text);
+    return mistake(p, p->at, 1, NULL, "expected %s, found the end of the expression", what);
+  const size_t length = read_word(p, "_.%$", text);
   if (length == 0)
     snprintf(text, sizeof text, "%c", c);
   snprintf(hint, sizeof hint, "an expression has names without `$`: `%s`", text + 1);
@@ -119,34 +120,35 @@ static struct quantity expected(struct parser *p, const char *what) {
                                 : isdigit((unsigned char)c) && strcmp(what, "an operator") == 0
                                     ? "use `sweep` for several values"
                                     : NULL;
-  const char *const typed = length ? nb_typed_hint(p->reader, hint, text) : NULL;
-  return wrong(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
+  const char *const typed = length ? nb_syntax_hint(p->reader, hint, text) : NULL;
+  return mistake(p, p->at, length ? length : 1, typed ? typed : otherwise, "expected %s, found `%s`", what, text);
 }
 
-/* A value with its dimension in sixtieths, of what stands at `from`: finite, and of a dimension that can be written down. */
-static struct quantity checked(struct parser *p, const char *from, size_t length, double value, double m, double kg,
-                               double s) {
+/* The value of the text at `from`, with its dimension in sixtieths, after a check that both can be represented. */
+static struct quantity checked_value(struct parser *p, const char *from, size_t length, double value, double m,
+                                     double kg, double s) {
   const double of[] = {m, kg, s};
   for (int k = 0; k < 3; k++)
-    if (!(fabs(of[k] - nearbyint(of[k])) < 1e-6 && fabs(of[k]) <= HIGHEST * SIXTIETHS))
-      return wrong(p, from, length, NULL,
-                   "expected units to powers that are simple fractions, up to %d, found the power %g", HIGHEST,
-                   of[k] / SIXTIETHS);
+    if (!(fabs(of[k] - nearbyint(of[k])) < 1e-6 && fabs(of[k]) <= POWER_MAX * SIXTIETHS))
+      return mistake(p, from, length, NULL,
+                     "expected units to powers that are simple fractions, up to %d, found the power %g", POWER_MAX,
+                     of[k] / SIXTIETHS);
   if (!isfinite(value))
-    return wrong(p, from, length, NULL, "expected a finite value, found that `%.*s` gives %s", (int)length, from,
-                 isnan(value) ? "NaN" : "infinity");
+    return mistake(p, from, length, NULL, "expected a finite value, found that `%.*s` gives %s", (int)length, from,
+                   isnan(value) ? "NaN" : "infinity");
   return (struct quantity){value, {(int)nearbyint(m), (int)nearbyint(kg), (int)nearbyint(s)}};
 }
 
-static bool alike(struct parser *p, const char *from, size_t length, struct quantity left, struct quantity right) {
+static bool same_dimension(struct parser *p, const char *from, size_t length, struct quantity left,
+                           struct quantity right) {
   char one[2 * NB_NAME_SIZE], other[2 * NB_NAME_SIZE];
   if (p->reader->bad || nb_dimension_same(left.of, right.of))
     return !p->reader->bad;
   nb_dimension_words(one, sizeof one, left.of);
   nb_dimension_words(other, sizeof other, right.of);
-  wrong(p, from, length, NULL,
-        "expected the same dimension on both sides of `%.*s`, found %s on the left and %s on the right", (int)length,
-        from, one, other);
+  mistake(p, from, length, NULL,
+          "expected the same dimension on both sides of `%.*s`, found %s on the left and %s on the right", (int)length,
+          from, one, other);
   return false;
 }
 
@@ -155,13 +157,13 @@ static bool is_number(struct parser *p, const char *from, size_t length, const c
   if (p->reader->bad || nb_dimension_same(it.of, (struct nb_dimension){0}))
     return !p->reader->bad;
   nb_dimension_words(words, sizeof words, it.of);
-  wrong(p, from, length, NULL, "expected a number %s, found %s", what, words);
+  mistake(p, from, length, NULL, "expected a number %s, found %s", what, words);
   return false;
 }
 
 /* ---- operands ---- */
 
-/* A word behind a number that is no unit there. */
+/* Reports a word after a number that is not a unit. */
 static void wrong_unit(struct parser *p, size_t length, const char *text, bool is, bool glued) {
   char hint[NB_HINT_SIZE], other[NB_HINT_SIZE];
   const char *const form = is && glued ? "put a space between the number and its unit: `%s`"
@@ -170,23 +172,23 @@ static void wrong_unit(struct parser *p, size_t length, const char *text, bool i
                                ? "a unit is one word, such as `kg/m3`; to divide put spaces around `/`"
                                : "a product is written `* %s`";
   snprintf(hint, sizeof hint, form, text);
-  const char *const typed = nb_typed_hint(p->reader, other, text);
-  wrong(p, p->at, length, typed ? typed : hint, "expected a unit or an operator, found `%s`", text);
+  const char *const typed = nb_syntax_hint(p->reader, other, text);
+  mistake(p, p->at, length, typed ? typed : hint, "expected a unit or an operator, found `%s`", text);
 }
 
-/* The word behind a literal or a parenthesis: it is a unit, or a mistake. */
-static struct nb_unit unit_behind(struct parser *p) {
+/* The unit after a literal or a parenthesis, which may be missing; any other word is a mistake. */
+static struct nb_unit unit_after(struct parser *p) {
   struct nb_unit unit;
   char text[WORD_SIZE];
   const char *const behind = p->at;
   peek(p);
   const bool glued = p->at == behind;
-  const size_t length = word(p, glued ? "_.%" : "_./%", text);
+  const size_t length = read_word(p, glued ? "_.%" : "_./%", text);
   const bool number = strchr(".0123456789", *text) && text[1] != '/';
   if (length == 0 || p->reader->bad || *text == '/' || number)
     return (struct nb_unit){.factor = 1};
   const bool is = nb_unit_read(&unit, text);
-  if (is && !glued && (!p->reader->unitless || nb_unit_bare(text)))
+  if (is && !glued && (!p->reader->unitless || nb_unit_without_dimension(text)))
     return p->at += length, unit;
   wrong_unit(p, length, text, is, glued);
   return (struct nb_unit){.factor = 1};
@@ -199,15 +201,15 @@ static struct quantity literal(struct parser *p) {
   double value = 0;
   snprintf(text, sizeof text, "%.*s", (int)length, from);
   p->at += length;
-  const struct nb_unit unit = unit_behind(p);
+  const struct nb_unit unit = unit_after(p);
   const enum nb_reading reading = nb_quantity_read(&value, text, false, &unit);
   if (reading != NB_READ)
-    return wrong(p, from, length, NULL, "expected %s, found `%.80s`", nb_reach(reading), text);
+    return mistake(p, from, length, NULL, "expected %s, found `%.80s`", nb_reading_words(reading), text);
   return (struct quantity){value, unit.dimension};
 }
 
-/* Behind `(`, up to `)`. */
-static struct quantity inside(struct parser *p) {
+/* The expression after `(`, up to `)`. */
+static struct quantity parenthesis(struct parser *p) {
   const struct quantity it = sum(p);
   return skip(p, ')') ? it : expected(p, "an operator or `)`");
 }
@@ -221,25 +223,25 @@ static struct quantity call(struct parser *p, const struct function *f, const ch
     a = sum(p);
     if (!skip(p, ','))
       return expected(p, "`,` and a second value");
-    b = inside(p);
+    b = parenthesis(p);
   } else {
-    a = b = inside(p);
+    a = b = parenthesis(p);
   }
   char what[NB_NAME_SIZE];
   snprintf(what, sizeof what, "within `%s()`", f->name);
-  if (f->rule == OF_NUMBERS ? !is_number(p, from, length, what, a) : !alike(p, from, length, a, b))
+  if (f->rule == OF_NUMBERS ? !is_number(p, from, length, what, a) : !same_dimension(p, from, length, a, b))
     return a;
   const double fraction = f->rule == OF_ROOT ? 0.5 : f->rule == OF_RATIO ? 0 : 1;
-  return checked(p, from, length, f->two ? f->two(a.value, b.value) : f->one(a.value), fraction * a.of.m,
-                 fraction * a.of.kg, fraction * a.of.s);
+  return checked_value(p, from, length, f->two ? f->two(a.value, b.value) : f->one(a.value), fraction * a.of.m,
+                       fraction * a.of.kg, fraction * a.of.s);
 }
 
-/* A function, pi, or what `let` and `sweep` name. */
-static struct quantity named(struct parser *p) {
+/* A function, pi, or a value named by `let` or `sweep`. */
+static struct quantity named_value(struct parser *p) {
   char name[WORD_SIZE], hint[NB_HINT_SIZE];
   struct nb_unit unit;
   const char *const from = p->at;
-  const size_t length = word(p, "_", name);
+  const size_t length = read_word(p, "_", name);
   struct nb_reader *reader = p->reader;
   const struct function *f = function_of(name);
   const int index = NB_FIND(reader->bindings, reader->binding_count, name);
@@ -251,17 +253,17 @@ static struct quantity named(struct parser *p) {
   if (index >= 0 && !isnan(reader->bindings[index].value))
     return (struct quantity){reader->bindings[index].value, reader->bindings[index].dimension};
   if (index >= 0)
-    return wrong(p, from, length, NULL, "expected the name of a number, `%s` stands for `%s`", name,
-                 reader->bindings[index].text);
-  if (nb_excused(reader->mistakes, name))
-    return nb_silent(reader), (struct quantity){0};
+    return mistake(p, from, length, NULL, "expected the name of a number, `%s` stands for `%s`", name,
+                   reader->bindings[index].text);
+  if (nb_name_suppressed(reader->mistakes, name))
+    return nb_fail_silently(reader), (struct quantity){0};
   if (peek(p) == '(')
-    return wrong(p, from, length, nb_function_names, "expected the name of a function, found `%s`", name);
-  const char *near = nb_typed_hint(reader, hint, name);
+    return mistake(p, from, length, nb_function_names, "expected the name of a function, found `%s`", name);
+  const char *near = nb_syntax_hint(reader, hint, name);
   near = near ? near : NB_NEAREST(hint, name, reader->bindings, reader->binding_count);
   near = near || !nb_unit_read(&unit, name) ? near : "a unit follows a number";
-  wrong(p, from, length, near, "expected a name that a `let` or `sweep` above defines, found `%s`", name);
-  nb_excuse(reader->mistakes, name);
+  mistake(p, from, length, near, "expected a name that a `let` or `sweep` above defines, found `%s`", name);
+  nb_suppress_name(reader->mistakes, name);
   return (struct quantity){0};
 }
 
@@ -270,11 +272,11 @@ static struct quantity operand(struct parser *p) {
   if (c && nb_number_length(from))
     return literal(p);
   if (!skip(p, '('))
-    return isalpha((unsigned char)c) || c & 0x80 ? named(p) : expected(p, "a number, a name or `(`");
-  const struct quantity it = inside(p);
-  const struct nb_unit unit = unit_behind(p);
-  return checked(p, from, (size_t)(p->at - from), nb_unit_times(it.value, &unit), it.of.m + unit.dimension.m,
-                 it.of.kg + unit.dimension.kg, it.of.s + unit.dimension.s);
+    return isalpha((unsigned char)c) || c & 0x80 ? named_value(p) : expected(p, "a number, a name or `(`");
+  const struct quantity it = parenthesis(p);
+  const struct nb_unit unit = unit_after(p);
+  return checked_value(p, from, (size_t)(p->at - from), nb_unit_to_si(it.value, &unit), it.of.m + unit.dimension.m,
+                       it.of.kg + unit.dimension.kg, it.of.s + unit.dimension.s);
 }
 
 /* ---- operators ---- */
@@ -291,15 +293,15 @@ static struct quantity power(struct parser *p) {
   if (!is_number(p, from, 1, "as an exponent", exponent))
     return base;
   const double n = exponent.value;
-  return checked(p, from, 1, pow(base.value, n), n * base.of.m, n * base.of.kg, n * base.of.s);
+  return checked_value(p, from, 1, pow(base.value, n), n * base.of.m, n * base.of.kg, n * base.of.s);
 }
 
 static struct quantity sign(struct parser *p) {
   struct quantity it = {0};
   const bool minus = peek(p) == '-';
-  if (++p->depth > DEEPEST)
-    wrong(p, p->at, 1, "define a part of it with `let`", "expected at most %d levels of parentheses and signs",
-          DEEPEST);
+  if (++p->depth > DEPTH_MAX)
+    mistake(p, p->at, 1, "define a part of it with `let`", "expected at most %d levels of parentheses and signs",
+            DEPTH_MAX);
   else
     it = skip(p, '-') || skip(p, '+') ? sign(p) : power(p);
   it.value = minus ? -it.value : it.value;
@@ -313,8 +315,9 @@ static struct quantity product(struct parser *p) {
     const char *const from = p->at++;
     const struct quantity right = sign(p);
     const int times = c == '*' ? 1 : -1;
-    left = checked(p, from, 1, c == '*' ? left.value * right.value : left.value / right.value,
-                   left.of.m + times * right.of.m, left.of.kg + times * right.of.kg, left.of.s + times * right.of.s);
+    left =
+        checked_value(p, from, 1, c == '*' ? left.value * right.value : left.value / right.value,
+                      left.of.m + times * right.of.m, left.of.kg + times * right.of.kg, left.of.s + times * right.of.s);
   }
   return left;
 }
@@ -324,16 +327,16 @@ static struct quantity sum(struct parser *p) {
   for (char c; (c = peek(p)) == '+' || c == '-';) {
     const char *const from = p->at++;
     const struct quantity right = product(p);
-    if (alike(p, from, 1, left, right))
-      left = checked(p, from, 1, c == '+' ? left.value + right.value : left.value - right.value, left.of.m, left.of.kg,
-                     left.of.s);
+    if (same_dimension(p, from, 1, left, right))
+      left = checked_value(p, from, 1, c == '+' ? left.value + right.value : left.value - right.value, left.of.m,
+                           left.of.kg, left.of.s);
   }
   return left;
 }
 
-/* ---- the whole ---- */
+/* ---- literals and whole expressions ---- */
 
-void nb_value_write(struct nb_binding *value) {
+void nb_binding_write(struct nb_binding *value) {
   char number[32], unit[NB_NAME_SIZE];
   double back = NAN;
   for (int digits = 15; digits <= 17 && back != value->value; digits++) {
@@ -354,12 +357,12 @@ enum nb_reading nb_literal(struct nb_binding *value, const char *number, const c
   value->dimension = read.dimension;
   snprintf(value->text, sizeof value->text, "%s%s%s", number, unit ? " " : "", unit ? unit : "");
   if (reading == NB_READ && computed)
-    nb_value_write(value);
+    nb_binding_write(value);
   return reading;
 }
 
-/* A literal and nothing else: `-5`, `0.3 mm`. */
-static bool plain(const struct parser *p, struct nb_binding *value) {
+/* Reads an expression that is one literal: `-5`, `0.3 mm`; false if it is not. */
+static bool read_plain_literal(const struct parser *p, struct nb_binding *value) {
   char number[NB_NAME_SIZE], unit[WORD_SIZE];
   const size_t minus = *p->at == '-' || *p->at == '+', length = minus + nb_number_length(p->at + minus);
   struct parser behind = *p;
@@ -368,9 +371,10 @@ static bool plain(const struct parser *p, struct nb_binding *value) {
     return false;
   snprintf(number, sizeof number, "%.*s", (int)length, p->at);
   const bool bare = !peek(&behind);
-  const size_t rest = word(&behind, "./%", unit), blanks = (size_t)(behind.at - p->at) - length;
+  const size_t rest = read_word(&behind, "./%", unit), blanks = (size_t)(behind.at - p->at) - length;
   behind.at += rest;
-  return (bare || (blanks && rest < sizeof unit && !peek(&behind) && (!p->reader->unitless || nb_unit_bare(unit)))) &&
+  return (bare || (blanks && rest < sizeof unit && !peek(&behind) &&
+                   (!p->reader->unitless || nb_unit_without_dimension(unit)))) &&
          nb_literal(value, number, bare ? NULL : unit, false) == NB_READ;
 }
 
@@ -378,12 +382,12 @@ bool nb_expression(struct nb_reader *reader, const char *line, const char *at, c
                    struct nb_binding *value) {
   struct parser p = {reader, line, at, end, 0};
   peek(&p);
-  if (reader->bad || plain(&p, value))
+  if (reader->bad || read_plain_literal(&p, value))
     return !reader->bad;
   const struct quantity it = sum(&p);
   if (peek(&p))
     expected(&p, "an operator");
   *value = (struct nb_binding){.value = it.value, .dimension = it.of};
-  nb_value_write(value);
+  nb_binding_write(value);
   return !reader->bad;
 }

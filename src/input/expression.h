@@ -6,14 +6,14 @@
 
 #include "reader.h"
 
-/* The value of an expression, a piece of a line of the page; false with a message. A literal with or without its unit keeps its text. */
+/* The value of an expression, which is part of a line of the page; false with a message. A lone literal keeps its text. */
 bool nb_expression(struct nb_reader *reader, const char *line, const char *at, const char *end,
                    struct nb_binding *value);
-/* The same of a number and its unit, which may be NULL; of a computed number the value is written anew. */
+/* The same for a number and its unit, which may be NULL. The text of a computed number is written again. */
 enum nb_reading nb_literal(struct nb_binding *value, const char *number, const char *unit, bool computed);
-/* Writes the value anew: shortest decimal number that reads back to its bits, in the SI unit of its dimension. */
-void nb_value_write(struct nb_binding *value);
-/* Whether a name means something in every expression: a function or pi. */
+/* Writes the text of a value: the shortest decimal number that reads back to the same bits, with the SI unit of its dimension. */
+void nb_binding_write(struct nb_binding *value);
+/* Whether a name is a function or pi. */
 bool nb_name_reserved(const char *name);
 extern const char nb_function_names[]; /* for the manual: "sqrt, sin, …" */
 

@@ -1,4 +1,4 @@
-/* Files that are read: where one that a page names lies, and that it is a regular one.
+/* Input files: how a page's file names are resolved; only regular files are read.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -56,22 +56,22 @@ char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error 
 
 /* ---- a file by its name ---- */
 
-enum { DEPTH_MAX = 8 }; /* folders below `cases` that are searched, one within the other */
+enum { DEPTH_MAX = 8 }; /* levels of folders below `cases` that are searched */
 
 struct search {
   const char *name;
   char path[NB_PATH_SIZE];     /* the folder that is searched */
-  char found[2][NB_PATH_SIZE]; /* the first two in alphabetical order, since the order of a folder is chance */
+  char found[2][NB_PATH_SIZE]; /* the first two in alphabetical order, because the order of readdir is arbitrary */
   size_t count;
   bool no_memory;
 };
 
-static bool is(const char *path, mode_t type) {
+static bool has_type(const char *path, mode_t type) {
   struct stat status;
   return lstat(path, &status) == 0 && (status.st_mode & S_IFMT) == type;
 }
 
-static void keep(struct search *search) {
+static void add_found(struct search *search) {
   const size_t place = search->count > 0 && strcmp(search->path, search->found[0]) > 0;
   if (place == 0)
     strcpy(search->found[1], search->found[0]);
@@ -80,27 +80,27 @@ static void keep(struct search *search) {
   search->count++;
 }
 
-/* Searches a folder, then those in it. It follows no links, so it ends; and it passes over what it may not read. */
-static void search_below(struct search *search, int depth) {
+/* Searches a folder, then its folders. It follows no links, so that it ends; it skips folders that cannot be read. */
+static void search_folder(struct search *search, int depth) {
   const size_t length = strlen(search->path), room = sizeof search->path - length;
   char *end = search->path + length;
-  if ((size_t)snprintf(end, room, "/%s", search->name) < room && is(search->path, S_IFREG))
-    keep(search);
+  if ((size_t)snprintf(end, room, "/%s", search->name) < room && has_type(search->path, S_IFREG))
+    add_found(search);
   *end = 0;
   DIR *folder = depth < DEPTH_MAX ? opendir(search->path) : NULL;
   search->no_memory = search->no_memory || (!folder && depth < DEPTH_MAX && errno == ENOMEM);
   for (struct dirent *entry; folder && (entry = readdir(folder));) {
     const bool fits = entry->d_name[0] != '.' && (size_t)snprintf(end, room, "/%s", entry->d_name) < room;
-    if (fits && is(search->path, S_IFDIR))
-      search_below(search, depth + 1);
+    if (fits && has_type(search->path, S_IFDIR))
+      search_folder(search, depth + 1);
     *end = 0;
   }
   if (folder)
     closedir(folder);
 }
 
-/* Cuts a path behind its last folder `cases`; false: it has none. */
-static bool cut_behind_cases(char *path) {
+/* Truncates a path after its last folder `cases`; false if it has none. */
+static bool truncate_after_cases(char *path) {
   static const char name[] = "cases";
   const size_t length = sizeof name - 1;
   char *end = NULL;
@@ -112,14 +112,14 @@ static bool cut_behind_cases(char *path) {
   return end;
 }
 
-/* The nearest folder `cases` above a page: by its path as given, else by the whole path of its folder; false: there is none. */
+/* The nearest folder `cases` above a page, by the given path, else by the real path of its folder; false if there is none. */
 static bool find_cases(char *cases, const char *page) {
   const char *slash = strrchr(page, '/');
   snprintf(cases, NB_PATH_SIZE, "%.*s", slash ? (int)(slash - page) : 1, slash ? page : ".");
-  if (!strstr(cases, "..") && cut_behind_cases(cases))
+  if (!strstr(cases, "..") && truncate_after_cases(cases))
     return true;
   char *whole = realpath(cases, NULL);
-  const bool found = whole && strlen(whole) < NB_PATH_SIZE && cut_behind_cases(strcpy(cases, whole));
+  const bool found = whole && strlen(whole) < NB_PATH_SIZE && truncate_after_cases(strcpy(cases, whole));
   free(whole);
   return found;
 }
@@ -134,7 +134,7 @@ bool nb_file_find(struct nb_reader *reader, const struct nb_token *token, const 
     return nb_token_mistake(reader, token, NULL, "expected a path shorter than %d bytes", NB_PATH_SIZE);
   if (whole || upward || access(path, F_OK) == 0 || !find_cases(search.path, page))
     return true;
-  search_below(&search, 0);
+  search_folder(&search, 0);
   if (search.no_memory)
     return nb_no_memory(reader);
   if (search.count > 1)

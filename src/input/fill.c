@@ -9,7 +9,7 @@
 #include "packing/packing.h"
 #include "statement.h"
 
-enum { ATTEMPTS_MAX = 1000000 }; /* a second or so for each size that does not fit */
+enum { ATTEMPTS_MAX = 1000000 }; /* about a second for each size that does not fit */
 
 enum { AT_NAME };
 enum { AT_SHAPE, AT_CIRCLE, AT_RADIUS = AT_CIRCLE + 2, AT_BOX, AT_TO = AT_BOX + 2, AT_GRADING = AT_TO + 2 };
@@ -21,12 +21,12 @@ static const struct nb_argument fill_fields[] = {
   SHAPE(AT_SHAPE),
   CLAUSE("circle", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_CIRCLE, 2, "a box", "A circle about that centre."),
   CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, "a box", "Radius of the circle."),
-  CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "a circle", "A box with that south-west corner, whose sides are no walls."),
-  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "a circle", "North-east corner of the box."),
+  CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "a circle", "The corner of a box with the smallest x and y; a box to fill has no walls."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "a circle", "The opposite corner of the box."),
   WORD("GRADING", AT_GRADING, "the name of a grading"),
   MATERIAL(AT_MATERIAL),
-  COUNT("seed", "N", AT_SEED, NULL, "Which of all random packings it is."),
-  COUNT("attempts", "N", AT_ATTEMPTS, NULL, "How many places are tried for each particle, at most 1000000."),
+  COUNT("seed", "N", AT_SEED, NULL, "Seed of the random numbers."),
+  COUNT("attempts", "N", AT_ATTEMPTS, NULL, "Largest number of random positions that are tried for each particle, up to 1000000."),
   CHOICE("else", "stop|skip", AT_ELSE, NULL, "`stop` or `skip`"),
   END
 };
@@ -41,7 +41,7 @@ static int grading_of(const struct nb_scene *scene, struct nb_reader *reader, co
 
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size) {
   double radius;
-  const int index = grading_of(scene, reader, nb_take(reader, "the name of a grading"));
+  const int index = grading_of(scene, reader, nb_take_token(reader, "the name of a grading"));
   *size = -1;
   if (index < 0 || !nb_token_peek(reader))
     return index;
@@ -56,7 +56,7 @@ int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int 
   return index;
 }
 
-/* RADIUS N: one more size, where it belongs: largest first. */
+/* RADIUS N: inserts a size; sizes are sorted, largest first. */
 static void take_size(struct nb_grading *it, struct nb_reader *reader) {
   const struct nb_token *at = nb_token_peek(reader);
   struct nb_size size = {0};
@@ -92,26 +92,26 @@ NB_APPLY(apply_grading) {
 
 /* ---- filling ---- */
 
-/* Of the circle or the box, m2. */
+/* Area to fill, m2. */
 static double area(const struct nb_fill *fill) {
   return fill->circle ? NB_PI * fill->radius * fill->radius : (fill->x1 - fill->x) * (fill->y1 - fill->y);
 }
 
-/* Bodies of that radius among those of the filling. */
-static size_t placed(const struct nb_scene *scene, const struct nb_fill *fill, double radius) {
+/* Number of particles of that radius that the statement has placed. */
+static size_t placed_count(const struct nb_scene *scene, const struct nb_fill *fill, double radius) {
   size_t count = 0;
   for (size_t k = fill->first; k < scene->particle_count; k++)
     count += scene->particles[k].radius == radius;
   return count;
 }
 
-/* How many of which size there are when no place is found for one more. */
-static void say_stopped(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_fill *fill) {
+/* Reports that there is no space for the next particle, and how many of each size are placed. */
+static void report_no_space(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_fill *fill) {
   const struct nb_grading *it = &scene->gradings[fill->grading];
   char list[1024] = "";
   for (size_t s = 0; s < it->size_count; s++) {
     const struct nb_size *size = &it->sizes[s];
-    const size_t used = strlen(list), n = placed(scene, fill, size->radius);
+    const size_t used = strlen(list), n = placed_count(scene, fill, size->radius);
     snprintf(list + used, sizeof list - used, "%s%zu of %zu with radius %g%s", s ? ", " : "", n, size->count,
              size->radius, reader->unitless ? "" : " m");
     if (n < size->count)
@@ -124,8 +124,8 @@ static void say_stopped(struct nb_reader *reader, const struct nb_scene *scene, 
       it->count, it->name, fill->attempts, list);
 }
 
-/* Either a circle or a box, whole. */
-static void check_place(struct nb_reader *reader, const struct nb_value *value, const struct nb_fill *fill) {
+/* The area is either a complete circle or a complete box. */
+static void check_area(struct nb_reader *reader, const struct nb_value *value, const struct nb_fill *fill) {
   const bool circle = value[AT_CIRCLE].token && value[AT_RADIUS].token && !value[AT_BOX].token && !value[AT_TO].token;
   const bool box = value[AT_BOX].token && value[AT_TO].token && !value[AT_CIRCLE].token && !value[AT_RADIUS].token;
   if (!circle && !box)
@@ -159,7 +159,7 @@ NB_APPLY(apply_fill) {
   if (fill.attempts > ATTEMPTS_MAX)
     nb_token_mistake(reader, value[AT_ATTEMPTS].token, NULL, "expected at most %d attempts for each particle",
                      ATTEMPTS_MAX);
-  check_place(reader, value, &fill);
+  check_area(reader, value, &fill);
   const struct nb_particle like =
       nb_particle_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number, value[AT_MATERIAL].token, false,
                      reader->bad ? 0 : scene->gradings[fill.grading].count);
@@ -171,18 +171,18 @@ NB_APPLY(apply_fill) {
   if (filled == NB_FILL_NO_MEMORY)
     nb_no_memory(reader);
   else if (filled == NB_FILL_STOPPED)
-    say_stopped(reader, scene, &fill);
+    report_no_space(reader, scene, &fill);
 }
 
 /* clang-format off */
 NB_STATEMENTS(fill) = {
   {"grading", NB_IN_SCENE, grading_fields, "RADIUS N {RADIUS N …}", 0, false, apply_grading,
-   "How many particles of which radius `fill` is to place.",
+   "Radii of the particles that `fill` places, and how many of each.",
    "grading   mixed  8 mm 2  5 mm 6"},
   {"fill", NB_IN_SCENE, fill_fields, NULL, 0, false, apply_fill,
-   "Discs or spheres of a grading, randomly placed in a circle or a box, largest first and numbered so, wholly inside and not touching each other nor a particle "
-   "that is there already (R89, sections 4.4 and 6.4); walls are not looked at. A seed means the same packing on every machine. When no place is found for a particle in so many attempts, "
-   "`else stop` ends with an error, as the old generator did, and `else skip` goes on with the next smaller size; a quantity counts those dropped.",
+   "Discs or spheres of a grading, randomly placed in a circle or a box, largest first, and numbered in this order (R89, sections 4.4 and 6.4). They lie wholly inside and touch neither each other nor particles "
+   "defined above; walls are ignored. A seed gives the same packing on every machine. If no position is found for a particle within the attempts, "
+   "`else stop` ends with an error, as the old generator of R89 does. `else skip` continues with the next smaller size; a quantity counts the skipped particles.",
    "fill      spheres circle 200 mm 40 mm radius 30 mm  mixed steel  seed 1  attempts 1000  else skip\n"
    "fill      discs box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  attempts 1000  else stop"},
   {0},

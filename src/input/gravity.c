@@ -1,4 +1,4 @@
-/* Gravity, the same everywhere or towards a point, in the scene and in stages.
+/* Gravity, uniform or towards a point, in the scene and in stages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "statement.h"
@@ -21,7 +21,7 @@ static const struct nb_argument centripetal_fields[] = {
 /* variant 1: centripetal */
 NB_APPLY(apply_gravity) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   struct nb_gravity *gravity = stage ? &stage->gravity : &scene->gravity;
   const struct nb_value *value = record->value;
   if (nb_given_twice(reader, gravity->line))
@@ -37,10 +37,10 @@ NB_APPLY(apply_gravity) {
 /* clang-format off */
 NB_STATEMENTS(gravity) = {
   {"gravity", NB_IN_SCENE | NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, uniform_fields, NULL, 0, false, apply_gravity,
-   "The same acceleration of all free particles; default none. In a stage: from this stage on.",
+   "Uniform acceleration of all free particles; default none. In a stage: from this stage on.",
    "gravity   0 m/s2 -9.81 m/s2"},
   {"gravity centripetal", NB_IN_STAGE | NB_IN_RAMP, centripetal_fields, NULL, 1, false, apply_gravity,
-   "Acceleration of all free particles towards a point [R89 6.4.1], instead of `gravity`.",
+   "Acceleration of all free particles towards a point [R89 6.4.1]; it replaces `gravity`, from this stage on.",
    "  gravity centripetal 10 m/s2  about 40 mm 40 mm"},
   {0},
 };

@@ -1,5 +1,5 @@
-/* "Did you mean": the known word nearest to the one that was written, and the words of other programs and textbooks with ours, for hints
- * and for `nineball --help WORD`.
+/* "Did you mean": the known word nearest to a misspelt one, and words of other programs and textbooks with those of the page language,
+ * for hints and for `nineball --help WORD`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -18,7 +18,7 @@ bool nb_item(const char **list, char item[NB_NAME_SIZE]) {
 
 const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
-  static const struct nb_synonym synonyms[] = { /* a word stands once */
+  static const struct nb_synonym synonyms[] = { /* each word once */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
     {"generate create create_atoms insert distribute pour random cloud", "fill, lattice, disc, sphere"}, {"psd gradation", "grading"},
     {"facet facets plane plate", "wall"}, {"domain container create_box", "box, cell"}, {"periodic pbc", "cell"},
@@ -53,7 +53,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
   return NULL;
 }
 
-/* Of our words those that are marked: "`fill`, `disc` or `sphere`". */
+/* Lists the marked words of the page language: "`fill`, `disc` or `sphere`". */
 static void list_ours(char list[NB_HINT_SIZE / 2], const struct nb_synonym *synonym, unsigned marked) {
   char item[NB_NAME_SIZE];
   size_t used = 0;
@@ -81,8 +81,8 @@ const char *nb_synonym_hint(char *hint, const char *word) {
 
 /* ---- the nearest word ---- */
 
-/* How many letters must be put in, left out, changed or swapped to make b of a (optimal string alignment). A letter in
- * the wrong case costs nothing but counts as a change, so that `Disc` finds `disc`. */
+/* Number of insertions, deletions, changes and swaps of letters between a and b (optimal string alignment distance), upper and lower
+ * case being equal. */
 static int distance(const char *a, const char *b) {
   enum { LONGEST = 2 * NB_NAME_SIZE };
   int row[3][LONGEST + 1];
@@ -118,7 +118,7 @@ struct nb_guess nb_guess_begin(const char *word) {
   return (struct nb_guess){.word = word, .synonym = nb_synonym(word), .distance = 2 * NB_NAME_SIZE};
 }
 
-/* Marks the words of ours that begin with the known one; false: there are none. */
+/* Marks the suggested words that begin with the known one; false: there are none. */
 static bool mark(struct nb_guess *guess, const char *known) {
   const char *list = guess->synonym ? guess->synonym->ours : "";
   char item[NB_NAME_SIZE];
@@ -142,8 +142,7 @@ void nb_guess_offer(struct nb_guess *guess, const char *known) {
   strcpy(guess->best, known);
 }
 
-/* Near: one slip of the finger in three letters or so. One or two letters are near only to themselves in the other
- * case. */
+/* Whether the best word is near: about one typing error in three letters, none in words of one or two letters. */
 bool nb_guess_found(const struct nb_guess *guess) {
   size_t length = strlen(guess->word);
   int allowed = length < 3 ? 0 : length < 6 ? 1 : length < 10 ? 2 : 3;

@@ -1,4 +1,4 @@
-/* What tells whether two texts are the same.
+/* A hash of bytes.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_HASH_H
@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-/* FNV-1a, 64 bits (Fowler, Noll, Vo), going on from `hash`: every byte that differs makes another one. */
+/* FNV-1a, 64 bits (Fowler, Noll, Vo), continued from `hash`. */
 #define NB_HASH_BEGIN 14695981039346656037ULL
 static inline unsigned long long nb_hash(unsigned long long hash, const void *bytes, size_t size) {
   const unsigned char *c = bytes;

@@ -1,7 +1,7 @@
-/* `impact`: where a sphere begins, and how fast it goes, for it to strike something at a given angle.
+/* `impact`: position and velocity of a particle for an impact at a given speed and angle of incidence.
  *
- *   v = V (-cos(theta) n + sin(theta) t)        n  unit normal from what is struck to the sphere, t  n turned clockwise
- *   psi1 = V_T/(mu kappa V_N)                   V_T = V sin(theta) + sum R w, of the point that touches [R89 5.15]
+ *   v = V (-cos(theta) n + sin(theta) t)        n  unit normal towards the particle, t  n rotated clockwise
+ *   psi1 = V_T/(mu kappa V_N)                   V_T = V sin(theta) + sum R w  of the contact point [R89 5.15]
  *
  * With m = psi1 mu kappa the angle is atan(m) - asin( sum R w / (V sqrt(1 + m^2)) ).
  *
@@ -19,13 +19,13 @@ enum { AT_NAME, AT_SPEED, AT_ANGLE, AT_PSI1, AT_PHASE };
 static const struct nb_argument impact_fields[] = {
   WORD("MONITOR", AT_NAME, "the name of a monitored contact"),
   CLAUSE("speed", "V", NB_UNIT_VELOCITY, NB_POSITIVE, AT_SPEED, 1, NULL,
-         "Of the particle's centre, relative to what it hits."),
+         "Speed of the particle's centre relative to the other particle or the wall."),
   CLAUSE("angle", "A", NB_UNIT_ANGLE, NB_NOT_NEGATIVE, AT_ANGLE, 1, "|from `psi1`",
-         "Between that velocity and the normal of the contact, below 90 deg."),
+         "Angle of incidence, between this velocity and the contact normal, below 90 deg."),
   CLAUSE("psi1", "P", NB_UNIT_NUMBER, NB_NOT_NEGATIVE, AT_PSI1, 1, "|from `angle`",
-         "The same as a pure number, V_T/(mu kappa V_N) of the point that will touch, spin included [R89 5.15]: kappa = "
+         "Dimensionless angle of incidence V_T/(mu kappa V_N) of the contact point, spin included [R89 5.15]: kappa = "
          "E*/(4 G*), or k_n/k_s of linear springs."),
-  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_FRACTION, AT_PHASE, 1, "0", "It first touches when this much of the first step is over."),
+  CLAUSE("phase", "F", NB_UNIT_NUMBER, NB_FRACTION, AT_PHASE, 1, "0", "Fraction of the first step after which the contact begins."),
   END
 };
 /* clang-format on */
@@ -39,8 +39,8 @@ NB_APPLY(apply_impact) {
   if (nb_given_twice(reader, scene->impact.line))
     return;
   if (kind != NB_MONITOR_PARTICLE_PARTICLE && kind != NB_MONITOR_PARTICLE_WALL)
-    nb_not_known(reader, name, "define it above with `monitor NAME sphere N with wall NAME`",
-                 "the name of a monitored contact");
+    nb_unknown_name(reader, name, "define it above with `monitor NAME sphere N with wall NAME`",
+                    "the name of a monitored contact");
   if (angle && psi1)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected either `angle` or `psi1`, found both");
   if (angle && !(value[AT_ANGLE].number < NB_PI / 2))
@@ -57,47 +57,48 @@ NB_APPLY(apply_impact) {
   };
 }
 
-static const char *aim(struct nb_scene *scene) {
+static const char *set_incidence(struct nb_scene *scene) {
   struct nb_impact *it = &scene->impact;
   const struct nb_monitor *monitor = &scene->monitors[it->monitor];
   struct nb_particle *particle = &scene->particles[monitor->a];
   const struct nb_particle *other =
       monitor->kind == NB_MONITOR_PARTICLE_PARTICLE ? &scene->particles[monitor->b] : NULL;
-  const struct nb_impact_state strike = nb_impact_incidence(scene);
+  const struct nb_impact_state incidence = nb_impact_incidence(scene);
   if (particle->fixed)
     return "expected a contact whose first particle is free, found a fixed one";
   if (particle->vx != 0 || particle->vy != 0)
     return "expected a particle without `velocity`: `impact` gives it one";
-  if (!isfinite(strike.normal.x))
+  if (!isfinite(incidence.normal.x))
     return "expected a particle at a distance from what it hits, found its centre on it";
-  const double slope = it->psi1 > 0 ? it->psi1 * strike.friction * strike.kappa : 0;
+  const double slope = it->psi1 > 0 ? it->psi1 * incidence.friction * incidence.kappa : 0;
   if (it->psi1 > 0 && !(slope > 0))
     return "expected a contact with friction and a shear stiffness for `psi1`, found none";
   if (isnan(it->angle))
-    it->angle = atan(slope) - asin(strike.surface / (it->speed * sqrt(1 + slope * slope)));
+    it->angle = atan(slope) - asin(incidence.surface / (it->speed * sqrt(1 + slope * slope)));
   if (!(cos(it->angle) > 0))
     return "expected a slower spin or a higher speed: no angle of incidence gives this `psi1`";
   const double distance = particle->radius + (other ? other->radius : 0);
-  const double down = -it->speed * cos(it->angle), along = it->speed * sin(it->angle);
-  particle->x = strike.point.x + distance * strike.normal.x;
-  particle->y = strike.point.y + distance * strike.normal.y;
-  particle->vx += down * strike.normal.x + along * strike.tangent.x - strike.velocity.x;
-  particle->vy += down * strike.normal.y + along * strike.tangent.y - strike.velocity.y;
+  const double normal_velocity = -it->speed * cos(it->angle), tangential_velocity = it->speed * sin(it->angle);
+  particle->x = incidence.point.x + distance * incidence.normal.x;
+  particle->y = incidence.point.y + distance * incidence.normal.y;
+  particle->vx +=
+      normal_velocity * incidence.normal.x + tangential_velocity * incidence.tangent.x - incidence.velocity.x;
+  particle->vy +=
+      normal_velocity * incidence.normal.y + tangential_velocity * incidence.tangent.y - incidence.velocity.y;
   return NULL;
 }
 
-void nb_impact_aim(struct nb_scene_reading *reading) {
-  const char *wrong = aim(reading->scene);
-  if (wrong)
-    nb_line_mistake(&reading->reader, (size_t)reading->scene->impact.line, NULL, "%s", wrong);
+void nb_impact_set(struct nb_scene_reading *reading) {
+  const char *message = set_incidence(reading->scene);
+  if (message)
+    nb_line_mistake(&reading->reader, (size_t)reading->scene->impact.line, NULL, "%s", message);
 }
 
 /* clang-format off */
 NB_STATEMENTS(impact) = {
   {"impact", NB_IN_SCENE, impact_fields, NULL, 0, false, apply_impact,
-   "Lets the first particle of a monitored contact hit the other one, or the wall: on the side where the page has put it, "
-   "it is moved until it just touches; its tangential velocity points to the east when what it hits lies to the south. Its velocity is replaced, its spin is "
-   "not. Then there are quantities `impact.NAME`.",
+   "Lets the first particle of a monitored contact hit the other one, or the wall. It is moved along the normal until it just touches, on the side where the page has placed it, and gets this velocity; "
+   "its spin stays. On top of a floor, its tangential velocity points in x. The quantities of the impact are called `impact.NAME`.",
    "impact    F  speed 0.4 m/s  angle 20 deg  phase 0.5"},
   {0},
 };

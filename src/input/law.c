@@ -1,4 +1,4 @@
-/* The laws of contacts: `normal`, `shear`; and what laws ask of a scene, checked when all of it has been read.
+/* Contact laws: `normal`, `shear`; and checks that the whole scene meets the requirements of its laws.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -12,11 +12,11 @@ enum { AT_NAME, AT_PIECES };
 static const struct nb_argument normal_fields[] = {WORD("LAW", AT_NAME, "the name of a law"), END};
 static const struct nb_argument shear_fields[] = {
     WORD("LAW", AT_NAME, "the name of a law"),
-    COUNT("memory", "K", AT_PIECES, "as many as the law likes best",
-          "How much of a contact's history is kept, by a law that keeps it."),
+    COUNT("memory", "K", AT_PIECES, "the law's own number",
+          "Number of pieces of a contact's history that are kept, for a law that keeps pieces."),
     END};
 
-static void say_unknown(struct nb_reader *reader, const char *kind, const struct nb_token *token) {
+static void report_unknown(struct nb_reader *reader, const char *kind, const struct nb_token *token) {
   char what[NB_NAME_SIZE], hint[NB_HINT_SIZE];
   struct nb_guess guess = nb_guess_begin(token->text);
   for (const struct nb_law *const *law = nb_laws(); *law; law++)
@@ -35,7 +35,7 @@ NB_APPLY(apply_law) {
   const struct nb_value *pieces = &record->value[AT_PIECES];
   const char *kind = record->keyword->word;
   const bool shear = record->keyword->variant, setting = reader == &reading->setting;
-  struct nb_stage *stage = setting ? NULL : nb_stage_now(scene);
+  struct nb_stage *stage = setting ? NULL : nb_current_stage(scene);
   int *line = stage   ? shear ? &stage->laws.shear_line : &stage->laws.normal_line
               : shear ? &scene->shear_line
                       : &scene->normal_line;
@@ -43,7 +43,7 @@ NB_APPLY(apply_law) {
   const struct nb_law *law = nb_law_find(kind, token->text);
   bool *set = &reading->law_set[shear];
   if (!law)
-    say_unknown(reader, kind, token);
+    report_unknown(reader, kind, token);
   else if (pieces->token && law->piece == 0)
     nb_token_mistake(reader, pieces->token, NULL, "`shear %s` keeps no history, so it takes no `memory`", token->text);
   else if (pieces->token && (pieces->number < 2 || pieces->number > NB_PIECES_MAX))
@@ -58,22 +58,22 @@ NB_APPLY(apply_law) {
   snprintf(name, NB_NAME_SIZE, "%s", token->text);
 }
 
-/* ---- what laws ask of a scene ---- */
+/* ---- requirements of laws ---- */
 
-/* At the first word of that line. */
-static void say(struct nb_scene_reading *reading, int line, const char *hint, const char *what, const char *name) {
+/* Reports a mistake at the first word of a line. */
+static void report(struct nb_scene_reading *reading, int line, const char *hint, const char *what, const char *name) {
   nb_line_mistake(&reading->reader, (size_t)line, hint, what, name);
 }
 
 static void check_material(struct nb_scene_reading *reading, int index, const char *law, bool *given) {
   const struct nb_material *material = &reading->scene->materials[index];
   if (material->young == 0 && !given[index])
-    say(reading, material->line, "add `young E  poisson NU`, or `rigid`",
-        "expected a material with `young` for `normal %s`", law);
+    report(reading, material->line, "add `young E  poisson NU`, or `rigid`",
+           "expected a material with `young` for `normal %s`", law);
   given[index] = true;
 }
 
-/* Of two that may touch one must give. */
+/* Of two materials that may touch, one must not be rigid. */
 static void check_rigid(struct nb_scene_reading *reading, const int *on_particle, const int *on_wall) {
   const struct nb_scene *scene = reading->scene;
   for (size_t i = 0; i < scene->material_count; i++) {
@@ -82,10 +82,10 @@ static void check_rigid(struct nb_scene_reading *reading, const int *on_particle
     for (size_t k = 0; k < scene->material_count; k++)
       if (isinf(scene->materials[k].young) &&
           (k == i ? on_particle[i] > 1 || on_wall[i] : on_particle[k] || on_wall[k])) {
-        say(reading, scene->materials[i].line, "give one of them `young E  poisson NU`",
-            "expected at most one `rigid` material in a contact, found that this one can touch `%s`, which is rigid "
-            "too",
-            scene->materials[k].name);
+        report(reading, scene->materials[i].line, "give one of them `young E  poisson NU`",
+               "expected at most one `rigid` material in a contact, found that this one can touch `%s`, which is rigid "
+               "too",
+               scene->materials[k].name);
         return;
       }
   }
@@ -105,11 +105,12 @@ static void check_elastic(struct nb_scene_reading *reading, const char *law) {
   for (size_t w = 0; w < scene->wall_count; w++)
     check_material(reading, scene->walls[w].material, law, given), on_wall[scene->walls[w].material]++;
   if (disc)
-    say(reading, disc->line, "use spheres, or `normal linear`", "expected spheres for `normal %s`, found a disc", law);
+    report(reading, disc->line, "use spheres, or `normal linear`", "expected spheres for `normal %s`, found a disc",
+           law);
   check_rigid(reading, on_particle, on_wall);
 }
 
-/* The first line that gives something cohesion; 0: none does. */
+/* The first line that gives a material or a pair cohesion; 0: none. */
 static int cohesive_line(const struct nb_scene *scene) {
   for (size_t m = 0; m < scene->material_count; m++)
     if (scene->materials[m].cohesion > 0)
@@ -124,24 +125,24 @@ static int cohesive_line(const struct nb_scene *scene) {
   return 0;
 }
 
-/* The dashpots that such a normal law cannot have. */
+/* Refuses damping that the normal law does not allow. */
 static void check_damping(struct nb_scene_reading *reading, const struct nb_damping *damping,
                           const struct nb_law *normal) {
   const bool elastic = normal->elastic;
   if (!elastic && damping->deep > 0)
-    say(reading, damping->deep_line, "use `normal hertz`", "expected a normal law of elastic spheres for `%s`",
-        "damping critical");
+    report(reading, damping->deep_line, "use `normal hertz`", "expected a normal law of elastic spheres for `%s`",
+           "damping critical");
   if (elastic && damping->contact_kind == NB_CONTACT_R89_FRACTION)
-    say(reading, damping->contact_line,
-        "`r89-fraction` is relative to the critical step of linear springs; use `damping ratio X`",
-        "expected no `damping r89-fraction` for `normal %s`", normal->name);
+    report(reading, damping->contact_line,
+           "`r89-fraction` is relative to the critical step of linear springs; use `damping ratio X`",
+           "expected no `damping r89-fraction` for `normal %s`", normal->name);
   if (elastic && damping->walls_separate && damping->walls_kind == NB_CONTACT_R89_FRACTION)
-    say(reading, damping->walls_line,
-        "`r89-fraction` is relative to the critical step of linear springs; use `damping ratio X`",
-        "expected no `damping r89-fraction` for `normal %s`", normal->name);
+    report(reading, damping->walls_line,
+           "`r89-fraction` is relative to the critical step of linear springs; use `damping ratio X`",
+           "expected no `damping r89-fraction` for `normal %s`", normal->name);
 }
 
-/* What two laws ask that are in force together from `line` on; 0: as a --set says. */
+/* Checks the laws that are in force from `line` on; 0: set by --set. */
 static void check_laws(struct nb_scene_reading *reading, const struct nb_active_laws *laws, bool other_normal,
                        int line) {
   const struct nb_scene *scene = reading->scene;
@@ -153,25 +154,26 @@ static void check_laws(struct nb_scene_reading *reading, const struct nb_active_
                     line ? (size_t)line : nb_setting_find(reading, "shear"), "use `normal hertz`",
                     "expected a normal law of elastic spheres for `shear %s`", laws->shear->name);
   if (laws->shear->cohesionless && cohesive > 0)
-    say(reading, cohesive, "the friction limit of this law is mu N; `shear linear` has cohesion",
-        "expected no cohesion for `shear %s`", laws->shear->name);
+    report(reading, cohesive, "the friction limit of this law is mu N; `shear linear` has cohesion",
+           "expected no cohesion for `shear %s`", laws->shear->name);
 }
 
-/* ---- friction that nothing carries ---- */
+/* ---- friction without a shear force ---- */
 
-enum { FRICTION = 1, IMPOSED = 2 }; /* a pair of materials has friction in some stage; and something carries it then */
+/* A pair of materials has friction in some stage; and a shear law and stiffness that use it. */
+enum { FRICTION = 1, TRANSMITTED = 2 };
 
-static void look_at_friction(unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,
-                             const struct nb_properties *now, const struct nb_law *shear) {
+static void find_friction(unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX], const struct nb_scene *scene,
+                          const struct nb_properties *now, const struct nb_law *shear) {
   for (int a = 0; a < (int)scene->material_count; a++)
     for (int b = 0; b < (int)scene->material_count; b++) {
       const struct nb_pair pair = nb_properties_pair(now, a, b);
-      const bool imposed = strcmp(shear->name, "none") != 0 && (shear->elastic || pair.ks > 0);
-      seen[a][b] |= (unsigned char)(pair.friction > 0 ? FRICTION | (imposed ? IMPOSED : 0) : 0);
+      const bool transmitted = strcmp(shear->name, "none") != 0 && (shear->elastic || pair.ks > 0);
+      pairs[a][b] |= (unsigned char)(pair.friction > 0 ? FRICTION | (transmitted ? TRANSMITTED : 0) : 0);
     }
 }
 
-/* Whether a particle of material a may touch one of material b, or a wall of it. */
+/* Whether a particle of material a may touch a particle or a wall of material b. */
 static bool may_touch(const struct nb_scene *scene, int a, int b) {
   size_t of_a = 0, of_b = 0;
   for (size_t k = 0; k < scene->particle_count; k++)
@@ -190,28 +192,28 @@ static int line_of_pair(const struct nb_scene *scene, int a, int b) {
   return scene->materials[a].line;
 }
 
-/* It can be meant, to show what friction does by leaving it out; mostly it is forgotten. */
-static void warn_of_friction(struct nb_scene_reading *reading) {
+/* A warning, not an error: a page may leave out the shear law on purpose. */
+static void warn_unused_friction(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
-  unsigned char seen[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};
+  unsigned char pairs[NB_MATERIALS_MAX][NB_MATERIALS_MAX] = {{0}};
   struct nb_properties now = {0};
   struct nb_active_laws laws = nb_laws_initial(scene);
   if (!nb_properties_create(&now, scene)) {
     nb_no_memory(&reading->reader);
     return;
   }
-  look_at_friction(seen, scene, &now, laws.shear);
+  find_friction(pairs, scene, &now, laws.shear);
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
     laws = nb_laws_of(stage, laws);
     for (size_t k = 0; k < stage->change_count; k++)
       nb_properties_change(&now, &stage->changes[k], nb_properties_before(&now, &stage->changes[k]), 1);
-    look_at_friction(seen, scene, &now, laws.shear);
+    find_friction(pairs, scene, &now, laws.shear);
   }
   nb_properties_free(&now);
   for (int a = 0; a < (int)scene->material_count; a++)
     for (int b = 0; b < (int)scene->material_count; b++) {
-      if (seen[a][b] != FRICTION || !may_touch(scene, a, b) || (b < a && may_touch(scene, b, a)))
+      if (pairs[a][b] != FRICTION || !may_touch(scene, a, b) || (b < a && may_touch(scene, b, a)))
         continue;
       nb_warn(&scene->warnings, line_of_pair(scene, a, b), "friction between `%s` and `%s` has no effect: %s",
               scene->materials[a].name, scene->materials[b].name,
@@ -237,17 +239,17 @@ void nb_laws_check(struct nb_scene_reading *reading) {
       check_damping(reading, &stage->damping, now.normal);
   }
   if (!scene->contact_test)
-    warn_of_friction(reading);
+    warn_unused_friction(reading);
 }
 
 /* clang-format off */
 NB_STATEMENTS(law) = {
-  {"normal", NB_IN_SCENE | NB_IN_PATH | NB_IN_STAGE | NB_IN_START, normal_fields, NULL, 0, false, apply_law,
-   "The law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it everywhere. In a stage: from "
+  {"normal", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, normal_fields, NULL, 0, false, apply_law,
+   "Contact law of the normal force; `nineball laws` lists them; default linear. --set normal=LAW overrides it everywhere. In a stage: from "
    "this stage on; another law begins with empty contact histories.",
    "normal    linear"},
-  {"shear", NB_IN_SCENE | NB_IN_PATH | NB_IN_STAGE | NB_IN_START, shear_fields, NULL, 1, false, apply_law,
-   "The law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it everywhere. In a stage: from this "
+  {"shear", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_STAGE | NB_IN_START, shear_fields, NULL, 1, false, apply_law,
+   "Contact law of the shear force; `nineball laws` lists them; default none. --set shear=LAW overrides it everywhere. In a stage: from this "
    "stage on, as `normal`.",
    "shear     linear"},
   {0},

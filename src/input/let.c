@@ -1,8 +1,7 @@
-/* Values with a name: `units`, `let`, `sweep`, and --set, which overrides them.
+/* Named values: `units`, `let`, `sweep`, and --set, which overrides them.
  *
- * A sweep is a small table: its rows are taken in turn, its columns are names. The runs of a page are the product of
- * its sweeps, the last one fastest. Which row a run takes depends on the length of the sweeps below, so a page is read
- * twice.
+ * A sweep is a small table: each row is one run, each column a name. The runs of a page are all combinations of the rows of its
+ * sweeps; the last sweep varies fastest. The row of a run depends on the lengths of the sweeps below, so a page is read twice.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -25,19 +24,21 @@ NB_APPLY(apply_units) {
   reading->reader.unitless = reading->setting.unitless = record->value[AT_NAME].number == 0;
 }
 
-/* One word, or a number and its unit; where it began in *token. False: it is none, and that has been said. */
+/* Takes a word, or a number and its unit; *token is its first one. False, with a message, if there is none. */
 static bool take_value(struct nb_reader *reader, struct nb_binding *value, const struct nb_token **token) {
   struct nb_unit read;
   *value = (struct nb_binding){.value = NAN};
-  *token = nb_take(reader, "a value: a word, or a number and its unit");
+  *token = nb_take_token(reader, "a value: a word, or a number and its unit");
   if (!*token)
     return false;
   const struct nb_token *next = nb_token_peek(reader);
   const char *unit =
-      next && nb_unit_read(&read, next->text) && (!reader->unitless || nb_unit_bare(next->text)) ? next->text : NULL;
+      next && nb_unit_read(&read, next->text) && (!reader->unitless || nb_unit_without_dimension(next->text))
+          ? next->text
+          : NULL;
   const enum nb_reading reading = nb_literal(value, (*token)->text, unit, (*token)->computed);
   if (reading == NB_TOO_LARGE || reading == NB_TOO_SMALL)
-    return nb_expected_at(reader, *token, NULL, nb_reach(reading));
+    return nb_expected_at(reader, *token, NULL, nb_reading_words(reading));
   reader->next += reading == NB_READ && unit;
   if (reading == NB_READ)
     return true;
@@ -75,7 +76,7 @@ size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name)
   return 0;
 }
 
-/* Whether a --set gives the value of that name; then it is in *value. One that is wrong is said, and the statement is bad. */
+/* Whether a --set gives the value of that name; then *value has it. An invalid one is reported, and the statement is bad. */
 static bool set_value(struct nb_scene_reading *reading, struct nb_reader *reader, const char *name, bool number,
                       struct nb_binding *value) {
   struct nb_reader *setting = &reading->setting;
@@ -90,7 +91,7 @@ static bool set_value(struct nb_scene_reading *reading, struct nb_reader *reader
   else if (nb_line_read(setting, line), setting->next = 1, take_value(setting, value, &token) && nb_token_peek(setting))
     nb_expected(setting, NULL, "the end of the value");
   if (setting->bad)
-    nb_silent(reader);
+    nb_fail_silently(reader);
   return true;
 }
 
@@ -121,35 +122,35 @@ NB_APPLY(apply_let) {
     bind(reading, reader, name, value);
 }
 
-/* a b, but never more than one too many. */
-static size_t times(size_t a, size_t b) { return a * b > NB_RUNS_MAX ? NB_RUNS_MAX + 1 : a * b; }
+/* a b, at most NB_RUNS_MAX + 1. */
+static size_t capped_product(size_t a, size_t b) { return a * b > NB_RUNS_MAX ? NB_RUNS_MAX + 1 : a * b; }
 
-/* Which row of this sweep the run takes; in the survey it is the first one, and the number of rows is kept. */
-static size_t row_of(struct nb_scene_reading *reading, struct nb_reader *reader, size_t rows) {
+/* The row of this sweep for the current run; the first pass stores the number of rows and uses the first one. */
+static size_t row_of_run(struct nb_scene_reading *reading, struct nb_reader *reader, size_t rows) {
   size_t sweep = reading->sweep++, above = 1, below = 1;
   if (reading->survey) {
     NB_APPEND(reader, reading->rows, reading->sweep_count, rows);
     return 0;
   }
   for (size_t i = 0; i < sweep && i < reading->sweep_count; i++)
-    above = times(above, reading->rows[i]);
+    above = capped_product(above, reading->rows[i]);
   for (size_t i = sweep + 1; i < reading->sweep_count; i++)
-    below = times(below, reading->rows[i]);
-  if (above <= NB_RUNS_MAX && times(above, rows) > NB_RUNS_MAX)
+    below = capped_product(below, reading->rows[i]);
+  if (above <= NB_RUNS_MAX && capped_product(above, rows) > NB_RUNS_MAX)
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected at most %d runs, the sweeps up to this one make %zu",
                      NB_RUNS_MAX, above * rows);
   return reading->run / below % rows;
 }
 
-size_t nb_runs(const struct nb_scene_reading *reading) {
+size_t nb_run_count(const struct nb_scene_reading *reading) {
   size_t runs = 1;
   for (size_t i = 0; i < reading->sweep_count; i++)
-    runs = times(runs, reading->rows[i]);
+    runs = capped_product(runs, reading->rows[i]);
   return runs;
 }
 
-/* A column holds numbers or words, not both: a word among numbers is a mistyped unit. All numbers are of one dimension. */
-static bool same_sort(struct nb_reader *reader, const struct nb_binding *first, const struct nb_binding *value,
+/* A column has either words or numbers of one dimension: a word among numbers is a mistyped unit. */
+static bool same_type(struct nb_reader *reader, const struct nb_binding *first, const struct nb_binding *value,
                       const struct nb_token *token) {
   char hint[NB_HINT_SIZE], words[2 * NB_NAME_SIZE];
   const struct nb_token *next = nb_token_peek(reader);
@@ -174,9 +175,9 @@ static bool same_value(const struct nb_binding *a, const struct nb_binding *b) {
   return a->value == b->value || strcmp(a->text, b->text) == 0;
 }
 
-/* Two equal rows are one run made twice, which would count twice among the runs of a sample. */
-static bool all_differ(struct nb_reader *reader, const struct nb_binding *values, const struct nb_token *const tokens[],
-                       size_t count, size_t columns) {
+/* No two rows may be equal: a sample would count the run twice. */
+static bool rows_differ(struct nb_reader *reader, const struct nb_binding *values,
+                        const struct nb_token *const tokens[], size_t count, size_t columns) {
   for (size_t row = columns; row < count; row += columns)
     for (size_t above = 0; above < row; above += columns) {
       size_t equal = 0;
@@ -194,14 +195,14 @@ static bool all_differ(struct nb_reader *reader, const struct nb_binding *values
 
 static const char *unit_of(const struct nb_binding *value) { return value->text + strcspn(value->text, " "); }
 
-/* A column whose values have several units is one in SI: the head of a table has one unit. */
+/* Converts a column with several units to SI, because a column of a table has one unit. */
 static void unify(struct nb_binding *values, size_t count, size_t columns) {
   for (size_t c = 0; c < columns; c++) {
     bool one = true;
     for (size_t i = c; i < count; i += columns)
       one = one && strcmp(unit_of(&values[i]), unit_of(&values[c])) == 0;
     for (size_t i = c; i < count && !one && !isnan(values[c].value); i += columns)
-      nb_value_write(&values[i]);
+      nb_binding_write(&values[i]);
   }
 }
 
@@ -211,7 +212,7 @@ static bool has_comma(struct nb_reader *reader, const struct nb_token *token) {
   return reader->bad;
 }
 
-/* Reads the values, row by row, into room for NB_TOKENS_MAX of them. Returns the number of rows; 0 after a mistake. */
+/* Reads the values row by row, at most NB_TOKENS_MAX. Returns the number of rows; 0 after a mistake. */
 static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, size_t columns) {
   const struct nb_token *tokens[NB_TOKENS_MAX];
   size_t count = 0;
@@ -219,22 +220,22 @@ static size_t take_rows(struct nb_reader *reader, struct nb_binding *values, siz
     nb_expected(reader, NULL, "the values of the sweep");
   do {
     if (!take_value(reader, &values[count], &tokens[count]) || has_comma(reader, tokens[count]) ||
-        !same_sort(reader, &values[count % columns], &values[count], tokens[count]))
+        !same_type(reader, &values[count % columns], &values[count], tokens[count]))
       return 0;
     count++;
   } while (nb_token_peek(reader));
   unify(values, count, columns);
   if (count % columns == 0)
-    return all_differ(reader, values, tokens, count, columns) ? count / columns : 0;
+    return rows_differ(reader, values, tokens, count, columns) ? count / columns : 0;
   nb_expected(reader, NULL, "%zu values for each run, one for each name (%zu values are not a multiple)", columns,
               count);
   return 0;
 }
 
-/* Of several names that take their values together, one that is given its value from outside chooses the turns that have it; a value
- * that none has takes the place of its own in all of them. Answers how many are left; they move to the front. */
-static size_t choose(struct nb_binding *values, size_t rows, size_t columns, const bool is_set[],
-                     const struct nb_binding *set) {
+/* A name that --set gives a value selects the rows with this value; if no row has it, it replaces the value in all rows. Returns the
+ * number of selected rows, which are moved to the front. */
+static size_t select_rows(struct nb_binding *values, size_t rows, size_t columns, const bool is_set[],
+                          const struct nb_binding *set) {
   for (size_t i = 0; i < columns; i++) {
     size_t left = 0;
     for (size_t row = 0; row < rows && is_set[i]; row++)
@@ -270,17 +271,17 @@ NB_APPLY(apply_sweep) {
   }
   if (reader->bad)
     return;
-  rows = choose(values, rows, columns, is_set, set);
-  const size_t turns = all_set ? 1 : rows, row = row_of(reading, reader, turns);
+  rows = select_rows(values, rows, columns, is_set, set);
+  const size_t run_count = all_set ? 1 : rows, row = row_of_run(reading, reader, run_count);
   for (size_t i = 0; i < columns; i++) {
     struct nb_binding value = is_set[i] ? set[i] : values[row * columns + i];
-    value.swept = turns > 1 && !is_set[i];
+    value.swept = run_count > 1 && !is_set[i];
     value.sweep = (int)reading->sweep - 1;
     bind(reading, reader, names[i], value);
   }
 }
 
-/* What stands in a --set for a statement of the page. */
+/* Statements that --set overrides. */
 static const struct { char name[NB_NAME_SIZE]; } settable[] = {{"normal"}, {"shear"}, {"step"}};
 enum { SETTABLE = sizeof settable / sizeof *settable };
 
@@ -300,7 +301,8 @@ static void read_setting(struct nb_scene_reading *reading, size_t line) {
   const char *near = NB_NEAREST(hint, name, scene->bindings, scene->binding_count);
   if (!equals) {
     nb_mistake(mistakes, &reading->settings, line, 1, (int)length, NULL, "expected NAME=VALUE, found `%.80s`", text);
-  } else if (NB_FIND(scene->bindings, scene->binding_count, name) >= 0 || nb_excused(reading->reader.mistakes, name)) {
+  } else if (NB_FIND(scene->bindings, scene->binding_count, name) >= 0 ||
+             nb_name_suppressed(reading->reader.mistakes, name)) {
     return; /* which `let` or `sweep` looks for */
   } else if (NB_FIND(settable, SETTABLE, name) >= 0) {
     if (line == nb_setting_find(reading, name) && nb_line_read(&reading->setting, line))
@@ -325,15 +327,15 @@ void nb_settings_read(struct nb_scene_reading *reading) {
 
 /* clang-format off */
 NB_STATEMENTS(let) = {
-  {"units", NB_IN_SCENE | NB_IN_PATH, units_fields, NULL, 0, false, apply_units,
+  {"units", NB_IN_SCENE | NB_IN_CONTACT_TEST, units_fields, NULL, 0, false, apply_units,
    "Whether numbers carry units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
    "whole page.",
    "units     si"},
-  {"let", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, value_fields, "= EXPRESSION|WORD", 0, false, apply_let,
+  {"let", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "= EXPRESSION|WORD", 0, false, apply_let,
    "Gives a name to a number or a word. $NAME stands for it below, and NAME in expressions; --set NAME=EXPRESSION "
    "overrides it.",
    "let       angle = 17 deg\nlet       grip = tan(angle)"},
-  {"sweep", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, value_fields, "{with NAME …} VALUE …", 0, false, apply_sweep,
+  {"sweep", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "{with NAME …} VALUE …", 0, false, apply_sweep,
    "Gives a name several values in turn, one run each; several names take their values together, and giving one of them a value by --set chooses what goes with it. Several sweeps make "
    "the product, the last one fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},

@@ -1,5 +1,5 @@
-/* A line as tokens: words between white space, up to a `#`, each with its place, $NAME replaced by what it stands for. Then what is
- * taken from it, one by one: numbers with their units, whole numbers, words, names; or, with a caret under it, said to be wrong.
+/* The tokens of a line: words separated by white space, up to a `#`, each with its column, and $NAME replaced by its value. Messages at
+ * tokens, and hints for syntax of other languages.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <ctype.h>
@@ -11,7 +11,7 @@
 #include "expression.h"
 #include "old_words.h"
 
-static bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 static bool name_letter(char c) { return isalnum((unsigned char)c) || c == '_'; }
 
 bool nb_is_name(const char *text) {
@@ -34,8 +34,8 @@ struct nb_token nb_token_at(const char *line, const char *at, size_t length) {
   return (struct nb_token){.column = characters(line, (size_t)(at - line)) + 1, .length = characters(at, length)};
 }
 
-/* Adds to the text of the last token. False: there is no room. */
-static bool put(struct nb_reader *reader, const char *text, size_t length) {
+/* Appends to the text of the last token; false if the store is full. */
+static bool append_text(struct nb_reader *reader, const char *text, size_t length) {
   if (reader->used + length + 1 > sizeof reader->store)
     return false;
   memcpy(reader->store + reader->used, text, length);
@@ -44,65 +44,66 @@ static bool put(struct nb_reader *reader, const char *text, size_t length) {
   return true;
 }
 
-/* Begins a token; false: there is no room. */
-static bool begin(struct nb_reader *reader, struct nb_token token) {
-  reader->used += reader->count > 0; /* past the zero of the one before */
+/* Begins a token; false if there are too many. */
+static bool begin_token(struct nb_reader *reader, struct nb_token token) {
+  reader->used += reader->count > 0; /* after the terminating zero of the last token */
   if (reader->count == NB_TOKENS_MAX - 1)
     return false;
   token.text = reader->store + reader->used;
   reader->tokens[reader->count++] = token;
-  return put(reader, "", 0);
+  return append_text(reader, "", 0);
 }
 
-/* The value of a NAME behind a `$`; NULL with a message when it has none. */
+/* The value of $NAME; NULL, with a message, if it has none. */
 static const struct nb_binding *binding_of(struct nb_reader *reader, const struct nb_token *token, const char *name) {
   char hint[NB_HINT_SIZE];
   const int index = NB_FIND(reader->bindings, reader->binding_count, name);
   if (index >= 0)
     return &reader->bindings[index];
-  if (nb_excused(reader->mistakes, name))
-    nb_silent(reader);
+  if (nb_name_suppressed(reader->mistakes, name))
+    nb_fail_silently(reader);
   nb_token_mistake(reader, token, NB_NEAREST(hint, name, reader->bindings, reader->binding_count),
                    "expected a $NAME that a `let` or `sweep` above defines, found `$%s`", name);
-  nb_excuse(reader->mistakes, name);
+  nb_suppress_name(reader->mistakes, name);
   return NULL;
 }
 
-/* The value that takes the place of a part of the last token; its unit is a token more. */
-static bool put_value(struct nb_reader *reader, const struct nb_binding *value, const char *before, size_t length,
-                      const char *behind, size_t rest) {
+/* Appends a value to the last token, between two parts of its word; the unit becomes a token of its own. */
+static bool append_value(struct nb_reader *reader, const struct nb_binding *value, const char *before, size_t length,
+                         const char *end_of_name, size_t rest) {
   struct nb_token *token = &reader->tokens[reader->count - 1];
   const char *const unit = strchr(value->text, ' '), *text = value->text;
   const bool signs = length && before[length - 1] == '-' && (*text == '-' || *text == '+');
   token->name = value->name[0] ? value->name : NULL;
   token->computed = value->computed;
   const struct nb_token second = *token;
-  return put(reader, before, length - (signs && *text == '-')) && /* `--` is nothing, `-+` is `-` */
-         put(reader, text + signs, strcspn(text + signs, " ")) && put(reader, behind, rest) &&
-         (!unit || (begin(reader, second) && put(reader, unit + 1, strlen(unit + 1))));
+  return append_text(reader, before, length - (signs && *text == '-')) && /* `--` cancels, `-+` is `-` */
+         append_text(reader, text + signs, strcspn(text + signs, " ")) && append_text(reader, end_of_name, rest) &&
+         (!unit || (begin_token(reader, second) && append_text(reader, unit + 1, strlen(unit + 1))));
 }
 
-/* A token that holds a $NAME: `$v`, `-$v`, `v=$v`. */
-static bool put_named(struct nb_reader *reader, const char *word, size_t before, size_t length) {
+/* A token with a $NAME: `$v`, `-$v`, `v=$v`. */
+static bool append_variable(struct nb_reader *reader, const char *word, size_t before, size_t length) {
   const struct nb_token *token = &reader->tokens[reader->count - 1];
-  const char *const name = word + before + 1, *const end = word + length, *behind = name;
-  char text[NB_NAME_SIZE + 1], hint[NB_HINT_SIZE]; /* a longer name is cut to one that nothing has */
-  while (behind < end && name_letter(*behind))
-    behind++;
-  snprintf(text, sizeof text, "%.*s", (int)(behind - name), name);
+  const char *const name = word + before + 1, *const end = word + length, *end_of_name = name;
+  char text[NB_NAME_SIZE + 1], hint[NB_HINT_SIZE]; /* a longer name is truncated to one that cannot exist */
+  while (end_of_name < end && name_letter(*end_of_name))
+    end_of_name++;
+  snprintf(text, sizeof text, "%.*s", (int)(end_of_name - name), name);
   const struct nb_binding *value = binding_of(reader, token, text);
   if (!value)
-    return put(reader, word, length);
-  if (!isnan(value->value) && behind < end) {
-    snprintf(hint, sizeof hint, "%.*s", (int)(end - behind), behind);
+    return append_text(reader, word, length);
+  if (!isnan(value->value) && end_of_name < end) {
+    snprintf(hint, sizeof hint, "%.*s", (int)(end - end_of_name), end_of_name);
     nb_token_mistake(reader, token, "write the whole expression in parentheses: `(2*v)`",
-                     "expected a space after `$%s`, found `%.*s`", text, (int)(end - behind), behind);
+                     "expected a space after `$%s`, found `%.*s`", text, (int)(end - end_of_name), end_of_name);
   }
-  return put_value(reader, value, word, before, behind, (size_t)(end - behind));
+  return append_value(reader, value, word, before, end_of_name, (size_t)(end - end_of_name));
 }
 
-/* A token that is an expression in parentheses: `(2*v)`, `v=(2*v)`. */
-static bool put_computed(struct nb_reader *reader, const char *line, const char *word, size_t before, size_t length) {
+/* A token with an expression in parentheses: `(2*v)`, `v=(2*v)`. */
+static bool append_expression(struct nb_reader *reader, const char *line, const char *word, size_t before,
+                              size_t length) {
   struct nb_binding value;
   size_t close = before;
   int depth = 0;
@@ -115,11 +116,11 @@ static bool put_computed(struct nb_reader *reader, const char *line, const char 
                      "expected a space after `)`, found `%.*s`", (int)(length - close), word + close);
   }
   return nb_expression(reader, line, word + before, word + close, &value)
-             ? put_value(reader, &value, word, before, "", 0)
-             : put(reader, word, length);
+             ? append_value(reader, &value, word, before, "", 0)
+             : append_text(reader, word, length);
 }
 
-/* The last two tokens are one when they are the unit `per cycle`. */
+/* Joins the last two tokens if they are the unit `per cycle`. */
 static void join_per_cycle(struct nb_reader *reader) {
   if (reader->count < 2 || strcmp(reader->tokens[reader->count - 1].text, "cycle") != 0)
     return;
@@ -132,17 +133,17 @@ static void join_per_cycle(struct nb_reader *reader) {
   reader->count--;
 }
 
-/* The bytes of the word there: up to a blank outside parentheses; or the whole rest of the line. */
+/* Length of a word, which ends at a space outside parentheses; or of the rest of the line. */
 static size_t word_length(const char *at, const char *equals, bool rest) {
   size_t n = 0;
-  for (int depth = 0; at[n] && at[n] != '#' && (rest || depth > 0 || (!blank(at[n]) && at + n != equals)); n++)
+  for (int depth = 0; at[n] && at[n] != '#' && (rest || depth > 0 || (!is_space(at[n]) && at + n != equals)); n++)
     depth += at[n] == '(' ? 1 : at[n] == ')' && depth > 0 ? -1 : 0;
-  while (n > 0 && blank(at[n - 1]))
+  while (n > 0 && is_space(at[n - 1]))
     n--;
   return n;
 }
 
-static void find_hard_blank(struct nb_reader *reader, const char *line, const char *word, size_t length) {
+static void find_no_break_space(struct nb_reader *reader, const char *line, const char *word, size_t length) {
   for (size_t i = 0; i < length; i++)
     if (strncmp(word + i, "\u00A0", 2) == 0 || strncmp(word + i, "\u202F", 3) == 0) {
       const struct nb_token token = nb_token_at(line, word + i, 1);
@@ -150,26 +151,26 @@ static void find_hard_blank(struct nb_reader *reader, const char *line, const ch
     }
 }
 
-/* Whether the line begins with `let NAME =`, behind which an expression goes on to its end. */
+/* Whether the line begins with `let NAME =`; then the rest of the line is one expression. */
 static bool is_let(const struct nb_reader *reader) {
   return strcmp(reader->tokens[0].text, "let") == 0 && strcmp(reader->tokens[2].text, "=") == 0;
 }
 
-/* The next token of the line, or of a source in brackets, in which all is text; false: there is no room. */
+/* Adds the next token; `text`: inside brackets nothing is replaced. False if there is no space for it. */
 static bool add_token(struct nb_reader *reader, const char *line, const char *word, size_t length, bool text) {
   size_t before = 0;
   while (before < length && !strchr("$(", word[before]))
     before++;
   const bool value = before == 0 || word[before - 1] == '=';
-  if (!begin(reader, nb_token_at(line, word, length)))
+  if (!begin_token(reader, nb_token_at(line, word, length)))
     return false;
   if (!text)
-    find_hard_blank(reader, line, word, length);
+    find_no_break_space(reader, line, word, length);
   const bool rest = reader->count == 4 && is_let(reader);
   if (text || rest || before == length || (word[before] == '(' && !value))
-    return put(reader, word, length);
-  return word[before] == '$' ? put_named(reader, word, before, length)
-                             : put_computed(reader, line, word, before, length);
+    return append_text(reader, word, length);
+  return word[before] == '$' ? append_variable(reader, word, before, length)
+                             : append_expression(reader, line, word, before, length);
 }
 
 void nb_line_begin(struct nb_reader *reader, size_t line) {
@@ -181,7 +182,7 @@ void nb_line_begin(struct nb_reader *reader, size_t line) {
 
 bool nb_line_read(struct nb_reader *reader, size_t line) {
   const char *text = line > 0 && line <= reader->page->line_count ? reader->page->lines[line - 1] : "";
-  /* In a --set text the first `=` parts name and value, as a blank would. */
+  /* in a --set text the first `=` separates name and value */
   const char *equals = reader->page->kind_of ? NULL : strchr(text, '=');
   bool source = false, room = true;
   nb_line_begin(reader, line);
@@ -222,7 +223,7 @@ bool nb_token_skip(struct nb_reader *reader, const char *word) {
   return is;
 }
 
-bool nb_silent(struct nb_reader *reader) {
+bool nb_fail_silently(struct nb_reader *reader) {
   reader->bad = true;
   reader->next = reader->count;
   return false;
@@ -230,7 +231,7 @@ bool nb_silent(struct nb_reader *reader) {
 
 bool nb_no_memory(struct nb_reader *reader) {
   nb_mistake_memory(reader->mistakes);
-  return nb_silent(reader);
+  return nb_fail_silently(reader);
 }
 
 bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const void *element, size_t size) {
@@ -244,7 +245,7 @@ bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const
 bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *format,
                       ...) {
   if (reader->bad)
-    return nb_silent(reader);
+    return nb_fail_silently(reader);
   char text[1024];
   va_list list;
   va_start(list, format);
@@ -261,7 +262,7 @@ bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, co
   char old[NB_HINT_SIZE];
   const char *now = nb_old_hint(old, reader->page, reader->line);
   nb_mistake(reader->mistakes, reader->page, reader->line, column, length, now ? now : hint, "%s", text);
-  return nb_silent(reader);
+  return nb_fail_silently(reader);
 }
 
 bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, const char *format, ...) {
@@ -273,9 +274,9 @@ bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, co
   return nb_token_mistake(reader, nb_line_read(reader, line) ? &reader->tokens[0] : NULL, hint, "%s", text);
 }
 
-/* ---- what is typed as another language wants it ---- */
+/* ---- hints for syntax of other languages ---- */
 
-/* `50mm`: a number and its unit without a blank; `1,5`: a decimal comma. */
+/* `50mm`: a number and its unit without a space; `1,5`: a decimal comma. */
 static bool number_hint(char *hint, const char *text) {
   struct nb_unit read;
   const size_t n = strspn(text, "+-.0123456789"), point = text[n] == ',',
@@ -290,7 +291,7 @@ static bool number_hint(char *hint, const char *text) {
   return true;
 }
 
-/* Arithmetic outside parentheses: `2*3`, `*`, in a field also `pi/6`. */
+/* Arithmetic outside parentheses: `2*3`, `*`; as a value also `pi/6`. */
 static bool has_operator(const struct nb_reader *reader, const char *text) {
   const bool number = strchr("-+.0123456789()$", text[0]);
   struct nb_unit unit;
@@ -318,7 +319,7 @@ static bool sign_hint(const struct nb_reader *reader, char *hint, const char *te
   return true;
 }
 
-const char *nb_typed_hint(const struct nb_reader *reader, char *hint, const char *text) {
+const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text) {
   static const char quotes[] = "write words and numbers without quotes";
   static const struct {
     const char *sign, *hint;
@@ -346,7 +347,7 @@ bool nb_expected(struct nb_reader *reader, const char *hint, const char *format,
   va_end(list);
   if (!token)
     return nb_token_mistake(reader, NULL, hint, "expected %s, found the end of the line", what);
-  const char *const typed = nb_typed_hint(reader, text, token->text);
+  const char *const typed = nb_syntax_hint(reader, text, token->text);
   hint = typed ? typed : hint ? hint : nb_synonym_hint(text, token->text);
   if (token->name)
     return nb_token_mistake(reader, token, hint, "expected %s, found `%.80s` (`$%s`)", what, token->text, token->name);
@@ -359,9 +360,9 @@ bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, cons
   return nb_expected(reader, hint, "%s", what);
 }
 
-bool nb_not_known(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what) {
-  if (reader->bad || nb_excused(reader->mistakes, token->text))
-    return nb_silent(reader);
-  nb_excuse(reader->mistakes, token->text);
+bool nb_unknown_name(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what) {
+  if (reader->bad || nb_name_suppressed(reader->mistakes, token->text))
+    return nb_fail_silently(reader);
+  nb_suppress_name(reader->mistakes, token->text);
   return nb_expected_at(reader, token, hint, what);
 }

@@ -1,4 +1,4 @@
-/* Materials and pairs of them: `material`, `pair`; and what stages change of them.
+/* Materials and pairs of materials, in the scene and in stages: `material`, `pair`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -6,7 +6,7 @@
 
 #include "statement.h"
 
-/* ---- what they take ---- */
+/* ---- arguments ---- */
 
 enum {
   AT_NAME,
@@ -38,7 +38,7 @@ static const struct nb_argument material_fields[] = {
   CLAUSE("young", "E", NB_UNIT_PRESSURE, NB_POSITIVE, AT_YOUNG, 1, "none",
          "Young's modulus, for the laws of elastic spheres [R89 4.7]."),
   CLAUSE("poisson", "NU", NB_UNIT_NUMBER, NB_HALF, AT_POISSON, 1, "0", "Poisson's ratio, 0 to 0.5."),
-  FLAG("rigid", AT_RIGID, "elastic", "Of infinite Young's modulus: what touches it has all the deformation."),
+  FLAG("rigid", AT_RIGID, "elastic", "Infinite Young's modulus: only the other particle or wall is deformed."),
   END
 };
 static const struct nb_argument pair_fields[] = {TWO, NB_PAIR_ROWS(OF_PAIR) END};
@@ -103,7 +103,7 @@ NB_APPLY(apply_pair) {
 
 /* ---- in a stage ---- */
 
-/* Do two changes say one property? */
+/* Whether two changes set the same property. */
 static bool overlap(const struct nb_change *a, const struct nb_change *b) {
   bool both = false;
 #define ROW(name, ...) both = both || (!isnan(a->name) && !isnan(b->name));
@@ -112,7 +112,7 @@ static bool overlap(const struct nb_change *a, const struct nb_change *b) {
   return both;
 }
 
-/* The change of the same thing that this stage makes already; NULL: none. */
+/* An earlier change of the same property in this stage; NULL: none. */
 static const struct nb_change *changed_already(const struct nb_stage *stage, const struct nb_change *change) {
   for (size_t i = 0; i < stage->change_count; i++) {
     const struct nb_change *other = &stage->changes[i];
@@ -127,7 +127,7 @@ static const struct nb_change *changed_already(const struct nb_stage *stage, con
 /* `material` and, as variant 1, `pair`. */
 NB_APPLY(apply_change) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   const struct nb_value *value = record->value;
   struct nb_change change = {
       .a = nb_material_of(scene, reader, value[AT_NAME].token),
@@ -146,19 +146,17 @@ NB_APPLY(apply_change) {
 
 /* clang-format off */
 NB_STATEMENTS(material) = {
-  {"material", NB_IN_SCENE | NB_IN_PATH, material_fields, NULL, 0, false, apply_material,
-   "A material of particles and walls: the stiffness, friction and cohesion of a contact between two of the same "
-   "material.",
+  {"material", NB_IN_SCENE | NB_IN_CONTACT_TEST, material_fields, NULL, 0, false, apply_material,
+   "A material of particles and walls. Stiffness, friction and cohesion are those of a contact of two particles of this material.",
    "material  steel  density 7.8 g/cm3  kn 10 MN/m  ks 8 MN/m  friction $grip\nmaterial  glass  density 2.5 g/cm3  kn 5 MN/m   ks 4 MN/m  friction 0.2"},
-  {"pair", NB_IN_SCENE | NB_IN_PATH, pair_fields, NULL, 0, false, apply_pair,
-   "Contacts of two materials where the rule does not hold: harmonic mean of the stiffnesses, smaller friction and "
-   "cohesion.",
+  {"pair", NB_IN_SCENE | NB_IN_CONTACT_TEST, pair_fields, NULL, 0, false, apply_pair,
+   "Properties of contacts between two materials. Without it, the stiffness is the harmonic mean of the two, and friction and cohesion are the smaller ones.",
    "pair      steel glass  friction 0.1"},
   {"material", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, material_change_fields, NULL, 0, false, apply_change,
-   "Changes a material from this stage on; what is not given stays as it was.",
+   "Changes a material from this stage on; properties that are not given stay as they are.",
    "  material glass  friction 0.4"},
   {"pair", NB_IN_STAGE | NB_IN_RAMP | NB_IN_START, pair_change_fields, NULL, 1, false, apply_change,
-   "Changes the contacts of two materials from this stage on, whatever the rule; what is not given stays as it was.",
+   "Changes the contacts of two materials from this stage on; properties that are not given stay as they are.",
    "  pair    steel glass  cohesion 1 N"},
   {0},
 };

@@ -1,4 +1,4 @@
-/* A page of 0.3 in the words of today: every line of its blocks by the table of old words; prose, line ends and all else as they are.
+/* Rewrites a page of version 0.3: every line of its blocks, by the table of old words. Prose and line ends stay.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -6,10 +6,10 @@
 #include "old_words.h"
 #include "reader.h"
 
-/* What the block holds that a fence begins; -1: prose. */
+/* The kind of block that a fence begins; -1: prose. */
 static int block_of(const char *info) {
   static const enum nb_old_block blocks[] = {[NB_BLOCK_SCENE] = NB_OLD_STATEMENTS,
-                                             [NB_BLOCK_PATH] = NB_OLD_STATEMENTS,
+                                             [NB_BLOCK_CONTACT_TEST] = NB_OLD_STATEMENTS,
                                              [NB_BLOCK_EXPECT] = NB_OLD_EXPECTATIONS,
                                              [NB_BLOCK_GNUPLOT] = NB_OLD_GNUPLOT};
   const int kind = nb_page_kind(info, strcspn(info, " \t\r"));

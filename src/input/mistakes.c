@@ -1,4 +1,4 @@
-/* What is wrong with a page, every mistake of it at once and in line order:
+/* Messages about mistakes in a page, all together and in line order:
  *
  *   PATH:12:29: error: expected a length and its unit (m, mm, um, nm, cm, km), found `50`
  *      12 | lattice discs 3 by 3 radius 50 rock
@@ -15,8 +15,8 @@
 
 enum { MISTAKES_MAX = 1000 };
 
-/* Where in the text a message begins, and what it is of. */
-struct place {
+/* Where a message begins in the text, and its line and column in the page. */
+struct position {
   size_t start;
   size_t line;
   int column;
@@ -26,14 +26,14 @@ struct name {
 };
 
 struct nb_mistakes_inside {
-  struct place *places; /* of each message */
-  struct name *excused; /* names that nothing is said of any more */
-  size_t excused_count;
+  struct position *positions; /* of each message */
+  struct name *suppressed;    /* names about which messages are suppressed */
+  size_t suppressed_count;
 };
 
 void nb_mistakes_free(struct nb_mistakes *mistakes) {
   if (mistakes->inside)
-    free(mistakes->inside->places), free(mistakes->inside->excused);
+    free(mistakes->inside->positions), free(mistakes->inside->suppressed);
   free(mistakes->inside);
   free(mistakes->text);
   memset(mistakes, 0, sizeof *mistakes);
@@ -47,20 +47,20 @@ static struct nb_mistakes_inside *inside(struct nb_mistakes *mistakes) {
   return mistakes->inside;
 }
 
-/* The bytes of the first n characters. */
+/* Number of bytes of the first n characters. */
 static int bytes_of(const char *c, int n) {
   int bytes = 0;
   while (n > 0 && c[bytes]) {
     bytes++;
     while ((c[bytes] & 0xC0) == 0x80)
-      bytes++; /* the rest of a character of several bytes */
+      bytes++; /* of the same character */
     n--;
   }
   return bytes;
 }
 
-/* The line, and a caret under the characters from column on. A tab is copied so that the two stay aligned; of a long
- * line the part around the caret is shown. */
+/* Adds the line, and a caret below `column`. Tabs are copied so that the two stay aligned. Of a long line only the part around the
+ * caret is shown. */
 static void add_line(struct nb_text *text, const char *line, size_t number, int column, int length) {
   enum { WIDEST = 110 };
   int first = column > WIDEST - 30 ? column - 60 : 1;
@@ -82,11 +82,11 @@ static void add_line(struct nb_text *text, const char *line, size_t number, int 
   nb_text_add(text, "\n");
 }
 
-/* Where a message belongs: after all of other pages and all of this one that stand before it on the page. */
-static size_t place_of(const struct nb_mistakes *mistakes, const char *path, size_t line, int column) {
+/* Where to insert a message: after those of other pages, and after those of this page for earlier lines and columns. */
+static size_t position_of(const struct nb_mistakes *mistakes, const char *path, size_t line, int column) {
   size_t at = mistakes->count, length = strlen(path);
   for (; at > 0; at--) {
-    const struct place *before = &mistakes->inside->places[at - 1];
+    const struct position *before = &mistakes->inside->positions[at - 1];
     if (strncmp(mistakes->text + before->start, path, length) != 0)
       break;
     if (before->line < line || (before->line == line && before->column <= column))
@@ -97,26 +97,26 @@ static size_t place_of(const struct nb_mistakes *mistakes, const char *path, siz
 
 static void insert(struct nb_mistakes *mistakes, const char *path, size_t line, int column,
                    const struct nb_text *message) {
-  struct nb_mistakes_inside *book = inside(mistakes);
-  size_t count = mistakes->count, at = book ? place_of(mistakes, path, line, column) : 0;
+  struct nb_mistakes_inside *internals = inside(mistakes);
+  size_t count = mistakes->count, at = internals ? position_of(mistakes, path, line, column) : 0;
   size_t end = mistakes->text ? strlen(mistakes->text) : 0;
-  struct place *places = book ? nb_array_reserve(book->places, count, 1, sizeof *places) : NULL;
-  char *text = places ? realloc(mistakes->text, end + message->length + 1) : NULL;
-  if (places)
-    book->places = places;
+  struct position *positions = internals ? nb_array_reserve(internals->positions, count, 1, sizeof *positions) : NULL;
+  char *text = positions ? realloc(mistakes->text, end + message->length + 1) : NULL;
+  if (positions)
+    internals->positions = positions;
   if (!text) {
     mistakes->no_memory = true;
     return;
   }
-  const size_t start = at < count ? places[at].start : end;
+  const size_t start = at < count ? positions[at].start : end;
   mistakes->text = text;
   memmove(text + start + message->length, text + start, end - start);
   memcpy(text + start, message->at, message->length);
   text[end + message->length] = '\0';
-  memmove(places + at + 1, places + at, (count - at) * sizeof *places);
-  places[at] = (struct place){start, line, column};
+  memmove(positions + at + 1, positions + at, (count - at) * sizeof *positions);
+  positions[at] = (struct position){start, line, column};
   for (size_t i = at + 1; i <= count; i++)
-    places[i].start += message->length;
+    positions[i].start += message->length;
   mistakes->count++;
 }
 
@@ -159,31 +159,31 @@ void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t
 
 /* ---- names ---- */
 
-void nb_excuse(struct nb_mistakes *mistakes, const char *name) {
-  struct nb_mistakes_inside *book = inside(mistakes);
-  if (!book || nb_excused(mistakes, name) || strlen(name) >= sizeof book->excused->name)
+void nb_suppress_name(struct nb_mistakes *mistakes, const char *name) {
+  struct nb_mistakes_inside *internals = inside(mistakes);
+  if (!internals || nb_name_suppressed(mistakes, name) || strlen(name) >= sizeof internals->suppressed->name)
     return;
-  struct name *excused = NB_ARRAY_APPEND(book->excused, book->excused_count);
-  if (excused)
-    strcpy(excused->name, name);
+  struct name *suppressed = NB_ARRAY_APPEND(internals->suppressed, internals->suppressed_count);
+  if (suppressed)
+    strcpy(suppressed->name, name);
   else
     nb_mistake_memory(mistakes);
 }
 
-bool nb_excused(const struct nb_mistakes *mistakes, const char *name) {
-  const struct nb_mistakes_inside *book = mistakes->inside;
+bool nb_name_suppressed(const struct nb_mistakes *mistakes, const char *name) {
+  const struct nb_mistakes_inside *internals = mistakes->inside;
   char stem[2 * NB_NAME_SIZE];
   const char *const names[] = {name, stem, NB_ANYTHING};
   snprintf(stem, sizeof stem, "%.*s", (int)strcspn(name, "."), name);
-  for (size_t k = 0; book && k < sizeof names / sizeof *names; k++)
-    if (NB_FIND(book->excused, book->excused_count, names[k]) >= 0)
+  for (size_t k = 0; internals && k < sizeof names / sizeof *names; k++)
+    if (NB_FIND(internals->suppressed, internals->suppressed_count, names[k]) >= 0)
       return true;
   return false;
 }
 
-void nb_excuse_none(struct nb_mistakes *mistakes) {
+void nb_suppress_no_name(struct nb_mistakes *mistakes) {
   if (mistakes->inside)
-    mistakes->inside->excused_count = 0;
+    mistakes->inside->suppressed_count = 0;
 }
 
 int nb_find(const void *things, size_t count, size_t size, const char *name) {

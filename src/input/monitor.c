@@ -1,4 +1,4 @@
-/* What is looked at under a name of its own: `monitor`.
+/* Monitors: `monitor`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -8,7 +8,7 @@
 enum { AT_NAME };
 static const struct nb_argument monitor_fields[] = {NAME(AT_NAME, "a name for what is monitored"), END};
 
-/* `disc N`: index of the body; -1 with a message. */
+/* `disc N`: index of the particle; -1 with a message. */
 static int take_numbered(const struct nb_scene_reading *reading, struct nb_reader *reader, const char *what) {
   const struct nb_scene *scene = reading->scene;
   const struct nb_token *word = nb_token_peek(reader);
@@ -29,7 +29,7 @@ static int take_numbered(const struct nb_scene_reading *reading, struct nb_reade
 }
 
 static int take_wall(const struct nb_scene *scene, struct nb_reader *reader) {
-  return nb_wall_of(scene, reader, nb_take(reader, "the name of a wall"));
+  return nb_wall_of(scene, reader, nb_take_token(reader, "the name of a wall"));
 }
 
 bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name,
@@ -64,10 +64,10 @@ NB_APPLY(apply_monitor) {
                          "expected two different particles, found the same one twice");
     }
   }
-  if (nb_token_peek(reader)) /* which the engine says */
+  if (nb_token_peek(reader)) /* nb_statement_read reports it */
     return;
   if (one.a < 0)
-    nb_silent(reader);
+    nb_fail_silently(reader);
   if (!reader->bad)
     nb_monitor_add(scene, reader, record->value[AT_NAME].token, one);
 }

@@ -1,7 +1,7 @@
-/* Dotted names: everything that can be recorded, waited for or expected, one row each.
+/* Quantities by their names, one row each, for `record`, `until` and expectations.
  *
- * `WATCH.PART` for what a page watches, a plain name for the whole scene. Velocities and the like belong to the same time
- * as positions and forces (the mean of the two half steps, [CS79 31]); those of the half step behind end in `.half`.
+ * `MONITOR.PART` is a quantity of a monitored object, a plain name one of the whole scene. Velocities are those at the time of positions
+ * and forces, the mean of two half steps [CS79 31]; those of the last half step end in `.half`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdio.h>
@@ -12,9 +12,9 @@
 #include "loading/loading.h"
 #include "measure/energy.h"
 
-/* ---- rows elsewhere ---- */
+/* ---- rows in other files ---- */
 
-/* The last row of each has no name. */
+/* the last row of each has no name */
 extern const struct nb_quantity_kind nb_step_kinds[];    /* step.c */
 extern const struct nb_quantity_kind nb_loading_kinds[]; /* loading_quantities.c */
 extern const struct nb_quantity_kind nb_impact_kinds[];  /* impact.c */
@@ -31,33 +31,33 @@ extern const struct nb_quantity_kind nb_region_kinds[];  /* region_quantities.c 
 OF_SCENE(cycle, (double)model->cycle)
 OF_SCENE(time_, model->time)
 
-static double touching(const struct nb_model *model, const struct nb_monitor *monitor) {
+static double touching_count(const struct nb_model *model, const struct nb_monitor *monitor) {
   (void)monitor;
   double count = 0;
   for (size_t c = 0; c < model->contacts.count; c++)
     count += model->contacts.kept[NB_OVERLAP][c] > 0;
   return count;
 }
-OF_SCENE(unbalance, nb_unbalanced_max(model))
-OF_SCENE(deep, (double)nb_deep_count(model))
-OF_SCENE(kinetic, nb_energy_kinetic(model))
-OF_SCENE(stored, nb_energy_stored(model))
-OF_SCENE(frictional, nb_balance_term(model, NB_TERM_FRICTIONAL))
-OF_SCENE(slid, nb_balance_term(model, NB_TERM_SLIDING))
-OF_SCENE(sheared, nb_balance_term(model, NB_TERM_SHEAR))
-OF_SCENE(damped, nb_balance_term(model, NB_TERM_DAMPED))
-OF_SCENE(by_walls, nb_balance_term(model, NB_TERM_WALLS))
-OF_SCENE(by_gravity, nb_balance_term(model, NB_TERM_GRAVITY))
-OF_SCENE(changed, nb_balance_term(model, NB_TERM_CHANGED))
-OF_SCENE(driven, nb_balance_term(model, NB_TERM_IMPOSED))
-OF_SCENE(removed, nb_balance_term(model, NB_TERM_REMOVED))
+OF_SCENE(unbalanced_max, nb_unbalanced_max(model))
+OF_SCENE(deep_count, (double)nb_deep_count(model))
+OF_SCENE(kinetic_energy, nb_energy_kinetic(model))
+OF_SCENE(stored_energy, nb_energy_stored(model))
+OF_SCENE(frictional_dissipation, nb_balance_term(model, NB_TERM_FRICTIONAL))
+OF_SCENE(sliding_dissipation, nb_balance_term(model, NB_TERM_SLIDING))
+OF_SCENE(shear_work, nb_balance_term(model, NB_TERM_SHEAR))
+OF_SCENE(damping_dissipation, nb_balance_term(model, NB_TERM_DAMPED))
+OF_SCENE(wall_work, nb_balance_term(model, NB_TERM_WALLS))
+OF_SCENE(gravity_work, nb_balance_term(model, NB_TERM_GRAVITY))
+OF_SCENE(stage_work, nb_balance_term(model, NB_TERM_CHANGED))
+OF_SCENE(imposed_work, nb_balance_term(model, NB_TERM_IMPOSED))
+OF_SCENE(removed_energy, nb_balance_term(model, NB_TERM_REMOVED))
 OF_SCENE(energy_residual, nb_balance_energy_residual(model))
 OF_SCENE(work_residual, nb_balance_work_residual(model))
 OF_SCENE(momentum_x, nb_momentum(model).x)
 OF_SCENE(momentum_y, nb_momentum(model).y)
 OF_SCENE(momentum_angular, nb_momentum_angular(model))
 
-/* ---- a body ---- */
+/* ---- a particle ---- */
 
 static size_t slot(const struct nb_model *model, const struct nb_monitor *monitor) {
   return (size_t)model->particles.slot[monitor->a];
@@ -111,7 +111,7 @@ static double wall_spin(const struct nb_model *model, const struct nb_monitor *m
   return model->walls.spin[monitor->a];
 }
 
-/* ---- a pair: 0 while it is not near ---- */
+/* ---- a contact: 0 while it is not in the neighbour list ---- */
 
 static double field(const struct nb_model *model, const struct nb_monitor *monitor, enum nb_field which) {
   const bool wall = monitor->kind == NB_MONITOR_PARTICLE_WALL;
@@ -140,37 +140,37 @@ enum {
 static const struct nb_quantity_kind kinds[] = {
     {"cycle", 0, "1", 0, cycle, "calculation cycles since the start"},
     {"time", 0, "s", 0, time_, "time since the start"},
-    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching, "number of contacts that touch"},
-    {"contacts.deep", 0, "1", 0, deep,
-     "how often a contact of elastic spheres has overlapped by more than 7 % of the smaller diameter, cycle by cycle "
+    {"contacts", 0, "1", NB_BIT(NB_OVERLAP), touching_count, "number of contacts with an overlap"},
+    {"contacts.deep", 0, "1", 0, deep_count,
+     "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles "
      "[R89 6.4.3]"},
-    {"unbalanced.max", 0, "1", 0, unbalance,
+    {"unbalanced.max", 0, "1", 0, unbalanced_max,
      "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; 0 without contacts"},
-    {"energy.kinetic", 0, "J", 0, kinetic, "of all free particles, rotation included"},
-    {"energy.stored", 0, "J", NB_OF_STORED | NB_REQUEST_STORED, stored,
+    {"energy.kinetic", 0, "J", 0, kinetic_energy, "of all free particles, rotation included"},
+    {"energy.stored", 0, "J", NB_OF_STORED | NB_REQUEST_STORED, stored_energy,
      "in all springs, from the laws' state functions"},
-    {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, frictional,
+    {"energy.frictional", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, frictional_dissipation,
      "dissipated by friction since the start: shear force times sliding displacement; micro-slip included"},
-    {"energy.sliding", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, slid,
-     "the part of it dissipated while a contact slides as a whole; the rest is micro-slip"},
-    {"energy.shear", 0, "J", NB_OF_BALANCE, sheared,
+    {"energy.sliding", 0, "J", NB_OF_BALANCE | NB_REQUEST_STORED, sliding_dissipation,
+     "the part of energy.frictional dissipated while contacts slide; the rest is micro-slip"},
+    {"energy.shear", 0, "J", NB_OF_BALANCE, shear_work,
      "work done against shear forces since the start; for laws without stored energy"},
-    {"energy.damped", 0, "J", NB_OF_BALANCE, damped,
+    {"energy.damped", 0, "J", NB_OF_BALANCE, damping_dissipation,
      "dissipated by dashpots and mass-proportional damping since the start"},
-    {"energy.walls", 0, "J", NB_OF_BALANCE, by_walls,
+    {"energy.walls", 0, "J", NB_OF_BALANCE, wall_work,
      "supplied since the start by walls and by fixed particles that move, their force times their velocity"},
-    {"energy.gravity", 0, "J", NB_OF_BALANCE, by_gravity, "supplied by gravity since the start"},
-    {"energy.changed", 0, "J", NB_OF_BALANCE, changed,
-     "put in by stages: velocities zeroed or reversed, loaded springs made stiffer or softer"},
-    {"energy.imposed", 0, "J", NB_OF_BALANCE, driven,
+    {"energy.gravity", 0, "J", NB_OF_BALANCE, gravity_work, "supplied by gravity since the start"},
+    {"energy.changed", 0, "J", NB_OF_BALANCE, stage_work,
+     "supplied by changes of stages: velocities zeroed or reversed, loaded springs made stiffer or softer"},
+    {"energy.imposed", 0, "J", NB_OF_BALANCE, imposed_work,
      "work of the imposed motion (cell, boundary, affine strain) and of a stress on a boundary"},
-    {"energy.removed", 0, "J", NB_OF_BALANCE, removed,
+    {"energy.removed", 0, "J", NB_OF_BALANCE, removed_energy,
      "kinetic energy of particles that stages have removed or a boundary holds, and elastic energy of their contacts"},
     {"energy.residual", 0, "J", NB_OF_BALANCE, energy_residual,
-     "kinetic, stored, frictional, damped and removed energy less what there was at first and was supplied: "
-     "the error of the step"},
+     "kinetic, stored, frictional, damped and removed energy, less the initial and the supplied energy: "
+     "the error of time integration"},
     {"work.residual", 0, "J", NB_REQUEST_WORK, work_residual,
-     "kinetic energy at the half step less what there was at first and the work of all forces: rounding"},
+     "kinetic energy at the half step, less its initial value and the work of all forces: rounding"},
     {"momentum.x", 0, "kg.m/s", 0, momentum_x, "of all free particles"},
     {"momentum.y", 0, "kg.m/s", 0, momentum_y, "of all free particles"},
     {"momentum.angular", 0, "kg.m2/s", 0, momentum_angular,
@@ -178,9 +178,9 @@ static const struct nb_quantity_kind kinds[] = {
     {"x", PARTICLE, "m", 0, particle_x, "position of the centre"},
     {"y", PARTICLE, "m", 0, particle_y, "position of the centre"},
     {"angle", PARTICLE, "rad", 0, particle_angle, "rotation since the start, counterclockwise"},
-    {"vx", PARTICLE, "m/s", 0, particle_vx, "velocity now, mean of the two half steps [CS79 31]"},
-    {"vy", PARTICLE, "m/s", 0, particle_vy, "velocity now"},
-    {"spin", PARTICLE, "rad/s", 0, particle_spin, "angular velocity now, counterclockwise"},
+    {"vx", PARTICLE, "m/s", 0, particle_vx, "velocity, mean of the two half steps [CS79 31]"},
+    {"vy", PARTICLE, "m/s", 0, particle_vy, "velocity, mean of the two half steps"},
+    {"spin", PARTICLE, "rad/s", 0, particle_spin, "angular velocity, counterclockwise, mean of the two half steps"},
     {"vx.half", PARTICLE, "m/s", 0, particle_vx_half, "velocity over the last step [CS79 22]"},
     {"vy.half", PARTICLE, "m/s", 0, particle_vy_half, "velocity over the last step"},
     {"spin.half", PARTICLE, "rad/s", 0, particle_spin_half, "angular velocity over the last step [CS79 23]"},
@@ -202,8 +202,8 @@ static const struct nb_quantity_kind kinds[] = {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* The rows one after the other, those of other files behind these; NULL past the last one. */
-static const struct nb_quantity_kind *row(size_t k) {
+/* Row k, first of this file, then of the others; NULL after the last one. */
+static const struct nb_quantity_kind *kind_at(size_t k) {
   static const struct nb_quantity_kind *const others[] = {nb_step_kinds,   nb_loading_kinds, nb_fill_kinds,
                                                           nb_impact_kinds, nb_region_kinds,  nb_contact_test_kinds};
   if (k < KINDS)
@@ -216,8 +216,8 @@ static const struct nb_quantity_kind *row(size_t k) {
   return NULL;
 }
 
-/* Whether such a quantity is one of watch w, -1: of the whole scene. */
-static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
+/* Whether it is a quantity of monitor w; -1: of the whole scene. */
+static bool applies(const struct nb_quantity_kind *kind, const struct nb_scene *scene, int w) {
   if (scene->contact_test)
     return kind->monitors == NB_OF_CONTACT_TEST;
   if (w >= 0)
@@ -227,8 +227,8 @@ static bool belongs(const struct nb_quantity_kind *kind, const struct nb_scene *
          (kind->monitors == NB_OF_BOX && nb_box_first_wall(scene) >= 0);
 }
 
-/* The s-th quantity of a row, `suffix` NULL where it is one alone; false past the last one. */
-static bool nth(const struct nb_quantity_kind *kind, size_t s, const struct nb_suffix **suffix) {
+/* The suffix of the s-th quantity of a row, NULL if the row is a scalar; false after the last one. */
+static bool nth_suffix(const struct nb_quantity_kind *kind, size_t s, const struct nb_suffix **suffix) {
   *suffix = kind->family == NB_SCALAR ? NULL : nb_suffix(kind->family, s);
   return *suffix || (kind->family == NB_SCALAR && s == 0);
 }
@@ -238,35 +238,35 @@ static void name_of(char *text, size_t size, const struct nb_quantity_kind *kind
   snprintf(text, size, "%s%s%s", kind->name, suffix ? "." : "", suffix ? suffix->name : "");
 }
 
-/* Whether a name is one of that row: with which suffix. */
-static bool has(const struct nb_quantity_kind *kind, const char *name, const struct nb_suffix **suffix) {
+/* Whether a name is one of that row, and its suffix. */
+static bool matches(const struct nb_quantity_kind *kind, const char *name, const struct nb_suffix **suffix) {
   const size_t length = strlen(kind->name);
   if (strncmp(kind->name, name, length) != 0)
     return false;
-  for (size_t s = 0; nth(kind, s, suffix); s++)
+  for (size_t s = 0; nth_suffix(kind, s, suffix); s++)
     if (*suffix ? name[length] == '.' && strcmp((*suffix)->name, name + length + 1) == 0 : name[length] == '\0')
       return true;
   return false;
 }
 
-/* Finds a quantity of watch w, -1: of the whole scene, by the name behind the dot. */
-static bool find(struct nb_quantity *quantity, const struct nb_scene *scene, int w, const char *name) {
+/* Finds a quantity of monitor w by the name after the dot; -1: of the whole scene. */
+static bool find_quantity(struct nb_quantity *quantity, const struct nb_scene *scene, int w, const char *name) {
   const struct nb_suffix *suffix;
-  for (size_t k = 0; row(k); k++)
-    if (belongs(row(k), scene, w) && has(row(k), name, &suffix)) {
-      *quantity = (struct nb_quantity){row(k), w, suffix};
+  for (size_t k = 0; kind_at(k); k++)
+    if (applies(kind_at(k), scene, w) && matches(kind_at(k), name, &suffix)) {
+      *quantity = (struct nb_quantity){kind_at(k), w, suffix};
       return true;
     }
   return false;
 }
 
-/* Offers all names that the scene has for what is watched, -1: for the whole scene. */
-static void offer(struct nb_guess *guess, const struct nb_scene *scene, int w) {
+/* Offers the names of all quantities of monitor w; -1: of the whole scene. */
+static void offer_names(struct nb_guess *guess, const struct nb_scene *scene, int w) {
   char name[NB_NAME_SIZE], whole[3 * NB_NAME_SIZE];
   const struct nb_suffix *suffix;
-  for (size_t k = 0; row(k); k++)
-    for (size_t s = 0; belongs(row(k), scene, w) && nth(row(k), s, &suffix); s++) {
-      name_of(name, sizeof name, row(k), suffix);
+  for (size_t k = 0; kind_at(k); k++)
+    for (size_t s = 0; applies(kind_at(k), scene, w) && nth_suffix(kind_at(k), s, &suffix); s++) {
+      name_of(name, sizeof name, kind_at(k), suffix);
       snprintf(whole, sizeof whole, "%s%s%s", w < 0 ? "" : scene->monitors[w].name, w < 0 ? "" : ".", name);
       nb_guess_offer(guess, whole);
     }
@@ -274,12 +274,12 @@ static void offer(struct nb_guess *guess, const struct nb_scene *scene, int w) {
 
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text) {
   *quantity = (struct nb_quantity){.monitor = -1};
-  if (find(quantity, scene, -1, text))
+  if (find_quantity(quantity, scene, -1, text))
     return true;
-  const size_t length = strcspn(text, "."); /* a watch's name has no dot */
+  const size_t length = strcspn(text, "."); /* the name of a monitor has no dot */
   for (int w = 0; w < (int)scene->monitor_count && text[length]; w++)
     if (strncmp(scene->monitors[w].name, text, length) == 0 && !scene->monitors[w].name[length] &&
-        find(quantity, scene, w, text + length + 1))
+        find_quantity(quantity, scene, w, text + length + 1))
       return true;
   return false;
 }
@@ -314,33 +314,33 @@ static const char *owner_of(unsigned monitors) {
 
 bool nb_quantity_row(struct nb_quantity_row *it, size_t k) {
   const struct nb_suffix *suffix;
-  for (size_t r = 0; row(r); r++)
-    for (size_t s = 0; nth(row(r), s, &suffix); s++)
+  for (size_t r = 0; kind_at(r); r++)
+    for (size_t s = 0; nth_suffix(kind_at(r), s, &suffix); s++)
       if (k-- == 0) {
-        name_of(it->name, sizeof it->name, row(r), suffix);
-        snprintf(it->help, sizeof it->help, "%s%s%s", row(r)->help, suffix ? ", " : "", suffix ? suffix->help : "");
-        it->unit = unit_of(row(r), suffix), it->of = owner_of(row(r)->monitors);
+        name_of(it->name, sizeof it->name, kind_at(r), suffix);
+        snprintf(it->help, sizeof it->help, "%s%s%s", kind_at(r)->help, suffix ? ", " : "", suffix ? suffix->help : "");
+        it->unit = unit_of(kind_at(r), suffix), it->of = owner_of(kind_at(r)->monitors);
         return true;
       }
   return false;
 }
 
-/* "`c` is a contact; its quantities are overlap, normal, …", as far as there is room. */
+/* "`c` is a contact; its quantities are overlap, normal, …", as many as fit. */
 static const char *list_quantities(char *hint, const struct nb_scene *scene, int w) {
   size_t used = 0, k = 0;
-  for (; row(k) && used < NB_HINT_SIZE - 2 * NB_NAME_SIZE; k++) {
-    if (!belongs(row(k), scene, w))
+  for (; kind_at(k) && used < NB_HINT_SIZE - 2 * NB_NAME_SIZE; k++) {
+    if (!applies(kind_at(k), scene, w))
       continue;
-    const char *const name = scene->monitors[w].name, *const of = owner_of(row(k)->monitors);
+    const char *const name = scene->monitors[w].name, *const of = owner_of(kind_at(k)->monitors);
     if (!used)
       used = (size_t)snprintf(hint, NB_HINT_SIZE, "`%s` is %s; its quantities are ", name, of);
-    used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s, ", row(k)->name);
+    used += (size_t)snprintf(hint + used, NB_HINT_SIZE - used, "%s, ", kind_at(k)->name);
   }
-  snprintf(hint + used - 2, NB_HINT_SIZE - used, "%s: see `nineball --help quantities`", row(k) ? ", …" : "");
+  snprintf(hint + used - 2, NB_HINT_SIZE - used, "%s: see `nineball --help quantities`", kind_at(k) ? ", …" : "");
   return hint;
 }
 
-/* The monitor that is called so; -1: none. */
+/* The monitor of this name; -1: none. */
 static int monitor_named(const struct nb_scene *scene, const char *name, size_t length) {
   int w = (int)scene->monitor_count - 1;
   while (w >= 0 && (strncmp(scene->monitors[w].name, name, length) != 0 || scene->monitors[w].name[length]))
@@ -350,9 +350,9 @@ static int monitor_named(const struct nb_scene *scene, const char *name, size_t 
 
 static bool begins_name(const char *text, size_t length) {
   size_t k = 0;
-  while (row(k) && (strncmp(row(k)->name, text, length) != 0 || row(k)->name[length] != '.'))
+  while (kind_at(k) && (strncmp(kind_at(k)->name, text, length) != 0 || kind_at(k)->name[length] != '.'))
     k++;
-  return row(k);
+  return kind_at(k);
 }
 
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text) {
@@ -361,7 +361,7 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
   const bool begins = begins_name(text, length);
   struct nb_guess guess = nb_guess_begin(text);
   for (int w = -1; w < (int)scene->monitor_count; w++)
-    offer(&guess, scene, w);
+    offer_names(&guess, scene, w);
   if ((text[length] || !begins) && (nb_guess_hint(&guess, hint) || (owner < 0 && nb_synonym_hint(hint, text))))
     return hint;
   if (owner >= 0)

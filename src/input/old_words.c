@@ -1,5 +1,5 @@
-/* Words of the page language of 0.3, what they are today, and how a line is written anew: for `nineball migrate`, for hints, and for
- * `--help OLDWORD`. Old words are listed nowhere else.
+/* Words of the page language of version 0.3 and their replacements, for `nineball migrate`, for hints, and for `--help OLDWORD`. Old
+ * words are listed nowhere else.
  *
  * To rename something, add a row. A row of statements or expectations is matched from the first word of the line:
  *
@@ -7,10 +7,9 @@
  *   CAPITALS        any one word but `=`, NUMBER a number; the same CAPITALS in the new form is that word
  *   …               words, none or more; likewise
  *
- * so {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, {NB_OLD_STATEMENT, "fill … tries",
- * "fill … attempts"} a clause wherever it stands, and what is behind the matched words stays. Rows are tried from above, each until it
- * no longer matches or its new form does, so a row sees what those above it have written. What is in the words of today must match no
- * row: a test goes through all of them.
+ * So {NB_OLD_STATEMENT, "step F of safe", "step F of stable"} renames one word of one statement, {NB_OLD_STATEMENT, "fill … tries",
+ * "fill … attempts"} a clause in any place; words after the matched ones stay. Rows are applied from the top, each until it no longer
+ * matches or its new form does. New forms must match no row, which a test checks.
  *
  * A row of quantities is one part or several of a name between dots: {NB_OLD_QUANTITY, "deviation", "std"} makes `A.stress.std` of
  * `A.stress.deviation`. With a dot before it (".unbalance") the name must have an owner. `"A.stress.deviation/Pa"` and
@@ -100,24 +99,24 @@ const struct nb_old_word *nb_old_words(void) {
   return words;
 }
 
-/* ---- a line in words ---- */
+/* ---- words of a line ---- */
 
 enum { WORDS_MAX = 2 * NB_TOKENS_MAX, ROUNDS_MAX = NB_TOKENS_MAX };
 
 struct word {
   const char *at;
   size_t length;
-  const char *blanks; /* before it on the line; NULL: it is a new one */
-  size_t gap, column; /* how many, and where it was on the line */
+  const char *spaces; /* before it on the line; NULL: it is a new one */
+  size_t gap, column; /* number of these spaces; its column in the line */
 };
 struct line {
   struct word words[WORDS_MAX];
   size_t count;
-  struct word rest; /* what is no word: a comment, or the source of an expectation */
+  struct word rest; /* a comment, or the source of an expectation */
 };
 
 /* False: too many words. */
-static bool cut(struct line *line, const char *text, enum nb_old_block block) {
+static bool split(struct line *line, const char *text, enum nb_old_block block) {
   *line = (struct line){.count = 0};
   for (size_t at = 0;;) {
     const size_t gap = strspn(text + at, " \t"), length = strcspn(text + at + gap, " \t\r#");
@@ -147,7 +146,7 @@ static bool may_be_any(const struct word *word, const char *pattern) {
   return number ? nb_number_length(word->at + strspn(word->at, "+-")) > 0 : word->length != 1 || *word->at != '=';
 }
 
-/* Where each word of the pattern is, from the first-th word of the line on; false: it does not match. */
+/* Matches a pattern with the line from word `first` on; at[k] is the index of the pattern's k-th word in the line. */
 static bool match(const char *pattern, const struct line *line, size_t first, size_t *at) {
   const size_t length = pattern_word(&pattern);
   *at = first;
@@ -165,7 +164,7 @@ static bool match(const char *pattern, const struct line *line, size_t first, si
   return same && match(behind, line, first + 1, at + 1);
 }
 
-/* Which word of the pattern is that one; or how many it has. */
+/* Index of a word in the pattern; the pattern's number of words if it is not there. */
 static size_t index_of(const char *pattern, const char *word, size_t length) {
   size_t k = 0;
   for (size_t n; (n = pattern_word(&pattern)); pattern += n, k++)
@@ -174,7 +173,7 @@ static size_t index_of(const char *pattern, const char *word, size_t length) {
   return k;
 }
 
-/* The line by that row, where its words are. A new word has the place of the old one of the same number. */
+/* Rewrites the line by a row that matches at `at`. A new word takes the position of the old word with the same index. */
 static bool rewrite(struct line *line, const struct nb_old_word *row, const size_t *at) {
   struct line made = {.rest = line->rest};
   const size_t matched = index_of(row->old, "", 1);
@@ -200,7 +199,7 @@ static bool rewrite(struct line *line, const struct nb_old_word *row, const size
 
 /* ---- names of quantities ---- */
 
-/* Whether the row's name is at that place of a name, between its parts; in a variable of gnuplot `_` stands for the dot. */
+/* Whether the row matches whole parts of a name from byte `at` on; in a variable of gnuplot `_` replaces the dot. */
 static bool is_part(const struct nb_old_word *row, const char *name, size_t at, size_t length, char dot) {
   if (row->kind != NB_OLD_QUANTITY && !(row->kind == NB_OLD_PLAIN && at == 0))
     return false;
@@ -214,7 +213,7 @@ static bool is_part(const struct nb_old_word *row, const char *name, size_t at, 
   return true;
 }
 
-/* Adds a name, with the words of today for those of quantities; answers a row that has changed it. */
+/* Adds a rewritten name; returns a row that has changed it, or NULL. */
 static const struct nb_old_word *add_name(struct nb_text *text, const char *name, size_t length, char dot) {
   const struct nb_old_word *found = NULL;
   for (size_t at = 0; at < length;) {
@@ -246,13 +245,13 @@ static bool may_be_quantity(const struct line *line, size_t w, enum nb_old_block
 
 /* ---- figures ---- */
 
-/* Whether a name between quotes is that of a column: `C.normal/N`, `C.normal max in load/N`. */
+/* Whether a quoted name is that of a column, with a unit: `C.normal/N`, `C.normal max in load/N`. */
 static bool has_unit(const char *behind) {
   const size_t n = strcspn(behind, "'\"/");
   return behind[n] == '/' && (n == 0 || (*behind == ' ' && behind[n - 1] != ' '));
 }
 
-/* The row of the word before a column of a figure, `known C.normal/N`, or before a variable, known_C_normal; NULL: it is none. */
+/* The row of the word before a column of a figure, `known C.normal/N`, or before a variable, known_C_normal; NULL: none. */
 static const struct nb_old_word *figure_row(const char *run, size_t length, bool quoted) {
   const struct nb_old_word *row = nb_old_words();
   for (; row->old; row++) {
@@ -265,7 +264,7 @@ static const struct nb_old_word *figure_row(const char *run, size_t length, bool
   return NULL;
 }
 
-/* The row of a snapshot's column, or of a recipe's variable; NULL: it is none. */
+/* The row of a snapshot's column or of a recipe's variable; NULL: none. */
 static const struct nb_old_word *column_row(const char *run, size_t length) {
   const struct nb_old_word *row = nb_old_words();
   while (row->old && !(row->kind == NB_OLD_COLUMN && strlen(row->old) == length && strncmp(run, row->old, length) == 0))
@@ -273,7 +272,7 @@ static const struct nb_old_word *column_row(const char *run, size_t length) {
   return row->old ? row : NULL;
 }
 
-/* A run of letters: between quotes `C.normal` before a unit, elsewhere known_C_normal, or anything else, which stays. */
+/* Adds a run of letters, rewritten if it is a quoted column with a unit, or a variable such as known_C_normal. */
 static void add_run(struct nb_text *text, const char *run, size_t length, bool quoted) {
   const struct nb_old_word *column = quoted && run[length] != '/' ? NULL : column_row(run, length);
   if (column) {
@@ -310,7 +309,7 @@ static void add_figure(struct nb_text *text, const char *line) {
 /* ---- the whole line ---- */
 
 /* The first row that has changed the line; NULL: none. */
-static const struct nb_old_word *change(struct line *line, enum nb_old_kind kind) {
+static const struct nb_old_word *rewrite_line(struct line *line, enum nb_old_kind kind) {
   const struct nb_old_word *first = NULL;
   size_t at[WORDS_MAX], rounds = 0;
   for (const struct nb_old_word *row = nb_old_words(); row->old; row++)
@@ -320,12 +319,12 @@ static const struct nb_old_word *change(struct line *line, enum nb_old_kind kind
   return first;
 }
 
-/* The blanks before a word. Several keep its column, where there is room: two or more behind the first word, three elsewhere. */
+/* Adds the spaces before a word. More than `few` of them are adjusted to keep its column, if possible. */
 static void add_blanks(struct nb_text *text, size_t start, const struct word *word, size_t few) {
   const size_t now = text->length - start;
   size_t gap = word->gap;
-  if (word->blanks && memchr(word->blanks, '\t', gap)) {
-    nb_text_add(text, "%.*s", (int)gap, word->blanks);
+  if (word->spaces && memchr(word->spaces, '\t', gap)) {
+    nb_text_add(text, "%.*s", (int)gap, word->spaces);
     return;
   }
   if (gap > few)
@@ -333,12 +332,12 @@ static void add_blanks(struct nb_text *text, size_t start, const struct word *wo
   nb_text_add(text, "%*s", (int)gap, "");
 }
 
-/* The line of words, in today's; answers the first row that has changed it. */
+/* Adds a rewritten line of a block; returns the first row that has changed it, or NULL. */
 static const struct nb_old_word *add_words(struct nb_text *text, const char *text_line, enum nb_old_block block) {
   struct line line;
-  const bool whole = cut(&line, text_line, block);
+  const bool whole = split(&line, text_line, block);
   const struct nb_old_word *row =
-      whole ? change(&line, block == NB_OLD_EXPECTATIONS ? NB_OLD_EXPECT : NB_OLD_STATEMENT) : NULL;
+      whole ? rewrite_line(&line, block == NB_OLD_EXPECTATIONS ? NB_OLD_EXPECT : NB_OLD_STATEMENT) : NULL;
   struct nb_text names = {0};
   for (size_t w = 0; whole && w < line.count; w++) {
     const struct nb_old_word *by =
@@ -364,7 +363,7 @@ static const struct nb_old_word *add_words(struct nb_text *text, const char *tex
   return row;
 }
 
-/* The row of an opening fence, with where its word is; NULL: it is in today's words. */
+/* The row of an opening fence, and the position of its word; NULL: it has no old word. */
 static const struct nb_old_word *fence_row(const char *line, size_t *at) {
   *at = strspn(line, " `~");
   const struct nb_old_word *row = nb_old_words();
@@ -433,7 +432,7 @@ bool nb_old_help(FILE *out, const char *word) {
     if (index_of(old, word, strlen(word)) == all && !(dot && strcmp(old, dot + 1) == 0))
       continue;
     if (index_of(row->now, word, strlen(word)) < index_of(row->now, "", 1) && row->kind <= NB_OLD_EXPECT)
-      continue; /* it is a word of today as well */
+      continue; /* the word is still in use */
     fprintf(out, "  " NOW "\n", row->old, row->now);
     found = true;
   }

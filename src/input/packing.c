@@ -1,7 +1,7 @@
-/* A packing from a file, `packing`: bodies where somebody else has put them.
+/* `packing`: particles from a file.
  *
- * The file is a saved state (docs/STATE.md), of which only the bodies are taken, or a list of columns `x/m`, `y/m` and `radius/m`.
- * Either way a number comes to the page as the file has it, to the last bit.
+ * The file is a saved state (docs/STATE.md), of which only the particles are used, or a list of columns `x/m`, `y/m` and `radius/m`.
+ * Numbers are taken to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -12,10 +12,10 @@
 #include "state_file.h"
 #include "statement.h"
 
-enum { AT_FILE, AT_OF }; /* the material of discs, and behind it that of spheres */
+enum { AT_FILE, AT_OF }; /* AT_OF: material of discs; the next slot: of spheres */
 #define ALL_OF(shapes, shape)                                                                                          \
   {                                                                                                                    \
-    shapes, "MATERIAL", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_OF + shape, 1, "as the file says",                \
+    shapes, "MATERIAL", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_OF + shape, 1, "as in the file",                  \
         "the name of a material"                                                                                       \
   }
 static const struct nb_argument packing_fields[] = {WORD("FILE", AT_FILE, "the name of a file"),
@@ -30,7 +30,7 @@ static bool is_state(const char *path) {
   return is;
 }
 
-/* Index of the page's material of this name, for a body that is free or fixed; -1 with a message. */
+/* Index of the page's material of this name; -1 with a message. A free particle needs a density. */
 static int material_named(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file,
                           const char *name, bool fixed) {
   const int m = NB_FIND(scene->materials, scene->material_count, name);
@@ -42,7 +42,7 @@ static int material_named(const struct nb_scene *scene, struct nb_reader *reader
   return m;
 }
 
-/* Those that are not gone; with `all` of its shape and material, and free. */
+/* Adds the particles of a saved state except removed ones; `all`, if not NULL, gives shape and material of free particles. */
 static void from_state(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file, const char *path,
                        const struct nb_particle *all) {
   struct nb_saved saved;
@@ -73,7 +73,7 @@ static void from_state(struct nb_scene *scene, struct nb_reader *reader, const s
 
 static void from_list(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *file, const char *path,
                       const struct nb_particle *all) {
-  static const struct nb_wanted wanted[] = {{"x", NULL, false}, {"y", NULL, false}, {"radius", NULL, true}};
+  static const struct nb_wanted_column wanted[] = {{"x", NULL, false}, {"y", NULL, false}, {"radius", NULL, true}};
   double *lengths;
   size_t rows;
   if (!all) {
@@ -82,7 +82,7 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
     return;
   }
   if (!nb_columns_read(&lengths, &rows, path, wanted, 3, reader->unitless, reader->mistakes))
-    nb_silent(reader);
+    nb_fail_silently(reader);
   nb_too_many_particles(reader, scene, rows);
   for (size_t k = 0; k < rows && !reader->bad; k++) {
     struct nb_particle particle = *all;
@@ -92,7 +92,7 @@ static void from_list(struct nb_scene *scene, struct nb_reader *reader, const st
   free(lengths);
 }
 
-/* What a state of this page depends on: not the name of the file but what has come from it. */
+/* The hash of a page's states covers the particles of the file, not its name. */
 static void hash_particles(struct nb_scene_reading *reading, size_t first) {
   for (size_t k = first; k < reading->scene->particle_count; k++) {
     const struct nb_particle *particle = &reading->scene->particles[k];
@@ -134,11 +134,11 @@ NB_APPLY(apply_packing) {
 
 /* clang-format off */
 NB_STATEMENTS(packing) = {
-  {"packing", NB_IN_SCENE | NB_APART, packing_fields, NULL, 0, false, apply_packing,
-   "Particles from a file that `nineball state` has written, in its order: discs and spheres, with their radii where they were, free or fixed, of the page's "
-   "materials of the same names. They are at rest, and the contacts between them have no history. Numbers are those of the file, to the last bit: docs/STATE.md. The file is "
-   "found as a page is by `start`. With `discs` or `spheres` all are free, of that shape and that material; then the file may also be a list under a head line with columns `x/m`, `y/m` and `radius/m`, "
-   "in any unit of length, separated by tabs or by spaces. Other columns are ignored, and lines that begin with `#`: STAGE-particles.tsv of any run is such a list.",
+  {"packing", NB_IN_SCENE | NB_OWN_EXAMPLE, packing_fields, NULL, 0, false, apply_packing,
+   "Particles from a file that `nineball state` has written (docs/STATE.md), in its order. Shape, position, radius, material by its name, and whether a particle is fixed come from the file, to the last bit. "
+   "The particles are at rest, and their contacts have no history. `start` tells where the program searches the file. With `discs` or `spheres` all particles are free, of that shape and that material. "
+   "Then the file may also be a list under a head line with columns `x/m`, `y/m` and `radius/m`, in any unit of length, separated by tabs or by spaces. "
+   "Other columns and lines that begin with `#` are ignored. STAGE-particles.tsv of any run is such a list.",
    "material  rock  density 2000 kg/m3  kn 1 MN/m\npacking   heap.state\npacking   heap.tsv discs rock\npacking   heap.tsv spheres rock"},
   {0},
 };

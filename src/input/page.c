@@ -1,9 +1,8 @@
 /* A page: a Markdown file and its fenced blocks.
  *
- * A fence is a line of three or more backticks or tildes, indented by at most three blanks; it ends at a line with at
- * least as many of the same sign, or the page is wrong (CommonMark 0.30, section 4.5, which would close it at the end
- * of the file). The first word after the opening fence says the kind. Blocks of other kinds are prose, and so is what
- * they hold.
+ * A fence is a line of three or more backticks or tildes, indented by at most three spaces. The block ends at a line with at least as
+ * many of the same sign; without one the page is invalid (CommonMark 0.30, section 4.5, would close it at the end of the file). The
+ * first word after the opening fence is the kind. Blocks of other kinds are prose.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _POSIX_C_SOURCE 200809L
@@ -20,7 +19,7 @@
 static const char *const kinds[NB_BLOCK_KINDS] = {[NB_BLOCK_SCENE] = "scene",
                                                   [NB_BLOCK_EXPECT] = "expect",
                                                   [NB_BLOCK_GNUPLOT] = "gnuplot",
-                                                  [NB_BLOCK_PATH] = "contact-test"};
+                                                  [NB_BLOCK_CONTACT_TEST] = "contact-test"};
 
 void nb_page_free(struct nb_page *page) {
   for (size_t i = 0; i < page->line_count; i++)
@@ -31,7 +30,7 @@ void nb_page_free(struct nb_page *page) {
   memset(page, 0, sizeof *page);
 }
 
-/* Replaces what is no text by question marks, so that nothing later can stumble over it, and says the first one. */
+/* Replaces bytes that are not UTF-8 text by question marks, and reports the first one. */
 static void check_text(struct nb_page *page, size_t line, char *text, size_t length, struct nb_mistakes *mistakes) {
   unsigned byte;
   const int first = nb_clean(text, length, &byte);
@@ -40,8 +39,8 @@ static void check_text(struct nb_page *page, size_t line, char *text, size_t len
                "expected text, found the byte 0x%02X (shown as `?`)", byte);
 }
 
-static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
-  size_t at = size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0; /* a byte order mark is no text */
+static bool split_lines(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
+  size_t at = size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0; /* skip a byte order mark */
   while (at < size) {
     const char *end = memchr(bytes + at, '\n', size - at);
     size_t length = end ? (size_t)(end - bytes) - at : size - at, next = at + length + 1;
@@ -54,7 +53,7 @@ static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, stru
     line[length] = '\0';
     check_text(page, page->line_count, line, length, mistakes);
     if (length > NB_LINE_MAX) {
-      line[60] = '\0'; /* enough to recognise it by */
+      line[60] = '\0'; /* shown in the message */
       nb_mistake(mistakes, page, page->line_count, 1, 1, NULL, "expected at most %d bytes in a line, found %zu",
                  NB_LINE_MAX, length);
     }
@@ -66,9 +65,9 @@ static bool cut_lines(struct nb_page *page, const char *bytes, size_t size, stru
 size_t nb_fence(const char *line, char *sign, const char **info) {
   *sign = '\0';
   *info = "";
-  size_t blanks = strspn(line, " ");
-  const char *c = line + blanks;
-  if (blanks > 3 || (*c != '`' && *c != '~'))
+  size_t spaces = strspn(line, " ");
+  const char *c = line + spaces;
+  if (spaces > 3 || (*c != '`' && *c != '~'))
     return 0;
   char both[2] = {*c, '\0'};
   size_t n = strspn(c, both);
@@ -84,7 +83,7 @@ int nb_page_kind(const char *word, size_t length) {
   return kind;
 }
 
-/* The kind that a word was meant to name: it differs by one letter, or has the name and more; NULL: none. */
+/* The kind whose name differs from the word by one letter, or begins it; NULL: none. */
 static const char *near_kind(const char *word) {
   struct nb_guess guess = nb_guess_begin(word);
   for (int kind = 0; kind < NB_BLOCK_KINDS; kind++) {
@@ -95,7 +94,7 @@ static const char *near_kind(const char *word) {
   return NULL;
 }
 
-/* The kind of block that an opening fence begins; a near miss is a mistake: it would be passed over in silence. */
+/* The kind of block that an opening fence begins; -1: none. A misspelt kind is reported, because its block would be ignored. */
 static int kind_of_info(const struct nb_page *page, size_t line, const char *info, struct nb_mistakes *mistakes) {
   char word[NB_NAME_SIZE], hint[NB_HINT_SIZE];
   const size_t signs = strspn(info, "{."), length = strcspn(info + signs, " \t}");
@@ -117,16 +116,16 @@ static int kind_of_info(const struct nb_page *page, size_t line, const char *inf
   return -1;
 }
 
-/* A fence of an expect block that is no block for us: in a quote, in a list, or indented by more than three blanks. */
+/* The length of the fence of an expect block that is not read: in a quote, in a list, or indented by more than three spaces. */
 static size_t hidden_fence(const char *line, char *sign) {
   const char *info;
   const size_t n = nb_fence(line + strspn(line, " \t>*+-"), sign, &info);
   return strcspn(info, " \t") == strlen("expect") && strncmp(info, "expect", strlen("expect")) == 0 ? n : 0;
 }
 
-/* The block that a line lies in. */
+/* The block of the current line. */
 struct open_block {
-  size_t length, line; /* of its fence, 0: no block is open; and where that stands */
+  size_t length, line; /* of its fence; length 0: no block is open */
   char sign;
   int kind;
 };
@@ -148,7 +147,7 @@ static bool opens(struct open_block *block, const struct nb_page *page, size_t l
   return block->length > 0;
 }
 
-/* The first heading; as much of it as there is room for, never half a character. */
+/* Stores the first heading, truncated between characters. */
 static void take_title(struct nb_page *page, const char *line) {
   if (page->title[0] || strncmp(line, "# ", 2) != 0)
     return;
@@ -179,7 +178,7 @@ static void find_blocks(struct nb_page *page, struct nb_mistakes *mistakes) {
     nb_mistake(mistakes, page, block.line, column, (int)block.length,
                "close it with a line of as many of the same signs and nothing else",
                "expected the end of the block that begins here, found the end of the page");
-    /* the page does not tell where it should have ended */
+    /* where the block should end is unknown */
     memset(page->kind_of + block.line, 0, page->line_count - block.line);
   }
 }
@@ -209,7 +208,7 @@ static void name_page(struct nb_page *page, struct nb_mistakes *mistakes) {
   page->name[length] = '\0';
 }
 
-/* A page with its path and its name; false: no memory. */
+/* Begins a page with its path and its name; false: no memory. */
 static bool begin(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
   *page = (struct nb_page){.path = malloc(strlen(path) + 1)};
   if (!page->path)
@@ -226,10 +225,10 @@ static enum nb_status end(struct nb_page *page, struct nb_mistakes *mistakes, si
   return status;
 }
 
-static void take(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
+static void set_content(struct nb_page *page, const char *bytes, size_t size, struct nb_mistakes *mistakes) {
   page->hash = nb_hash(NB_HASH_BEGIN, bytes, size);
-  page->kind_of = calloc(size + 1, 1); /* no more lines than bytes; and a page that is a file has this array */
-  if (page->kind_of && cut_lines(page, bytes, size, mistakes))
+  page->kind_of = calloc(size + 1, 1); /* at least one byte per line; not NULL for a page from a file */
+  if (page->kind_of && split_lines(page, bytes, size, mistakes))
     find_blocks(page, mistakes);
   else
     nb_mistake_memory(mistakes);
@@ -239,12 +238,12 @@ enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const 
                                   struct nb_mistakes *mistakes) {
   const size_t before = mistakes->total;
   if (begin(page, path, mistakes))
-    take(page, bytes, size, mistakes);
+    set_content(page, bytes, size, mistakes);
   return end(page, mistakes, before);
 }
 
-/* `cases/order` where there is cases/order.md. */
-static const char *whole_name(char *hint, const char *path) {
+/* The hint for `cases/order` if there is cases/order.md; else NULL. */
+static const char *md_hint(char *hint, const char *path) {
   snprintf(hint, NB_HINT_SIZE, "%.*s.md", NB_HINT_SIZE / 2, path);
   if (access(path, F_OK) == 0 || access(hint, F_OK) != 0)
     return NULL;
@@ -252,7 +251,7 @@ static const char *whole_name(char *hint, const char *path) {
   return hint;
 }
 
-enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes) {
+enum nb_status nb_page_read_limited(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes) {
   const size_t before = mistakes->total;
   struct nb_error error;
   char hint[NB_HINT_SIZE];
@@ -261,15 +260,15 @@ enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t 
     return NB_NO_MEMORY;
   char *bytes = nb_file_read(path, most, &size, &error);
   if (bytes)
-    take(page, bytes, size, mistakes);
+    set_content(page, bytes, size, mistakes);
   else if (error.status == NB_NO_MEMORY)
     nb_mistake_memory(mistakes);
   else
-    nb_mistake(mistakes, page, 0, 0, 0, whole_name(hint, path), "%s", error.text);
+    nb_mistake(mistakes, page, 0, 0, 0, md_hint(hint, path), "%s", error.text);
   free(bytes);
   return end(page, mistakes, before);
 }
 
 enum nb_status nb_page_read(struct nb_page *page, const char *path, struct nb_mistakes *mistakes) {
-  return nb_page_read_most(page, path, NB_PAGE_MAX, mistakes);
+  return nb_page_read_limited(page, path, NB_PAGE_MAX, mistakes);
 }

@@ -17,18 +17,18 @@ static const struct nb_argument particle_fields[] = {
   MATERIAL(AT_MATERIAL),
   VELOCITY(AT_VX, "0 0"),
   CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity, counterclockwise."),
-  FLAG("fixed", AT_FIXED, "free", "Held where it is; its mass counts as infinite."),
+  FLAG("fixed", AT_FIXED, "free", "It does not move, and its mass counts as infinite."),
   END
 };
 static const struct nb_argument lattice_fields[] = {
   SHAPE(AT_SHAPE),
-  FLAG("square", AT_SQUARE, "the same", "Rows above each other."),
+  FLAG("square", AT_SQUARE, "square unless `hexagonal`", "Rows above each other."),
   FLAG("hexagonal", AT_HEXAGONAL, "square", "Every second row is shifted by half a spacing in x, and rows are sqrt(3)/2 of it apart: six neighbours at equal distance."),
   COUNT(NULL, "NX", AT_NX, NULL, "Number in x."),
   COUNT("by", "NY", AT_NY, NULL, "Number of rows, in y."),
-  CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, in the south-west."),
+  CLAUSE("from", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X, 2, "R R", "Centre of the first one, which has the smallest x and y."),
   RADIUS(AT_RADIUS),
-  CLAUSE("spacing", "S", NB_UNIT_LENGTH, NB_POSITIVE, AT_SPACING, 1, "2R", "From centre to centre; 2R: touching."),
+  CLAUSE("spacing", "S", NB_UNIT_LENGTH, NB_POSITIVE, AT_SPACING, 1, "2R", "Distance of the centres; at 2R they touch."),
   MATERIAL(AT_MATERIAL),
   END
 };
@@ -45,7 +45,7 @@ bool nb_particles_incomplete(const struct nb_scene_reading *reading) {
   static const char *const words[] = {"disc", "sphere", "lattice", "fill", "packing", "start"};
   bool incomplete = false;
   for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-    incomplete = incomplete || nb_excused(reading->reader.mistakes, words[k]);
+    incomplete = incomplete || nb_name_suppressed(reading->reader.mistakes, words[k]);
   return incomplete;
 }
 
@@ -107,7 +107,7 @@ NB_STATEMENTS(particle) = {
    "One sphere, which moves in the plane; it gets the next number.",
    "sphere    25 mm 60 mm  radius 5 mm  glass"},
   {"lattice", NB_IN_SCENE, lattice_fields, NULL, 0, false, apply_lattice,
-   "Discs or spheres in a lattice, numbered row by row from the south-west: in x, then the next row in y.",
+   "Discs or spheres in a lattice. They are numbered in x along the first row, then along the next one in y.",
    "lattice   discs 3 by 2  from 15 mm 15 mm  radius 5 mm  spacing 12 mm  glass\n"
    "lattice   spheres hexagonal 2 by 1  from 15 mm 40 mm  radius 5 mm  steel"},
   {0},

@@ -1,10 +1,10 @@
-/* The reader: a page is read line by line; a line becomes tokens, each with its place; a row of a table of keywords says what the
- * tokens must be; what they are not is a mistake with a caret. A statement stops at its first mistake, and the page goes on with the
- * next one. What the statement would have given a name to is not asked about any more, and a name that is not known is said once.
+/* The reader of pages: a line is split into tokens, each with its column, and a row of a table of keywords says which tokens its
+ * statement takes; others are mistakes, reported with a caret. A statement stops at its first mistake, and reading continues with the
+ * next one. An unknown name is reported once, and not at all if the statement that should define it has a mistake.
  *
- *   mistakes.c    messages, the nearest known word, names that nothing is said of    value.c      values taken from tokens
- *   line.c        tokens; expression.c computes those in parentheses                 statement.c  tokens + a row of a table -> values
- *   units.c       numbers and units
+ *   mistakes.c    messages, suppressed names                            value.c      values from tokens
+ *   line.c        tokens; expression.c evaluates those in parentheses   statement.c  a statement from tokens by a row of a table
+ *   units.c       numbers and units                                     guess.c      the nearest known word
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_READER_H
@@ -20,35 +20,35 @@ enum {
   NB_TOKENS_MAX = 256,         /* tokens in a line */
   NB_RUNS_MAX = 10000,         /* of a page */
   NB_PARTICLES_MAX = 10000000, /* of a scene */
-  NB_NAMED_MAX = 2000,         /* of each sort of thing with a name: they are looked up one by one */
-  NB_MATERIALS_MAX = 200,      /* as every one may meet every other */
-  NB_SLOTS = 24,               /* values that a row of a table may ask for */
-  NB_COUNT_MAX = 1000000000,   /* of anything that is counted: 1e9 cycles of 1 us are a day of computing */
+  NB_NAMED_MAX = 2000,         /* walls, stages and others with names, each: the search by name is linear */
+  NB_MATERIALS_MAX = 200,      /* the program stores all pairs of materials */
+  NB_SLOTS = 24,               /* values of a statement */
+  NB_COUNT_MAX = 1000000000,   /* cycles and others that are counted: 1e9 cycles of 1 us take a day */
   NB_PAGE_MAX = 4 << 20        /* bytes in a page */
 };
 
 /* ---- mistakes.c ---- */
 
-/* Says one mistake, in its place among those of the same page. line counts from 1, 0: of the page as a whole. column
- * and length count characters from 1. hint may be NULL. A page without kind_of is made of --set texts and shows no line
- * number. Past a thousand mistakes nothing is said. */
+/* Reports a mistake, sorted by line among those of the page. line and column count from 1, length characters; line 0: the whole page.
+ * hint may be NULL. A page without kind_of consists of --set texts and shows no line number. At most a thousand are reported. */
 void nb_mistake(struct nb_mistakes *mistakes, const struct nb_page *page, size_t line, int column, int length,
                 const char *hint, const char *format, ...) __attribute__((format(printf, 7, 8)));
 
-void nb_mistake_memory(struct nb_mistakes *mistakes); /* memory ran out: the page cannot be judged */
-/* Of what has been made since there were `before`. */
+void nb_mistake_memory(struct nb_mistakes *mistakes); /* memory ran out */
+/* The status of the mistakes made since there were `before`. */
 enum nb_status nb_mistakes_status(const struct nb_mistakes *mistakes, size_t before);
 
-/* A name that a mistake leaves unknown, or that has been said to be unknown; and whether it is one, or its part before the dot. */
-void nb_excuse(struct nb_mistakes *mistakes, const char *name);
-#define NB_ANYTHING "*" /* every name is one */
-bool nb_excused(const struct nb_mistakes *mistakes, const char *name);
-void nb_excuse_none(struct nb_mistakes *mistakes); /* forgets them: a run of a page is read from its beginning */
+/* Suppresses messages about a name that a mistake leaves undefined, or that is reported already; and whether messages about a name, or its
+ * part before the dot, are suppressed. */
+void nb_suppress_name(struct nb_mistakes *mistakes, const char *name);
+#define NB_ANYTHING "*" /* all names */
+bool nb_name_suppressed(const struct nb_mistakes *mistakes, const char *name);
+void nb_suppress_no_name(struct nb_mistakes *mistakes); /* before a page is read again */
 
-/* Things with a name: structures that begin with it, side by side. Index of one; -1: there is none. */
+/* Index of the structure with that name in an array of structures that begin with their name; -1: none. */
 int nb_find(const void *things, size_t count, size_t size, const char *name);
 #define NB_FIND(things, count, name) nb_find(things, count, sizeof *(things), name)
-/* "did you mean": the hint with the nearest of their names in a text of NB_HINT_SIZE, or NULL. */
+/* The hint "did you mean" with the nearest of their names, written to a text of NB_HINT_SIZE; or NULL. */
 const char *nb_nearest(char *hint, const char *word, const void *things, size_t count, size_t size);
 #define NB_NEAREST(hint, word, things, count) nb_nearest(hint, word, things, count, sizeof *(things))
 
@@ -56,94 +56,94 @@ const char *nb_nearest(char *hint, const char *word, const void *things, size_t 
 
 struct nb_token {
   const char *text;
-  int column, length; /* in characters of the line; of the $NAME when it came from one */
-  const char *name;   /* the NAME that it stands for, NULL when written in the line itself */
+  int column, length; /* in characters of the line, of $NAME if it is the value of one */
+  const char *name;   /* NAME if it is the value of $NAME; else NULL */
   bool computed;      /* by an expression: text is the shortest decimal number that reads back to the value */
 };
 
-/* `let NAME = EXPRESSION`, `let NAME WORD` and `sweep NAME VALUES`: what $NAME stands for in this run. */
+/* The value of $NAME in this run, from `let NAME = EXPRESSION`, `let NAME WORD` or `sweep NAME VALUES`. */
 struct nb_binding {
   char name[NB_NAME_SIZE];
-  char text[NB_NAME_SIZE]; /* a word; a number and its unit as written, or of a computed value the SI ones */
+  char text[NB_NAME_SIZE]; /* a word; or a number and its unit, as written or, if computed, in SI */
   double value;            /* SI; NaN: a word */
   struct nb_dimension dimension;
-  bool computed; /* by an expression: in its dimension it is an angle or an angular velocity as well */
+  bool computed; /* by an expression: it is accepted as an angle or an angular velocity, too */
   bool swept;    /* it has several values: a column of the tables */
-  int sweep;     /* which `sweep` of the page it comes from, though --set may have left it one value; -1: a `let` */
+  int sweep;     /* index of its `sweep` in the page, even if --set has left one value; -1: a `let` */
 };
 
 struct nb_keyword;
-/* What reading needs: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing. About 60 kB. */
+/* The state of the reader: set page, mistakes, unitless and the bindings, zero the rest. It owns nothing. About 60 kB. */
 struct nb_reader {
   const struct nb_page *page;
   struct nb_mistakes *mistakes;
   bool unitless;                     /* `units none` */
-  const struct nb_binding *bindings; /* what $NAME stands for */
+  const struct nb_binding *bindings; /* the values of $NAME */
   size_t binding_count;
 
-  size_t line; /* the statement: its line, from 1 */
+  size_t line; /* of the statement, from 1 */
   struct nb_token tokens[NB_TOKENS_MAX];
-  size_t count, next; /* how many, and which one is to be read */
-  bool bad;           /* a mistake was made in this statement: no other one is said, and there is nothing to be read */
-  const struct nb_keyword *keyword; /* its row while the fields of the row are read, else NULL */
-  const struct nb_keyword *twin;    /* a row of the same words that belongs elsewhere, or NULL */
-  unsigned here;                    /* where the statement stands */
-  unsigned given;                   /* set of the fields that have been read */
-  size_t used;                      /* of the store, up to the zero of the last token */
+  size_t count, next;                /* number of tokens; index of the next one to read */
+  bool bad;                          /* the statement has a mistake: no other one is reported, and reading it ends */
+  const struct nb_keyword *keyword;  /* its row while the fields of the row are read, else NULL */
+  const struct nb_keyword *namesake; /* a row of the same words for another place, or NULL */
+  unsigned here;                     /* where the statement stands */
+  unsigned given;                    /* bit set of the fields that have been read */
+  size_t used;                       /* of the store, up to the zero of the last token */
   char store[NB_LINE_MAX + NB_TOKENS_MAX * (2 * NB_NAME_SIZE + 2)]; /* the texts of the tokens */
 };
 
-/* The place of so many bytes of a line, for a message. */
+/* A token with the column and length of these bytes of a line, for a message. */
 struct nb_token nb_token_at(const char *line, const char *at, size_t length);
-/* Begins to read a line: there are no tokens, and nothing is wrong. */
+/* Begins a line: no tokens and no mistake. */
 void nb_line_begin(struct nb_reader *reader, size_t line);
-/* Cuts a line of the page into tokens; behind `let NAME =` the rest of it is one. False when it has none, as line 0 has. */
+/* Splits a line of the page into tokens; after `let NAME =` the rest is one. False if it has none; line 0 has none. */
 bool nb_line_read(struct nb_reader *reader, size_t line);
 const struct nb_token *nb_token_peek(const struct nb_reader *reader); /* NULL at the end of the line */
-bool nb_token_is(const struct nb_reader *reader, const char *word);   /* whether the next one is that word */
-bool nb_token_skip(struct nb_reader *reader, const char *word);       /* takes it if it is */
+bool nb_token_is(const struct nb_reader *reader, const char *word);   /* whether the next token is that word */
+bool nb_token_skip(struct nb_reader *reader, const char *word);       /* takes it if so */
 bool nb_is_name(const char *text); /* a letter, then letters, digits, _ and -; shorter than NB_NAME_SIZE */
 
-/* What says a mistake of a statement answers false, so that what takes something can end with it. All but the first one of a
- * statement are silent, and move to the end of the line. */
+/* The functions that report a mistake of a statement return false, so that callers can return their result. Only the first mistake of a
+ * statement is reported; each moves to the end of the line. */
 
-/* At a token, or behind the last one when it is NULL. */
+/* At a token; NULL: after the last one. */
 bool nb_token_mistake(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* Of a statement that was read before: at the first word of its line, or of the page as a whole at line 0. */
+/* At the first word of a line that was read before; line 0: of the whole page. */
 bool nb_line_mistake(struct nb_reader *reader, size_t line, const char *hint, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* The most usual one: "expected WHAT, found `token`", at the next one. */
+/* "expected WHAT, found `token`", at the next token. */
 bool nb_expected(struct nb_reader *reader, const char *hint, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* What to type instead of what another language or a word processor would have there, or NULL; hint has room for NB_HINT_SIZE. */
-const char *nb_typed_hint(const struct nb_reader *reader, char *hint, const char *text);
-/* The same as nb_expected at a token that was read before. */
+/* The hint for syntax of another language or a word processor, or NULL; hint is a text of NB_HINT_SIZE. */
+const char *nb_syntax_hint(const struct nb_reader *reader, char *hint, const char *text);
+/* nb_expected at a token that was read before. */
 bool nb_expected_at(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
-/* The same of a name that is not known: once for each name, and not where a mistake is why. */
-bool nb_not_known(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
-/* No mistake but what follows from one: the statement is bad, and nothing is said. */
-bool nb_silent(struct nb_reader *reader);
-/* nb_mistake_memory, and the statement is bad. */
+/* nb_expected_at for an unknown name: once for each name, and not if it is suppressed. */
+bool nb_unknown_name(struct nb_reader *reader, const struct nb_token *token, const char *hint, const char *what);
+/* Marks the statement as bad without a message, because the mistake follows from another one. */
+bool nb_fail_silently(struct nb_reader *reader);
+/* nb_mistake_memory; marks the statement as bad. */
 bool nb_no_memory(struct nb_reader *reader);
 
-/* ---- value.c: values one by one. Each takes what it names from the line, or says what it expected and answers false. ---- */
+/* ---- value.c: each function takes one value from the line; if it cannot, it reports what it expected and returns false ---- */
 
 enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_FRACTION, NB_HALF }; /* all, > 0, >= 0, 0 to 1, 0 to 0.5 */
 
-/* " above 0", ", 0 or more", " from 0 to 1", or nothing. */
+/* " above 0", ", 0 or more", " from 0 to 1", … */
 const char *nb_range_words(enum nb_range range);
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
-bool nb_take_in(struct nb_reader *reader, const char *si_unit,
-                double *value); /* in a unit of that kind: "N", "kg.m/s" */
+bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit,
+                     double *value); /* in a unit of the dimension of "N", "kg.m/s" */
 bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value);
-bool nb_take_counted(struct nb_reader *reader, const char *one, unsigned long *value); /* `1 cycle`, `5 cycles` */
-bool nb_take_word(struct nb_reader *reader, const char *word);                         /* exactly that */
-int nb_take_choice(struct nb_reader *reader, const char *words); /* which of "none|x|y", from 0; -1: none of them */
-/* Any token, or a new name; `what` for the message; or NULL. */
-const struct nb_token *nb_take(struct nb_reader *reader, const char *what);
+bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *value); /* `1 cycle`, `5 cycles` */
+bool nb_take_word(struct nb_reader *reader, const char *word);                          /* that word */
+int nb_take_choice(struct nb_reader *reader, const char *words); /* index of one of "none|x|y", from 0; or -1 */
+/* Any token; a new name. NULL with a message, which says `what`. */
+const struct nb_token *nb_take_token(struct nb_reader *reader, const char *what);
 const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what);
-/* Index of what a token names among things that begin with their name, -1 with a message; `otherwise` is the hint where none is near. */
+/* Index of the structure that a token names, as nb_find; -1 with a message, whose hint is the nearest name, else `otherwise`. */
 int nb_named(struct nb_reader *reader, const struct nb_token *token, const void *things, size_t count, size_t size,
              const char *what, const char *otherwise);
 #define NB_NAMED(reader, token, things, count, what, otherwise)                                                        \
@@ -151,44 +151,44 @@ int nb_named(struct nb_reader *reader, const struct nb_token *token, const void 
 
 /* ---- statement.c: whole statements ---- */
 
-/* Where a statement may stand; a set. */
+/* Where a statement may stand, a bit set. */
 enum {
   NB_IN_SCENE = 1,
   NB_IN_STAGE = 2,
   NB_IN_EXPECT = 4,
-  NB_IN_RAMP = 8, /* behind the word `ramp` */
-  NB_IN_PATH = 16,
+  NB_IN_RAMP = 8, /* after the word `ramp` */
+  NB_IN_CONTACT_TEST = 16,
   NB_IN_SEGMENT = 32,
   NB_IN_CELL =
-      64, /* with one of the first two: of a scene without walls, so its example is none of the manual's page */
-  NB_IN_START = 128, /* behind `start`, before the first stage */
-  NB_APART = 256     /* its example is a page of its own, for the manual */
+      64, /* with one of the first two: only in a scene without walls, so its example is not in the manual's page */
+  NB_IN_START = 128,   /* after `start`, before the first stage */
+  NB_OWN_EXAMPLE = 256 /* its example is a page of its own, for the manual */
 };
 
 enum nb_argument_kind {
   NB_ARGUMENT_NUMBER, /* of `unit` and within `range` */
   NB_ARGUMENT_COUNT,  /* a whole number, 1 or more */
   NB_ARGUMENT_NAME,   /* a new name */
-  NB_ARGUMENT_WORD,   /* a name that something has already */
-  NB_ARGUMENT_CHOICE, /* one of the words of its value, "none|x|y": its number, from 0 */
-  NB_ARGUMENT_FLAG    /* the clause word alone */
+  NB_ARGUMENT_WORD,   /* a name that is defined above */
+  NB_ARGUMENT_CHOICE, /* one of the words of its value, "none|x|y"; the number is its index */
+  NB_ARGUMENT_FLAG    /* the word of the clause alone */
 };
 
 struct nb_argument {
-  const char *word;  /* or words of the clause; NULL: a value that stands by itself, in the order of the row */
-  const char *value; /* how the manual writes the value: "R", "VX VY" */
+  const char *word;  /* word or words of the clause; NULL: a positional argument */
+  const char *value; /* as shown in the manual: "R", "VX VY" */
   enum nb_argument_kind kind;
   enum nb_unit_kind unit;
   enum nb_range range;
-  int slot, count; /* where the values go in the record, and how many there are */
-  const char
-      *otherwise; /* what holds without it, for the manual; NULL: it must be there; "|…": it or another one such must */
-  const char *help; /* for names and words also what is expected: "the name of a material" */
+  int slot, count; /* the first slot of its values in the record, and their number */
+  const char *
+      otherwise; /* its default, for the manual; NULL: it is required; "|…": one of several such arguments is required */
+  const char *help; /* for names and words also the text of messages: "the name of a material" */
 };
 
 struct nb_value {
-  const struct nb_token *token; /* where it was written; NULL: it was not */
-  double number;                /* SI; 0 when not written */
+  const struct nb_token *token; /* NULL: it is not given */
+  double number;                /* SI; 0 if not given */
 };
 struct nb_record {
   const struct nb_keyword *keyword;
@@ -196,31 +196,29 @@ struct nb_record {
 };
 
 struct nb_keyword {
-  const char
-      *word; /* what it begins with: the verb, and words behind it; NULL: a line that begins with none of the others */
+  const char *word; /* its first word or words; NULL: for lines that begin with no other row's */
   unsigned where;
-  const struct nb_argument *arguments; /* ends in a row with count 0 */
-  const char *tail; /* how the manual writes what apply reads by itself from reader->next on; or NULL */
-  int variant;      /* for an apply that serves several rows */
-  bool always;      /* apply is called even if the statement is bad, for the lines below belong to what it begins */
-  /* Every value is read, and checked for all that the row can say. subject: what the caller of nb_statement_read
-   * gave. */
+  const struct nb_argument *arguments; /* the last one has count 0 */
+  const char *tail; /* syntax, for the manual, of the tokens that apply reads from reader->next on; or NULL */
+  int variant;      /* distinguishes rows with the same apply */
+  bool always;      /* apply is called after a mistake, too, because the lines below belong to this statement */
+  /* Called with all values read and checked. subject: an argument of nb_statement_read. */
   void (*apply)(struct nb_reader *reader, const struct nb_record *record, void *subject);
   const char *help;
-  const char *example; /* lines of a page; those of all rows, in their order, are the page docs/LANGUAGE.md */
+  const char *example; /* lines of a page; those of all rows, in this order, are the page in docs/LANGUAGE.md */
 };
 
-/* A table of keywords is a list of families of rows; the rows of each end in one without apply, the list in a family without rows. */
+/* A table of keywords is an array of families of rows. The last row of each has no apply, the last family no rows. */
 struct nb_family {
   const struct nb_keyword *rows;
 };
-/* Row by row of all families; NULL past the last one. */
+/* Row k of all families; NULL after the last one. */
 const struct nb_keyword *nb_keyword_row(const struct nb_family *table, size_t k);
 
-/* Reads the statement in reader->tokens by its row in a table. `here` is one of NB_IN_…. */
+/* Reads the statement in reader->tokens by its row in a table; `here`: one of NB_IN_…. */
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject);
-bool nb_begins_clause(const struct nb_argument *field, const char *word); /* `at` of a clause `at most` */
-/* Of "lattice discs" the first, into NB_NAME_SIZE bytes; whether there are more. */
+bool nb_begins_clause(const struct nb_argument *field, const char *word); /* such as `at` of `at most` */
+/* Copies the first word into NB_NAME_SIZE bytes; whether there are more. */
 bool nb_first_word(char *first, const char *words);
 /* "disc X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}" */
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword);
@@ -233,45 +231,46 @@ enum nb_block_kind {
   NB_BLOCK_SCENE,
   NB_BLOCK_EXPECT,
   NB_BLOCK_GNUPLOT,
-  NB_BLOCK_PATH,
+  NB_BLOCK_CONTACT_TEST,
   NB_BLOCK_KINDS,
   NB_BLOCK_HIDDEN =
-      NB_BLOCK_KINDS /* an expect block that is not read: in a quote, in a list or indented by four spaces */
+      NB_BLOCK_KINDS /* an expect block that is ignored: in a quote, in a list or indented by four spaces */
 };
-size_t nb_page_name(const char *path, const char **name); /* where in the path its name is, and how many bytes of it */
+size_t nb_page_name(const char *path,
+                    const char **name); /* the length of the page's name; *name: where it begins in the path */
 
 /* The kind of block that a word names; -1: none. */
 int nb_page_kind(const char *word, size_t length);
-/* The length of the fence that a line is, its sign and where its info string begins; 0: it is none. */
+/* The length of a fence, its sign and its info string; 0: the line is not a fence. */
 size_t nb_fence(const char *line, char *sign, const char **info);
-/* Line of the fence of the first such block, 0: none. */
+/* Line of the opening fence of the first such block; 0: none. */
 size_t nb_page_fence(const struct nb_page *page, enum nb_block_kind kind);
-/* A page of at most so many bytes. */
-enum nb_status nb_page_read_most(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes);
-/* A page from memory, under this path. */
+/* Reads a page of at most so many bytes. */
+enum nb_status nb_page_read_limited(struct nb_page *page, const char *path, size_t most, struct nb_mistakes *mistakes);
+/* Reads a page from memory; messages show the path. */
 enum nb_status nb_page_read_bytes(struct nb_page *page, const char *path, const char *bytes, size_t size,
                                   struct nb_mistakes *mistakes);
 
 /* ---- file.c ---- */
 
 enum {
-  NB_FILE_MAX = 1 << 30, /* bytes that are read at most, of a list or a state */
+  NB_FILE_MAX = 1 << 30, /* bytes of a list or a state */
   NB_PATH_SIZE = 4096
 };
 
-/* Where the file lies that the page names, with that ending: beside the page; else, unless the name begins with `/` or leads upward by
- * `..`, in whichever folder has it of the nearest `cases` that the page lies in and those below. What is nowhere is beside the page: to open
- * it is to hear so. False with a message when several folders have it. `path` has NB_PATH_SIZE bytes. */
+/* Finds the file that a page names: in the folder of the page; else, unless the name begins with `/` or has `..`, in the nearest folder
+ * `cases` above the page and all folders below that. If there is none, `path` is in the folder of the page, and opening it fails. False
+ * with a message if several folders have it. `path` has NB_PATH_SIZE bytes. */
 bool nb_file_find(struct nb_reader *reader, const struct nb_token *token, const char *ending, char *path);
-/* A regular file, open for reading; NULL with an error, "cannot be read: …", without the path. A folder is none, nor is a pipe or a device: one that never ends would
- * be waited for without end. */
+/* Opens a regular file for reading; NULL with an error, "cannot be read: …", without the path. Pipes and devices are refused because
+ * they may never end. */
 FILE *nb_file_open(const char *path, struct nb_error *error);
-/* All of a regular file of at most so many bytes, with a terminating zero; to be freed. NULL with an error. */
+/* Reads a regular file of at most so many bytes and adds a terminating zero; the caller frees it. NULL with an error. */
 char *nb_file_read(const char *path, size_t most, size_t *size, struct nb_error *error);
 
 /* ---- line.c: arrays that grow by nb_array_reserve ---- */
 
-/* One more element, a copy of that one; false, with the statement bad, when there is no memory. */
+/* Appends a copy of an element; false, with the statement bad, if there is no memory. */
 bool nb_array_append(struct nb_reader *reader, void *array, size_t *count, const void *element, size_t size);
 #define NB_APPEND(reader, array, count, element)                                                                       \
   nb_array_append(reader, &(array), &(count), &(element), sizeof *(array))

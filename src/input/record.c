@@ -1,4 +1,4 @@
-/* What is recorded and kept: `record QUANTITY …`; in a stage `record every N cycles` and `snapshot`.
+/* Output of a run: `record QUANTITY …`; in a stage `record every N cycles` and `snapshot`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -7,10 +7,10 @@
 #include "old_words.h"
 #include "statement.h"
 
-static const struct nb_argument nothing[] = {END};
+static const struct nb_argument no_fields[] = {END};
 
 bool nb_take_requested(struct nb_reader *reader, struct nb_requested *requested) {
-  const struct nb_token *token = nb_take(reader, "a quantity, such as `C.normal`");
+  const struct nb_token *token = nb_take_token(reader, "a quantity, such as `C.normal`");
   if (token && strlen(token->text) >= sizeof requested->name)
     nb_token_mistake(reader, token, NULL, "expected a name shorter than %zu bytes", sizeof requested->name);
   if (reader->bad)
@@ -26,9 +26,9 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
   struct nb_mistakes *mistakes = reading->reader.mistakes;
   if (nb_quantity_find(quantity, reading->scene, requested->name))
     return true;
-  if (nb_excused(mistakes, requested->name))
+  if (nb_name_suppressed(mistakes, requested->name))
     return false;
-  nb_excuse(mistakes, requested->name);
+  nb_suppress_name(mistakes, requested->name);
   if (!nb_old_name(hint, requested->name))
     nb_quantity_hint(hint, reading->scene, requested->name);
   nb_mistake(mistakes, reading->reader.page, requested->line, requested->column, requested->length, hint,
@@ -36,7 +36,7 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
   return false;
 }
 
-/* `record QUANTITY …` in the scene: the names are looked up when all watches are known. */
+/* `record QUANTITY …` in the scene: the names are looked up when all monitors are known. */
 NB_APPLY(apply_columns) {
   struct nb_scene_reading *reading = subject;
   (void)record;
@@ -65,17 +65,17 @@ NB_APPLY(apply_record) {
   unsigned long every = 0;
   (void)record;
   if (nb_token_skip(reader, "every"))
-    nb_take_counted(reader, scene->contact_test ? "step" : "cycle", &every);
+    nb_take_count_of(reader, scene->contact_test ? "step" : "cycle", &every);
   else if (!nb_token_skip(reader, "none"))
     nb_expected(reader,
                 scene->contact_test ? "`record QUANTITY …` belongs before the first `segment`"
                                     : "`record QUANTITY …` belongs before the first `stage`",
                 scene->contact_test ? "`every N steps` or `none`" : "`every N cycles` or `none`");
   if (!reader->bad)
-    nb_stage_now(scene)->record_interval = every;
+    nb_current_stage(scene)->record_interval = every;
 }
 
-bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name) {
+bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name) {
   const bool before = NB_FIND(scene->stages, scene->start.stages, name->text) >= 0;
   if (before)
     nb_token_mistake(
@@ -85,33 +85,33 @@ bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, c
   return before;
 }
 
-/* `snapshot {from STAGE}`: that stage is this one or an earlier one, and runs: those of another page may not. */
+/* `snapshot {from STAGE}`: STAGE is this stage or an earlier one of this page. */
 NB_APPLY(apply_snapshot) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   (void)record;
   stage->snapshot = true;
   if (scene->contact_test || !nb_token_skip(reader, "from"))
     return;
-  const struct nb_token *name = nb_take(reader, "the name of this stage or of an earlier one");
+  const struct nb_token *name = nb_take_token(reader, "the name of this stage or of an earlier one");
   const int from = name ? NB_FIND(scene->stages, scene->stage_count, name->text) : -1;
   if (from >= (int)scene->start.stages)
     stage->snapshot_from = from;
-  else if (name && !nb_stage_not_here(scene, reader, name))
-    nb_not_known(reader, name, NULL, "the name of this stage or of an earlier one");
+  else if (name && !nb_stage_before_start(scene, reader, name))
+    nb_unknown_name(reader, name, NULL, "the name of this stage or of an earlier one");
 }
 
 /* clang-format off */
 NB_STATEMENTS(record) = {
-  {"record", NB_IN_SCENE | NB_IN_PATH | NB_IN_START, nothing, "QUANTITY …", 0, false, apply_columns,
-   "The columns of the table, in this order; in a contact test by default step, overlap, slip, normal and shear.",
+  {"record", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, no_fields, "QUANTITY …", 0, false, apply_columns,
+   "The quantities in the columns of the table. Default of a contact test: step, overlap, slip, normal and shear.",
    "record    time A.x A.vx C.overlap C.normal S.fy energy.kinetic"},
-  {"record", NB_IN_STAGE | NB_IN_SEGMENT, nothing, "every N cycles | none", 0, false, apply_record,
-   "How often a row is added to the table; default every 1 cycle.",
+  {"record", NB_IN_STAGE | NB_IN_SEGMENT, no_fields, "every N cycles | none", 0, false, apply_record,
+   "How often the table gets a row; default every 1 cycle.",
    "  record  every 10 cycles"},
-  {"snapshot", NB_IN_STAGE | NB_IN_SEGMENT, nothing, "{from STAGE}", 0, false, apply_snapshot,
-   "Saves particles, walls and contacts at the end of the stage; in a contact test the traction over the contact and "
-   "the pieces of its history, which a shear law must keep. With `from` also what has changed since that stage began, which is this one or "
+  {"snapshot", NB_IN_STAGE | NB_IN_SEGMENT, no_fields, "{from STAGE}", 0, false, apply_snapshot,
+   "Saves particles, walls and contacts at the end of the stage. In a contact test it saves the traction over the contact and "
+   "the pieces of its history, so the shear law must keep pieces. With `from` it also saves changes since the beginning of that stage, which is this one or "
    "an earlier one: displacements and rotations of particles, new and lost contacts, sliding displacements of contacts.",
    "  snapshot from strike"},
   {0},

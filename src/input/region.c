@@ -1,4 +1,4 @@
-/* What is measured together: `region NAME circle …`, `box …`, `inside F`, `all`.
+/* Regions of measurement: `region NAME circle …`, `box …`, `inside F`, `all`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -10,22 +10,22 @@ enum { RINGS_MAX = 1000 };
 enum { AT_NAME };
 static const struct nb_argument region_fields[] = {NAME(AT_NAME, "a name for the region"), END};
 
-static bool take_place(struct nb_reader *reader, double *x, double *y) {
+static bool take_point(struct nb_reader *reader, double *x, double *y) {
   return nb_take_number(reader, NB_UNIT_LENGTH, NB_ANY, x) && nb_take_number(reader, NB_UNIT_LENGTH, NB_ANY, y);
 }
 
 static bool take_circle(struct nb_reader *reader, struct nb_region *it) {
   it->kind = NB_REGION_CIRCLE;
-  return take_place(reader, &it->x, &it->y) && nb_take_word(reader, "radius") &&
+  return take_point(reader, &it->x, &it->y) && nb_take_word(reader, "radius") &&
          nb_take_number(reader, NB_UNIT_LENGTH, NB_POSITIVE, &it->radius);
 }
 
 static bool take_box(struct nb_reader *reader, struct nb_region *it) {
   double x1, y1, x2, y2;
   it->kind = NB_REGION_BOX;
-  if (!take_place(reader, &x1, &y1) || !nb_take_word(reader, "to") || !take_place(reader, &x2, &y2))
+  if (!take_point(reader, &x1, &y1) || !nb_take_word(reader, "to") || !take_point(reader, &x2, &y2))
     return false;
-  if (nb_inside_out(reader, x1, y1, x2, y2))
+  if (nb_corners_swapped(reader, x1, y1, x2, y2))
     return false;
   it->x = x1 + (x2 - x1) / 2, it->y = y1 + (y2 - y1) / 2;
   it->half_x = (x2 - x1) / 2, it->half_y = (y2 - y1) / 2;
@@ -56,7 +56,7 @@ static void take_clauses(struct nb_reader *reader, struct nb_region *it) {
     nb_expected(reader, "`rings` is for the regions `circle` and `inside`", "the end of the line, or `from STAGE`");
   else if (nb_token_skip(reader, "rings") && nb_take_count(reader, 1, RINGS_MAX, &rings))
     it->rings = (int)rings;
-  const struct nb_token *stage = nb_token_skip(reader, "from") ? nb_take(reader, "the name of a stage") : NULL;
+  const struct nb_token *stage = nb_token_skip(reader, "from") ? nb_take_token(reader, "the name of a stage") : NULL;
   if (stage && strlen(stage->text) < sizeof it->from)
     snprintf(it->from, sizeof it->from, "%s", stage->text);
 }
@@ -71,7 +71,7 @@ NB_APPLY(apply_region) {
     NB_APPEND(reader, scene->regions, scene->region_count, one);
 }
 
-/* Once all stages are known: which one `from` names. It is one that runs: those of another page, from which this one starts, do not. */
+/* Finds the stage that `from` names, when all stages are known. It must be a stage of this page, not of the page that it starts from. */
 void nb_regions_check(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;
@@ -80,19 +80,21 @@ void nb_regions_check(struct nb_scene_reading *reading) {
     for (size_t s = scene->start.stages; s < scene->stage_count; s++)
       if (strcmp(scene->stages[s].name, it->from) == 0)
         it->stage = (int)s;
-    if (!it->from[0] || it->stage >= 0 || nb_excused(reader->mistakes, "repeat"))
+    if (!it->from[0] || it->stage >= 0 || nb_name_suppressed(reader->mistakes, "repeat"))
       continue;
     nb_line_read(reader, (size_t)it->line);
     const struct nb_token *name = &reader->tokens[reader->count - 1];
-    if (!nb_stage_not_here(scene, reader, name))
-      nb_not_known(reader, name, NULL, "the name of a stage of this page");
+    if (!nb_stage_before_start(scene, reader, name))
+      nb_unknown_name(reader, name, NULL, "the name of a stage of this page");
   }
 }
 
 /* clang-format off */
 NB_STATEMENTS(region) = {
   {"region", NB_IN_SCENE | NB_IN_START, region_fields, "circle X Y radius R {rings N} | box X1 Y1 to X2 Y2 | inside F {rings N} | all {from STAGE}", 0, false, apply_region,
-   "Names a part of the plane, so that what is in it can be measured as a whole: `A.stress.mean`. A particle is inside when its centre is; `inside` is a circle about the boundary's centre, F of its mean radius; `all` is the smallest box round all outlines that is upright before `transform`, or the cell. With `rings` a snapshot holds the porosity of as many rings of equal width about its centre; strain, and what contacts are lost and new, are counted from the stage of this page that `from` names, else from the start of its run.",
+   "Names a region of the plane for averages: `A.stress.mean`. A particle is inside if its centre is. `inside` is a circle about the boundary's centre, whose radius is the fraction F of the boundary's mean radius. "
+   "`all` is the cell, or the smallest box round all particles; `transform` rotates this box. With `rings` a snapshot has the porosity of that many rings of equal width about the centre. "
+   "Strain, and lost and new contacts, are relative to the beginning of the stage that `from` names, else to the start of the run.",
    "region    M  circle 40 mm 40 mm radius 30 mm  rings 6"},
   {0},
 };

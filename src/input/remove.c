@@ -1,13 +1,13 @@
-/* What a stage takes out of the scene: `remove disc N`, `remove discs N to M`, and the same of spheres.
+/* Particles that a stage removes: `remove disc N`, `remove discs N to M`, and the same for spheres.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
 
 #include "statement.h"
 
-static const struct nb_argument nothing[] = {END};
+static const struct nb_argument no_fields[] = {END};
 
-/* The line that takes out a body of that range already, and which; 0: none. */
+/* The line that already removes a particle of that range; *which is the particle; 0: none. */
 static int removed_already(const struct nb_scene *scene, struct nb_removal removal, size_t *which) {
   for (size_t s = 0; s < scene->stage_count; s++)
     for (size_t k = 0; k < scene->stages[s].removal_count; k++) {
@@ -19,15 +19,15 @@ static int removed_already(const struct nb_scene *scene, struct nb_removal remov
   return 0;
 }
 
-/* The first body of that range that is of another shape; past its end: none. */
-static size_t misnamed(const struct nb_scene *scene, struct nb_removal removal, enum nb_shape shape) {
+/* The first particle of that range with another shape; after its end: none. */
+static size_t first_other_shape(const struct nb_scene *scene, struct nb_removal removal, enum nb_shape shape) {
   size_t k = removal.from;
   while (k <= removal.to && scene->particles[k].shape == shape)
     k++;
   return k;
 }
 
-/* `disc N`: one word of four, and the numbers of the first body and the last one. */
+/* Takes one of four words, and the numbers of the first and the last particle. */
 static struct nb_removal take_range(const struct nb_scene_reading *reading, struct nb_reader *reader,
                                     enum nb_shape *shape) {
   static const char *const words[] = {"disc", "discs", "sphere", "spheres"};
@@ -45,7 +45,7 @@ static struct nb_removal take_range(const struct nb_scene_reading *reading, stru
   if (word % 2 && nb_take_word(reader, "to"))
     nb_take_count(reader, from, most, &to);
   if (incomplete || count == 0)
-    nb_silent(reader);
+    nb_fail_silently(reader);
   *shape = word < 2 ? NB_DISC : NB_SPHERE;
   return (struct nb_removal){from - 1, to - 1, (int)reader->line};
 }
@@ -54,7 +54,7 @@ NB_APPLY(apply_remove) {
   static const char *const names[] = {[NB_DISC] = "disc", [NB_SPHERE] = "sphere"};
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   enum nb_shape shape;
   size_t which, all = 0;
   (void)record;
@@ -64,7 +64,7 @@ NB_APPLY(apply_remove) {
   if (reader->bad || nb_too_many(reader, all, NB_NAMED_MAX, "statements `remove`"))
     return;
   const int line = removed_already(scene, removal, &which);
-  const size_t other = misnamed(scene, removal, shape);
+  const size_t other = first_other_shape(scene, removal, shape);
   if (other <= removal.to)
     nb_token_mistake(reader, &reader->tokens[1], NULL, "expected a %s for each number, particle %zu is a %s",
                      names[shape], other + 1, names[scene->particles[other].shape]);
@@ -76,10 +76,10 @@ NB_APPLY(apply_remove) {
 
 /* clang-format off */
 NB_STATEMENTS(remove) = {
-  {"remove", NB_IN_STAGE, nothing, "disc N | discs N to M", 0, false, apply_remove,
-   "Removes particles at the beginning of this stage, and their energy with them. They no longer move or touch anything, "
-   "and no snapshot shows them; the others keep their numbers. Quantities of a removed particle are its last position, "
-   "and 0; those of its contacts are 0. Spheres are `sphere N`, `spheres N to M`.",
+  {"remove", NB_IN_STAGE, no_fields, "disc N | discs N to M", 0, false, apply_remove,
+   "Removes particles, and their energy, at the beginning of this stage. They no longer move or touch anything, "
+   "and no snapshot shows them; the others keep their numbers. A removed particle keeps its last position; its other quantities, and those of its contacts, are 0. "
+   "For spheres: `sphere N`, `spheres N to M`.",
    "stage     less\n  remove  disc 8\n  cycles  10"},
   {0},
 };

@@ -1,8 +1,7 @@
-/* A page's scene blocks as a struct nb_scene: every name resolved, every number SI.
+/* Reads a page's scene blocks into a struct nb_scene, with all names resolved and all numbers in SI.
  *
- * Two passes. The first looks at `units`, `let` and `sweep` only: how long the sweeps are decides which values a run
- * takes. The second reads every statement by the register of statements. What needs the whole scene is checked at its
- * end: which kind of page it is, what its columns are, whether anything is missing.
+ * There are two passes. The first reads `units`, `let` and `sweep`, because the lengths of the sweeps determine the values of a run. The
+ * second reads every statement. Then the whole scene is checked: the kind of page, its columns, missing statements.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "scene.h"
@@ -26,7 +25,7 @@ const struct nb_family *nb_keywords(void) {
   return families;
 }
 
-/* ---- mistakes that several statements may make ---- */
+/* ---- mistakes common to several statements ---- */
 
 bool nb_given_twice(struct nb_reader *reader, int line) {
   if (line)
@@ -47,47 +46,47 @@ bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char
   return reader->bad;
 }
 
-void nb_say_of_scene(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what) {
+void nb_scene_mistake(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what) {
   const struct nb_page *page = reading->reader.page;
   const char *kind = reading->scene->contact_test ? "contact-test" : "scene";
-  size_t fence = nb_page_fence(page, reading->scene->contact_test ? NB_BLOCK_PATH : NB_BLOCK_SCENE);
+  size_t fence = nb_page_fence(page, reading->scene->contact_test ? NB_BLOCK_CONTACT_TEST : NB_BLOCK_SCENE);
   const char *word = fence ? strstr(page->lines[fence - 1], kind) : NULL;
-  if (!nb_excused(reading->reader.mistakes, statement))
+  if (!nb_name_suppressed(reading->reader.mistakes, statement))
     nb_mistake(reading->reader.mistakes, page, fence, word ? (int)(word - page->lines[fence - 1]) + 1 : 1,
                (int)strlen(kind), hint, "%s", what);
 }
 
 /* ---- the passes ---- */
 
-/* What says what names stand for: read in both passes, and once where lines are repeated. */
-static bool is_value(const char *verb) {
+/* Whether a statement defines values: these are read in both passes, and not again when lines are repeated. */
+static bool defines_value(const char *verb) {
   return strcmp(verb, "units") == 0 || strcmp(verb, "let") == 0 || strcmp(verb, "sweep") == 0;
 }
 
-/* A statement, if there is one in that line. */
+/* Reads the statement of a line, if there is one. */
 static void read_line(struct nb_scene_reading *reading, size_t line) {
   struct nb_reader *reader = &reading->reader;
-  const enum nb_block_kind kind = reading->scene->contact_test ? NB_BLOCK_PATH : NB_BLOCK_SCENE;
+  const enum nb_block_kind kind = reading->scene->contact_test ? NB_BLOCK_CONTACT_TEST : NB_BLOCK_SCENE;
   if (reader->page->kind_of[line - 1] != 1 + kind || !nb_line_read(reader, line))
     return;
-  const bool value = is_value(reader->tokens[0].text);
+  const bool value = defines_value(reader->tokens[0].text);
   if (value ? reading->repeat.now > 0 : reading->survey)
     return;
   if (!value)
     nb_hash_line(reading);
-  if (!value && nb_repeat_closed(reading))
+  if (!value && nb_misplaced_after_repeat(reading))
     return;
   nb_statement_read(reader, nb_keywords(), reading->here, reading);
-  struct nb_stage *stage = nb_stage_now(reading->scene);
-  if (stage && !reading->survey && !reading->lost)
+  struct nb_stage *stage = nb_current_stage(reading->scene);
+  if (stage && !reading->survey && !reading->start_failed)
     stage->hash = reading->hash;
-  if (stage && reader->bad) /* whether it ends may be what is wrong */
-    nb_excuse(reader->mistakes, stage->name);
+  if (stage && reader->bad) /* the bad statement may be the one that ends the stage */
+    nb_suppress_name(reader->mistakes, stage->name);
 }
 
 static void read_lines(struct nb_scene_reading *reading) {
   struct nb_repeat *repeat = &reading->repeat;
-  for (size_t line = 1; line <= reading->reader.page->line_count && !reading->lost; line++) {
+  for (size_t line = 1; line <= reading->reader.page->line_count && !reading->start_failed; line++) {
     read_line(reading, line);
     const unsigned long times = repeat->times;
     repeat->times = 0;
@@ -100,26 +99,26 @@ static void read_lines(struct nb_scene_reading *reading) {
   }
 }
 
-/* First pass: how long are the sweeps, which names are there. */
+/* First pass: the lengths of the sweeps, and all names. */
 static void survey(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
-  struct nb_mistakes unsaid = {0};
+  struct nb_mistakes discarded = {0};
   reading->survey = true;
-  reading->reader.mistakes = reading->setting.mistakes = &unsaid;
+  reading->reader.mistakes = reading->setting.mistakes = &discarded;
   read_lines(reading);
   reading->survey = false;
   reading->setting.mistakes = mistakes;
   nb_settings_read(reading);
   reading->reader.mistakes = mistakes;
-  if (unsaid.no_memory)
+  if (discarded.no_memory)
     nb_mistake_memory(mistakes);
-  nb_mistakes_free(&unsaid);
+  nb_mistakes_free(&discarded);
   reading->scene->binding_count = reading->reader.binding_count = 0;
   reading->sweep = 0;
   reading->units_line = 0;
 }
 
-/* The settings as lines of a page that is no file. False: no memory. */
-static bool keep_settings(struct nb_scene_reading *reading, nb_settings settings) {
+/* Stores the settings as lines of a page without a file. False: no memory. */
+static bool store_settings(struct nb_scene_reading *reading, nb_settings settings) {
   static char path[] = "--set";
   size_t count = 0;
   while (settings && settings[count])
@@ -136,7 +135,7 @@ static bool keep_settings(struct nb_scene_reading *reading, nb_settings settings
   return reading->settings.lines != NULL;
 }
 
-/* ---- the whole ---- */
+/* ---- the whole scene ---- */
 
 static void find_columns(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
@@ -148,52 +147,52 @@ static void find_columns(struct nb_scene_reading *reading) {
   }
 }
 
-/* Whether the stage has no end, and is not one above that is read again. */
+/* Whether the stage has no end; a repeated stage is reported once. */
 static bool lacks_end(const struct nb_scene *scene, const struct nb_mistakes *mistakes, size_t stage) {
   size_t first = 0;
   while (scene->stages[first].line != scene->stages[stage].line)
     first++;
-  return first == stage && scene->stages[stage].cycles == 0 && !nb_excused(mistakes, scene->stages[stage].name);
+  return first == stage && scene->stages[stage].cycles == 0 && !nb_name_suppressed(mistakes, scene->stages[stage].name);
 }
 
 static void check_whole(struct nb_scene_reading *reading) {
   struct nb_scene *scene = reading->scene;
   struct nb_reader *reader = &reading->reader;
   if (scene->contact_test && nb_page_fence(reader->page, NB_BLOCK_SCENE))
-    nb_say_of_scene(reading, "scene", "write two pages, one with the scene and one with the contact test",
-                    "expected blocks of kind `scene` or `contact-test`, found both");
+    nb_scene_mistake(reading, "scene", "write two pages, one with the scene and one with the contact test",
+                     "expected blocks of kind `scene` or `contact-test`, found both");
   if (!scene->contact_test && !nb_page_fence(reader->page, NB_BLOCK_SCENE)) {
-    nb_say_of_scene(reading, "scene", "begin one with a line of three backticks and the word `scene`",
-                    "expected a block of kind `scene`, found none");
-    nb_excuse(reader->mistakes, NB_ANYTHING);
+    nb_scene_mistake(reading, "scene", "begin one with a line of three backticks and the word `scene`",
+                     "expected a block of kind `scene`, found none");
+    nb_suppress_name(reader->mistakes, NB_ANYTHING);
     return;
   }
   find_columns(reading);
   if (scene->contact_test) {
-    nb_path_check(reading);
+    nb_contact_test_check(reading);
     return;
   }
-  if (reading->opening)
+  if (reading->before_first_stage)
     nb_stages_free(scene, scene->start.stages);
   nb_ramps_check(reading);
   nb_regions_check(reading);
   nb_cell_check(reading);
-  nb_drives_check(reading);
-  nb_boxes_check(reading);
+  nb_imposed_motion_check(reading);
+  nb_box_check(reading);
   if (scene->particle_count == 0 && !nb_particles_incomplete(reading))
-    nb_say_of_scene(reading, "body", "add particles with `disc`, `sphere`, `lattice`, `fill` or `packing`",
-                    "expected a scene with particles, found none");
+    nb_scene_mistake(reading, "body", "add particles with `disc`, `sphere`, `lattice`, `fill` or `packing`",
+                     "expected a scene with particles, found none");
   if (scene->stage_count == scene->start.stages)
-    nb_say_of_scene(reading, "stage", "begin one with `stage NAME`, and give its length with `cycles N`",
-                    "expected a scene with a stage, found none");
+    nb_scene_mistake(reading, "stage", "begin one with `stage NAME`, and give its length with `cycles N`",
+                     "expected a scene with a stage, found none");
   for (size_t i = 0; i < scene->stage_count; i++)
     if (lacks_end(scene, reader->mistakes, i))
       nb_line_mistake(reader, (size_t)scene->stages[i].line,
                       "add `cycles N`, or `until QUANTITY above|below VALUE at most N cycles`",
                       "expected a stage that ends, found neither `cycles` nor `until` in `%s`", scene->stages[i].name);
   if ((scene->stage_count > 0 ? scene->stages[0].step.value : scene->step.value) == 0)
-    nb_say_of_scene(reading, "step", "add `step TIME` or `step F of stable`",
-                    "expected a scene with a `step`, found none");
+    nb_scene_mistake(reading, "step", "add `step TIME` or `step F of stable`",
+                     "expected a scene with a `step`, found none");
 }
 
 static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mistakes) {
@@ -201,8 +200,8 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   struct nb_scene *scene = reading->scene;
   survey(reading, mistakes);
   read_lines(reading);
-  if (reading->lost) {
-    nb_excuse(mistakes, NB_ANYTHING);
+  if (reading->start_failed) {
+    nb_suppress_name(mistakes, NB_ANYTHING);
     return;
   }
   check_whole(reading);
@@ -211,35 +210,35 @@ static void read_scene(struct nb_scene_reading *reading, struct nb_mistakes *mis
   if (!scene->shear[0])
     strcpy(scene->shear, "none");
   if (scene->impact.line && mistakes->total == before)
-    nb_impact_aim(reading);
-  if (!nb_scene_place(scene, &reading->place) && mistakes->total == before)
-    nb_line_mistake(&reading->reader, (size_t)reading->place.line, NULL,
+    nb_impact_set(reading);
+  if (!nb_scene_transform(scene, &reading->transform) && mistakes->total == before)
+    nb_line_mistake(&reading->reader, (size_t)reading->transform.line, NULL,
                     "expected finite coordinates after `transform`, these are too large");
   scene->unitless = reading->reader.unitless;
   if (mistakes->total == before)
     nb_laws_check(reading);
   if (mistakes->total == before && scene->contact_test)
-    nb_path_laws_check(reading);
+    nb_contact_test_laws_check(reading);
 }
 
-/* Reads one run, and says how many there are. */
+/* Reads one run; *runs is the number of runs. */
 static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
-                               struct nb_mistakes *mistakes, const struct nb_scene_reading *above, size_t *runs) {
+                               struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs) {
   size_t before = mistakes->total;
   *scene = (struct nb_scene){.page = page};
   struct nb_scene_reading *reading = calloc(1, sizeof *reading);
   *runs = 1;
-  if (reading && keep_settings(reading, settings)) {
+  if (reading && store_settings(reading, settings)) {
     reading->scene = scene;
     reading->run = run;
-    reading->above = above;
+    reading->parent = parent;
     reading->hash = nb_hash_settings(settings);
-    scene->contact_test = nb_page_fence(page, NB_BLOCK_PATH) != 0;
-    reading->here = scene->contact_test ? NB_IN_PATH : NB_IN_SCENE;
+    scene->contact_test = nb_page_fence(page, NB_BLOCK_CONTACT_TEST) != 0;
+    reading->here = scene->contact_test ? NB_IN_CONTACT_TEST : NB_IN_SCENE;
     reading->reader.page = page;
     reading->setting.page = &reading->settings;
     read_scene(reading, mistakes);
-    *runs = nb_runs(reading);
+    *runs = nb_run_count(reading);
   } else {
     nb_mistake_memory(mistakes);
   }
@@ -256,29 +255,29 @@ static enum nb_status read_run(struct nb_scene *scene, const struct nb_page *pag
 
 size_t nb_scene_runs(const struct nb_page *page, nb_settings settings, struct nb_mistakes *mistakes) {
   struct nb_scene scene;
-  struct nb_mistakes unsaid = {0}; /* who reads a run is told */
+  struct nb_mistakes discarded = {0}; /* nb_scene_read reports them */
   size_t runs;
-  read_run(&scene, page, 0, settings, &unsaid, NULL, &runs);
+  read_run(&scene, page, 0, settings, &discarded, NULL, &runs);
   nb_scene_free(&scene);
-  if (unsaid.no_memory)
+  if (discarded.no_memory)
     nb_mistake_memory(mistakes);
-  nb_mistakes_free(&unsaid);
+  nb_mistakes_free(&discarded);
   return runs <= NB_RUNS_MAX ? runs : 1;
 }
 
 enum nb_status nb_scene_read(struct nb_scene *scene, const struct nb_page *page, size_t run, nb_settings settings,
                              struct nb_mistakes *mistakes) {
   size_t runs;
-  nb_excuse_none(mistakes);
+  nb_suppress_no_name(mistakes);
   return read_run(scene, page, run, settings, mistakes, NULL, &runs);
 }
 
-enum nb_status nb_scene_read_below(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
-                                   struct nb_mistakes *mistakes, const struct nb_scene_reading *above, size_t *runs) {
-  return read_run(scene, page, 0, settings, mistakes, above, runs);
+enum nb_status nb_scene_read_nested(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
+                                    struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs) {
+  return read_run(scene, page, 0, settings, mistakes, parent, runs);
 }
 
-/* ---- what a scene owns ---- */
+/* ---- memory of a scene ---- */
 
 void nb_stages_free(struct nb_scene *scene, size_t from) {
   for (size_t i = from; i < scene->stage_count; i++) {

@@ -1,8 +1,8 @@
-/* A scene while it is read: what the statements share.
+/* A scene while it is read, for the files of statements.
  *
- * A statement, or a family of them, is a file: the rows of what it takes, the function that applies it, and at its end its words with
- * help and example, NB_STATEMENTS (statement.h). STATEMENTS in build-aux/lists.mk names these files; the register is made from it, and
- * the manual has them in its order. What is common to all is in scene.c: the two passes over a page, and what must hold at its end.
+ * Each file has a statement or a family of them: the rows of their arguments, the functions that apply them, and at its end the table
+ * NB_STATEMENTS (statement.h) with their words, help and examples. STATEMENTS in build-aux/lists.mk lists these files, in the order of the
+ * manual. scene.c has the common parts: the two passes over a page, and the checks at its end.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_SCENE_H
@@ -12,7 +12,7 @@
 
 /* ---- a scene while it is read ---- */
 
-/* A column asked for by `record`, until all watches are known. */
+/* A column requested by `record`, until all monitors are known. */
 struct nb_requested {
   char name[2 * NB_NAME_SIZE];
   size_t line;
@@ -20,9 +20,9 @@ struct nb_requested {
 };
 
 /* `transform`: first mirrored, then rotated, then translated. */
-struct nb_place {
-  double flip_x, flip_y; /* 1, or -1: mirrored; 0, 0: no such statement */
-  double cosine, sine;   /* of the angle that the scene is turned by, counterclockwise */
+struct nb_transform {
+  double flip_x, flip_y; /* 1, or -1: mirrored */
+  double cosine, sine;   /* of the angle of rotation, counterclockwise */
   double x, y;           /* m */
   int line;
 };
@@ -30,118 +30,123 @@ struct nb_place {
 struct nb_scene_reading {
   struct nb_scene *scene;
   struct nb_reader reader;  /* of the page */
-  struct nb_reader setting; /* of the --set texts, which are kept as the lines of a page of their own */
+  struct nb_reader setting; /* of the --set texts, which are stored as the lines of a page */
   struct nb_page settings;
-  bool law_set[2], step_set; /* by --set: what the page says about them is checked and not used */
+  bool law_set[2], step_set; /* by --set: the statements of the page are checked, but not used */
 
-  bool survey; /* first pass: only units, let and sweep; its mistakes are said in the second one */
+  bool survey; /* first pass: only units, let and sweep; the second one reports mistakes */
   size_t run;
-  size_t *rows;              /* of each sweep, in page order, from the survey; owned */
-  size_t sweep_count, sweep; /* how many; the next one to come in this pass */
+  size_t *rows;              /* number of rows of each sweep, in page order, from the first pass; owned */
+  size_t sweep_count, sweep; /* number of sweeps; index of the next one in this pass */
 
-  unsigned here; /* NB_IN_SCENE, behind `start` NB_IN_START, from the first `stage` on NB_IN_STAGE */
-  const struct nb_scene_reading *above; /* which starts from this one; NULL: nobody */
-  size_t first;                         /* line of the first statement that is not about values */
-  bool lost;                            /* `start` has failed: nothing is known of what follows */
-  bool opening;            /* the last stage has no name yet: behind `start`, before the first stage of this page */
-  unsigned long long hash; /* of what has been read so far */
+  unsigned here; /* NB_IN_SCENE; after `start` NB_IN_START; from the first `stage` on NB_IN_STAGE */
+  const struct nb_scene_reading *parent; /* the page that starts from this one, or NULL */
+  size_t first_line;                     /* line of the first statement but `units`, `let` and `sweep` */
+  bool start_failed;                     /* `start` has a mistake: the rest of the page is not read */
+  bool
+      before_first_stage; /* after `start`: the last stage of the scene is the first one of this page, which has no name yet */
+  unsigned long long hash; /* of the statements read so far */
   int units_line;
-  struct nb_place place;
+  struct nb_transform transform;
   struct nb_requested *requested; /* owned */
   size_t requested_count;
   struct nb_repeat {
-    size_t from;         /* line of the first stage or leg that is read again */
-    unsigned long times; /* how often; 0: nothing is */
-    unsigned long now;   /* 2, 3, …: which time this is, 0: the first */
+    size_t from;         /* line of the first repeated stage or segment */
+    unsigned long times; /* number of repetitions; 0: none */
+    unsigned long now;   /* 2, 3, …: the current repetition; 0: the first reading */
     size_t until;        /* line of the last `repeat` */
   } repeat;
-  const char *follow; /* --follow: the name of a file, NULL: none */
-  int contact_line;   /* of a path */
+  const char *follow; /* --follow: the name of a file, or NULL */
+  int contact_line;   /* of a contact test */
 };
 
-struct nb_stage *nb_stage_now(const struct nb_scene *scene); /* the stage that statements belong to; NULL: the scene */
+struct nb_stage *
+nb_current_stage(const struct nb_scene *scene); /* the stage of the current line; NULL: before the first one */
 
-/* ---- mistakes that several statements may make: true when the statement is bad, now or before ---- */
+/* ---- mistakes common to several statements: each returns true if the statement is bad, now or before ---- */
 
-bool nb_given_twice(struct nb_reader *reader, int line); /* line: of the first one, 0: there is none */
-bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what); /* as many as there may be */
+bool nb_given_twice(struct nb_reader *reader, int line); /* line: of the first one; 0: there is none */
+bool nb_too_many(struct nb_reader *reader, size_t count, int most, const char *what); /* count has reached most */
 bool nb_too_many_particles(struct nb_reader *reader, const struct nb_scene *scene, size_t more);
 bool nb_exists(struct nb_reader *reader, const struct nb_token *name, const char *what, int line); /* 0: no */
-/* The corners of a box are not south-west and north-east. */
-bool nb_inside_out(struct nb_reader *reader, double x, double y, double x1, double y1);
-/* A statement about bodies was wrong: numbers of bodies cannot be checked. */
+/* The first corner of a box has not the smaller x and y. */
+bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1);
+/* A statement that defines particles has a mistake, so numbers of particles cannot be checked. */
 bool nb_particles_incomplete(const struct nb_scene_reading *reading);
-/* The scene has no cell; no box of walls; the stage that is being read no boundary. */
+/* The scene has no cell; no box of walls; the current stage has no boundary. */
 bool nb_lacks_cell(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader);
-/* The token names a stage that is run before the state from which this page starts. */
-bool nb_stage_not_here(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name);
-/* A line below a `repeat` would belong to what is repeated. */
-bool nb_repeat_closed(struct nb_scene_reading *reading);
-/* A mistake of the scene as a whole, shown at the word of its first fence; excused by mistakes in statements of that name. */
-void nb_say_of_scene(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what);
+/* The token names a stage of the page that this page starts from. */
+bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name);
+/* A statement of a stage stands below a `repeat`, where it would belong to the last repeated stage only. */
+bool nb_misplaced_after_repeat(struct nb_scene_reading *reading);
+/* Reports a mistake of the whole scene, at its first fence, unless messages about `statement` are suppressed. */
+void nb_scene_mistake(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what);
 
-/* ---- what several statements take ---- */
+/* ---- arguments common to several statements ---- */
 
-/* Index of the material or wall that the token names; -1 with a message when there is none. */
+/* Index of the material or wall that the token names; -1 with a message if there is none. */
 int nb_material_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token);
-/* `grading NAME {radius R}`, behind the word: index of the grading, and of its size or -1; -1 with a message. */
+/* Takes NAME {radius R} after `grading`: index of the grading, or -1 with a message; *size: index of the size, or -1. */
 int nb_take_grading(const struct nb_scene *scene, struct nb_reader *reader, int *size);
-/* A quantity's name, with its place; and the quantity of that name: false with a message in place when there is none. */
+/* Takes the name of a quantity, with its position; finds the quantity of that name: false with a message if there is none. */
 bool nb_take_requested(struct nb_reader *reader, struct nb_requested *requested);
 bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *quantity,
                        const struct nb_requested *requested);
-enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_BEHIND_STRAIN }; /* their slots */
-/* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`: all of them per cycle, or none. */
-bool nb_is_per_cycle(const struct nb_reader *reader,
-                     const struct nb_value *value); /* whether its unit is `per cycle` */
-struct nb_strain_rate nb_strain_of(struct nb_reader *reader, const struct nb_value value[]);
-/* A body of that shape and material, at (0, 0), of which there will be `count`: it is free, or fixed, and the material has mass then. */
+enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_AFTER_STRAIN }; /* slots */
+/* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`, either all per cycle or none. */
+bool nb_value_per_cycle(const struct nb_reader *reader,
+                        const struct nb_value *value); /* whether its unit is `per cycle` */
+struct nb_strain_rate nb_strain_rate_of(struct nb_reader *reader, const struct nb_value value[]);
+/* A particle at (0, 0) for a statement that adds `count` of them; checks the count, and that the material of a free particle has a
+ * density. */
 struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
                                   const struct nb_token *material, bool fixed, size_t count);
-/* Adds something watched under that name; not where there is one already, or too many. */
+/* Adds a monitor; false with a message if the name exists or there are too many. */
 bool nb_monitor_add(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name,
                     struct nb_monitor monitor);
-/* Names a stage or a leg; one that is read again NAME-2, NAME-3, … */
+/* Sets the name of a stage or a segment; of repeated ones NAME-2, NAME-3, … */
 void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *reading, const struct nb_token *name);
 
 /* ---- settings and runs ---- */
 
-/* The last --set of that name: its line among the settings; 0: none. */
+/* Line among the settings of the last --set of that name; 0: none. */
 size_t nb_setting_find(const struct nb_scene_reading *reading, const char *name);
-/* Says every --set that nothing on the page answers to, and obeys those for laws and step. */
+/* Applies --set of laws and the step, and reports those of unknown names. */
 void nb_settings_read(struct nb_scene_reading *reading);
-/* All runs of the page so far: the product of the sweeps. */
-size_t nb_runs(const struct nb_scene_reading *reading);
-/* What a state depends on: begun with the settings; then each statement. */
+/* Number of runs by the sweeps so far. */
+size_t nb_run_count(const struct nb_scene_reading *reading);
+/* The hash of everything that a state depends on: of the settings; then nb_hash_line adds each statement. */
 unsigned long long nb_hash_settings(nb_settings settings);
 void nb_hash_line(struct nb_scene_reading *reading);
 
-/* ---- what must hold at the end of a page ---- */
+/* ---- checks at the end of a page ---- */
 
-void nb_laws_check(struct nb_scene_reading *reading);    /* what the laws ask of materials and bodies */
+void nb_laws_check(struct nb_scene_reading *reading);    /* requirements of the laws for materials and particles */
 void nb_regions_check(struct nb_scene_reading *reading); /* finds the stages that regions name */
-void nb_cell_check(struct nb_scene_reading *reading);    /* a cell is wide enough, and there are no walls in it */
-void nb_ramps_check(struct nb_scene_reading *reading);   /* a ramp wants a stage whose length is known */
-void nb_boxes_check(struct nb_scene_reading *reading);   /* what follows a box moves in one way, and does not turn */
-void nb_drives_check(
-    struct nb_scene_reading *reading); /* what is carried along is not reversed, nor is a boundary in a cell */
-void nb_path_check(struct nb_scene_reading *reading);      /* what a path must have; --follow replaces its legs */
-void nb_path_laws_check(struct nb_scene_reading *reading); /* what a path's quantities ask of the laws */
-/* Puts what `impact` names where it just touches, and gives it its velocity: materials, pairs and laws must be known. */
-void nb_impact_aim(struct nb_scene_reading *reading);
-/* Moves all that has been read as `transform` says. At the end of reading: it wants the motions of walls in the stages too. */
-bool nb_scene_place(struct nb_scene *scene, const struct nb_place *place); /* false: something is too far away */
+void nb_cell_check(struct nb_scene_reading *reading);    /* a cell is wide enough, and has no walls */
+void nb_ramps_check(struct nb_scene_reading *reading);   /* the number of cycles of a stage with a ramp is known */
+void nb_box_check(struct nb_scene_reading *reading); /* walls that follow the strain of a box have no other motion */
+void nb_imposed_motion_check(
+    struct nb_scene_reading *reading); /* imposed motion is not reversed; a cell has no boundary */
+void nb_contact_test_check(
+    struct nb_scene_reading *reading); /* a contact test has a contact and a segment; applies --follow */
+void nb_contact_test_laws_check(struct nb_scene_reading *reading); /* requirements of its quantities for the laws */
+/* Sets position and velocity of the particle of `impact`; materials, pairs and laws must be known. */
+void nb_impact_set(struct nb_scene_reading *reading);
+/* Applies `transform` to the whole scene, after all stages have been read. */
+bool nb_scene_transform(struct nb_scene *scene,
+                        const struct nb_transform *transform); /* false: a coordinate is not finite */
 
 /* ---- a page that another one starts from ---- */
 
-/* The scene of another page, for the one that is being read; *runs: how many its sweeps make. */
-enum nb_status nb_scene_read_below(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
-                                   struct nb_mistakes *mistakes, const struct nb_scene_reading *above, size_t *runs);
+/* Reads the scene of another page for `start`; *runs: number of its runs. */
+enum nb_status nb_scene_read_nested(struct nb_scene *scene, const struct nb_page *page, nb_settings settings,
+                                    struct nb_mistakes *mistakes, const struct nb_scene_reading *parent, size_t *runs);
 void nb_start_free(struct nb_start *start);
-void nb_stages_free(struct nb_scene *scene, size_t from); /* those from there on */
-void nb_scene_cut(struct nb_scene *scene, size_t stage);  /* behind that stage; nobody looks at it any more */
+void nb_stages_free(struct nb_scene *scene, size_t from);     /* from that stage on */
+void nb_scene_truncate(struct nb_scene *scene, size_t stage); /* after that stage; removes its output, too */
 
 #endif

@@ -1,4 +1,4 @@
-/* What makes an assembly follow a stress: `servo`.
+/* `servo`: stress control.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -7,36 +7,36 @@
 
 enum { AT_ISOTROPIC, AT_MEAN, AT_XX, AT_YY, AT_XY, AT_ON, AT_THROUGH, AT_AFFINE, AT_MOST };
 #define PLACE "a region, `boundary`, `cell` or `box`"
-#define TARGET(word, at, help) CLAUSE(word, "P", NB_UNIT_PRESSURE, NB_ANY, at, 1, "|not held", help)
+#define TARGET(word, at, help) CLAUSE(word, "P", NB_UNIT_PRESSURE, NB_ANY, at, 1, "|not controlled", help)
 
 /* clang-format off */
 static const struct nb_argument servo_fields[] = {
   TARGET("isotropic", AT_ISOTROPIC, "Target of xx and yy; that of xy is 0. Compression is positive."),
   TARGET("mean", AT_MEAN, "Target of (xx + yy)/2."),
-  TARGET("xx", AT_XX, "Target of this component; there may be several."),
-  TARGET("yy", AT_YY, "Likewise."),
-  TARGET("xy", AT_XY, "Likewise."),
+  TARGET("xx", AT_XX, "Target of this component. One or more of xx, yy and xy."),
+  TARGET("yy", AT_YY, "Target of this component."),
+  TARGET("xy", AT_XY, "Target of this component."),
   {"on", "REGION|boundary|cell|box", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_ON, 1, NULL, PLACE},
   CHOICE("through", "boundary|cell|box", AT_THROUGH, NULL, "`boundary`, `cell` or `box`"),
   FLAG("affine", AT_AFFINE, "the boundary alone", "Through the boundary and the affine motion of the particles inside."),
-  CLAUSE("at most", "RATE", NB_UNIT_STRAIN_RATE, NB_POSITIVE, AT_MOST, 1, NULL, "Limit of the strain rate that is added."),
+  CLAUSE("at most", "RATE", NB_UNIT_STRAIN_RATE, NB_POSITIVE, AT_MOST, 1, NULL, "Largest magnitude of the added strain rate."),
   END
 };
 /* clang-format on */
 
-/* The components of the stress that is measured. */
-static void take_place(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *place,
-                       struct nb_servo *servo) {
+/* Finds the components of the measured stress. */
+static void find_stress(struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *place,
+                        struct nb_servo *servo) {
   static const char *const parts[] = {"xx", "xy", "yx", "yy"};
   for (int k = 0; k < 4; k++) {
     char name[3 * NB_NAME_SIZE];
     snprintf(name, sizeof name, "%.63s.stress.%s", place->text, parts[k]);
     if (!nb_quantity_find(&servo->quantity[k], reading->scene, name))
-      nb_not_known(reader, place, NULL, PLACE);
+      nb_unknown_name(reader, place, NULL, PLACE);
   }
 }
 
-/* One of `isotropic`, `mean` and components. */
+/* Takes one of `isotropic`, `mean` and components. */
 static void take_target(struct nb_reader *reader, const struct nb_value *value, struct nb_servo *servo) {
   const bool isotropic = value[AT_ISOTROPIC].token,
              components = value[AT_XX].token || value[AT_YY].token || value[AT_XY].token;
@@ -54,24 +54,24 @@ static void take_target(struct nb_reader *reader, const struct nb_value *value, 
 NB_APPLY(apply_servo) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   const struct nb_value *value = record->value;
   const int through = (int)value[AT_THROUGH].number;
   struct nb_servo servo = {.axis_x = {1, 0},
                            .axis_y = {0, 1},
                            .every = 10,
                            .max_rate = value[AT_MOST].number,
-                           .per_cycle = nb_is_per_cycle(reader, &value[AT_MOST]),
+                           .per_cycle = nb_value_per_cycle(reader, &value[AT_MOST]),
                            .cell = through == 1,
                            .box = through == 2,
                            .affine = value[AT_AFFINE].token,
                            .line = (int)reader->line};
   take_target(reader, value, &servo);
-  take_place(reading, reader, value[AT_ON].token, &servo);
+  find_stress(reading, reader, value[AT_ON].token, &servo);
   if (servo.affine && through != 0)
     nb_token_mistake(reader, value[AT_AFFINE].token, NULL, "expected `affine` only with `through boundary`");
   if (nb_token_skip(reader, "every"))
-    nb_take_counted(reader, "cycle", &servo.every);
+    nb_take_count_of(reader, "cycle", &servo.every);
   nb_given_twice(reader, stage->servo.line);
   if (servo.box && value[AT_XY].token)
     nb_token_mistake(reader, value[AT_XY].token, NULL, "expected `xx` or `yy` for a box, whose walls do not rotate");
@@ -84,9 +84,9 @@ NB_APPLY(apply_servo) {
 /* clang-format off */
 NB_STATEMENTS(servo) = {
   {"servo", NB_IN_STAGE | NB_IN_RAMP, servo_fields, "{every N cycles}", 0, false, apply_servo,
-   "Brings the stress of a region, or that on the boundary, in the cell or on the box, to a target, for this stage. It adds a strain rate to that of the boundary, the cell or the box. "
-   "`isotropic` holds all components [R89 4.1]; through a box xy is not held, because its walls do not turn. `mean` changes the area alone, so that the shape follows the stage's own strain rates. "
-   "Components that are not named are not held. The gain follows from the stiffness of the contacts; `every` says how often the strain rate is renewed, default 10.",
+   "Controls a stress in this stage: that of a region, on the boundary, in the cell or on the box. It adds a strain rate to that of the boundary, the cell or the box. "
+   "`isotropic` controls all components [R89 4.1]; through a box xy is not controlled, because its walls do not rotate. `mean` changes the area only, so that the shape follows the stage's own strain rates. "
+   "Components that are not named are not controlled. The gain is computed from the stiffness of the contacts. The strain rate is updated `every` N cycles, default 10.",
    "stage     even\n  servo   isotropic 1 kPa  on boundary  through boundary affine  at most 1e-6 per cycle\n  cycles  10\n"
    "stage     shear\n  servo   mean 1 kPa  on boundary  through boundary  at most 1e-6 per cycle  every 5 cycles\n  cycles  10\n"
    "stage     biaxial\n  servo   yy 2 kPa  on boundary  through boundary  at most 1e-6 per cycle\n  cycles  10\n"

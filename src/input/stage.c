@@ -1,5 +1,5 @@
-/* What happens: `stage`, how long one lasts, `ramp` before what shall come gradually; `zero velocities`, `reverse velocities`, `rotation`; and stages
- * once more, `repeat from NAME N times`, of which the lines are read again as if they stood there so often.
+/* Stages: `stage`, `cycles`, `until`, `ramp`, `zero velocities`, `reverse velocities`, `rotation`; and `repeat from NAME N times`, which
+ * reads their lines again.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -8,11 +8,11 @@
 
 enum { AT_NAME };
 enum { AT_CYCLES };
-static const struct nb_argument nothing[] = {END};
+static const struct nb_argument no_fields[] = {END};
 static const struct nb_argument stage_fields[] = {NAME(AT_NAME, "a name for the stage"), END};
 static const struct nb_argument cycles_fields[] = {COUNT(NULL, "N", AT_CYCLES, NULL, "a number of cycles"), END};
 
-struct nb_stage *nb_stage_now(const struct nb_scene *scene) {
+struct nb_stage *nb_current_stage(const struct nb_scene *scene) {
   return scene->stage_count ? &scene->stages[scene->stage_count - 1] : NULL;
 }
 
@@ -24,19 +24,19 @@ void nb_stage_name(struct nb_stage *stage, const struct nb_scene_reading *readin
   snprintf(stage->name, sizeof stage->name, "%.*s%s", (int)(length < most ? length : most), name->text, number);
 }
 
-/* A stage begins with the step and damping of the one before it, the first one with those of the scene. A wrong line begins one too:
- * the lines below belong to it. */
+/* A stage begins with the step and damping of the previous one, the first one with those of the scene. A line with a mistake begins a
+ * stage, too, because the lines below belong to it. */
 NB_APPLY(apply_stage) {
   struct nb_scene_reading *reading = subject;
   struct nb_scene *scene = reading->scene;
   const struct nb_token *name = record->value[AT_NAME].token;
-  const struct nb_stage *before = nb_stage_now(scene);
+  const struct nb_stage *before = nb_current_stage(scene);
   struct nb_stage one = {.record_interval = 1, .check_interval = 1, .snapshot_from = -1};
   one.step = before ? before->step : scene->step;
   one.damping = before ? before->damping : scene->damping;
-  if (reading->opening) { /* what was said behind `start` is said in this one */
+  if (reading->before_first_stage) { /* the statements after `start` belong to this stage */
     one = scene->stages[--scene->stage_count];
-    reading->opening = false;
+    reading->before_first_stage = false;
   }
   one.line = (int)reader->line;
   if (name)
@@ -49,9 +49,8 @@ NB_APPLY(apply_stage) {
     reading->here = NB_IN_STAGE;
 }
 
-/* ---- how long it lasts ---- */
+/* ---- end of a stage: either `cycles` or one `until` ---- */
 
-/* A stage lasts once: `cycles` or one `until`. */
 static bool ends_twice(const struct nb_stage *stage, struct nb_reader *reader) {
   if (stage->cycles != 0)
     nb_token_mistake(reader, &reader->tokens[0], NULL,
@@ -60,7 +59,7 @@ static bool ends_twice(const struct nb_stage *stage, struct nb_reader *reader) {
 }
 
 NB_APPLY(apply_cycles) {
-  struct nb_stage *stage = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  struct nb_stage *stage = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   if (!ends_twice(stage, reader))
     stage->cycles = (unsigned long)record->value[AT_CYCLES].number;
 }
@@ -72,15 +71,15 @@ static bool take_condition(struct nb_scene_reading *reading, struct nb_reader *r
   if (!nb_take_requested(reader, &requested))
     return false;
   if (!nb_requested_find(reading, &condition->quantity, &requested))
-    return nb_silent(reader);
+    return nb_fail_silently(reader);
   snprintf(condition->name, sizeof condition->name, "%s", requested.name);
   condition->relation = nb_take_choice(reader, "above|below") == 0 ? NB_ABOVE : NB_BELOW;
-  return nb_take_in(reader, nb_quantity_unit(condition->quantity), &condition->value);
+  return nb_take_in_unit(reader, nb_quantity_unit(condition->quantity), &condition->value);
 }
 
 NB_APPLY(apply_until) {
   struct nb_scene_reading *reading = subject;
-  struct nb_stage *stage = nb_stage_now(reading->scene);
+  struct nb_stage *stage = nb_current_stage(reading->scene);
   (void)record;
   if (ends_twice(stage, reader))
     return;
@@ -90,21 +89,21 @@ NB_APPLY(apply_until) {
       NB_APPEND(reader, stage->conditions, stage->condition_count, condition);
   } while (nb_token_skip(reader, "and"));
   if (nb_token_skip(reader, "every"))
-    nb_take_counted(reader, "cycle", &stage->check_interval);
+    nb_take_count_of(reader, "cycle", &stage->check_interval);
   if (!nb_token_skip(reader, "at"))
     nb_expected(reader, "add a limit: `at most N cycles`", "`and`, `every N cycles` or `at most N cycles`");
   else if (nb_take_word(reader, "most"))
-    nb_take_counted(reader, "cycle", &stage->cycles);
+    nb_take_count_of(reader, "cycle", &stage->cycles);
 }
 
-/* ---- what comes gradually, and at once ---- */
+/* ---- changes, gradual and sudden ---- */
 
-/* What follows `ramp` is a statement of its own; whatever this line has said then is ramped. */
+/* The tokens after `ramp` are a statement; then all changes of this line are marked as ramps. */
 NB_APPLY(apply_ramp) {
-  struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  struct nb_stage *it = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   const int line = (int)reader->line;
   (void)record;
-  if (!nb_take(reader, "what changes gradually: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
+  if (!nb_take_token(reader, "what changes gradually: `wall`, `walls`, `material`, `pair`, `gravity` or `servo`"))
     return;
   memmove(reader->tokens, reader->tokens + 1, --reader->count * sizeof *reader->tokens);
   nb_statement_read(reader, nb_keywords(), NB_IN_RAMP, subject);
@@ -116,7 +115,7 @@ NB_APPLY(apply_ramp) {
   it->gravity.ramp = it->gravity.ramp || it->gravity.line == line;
 }
 
-/* The line of a ramp; 0: none. */
+/* The line of a ramp of the stage; 0: none. */
 static int ramp_of(const struct nb_stage *it) {
   for (size_t i = 0; i < it->motion_count; i++)
     if (it->motions[i].ramp)
@@ -139,8 +138,8 @@ void nb_ramps_check(struct nb_scene_reading *reading) {
 }
 
 /* variant 1: reverse */
-NB_APPLY(apply_still) {
-  struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+NB_APPLY(apply_velocities) {
+  struct nb_stage *it = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   if (record->keyword->variant && it->motion_count > 0)
     nb_token_mistake(reader, &reader->tokens[0], "it reverses the velocities that the walls had before this stage",
                      "expected `reverse velocities` above the statements that move walls, found it below");
@@ -149,21 +148,21 @@ NB_APPLY(apply_still) {
 
 /* variant 1: off */
 NB_APPLY(apply_rotation) {
-  struct nb_stage *it = nb_stage_now(((struct nb_scene_reading *)subject)->scene);
+  struct nb_stage *it = nb_current_stage(((struct nb_scene_reading *)subject)->scene);
   if (nb_given_twice(reader, it->rotation_line))
     return;
   it->rotation = record->keyword->variant ? NB_ROTATION_OFF : NB_ROTATION_ON;
   it->rotation_line = (int)reader->line;
 }
 
-/* ---- stages or legs once more: what they begin is called NAME-2, NAME-3, … ---- */
+/* ---- repeated stages or segments, which are called NAME-2, NAME-3, … ---- */
 
-bool nb_repeat_closed(struct nb_scene_reading *reading) {
+bool nb_misplaced_after_repeat(struct nb_scene_reading *reading) {
   struct nb_reader *reader = &reading->reader;
   const struct nb_scene *scene = reading->scene;
   const char *begins = scene->contact_test ? "segment" : "stage", *verb = reader->tokens[0].text;
   if (reading->repeat.now || reading->repeat.until == 0 || strcmp(verb, begins) == 0 || strcmp(verb, "repeat") == 0 ||
-      (size_t)nb_stage_now(scene)->line > reading->repeat.until)
+      (size_t)nb_current_stage(scene)->line > reading->repeat.until)
     return false;
   nb_token_mistake(reader, &reader->tokens[0],
                    "above the `repeat` it belongs to all repeated stages or segments, here only to the last one",
@@ -178,8 +177,8 @@ NB_APPLY(apply_repeat) {
   const char *what = scene->contact_test ? "the name of a segment" : "the name of a stage";
   unsigned long times;
   (void)record;
-  const struct nb_token *token = nb_take_word(reader, "from") ? nb_take(reader, what) : NULL;
-  if (!token || nb_stage_not_here(scene, reader, token))
+  const struct nb_token *token = nb_take_word(reader, "from") ? nb_take_token(reader, what) : NULL;
+  if (!token || nb_stage_before_start(scene, reader, token))
     return;
   const int s = NB_NAMED(reader, token, scene->stages + before, scene->stage_count - before,
                          scene->contact_test ? "the name of a segment above" : "the name of a stage above", NULL);
@@ -197,31 +196,31 @@ NB_STATEMENTS(stage) = {
   {"stage", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, stage_fields, NULL, 0, true, apply_stage,
    "Begins a stage; the statements below belong to it, until the next one.",
    "stage     strike"},
-  {"ramp", NB_IN_STAGE, nothing, "wall … | walls … | material … | pair … | gravity … | servo …", 0, false, apply_ramp,
-   "What follows changes linearly over the cycles of the stage, from its present value to the given one.",
+  {"ramp", NB_IN_STAGE, no_fields, "wall … | walls … | material … | pair … | gravity … | servo …", 0, false, apply_ramp,
+   "The values of this statement change linearly over the cycles of the stage, from the present values to the given ones.",
    "  ramp    material steel  friction 0.5"},
   {"cycles", NB_IN_STAGE, cycles_fields, NULL, 0, false, apply_cycles, "How many cycles the stage lasts.",
    "  cycles  400"},
-  {"until", NB_IN_STAGE, nothing,
+  {"until", NB_IN_STAGE, no_fields,
    "QUANTITY above|below VALUE {and QUANTITY above|below VALUE …} {every N cycles} at most N cycles", 0, false, apply_until,
-   "The stage lasts until all conditions hold; if they do not hold after N cycles, the run is aborted. `every`: they are checked every so many cycles, default 1.",
+   "The stage lasts until all conditions hold; if they do not hold after N cycles, the run is aborted. They are checked `every` N cycles, default 1.",
    "stage     part\n  until   C.overlap below 1 nm and time above 1 ms  at most 10000 cycles"},
-  {"zero velocities", NB_IN_STAGE, nothing, NULL, 0, false, apply_still,
+  {"zero velocities", NB_IN_STAGE, no_fields, NULL, 0, false, apply_velocities,
    "The velocities and spins of all particles are 0 at the beginning of this stage; those of walls stay.",
    "stage     halt\n  zero    velocities\n  cycles  10"},
-  {"reverse velocities", NB_IN_STAGE, nothing, NULL, 1, false, apply_still,
-   "All velocities and spins change sign at the beginning of this stage, those of walls too: without friction and "
+  {"reverse velocities", NB_IN_STAGE, no_fields, NULL, 1, false, apply_velocities,
+   "All velocities and spins, also those of walls, change sign at the beginning of this stage: without friction and "
    "damping the motion is traced back.",
    "stage     back\n  reverse velocities\n  cycles  10"},
-  {"rotation off", NB_IN_STAGE, nothing, NULL, 1, false, apply_rotation,
-   "Particles stop rotating at the beginning of this stage, and do not rotate from then on.",
+  {"rotation off", NB_IN_STAGE, no_fields, NULL, 1, false, apply_rotation,
+   "Particles do not rotate from this stage on; their spins are set to 0.",
    "stage     stiff\n  rotation off\n  cycles  10"},
-  {"rotation on", NB_IN_STAGE, nothing, NULL, 0, false, apply_rotation, "Particles rotate again, from this stage on.",
+  {"rotation on", NB_IN_STAGE, no_fields, NULL, 0, false, apply_rotation, "Particles rotate again, from this stage on.",
    "stage     roll\n  rotation on\n  cycles  10"},
-  {"repeat", NB_IN_STAGE, nothing, "from STAGE N times", 1, false, apply_repeat,
+  {"repeat", NB_IN_STAGE, no_fields, "from STAGE N times", 1, false, apply_repeat,
    "Repeats the lines from STAGE down to here N times; the repeated stages are called STAGE-2, STAGE-3 and so on.",
    "stage     again\n  cycles  10\nrepeat    from again 2 times"},
-  {"repeat", NB_IN_SEGMENT, nothing, "from SEGMENT N times", 0, false, apply_repeat,
+  {"repeat", NB_IN_SEGMENT, no_fields, "from SEGMENT N times", 0, false, apply_repeat,
    "Repeats the lines from SEGMENT down to here N times; the repeated segments are called SEGMENT-2, SEGMENT-3 and so on.",
    "repeat    from load 2 times"},
   {0},

@@ -1,8 +1,7 @@
-/* `start PAGE stage NAME`: the scene is that of another page up to the end of one of its stages, and goes on from there.
+/* `start PAGE stage NAME`: continues the scene of another page from the end of one of its stages.
  *
- * So it has the other page's materials, bodies, walls, laws, and stages, and a reference sees all of them; but the lines of what it
- * has from there are that of `start`. Regions, monitors and columns are its own. What it says before its first stage holds
- * from that stage on, as if it stood in it.
+ * The scene has the other page's materials, particles, walls, laws and stages, so that references see all of them; their line is that
+ * of `start`. Regions, monitors and columns are its own. Statements before the first stage of the page belong to this stage.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #define _XOPEN_SOURCE 700
@@ -18,15 +17,15 @@ enum { AT_PAGE, AT_STAGE };
 static const struct nb_argument start_fields[] = {WORD("PAGE", AT_PAGE, "the name of another page"),
                                                   {"stage", "NAME", NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, AT_STAGE,
                                                    1, NULL,
-                                                   "Where it begins: at the end of that stage of the other page."},
+                                                   "The run begins at the end of that stage of the other page."},
                                                   END};
 
-enum { CHAIN_MAX = 50 }; /* pages that start one from another: each is read and run within the next */
+enum { CHAIN_MAX = 50 }; /* pages that start one from another; reading and running them is recursive */
 
-/* ---- what is taken over ---- */
+/* ---- copies of the other scene ---- */
 
 static void *copy_of(const void *array, size_t count, size_t element, bool *made) {
-  void *copy = nb_array_reserve(NULL, 0, count + 1, element); /* as an array that grows by nb_array_reserve */
+  void *copy = nb_array_reserve(NULL, 0, count + 1, element); /* the copy may grow by nb_array_reserve */
   if (copy && count > 0)
     memcpy(copy, array, count * element);
   *made = copy && *made;
@@ -40,7 +39,7 @@ static void *copy_of(const void *array, size_t count, size_t element, bool *made
   for (size_t k = 0; k < to->count; k++)                                                                               \
   to->things[k].line = line
 
-static int moved(int line, int start) { return line ? start : 0; }
+static int replaced_line(int line, int start) { return line ? start : 0; }
 
 static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int line, bool *made) {
   *to = *from;
@@ -55,7 +54,7 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
   LINES(changes, change_count);
   LINES(removals, removal_count);
   for (size_t k = 0; k < to->condition_count; k++)
-    to->conditions[k].line = line, to->conditions[k].quantity.monitor = -1; /* its watches are not taken over */
+    to->conditions[k].line = line, to->conditions[k].quantity.monitor = -1; /* its monitors are not copied */
   int *const lines[] = {&to->gravity.line,
                         &to->damping.contact_line,
                         &to->damping.walls_line,
@@ -70,13 +69,13 @@ static void copy_stage(struct nb_stage *to, const struct nb_stage *from, int lin
                         &to->laws.normal_line,
                         &to->laws.shear_line};
   for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
-    *lines[k] = moved(*lines[k], line);
+    *lines[k] = replaced_line(*lines[k], line);
   to->line = to->step.line = line, to->step.set = false;
-  to->servo = (struct nb_servo){.box = from->servo.box}; /* of what the other page looks at */
+  to->servo = (struct nb_servo){.box = from->servo.box}; /* its quantities are those of the other page */
 }
 
 /* False: no memory. */
-static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line) {
+static bool copy_scene(struct nb_scene *to, const struct nb_scene *from, int line) {
   bool whole = true, *made = &whole;
   COPY(to, from, materials, material_count);
   COPY(to, from, pair_rules, pair_rule_count);
@@ -100,27 +99,27 @@ static bool take_over(struct nb_scene *to, const struct nb_scene *from, int line
   LINES(pair_rules, pair_rule_count);
   LINES(particles, particle_count);
   LINES(walls, wall_count);
-  const bool normal_set = to->normal[0], shear_set = to->shear[0]; /* by --set, which is for what comes */
+  const bool normal_set = to->normal[0], shear_set = to->shear[0]; /* by --set, which applies to this page's stages */
   struct nb_laws set = {.pieces = to->pieces};
   snprintf(set.normal, sizeof set.normal, "%s", normal_set ? to->normal : "");
   snprintf(set.shear, sizeof set.shear, "%s", shear_set ? to->shear : "");
   memcpy(to->normal, from->normal, sizeof to->normal), memcpy(to->shear, from->shear, sizeof to->shear);
-  to->normal_line = moved(from->normal_line, line), to->shear_line = moved(from->shear_line, line);
+  to->normal_line = replaced_line(from->normal_line, line), to->shear_line = replaced_line(from->shear_line, line);
   to->pieces = from->pieces, to->allow_unstable = from->allow_unstable;
   to->damping = from->damping, to->gravity = from->gravity;
-  to->gravity.line = moved(to->gravity.line, line);
-  to->cell = from->cell, to->cell.line = moved(to->cell.line, line);
-  to->circle = from->circle, to->circle.line = moved(to->circle.line, line);
+  to->gravity.line = replaced_line(to->gravity.line, line);
+  to->cell = from->cell, to->cell.line = replaced_line(to->cell.line, line);
+  to->circle = from->circle, to->circle.line = replaced_line(to->circle.line, line);
   to->origin_x = from->origin_x, to->origin_y = from->origin_y;
   const struct nb_stage *last = &to->stages[to->stage_count - 1];
-  struct nb_stage *opening = &to->stages[to->stage_count]; /* what `stage` will give its name to */
-  *opening = (struct nb_stage){.record_interval = 1,
-                               .check_interval = 1,
-                               .snapshot_from = -1,
-                               .line = line,
-                               .step = to->step.set ? to->step : last->step,
-                               .damping = last->damping,
-                               .laws = set};
+  struct nb_stage *first_stage = &to->stages[to->stage_count]; /* gets its name from the first `stage` */
+  *first_stage = (struct nb_stage){.record_interval = 1,
+                                   .check_interval = 1,
+                                   .snapshot_from = -1,
+                                   .line = line,
+                                   .step = to->step.set ? to->step : last->step,
+                                   .damping = last->damping,
+                                   .laws = set};
   to->step = to->stages[0].step;
   to->stage_count++;
   return true;
@@ -133,19 +132,19 @@ static bool same_file(const char *a, const char *b) {
   return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
 }
 
-/* A page that starts from itself, by way of others or not, would never begin. Returns the number of pages above it, -1: itself. */
-static int pages_above(const struct nb_scene_reading *reading, const char *path) {
+/* Number of pages that start, directly or not, from this path; -1 if the path is one of them, which would never end. */
+static int nesting_depth(const struct nb_scene_reading *reading, const char *path) {
   int count = 0;
-  for (const struct nb_scene_reading *above = reading; above; above = above->above, count++)
-    if (same_file(above->reader.page->path, path))
+  for (const struct nb_scene_reading *parent = reading; parent; parent = parent->parent, count++)
+    if (same_file(parent->reader.page->path, path))
       return -1;
   return count;
 }
 
-/* Behind the first `with`: `NAME=VALUE …`, and `with` again where the page likes. */
+/* Takes `NAME=VALUE …` after `with`; more `with` are allowed. */
 static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
   while (nb_token_skip(reader, "with"), nb_token_peek(reader)) {
-    const struct nb_token *token = nb_take(reader, "NAME=VALUE");
+    const struct nb_token *token = nb_take_token(reader, "NAME=VALUE");
     if (!token)
       return false;
     if (!strchr(token->text, '=') || token->text[0] == '=') {
@@ -170,30 +169,30 @@ static bool take_settings(struct nb_reader *reader, struct nb_start *start) {
   return true;
 }
 
-/* The path of the other page; false when it cannot be one to start from. */
+/* Finds the path of the other page; false with a message. */
 static bool find_page(const struct nb_scene_reading *reading, struct nb_reader *reader, const struct nb_token *word,
                       char path[NB_PATH_SIZE]) {
   const size_t length = strlen(word->text);
   const bool whole = length > 3 && strcmp(word->text + length - 3, ".md") == 0;
   if (!nb_file_find(reader, word, whole ? "" : ".md", path))
     return false;
-  const int above = pages_above(reading, path);
-  if (above >= CHAIN_MAX)
+  const int parent = nesting_depth(reading, path);
+  if (parent >= CHAIN_MAX)
     return nb_token_mistake(
         reader, word, "save a state of one of them with `nineball state`, and take its particles with `packing`",
         "expected at most %d pages that start one from another, with this there are more", CHAIN_MAX);
-  if (above < 0)
+  if (parent < 0)
     return nb_token_mistake(reader, word, NULL, "expected another page, `%.200s` would start from itself", path);
   return true;
 }
 
-/* Its scene, with what it is given. */
+/* Reads the scene of the other page with its settings. */
 static void read_scene(const struct nb_scene_reading *reading, struct nb_reader *reader, struct nb_start *start,
                        const char *const *settings, const struct nb_token *word) {
   struct nb_mistakes *mistakes = reader->mistakes;
   const size_t before = mistakes->total;
   size_t runs = 1;
-  nb_scene_read_below(start->scene, start->page, settings, mistakes, reading, &runs);
+  nb_scene_read_nested(start->scene, start->page, settings, mistakes, reading, &runs);
   if (mistakes->total == before && start->scene->contact_test)
     nb_token_mistake(reader, word, NULL, "expected a page with a scene, found a contact test");
   else if (mistakes->total == before && runs > 1)
@@ -221,15 +220,15 @@ static bool read_other(const struct nb_scene_reading *reading, struct nb_reader 
   return reader->mistakes->total == before;
 }
 
-void nb_scene_cut(struct nb_scene *scene, size_t stage) {
+void nb_scene_truncate(struct nb_scene *scene, size_t stage) {
   scene->column_count = 0;
   for (size_t k = 0; k <= stage; k++)
     scene->stages[k].record_interval = 0, scene->stages[k].snapshot = false, scene->stages[k].snapshot_from = -1;
   nb_stages_free(scene, stage + 1);
 }
 
-/* Cuts the other page's scene behind that stage. */
-static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct nb_token *name) {
+/* Removes the stages of the other page after the named one. */
+static bool truncate_scene(struct nb_reader *reader, struct nb_scene *other, const struct nb_token *name) {
   const int s = NB_NAMED(reader, name, other->stages, other->stage_count, "the name of a stage of that page", NULL);
   if (s < 0)
     return false;
@@ -237,7 +236,7 @@ static bool cut(struct nb_reader *reader, struct nb_scene *other, const struct n
     return nb_token_mistake(
         reader, name, "start from that other page",
         "expected a stage that the page defines itself, `%s` belongs to the page that it starts from", name->text);
-  nb_scene_cut(other, (size_t)s);
+  nb_scene_truncate(other, (size_t)s);
   return true;
 }
 
@@ -246,8 +245,8 @@ NB_APPLY(apply_start) {
   struct nb_scene *scene = reading->scene;
   struct nb_start *start = &scene->start;
   const struct nb_token *word = record->value[AT_PAGE].token, *name = record->value[AT_STAGE].token;
-  reading->lost = true; /* until all is known */
-  if (scene->start.line || reading->first != reader->line) {
+  reading->start_failed = true; /* until it has succeeded */
+  if (scene->start.line || reading->first_line != reader->line) {
     nb_token_mistake(reader, &reader->tokens[0], NULL,
                      "expected `start` once, before all but `units`, `let` and `sweep`");
     return;
@@ -255,7 +254,7 @@ NB_APPLY(apply_start) {
   start->line = (int)reader->line;
   if (nb_token_peek(reader) && (!nb_take_word(reader, "with") || !take_settings(reader, start)))
     return;
-  if (reader->bad || !read_other(reading, reader, start, word) || !cut(reader, start->scene, name))
+  if (reader->bad || !read_other(reading, reader, start, word) || !truncate_scene(reader, start->scene, name))
     return;
   if (reading->units_line && reader->unitless != start->scene->unitless) {
     nb_token_mistake(reader, word, NULL, "expected a page with the same `units`");
@@ -264,13 +263,13 @@ NB_APPLY(apply_start) {
   reading->reader.unitless = reading->setting.unitless = start->scene->unitless;
   reading->hash = nb_hash(reading->hash, &start->scene->stages[start->scene->stage_count - 1].hash,
                           sizeof start->scene->stages->hash);
-  if (!take_over(scene, start->scene, start->line)) {
+  if (!copy_scene(scene, start->scene, start->line)) {
     nb_no_memory(reader);
     return;
   }
   start->stages = start->scene->stage_count;
-  reading->lost = false;
-  reading->opening = true;
+  reading->start_failed = false;
+  reading->before_first_stage = true;
   reading->here = NB_IN_START;
 }
 
@@ -282,9 +281,9 @@ void nb_start_free(struct nb_start *start) {
   free(start->scene), free(start->page), free(start->settings);
 }
 
-/* ---- what a state depends on ---- */
+/* ---- hash of everything that a state depends on ---- */
 
-/* What the hash begins with: the program, and settings of statements; those of values are in the statements that use them. */
+/* Begins with the program, and settings that override statements; settings of values are in the statements that use them. */
 unsigned long long nb_hash_settings(nb_settings settings) {
   static const char *const statements[] = {"normal=", "shear=", "step="};
   unsigned long long hash = nb_hash(NB_HASH_BEGIN, NB_VERSION, sizeof NB_VERSION);
@@ -295,13 +294,13 @@ unsigned long long nb_hash_settings(nb_settings settings) {
   return hash;
 }
 
-/* What a state depends on: the statements as they are with all values in place, but for those that only look. */
+/* Adds a statement with all values in place, unless it is about output only. */
 void nb_hash_line(struct nb_scene_reading *reading) {
   const struct nb_reader *reader = &reading->reader;
   const char *verb = reader->tokens[0].text;
-  reading->first = reading->first ? reading->first : reader->line;
+  reading->first_line = reading->first_line ? reading->first_line : reader->line;
   if (strcmp(verb, "record") == 0 || strcmp(verb, "snapshot") == 0 || strcmp(verb, "start") == 0)
-    return; /* `start` adds what the other page comes to */
+    return; /* `start` adds the hash of the other page */
   for (size_t k = 0; k < reader->count; k++)
     reading->hash = nb_hash(reading->hash, reader->tokens[k].text, strlen(reader->tokens[k].text) + 1);
   reading->hash = nb_hash(reading->hash, "\n", 1);
@@ -309,12 +308,12 @@ void nb_hash_line(struct nb_scene_reading *reading) {
 
 /* clang-format off */
 NB_STATEMENTS(start) = {
-  {"start", NB_IN_SCENE | NB_APART, start_fields, "{with NAME=VALUE …}", 0, false, apply_start,
-   "Continues from the end of a stage of another page, PAGE.md, with these values as by --set. The page is found by its name: in the folder of this page; else in the nearest "
-   "folder `cases` that this page lies in, or in any folder below, where only one file may have that name. A name that begins with `../` or `/` is a path from this page's folder or from the root. Particles, walls, a boundary or a cell, materials, "
-   "laws, damping, gravity and step are those at its end, and cycles and time continue; monitors and columns are this page's own. Statements "
+  {"start", NB_IN_SCENE | NB_OWN_EXAMPLE, start_fields, "{with NAME=VALUE …}", 0, false, apply_start,
+   "Continues from the end of a stage of another page, PAGE.md; `with` sets values of that page, as --set does. The program searches the page in the folder of this page, then in the nearest "
+   "folder `cases` above it and all folders below that, where only one file may have that name. A name that begins with `../` or `/` is a path from this page's folder or from the root. "
+   "Particles, walls, a boundary or a cell, materials, laws, damping, gravity and step are those at the end of that stage; cycles and time continue. Monitors and columns are this page's own. Statements "
    "before the first stage hold from that stage on. The other page is run up to there once, and its state is saved in a "
-   "folder: docs/STATE.md. Comes before all but `units`, `let` and `sweep`.",
+   "folder: docs/STATE.md. Only `units`, `let` and `sweep` may stand before `start`.",
    "start     nine-discs stage load\nmonitor   C  disc 5 with disc 6\nrecord    cycle C.normal\nstage     rest\n  walls   stop\n  cycles  400"},
   {0},
 };

@@ -1,10 +1,9 @@
-/* A saved state to text, and from text. A record is a word and its fields, one a line, fields parted by one blank; the last line
- * is the checksum of all before it. Numbers are written by %a, which reads back to the same bits.
+/* Writes and reads a saved state. Each record is a line: a word and its fields, separated by one space. The last line is the checksum
+ * of all others. Numbers are written by %a, which reads back to the same bits.
  *
- * What a record holds is said once, by a function that goes through its fields in order: it writes them when there is a text to
- * write to, else it reads them and checks what they may be. A file that is cut off, or in which anything has changed, is not
- * read at all; then whatever is not as docs/STATE.md says is an error with file, line, column and what was expected. A record
- * that others need later is a row of the table below, and one in docs/STATE.md.
+ * One function per kind of record both writes and reads its fields in order: it writes them if there is an output text, else it reads
+ * and checks them. A file that is truncated or changed is refused. Every other deviation from docs/STATE.md is an error with file,
+ * line, column and what was expected. A new record needs a row in the table below, and one in docs/STATE.md.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state_file.h"
@@ -17,27 +16,28 @@
 #include "reader.h"
 #include "text.h"
 
-static const double unit_error = 1e-9; /* of the length of a unit vector, whose rounding adds up as its wall turns */
+static const double unit_error =
+    1e-9; /* of the length of a unit vector; rounding errors accumulate while a wall rotates */
 
-enum { MANY = 1 << 30 };
+enum { CONTACTS_MAX = 1 << 30 };
 
 struct stream {
   struct nb_saved *saved;
   struct nb_text *out; /* NULL: the state is read */
-  size_t k;            /* which of such records is written, from 0 */
-  /* Of a state that is read: */
+  size_t k;            /* index of the record among those of its kind, while writing */
+  /* While reading: */
   const char *path;
-  const char *line, *end;  /* the record that is read, and one past its last character */
-  const char *at, *taken;  /* what is to be read next; the field that was taken last, for messages */
-  size_t number;           /* of the line */
-  unsigned seen, carriers; /* sets of records, and of carriers, that have been read */
+  const char *line, *end; /* current record, and one past its last character */
+  const char *at, *taken; /* next character; the last field, for messages */
+  size_t number;          /* of the line */
+  unsigned seen, sources; /* sets of records, and of carriers, that have been read */
   struct nb_error *error;
-  bool fields, bad; /* the names of a contact's fields have been read; something was wrong */
+  bool fields, bad; /* the names of a contact's fields have been read; there was an error */
 };
 
 void nb_saved_free(struct nb_saved *saved) {
   free(saved->settings), free(saved->materials), free(saved->rules), free(saved->particles), free(saved->walls);
-  free(saved->contacts), free(saved->memory), free(saved->imposed), free(saved->ring.members);
+  free(saved->contacts), free(saved->history), free(saved->imposed), free(saved->ring.members);
   *saved = (struct nb_saved){0};
 }
 
@@ -54,11 +54,11 @@ enum nb_status nb_saved_setting(struct nb_saved *saved, const char *text, struct
 
 /* ---- fields ---- */
 
-/* "PATH:7:12: expected a number, found `x`" at the field that was taken last, of the first mistake in the file. */
+/* Sets the error "PATH:7:12: expected a number, found `x`" at the last field, for the first mistake in the file. */
 static void __attribute__((format(printf, 2, 3))) expected(struct stream *stream, const char *format, ...) {
   char what[160];
   va_list list;
-  if (stream->bad || stream->out) /* what is written is read again (run/state.c) */
+  if (stream->bad || stream->out) /* run/state.c reads what it has written */
     return;
   stream->bad = true;
   va_start(list, format);
@@ -76,8 +76,8 @@ static void __attribute__((format(printf, 2, 3))) expected(struct stream *stream
 
 static bool ended(const struct stream *stream) { return stream->at >= stream->end; }
 
-/* The next field, as a text of its own; empty, and said, when there is none. */
-static void take(struct stream *stream, char field[NB_STATE_FIELD], const char *what) {
+/* Takes the next field; if there is none, it is empty and an error is set. */
+static void take_field(struct stream *stream, char field[NB_STATE_FIELD], const char *what) {
   field[0] = 0;
   stream->taken = stream->at;
   const size_t length = ended(stream) ? 0 : strcspn(stream->at, " \n");
@@ -92,9 +92,9 @@ static void take(struct stream *stream, char field[NB_STATE_FIELD], const char *
     stream->at++;
 }
 
-/* Whatever takes a field that is not what it should be leaves something harmless. */
+/* After an error each of the following functions leaves a valid value. */
 
-enum range { FINITE, FROM_0, ABOVE_0, FROM_0_IF_SAID }; /* the last one may be infinite, or `-`, which is NAN */
+enum range { FINITE, FROM_0, ABOVE_0, FROM_0_OR_UNDEFINED }; /* the last one: infinite or `-`, NAN, as well */
 
 static void number(struct stream *stream, double *value, enum range range) {
   char field[NB_STATE_FIELD], *end = field;
@@ -103,12 +103,12 @@ static void number(struct stream *stream, double *value, enum range range) {
   } else if (stream->out) {
     nb_text_add(stream->out, " %a", *value);
   } else {
-    take(stream, field, "a number");
+    take_field(stream, field, "a number");
     const bool given = strcmp(field, "-") != 0;
     *value = given ? strtod(field, &end) : NAN;
     if (given && (*end || isnan(*value)))
       expected(stream, "a number");
-    if (range != FROM_0_IF_SAID && !isfinite(*value))
+    if (range != FROM_0_OR_UNDEFINED && !isfinite(*value))
       expected(stream, "a finite number");
     if (range == ABOVE_0 && !(*value > 0))
       expected(stream, "a number above 0");
@@ -121,26 +121,26 @@ static void vector(struct stream *stream, struct nb_vec *value) {
   number(stream, &value->x, FINITE), number(stream, &value->y, FINITE);
 }
 
-static void four(struct stream *stream, double *xx, double *xy, double *yx, double *yy) {
+static void four_numbers(struct stream *stream, double *xx, double *xy, double *yx, double *yy) {
   number(stream, xx, FINITE), number(stream, xy, FINITE), number(stream, yx, FINITE), number(stream, yy, FINITE);
 }
 static void tensor_of(struct stream *stream, struct nb_tensor *value) {
-  four(stream, &value->xx, &value->xy, &value->yx, &value->yy);
+  four_numbers(stream, &value->xx, &value->xy, &value->yx, &value->yy);
 }
 
-/* Of these and the ones below: what is written, and what has been read. */
-static unsigned long whole(struct stream *stream, unsigned long now, unsigned long low, unsigned long high) {
+/* This function and the ones below write `now`, or return the value that they read. */
+static unsigned long whole_number(struct stream *stream, unsigned long now, unsigned long low, unsigned long high) {
   char field[NB_STATE_FIELD], *end;
   if (stream->out)
     return nb_text_add(stream->out, " %lu", now), now;
-  take(stream, field, "a whole number");
+  take_field(stream, field, "a whole number");
   const unsigned long value = strtoul(field, &end, 10);
   if (*end || field[0] < '0' || value < low || value > high)
     expected(stream, "a whole number from %lu to %lu", low, high);
   return stream->bad ? low : value;
 }
 
-/* Which of these words. */
+/* Index of one of these words. */
 #define WORDS(...) ((const char *const[]){__VA_ARGS__, NULL})
 static int one_of(struct stream *stream, int now, const char *const words[]) {
   char field[NB_STATE_FIELD], list[NB_STATE_FIELD] = "";
@@ -152,14 +152,14 @@ static int one_of(struct stream *stream, int now, const char *const words[]) {
              : words[w + 1] ? ", "
                             : " or ",
              words[w]);
-  take(stream, field, list);
+  take_field(stream, field, list);
   for (int w = 0; words[w]; w++)
     if (strcmp(field, words[w]) == 0)
       return w;
   expected(stream, "%s", list);
   return 0;
 }
-static bool either(struct stream *stream, bool now, const char *no, const char *yes) {
+static bool one_of_two(struct stream *stream, bool now, const char *no, const char *yes) {
   return one_of(stream, now, WORDS(no, yes)) == 1;
 }
 
@@ -169,13 +169,13 @@ static void name(struct stream *stream, char own[NB_NAME_SIZE], const char *what
     nb_text_add(stream->out, " %s", own);
     return;
   }
-  take(stream, field, what);
+  take_field(stream, field, what);
   if (strlen(field) >= NB_NAME_SIZE)
     expected(stream, "%s", what);
   snprintf(own, NB_NAME_SIZE, "%.*s", NB_NAME_SIZE - 1, field);
 }
 
-/* Which of the names that such things begin with. */
+/* Index of a name in an array of structures that begin with their name. */
 static int known_name(struct stream *stream, int now, const void *things, size_t count, size_t size, const char *what) {
   char field[NB_NAME_SIZE] = "";
   if (stream->out)
@@ -187,7 +187,7 @@ static int known_name(struct stream *stream, int now, const void *things, size_t
   return found < 0 ? 0 : found;
 }
 
-/* The name of the last one of `count` things, which no other has. */
+/* The name of the last of `count` structures, which must differ from all others. */
 static void new_name(struct stream *stream, char *own, const void *things, size_t count, size_t size,
                      const char *what) {
   name(stream, own, what);
@@ -197,8 +197,8 @@ static void new_name(struct stream *stream, char *own, const void *things, size_
     expected(stream, "%s, each once", what);
 }
 
-/* The rest of the line, blanks and all. */
-static void rest(struct stream *stream, char *text, size_t size) {
+/* The rest of the line, with spaces. */
+static void rest_of_line(struct stream *stream, char *text, size_t size) {
   if (stream->out) {
     nb_text_add(stream->out, " %s", text);
     return;
@@ -211,8 +211,8 @@ static void rest(struct stream *stream, char *text, size_t size) {
   stream->at = stream->end;
 }
 
-/* One more at the end of an array; NULL, and said, when there are too many or no memory. */
-static void *more(struct stream *stream, void *array, size_t *count, size_t size, size_t most) {
+/* Appends an element to an array; NULL with an error if there are too many or no memory. */
+static void *append(struct stream *stream, void *array, size_t *count, size_t size, size_t most) {
   if (*count >= most) {
     expected(stream, "at most %zu such records", most);
     return NULL;
@@ -224,16 +224,16 @@ static void *more(struct stream *stream, void *array, size_t *count, size_t size
   }
   return element;
 }
-/* The element that is written, or one more to be read. */
+/* The element to write, or a new one to read. */
 #define ELEMENT(stream, things, count, most)                                                                           \
   ((stream)->out                                                                                                       \
        ? &(stream)->saved->things[(stream)->k]                                                                         \
-       : more(stream, &(stream)->saved->things, &(stream)->saved->count, sizeof *(stream)->saved->things, most))
+       : append(stream, &(stream)->saved->things, &(stream)->saved->count, sizeof *(stream)->saved->things, most))
 
 /* ---- records ---- */
 
 static void program(struct stream *stream) { name(stream, stream->saved->program, "the version of the program"); }
-static void page(struct stream *stream) { rest(stream, stream->saved->page, sizeof stream->saved->page); }
+static void page(struct stream *stream) { rest_of_line(stream, stream->saved->page, sizeof stream->saved->page); }
 static void stage(struct stream *stream) { name(stream, stream->saved->stage, "the name of a stage"); }
 static void gravity(struct stream *stream) { vector(stream, &stream->saved->gravity); }
 static void centre(struct stream *stream) { vector(stream, &stream->saved->centre); }
@@ -244,7 +244,7 @@ static void hash(struct stream *stream) {
     nb_text_add(stream->out, " %016llx", stream->saved->hash);
     return;
   }
-  take(stream, field, "16 hexadecimal digits");
+  take_field(stream, field, "16 hexadecimal digits");
   stream->saved->hash = strtoull(field, &end, 16);
   if (*end || strlen(field) != 16)
     expected(stream, "16 hexadecimal digits");
@@ -253,13 +253,13 @@ static void hash(struct stream *stream) {
 static void setting(struct stream *stream) {
   char(*it)[2 * NB_NAME_SIZE] = ELEMENT(stream, settings, setting_count, NB_NAMED_MAX);
   if (it)
-    rest(stream, *it, sizeof *it);
+    rest_of_line(stream, *it, sizeof *it);
 }
 
 static void cycle(struct stream *stream) {
   struct nb_saved *saved = stream->saved;
-  saved->cycle = whole(stream, saved->cycle, 0, 1000000000000UL);
-  saved->stage_cycle = whole(stream, saved->stage_cycle, 0, saved->cycle);
+  saved->cycle = whole_number(stream, saved->cycle, 0, 1000000000000UL);
+  saved->stage_cycle = whole_number(stream, saved->stage_cycle, 0, saved->cycle);
 }
 
 static void time_and_step(struct stream *stream) {
@@ -267,12 +267,12 @@ static void time_and_step(struct stream *stream) {
 }
 
 static void units(struct stream *stream) {
-  stream->saved->unitless = either(stream, stream->saved->unitless, "si", "none");
+  stream->saved->unitless = one_of_two(stream, stream->saved->unitless, "si", "none");
 }
 
 static void law(struct stream *stream) {
   struct nb_saved *saved = stream->saved;
-  const bool shear = either(stream, stream->k == 1, "normal", "shear");
+  const bool shear = one_of_two(stream, stream->k == 1, "normal", "shear");
   char *own = shear ? saved->shear : saved->normal;
   if (own[0])
     expected(stream, "such a record once");
@@ -280,7 +280,7 @@ static void law(struct stream *stream) {
   if (!nb_law_find(shear ? "shear" : "normal", own))
     expected(stream, "a law of this program");
   if (shear)
-    saved->pieces = (int)whole(stream, (unsigned long)saved->pieces, 0, NB_PIECES_MAX);
+    saved->pieces = (int)whole_number(stream, (unsigned long)saved->pieces, 0, NB_PIECES_MAX);
 }
 
 static void central(struct stream *stream) {
@@ -293,7 +293,7 @@ static void impact(struct stream *stream) {
 }
 
 static void rotation(struct stream *stream) {
-  stream->saved->rotates = either(stream, stream->saved->rotates, "off", "on");
+  stream->saved->rotates = one_of_two(stream, stream->saved->rotates, "off", "on");
 }
 
 static void cell(struct stream *stream) {
@@ -305,7 +305,7 @@ static void cell(struct stream *stream) {
   tensor_of(stream, &it->image_velocity);
 }
 
-static enum nb_affine_source carrier_of(struct stream *stream, enum nb_affine_source now) {
+static enum nb_affine_source affine_source_of(struct stream *stream, enum nb_affine_source now) {
   static const char *const words[NB_AFFINE_SOURCES + 1] = {[NB_AFFINE_NONE] = "nothing",
                                                            [NB_AFFINE_FREE] = "continuum",
                                                            [NB_AFFINE_BOUNDARY] = "boundary",
@@ -314,17 +314,17 @@ static enum nb_affine_source carrier_of(struct stream *stream, enum nb_affine_so
   return (enum nb_affine_source)one_of(stream, (int)now, words);
 }
 
-static void carrier(struct stream *stream) {
+static void affine_source(struct stream *stream) {
   const enum nb_affine_source which =
-      carrier_of(stream, stream->out ? (enum nb_affine_source)(stream->k + 1) : NB_AFFINE_NONE);
-  struct nb_saved_carrier *it = &stream->saved->carriers[which];
-  if (stream->carriers & 1U << which)
+      affine_source_of(stream, stream->out ? (enum nb_affine_source)(stream->k + 1) : NB_AFFINE_NONE);
+  struct nb_saved_affine *it = &stream->saved->sources[which];
+  if (stream->sources & 1U << which)
     expected(stream, "such a record once for each source of imposed motion");
-  stream->carriers |= 1U << which;
-  it->accumulated = either(stream, it->accumulated, "apart", "literal");
+  stream->sources |= 1U << which;
+  it->accumulated = one_of_two(stream, it->accumulated, "apart", "literal");
   tensor_of(stream, &it->rate);
-  it->requested.per_cycle = either(stream, it->requested.per_cycle, "time", "cycle");
-  four(stream, &it->requested.xx, &it->requested.xy, &it->requested.yx, &it->requested.yy);
+  it->requested.per_cycle = one_of_two(stream, it->requested.per_cycle, "time", "cycle");
+  four_numbers(stream, &it->requested.xx, &it->requested.xy, &it->requested.yx, &it->requested.yy);
 }
 
 static int material_of(struct stream *stream, int now) {
@@ -343,7 +343,7 @@ static void material(struct stream *stream) {
 #define ROW(name, ...) number(stream, &it->name, FROM_0);
   NB_PAIR_ROWS(ROW)
 #undef ROW
-  number(stream, &it->young, FROM_0_IF_SAID);
+  number(stream, &it->young, FROM_0_OR_UNDEFINED);
   if (isnan(it->young))
     expected(stream, "0 or more");
   number(stream, &it->poisson, FROM_0);
@@ -356,7 +356,7 @@ static void pair(struct stream *stream) {
   if (!it)
     return;
   it->a = material_of(stream, it->a), it->b = material_of(stream, it->b);
-#define ROW(name, ...) number(stream, &it->name, FROM_0_IF_SAID);
+#define ROW(name, ...) number(stream, &it->name, FROM_0_OR_UNDEFINED);
   NB_PAIR_ROWS(ROW)
 #undef ROW
 }
@@ -366,8 +366,8 @@ static void particle(struct stream *stream) {
   if (!it)
     return;
   const size_t own = (size_t)(it - stream->saved->particles) + 1;
-  whole(stream, own, own, own);
-  it->shape = either(stream, it->shape == NB_SPHERE, "disc", "sphere") ? NB_SPHERE : NB_DISC;
+  whole_number(stream, own, own, own);
+  it->shape = one_of_two(stream, it->shape == NB_SPHERE, "disc", "sphere") ? NB_SPHERE : NB_DISC;
   it->material = material_of(stream, it->material);
   it->mobility = (enum nb_mobility)one_of(stream, (int)it->mobility, WORDS("free", "fixed", "gone"));
   number(stream, &it->radius, ABOVE_0);
@@ -375,23 +375,23 @@ static void particle(struct stream *stream) {
   number(stream, &it->spin, FINITE), number(stream, &it->angle, FINITE);
 }
 
-static void imposed(struct stream *stream) {
+static void imposed_motion(struct stream *stream) {
   struct nb_saved_imposed *it = ELEMENT(stream, imposed, imposed_count, NB_PARTICLES_MAX);
   if (!it)
     return;
   const size_t own = (size_t)(it - stream->saved->imposed) + 1;
   if (own > stream->saved->particle_count)
     expected(stream, "such a record once for each body above");
-  whole(stream, own, own, own);
-  it->by = carrier_of(stream, it->by);
+  whole_number(stream, own, own, own);
+  it->by = affine_source_of(stream, it->by);
   vector(stream, &it->along);
 }
 
 static void boundary(struct stream *stream) {
   struct nb_saved_ring *it = &stream->saved->ring;
   it->is = true;
-  it->held = !either(stream, !it->held, "held", "loose");
-  it->pressing = !either(stream, !it->pressing, "pressed", "unpressed");
+  it->held = !one_of_two(stream, !it->held, "held", "loose");
+  it->pressing = !one_of_two(stream, !it->pressing, "pressed", "unpressed");
   number(stream, &it->radius, ABOVE_0);
   tensor_of(stream, &it->shape), tensor_of(stream, &it->stress);
 }
@@ -401,7 +401,7 @@ static void members(struct stream *stream) {
   for (size_t k = 0; stream->out && k < saved->ring.member_count; k++)
     nb_text_add(stream->out, " %d", saved->ring.members[k] + 1);
   while (!ended(stream) && !stream->bad) {
-    const int member = (int)whole(stream, 0, 1, saved->particle_count) - 1;
+    const int member = (int)whole_number(stream, 0, 1, saved->particle_count) - 1;
     if (saved->particle_count == 0 || saved->particles[member].member)
       expected(stream, "each body once");
     else
@@ -440,23 +440,23 @@ static void write_history(struct stream *stream, const char *word, struct nb_sav
   if (it.count > 0)
     nb_text_add(stream->out, "\n%s", word);
   for (int m = 0; m < it.count; m++)
-    number(stream, &stream->saved->memory[it.at + (size_t)m], FINITE);
+    number(stream, &stream->saved->history[it.at + (size_t)m], FINITE);
 }
 
 static void contact(struct stream *stream) {
   const struct nb_saved *saved = stream->saved;
-  struct nb_saved_contact *it = ELEMENT(stream, contacts, contact_count, MANY);
+  struct nb_saved_contact *it = ELEMENT(stream, contacts, contact_count, CONTACTS_MAX);
   if (!it)
     return;
   if (!stream->fields)
     expected(stream, "a record `fields` before the first contact");
-  it->a = (int)whole(stream, (unsigned long)it->a + 1, 1, saved->particle_count) - 1;
-  it->wall = either(stream, it->wall, "body", "wall");
+  it->a = (int)whole_number(stream, (unsigned long)it->a + 1, 1, saved->particle_count) - 1;
+  it->wall = one_of_two(stream, it->wall, "body", "wall");
   if (it->wall)
     it->b = known_name(stream, it->b, saved->walls, saved->wall_count, sizeof *saved->walls, "the name of a wall");
   else
-    it->b = (int)whole(stream, (unsigned long)it->b + 1, (unsigned long)it->a + 2, saved->particle_count) - 1;
-  it->suppressed = either(stream, it->suppressed, "heard", "muted");
+    it->b = (int)whole_number(stream, (unsigned long)it->b + 1, (unsigned long)it->a + 2, saved->particle_count) - 1;
+  it->suppressed = one_of_two(stream, it->suppressed, "heard", "muted");
   vector(stream, &it->force);
 #define ROW(which, name, range) number(stream, &it->field[which], range);
   NB_SAVED_FIELDS(ROW)
@@ -465,30 +465,30 @@ static void contact(struct stream *stream) {
     write_history(stream, "normal", it->normal), write_history(stream, "shear", it->shear);
 }
 
-static bool can_be(const struct nb_saved *saved, const struct nb_law *law, struct nb_saved_history it) {
-  return law->valid ? law->valid(saved->memory + it.at, it.count, saved->pieces) : it.count == law->history;
+static bool history_valid(const struct nb_saved *saved, const struct nb_law *law, struct nb_saved_history it) {
+  return law->valid ? law->valid(saved->history + it.at, it.count, saved->pieces) : it.count == law->history;
 }
 
-/* What a law remembers of the contact above. */
+/* Reads the history that a law keeps of the contact above. */
 static void read_history(struct stream *stream, bool shear) {
   struct nb_saved *saved = stream->saved;
   struct nb_saved_contact *above = saved->contact_count ? &saved->contacts[saved->contact_count - 1] : NULL;
   struct nb_saved_history *it = !above ? NULL : shear ? &above->shear : &above->normal;
-  const struct nb_law *remembers = nb_law_find(shear ? "shear" : "normal", shear ? saved->shear : saved->normal);
-  if (!it || !remembers || it->count > 0) {
+  const struct nb_law *law = nb_law_find(shear ? "shear" : "normal", shear ? saved->shear : saved->normal);
+  if (!it || !law || it->count > 0) {
     stream->taken = stream->line;
     expected(stream, "such a record once, below its contact");
     return;
   }
   it->at = saved->history_count;
   while (!ended(stream) && !stream->bad) {
-    double *value = ELEMENT(stream, memory, history_count, MANY);
+    double *value = ELEMENT(stream, history, history_count, CONTACTS_MAX);
     if (value)
       number(stream, value, FINITE);
     if (++it->count > NB_HISTORY_MAX)
       expected(stream, "at most %d numbers", NB_HISTORY_MAX);
   }
-  if (!stream->bad && !can_be(saved, remembers, *it)) {
+  if (!stream->bad && !history_valid(saved, law, *it)) {
     stream->taken = stream->line;
     expected(stream, "a contact history that the law can have");
   }
@@ -516,11 +516,11 @@ static void shear(struct stream *stream) { read_history(stream, true); }
   X("rotation", rotation, AT_MOST_ONCE, !saved->rotates)                                                               \
   X("cell", cell, AT_MOST_ONCE, saved->cell.is)                                                                        \
   X("centre", centre, AT_MOST_ONCE, saved->imposed_count > 0)                                                          \
-  X("carrier", carrier, ANY_TIMES, saved->imposed_count > 0 ? NB_AFFINE_SOURCES - 1 : 0)                               \
+  X("carrier", affine_source, ANY_TIMES, saved->imposed_count > 0 ? NB_AFFINE_SOURCES - 1 : 0)                         \
   X("material", material, ANY_TIMES, saved->material_count)                                                            \
   X("pair", pair, ANY_TIMES, saved->rule_count)                                                                        \
   X("body", particle, ONCE_OR_MORE, saved->particle_count)                                                             \
-  X("carried", imposed, ANY_TIMES, saved->imposed_count)                                                               \
+  X("carried", imposed_motion, ANY_TIMES, saved->imposed_count)                                                        \
   X("boundary", boundary, AT_MOST_ONCE, saved->ring.is)                                                                \
   X("members", members, AT_MOST_ONCE, saved->ring.is)                                                                  \
   X("wall", wall, ANY_TIMES, saved->wall_count)                                                                        \
@@ -541,7 +541,7 @@ static const struct {
 enum { COUNT = sizeof records / sizeof *records };
 
 static const char head[] = "nineball state 1\n";
-static const size_t any_version = sizeof "nineball state " - 1; /* characters of it */
+static const size_t any_version = sizeof "nineball state " - 1; /* length */
 
 bool nb_saved_is(FILE *file) {
   char begin[sizeof head];
@@ -572,7 +572,7 @@ static void read_record(struct stream *stream) {
   char word[NB_STATE_FIELD];
   size_t r = 0;
   stream->at = stream->line;
-  take(stream, word, "a record");
+  take_field(stream, word, "a record");
   while (r < COUNT && strcmp(records[r].word, word) != 0)
     r++;
   if (r == COUNT) {
@@ -588,13 +588,13 @@ static void read_record(struct stream *stream) {
     expected(stream, "the end of the line");
 }
 
-/* Whether what carries a body is there. */
-static bool has_carrier(const struct nb_saved *saved, size_t particle) {
+/* Whether the state has the cell or the boundary that imposes the motion of a particle. */
+static bool has_source(const struct nb_saved *saved, size_t particle) {
   const enum nb_affine_source by = saved->imposed[particle].by;
   return by == NB_AFFINE_CELL ? saved->cell.is : by != NB_AFFINE_BOUNDARY || saved->particles[particle].member;
 }
 
-/* At the last line, when all records have been read: what must be there is, and goes together. */
+/* Checks, at the last line, that required records are there and agree. */
 static void check_whole(struct stream *stream) {
   const struct nb_saved *saved = stream->saved;
   stream->taken = stream->line;
@@ -606,7 +606,7 @@ static void check_whole(struct stream *stream) {
   if (saved->imposed_count != 0 && saved->imposed_count != saved->particle_count)
     expected(stream, "a record `carried` for each body, or for none");
   for (size_t k = 0; k < saved->imposed_count; k++)
-    if (!has_carrier(saved, k))
+    if (!has_source(saved, k))
       expected(stream, "particle %zu to follow a cell or a boundary that the state has", k + 1);
   if (saved->ring.is != (saved->ring.member_count > 0))
     expected(stream, "records `boundary` and `members`, or neither");
@@ -636,7 +636,8 @@ enum nb_status nb_saved_read_text(struct nb_saved *saved, const char *path, cons
 
   struct stream stream = {.saved = saved, .path = path, .number = 1, .error = error, .line = text + sizeof head - 1};
   while (stream.line < text + last && !stream.bad) {
-    stream.end = memchr(stream.line, '\n', (size_t)(text + last - stream.line)); /* the last line ends in one */
+    stream.end =
+        memchr(stream.line, '\n', (size_t)(text + last - stream.line)); /* not NULL: the last line ends in `\n` */
     stream.number++;
     read_record(&stream);
     stream.line = stream.end + 1;

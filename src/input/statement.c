@@ -1,6 +1,6 @@
-/* The engine: reads one statement by its row in a table of keywords. The longest row whose words it begins with is the one; if
- * there is none, what may have been meant is said. What stands by itself is read in the order of the row; clauses come in any order.
- * The last thing is the row's apply, which may read on by itself when the row has a tail.
+/* Reads one statement by its row in a table of keywords: the row with most words that the statement begins with. If there is none, a
+ * message suggests one. Positional arguments are read in the order of the row, clauses in any order. Then the row's apply is called,
+ * which may read more tokens if the row has a tail.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -9,8 +9,8 @@
 
 /* ---- the row of a statement ---- */
 
-/* How many of a row's words stand at the token that is next, one after the other; *all of them. */
-static size_t words_there(const struct nb_reader *reader, const char *words, size_t *all) {
+/* How many words of a row match the next tokens, from the first on; *all: number of its words. */
+static size_t matching_words(const struct nb_reader *reader, const char *words, size_t *all) {
   size_t there = 0;
   *all = 0;
   for (const char *word = words; *word; (*all)++) {
@@ -44,14 +44,14 @@ bool nb_begins_clause(const struct nb_argument *field, const char *word) {
   return *first && strcmp(first, word) == 0;
 }
 
-enum { CONTACT_TEST = NB_IN_PATH | NB_IN_SEGMENT };
+enum { CONTACT_TEST = NB_IN_CONTACT_TEST | NB_IN_SEGMENT };
 
-/* Where a row belongs that does not belong here: in the same kind of block if it may be there at all. */
+/* The place of a row that does not belong here; in the same kind of block, if possible. */
 static const char *where_words(unsigned where, unsigned here) {
   if (here & CONTACT_TEST && !(where & CONTACT_TEST))
     return "in a block of kind `scene`";
   if (here & CONTACT_TEST)
-    return where & NB_IN_PATH ? "before the first `segment`" : "in a segment: below a line `segment NAME …`";
+    return where & NB_IN_CONTACT_TEST ? "before the first `segment`" : "in a segment: below a line `segment NAME …`";
   if (!(where & ~(unsigned)CONTACT_TEST))
     return "in a block of kind `contact-test`";
   if (here == NB_IN_START && where & NB_IN_SCENE)
@@ -59,28 +59,28 @@ static const char *where_words(unsigned where, unsigned here) {
   return where & NB_IN_SCENE ? "before the first `stage`" : "in a stage: below a line `stage NAME`";
 }
 
-/* The row of which most words are there, one after the other; *most of them. NULL: not even a first one. */
-static const struct nb_keyword *begun(const struct nb_reader *reader, const struct nb_family *table, unsigned here,
-                                      size_t *most) {
+/* The row with most words that match the next tokens, and *most of them; NULL: no first word matches. */
+static const struct nb_keyword *best_match(const struct nb_reader *reader, const struct nb_family *table, unsigned here,
+                                           size_t *most) {
   const struct nb_keyword *meant = NULL, *row;
   size_t all;
   *most = 0;
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
-    const size_t there = row->where & here && row->word ? words_there(reader, row->word, &all) : 0;
+    const size_t there = row->where & here && row->word ? matching_words(reader, row->word, &all) : 0;
     if (there > *most)
       *most = there, meant = row;
   }
   return meant;
 }
 
-/* The word behind so many. */
-static void word_behind(char *word, const char *words, size_t count) {
+/* Copies the word after `count` words. */
+static void word_after(char *word, const char *words, size_t count) {
   for (; count; count--)
     words += strcspn(words, " "), words += strspn(words, " ");
   nb_first_word(word, words);
 }
 
-/* ` or `WORD``, once. */
+/* Appends a quoted word to a list, unless it is there already. */
 static void list_word(char *list, size_t size, const char *between, const char *word) {
   char quoted[NB_NAME_SIZE + 2];
   const size_t used = strlen(list);
@@ -89,21 +89,21 @@ static void list_word(char *list, size_t size, const char *between, const char *
     snprintf(list + used, size - used, "%s%s", used ? between : "", quoted);
 }
 
-/* Reports a line that begins as some rows do and continues as none of them: `fill sphres`. Returns one of these rows; NULL if `whole`, a
- * complete row of another place, fits and no row of this place is near. */
+/* Reports a line whose first words match some rows and whose next word matches none: `fill sphres`. Returns one of these rows; NULL if
+ * `whole`, a row of another place, matches completely and no row of this place is near. */
 static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                            const struct nb_keyword *whole) {
   char list[256] = "", hint[NB_HINT_SIZE], word[NB_NAME_SIZE];
   size_t most, all;
-  const struct nb_keyword *meant = begun(reader, table, here, &most), *row;
-  if (!meant || (whole && words_there(reader, whole->word, &all) > most))
+  const struct nb_keyword *meant = best_match(reader, table, here, &most), *row;
+  if (!meant || (whole && matching_words(reader, whole->word, &all) > most))
     return NULL;
   const struct nb_token *token = reader->next + most < reader->count ? &reader->tokens[reader->next + most] : NULL;
   struct nb_guess guess = nb_guess_begin(token ? token->text : "");
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
-    if (!(row->where & here) || !row->word || words_there(reader, row->word, &all) < most)
+    if (!(row->where & here) || !row->word || matching_words(reader, row->word, &all) < most)
       continue;
-    word_behind(word, row->word, most);
+    word_after(word, row->word, most);
     nb_guess_offer(&guess, word);
     list_word(list, sizeof list, " or ", word);
   }
@@ -115,15 +115,15 @@ static const struct nb_keyword *wrong_word(struct nb_reader *reader, const struc
   return meant;
 }
 
-/* Of the rows whose words are all there and that belong elsewhere the one with most words; of two, the one of this kind of block. */
-static const struct nb_keyword *elsewhere(const struct nb_reader *reader, const struct nb_family *table, unsigned here,
-                                          size_t *most) {
+/* The row of another place with most words that all match; of two, the one of this kind of block. */
+static const struct nb_keyword *row_elsewhere(const struct nb_reader *reader, const struct nb_family *table,
+                                              unsigned here, size_t *most) {
   const struct nb_keyword *found = NULL, *row;
   const unsigned side = here & CONTACT_TEST ? CONTACT_TEST : ~(unsigned)CONTACT_TEST;
   size_t words;
   *most = 0;
   for (size_t k = 0; here != NB_IN_RAMP && (row = nb_keyword_row(table, k)); k++) {
-    const bool whole = row->word && !(row->where & here) && words_there(reader, row->word, &words) == words;
+    const bool whole = row->word && !(row->where & here) && matching_words(reader, row->word, &words) == words;
     if (whole && (words > *most || (words == *most && !(found->where & side))))
       found = row, *most = words;
   }
@@ -138,7 +138,7 @@ static const char *place_of(unsigned here) {
     return "an expectation";
   case NB_IN_RAMP:
     return "something that can ramp";
-  case NB_IN_PATH:
+  case NB_IN_CONTACT_TEST:
     return "a statement of a contact test";
   case NB_IN_SEGMENT:
     return "a statement of a segment";
@@ -149,7 +149,7 @@ static const char *place_of(unsigned here) {
   }
 }
 
-/* Of a word that is a clause of statements of this place, which these are; NULL: it is none. */
+/* The hint for a word that is a clause of statements of this place; NULL: it is none. */
 static const char *clause_hint(char *hint, const struct nb_family *table, unsigned here, const char *word) {
   const struct nb_keyword *row;
   char list[NB_HINT_SIZE / 2] = "";
@@ -183,7 +183,7 @@ static const struct nb_keyword *unknown_verb(struct nb_reader *reader, const str
                             : clause_hint(better, table, here, text) ? better
                                                                      : nb_synonym_hint(better, text);
   nb_expected(reader, other ? other : hint, "%s", place_of(here));
-  nb_excuse(reader->mistakes, near ? guess.best : NB_ANYTHING);
+  nb_suppress_name(reader->mistakes, near ? guess.best : NB_ANYTHING);
   return near ? meant : NULL;
 }
 
@@ -191,7 +191,7 @@ static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct
                                           const struct nb_keyword *row, unsigned here) {
   char hint[NB_HINT_SIZE], syntax[NB_HINT_SIZE / 2] = "";
   size_t most;
-  const struct nb_keyword *const begins = begun(reader, table, here, &most);
+  const struct nb_keyword *const begins = best_match(reader, table, here, &most);
   if (begins)
     nb_keyword_syntax(syntax, sizeof syntax, begins);
   snprintf(hint, sizeof hint, "`%s` belongs %s%s%s%s", row->word, where_words(row->where, here),
@@ -200,7 +200,7 @@ static const struct nb_keyword *misplaced(struct nb_reader *reader, const struct
   return row;
 }
 
-/* The row that was probably meant, where it is none of those of this place, with a message; or NULL. */
+/* Reports a statement that matches no row of this place. Returns the row that was probably meant, or NULL. */
 static const struct nb_keyword *wrong_row(struct nb_reader *reader, const struct nb_family *table, unsigned here,
                                           const struct nb_keyword *whole) {
   const struct nb_keyword *partly = wrong_word(reader, table, here, whole);
@@ -227,7 +227,7 @@ static void read_field(struct nb_reader *reader, const struct nb_argument *field
       nb_take_name(reader, field->help);
       break;
     case NB_ARGUMENT_WORD:
-      nb_take(reader, field->help);
+      nb_take_token(reader, field->help);
       break;
     case NB_ARGUMENT_CHOICE:
       value->number = nb_take_choice(reader, field->value);
@@ -243,15 +243,15 @@ static bool given(const struct nb_reader *reader, const struct nb_argument *fiel
   return reader->given >> (field - reader->keyword->arguments) & 1;
 }
 
-/* The clause that is next; *words of it. */
+/* The clause whose words are next, and the number of *words; NULL: none. */
 static const struct nb_argument *next_clause(const struct nb_reader *reader, size_t *words) {
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
-    if (field->word && words_there(reader, field->word, words) == *words)
+    if (field->word && matching_words(reader, field->word, words) == *words)
       return field;
   return NULL;
 }
 
-static const struct nb_argument *next_leading(const struct nb_reader *reader) {
+static const struct nb_argument *next_positional(const struct nb_reader *reader) {
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++)
     if (!field->word && !given(reader, field))
       return field;
@@ -266,10 +266,10 @@ static struct nb_guess guess_clause(const struct nb_reader *reader, const char *
   return guess;
 }
 
-/* One of several clauses that must be there: what holds without them begins with `|`. */
+/* Whether one of several such clauses is required: their default begins with `|`. */
 static bool is_alternative(const struct nb_argument *field) { return field->otherwise && field->otherwise[0] == '|'; }
 
-/* Whether the statement ends too early without that field, which it has not. */
+/* Whether a required field is missing. */
 static bool is_missing(const struct nb_reader *reader, const struct nb_argument *field) {
   bool other = false;
   for (const struct nb_argument *it = reader->keyword->arguments; it->count; it++)
@@ -277,45 +277,46 @@ static bool is_missing(const struct nb_reader *reader, const struct nb_argument 
   return !given(reader, field) && (!field->otherwise || (is_alternative(field) && !other));
 }
 
-/* Whether anything is missing, or a clause. */
-static bool lacks(const struct nb_reader *reader, bool clause) {
+/* Whether a required field, or a required clause, is missing. */
+static bool is_incomplete(const struct nb_reader *reader, bool clause) {
   const struct nb_argument *field = reader->keyword->arguments;
   while (field->count && !(is_missing(reader, field) && (field->word || !clause)))
     field++;
   return field->count > 0;
 }
 
-/* `raduis 5`: a word and a number where a lone word may stand is a clause mistyped; `1 m` one whose word was left out. */
-static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argument *leading) {
+/* `raduis 5`: a word and a number where one word is expected are a mistyped clause; `1 m`: a clause without its word. */
+static bool mistyped_clause(const struct nb_reader *reader, const struct nb_argument *positional) {
   const struct nb_token *token = nb_token_peek(reader);
   double number;
-  if (leading->kind != NB_ARGUMENT_WORD || reader->next + 1 >= reader->count)
+  if (positional->kind != NB_ARGUMENT_WORD || reader->next + 1 >= reader->count)
     return false;
-  if (lacks(reader, true) && reader->given && nb_number_read(&number, token->text, 0) == NB_READ)
+  if (is_incomplete(reader, true) && reader->given && nb_number_read(&number, token->text, 0) == NB_READ)
     return true;
   struct nb_guess guess = guess_clause(reader, token->text);
   return nb_guess_found(&guess) && nb_number_read(&number, token[1].text, 0) == NB_READ;
 }
 
-static size_t leading(const struct nb_keyword *keyword) {
+static size_t positional_count(const struct nb_keyword *keyword) {
   size_t count = 0;
   for (const struct nb_argument *field = keyword->arguments; field->count; field++)
     count += !field->word;
   return count;
 }
 
-/* Of the same words is another statement elsewhere, which begins otherwise: `wall` in the scene and in a stage. It has at least so many
- * values without a word of their own. */
-static const char *twin_hint(const struct nb_reader *reader, char *hint, size_t least) {
-  if (!reader->twin || leading(reader->twin) == leading(reader->keyword) || leading(reader->twin) < least)
+/* The hint for a statement with the same words but other positional arguments, at least so many, in another place: `wall` in the scene
+ * and in a stage. NULL: there is none. */
+static const char *namesake_hint(const struct nb_reader *reader, char *hint, size_t least) {
+  if (!reader->namesake || positional_count(reader->namesake) == positional_count(reader->keyword) ||
+      positional_count(reader->namesake) < least)
     return NULL;
   char syntax[256];
-  nb_keyword_syntax(syntax, sizeof syntax, reader->twin);
-  snprintf(hint, NB_HINT_SIZE, "`%s` belongs %s", syntax, where_words(reader->twin->where, reader->here));
+  nb_keyword_syntax(syntax, sizeof syntax, reader->namesake);
+  snprintf(hint, NB_HINT_SIZE, "`%s` belongs %s", syntax, where_words(reader->namesake->where, reader->here));
   return hint;
 }
 
-/* All clauses that are missing, with what they take; answers the first thing that is missing, NULL: nothing. */
+/* Lists all missing clauses with their values; returns the first missing field, or NULL. */
 static const struct nb_argument *list_missing(const struct nb_reader *reader, char *list, size_t size) {
   const struct nb_argument *first = NULL, *before = NULL;
   for (const struct nb_argument *field = reader->keyword->arguments; field->count; field++) {
@@ -336,7 +337,7 @@ static const struct nb_argument *list_missing(const struct nb_reader *reader, ch
   return first;
 }
 
-/* Reports all that is missing at the end of the line; or a word that is no clause, with those that there may be. */
+/* Reports all missing fields at the end of the line; or a word that is not a clause, with the possible ones. */
 static void expected_fields(struct nb_reader *reader) {
   const struct nb_token *token = nb_token_peek(reader);
   char list[512] = "", syntax[NB_HINT_SIZE / 2], hint[NB_HINT_SIZE];
@@ -344,8 +345,8 @@ static void expected_fields(struct nb_reader *reader) {
   const struct nb_guess guess = guess_clause(reader, token ? token->text : "");
   nb_keyword_syntax(syntax, sizeof syntax, reader->keyword);
   snprintf(hint, sizeof hint, "the statement is `%s`", syntax);
-  const size_t least = token ? leading(reader->keyword) : missing->word ? NB_TOKENS_MAX : 0;
-  const bool near = nb_guess_hint(&guess, hint) || twin_hint(reader, hint, least);
+  const size_t least = token ? positional_count(reader->keyword) : missing->word ? NB_TOKENS_MAX : 0;
+  const bool near = nb_guess_hint(&guess, hint) || namesake_hint(reader, hint, least);
   if (!token) {
     nb_expected(reader, hint, missing->word ? "%s" : "%s (%s)", missing->word ? list : missing->value, missing->help);
     return;
@@ -362,27 +363,26 @@ static void read_fields(struct nb_reader *reader, struct nb_record *record) {
   const struct nb_token *token;
   while ((token = nb_token_peek(reader))) {
     size_t words = 0;
-    const struct nb_argument *clause = next_clause(reader, &words), *leading = next_leading(reader);
+    const struct nb_argument *clause = next_clause(reader, &words), *positional = next_positional(reader);
     if (clause && given(reader, clause))
       nb_token_mistake(reader, token, NULL, "expected `%s` once, found it twice", clause->word);
     else if (clause)
       reader->next += words, read_field(reader, clause, record);
-    else if (leading && !mistyped_clause(reader, leading))
-      read_field(reader, leading, record);
+    else if (positional && !mistyped_clause(reader, positional))
+      read_field(reader, positional, record);
     else if (reader->keyword->tail)
       break;
     else
       expected_fields(reader);
   }
-  if (!reader->bad && lacks(reader, false))
+  if (!reader->bad && is_incomplete(reader, false))
     expected_fields(reader);
 }
 
-/* ---- the whole ---- */
+/* ---- statements ---- */
 
-/* The row of a statement, with reader->next behind its words; or, with a message, the one that was meant, and NULL when nothing was
- * near. */
-static const struct nb_keyword *choose(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
+/* The row of a statement, with reader->next after its words; or, with a message, the one that was probably meant, or NULL. */
+static const struct nb_keyword *find_row(struct nb_reader *reader, const struct nb_family *table, unsigned here) {
   const struct nb_keyword *fallback = NULL, *found = NULL, *row;
   size_t words, most = 0;
   for (size_t k = 0; (row = nb_keyword_row(table, k)); k++) {
@@ -390,14 +390,14 @@ static const struct nb_keyword *choose(struct nb_reader *reader, const struct nb
       continue;
     if (!row->word) {
       fallback = row;
-    } else if (words_there(reader, row->word, &words) == words && words > most) {
+    } else if (matching_words(reader, row->word, &words) == words && words > most) {
       found = row, most = words;
     }
   }
-  const struct nb_keyword *whole = elsewhere(reader, table, here, &words);
+  const struct nb_keyword *whole = row_elsewhere(reader, table, here, &words);
   if (found && whole && words > most)
     return misplaced(reader, table, whole, here);
-  reader->twin = found && whole && words == most ? whole : NULL;
+  reader->namesake = found && whole && words == most ? whole : NULL;
   reader->next += most;
   if (found || fallback)
     return found ? found : fallback;
@@ -410,13 +410,13 @@ static void excuse_names(struct nb_reader *reader, const struct nb_keyword *keyw
   const bool names = !keyword || keyword->arguments->kind == NB_ARGUMENT_NAME;
   for (size_t k = 0; k < reader->count; k++)
     if (k == 0 || (k == 1 && names) || (sweep && strcmp(reader->tokens[k - 1].text, "with") == 0))
-      nb_excuse(reader->mistakes, reader->tokens[k].text);
+      nb_suppress_name(reader->mistakes, reader->tokens[k].text);
 }
 
 void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, unsigned here, void *subject) {
   struct nb_record record = {0};
-  reader->next = 0, reader->here = here, reader->twin = NULL;
-  const struct nb_keyword *keyword = record.keyword = choose(reader, table, here);
+  reader->next = 0, reader->here = here, reader->namesake = NULL;
+  const struct nb_keyword *keyword = record.keyword = find_row(reader, table, here);
   if (keyword) {
     reader->keyword = keyword;
     reader->given = 0;

@@ -1,4 +1,4 @@
-/* How a statement is written: ways to write the rows of what it takes, and its words. For the files of STATEMENTS alone.
+/* Macros for the tables of a statement: its arguments and its words. For the files of STATEMENTS only.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_STATEMENT_H
@@ -6,8 +6,7 @@
 
 #include "scene.h"
 
-/* Ways to write a row of what it takes; `at` is a slot of the record. What must be there has no default. Words and names say what they
- * are; numbers which unit. */
+/* Rows of arguments; `at` is a slot of the record. Required ones have no default. */
 /* clang-format off */
 #define NAME(at, what) {NULL, "NAME", NB_ARGUMENT_NAME, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
 #define WORD(shown, at, what) {NULL, shown, NB_ARGUMENT_WORD, NB_UNIT_NUMBER, NB_ANY, at, 1, NULL, what}
@@ -20,16 +19,16 @@
   {word, shown, NB_ARGUMENT_COUNT, NB_UNIT_NUMBER, NB_ANY, at, 1, otherwise, help}
 #define FLAG(word, at, otherwise, help) {word, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, at, 1, otherwise, help}
 #define END {NULL, NULL, NB_ARGUMENT_FLAG, NB_UNIT_NUMBER, NB_ANY, 0, 0, NULL, NULL}
-/* What several statements take. */
+/* Arguments common to several statements. */
 #define MATERIAL(at) WORD("MATERIAL", at, "the name of a material")
 #define SHAPE(at) CHOICE(NULL, "discs|spheres", at, NULL, "`discs` or `spheres`") /* as enum nb_shape */
 #define RADIUS(at) CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, at, 1, NULL, "Radius.")
 #define VELOCITY(at, otherwise) \
   CLAUSE("velocity", "VX VY", NB_UNIT_VELOCITY, NB_ANY, at, 2, otherwise, "Velocity in x and y.")
 #define CORNERS(at, other) \
-  VALUE("X", NB_UNIT_LENGTH, NB_ANY, at, "x of the south-west corner."), \
-  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, at + 1, "y of the south-west corner."), \
-  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, other, 2, NULL, "North-east corner.")
+  VALUE("X", NB_UNIT_LENGTH, NB_ANY, at, "x of the corner with the smallest x and y."), \
+  VALUE("Y", NB_UNIT_LENGTH, NB_ANY, at + 1, "y of this corner."), \
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, other, 2, NULL, "The opposite corner.")
 #define STRAIN_SIDES \
   VALUE("EXX", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_XX, "Strain rate in x; extension is positive."), \
   VALUE("EYY", NB_UNIT_STRAIN_RATE, NB_ANY, NB_AT_YY, "Strain rate in y.")

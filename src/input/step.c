@@ -1,4 +1,4 @@
-/* The step, of the scene and from a stage on; and what belongs to it: `allow unstable`, `skin`.
+/* `step`, of the scene and of stages; `allow unstable`; `skin`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>
@@ -6,17 +6,17 @@
 #include "statement.h"
 
 enum { AT_SKIN };
-static const struct nb_argument nothing[] = {END};
+static const struct nb_argument no_fields[] = {END};
 static const struct nb_argument skin_fields[] = {
-    VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "Distance between two surfaces."), END};
+    VALUE("LENGTH", NB_UNIT_LENGTH, NB_POSITIVE, AT_SKIN, "Distance of two surfaces."), END};
 
-/* What a step may be a share of. */
-#define SHARES "stable|collision|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean"
+/* Reference steps, of which a step may be a fraction. */
+#define STEP_KINDS "stable|collision|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean"
 static const enum nb_step_kind kinds[] = {NB_STEP_STABLE,           NB_STEP_COLLISION,     NB_STEP_SINGLE_CONTACT,
                                           NB_STEP_RAYLEIGH,         NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT,
                                           NB_STEP_RAYLEIGH_FIT_MEAN};
 
-/* Whether that word stands behind the number, `0.2` or `20 %`. */
+/* Whether that word follows the number, `0.2` or `20 %`. */
 static bool follows(const struct nb_reader *reader, const char *word) {
   size_t behind = reader->next + 1;
   behind += behind < reader->count && strcmp(reader->tokens[behind].text, "%") == 0;
@@ -26,35 +26,35 @@ static bool follows(const struct nb_reader *reader, const char *word) {
 /* TIME, F of something, or N per collision. */
 NB_APPLY(apply_step) {
   struct nb_scene_reading *reading = subject;
-  struct nb_stage *stage = nb_stage_now(reading->scene);
+  struct nb_stage *stage = nb_current_stage(reading->scene);
   struct nb_step *here = stage ? &stage->step : &reading->scene->step;
   const bool fraction = follows(reader, "of"), per = follows(reader, "per"), setting = reader == &reading->setting;
   struct nb_step step = {.kind = NB_STEP_TIME, .line = setting ? 0 : (int)reader->line, .set = setting};
   (void)record;
   nb_take_number(reader, fraction || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value);
   if (fraction && nb_take_word(reader, "of")) {
-    const int kind = nb_take_choice(reader, SHARES);
+    const int kind = nb_take_choice(reader, STEP_KINDS);
     step.kind = kind < 0 ? NB_STEP_TIME : kinds[kind];
   } else if (per && nb_take_word(reader, "per") && nb_take_word(reader, "collision")) {
     step.kind = NB_STEP_COLLISION, step.value = 1 / step.value;
   }
-  if (reader->bad || nb_token_peek(reader)) /* which the engine says */
+  if (reader->bad || nb_token_peek(reader)) /* nb_statement_read reports it */
     return;
-  /* one that is inherited stands above the stage, or below when it is read again */
+  /* the line of an inherited step is above the stage, or below it if the stage is repeated */
   if (!setting && here->line > (stage ? stage->line : 0) && here->line < (int)reader->line &&
       nb_given_twice(reader, here->line))
     return;
   if (setting)
     reading->step_set = true;
   else if (reading->step_set)
-    step.kind = here->kind, step.value = here->value, step.set = true; /* said and checked, but overridden */
+    step.kind = here->kind, step.value = here->value, step.set = true; /* --set overrides the value */
   *here = step;
 }
 
 /* `allow unstable`: in the scene for all stages, in a stage for this one. */
 NB_APPLY(apply_allow) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   (void)record;
   if (!nb_take_word(reader, "unstable"))
     return;
@@ -73,15 +73,15 @@ NB_APPLY(apply_skin) {
 
 /* clang-format off */
 NB_STATEMENTS(step) = {
-  {"step", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing, "TIME | N per collision | F of collision|stable|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, apply_step,
-   "The time step: a time; or a fraction of the guaranteed stable step at the beginning of a stage, `stable`; of 2 sqrt(m/k) of the lightest particle and the stiffest contact [CS79, "
-   "Motion], `single-contact`; or of the shortest collision, `collision`. `N per collision` is the N-th part of that. No default. "
-   "The collision of elastic spheres takes Hertz's time, which depends on their speed: that of the pairs predicted to collide at their current velocities. "
-   "`rayleigh` is a surface wave's time half round the smallest sphere, `rayleigh-mean` round the mean one, "
-   "with `-fit` by R89's fit of its speed [R89 4.33, 4.34]. In a stage: from this stage on. --set step=... overrides it everywhere.",
+  {"step", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields, "TIME | N per collision | F of collision|stable|single-contact|rayleigh|rayleigh-mean|rayleigh-fit|rayleigh-fit-mean", 0, false, apply_step,
+   "The time step: a time, or a fraction F of one of these times. No default. `stable`: the guaranteed stable step at the beginning of the stage. "
+   "`single-contact`: 2 sqrt(m/k) of the lightest particle and the stiffest contact [CS79, Motion]. "
+   "`collision`: the duration of the shortest collision, of which `N per collision` is the N-th part. For elastic spheres it is Hertz's, at the speeds of the pairs predicted to collide at their current velocities. "
+   "`rayleigh`: the time of a surface wave from pole to pole of the smallest sphere; `rayleigh-mean`: of the mean one; "
+   "with `-fit`: by R89's fit of the wave speed [R89 4.33, 4.34]. In a stage: from this stage on. --set step=... overrides it everywhere.",
    "step      0.1 of single-contact"},
-  {"allow", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, nothing, "unstable", 0, false, apply_allow,
-   "Lets a run go on whose step is longer than the guaranteed stable one; else it is aborted. In a stage: in this one only.",
+  {"allow", NB_IN_SCENE | NB_IN_STAGE | NB_IN_START, no_fields, "unstable", 0, false, apply_allow,
+   "Allows a step longer than the guaranteed stable one; without it such a run is aborted. In a stage: in this one only.",
    "allow     unstable"},
   {"skin", NB_IN_SCENE | NB_IN_START, skin_fields, NULL, 0, false, apply_skin,
    "Pairs closer than this are in the neighbour list [R89 TOL], which is rebuilt when a particle or wall "

@@ -1,4 +1,4 @@
-/* A text that grows. When memory runs out it is empty, `failed`, and stays so, whatever is added.
+/* A text that grows. If memory runs out, it is empty and `failed`, and later additions have no effect.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_TEXT_H
@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 struct nb_text {
-  char *at; /* with a terminating zero; NULL while it is empty; owned */
+  char *at; /* with a terminating zero; NULL while empty; owned */
   size_t length, capacity;
   bool failed;
 };

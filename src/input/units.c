@@ -1,11 +1,10 @@
 /* Units: any product of powers of base units, with prefixes; and decimal numbers.
  *
  *   unit     `1` or factor, then `.` factor (times) or `/` factor (over), from left to right: `kg/m3`, `N.m`, `1/s`, `kg.m/s`
- *   factor   a base unit, with a prefix before it or not, and a power from 1 to 9 behind it or not
+ *   factor   {prefix} base unit {power from 1 to 9}
  *
- * All but the degree are powers of ten of the SI unit, so the power is put into the number's own exponent before
- * it is turned into a double: `0.3 mm` is the double nearest to 0.0003, as if the page had said so, and not 0.3 *
- * 0.001.
+ * All units but the degree are powers of ten of the SI unit. This power is added to the exponent of the decimal number before its
+ * conversion, so `0.3 mm` is the double nearest to 0.0003, not 0.3 * 0.001.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -23,7 +22,7 @@
 
 /* ---- names ---- */
 
-enum { ONE = 60 }; /* sixtieths */
+enum { SIXTIETHS = 60 }; /* sixtieths */
 
 static const struct {
   const char *name;
@@ -41,7 +40,7 @@ static const struct {
 } prefixes[] = {{"", 0},   {"n", -9}, {"u", -6}, {"\xC2\xB5", -6}, {"\xCE\xBC", -6},
                 {"m", -3}, {"c", -2}, {"k", 3},  {"M", 6},         {"G", 9}};
 
-/* Multiplies by a factor to the power `sign`, 1 or -1. False: it is none. */
+/* Multiplies by a factor to the power `sign`, 1 or -1. False if the text is not a factor. */
 static bool multiply(struct nb_unit *unit, const char *text, size_t length, int sign) {
   const int power = length > 1 && isdigit((unsigned char)text[length - 1]) ? text[--length] - '0' : 1,
             times = sign * power;
@@ -51,9 +50,9 @@ static bool multiply(struct nb_unit *unit, const char *text, size_t length, int 
       if (before + strlen(bases[b].name) != length || strncmp(text, prefixes[p].name, before) != 0 ||
           strncmp(text + before, bases[b].name, length - before) != 0 || (before && !bases[b].prefixed))
         continue;
-      unit->dimension.m += ONE * times * bases[b].m;
-      unit->dimension.kg += ONE * times * bases[b].kg;
-      unit->dimension.s += ONE * times * bases[b].s;
+      unit->dimension.m += SIXTIETHS * times * bases[b].m;
+      unit->dimension.kg += SIXTIETHS * times * bases[b].kg;
+      unit->dimension.s += SIXTIETHS * times * bases[b].s;
       unit->angle += times * bases[b].angle;
       unit->shift += times * (prefixes[p].shift + bases[b].shift);
       for (int k = 0; k < power; k++)
@@ -79,9 +78,9 @@ bool nb_unit_read(struct nb_unit *unit, const char *name) {
   return true;
 }
 
-bool nb_unit_bare(const char *name) { return strcmp(name, "%") == 0 || strcmp(name, "ppm") == 0; }
+bool nb_unit_without_dimension(const char *name) { return strcmp(name, "%") == 0 || strcmp(name, "ppm") == 0; }
 
-double nb_unit_times(double value, const struct nb_unit *unit) {
+double nb_unit_to_si(double value, const struct nb_unit *unit) {
   double ten = 1; /* exact up to 10^22 */
   for (int k = abs(unit->shift); k > 0; k--)
     ten *= 10;
@@ -90,7 +89,7 @@ double nb_unit_times(double value, const struct nb_unit *unit) {
 
 /* ---- dimensions and kinds ---- */
 
-/* Of several kinds of the same dimension the first one names it. */
+/* The first of several kinds with the same dimension gives it its name. */
 static const struct {
   const char *name, *units;
 } kinds[NB_UNIT_KINDS] = {
@@ -115,7 +114,7 @@ bool nb_dimension_same(struct nb_dimension a, struct nb_dimension b) {
   return a.m == b.m && a.kg == b.kg && a.s == b.s;
 }
 
-/* The kind that names a dimension; -1: none does. */
+/* The kind of a dimension; -1: none. */
 static int kind_of(struct nb_dimension dimension) {
   for (int kind = 0; kind < NB_UNIT_KINDS; kind++) {
     char si[NB_NAME_SIZE];
@@ -133,9 +132,9 @@ void nb_dimension_unit(char *text, size_t size, struct nb_dimension dimension) {
   text[0] = '\0';
   if (kind > 0)
     snprintf(text, size, "%.*s", (int)strcspn(kinds[kind].units, ","), kinds[kind].units);
-  for (int pass = 0; pass < 2 && kind < 0; pass++) /* what it is multiplied by, then what it is divided by */
+  for (int pass = 0; pass < 2 && kind < 0; pass++) /* positive powers, then negative ones */
     for (int k = 0; k < 3; k++) {
-      const double power = (pass ? -1.0 : 1.0) * powers[k] / ONE;
+      const double power = (pass ? -1.0 : 1.0) * powers[k] / SIXTIETHS;
       const size_t used = strlen(text);
       if (power <= 0)
         continue;
@@ -171,13 +170,13 @@ bool nb_unit_kind_of(enum nb_unit_kind *kind, const char *si) {
 void nb_unit_offer(struct nb_guess *guess, const char *list) {
   char name[NB_NAME_SIZE];
   while (nb_item(&list, name))
-    if (strcmp(name, "1") != 0) /* how a table heads a column of numbers */
+    if (strcmp(name, "1") != 0) /* only in heads of tables */
       nb_guess_offer(guess, name);
 }
 
 /* ---- numbers ---- */
 
-const char *nb_reach(enum nb_reading reading) {
+const char *nb_reading_words(enum nb_reading reading) {
   return reading == NB_TOO_LARGE   ? "a number that a double can hold, up to 1.7e308"
          : reading == NB_TOO_SMALL ? "a number that a double can hold, from 4.9e-324"
                                    : "a number";
@@ -206,7 +205,7 @@ enum nb_reading nb_number_read(double *value, const char *text, int shift) {
   const bool nonzero = strcspn(text, "123456789") < mantissa;
   long exponent = text[mantissa] ? strtol(text + mantissa + 1, NULL, 10) : 0;
   if (exponent > 100000)
-    exponent = 100000; /* far out of reach of a double, far from overflow of a long */
+    exponent = 100000; /* beyond any double, and no overflow of a long */
   if (exponent < -100000)
     exponent = -100000;
   snprintf(shifted, sizeof shifted, "%.*se%ld", (int)mantissa, text, exponent + shift);
@@ -229,6 +228,6 @@ enum nb_reading nb_quantity_read(double *value, const char *text, bool computed,
   if (reading != NB_READ)
     return reading;
   const double number = *value;
-  *value = computed ? nb_unit_times(number, unit) : number * unit->factor;
+  *value = computed ? nb_unit_to_si(number, unit) : number * unit->factor;
   return !isfinite(*value) ? NB_TOO_LARGE : *value == 0 && number != 0 ? NB_TOO_SMALL : NB_READ;
 }

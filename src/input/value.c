@@ -1,4 +1,4 @@
-/* What a statement takes from its line, one by one: numbers with their units, whole numbers, words and names.
+/* Values of a statement: numbers with their units, whole numbers, words and names.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -22,7 +22,7 @@ static bool within(double value, enum nb_range range) {
          (range == NB_FRACTION && value >= 0 && value <= 1) || (range == NB_HALF && value >= 0 && value <= 0.5);
 }
 
-/* What a number must be: its dimension, the power of an angle in it, what it is called, and units for the messages. */
+/* An expected number: its unit, and its name and units for messages. */
 struct wanted {
   struct nb_unit unit;
   const char *name, *units;
@@ -38,13 +38,13 @@ static struct wanted wanted_of(enum nb_unit_kind kind) {
   return it;
 }
 
-static bool is_bare(const struct wanted *it) {
+static bool is_dimensionless(const struct wanted *it) {
   return !it->unit.angle && nb_dimension_same(it->unit.dimension, (struct nb_dimension){0});
 }
 
 /* "a length and its unit (m, mm, um, nm, cm, km)" */
-static void expectation(char *text, size_t size, const struct nb_reader *reader, const struct wanted *it) {
-  if (is_bare(it))
+static void expected_text(char *text, size_t size, const struct nb_reader *reader, const struct wanted *it) {
+  if (is_dimensionless(it))
     snprintf(text, size, "a number (bare, or with %% or ppm)");
   else if (reader->unitless)
     snprintf(text, size, "%s as a bare number (the scene says `units none`)", it->name);
@@ -52,12 +52,12 @@ static void expectation(char *text, size_t size, const struct nb_reader *reader,
     snprintf(text, size, "%s and its unit (%s)", it->name, it->units);
 }
 
-/* A number and what was taken for its unit, which may be NULL: "expected WHAT, found `50 kg`". */
-static bool refuse(struct nb_reader *reader, const struct nb_token *number, const struct nb_token *unit,
-                   const char *hint, const char *what) {
+/* Reports a number and its unit, which may be NULL: "expected WHAT, found `50 kg`". */
+static bool number_mistake(struct nb_reader *reader, const struct nb_token *number, const struct nb_token *unit,
+                           const char *hint, const char *what) {
   struct nb_token both = *number;
-  if (nb_excused(reader->mistakes, "units")) /* whether there are any is not known */
-    return nb_silent(reader);
+  if (nb_name_suppressed(reader->mistakes, "units")) /* then the system of units is unknown */
+    return nb_fail_silently(reader);
   if (unit && unit->column > number->column)
     both.length = unit->column + unit->length - number->column;
   char name[NB_NAME_SIZE + 8] = "";
@@ -72,7 +72,7 @@ static bool is_number(const struct nb_token *token) {
   return token && nb_number_read(&value, token->text, 0) == NB_READ;
 }
 
-static const struct nb_token *token_behind(const struct nb_reader *reader, size_t n) {
+static const struct nb_token *token_after(const struct nb_reader *reader, size_t n) {
   return reader->next + n < reader->count ? &reader->tokens[reader->next + n] : NULL;
 }
 
@@ -84,14 +84,13 @@ static bool is_clause(const struct nb_reader *reader, const struct nb_token *tok
   return false;
 }
 
-/* Whether the words behind a number are those that stand by themselves in the row, such as the material of a disc: then none of them
- * is a unit. */
+/* Whether the words after a number are positional arguments of the row, such as the material of a disc, and not a unit. */
 static bool are_words_of_row(const struct nb_reader *reader) {
   const struct nb_argument *const fields = reader->keyword ? reader->keyword->arguments : NULL;
   size_t wanted = 0, words = 0;
   for (const struct nb_argument *field = fields; field && field->count; field++)
     wanted += !field->word && field->kind == NB_ARGUMENT_WORD && !(reader->given >> (field - fields) & 1);
-  for (const struct nb_token *token; (token = token_behind(reader, 1 + words)); words++)
+  for (const struct nb_token *token; (token = token_after(reader, 1 + words)); words++)
     if (is_clause(reader, token) || is_number(token))
       break;
   return words <= wanted;
@@ -102,7 +101,7 @@ static const char *without_comma(char bare[NB_NAME_SIZE], const char *text) {
   return bare;
 }
 
-/* Whether a token is a unit, or nearly one of those that messages name. */
+/* Whether a token is a unit, or one of those in messages but for upper and lower case. */
 static bool resembles_unit(const char *text) {
   struct nb_unit unit;
   char bare[NB_NAME_SIZE];
@@ -112,9 +111,9 @@ static bool resembles_unit(const char *text) {
   return nb_unit_read(&unit, text) || (nb_guess_found(&guess) && guess.distance == 0);
 }
 
-/* Whether the token behind a number was meant as its unit. */
+/* Whether the token after a number is probably meant as its unit. */
 static bool meant_as_unit(const struct nb_reader *reader) {
-  const struct nb_token *token = token_behind(reader, 1);
+  const struct nb_token *token = token_after(reader, 1);
   if (!token || is_number(token) || is_clause(reader, token))
     return false;
   const bool own = are_words_of_row(reader);
@@ -125,10 +124,10 @@ static bool meant_as_unit(const struct nb_reader *reader) {
 
 static bool names_angle(const struct wanted *it, const char *text) {
   struct nb_unit unit;
-  return is_bare(it) && nb_unit_read(&unit, text) && unit.angle;
+  return is_dimensionless(it) && nb_unit_read(&unit, text) && unit.angle;
 }
 
-/* What to type instead of a number without a unit, or with the wrong one. */
+/* The hint for a number without a unit, or with the wrong one. */
 static const char *unit_hint(char *hint, const struct nb_reader *reader, const struct nb_token *number,
                              const struct nb_token *unit, const struct wanted *it) {
   char bare[NB_NAME_SIZE];
@@ -140,7 +139,7 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   nb_unit_offer(&guess, it->units);
   if (unit && number->computed)
     return NULL;
-  if (unit && (reader->unitless || is_bare(it)))
+  if (unit && (reader->unitless || is_dimensionless(it)))
     snprintf(hint, NB_HINT_SIZE,
              names_angle(it, unit->text) ? "the tangent of that angle is `(tan(%.40s %.40s))`" : "write `%.40s`", n,
              unit->text);
@@ -154,14 +153,15 @@ static const char *unit_hint(char *hint, const struct nb_reader *reader, const s
   return hint;
 }
 
-/* Whether the token behind the number is a unit that fits it. A computed value knows no angles. */
-static bool fits(struct nb_unit *unit, const struct nb_reader *reader, const struct wanted *it) {
-  const struct nb_token *token = token_behind(reader, 1);
+/* Whether the token after the number is a unit of the right dimension. A computed value may be an angle or not. */
+static bool unit_fits(struct nb_unit *unit, const struct nb_reader *reader, const struct wanted *it) {
+  const struct nb_token *token = token_after(reader, 1);
   *unit = (struct nb_unit){.factor = 1};
   if (!token || (it->per_cycle && strcmp(token->text, NB_PER_CYCLE) == 0))
     return token;
   struct nb_unit read;
-  if (!nb_unit_read(&read, token->text) || (reader->unitless && !(is_bare(it) && nb_unit_bare(token->text))) ||
+  if (!nb_unit_read(&read, token->text) ||
+      (reader->unitless && !(is_dimensionless(it) && nb_unit_without_dimension(token->text))) ||
       !nb_dimension_same(read.dimension, it->unit.dimension) ||
       (read.angle != it->unit.angle && !nb_token_peek(reader)->computed))
     return false;
@@ -172,27 +172,27 @@ static bool fits(struct nb_unit *unit, const struct nb_reader *reader, const str
 static bool may_be_bare(const struct nb_reader *reader, const struct wanted *it) {
   const bool computed =
       nb_token_peek(reader)->computed && nb_dimension_same(it->unit.dimension, (struct nb_dimension){0});
-  return computed || reader->unitless || is_bare(it);
+  return computed || reader->unitless || is_dimensionless(it);
 }
 
-static bool take(struct nb_reader *reader, const struct wanted *it, enum nb_range range, double *value) {
+static bool take_quantity(struct nb_reader *reader, const struct wanted *it, enum nb_range range, double *value) {
   char what[256], hint[NB_HINT_SIZE];
   struct nb_unit unit;
   const struct nb_token *number = nb_token_peek(reader);
   *value = 1;
-  expectation(what, sizeof what, reader, it);
+  expected_text(what, sizeof what, reader, it);
   if (!number || nb_number_read(value, number->text, 0) == NB_NO_NUMBER)
     return nb_expected(reader, NULL, "%s", what);
-  const bool matches = fits(&unit, reader, it);
-  const struct nb_token *behind = matches || meant_as_unit(reader) ? token_behind(reader, 1) : NULL;
+  const bool matches = unit_fits(&unit, reader, it);
+  const struct nb_token *behind = matches || meant_as_unit(reader) ? token_after(reader, 1) : NULL;
   const enum nb_reading reading = nb_quantity_read(value, number->text, number->computed, &unit);
   if (reading != NB_READ)
-    return refuse(reader, number, matches ? behind : NULL, NULL, nb_reach(reading));
+    return number_mistake(reader, number, matches ? behind : NULL, NULL, nb_reading_words(reading));
   if (!matches && (behind || !may_be_bare(reader, it)))
-    return refuse(reader, number, behind, unit_hint(hint, reader, number, behind, it), what);
+    return number_mistake(reader, number, behind, unit_hint(hint, reader, number, behind, it), what);
   snprintf(what, sizeof what, "%s%s", it->name, nb_range_words(range));
   if (!within(*value, range))
-    return refuse(reader, number, behind, NULL, what);
+    return number_mistake(reader, number, behind, NULL, what);
   reader->next += matches ? 2 : 1;
   const struct nb_token *next = nb_token_peek(reader);
   const bool sign = next && strchr("+-*/^", next->text[0]) && !is_number(next);
@@ -201,17 +201,17 @@ static bool take(struct nb_reader *reader, const struct wanted *it, enum nb_rang
 
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value) {
   const struct wanted it = wanted_of(kind);
-  return take(reader, &it, range, value);
+  return take_quantity(reader, &it, range, value);
 }
 
-bool nb_take_in(struct nb_reader *reader, const char *si_unit, double *value) {
+bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value) {
   enum nb_unit_kind kind;
   struct wanted it = {.name = "a number", .units = si_unit};
   if (nb_unit_kind_of(&kind, si_unit))
     it = wanted_of(kind);
   else
     nb_unit_read(&it.unit, si_unit);
-  return take(reader, &it, NB_ANY, value);
+  return take_quantity(reader, &it, NB_ANY, value);
 }
 
 /* ---- whole numbers, words and names ---- */
@@ -227,10 +227,10 @@ bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long hi
   }
   char what[96];
   snprintf(what, sizeof what, "a whole number from %lu to %lu", low, high);
-  return is_number(token) ? refuse(reader, token, NULL, NULL, what) : nb_expected(reader, NULL, "%s", what);
+  return is_number(token) ? number_mistake(reader, token, NULL, NULL, what) : nb_expected(reader, NULL, "%s", what);
 }
 
-bool nb_take_counted(struct nb_reader *reader, const char *one, unsigned long *value) {
+bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *value) {
   char several[NB_NAME_SIZE];
   snprintf(several, sizeof several, "%ss", one);
   return nb_take_count(reader, 1, NB_COUNT_MAX, value) && (nb_token_skip(reader, one) || nb_take_word(reader, several));
@@ -256,7 +256,7 @@ int nb_take_choice(struct nb_reader *reader, const char *words) {
 
 bool nb_take_word(struct nb_reader *reader, const char *word) { return nb_take_choice(reader, word) == 0; }
 
-const struct nb_token *nb_take(struct nb_reader *reader, const char *what) {
+const struct nb_token *nb_take_token(struct nb_reader *reader, const char *what) {
   const struct nb_token *token = nb_token_peek(reader);
   if (!token)
     nb_expected(reader, NULL, "%s", what);
@@ -268,7 +268,7 @@ const struct nb_token *nb_take(struct nb_reader *reader, const char *what) {
 const struct nb_token *nb_take_name(struct nb_reader *reader, const char *what) {
   const struct nb_token *token = nb_token_peek(reader);
   if (token && nb_is_name(token->text))
-    return nb_take(reader, what);
+    return nb_take_token(reader, what);
   nb_expected(reader, token ? "a name is a letter, then letters, digits, `_` and `-`, less than 64 in all" : NULL, "%s",
               what);
   return NULL;
@@ -280,7 +280,7 @@ int nb_named(struct nb_reader *reader, const struct nb_token *token, const void 
   const int index = token ? nb_find(things, count, size, token->text) : -1;
   if (token && index < 0) {
     const char *near = nb_nearest(hint, token->text, things, count, size);
-    nb_not_known(reader, token, near ? near : otherwise, what);
+    nb_unknown_name(reader, token, near ? near : otherwise, what);
   }
   return index;
 }

@@ -1,4 +1,4 @@
-/* Walls: `wall`, `box`; and how stages move them.
+/* Walls, in the scene and in stages: `wall`, `box`, `walls`.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>
@@ -19,15 +19,15 @@ static const struct nb_argument wall_fields[] = {
   CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_X1, 2, NULL, "Second end."),
   MATERIAL(AT_MATERIAL),
   CLAUSE("about", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_ABOUT_X, 2, "its middle",
-         "The point P that it turns about and whose velocity is given [CS79 figure 4]; it need not be on the wall."),
+         "The point P of the wall that rotation is about and whose velocity is given [CS79 figure 4]; it need not be on the wall."),
   VELOCITY(AT_VX, "0 0"),
   CLAUSE("spin", "W", NB_UNIT_SPIN, NB_ANY, AT_SPIN, 1, "0", "Angular velocity about P, counterclockwise."),
   END
 };
 static const struct nb_argument walls_fields[] = {
   CLAUSE("inward", "V", NB_UNIT_VELOCITY, NB_ANY, AT_INWARD, 1, "|none",
-         "Each wall of the box along its normal to the inside."),
-  FLAG("stop", AT_STOP, "|none", "All walls stand still."),
+         "Each wall of the box moves along its normal to the inside with this speed."),
+  FLAG("stop", AT_STOP, "|none", "All walls stop."),
   END
 };
 static const struct nb_argument wall_motion_fields[] = {
@@ -40,16 +40,16 @@ static const struct nb_argument wall_motion_fields[] = {
 
 int nb_wall_of(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *token) {
   const bool known = token && NB_FIND(scene->walls, scene->wall_count, token->text) >= 0;
-  if (!known && nb_excused(reader->mistakes, "box")) /* whose walls have names */
-    nb_silent(reader);
+  if (!known && nb_name_suppressed(reader->mistakes, "box")) /* which would define four walls */
+    nb_fail_silently(reader);
   return NB_NAMED(reader, token, scene->walls, scene->wall_count, "the name of a wall",
                   "define it above with `wall NAME …` or `box …`");
 }
 
 bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
   const bool none = nb_box_first_wall(scene) < 0;
-  if (none && nb_excused(reader->mistakes, "box"))
-    nb_silent(reader);
+  if (none && nb_name_suppressed(reader->mistakes, "box"))
+    nb_fail_silently(reader);
   if (none)
     nb_token_mistake(reader, &reader->tokens[0], "define it before the stages with `box X Y to X Y MATERIAL`",
                      "expected a scene with a box of walls, found none");
@@ -58,7 +58,7 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader) {
 
 /* ---- in the scene ---- */
 
-/* A wall from one end to the other; `place` is what is wrong when it is. */
+/* Adds a wall from one end to the other; messages are at `place`. */
 static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *place, const char *name,
                      struct nb_wall wall, double x1, double y1) {
   const int same = NB_FIND(scene->walls, scene->wall_count, name);
@@ -67,7 +67,7 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
     nb_token_mistake(reader, place, NULL, "there is a wall `%s` already, on line %d", name, scene->walls[same].line);
   if (!isfinite(length))
     nb_token_mistake(reader, place, NULL, "expected a wall of finite length, this one is too long");
-  if (!isnormal(length)) /* the direction of a shorter one would not have length 1 */
+  if (!isnormal(length)) /* else its direction would not have length 1 */
     nb_token_mistake(reader, place, NULL, "expected a wall with two ends, the ends of this one are the same point");
   if (reader->bad || nb_too_many(reader, scene->wall_count, NB_NAMED_MAX, "walls"))
     return;
@@ -82,8 +82,8 @@ static void add_wall(struct nb_scene *scene, struct nb_reader *reader, const str
   NB_APPEND(reader, scene->walls, scene->wall_count, wall);
 }
 
-/* Moves P from the middle of the wall to x, y; a point that is on the wall's line but for rounding counts as on it. */
-static void turn_about(struct nb_wall *wall, double x, double y) {
+/* Moves P from the middle of the wall to x, y; within rounding of the wall's line it counts as on the line. */
+static void move_pivot(struct nb_wall *wall, double x, double y) {
   const double dx = wall->x - x, dy = wall->y - y, along = dx * wall->ex + dy * wall->ey;
   const double left = dy * wall->ex - dx * wall->ey;
   wall->h0 = fabs(left) > 1e-12 * (wall->h2 + hypot(dx, dy)) ? left : 0;
@@ -105,24 +105,24 @@ NB_APPLY(apply_wall) {
                               .material = nb_material_of(scene, reader, value[AT_MATERIAL].token)};
   add_wall(scene, reader, name, name->text, one, value[AT_X1].number, value[AT_Y1].number);
   if (value[AT_ABOUT_X].token && !reader->bad)
-    turn_about(&scene->walls[scene->wall_count - 1], value[AT_ABOUT_X].number, value[AT_ABOUT_Y].number);
+    move_pivot(&scene->walls[scene->wall_count - 1], value[AT_ABOUT_X].number, value[AT_ABOUT_Y].number);
 }
 
-bool nb_inside_out(struct nb_reader *reader, double x, double y, double x1, double y1) {
+bool nb_corners_swapped(struct nb_reader *reader, double x, double y, double x1, double y1) {
   if (!(x1 > x && y1 > y && isfinite(x1 - x) && isfinite(y1 - y)))
     nb_token_mistake(reader, &reader->tokens[0], NULL,
                      "expected the corner of smaller x and y first, then the one of larger x and y");
   return reader->bad;
 }
 
-/* Counterclockwise from the south-west corner, so that the inside is to the left of e. */
+/* Counterclockwise from the corner with the smallest x and y, so that the inside is to the left of e. */
 NB_APPLY(apply_box) {
   struct nb_scene *scene = ((struct nb_scene_reading *)subject)->scene;
   const struct nb_value *value = record->value;
   const double x0 = value[AT_X].number, y0 = value[AT_Y].number, x1 = value[AT_X1].number, y1 = value[AT_Y1].number;
   const struct nb_token *verb = &reader->tokens[0];
   const int m = nb_material_of(scene, reader, value[AT_MATERIAL].token);
-  if (nb_inside_out(reader, x0, y0, x1, y1))
+  if (nb_corners_swapped(reader, x0, y0, x1, y1))
     return;
   add_wall(scene, reader, verb, "south", (struct nb_wall){.x = x0, .y = y0, .iny = 1, .material = m}, x1, y0);
   add_wall(scene, reader, verb, "east", (struct nb_wall){.x = x1, .y = y0, .inx = -1, .material = m}, x1, y1);
@@ -132,13 +132,13 @@ NB_APPLY(apply_box) {
 
 /* ---- in a stage ---- */
 
-/* What a wall does by now, as the page has it: `reverse velocities` has turned round what it was told before. */
-static struct nb_wall_motion wall_so_far(const struct nb_scene *scene, size_t index) {
+/* The current motion of a wall in the page; `reverse velocities` has changed the sign of earlier ones. */
+static struct nb_wall_motion current_motion(const struct nb_scene *scene, size_t index) {
   const struct nb_wall *it = &scene->walls[index];
   struct nb_wall_motion motion = {.wall = (int)index, .vx = it->vx, .vy = it->vy, .spin = it->spin};
   for (size_t s = 0; s < scene->stage_count; s++) {
     const struct nb_stage *stage = &scene->stages[s];
-    if (stage->reverse_velocities) /* + 0.0 makes a -0 a plain 0 */
+    if (stage->reverse_velocities) /* + 0.0 turns -0 into 0 */
       motion.vx = -motion.vx + 0.0, motion.vy = -motion.vy + 0.0, motion.spin = -motion.spin + 0.0;
     for (size_t i = 0; i < stage->motion_count; i++)
       if (stage->motions[i].wall == (int)index)
@@ -147,10 +147,9 @@ static struct nb_wall_motion wall_so_far(const struct nb_scene *scene, size_t in
   return motion;
 }
 
-/* A second motion of the same wall in a stage takes the place of the first: `walls inward 1 mm/s`, but one of them
- * stands. */
+/* A second motion of the same wall in a stage replaces the first, so that `wall` may follow `walls inward`. */
 static void move_wall(struct nb_scene *scene, struct nb_reader *reader, struct nb_wall_motion motion) {
-  struct nb_stage *stage = nb_stage_now(scene);
+  struct nb_stage *stage = nb_current_stage(scene);
   motion.line = (int)reader->line, motion.ramp = false;
   for (size_t i = 0; i < stage->motion_count; i++) {
     if (stage->motions[i].wall != motion.wall)
@@ -174,15 +173,16 @@ NB_APPLY(apply_walls) {
     bool of_box = wall->inx != 0 || wall->iny != 0;
     if (inward->token && !of_box)
       continue;
-    struct nb_wall_motion motion = wall_so_far(scene, i);
-    motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* which makes the -0 of a product a plain 0 */
+    struct nb_wall_motion motion = current_motion(scene, i);
+    motion.vx = stop->token ? 0 : wall->inx * inward->number + 0.0; /* + 0.0 turns -0 into 0 */
     motion.vy = stop->token ? 0 : wall->iny * inward->number + 0.0;
     motion.spin = stop->token ? 0 : motion.spin;
     move_wall(scene, reader, motion);
     moved++;
   }
-  if (moved == 0 && (nb_excused(reader->mistakes, "box") || (stop->token && nb_excused(reader->mistakes, "wall"))))
-    nb_silent(reader);
+  if (moved == 0 &&
+      (nb_name_suppressed(reader->mistakes, "box") || (stop->token && nb_name_suppressed(reader->mistakes, "wall"))))
+    nb_fail_silently(reader);
   if (moved == 0)
     nb_token_mistake(reader, &reader->tokens[0], inward->token ? "define it before the stages with `box …`" : NULL,
                      "expected a scene with %s, found none", inward->token ? "a box" : "walls");
@@ -194,7 +194,7 @@ NB_APPLY(apply_wall_motion) {
   const int wall = nb_wall_of(scene, reader, value[AT_NAME].token);
   if (reader->bad)
     return;
-  struct nb_wall_motion motion = wall_so_far(scene, (size_t)wall);
+  struct nb_wall_motion motion = current_motion(scene, (size_t)wall);
   if (value[AT_VX].token)
     motion.vx = value[AT_VX].number, motion.vy = value[AT_VY].number;
   if (value[AT_SPIN].token)
@@ -204,16 +204,16 @@ NB_APPLY(apply_wall_motion) {
 
 /* clang-format off */
 NB_STATEMENTS(wall) = {
-  {"box", NB_IN_SCENE, box_fields, NULL, 0, false, apply_box, "Four walls named south, east, north and west.",
+  {"box", NB_IN_SCENE, box_fields, NULL, 0, false, apply_box, "Four walls along the sides of a box: south (smallest y), east (largest x), north and west.",
    "box       0 mm 0 mm to 80 mm 80 mm  steel"},
   {"wall", NB_IN_SCENE, wall_fields, NULL, 0, false, apply_wall,
-   "A straight wall between two ends; it pushes on both sides.",
+   "A straight wall between two ends; particles touch it from both sides.",
    "wall      shelf  10 mm 48 mm to 60 mm 48 mm  glass"},
   {"walls", NB_IN_STAGE | NB_IN_RAMP, walls_fields, NULL, 0, false, apply_walls,
-   "How all walls move from the beginning of this stage on: one of the two.",
+   "Velocity of all walls of a box, or stop of all walls, from this stage on.",
    "  walls   inward 1 mm/s"},
   {"wall", NB_IN_STAGE | NB_IN_RAMP, wall_motion_fields, NULL, 0, false, apply_wall_motion,
-   "How one wall moves from the beginning of this stage on: the velocity of its point P, its spin about P, or both.",
+   "Velocity of a wall's point P, spin about P, or both, from this stage on.",
    "  wall    shelf  velocity 0 m/s -2 mm/s  spin 0.1 rad/s"},
   {0},
 };

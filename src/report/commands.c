@@ -243,7 +243,7 @@ static enum nb_status write_state(struct nb_scene *scene, size_t stage, const ch
   struct nb_saved saved = {0};
   struct nb_progress_line line = {.page = call->pages[0]};
   const struct nb_progress progress = nb_print_progress(&line);
-  nb_scene_cut(scene, stage);
+  nb_scene_truncate(scene, stage);
   enum nb_status status = nb_run_to(&saved, scene, &call->options, &progress, error);
   nb_print_progress_end(&line);
   for (size_t k = 0; call->settings[k] && !status; k++)

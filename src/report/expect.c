@@ -45,9 +45,9 @@ static bool find_column(struct nb_reader *reader, const struct nb_scene *scene, 
     }
   char hint[NB_HINT_SIZE];
   const bool known = nb_quantity_find(quantity, scene, token->text);
-  if (nb_excused(reader->mistakes, token->text) || (known && nb_excused(reader->mistakes, "record")))
-    return nb_silent(reader);
-  nb_excuse(reader->mistakes, token->text);
+  if (nb_name_suppressed(reader->mistakes, token->text) || (known && nb_name_suppressed(reader->mistakes, "record")))
+    return nb_fail_silently(reader);
+  nb_suppress_name(reader->mistakes, token->text);
   if (known)
     snprintf(hint, sizeof hint, "add `record %s` to the scene", token->text);
   else
@@ -62,17 +62,17 @@ static bool take_stage(struct nb_reader *reader, const struct nb_scene *scene, s
   measure->bare_length = strlen(measure->label);
   if (!nb_token_skip(reader, "in"))
     return true;
-  const struct nb_token *token = nb_take(reader, "the name of a stage");
+  const struct nb_token *token = nb_take_token(reader, "the name of a stage");
   if (!token)
     return false;
   measure->stage = NB_FIND(scene->stages, scene->stage_count, token->text);
   if (measure->stage < 0 && strcmp(token->text, "all") == 0)
     measure->stage = NB_STAGE_ALL;
   if (measure->stage == -1)
-    return nb_excused(reader->mistakes, "repeat")
-               ? nb_silent(reader)
-               : nb_not_known(reader, token, NB_NEAREST(hint, token->text, scene->stages, scene->stage_count),
-                              "the name of a stage");
+    return nb_name_suppressed(reader->mistakes, "repeat")
+               ? nb_fail_silently(reader)
+               : nb_unknown_name(reader, token, NB_NEAREST(hint, token->text, scene->stages, scene->stage_count),
+                                 "the name of a stage");
   nb_append(measure->label, sizeof measure->label, " in %s", token->text);
   return true;
 }
@@ -102,7 +102,7 @@ static bool take_time(struct nb_reader *reader, const struct nb_scene *scene, st
 }
 
 static bool take_measure(struct nb_reader *reader, const struct nb_scene *scene, struct nb_measure *measure) {
-  const struct nb_token *token = nb_take(reader, "a quantity that the scene records");
+  const struct nb_token *token = nb_take_token(reader, "a quantity that the scene records");
   const struct nb_reducer_row *row = reducers;
   *measure = (struct nb_measure){.stage = -1};
   struct nb_quantity quantity;
@@ -147,7 +147,7 @@ static bool take_tolerance(struct nb_reader *reader, const struct nb_scene *scen
   const size_t from = reader->next;
   const bool fraction = is_before(reader, "%") || is_before(reader, "ppm") || (scene && is_before(reader, "of"));
   tolerance->kind = NB_ABSOLUTE;
-  if (!(fraction ? take_fraction(reader, scene, tolerance) : nb_take_in(reader, unit, &tolerance->value)))
+  if (!(fraction ? take_fraction(reader, scene, tolerance) : nb_take_in_unit(reader, unit, &tolerance->value)))
     return false;
   tolerance->text[0] = 0;
   for (size_t k = from; k < reader->next; k++)
@@ -174,7 +174,7 @@ static bool take_tolerance_of(struct nb_reader *reader, const struct nb_scene *s
 
 static bool take_sweep_name(struct nb_reader *reader, const struct nb_scene *scene, char name[2 * NB_NAME_SIZE]) {
   static const char what[] = "the name of a `sweep`";
-  const struct nb_token *token = nb_take(reader, what);
+  const struct nb_token *token = nb_take_token(reader, what);
   const int k = NB_NAMED(reader, token, scene->bindings, scene->binding_count, what, NULL);
   if (k < 0)
     return false;
@@ -210,7 +210,7 @@ static bool take_within(struct nb_reader *reader, const struct nb_scene *scene, 
 }
 
 static bool take_versus(struct nb_reader *reader, const struct nb_scene *scene, struct nb_expectation *expectation) {
-  const struct nb_token *token = nb_take(reader, "a quantity that the scene records");
+  const struct nb_token *token = nb_take_token(reader, "a quantity that the scene records");
   struct nb_quantity quantity;
   if (!token || !find_column(reader, scene, token, &expectation->column, &quantity))
     return false;
@@ -230,7 +230,7 @@ static bool take_expected(struct nb_reader *reader, const struct nb_scene *scene
       return nb_expected(reader, "a fraction of another quantity: `15 % of C.normal mean`", "`of` and a quantity");
     if (!take_measure(reader, scene, &expectation->other))
       return false;
-  } else if (!nb_take_in(reader, unit, &expectation->number)) {
+  } else if (!nb_take_in_unit(reader, unit, &expectation->number)) {
     return false;
   }
   return take_sample(reader, scene, expectation) &&

@@ -28,8 +28,8 @@ static bool read_statement(struct nb_reader *reader, const struct nb_scene *scen
   struct nb_mistakes none = {0}; /* the page has been read without mistakes */
   *reader = (struct nb_reader){.page = scene->page, .mistakes = &none, .unitless = scene->unitless};
   reader->bindings = scene->bindings, reader->binding_count = scene->binding_count;
-  const bool read =
-      kind[line - 1] == 1 + (scene->contact_test ? NB_BLOCK_PATH : NB_BLOCK_SCENE) && nb_line_read(reader, line);
+  const bool read = kind[line - 1] == 1 + (scene->contact_test ? NB_BLOCK_CONTACT_TEST : NB_BLOCK_SCENE) &&
+                    nb_line_read(reader, line);
   nb_mistakes_free(&none);
   reader->mistakes = NULL;
   return read;

@@ -119,7 +119,7 @@ static void argument(const struct manual *to, const struct nb_argument *field) {
 static const char *block_of(const struct nb_keyword *keyword) {
   return keyword->where == NB_IN_EXPECT                 ? "expect"
          : keyword->where & NB_IN_CELL                  ? "text of a scene with a cell"
-         : keyword->where & NB_APART                    ? "text of another page"
+         : keyword->where & NB_OWN_EXAMPLE              ? "text of another page"
          : keyword->where & (NB_IN_SCENE | NB_IN_STAGE) ? "scene"
                                                         : "text of a path";
 }
@@ -128,7 +128,8 @@ static void statement(const struct manual *to, const struct nb_keyword *keyword)
   char syntax[512], help[1024];
   nb_keyword_syntax(syntax, sizeof syntax, keyword);
   const bool both = keyword->where & NB_IN_SCENE && keyword->where & NB_IN_STAGE;
-  const bool shared = keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_PATH | NB_IN_SEGMENT);
+  const bool shared =
+      keyword->where & (NB_IN_SCENE | NB_IN_STAGE) && keyword->where & (NB_IN_CONTACT_TEST | NB_IN_SEGMENT);
   snprintf(help, sizeof help, "%s%s%s%s", keyword->help, both ? " In the scene and in stages." : "",
            keyword->where & NB_IN_RAMP ? " Also after `ramp`." : "", shared ? " Also in a contact test." : "");
   item(to, keyword->word, syntax, help);
@@ -316,7 +317,7 @@ void nb_manual(FILE *out, bool markdown) {
       &to,
       "A page with a block `contact-test` instead of `scene` tests one contact: it prescribes approach and slip, or "
       "forces. There is no motion and no time. To an expectation its segments are stages: `shear max in load`.");
-  statements(&to, nb_keywords(), NB_IN_PATH | NB_IN_SEGMENT, NB_IN_SCENE | NB_IN_STAGE);
+  statements(&to, nb_keywords(), NB_IN_CONTACT_TEST | NB_IN_SEGMENT, NB_IN_SCENE | NB_IN_STAGE);
   expectations(&to);
   figures(&to);
   quantities(&to);

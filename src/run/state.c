@@ -65,7 +65,7 @@ static struct nb_saved_history capture_history(struct nb_saved *saved, const str
   for (int k = 0; k < (memory->rows ? 1 : memory->doubles); k++)
     if (m[k] != 0)
       it.count = law->used ? law->used(m) : memory->doubles;
-  memcpy(saved->memory + it.at, m, (size_t)it.count * sizeof *m);
+  memcpy(saved->history + it.at, m, (size_t)it.count * sizeof *m);
   saved->history_count += (size_t)it.count;
   return it;
 }
@@ -99,8 +99,8 @@ static bool allocate(struct nb_saved *saved, const struct nb_model *model) {
   saved->particles = calloc(model->particles.count + 1, sizeof *saved->particles);
   saved->walls = calloc(model->walls.count + 1, sizeof *saved->walls);
   saved->contacts = calloc(contacts->count + 1, sizeof *saved->contacts);
-  saved->memory = calloc(contacts->count * remembered + 1, sizeof *saved->memory);
-  return saved->materials && saved->rules && saved->particles && saved->walls && saved->contacts && saved->memory;
+  saved->history = calloc(contacts->count * remembered + 1, sizeof *saved->history);
+  return saved->materials && saved->rules && saved->particles && saved->walls && saved->contacts && saved->history;
 }
 
 static bool capture_affine(struct nb_saved *saved, const struct nb_model *model) {
@@ -108,7 +108,7 @@ static bool capture_affine(struct nb_saved *saved, const struct nb_model *model)
   const struct nb_particles *particles = &model->particles;
   saved->centre = affine->centre;
   for (int c = 0; c < NB_AFFINE_SOURCES; c++)
-    saved->carriers[c] = (struct nb_saved_carrier){affine->requested[c], affine->rate[c], !(affine->separate[c] > 0)};
+    saved->sources[c] = (struct nb_saved_affine){affine->requested[c], affine->rate[c], !(affine->separate[c] > 0)};
   saved->imposed = calloc(particles->count + 1, sizeof *saved->imposed);
   if (!saved->imposed)
     return false;
@@ -313,7 +313,7 @@ enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb
     const int *slot = model->particles.slot;
     const long c = nb_contacts_find(model, slot[it->a], it->wall ? it->b : slot[it->b], it->wall);
     if (c >= 0)
-      restore_contact(&model->contacts, (size_t)c, it, saved->memory);
+      restore_contact(&model->contacts, (size_t)c, it, saved->history);
     else if (it->field[NB_OVERLAP] > 0)
       return nb_error_set(error, NB_BAD_USE,
                           "the state has a contact of particle %d with %s %d, which do not touch in it", it->a + 1,
@@ -327,9 +327,9 @@ static void restore_affine(struct nb_model *model, const struct nb_saved *saved)
   struct nb_particles *particles = &model->particles;
   affine->centre = saved->centre;
   for (int c = 0; c < NB_AFFINE_SOURCES; c++) {
-    affine->requested[c] = saved->carriers[c].requested;
-    affine->rate[c] = affine->base_rate[c] = saved->carriers[c].rate;
-    affine->separate[c] = saved->carriers[c].accumulated ? 0 : 1;
+    affine->requested[c] = saved->sources[c].requested;
+    affine->rate[c] = affine->base_rate[c] = saved->sources[c].rate;
+    affine->separate[c] = saved->sources[c].accumulated ? 0 : 1;
   }
   for (size_t k = 0; k < saved->imposed_count; k++) {
     const size_t i = (size_t)particles->slot[k];

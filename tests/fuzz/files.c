@@ -195,7 +195,7 @@ static const struct {
 };
 
 static bool read_list(const char *text, size_t size, const char *path, bool unitless) {
-  static const struct nb_wanted wanted[] = {{"x", NULL, false}, {"y", "z", false}, {"radius", NULL, true}};
+  static const struct nb_wanted_column wanted[] = {{"x", NULL, false}, {"y", "z", false}, {"radius", NULL, true}};
   struct nb_mistakes mistakes = {0};
   double *lengths;
   size_t rows;
