@@ -235,7 +235,7 @@ void nb_laws_check(struct nb_scene_reading *reading) {
     if (old.normal != now.normal || old.shear != now.shear)
       check_laws(reading, &now, old.normal != now.normal,
                  stage->laws.shear_line ? stage->laws.shear_line : stage->laws.normal_line);
-    if (old.normal != now.normal || !nb_damping_equal(before, &stage->damping)) /* each is said once */
+    if (old.normal != now.normal || !nb_damping_equal(before, &stage->damping)) /* reports each once */
       check_damping(reading, &stage->damping, now.normal);
   }
   if (!scene->contact_test)

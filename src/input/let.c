@@ -328,16 +328,16 @@ void nb_settings_read(struct nb_scene_reading *reading) {
 /* clang-format off */
 NB_STATEMENTS(let) = {
   {"units", NB_IN_SCENE | NB_IN_CONTACT_TEST, units_fields, NULL, 0, false, apply_units,
-   "Whether numbers carry units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
+   "Whether numbers have units: `si`, the default, or `none`, with which all numbers are bare. It holds for the "
    "whole page.",
    "units     si"},
   {"let", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "= EXPRESSION|WORD", 0, false, apply_let,
-   "Gives a name to a number or a word. $NAME stands for it below, and NAME in expressions; --set NAME=EXPRESSION "
+   "Gives a name to a number or a word. Below, $NAME is replaced by the value, and expressions use NAME. --set NAME=EXPRESSION "
    "overrides it.",
    "let       angle = 17 deg\nlet       grip = tan(angle)"},
   {"sweep", NB_IN_SCENE | NB_IN_CONTACT_TEST | NB_IN_START, value_fields, "{with NAME …} VALUE …", 0, false, apply_sweep,
-   "Gives a name several values in turn, one run each; several names take their values together, and giving one of them a value by --set chooses what goes with it. Several sweeps make "
-   "the product, the last one fastest.",
+   "Gives a name several values, one for each run. With several names, each run takes one value for each, and --set of one name selects the runs with this value. "
+   "Several sweeps make all combinations; the last one varies fastest.",
    "sweep     speed 0.1 m/s 0.2 m/s"},
   {0},
 };

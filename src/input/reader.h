@@ -87,7 +87,7 @@ struct nb_reader {
   bool bad;                          /* the statement has a mistake: no other one is reported, and reading it ends */
   const struct nb_keyword *keyword;  /* its row while the fields of the row are read, else NULL */
   const struct nb_keyword *namesake; /* a row of the same words for another place, or NULL */
-  unsigned here;                     /* where the statement stands */
+  unsigned here;                     /* the place of the statement, one of NB_IN_… */
   unsigned given;                    /* bit set of the fields that have been read */
   size_t used;                       /* of the store, up to the zero of the last token */
   char store[NB_LINE_MAX + NB_TOKENS_MAX * (2 * NB_NAME_SIZE + 2)]; /* the texts of the tokens */
@@ -134,8 +134,8 @@ enum nb_range { NB_ANY, NB_POSITIVE, NB_NOT_NEGATIVE, NB_FRACTION, NB_HALF }; /*
 /* " above 0", ", 0 or more", " from 0 to 1", … */
 const char *nb_range_words(enum nb_range range);
 bool nb_take_number(struct nb_reader *reader, enum nb_unit_kind kind, enum nb_range range, double *value); /* SI */
-bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit,
-                     double *value); /* in a unit of the dimension of "N", "kg.m/s" */
+/* In a unit of the same dimension as "N", "kg.m/s". */
+bool nb_take_in_unit(struct nb_reader *reader, const char *si_unit, double *value);
 bool nb_take_count(struct nb_reader *reader, unsigned long low, unsigned long high, unsigned long *value);
 bool nb_take_count_of(struct nb_reader *reader, const char *one, unsigned long *value); /* `1 cycle`, `5 cycles` */
 bool nb_take_word(struct nb_reader *reader, const char *word);                          /* that word */
@@ -159,8 +159,7 @@ enum {
   NB_IN_RAMP = 8, /* after the word `ramp` */
   NB_IN_CONTACT_TEST = 16,
   NB_IN_SEGMENT = 32,
-  NB_IN_CELL =
-      64, /* with one of the first two: only in a scene without walls, so its example is not in the manual's page */
+  NB_IN_CELL = 64,     /* with one of the first two: not in a scene with walls, such as the manual's page */
   NB_IN_START = 128,   /* after `start`, before the first stage */
   NB_OWN_EXAMPLE = 256 /* its example is a page of its own, for the manual */
 };
@@ -180,10 +179,9 @@ struct nb_argument {
   enum nb_argument_kind kind;
   enum nb_unit_kind unit;
   enum nb_range range;
-  int slot, count; /* the first slot of its values in the record, and their number */
-  const char *
-      otherwise; /* its default, for the manual; NULL: it is required; "|…": one of several such arguments is required */
-  const char *help; /* for names and words also the text of messages: "the name of a material" */
+  int slot, count;       /* the first slot of its values in the record, and their number */
+  const char *otherwise; /* default, for the manual; NULL: required; "|…": one of several such arguments is required */
+  const char *help;      /* for names and words also the text of messages: "the name of a material" */
 };
 
 struct nb_value {
@@ -222,7 +220,7 @@ bool nb_begins_clause(const struct nb_argument *field, const char *word); /* suc
 bool nb_first_word(char *first, const char *words);
 /* "disc X Y radius R MATERIAL {velocity VX VY} {spin W} {fixed}" */
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword);
-/* The statements of scene and path blocks, for reading, --help and the manual. */
+/* The statements of scene and contact-test blocks, for reading, --help and the manual. */
 const struct nb_family *nb_keywords(void);
 
 /* ---- page.c ---- */
@@ -233,11 +231,10 @@ enum nb_block_kind {
   NB_BLOCK_GNUPLOT,
   NB_BLOCK_CONTACT_TEST,
   NB_BLOCK_KINDS,
-  NB_BLOCK_HIDDEN =
-      NB_BLOCK_KINDS /* an expect block that is ignored: in a quote, in a list or indented by four spaces */
+  NB_BLOCK_HIDDEN = NB_BLOCK_KINDS /* an ignored expect block: in a quote, in a list or indented by four spaces */
 };
-size_t nb_page_name(const char *path,
-                    const char **name); /* the length of the page's name; *name: where it begins in the path */
+/* The length of the page's name; *name: where it begins in the path. */
+size_t nb_page_name(const char *path, const char **name);
 
 /* The kind of block that a word names; -1: none. */
 int nb_page_kind(const char *word, size_t length);

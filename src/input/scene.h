@@ -43,8 +43,7 @@ struct nb_scene_reading {
   const struct nb_scene_reading *parent; /* the page that starts from this one, or NULL */
   size_t first_line;                     /* line of the first statement but `units`, `let` and `sweep` */
   bool start_failed;                     /* `start` has a mistake: the rest of the page is not read */
-  bool
-      before_first_stage; /* after `start`: the last stage of the scene is the first one of this page, which has no name yet */
+  bool before_first_stage; /* after `start`: the last stage of the scene is the unnamed first one of this page */
   unsigned long long hash; /* of the statements read so far */
   int units_line;
   struct nb_transform transform;
@@ -60,8 +59,8 @@ struct nb_scene_reading {
   int contact_line;   /* of a contact test */
 };
 
-struct nb_stage *
-nb_current_stage(const struct nb_scene *scene); /* the stage of the current line; NULL: before the first one */
+/* The stage of the current line; NULL: before the first one. */
+struct nb_stage *nb_current_stage(const struct nb_scene *scene);
 
 /* ---- mistakes common to several statements: each returns true if the statement is bad, now or before ---- */
 
@@ -79,7 +78,7 @@ bool nb_lacks_box(const struct nb_scene *scene, struct nb_reader *reader);
 bool nb_lacks_boundary(const struct nb_scene *scene, struct nb_reader *reader);
 /* The token names a stage of the page that this page starts from. */
 bool nb_stage_before_start(const struct nb_scene *scene, struct nb_reader *reader, const struct nb_token *name);
-/* A statement of a stage stands below a `repeat`, where it would belong to the last repeated stage only. */
+/* A statement of a stage is below a `repeat`, where it would belong to the last repeated stage only. */
 bool nb_misplaced_after_repeat(struct nb_scene_reading *reading);
 /* Reports a mistake of the whole scene, at its first fence, unless messages about `statement` are suppressed. */
 void nb_scene_mistake(struct nb_scene_reading *reading, const char *statement, const char *hint, const char *what);
@@ -97,9 +96,9 @@ bool nb_requested_find(struct nb_scene_reading *reading, struct nb_quantity *qua
                        const struct nb_requested *requested);
 enum { NB_AT_XX, NB_AT_YY, NB_AT_XY, NB_AT_C12, NB_AT_C21, NB_AT_AFTER_STRAIN }; /* slots */
 /* EXX EYY, and `shear EXY` or `c12 C` and `c21 C`, either all per cycle or none. */
-bool nb_value_per_cycle(const struct nb_reader *reader,
-                        const struct nb_value *value); /* whether its unit is `per cycle` */
 struct nb_strain_rate nb_strain_rate_of(struct nb_reader *reader, const struct nb_value value[]);
+/* Whether the unit of a value is `per cycle`. */
+bool nb_value_per_cycle(const struct nb_reader *reader, const struct nb_value *value);
 /* A particle at (0, 0) for a statement that adds `count` of them; checks the count, and that the material of a free particle has a
  * density. */
 struct nb_particle nb_particle_of(struct nb_reader *reader, const struct nb_scene *scene, enum nb_shape shape,
@@ -124,21 +123,26 @@ void nb_hash_line(struct nb_scene_reading *reading);
 
 /* ---- checks at the end of a page ---- */
 
-void nb_laws_check(struct nb_scene_reading *reading);    /* requirements of the laws for materials and particles */
-void nb_regions_check(struct nb_scene_reading *reading); /* finds the stages that regions name */
-void nb_cell_check(struct nb_scene_reading *reading);    /* a cell is wide enough, and has no walls */
-void nb_ramps_check(struct nb_scene_reading *reading);   /* the number of cycles of a stage with a ramp is known */
-void nb_box_check(struct nb_scene_reading *reading); /* walls that follow the strain of a box have no other motion */
-void nb_imposed_motion_check(
-    struct nb_scene_reading *reading); /* imposed motion is not reversed; a cell has no boundary */
-void nb_contact_test_check(
-    struct nb_scene_reading *reading); /* a contact test has a contact and a segment; applies --follow */
-void nb_contact_test_laws_check(struct nb_scene_reading *reading); /* requirements of its quantities for the laws */
+/* Requirements of the laws for materials and particles. */
+void nb_laws_check(struct nb_scene_reading *reading);
+/* Regions name stages of the page; stores these. */
+void nb_regions_check(struct nb_scene_reading *reading);
+/* A cell is wide enough, and has no walls. */
+void nb_cell_check(struct nb_scene_reading *reading);
+/* A stage with a ramp has a known number of cycles. */
+void nb_ramps_check(struct nb_scene_reading *reading);
+/* Walls that follow the strain of a box have no other motion. */
+void nb_box_check(struct nb_scene_reading *reading);
+/* Imposed motion is not reversed; a cell has no boundary. */
+void nb_imposed_motion_check(struct nb_scene_reading *reading);
+/* A contact test has a contact and a segment; applies --follow. */
+void nb_contact_test_check(struct nb_scene_reading *reading);
+/* Requirements of the quantities of a contact test for the laws. */
+void nb_contact_test_laws_check(struct nb_scene_reading *reading);
 /* Sets position and velocity of the particle of `impact`; materials, pairs and laws must be known. */
 void nb_impact_set(struct nb_scene_reading *reading);
-/* Applies `transform` to the whole scene, after all stages have been read. */
-bool nb_scene_transform(struct nb_scene *scene,
-                        const struct nb_transform *transform); /* false: a coordinate is not finite */
+/* Applies `transform` to the whole scene, after all stages have been read. False: a coordinate is not finite. */
+bool nb_scene_transform(struct nb_scene *scene, const struct nb_transform *transform);
 
 /* ---- a page that another one starts from ---- */
 

@@ -404,8 +404,8 @@ static const struct nb_keyword *find_row(struct nb_reader *reader, const struct 
   return wrong_row(reader, table, here, whole);
 }
 
-/* What a bad statement leaves unknown: what it says, by its first word, and what it would have given a name to. */
-static void excuse_names(struct nb_reader *reader, const struct nb_keyword *keyword) {
+/* Suppresses messages about what a bad statement leaves undefined: its first word stands for its effect, and the names that it defines. */
+static void suppress_names(struct nb_reader *reader, const struct nb_keyword *keyword) {
   const bool sweep = strcmp(reader->tokens[0].text, "sweep") == 0;
   const bool names = !keyword || keyword->arguments->kind == NB_ARGUMENT_NAME;
   for (size_t k = 0; k < reader->count; k++)
@@ -428,7 +428,7 @@ void nb_statement_read(struct nb_reader *reader, const struct nb_family *table, 
       nb_expected(reader, NULL, "the end of the line");
   }
   if (reader->bad)
-    excuse_names(reader, keyword);
+    suppress_names(reader, keyword);
 }
 
 void nb_keyword_syntax(char *text, size_t size, const struct nb_keyword *keyword) {
