@@ -70,7 +70,7 @@ static const struct nb_binding *binding_of(struct nb_reader *reader, const struc
 
 /* Appends a value to the last token, between two parts of its word; the unit becomes a token of its own. */
 static bool append_value(struct nb_reader *reader, const struct nb_binding *value, const char *before, size_t length,
-                         const char *end_of_name, size_t rest) {
+                         const char *after, size_t rest) {
   struct nb_token *token = &reader->tokens[reader->count - 1];
   const char *const unit = strchr(value->text, ' '), *text = value->text;
   const bool signs = length && before[length - 1] == '-' && (*text == '-' || *text == '+');
@@ -78,7 +78,7 @@ static bool append_value(struct nb_reader *reader, const struct nb_binding *valu
   token->computed = value->computed;
   const struct nb_token second = *token;
   return append_text(reader, before, length - (signs && *text == '-')) && /* `--` cancels, `-+` is `-` */
-         append_text(reader, text + signs, strcspn(text + signs, " ")) && append_text(reader, end_of_name, rest) &&
+         append_text(reader, text + signs, strcspn(text + signs, " ")) && append_text(reader, after, rest) &&
          (!unit || (begin_token(reader, second) && append_text(reader, unit + 1, strlen(unit + 1))));
 }
 
