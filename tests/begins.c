@@ -1,5 +1,5 @@
 /* What a stage changes at its begin leaves the balance and the motion of second order: global damping, walls, laws, the stress on a
- * boundary, particles that a boundary releases or takes, rotation. Each scene is run with a step, its half and its quarter; what is off by
+ * boundary, particles that a boundary releases or takes, rotation. Each scene is run with a step, its half and its quarter; what is wrong by
  * a second-order error falls by 4 when the step halves, by a first-order one by 2. Held: 3.5 of the energy residual, and of the
  * difference between the kinetic energies of two steps where nothing else is of first order.
  *

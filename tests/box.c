@@ -132,7 +132,7 @@ static void other_walls_go_their_own_ways(void) {
   nb_result_free(&result);
 }
 
-/* F = 10 at each of its walls; a body between two others presses on them alone. Discs are 1 thick, spheres their diameter. */
+/* F = 10 at each of its walls; a particle between two others presses on them alone. Discs are 1 thick, spheres their diameter. */
 static void its_stress_is_that_on_its_own_walls(void) {
   static const double wanted[] = {5, 0, 0, 5}, thick[] = {1, 2.02};
   static const char *const shapes[] = {"disc", "sphere"};

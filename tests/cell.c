@@ -1,4 +1,4 @@
-/* The periodic cell: which copies meet, against all copies there are; and what must not depend on which copy of a body a page
+/* The periodic cell: which copies meet, against all copies there are; and what must not depend on which copy of a particle a page
  * names, on the skin, threads, storage or instructions.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -14,7 +14,7 @@
 
 enum { DISCS = 150 };
 
-/* A gas of unlike discs that rub, in a cell that is strained; `wander` puts every body into another copy of the cell. */
+/* A gas of unlike discs that rub, in a cell that is strained; `wander` puts every particle into another copy of the cell. */
 static void gas(struct written *it, const char *strain, const char *more, int wander, unsigned seed) {
   struct words page = {0};
   struct chance chance = chance_begin(seed), copies = chance_begin(99);
@@ -134,7 +134,7 @@ static struct nb_model *run(const struct written *it, const struct nb_options *o
   return model;
 }
 
-/* A page may name any copy of a body: the same forces but for rounding, which a gas makes e times as much per collision. */
+/* A page may name any copy of a particle: the same forces but for rounding, which a gas makes e times as much per collision. */
 static void which_copy_is_named_changes_nothing(void) {
   for (int wander = 0; wander < 2; wander++) {
     struct written it;
@@ -186,7 +186,7 @@ static void storage_threads_and_instructions_change_no_bit(void) {
   written_free(&it);
 }
 
-/* Without forces bodies go where the strain takes them, H s, and no faster. */
+/* Without forces particles go where the strain takes them, H s, and no faster. */
 static void a_strain_is_uniform(void) {
   struct written it;
   struct words page = {0};
@@ -234,7 +234,7 @@ static void sheared_cells_are_set_upright(void) {
   }
 }
 
-/* Between two copies as between two bodies; and between two that are not listed, which have come nearer since the search. */
+/* Between two copies as between two particles; and between two that are not listed, which have come nearer since the search. */
 static void the_gap_is_that_of_the_nearest_two(void) {
   struct words across = {0}, flies = {0};
   struct written it;

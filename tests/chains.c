@@ -86,7 +86,7 @@ static void hexagonal(void) {
   is(&other, 4, 4, 16. / 17, 0);
 }
 
-/* A row that leans; a row with a body that is pressed on it from aside, along its own axis but not along the row's; a row that
+/* A row that leans; a row with a particle that is pressed on it from aside, along its own axis but not along the row's; a row that
  * carries less than the mean. */
 static void along_and_above(void) {
   struct words page = begin(), leaning = begin();
@@ -125,7 +125,7 @@ static void shear_counts(void) {
   written_free(&it);
 }
 
-/* The stress of a body is per volume, 4/3 r of a sphere for 1 m of a disc: three spheres pressed 4/3 as hard as four discs are
+/* The stress of a particle is per volume, 4/3 r of a sphere for 1 m of a disc: three spheres pressed 4/3 as hard as four discs are
  * the chain if the force is a thousandth more, the discs if it is a thousandth less. Overlaps of 1e-5 r shorten arms by as much. */
 static void volumes_count(void) {
   for (int more = -1; more <= 1; more += 2) {
@@ -143,7 +143,7 @@ static void volumes_count(void) {
   }
 }
 
-/* Fixed bodies and those outside are in no chain. */
+/* Fixed particles and those outside are in no chain. */
 static void not_these(void) {
   struct words page = begin();
   struct written it;
@@ -164,12 +164,12 @@ static void not_these(void) {
 
 void suite_chains(void) {
   CU_pSuite suite = CU_add_suite("chains", NULL, NULL);
-  CU_add_test(suite, "a row is straight, two bodies are no chain", rows);
+  CU_add_test(suite, "a row is straight, two particles are no chain", rows);
   CU_add_test(suite, "fixed particles alone are in none", all_fixed);
   CU_add_test(suite, "a zigzag turns by its angle", zigzags);
   CU_add_test(suite, "hexagonal lattices, across the rows and along", hexagonal);
   CU_add_test(suite, "along both axes, and above the mean", along_and_above);
   CU_add_test(suite, "shear forces count", shear_counts);
   CU_add_test(suite, "spheres and discs count per volume", volumes_count);
-  CU_add_test(suite, "fixed bodies and those outside are in none", not_these);
+  CU_add_test(suite, "fixed particles and those outside are in none", not_these);
 }

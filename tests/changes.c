@@ -133,7 +133,7 @@ static void pairs_change(void) {
   CU_ASSERT_EQUAL(after(ramps, "C.normal"), 8);
 }
 
-/* Every body, those that are fixed too; walls go on. The next kick lasts half a step, and no dashpot damps what is gone. */
+/* Every particle, those that are fixed too; walls go on. The next kick lasts half a step, and no dashpot damps what is gone. */
 static void still_is_a_start_from_rest(void) {
   const char *falls = FLIGHT "gravity 0 -2\nstage a\ncycles 8\nstage b\nzero velocities\ncycles 4\n";
   CU_ASSERT_EQUAL(after(falls, "D.y"), -4 - 1);
@@ -282,7 +282,7 @@ static void a_spin_ramps(void) {
 
 void suite_changes(void) {
   CU_pSuite suite = CU_add_suite("changes", NULL, NULL);
-  CU_add_test(suite, "a body falls", a_particle_falls);
+  CU_add_test(suite, "a particle falls", a_particle_falls);
   CU_add_test(suite, "gravity jumps", gravity_jumps);
   CU_add_test(suite, "gravity pulls along any axis", gravity_pulls_along_any_axis);
   CU_add_test(suite, "gravity ramps", gravity_ramps);

@@ -1,4 +1,4 @@
-/* What has changed since a stage began: contacts lost and new, how bodies have moved and turned, how far contacts have slid.
+/* What has changed since a stage began: contacts lost and new, how particles have moved and turned, how far contacts have slid.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -53,7 +53,7 @@ static void goes_over(void) {
 }
 
 /* The same of regions: disc 1 has turned from disc 2 to disc 3, which lies under 45 degrees, 4 and 5 part and meet again, and 6 has
- * left the wall. What is lost and new points from where the bodies are now. */
+ * left the wall. What is lost and new points from where the particles are now. */
 static void of_regions(void) {
   struct words page = {0};
   struct written it;

@@ -219,11 +219,11 @@ static void the_traction_is_mindlins(void) {
 
 void suite_contact_test(void) {
   CU_pSuite suite = CU_add_suite("bench", NULL, NULL);
-  CU_add_test(suite, "legs go along straight lines", segments_go_along_straight_lines);
+  CU_add_test(suite, "segments go along straight lines", segments_go_along_straight_lines);
   CU_add_test(suite, "forces are reached", forces_are_reached);
   CU_add_test(suite, "what cannot be reached stops", what_cannot_be_reached_stops);
   CU_add_test(suite, "the limit is reached", the_limit_is_reached);
-  CU_add_test(suite, "repeated legs have names", repeated_segments_have_names);
+  CU_add_test(suite, "repeated segments have names", repeated_segments_have_names);
   CU_add_test(suite, "a gap forgets", a_gap_forgets);
   CU_add_test(suite, "a wall is flat", a_wall_is_flat);
   CU_add_test(suite, "the traction is Mindlin's", the_traction_is_mindlins);

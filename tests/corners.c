@@ -247,7 +247,7 @@ static void friction_goes_anew(void) {
   CU_ASSERT(most > 4);
 }
 
-/* No circle of contact, no force: a normal law may let go before the outlines part. Nor is it a slide; that it is without friction. */
+/* No circle of contact, no force: a normal law may let go before the surfaces part. Nor is it a slide; that it is without friction. */
 static void nothing_rubs(void) {
   struct one it = one_of(plain);
   it.m[1] = NAN;

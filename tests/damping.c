@@ -138,8 +138,8 @@ static void a_wall_weighs_without_end(void) {
   written_free(&it);
 }
 
-/* While discs part quickly the dashpot pulls more than the spring pushes, and what is felt is their sum. */
-static void what_is_contact_forces_may_pull(void) {
+/* While discs part quickly the dashpot pulls more than the spring pushes, and the total normal force is their sum. */
+static void total_normal_force_may_pull(void) {
   struct written it;
   struct nb_model *model = two_discs(&it, "stiffness 1", "disc 2.99 0 radius 2 b velocity 3 0.25", 0);
   written_cycles(model, 1);
@@ -231,7 +231,7 @@ void suite_damping(void) {
   CU_add_test(suite, "coefficients of the three conventions", coefficients);
   CU_add_test(suite, "a wall weighs without end", a_wall_weighs_without_end);
   CU_add_test(suite, "a stage without dashpots", a_stage_without_dashpots);
-  CU_add_test(suite, "what is felt may pull", what_is_contact_forces_may_pull);
+  CU_add_test(suite, "the total normal force may pull", total_normal_force_may_pull);
   CU_add_test(suite, "sliding: limit of the elastic force, no shear dashpot", sliding);
   CU_add_test(suite, "restitution of a disc on a wall", restitution);
 }

@@ -82,7 +82,7 @@ static void the_literal_reading_grows(void) {
   CU_ASSERT_DOUBLE_EQUAL(after(page, "D.y"), -6 * (sin(101 * p) - sin(100 * p)) / sin(p), 1e-9);
 }
 
-/* Dashpots of two bodies at rest in a continuum feel L z: beta k_n e.L z and beta k_s t.L z [R89 4.42]. */
+/* Dashpots of two particles at rest under imposed affine motion act on L z: beta k_n e.L z and beta k_s t.L z [R89 4.42]. */
 static void contacts_see_the_strain(void) {
   static const char *const pairs[] = {"stage s\naffine strain -0.3 0.1 shear 0.2\n",
                                       "boundary circle 1 2 radius 3\nstage s\naffine strain -0.3 0.1 shear 0.2\n"
@@ -99,7 +99,7 @@ static void contacts_see_the_strain(void) {
     written_scene(&it, &page);
     written_run(&result, &it, NULL);
     const double length = hypot(1.5, 1), ex = 1.5 / length, ey = 1 / length;
-    const double vx = -0.3 * 1.5 + 0.2 * 1, vy = 0.2 * 1.5 + 0.1 * 1; /* of the second body, seen by the first */
+    const double vx = -0.3 * 1.5 + 0.2 * 1, vy = 0.2 * 1.5 + 0.1 * 1; /* of the second particle, seen by the first */
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "P.dashpot.normal"), -0.5 * 100 * (vx * ex + vy * ey), 1e-5);
     CU_ASSERT_DOUBLE_EQUAL(written_last(&result, "P.dashpot.shear"), -0.5 * 60 * (vx * ey - vy * ex), 1e-5);
     CU_ASSERT_EQUAL(written_last(&result, "boundary.particles"), (double)k);
@@ -195,19 +195,19 @@ static double largest(const struct nb_result *result, const char *name) {
   return most;
 }
 
-/* The work of what carries, of the boundary and of all forces is the kinetic energy, to rounding, while bodies join. */
+/* The work of what carries, of the boundary and of all forces is the kinetic energy, to rounding, while particles join. */
 static void the_work_balances(void) {
   struct nb_result result;
   squeeze(&result, NULL, SQUEEZE);
   const double whole = largest(&result, "energy.kinetic") + largest(&result, "energy.imposed");
   CU_ASSERT(largest(&result, "energy.imposed") > 1 && largest(&result, "energy.removed") > 1);
   CU_ASSERT(largest(&result, "work.residual") < 1e-12 * whole);
-  /* Energies do but for the error of the step; without what those who join take with them they would be off by all of that. */
+  /* Energies do but for the error of the step; without what those who join take with them they would be wrong by all of that. */
   CU_ASSERT(largest(&result, "energy.residual") < 1e-2 * largest(&result, "energy.removed"));
   nb_result_free(&result);
 }
 
-/* The largest component of sum F_i X_j/A over the bodies inside, which is what boundary.stress.residual should be. */
+/* The largest component of sum F_i X_j/A over the particles inside, which is what boundary.stress.residual should be. */
 static double out_of_balance(const struct nb_model *model) {
   struct nb_tensor sum = tensor(0, 0, 0, 0);
   for (size_t i = 0; i < model->particles.count; i++)
@@ -217,7 +217,7 @@ static double out_of_balance(const struct nb_model *model) {
   return fmax(fmax(fabs(sum.xx), fabs(sum.xy)), fmax(fabs(sum.yx), fabs(sum.yy))) / nb_boundary_area(model);
 }
 
-/* sum F_i X_j of the boundary is that of all contacts once the others are at rest. Bodies that do not turn bear moments, so xy and yx may differ. */
+/* sum F_i X_j of the boundary is that of all contacts once the others are at rest. Particles that do not turn bear moments, so xy and yx may differ. */
 static void the_stress_is_that_of_the_contacts(void) {
   struct words page = {0};
   struct written it;

@@ -1,4 +1,4 @@
-/* What moves an assembly besides strain: gravity towards a point, bodies that may not turn, a boundary that lets go.
+/* What moves an assembly besides strain: gravity towards a point, particles that may not turn, a boundary that lets go.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -68,7 +68,7 @@ static void a_particle_goes_round_the_point(void) {
 }
 
 /* Two discs that are pressed together by m G each are at rest, with their weight in the account; and so are all of a region. */
-static void rest_counts_all_that_is_contact_forces(void) {
+static void all_forces_count(void) {
   struct words page = {0};
   struct written it;
   struct nb_result result;
@@ -108,7 +108,7 @@ static void rotation_stops_and_goes_on(void) {
   nb_result_free(&result);
 }
 
-/* Held anew after it was loose, the circle is the one through its bodies, which have come in from 20 to 17.6: a disc at 16.5
+/* Held anew after it was loose, the circle is the one through its particles, which have come in from 20 to 17.6: a disc at 16.5
  * is inside. With the strain of before on top of that the radius would be 15.6, and it would belong to the boundary. */
 static void a_boundary_is_held_anew(void) {
   struct nb_result result;
@@ -140,7 +140,7 @@ static void another_circle(void) {
   nb_result_free(&result);
 }
 
-/* Two bodies of a boundary are carried into each other by a, then let go: they push apart with k a^2/2, which is put in from outside;
+/* Two particles of a boundary are carried into each other by a, then let go: they push apart with k a^2/2, which is put in from outside;
  * the energy balance stays closed but for the error of the step, a part in (k/m) dt^2. Under a stress likewise. */
 static void springs_that_are_let_go_count(void) {
   static const char *const ends[] = {"boundary none\n", "boundary stress 1e-9 1e-9\n"};
@@ -212,8 +212,8 @@ static void one_strain_after_another(void) {
 void suite_driven(void) {
   CU_pSuite suite = CU_add_suite("driven", NULL, NULL);
   CU_add_test(suite, "a particle oscillates through the point", a_particle_oscillates_through_the_point);
-  CU_add_test(suite, "a body goes round the point", a_particle_goes_round_the_point);
-  CU_add_test(suite, "rest counts all that is felt", rest_counts_all_that_is_contact_forces);
+  CU_add_test(suite, "a particle goes round the point", a_particle_goes_round_the_point);
+  CU_add_test(suite, "all forces count in the out-of-balance force", all_forces_count);
   CU_add_test(suite, "rotation stops and goes on", rotation_stops_and_goes_on);
   CU_add_test(suite, "a boundary is held anew", a_boundary_is_held_anew);
   CU_add_test(suite, "another circle is another boundary", another_circle);

@@ -48,7 +48,7 @@ static void a_cell_stays_wide_enough_or_not(void) {
   }
 }
 
-/* cell.c, nb_cell_move: after a strain of s a body may go half of what s (2 R + skin) leaves of the skin before a search. */
+/* cell.c, nb_cell_move: after a strain of s a particle may go half of what s (2 R + skin) leaves of the skin before a search. */
 static void straining_takes_of_the_skin(void) {
   struct words words = {0};
   struct written it;
@@ -82,7 +82,7 @@ static void what_is_let_go_does_not_turn(void) {
   "path\nmaterial soft young 1 MPa poisson 0 friction 0.3\ncontact sphere 10 mm soft with sphere 10 mm soft\n"         \
   "normal hertz\n"
 
-/* contact_test.c, run_leg: the last step of a leg has a row whatever the rows are counted by. */
+/* contact_test.c, run_leg: the last step of a segment has a row whatever the rows are counted by. */
 static void the_last_step_of_a_segment_is_recorded(void) {
   struct written it;
   struct nb_result result;

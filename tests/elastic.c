@@ -76,7 +76,7 @@ static void increments_as_printed(void) {
   CU_ASSERT_EQUAL(increment(3e-6, 0, m).force, n.force);
 }
 
-/* 4.3.1: with the force all of the contact's data is gone, though the outlines still overlap. */
+/* 4.3.1: with the force all of the contact's data is gone, though the surfaces still overlap. */
 static void increments_part_before_the_outlines(void) {
   double m[NB_HISTORY] = {0}, shear[NB_HISTORY] = {0};
   const struct nb_law *mindlin = nb_law_find("shear", "mindlin");
@@ -129,7 +129,7 @@ static void squares(void) {
     }
 }
 
-/* Slip while the overlap grows from a quarter to all: T = 8 G* Int a ds. With the radius at the end of each step it is off by
+/* Slip while the overlap grows from a quarter to all: T = 8 G* Int a ds. With the radius at the end of each step it is wrong by
  * 8 G* (a_end - a_begin) ds/2 and a term of the second order. */
 static void stuck_is_of_first_order(void) {
   const double depth = 1e-4, slip = 1e-6, a = sqrt(pair.radius * depth);
@@ -179,7 +179,7 @@ void suite_elastic(void) {
   CU_add_test(suite, "increments lose speed", increments_lose_speed);
   CU_add_test(suite, "increments are of first order", increments_are_of_first_order);
   CU_add_test(suite, "increments as printed", increments_as_printed);
-  CU_add_test(suite, "increments part before the outlines do", increments_part_before_the_outlines);
+  CU_add_test(suite, "increments part before the surfaces do", increments_part_before_the_outlines);
   CU_add_test(suite, "without slip: energy around a square", squares);
   CU_add_test(suite, "without slip: first order while N changes", stuck_is_of_first_order);
   CU_add_test(suite, "without slip: up to the limit", stuck_up_to_the_limit);

@@ -1,4 +1,4 @@
-/* The two balances: every way to give energy to bodies and to take it, each term alone against what is known of it
+/* The two balances: every way to give energy to particles and to take it, each term alone against what is known of it
  * by hand, and both balances of all of them together. [CS79 20-36]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

@@ -129,7 +129,7 @@ static void parting_dissipative_what_was_held(void) {
   }
 }
 
-/* On a straight leg on which slip keeps its sense one step loses as much as thousands. */
+/* On a straight segment on which slip keeps its sense one step loses as much as thousands. */
 static void steps_of_any_length_lose_as_much(void) {
   static const double to[][2] = {{1.5, 1.2}, {0.8, 0.5}, {0.6, -0.9}, {0.5, 0.3},
                                  {2, 3},     {0.3, -1},  {1.2, -4}}; /* of x, and u by */
@@ -162,7 +162,7 @@ static double is_little(const struct by_hand *it) {
   return least;
 }
 
-/* Chance legs of all kinds: N and T up and down, reversals, slides, partings. Any number of steps a leg gives what one does by hand. */
+/* Chance segments of all kinds: N and T up and down, reversals, slides, partings. Any number of steps a segment gives what one does by hand. */
 static void polygons(void) {
   static struct by_hand hand;
   static const int steps[] = {1, 7, 1000};
@@ -179,7 +179,7 @@ static void polygons(void) {
       const double u = chance_between(&chance, -1, 1) * 1e-6 * (segment % 3 ? 0.3 : 1.2);
       const double wanted = by_hand_go(&hand, next, u);
       if (is_little(&hand) < 1e-6)
-        break; /* the law would join it, and be off by so much */
+        break; /* the law would join it, and be wrong by so much */
       for (int k = 0; k < 3; k++) {
         exact_lead(&it[k], next, u * unit(steel), steps[k]);
         CU_ASSERT_DOUBLE_EQUAL(fraction(&it[k]), wanted, 1e-12);

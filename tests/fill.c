@@ -176,8 +176,8 @@ static void what_is_there_stays_free(void) {
 }
 
 /* How often a place is free when a share q of the plane is taken, in powers of q [Schaaf and Talbot, J. Chem. Phys. 91
- * (1989) 4401], so how many tries N bodies take in the mean: the sum of 1/p. Discs along the edge of the square that centres
- * may lie in, of side a, keep less of it from others: in the mean 1 - 8 d/(3 pi a) of pi d^2, d = 2 R. The tries of a body are
+ * (1989) 4401], so how many tries N particles take in the mean: the sum of 1/p. Discs along the edge of the square that centres
+ * may lie in, of side a, keep less of it from others: in the mean 1 - 8 d/(3 pi a) of pi d^2, d = 2 R. The tries of a particle are
  * geometric, of variance (1 - p)/p^2; four deviations. What is left out, q^4 and the edge in the second order, is 0.2 %. */
 static void as_many_tries_as_chance_takes(void) {
   enum { PARTICLES = 20000 };

@@ -1,4 +1,4 @@
-/* FRACC as R89 defines it, by hand: of one body, of the largest of several, and of a force that turns.  [R89 4.35-4.40]
+/* FRACC as R89 defines it, by hand: of one particle, of the largest of several, and of a force that turns.  [R89 4.35-4.40]
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

@@ -262,11 +262,11 @@ void suite_impact(void) {
   CU_pSuite suite = CU_add_suite("impact", NULL, NULL);
   CU_add_test(suite, "it comes as it is told", it_comes_as_it_is_told);
   CU_add_test(suite, "psi1 is of the contact", psi1_is_of_the_contact);
-  CU_add_test(suite, "two bodies count as one", two_particles_count_as_one);
+  CU_add_test(suite, "two particles count as one", two_particles_count_as_one);
   CU_add_test(suite, "impact on a wall at its nearest point", impact_on_a_wall_at_its_nearest_point);
   CU_add_test(suite, "it is over when they part", it_is_over_when_they_part);
   CU_add_test(suite, "wrong impacts are refused", wrong_impacts_are_refused);
   CU_add_test(suite, "it measures gross sliding", it_measures_gross_sliding);
-  CU_add_test(suite, "energies are those of the bodies", energies_are_those_of_the_particles);
+  CU_add_test(suite, "energies are those of the particles", energies_are_those_of_the_particles);
   CU_add_test(suite, "elastic spheres have their own scale", elastic_spheres_have_their_own_scale);
 }

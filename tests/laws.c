@@ -132,7 +132,7 @@ static void mirrored_slip_gives_the_mirrored_force(struct contact it, struct cha
   }
 }
 
-/* A law has no size of its own: what is softer by a power of two, in stiffness and cohesion, feels less by just that. */
+/* A law has no size of its own: what is softer by a power of two, in stiffness and cohesion, has a force smaller by just that. */
 static void forces_scale_with_the_stiffnesses(struct contact it, struct chance *chance) {
   const double fraction = ldexp(1, -60);
   struct contact soft = it;

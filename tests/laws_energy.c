@@ -11,7 +11,7 @@ struct corner {
   double overlap, slip; /* to this overlap, on by this slip */
 };
 
-/* Three times around, from a contact that carries no shear. Steps are finite, so the work is off by something that
+/* Three times around, from a contact that carries no shear. Steps are finite, so the work is wrong by something that
  * falls with them: what it changes by when there are twice as many is taken for it, four times over. */
 static void go_around(const struct contact *at, const struct corner *corners, int count) {
   struct contact coarse = *at, fine = *at;

@@ -199,7 +199,7 @@ static void energy_does_not_drift(void) {
   written_free(&it);
 }
 
-/* More bodies than fit into one block of the motion, each of its own mass: all fall alike. */
+/* More particles than fit into one block of the motion, each of its own mass: all fall alike. */
 static void many_fall(void) {
   struct words page = {0};
   struct written it;

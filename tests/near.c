@@ -37,7 +37,7 @@ static void cloud(struct written *it, double x, double y, double speed, unsigned
   written_scene(it, &page);
 }
 
-/* The gap between the outlines of two bodies, or of a body and a wall. */
+/* The gap between the surfaces of two particles, or of a particle and a wall. */
 static double gap(const struct nb_model *model, size_t i, size_t j, bool wall) {
   const struct nb_vec x = model->particles.position[i];
   if (!wall)
@@ -152,7 +152,7 @@ static unsigned long long searches_of(const char *statements, unsigned long long
   return searches;
 }
 
-/* One body alone, or none that is free, can touch nothing. Two that stay where they are are searched once, without cells. */
+/* One particle alone, or none that is free, can touch nothing. Two that stay where they are are searched once, without cells. */
 static void nothing_is_searched_for_nothing(void) {
   unsigned long long candidates;
   CU_ASSERT_EQUAL(searches_of("disc 0 0 radius 1 m velocity 9 9", &candidates), 0);

@@ -1,7 +1,7 @@
 /* `place`: every word of the language that has a direction is mirrored and turned with the scene.
  *
  * For each such word there is a short scene in which it matters: without its line the scene is none, or something moves
- * otherwise. The scene is run as it stands and in other places; bodies and walls must end where the mirrored, turned and shifted
+ * otherwise. The scene is run as it stands and in other places; particles and walls must end where the mirrored, turned and shifted
  * ones of the first run are. The words come from the table of keywords: one that is not in the list fails, and so does one that
  * is listed without a direction but takes values that have one.
  *
@@ -99,7 +99,7 @@ enum { ROWS = sizeof rows / sizeof *rows };
 
 static const unsigned wheres[] = {NB_IN_SCENE, NB_IN_STAGE, NB_IN_RAMP};
 /* Words that have no direction, in a scene, in a stage and behind `ramp`. A packing has places from a file, which then are those
- * of bodies; `until` waits for what would be recorded, which is not turned, as the manual says. */
+ * of particles; `until` waits for what would be recorded, which is not turned, as the manual says. */
 static const char *const scalars[] = {
     ("|packing|units|let|sweep|start|material|pair|normal|shear|damping|grading|skin|monitor|"
      "step|allow|record|stage|"),
@@ -118,7 +118,7 @@ static const struct {
               {"transform mirror x rotate 2.5 translate -1 5\n", -1, 1, 2.5, -1, 5}};
 enum { PLACES = sizeof places / sizeof *places };
 
-/* Bodies and walls at the end of the page; false: there is a mistake in it. */
+/* Particles and walls at the end of the page; false: there is a mistake in it. */
 static bool ran(struct nb_result *result, const struct row *row, const char *line, const char *place) {
   struct words words = {0};
   struct nb_mistakes mistakes = {0};
@@ -187,7 +187,7 @@ static double farthest(const struct nb_result *one, const struct nb_result *othe
   return most;
 }
 
-/* Whether the line of the word matters to where bodies go. */
+/* Whether the line of the word matters to where particles go. */
 static bool matters(const struct row *row, const struct nb_result *with) {
   struct nb_result without = {0};
   if (!ran(&without, row, "", ""))

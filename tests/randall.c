@@ -36,7 +36,7 @@ static void slip_to(struct rings *r, double alpha, double delta) {
   r->alpha = alpha;
 }
 
-/* After these legs, each of which is a reversal. */
+/* After these segments, each of which is a reversal. */
 static double solution(double alpha, const struct segment *segments, int count) {
   const double a = slope() * alpha;
   struct rings r = {alpha, {alpha}, 0};
@@ -58,7 +58,7 @@ static double error_of(const char *law, const struct segment *segments, int coun
   return (it.s.force - solution(alpha, segments, count)) / (mu * N);
 }
 
-/* First order, and small: at 500 steps a leg it is below 1e-3 of mu N, at twice as many half of it. */
+/* First order, and small: at 500 steps a segment it is below 1e-3 of mu N, at twice as many half of it. */
 static void expect_first_order(const struct segment *segments, int count) {
   const double coarse = error_of("randall", segments, count, 500), fine = error_of("randall", segments, count, 1000);
   CU_ASSERT(fabs(coarse) < 2e-3 && fabs(fine - coarse / 2) < 0.05 * fabs(coarse) + 1e-7);

@@ -8,7 +8,7 @@
 #include "spheres.h"
 #include "suites.h"
 
-/* A leg by chance, to that side: N constant, rising slower than slip goes on, or falling; then slip may also be none, or go
+/* A segment by chance, to that side: N constant, rising slower than slip goes on, or falling; then slip may also be none, or go
  * back more slowly than N falls. */
 static struct segment segment_by(struct chance *chance, double at, double side, bool first) {
   const int kind = (int)chance_between(chance, 0, 4);
@@ -23,7 +23,7 @@ static struct segment segment_by(struct chance *chance, double at, double side, 
   return (struct segment){at - down, side * chance_between(chance, -0.9, 0.5) * down};
 }
 
-/* The largest error of T, of mu N at first, on the way of both laws along these legs. */
+/* The largest error of T, of mu N at first, on the way of both laws along these segments. */
 static double astray(const struct segment *segments, int count, int steps) {
   struct contact it = contact_of("randall"), exact = contact_of("mindlin_deresiewicz");
   const double alpha = deep(N), a = slope() * alpha;
@@ -58,7 +58,7 @@ static void two_reversals_are_exact_in_the_limit(void) {
   CU_ASSERT(most < 3e-3 && finest < most / 3 && finer < sum / 3.6);
 }
 
-/* More than two, each within the one before, at constant N: the inner ones are elastic in R89, and T is off by so much. */
+/* More than two, each within the one before, at constant N: the inner ones are elastic in R89, and T is wrong by so much. */
 static void more_reversals_are_off(void) {
   struct chance chance = chance_begin(4);
   double most[7] = {0};
@@ -94,7 +94,7 @@ static double rebound(const char *law, double friction, double psi1, int steps) 
   return psi;
 }
 
-/* R89's best reading is off by 0.15 at most, and by less than 0.001 from psi1 = 3 on (cases/4-oblique/oblique-impact-laws.md). */
+/* R89's best reading is wrong by 0.15 at most, and by less than 0.001 from psi1 = 3 on (cases/4-oblique/oblique-impact-laws.md). */
 static void error_in_an_impact_is_what_is_known(void) {
   double most = 0, where = 0, later = 0;
   for (double psi1 = 0.1; psi1 < 6; psi1 += 0.1) {

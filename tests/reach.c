@@ -1,4 +1,4 @@
-/* When contacts are looked for anew: as soon as a body, or the end of a wall, is farther than half the skin from where the last
+/* When contacts are looked for anew: as soon as a particle, or the end of a wall, is farther than half the skin from where the last
  * search found it, and no sooner. Hundreds of them, each within a two-thousandth of that.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -76,6 +76,6 @@ static void walls(void) {
 
 void suite_reach(void) {
   CU_pSuite suite = CU_add_suite("reach", NULL, NULL);
-  CU_add_test(suite, "bodies", particles);
+  CU_add_test(suite, "particles", particles);
   CU_add_test(suite, "walls", walls);
 }

@@ -1,5 +1,5 @@
 /* What a region measures, counted again from the snapshot of the same moment: every sum over the region is made from the tables of
- * bodies and contacts by its definition, in other words than the simulator's.
+ * particles and contacts by its definition, in other words than the simulator's.
  *
  * Tolerance: 1e-11 of the size of what is summed, some hundred terms that are rounded to 1e-16.
  *
@@ -78,7 +78,7 @@ static void spread_near(const struct nb_result *result, const char *stem, const 
   }
 }
 
-/* Ends of contacts on bodies inside. */
+/* Ends of contacts on particles inside. */
 struct end {
   double ex, ey, arm, total_normal, total_shear, near;
 };

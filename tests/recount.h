@@ -1,4 +1,4 @@
-/* An assembly whose measures are counted again from its snapshot: spheres of two sizes, walls, one body fixed, one taken out,
+/* An assembly whose measures are counted again from its snapshot: spheres of two sizes, walls, one particle fixed, one taken out,
  * contacts that slide and that do not.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

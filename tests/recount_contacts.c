@@ -1,4 +1,4 @@
-/* The contacts of a snapshot against the bodies of the same moment: directions, overlaps, forces by Hertz, and their sums; and the
+/* The contacts of a snapshot against the particles of the same moment: directions, overlaps, forces by Hertz, and their sums; and the
  * force chains of a region, found again from them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -14,7 +14,7 @@ static void is(const struct nb_table *table, size_t row, const char *name, doubl
   }
 }
 
-/* Each contact against its two bodies, or its wall: direction, overlap, force by Hertz; and what bodies feel in all. */
+/* Each contact against its two particles, or its wall: direction, overlap, force by Hertz; and the sum of forces on a particle. */
 static void contacts_are_those_of_the_particles(void) {
   struct written it;
   struct nb_result result;

@@ -113,7 +113,7 @@ static void volumes(void) {
   CLOSE(model, "A.porosity", 0.75);
   CLOSE(model, "A.void_ratio", 3);
   CLOSE(model, "A.porosity.volume",
-        1 - 4 * pi / 3 / (4 * pi * 4)); /* 4: the thickness of all bodies, not of those inside */
+        1 - 4 * pi / 3 / (4 * pi * 4)); /* 4: the thickness of all particles, not of those inside */
   CLOSE(model, "B.porosity", 1 - pi / 2 / 6);
   CLOSE(model, "C.area", 14 * 6);
   CLOSE(model, "C.porosity", 1 - 10 * pi / 84);
@@ -121,7 +121,7 @@ static void volumes(void) {
   done(&it, model);
 }
 
-/* A box is turned and mirrored with the scene, and so are its corners, which cut outlines. */
+/* A box is turned and mirrored with the scene, and so are its corners, which cut surfaces. */
 static void a_box_that_is_turned(void) {
   static const char *const places[] = {"", "transform rotate 0.5\n", "transform mirror x rotate 2 translate 3 -2\n"};
   for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
@@ -138,7 +138,7 @@ static void a_box_that_is_turned(void) {
   }
 }
 
-/* Bodies that fly as a velocity gradient says are strained by it times the time, to rounding. */
+/* Particles that fly as a velocity gradient says are strained by it times the time, to rounding. */
 static void strain(void) {
   const struct nb_tensor rate = tensor(0.2, -0.3, 0.7, -0.5);
   struct words page = {0};

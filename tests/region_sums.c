@@ -22,7 +22,7 @@
   "B.stress.xx "                                                                                                       \
   "B.stress.residual B.stress.mean B.porosity C.stress.residual C.stress.mean C.stress.xx"
 
-/* Pressed, sheared, sliding and damped: with walls, with bodies outside. */
+/* Pressed, sheared, sliding and damped: with walls, with particles outside. */
 static void busy(struct words *page) {
   words_add(page, "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.2\nshear linear\nbox 0 0 to 12 12 m\n"
                   "lattice discs 6 by 6 m radius 0.98 spacing 1.95 from 1 1\ngravity 3 -9\nstep 0.002\n"

@@ -1,4 +1,4 @@
-/* Bodies that a stage takes out: what they carry away, what the others go on with, and that nothing of them is left.
+/* Particles that a stage takes out: what they carry away, what the others go on with, and that nothing of them is left.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -84,7 +84,7 @@ static void at_the_moment(void) {
   }
 }
 
-/* What is taken out at time 0 has never been there: the same bits. With 7 bodies and with 37, which are sought in cells. */
+/* What is taken out at time 0 has never been there: the same bits. With 7 particles and with 37, which are sought in cells. */
 static void never_there(void) {
   for (int many = 0; many < 2; many++) {
     double seen[2][4];

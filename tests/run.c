@@ -136,7 +136,7 @@ static void a_snapshot_holds_what_touches(void) {
     const double *values = contacts->values + r * contacts->column_count;
     const bool floor = values[2] == 1;
     CU_ASSERT(values[0] == 1 && values[1] == (floor ? 0 : 2));
-    /* Half-way between the outlines: 0 and -0.1 on the floor, 1.9 and 1.7 between the discs. */
+    /* Half-way between the surfaces: 0 and -0.1 on the floor, 1.9 and 1.7 between the discs. */
     CU_ASSERT_DOUBLE_EQUAL(values[3], 0, 1e-6);
     CU_ASSERT_DOUBLE_EQUAL(values[4], floor ? -0.05 : 1.8, 1e-6);
     CU_ASSERT_DOUBLE_EQUAL(values[10], floor ? 10 : 20, 1e-6);  /* normal */

@@ -1,4 +1,4 @@
-/* What a page says, as a scene: bodies, walls, materials, stages, and what holds when it says nothing.
+/* What a page says, as a scene: particles, walls, materials, stages, and what holds when it says nothing.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef _POSIX_C_SOURCE
@@ -163,7 +163,7 @@ static void stages(void) {
 void suite_scene(void) {
   CU_pSuite suite = CU_add_suite("scene", NULL, NULL);
   CU_add_test(suite, "a lattice is numbered from the south-west", lattice);
-  CU_add_test(suite, "bodies, their mass and inertia", particles);
+  CU_add_test(suite, "particles, their mass and inertia", particles);
   CU_add_test(suite, "walls and boxes", walls);
   CU_add_test(suite, "pairs of materials", pairs);
   CU_add_test(suite, "defaults", defaults);

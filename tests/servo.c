@@ -1,6 +1,6 @@
 /* The servo on an assembly whose stiffness is known: six discs in a ring around a seventh.                     [R89 4.1]
  *
- * All bodies follow the strain, so it is a recursion of the ring's radius alone, with springs k between the ring and the
+ * All particles follow the strain, so it is a recursion of the ring's radius alone, with springs k between the ring and the
  * disc in the middle: F = k (2r - R), A = 3 sqrt(3)/2 R^2, p = 3 F R/A, B = 3 k R^2/(2 A), T = 2 R (M/(A B))^(1/2).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -85,7 +85,7 @@ static void a_ramp_is_followed(void) {
   nb_result_free(&result);
 }
 
-/* Against a steady dilatation: nothing stays off, and it goes as the two rates of the theory say. P alone would be off by B T e_v. */
+/* Against a steady dilatation: nothing stays off, and it goes as the two rates of the theory say. P alone would be wrong by B T e_v. */
 static void a_dilatation_leaves_nothing(void) {
   struct nb_result result;
   run(&result,

@@ -1,4 +1,4 @@
-/* Speeds of a region beyond what carries its bodies along, and what is out of balance under centripetal gravity.
+/* Speeds of a region beyond what carries its particles along, and what is out of balance under centripetal gravity.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -46,7 +46,7 @@ static void speeds(void) {
   }
 }
 
-/* From the begin of the first stage on a body has what carries it, before it has moved. */
+/* From the begin of the first stage on a particle has what carries it, before it has moved. */
 static void imposed_before_the_first_step(void) {
   struct words page = {0};
   struct written it;

@@ -16,7 +16,7 @@ static inline double deep(double n) { return pow(0.75 * n / (E * sqrt(R)), 2. / 
 static inline double press(double x) { return x > 0 ? 4. / 3 * E * sqrt(R) * x * sqrt(x) : 0; }
 static inline double slope(void) { return mu * E / (4 * G); } /* mu kappa */
 
-/* A leg of a path: to this share of the overlap at N, and slip in units of A = mu kappa alpha at N. */
+/* A segment of a path: to this share of the overlap at N, and slip in units of A = mu kappa alpha at N. */
 struct segment {
   double alpha, slip;
 };

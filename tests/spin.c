@@ -1,4 +1,4 @@
-/* Moments turn bodies: [CS79 23, 23a, 34-36], written out once more here, between steps of unlike length.
+/* Moments turn particles: [CS79 23, 23a, 34-36], written out once more here, between steps of unlike length.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -128,7 +128,7 @@ static void surface_at_rest(void) {
 
 void suite_spin(void) {
   CU_pSuite suite = CU_add_suite("spin", NULL, NULL);
-  CU_add_test(suite, "moments turn bodies, damped or not", moments_turn);
+  CU_add_test(suite, "moments turn particles, damped or not", moments_turn);
   CU_add_test(suite, "surface speed and particle", surface_goes_with_its_particle);
   CU_add_test(suite, "turned round", turned_round);
   CU_add_test(suite, "surface at rest", surface_at_rest);

@@ -260,7 +260,7 @@ void suite_stability(void) {
   CU_add_test(suite, "a pair may use it up", a_pair_may_use_it_up);
   CU_add_test(suite, "a stiffer way back is sure earlier", a_stiffer_way_back_is_sure_earlier);
   CU_add_test(suite, "it may get deep", it_may_get_deep);
-  CU_add_test(suite, "a body that is held", a_particle_that_is_held);
+  CU_add_test(suite, "a particle that is held", a_particle_that_is_held);
   CU_add_test(suite, "three share it", three_share_it);
   CU_add_test(suite, "no cycle is unsure", no_cycle_is_unsure);
 }

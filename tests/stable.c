@@ -137,7 +137,7 @@ static void damping_has_its_formula(void) {
 
 /* ---- networks by chance ---- */
 
-/* Bodies of unlike size, density and shape about a lattice that is bent, so that some overlap, some are only near, and
+/* Particles of unlike size, density and shape about a lattice that is bent, so that some overlap, some are only near, and
  * some stand apart; some are fixed; four materials of unlike stiffness; walls on two sides or none. */
 static void network(struct words *page, struct chance *chance, size_t nx, size_t ny) {
   words_add(page, "units none\nshear linear\nskin 0.2\n");

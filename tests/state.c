@@ -11,7 +11,7 @@
 #include "run/plan.h"
 #include "suites.h"
 
-/* Twelve bodies that are squeezed, dragged and pulled; a wall that turns, one that is ramped, a body that is held and moves, one
+/* Twelve particles that are squeezed, dragged and pulled; a wall that turns, one that is ramped, a particle that is held and moves, one
  * that flies, one that spins, and one that is taken out. */
 static const char scene[] =
     "units none\nmaterial m density 3 kn 4000 ks 2500 friction 0.3 young 5000 poisson 0.2\nmaterial p density 3 kn "
@@ -137,7 +137,7 @@ static void rules_of_stages_fit(void) {
   written_free(&it);
 }
 
-/* The state of other bodies is refused: of another radius, shape, material or mobility, one by one. */
+/* The state of other particles is refused: of another radius, shape, material or mobility, one by one. */
 static void other_particles_do_not_fit(void) {
   struct words page = {0};
   struct written it;
@@ -220,7 +220,7 @@ static void contacts_that_are_apart_do_not_fit(void) {
   written_free(&it);
 }
 
-/* Without dashpots what contacts feel is what the laws say: a page that goes on with dashpots reads it. */
+/* Without dashpots the total forces are those of the laws: a page that goes on with dashpots reads it. */
 static void contact_forces_without_dashpots(void) {
   struct written it;
   struct nb_saved saved;
@@ -308,10 +308,10 @@ void suite_state(void) {
   CU_add_test(suite, "and with every damping", all_dampings);
   CU_add_test(suite, "the balances count from the state on", balances_begin_anew);
   CU_add_test(suite, "rules that stages make fit", rules_of_stages_fit);
-  CU_add_test(suite, "other bodies do not fit", other_particles_do_not_fit);
+  CU_add_test(suite, "other particles do not fit", other_particles_do_not_fit);
   CU_add_test(suite, "other names do not fit", other_names_do_not_fit);
   CU_add_test(suite, "contacts that are apart do not fit", contacts_that_are_apart_do_not_fit);
-  CU_add_test(suite, "what is felt without dashpots", contact_forces_without_dashpots);
+  CU_add_test(suite, "total forces without dashpots", contact_forces_without_dashpots);
   CU_add_test(suite, "the step before goes on", the_step_before_goes_on);
   CU_add_test(suite, "what is remembered behind a 0", what_is_remembered_behind_a_0);
 }

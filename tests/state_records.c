@@ -212,6 +212,6 @@ void suite_state_records(void) {
   CU_pSuite suite = CU_add_suite("state_records", NULL, NULL);
   CU_add_test(suite, "what a field may not be is refused there", every_field);
   CU_add_test(suite, "a record that is missing, or there twice", every_record);
-  CU_add_test(suite, "no body, no end of the last line", without_particles);
+  CU_add_test(suite, "no particle, no end of the last line", without_particles);
   CU_add_test(suite, "no more than there may be", at_most);
 }

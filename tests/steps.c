@@ -45,12 +45,12 @@ static void a_step_is_a_share(void) {
   NEAR(step_of(PAIR "disc 9 0 radius 3 m\ndisc 0 0 radius 1 m\nstep 1 of collision\n"), pi * sqrt(0.9 / 8), 1e-15);
   NEAR(step_of(PAIR "lattice discs 2 by 1 radius 1 m\ndisc 30 0 radius 2 m\nstep 1 of collision\n"), pi / 4, 1e-15);
   NEAR(step_of(PAIR "disc 0 5 radius 1 m\nwall w -3 0 to 3 0 m\nstep 1 of collision\n"), pi / sqrt(8), 1e-15);
-  /* a lighter body of another material does not stand for those of the pair */
+  /* a lighter particle of another material does not stand for those of the pair */
   NEAR(step_of(PAIR
                "material b density 0.01 kn 8\npair m b kn 1e-6\npair b b kn 1e-6\nmaterial s kn 8\npair b s kn 1e-6\n"
                "disc 0 5 radius 1 m\ndisc 9 5 radius 1 b\nwall w -3 0 to 3 0 s\nstep 1 of collision\n"),
        pi / sqrt(8), 1e-15);
-  /* nor does one body make a pair of its own */
+  /* nor does one particle make a pair of its own */
   NEAR(step_of(PAIR
                "material s kn 8\npair m s kn 1e-4\ndisc 0 5 radius 1 m\nwall w -3 0 to 3 0 s\nstep 1 of collision\n"),
        pi * 100, 1e-15);

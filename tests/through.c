@@ -1,7 +1,7 @@
-/* Whether a body has gone through a wall in a step: by chance, and close to what decides it.
+/* Whether a particle has gone through a wall in a step: by chance, and close to what decides it.
  *
  * A step is drawn in the frame of the wall, where the answer is plain: the centre comes from (x0, y0) to (x1, y1), through the
- * wall's line at x0 + (x1 - x0) y0/(y0 - y1). Then wall and body are put somewhere, and move and turn as they like.
+ * wall's line at x0 + (x1 - x0) y0/(y0 - y1). Then wall and particle are put somewhere, and move and turn as they like.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>

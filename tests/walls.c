@@ -1,4 +1,4 @@
-/* Walls that move, turn and meet [CS79, Input parameters; figure 4], and bodies that come through them.
+/* Walls that move, turn and meet [CS79, Input parameters; figure 4], and particles that come through them.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -50,7 +50,7 @@ static void a_wall_turns_exactly(void) {
   written_free(&it);
 }
 
-/* Where a wall meets a body its velocity is the way of its point there over the step, however far it turns. */
+/* Where a wall meets a particle its velocity is the way of its point there over the step, however far it turns. */
 static void velocity_of_a_point(void) {
   struct words page = {0};
   struct written it;

@@ -1,4 +1,4 @@
-/* Waves in a lattice: what `wave` gives to bodies, and that the reference's long waves go as the moduli say.
+/* Waves in a lattice: what `wave` gives to particles, and that the reference's long waves go as the moduli say.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <CUnit/CUnit.h>
@@ -10,7 +10,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* V sin(2 pi (NX (x - x_0)/width + NY (y - y_0)/height)) more for every free body above; the sum of two waves. */
+/* V sin(2 pi (NX (x - x_0)/width + NY (y - y_0)/height)) more for every free particle above; the sum of two waves. */
 static void a_wave_is_a_sine_from_the_centre(void) {
   struct words page = {0};
   struct written it;

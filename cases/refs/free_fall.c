@@ -110,7 +110,8 @@ static enum nb_status solve(struct nb_solution *solution, const struct nb_scene 
   if (single_read(&particle, scene, error))
     return error->status;
   if (scene->gravity.x != 0 || particle.height < particle.radius)
-    return nb_error_set(error, NB_BAD_USE, "free_fall is for a body dropped straight down, from rest, above the wall");
+    return nb_error_set(error, NB_BAD_USE,
+                        "free_fall is for a particle dropped straight down, from rest, above the wall");
   const double w = sqrt(particle.pair.kn / particle.m), b = particle.cn / (2 * particle.m);
   if (!(b < w))
     return nb_error_set(error, NB_BAD_USE, "free_fall is for less than critical damping");

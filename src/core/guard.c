@@ -17,7 +17,7 @@
  * found one within the skin of its limit.
  *
  * An overlap is a difference of positions, and each coordinate is rounded to a multiple of its ulp, which grows with the distance from
- * the origin. The program warns when the ulp exceeds a thousandth of the mean overlap: forces are then off by up to about 0.1 %.
+ * the origin. The program warns when the ulp exceeds a thousandth of the mean overlap: the error of forces is then up to about 0.1 %.
  * Overlaps below 1e-9 of a radius come from rounding and do not count. Without any contact, a thousandth of the smallest
  * radius is used as the expected overlap.
  *
@@ -123,7 +123,7 @@ static double coordinate(const struct nb_model *model, int i) {
 
 static double ulp(double x) { return nextafter(x, INFINITY) - x; }
 
-/* Coarsest resolution of a coordinate, as a fraction of the mean overlap, 1: forces are then off by 0.1 %. Overlaps
+/* Coarsest resolution of a coordinate, as a fraction of the mean overlap, 1: the error of forces is then 0.1 %. Overlaps
  * below the second number, as a fraction of the radius, 1, come from rounding. */
 static const double resolution_limit = 1e-3, touch_limit = 1e-9;
 

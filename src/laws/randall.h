@@ -10,7 +10,7 @@
 #include "law.h"
 
 /* x^(1/3), within two units of the last place. It uses only + - x / and is the same on all machines; library
- * functions cbrt round differently. The start value, from the exponent, is off by at most 3 %; Halley's step turns a
+ * functions cbrt round differently. The start value, from the exponent, has an error of at most 3 %; Halley's step turns a
  * relative error e into (2/3) e^3. */
 static inline double cube_root(double x) {
   const double size = fabs(x);
