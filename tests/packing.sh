@@ -8,8 +8,8 @@ pages=$work/pages
 states=$work/states
 mkdir "$pages"
 
-# bodies FILE: the fields of the particles of a state that a packing takes.
-bodies() { grep '^body ' "$1" | cut -d ' ' -f 1-8; }
+# particles FILE: the fields of the particles of a state that a packing takes.
+particles() { grep '^body ' "$1" | cut -d ' ' -f 1-8; }
 
 "$nineball" state cases/3-nine-discs/nine-discs.md --stage load -o "$work/nine.state" >"$work/said" 2>&1 &&
   for file in "$work/nine.state" cases/packings/nine-discs-load.state; do
@@ -40,7 +40,7 @@ stage     fall
   snapshot
 END
 echo '```' >>"$pages/made.md"
-"$nineball" state "$pages/made.md" -o "$pages/heap.state" >"$work/said" 2>&1 && test "$(bodies "$pages/heap.state" | wc -l)" -eq 51
+"$nineball" state "$pages/made.md" -o "$pages/heap.state" >"$work/said" 2>&1 && test "$(particles "$pages/heap.state" | wc -l)" -eq 51
 result $? 'a state is written'
 
 # taken NAME LINE: runs a page with this packing for one cycle, so short that no bit of a position changes, and lists its particles.
@@ -60,11 +60,11 @@ stage     look
   snapshot
 \`\`\`
 END
-  "$nineball" state "$pages/$1.md" -o "$work/$1.state" >"$work/said" 2>&1 && bodies "$work/$1.state" >"$work/$1"
+  "$nineball" state "$pages/$1.md" -o "$work/$1.state" >"$work/said" 2>&1 && particles "$work/$1.state" >"$work/$1"
 }
 
 # Particles after a removed one are renumbered.
-bodies "$pages/heap.state" | grep -v ' gone ' | awk '{ $2 = NR; print }' >"$work/wanted"
+particles "$pages/heap.state" | grep -v ' gone ' | awk '{ $2 = NR; print }' >"$work/wanted"
 taken whole 'packing heap.state'
 awk '{ print $1, $2, $3, $4, $5, $6 }' "$work/whole" >"$work/a" && awk '{ print $1, $2, $3, $4, $5, $6 }' "$work/wanted" | diff - "$work/a" >"$work/said" &&
   test "$(wc -l <"$work/a")" -eq 50

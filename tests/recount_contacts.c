@@ -10,7 +10,7 @@ static void is(const struct nb_table *table, size_t row, const char *name, doubl
   const double seen = of(table, row, name);
   if (!(fabs(seen - wanted) <= 1e-9 * (1 + fabs(wanted)))) {
     printf("# contact %zu, %s: %.17g, wanted %.17g\n", row, name, seen, wanted);
-    CU_FAIL("a contact is not what its bodies make of it");
+    CU_FAIL("a contact does not follow from its particles");
   }
 }
 
