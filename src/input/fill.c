@@ -133,7 +133,7 @@ static void check_area(struct nb_reader *reader, const struct nb_value *value, c
                      "expected one place to fill: `circle X Y radius R` or `box X Y to X Y`");
   if (box && !(fill->x1 > fill->x && fill->y1 > fill->y))
     nb_token_mistake(reader, value[AT_TO].token, NULL,
-                     "expected a north-east corner to the north and east of the first one");
+                     "expected a north-east corner with larger x and y than the first one");
   if (!isfinite(area(fill)))
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a finite area to fill, this one is too large");
 }

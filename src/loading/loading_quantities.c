@@ -54,8 +54,8 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     TENSOR("cell", NB_OF_CELL, "m", NB_COMPONENTS, cell_sides,
            "sides of the cell: xx, yx of the one that was the southern one, xy, yy of the western one"),
     TENSOR("cell.stress", NB_OF_CELL, "Pa", NB_STRESSES, cell_stress,
-           "by contacts, sum F_i l_j of forces and branches over the volume, 1 m thick with discs, the mean "
-           "diameter with spheres; compression positive, dashpots included"),
+           "by contacts, sum F_i l_j of forces and branches over the volume. Thickness 1 m of discs, the mean "
+           "diameter of spheres; compression positive, dashpots included"),
     TENSOR("cell.strain", NB_OF_CELL, "1", NB_COMPONENTS, cell_strain,
            "of the cell since time 0, extension positive; xy is half the change of the right angle, while small"),
     {"cell.strain.volumetric", NB_OF_CELL, "1", 0, cell_strain_volume,
@@ -64,8 +64,8 @@ const struct nb_quantity_kind nb_loading_kinds[] = {
     {"box.width", NB_OF_BOX, "m", 0, box_width, "from the box's wall `west` to `east`"},
     {"box.height", NB_OF_BOX, "m", 0, box_height, "from `south` to `north`"},
     TENSOR("box.stress", NB_OF_BOX, "Pa", NB_STRESSES, box_stress,
-           "from the forces on its walls, sum F_i X_j of the places where they act over the volume, 1 m thick "
-           "with discs, the mean diameter with spheres; compression positive, dashpots included"),
+           "from the forces on its walls, sum F_i X_j of the places where they act over the volume. Thickness 1 m "
+           "of discs, the mean diameter of spheres; compression positive, dashpots included"),
     {"box.strain.width", NB_OF_BOX, "1", 0, box_strain_width,
      "relative change of the box's width since time 0, extension positive"},
     {"box.strain.height", NB_OF_BOX, "1", 0, box_strain_height, "the same of its height"},

@@ -236,14 +236,14 @@ static void values(const struct manual *to) {
                 "parentheses; one unit may follow "
                 "each. What computes is in parentheses: `radius (R/2)`, `cycles (2*n)`, `velocity "
                 "(v*cos(angle)) m/s 0 m/s`.");
-  paragraph(to,
-            "A unit is one word after a space. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or "
-            "µ, m, c, k, M, G (deg has "
-            "none) and powers from 1 to 9, joined by `.` (times) and `/` (over): `0.3 mm`, `2.7 g/cm3`, `4 N.m`, `5 "
-            "1/s`. `%` and `ppm` are "
-            "factors, rad is 1 and deg is pi/180. `0.3 mm` is the double nearest to 0.0003: all units but deg are "
-            "powers of ten of the SI unit. "
-            "With `units none` all numbers are bare; `%` and `ppm` may still follow them, and angles are radians.");
+  paragraph(to, "A unit is one word after a space. It is made of m, s, g, N, Pa, J, rad and deg, with a prefix n, u or "
+                "µ, m, c, k, M, G (deg has "
+                "none) and powers from 1 to 9. These are joined by `.` (times) and `/` (over): `0.3 mm`, `2.7 g/cm3`, "
+                "`4 N.m`, `5 "
+                "1/s`. `%` and `ppm` are "
+                "factors, rad is 1 and deg is pi/180. `0.3 mm` is the double nearest to 0.0003: all units but deg are "
+                "powers of ten of the SI unit. "
+                "With `units none` all numbers are bare; `%` and `ppm` may still follow them, and angles are radians.");
   snprintf(text, sizeof text,
            "Expressions are in parentheses, after `let NAME =` and in `--set NAME=`. Names are bare in it, and "
            "stand for what "
@@ -256,8 +256,8 @@ static void values(const struct manual *to) {
            nb_function_names);
   paragraph(to, text);
   paragraph(to, "Dimensions are checked: both sides of `+` and `-` have the same one, and so have the values of hypot, "
-                "atan2, min and max; "
-                "exponents and the values of other functions are numbers, except those of sqrt and abs. Where an angle "
+                "atan2, min and max. "
+                "Exponents and the values of other functions are numbers, except those of sqrt and abs. Where an angle "
                 "or an angular velocity is wanted, a literal "
                 "has its unit, `30 deg` or `2 rad/s`; an expression may as well be a number, or one in 1/s. "
                 "Expressions are computed in double, operation by operation "
