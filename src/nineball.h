@@ -148,9 +148,10 @@ struct nb_grading {
 /* `fill`: particles of a grading, placed at random in a circle or a box. Coordinates are those before `transform`. */
 struct nb_fill {
   bool circle;
-  double x, y;   /* m; centre of the circle, or lower left corner of the box */
-  double radius; /* m, of the circle */
-  double x1, y1; /* m, upper right corner of the box */
+  double x, y;          /* m; centre of the circle, or lower left corner of the box */
+  double radius;        /* m, of the circle */
+  double x1, y1;        /* m, upper right corner of the box */
+  double width, height; /* m, of the periodic cell that is filled instead, its corners as those of a box; 0: none */
   int grading;
   unsigned long seed;
   unsigned long attempts;           /* at most, for each particle */

@@ -268,6 +268,77 @@ static void the_same_bits(void) {
   written_free(&it);
 }
 
+#define CELL ROCK "cell -3 2 to 47 32\n" /* 50 by 30 */
+
+/* By all pairs of images: no overlap, centres everywhere in the cell, also nearer than a radius to its edges. */
+static void no_overlap_across_edges(void) {
+  for (int seed = 1; seed <= 3; seed++) {
+    struct written it;
+    char page[512];
+    size_t overlaps = 0, across_x = 0, across_y = 0, outside = 0;
+    snprintf(page, sizeof page, CELL GRADED "fill spheres cell g rock seed %d attempts 3000 else skip\n", seed);
+    make(&it, page);
+    const struct nb_particle *at = it.scene.particles;
+    CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 600);
+    for (size_t i = 0; i < it.scene.particle_count; i++) {
+      outside += !(at[i].x >= -3 && at[i].x < 47 && at[i].y >= 2 && at[i].y < 32);
+      across_x += at[i].x - at[i].radius < -3 || at[i].x + at[i].radius > 47;
+      across_y += at[i].y - at[i].radius < 2 || at[i].y + at[i].radius > 32;
+      for (size_t j = 0; j <= i; j++)
+        for (int x = -1; x <= 1; x++)
+          for (int y = -1; y <= 1; y++)
+            overlaps += (i != j || x || y) && hypot(at[i].x - at[j].x + 50 * x, at[i].y - at[j].y + 30 * y) <
+                                                  at[i].radius + at[j].radius - 1e-14;
+    }
+    CU_ASSERT_EQUAL(overlaps, 0);
+    CU_ASSERT_EQUAL(outside, 0);
+    CU_ASSERT(across_x > 7 && across_y > 12); /* of 600, of mean radius 0.66: 2 R/50 and 2 R/30 of them are 16 and 26 */
+    counted(&it.scene);
+    written_free(&it);
+  }
+}
+
+static void evenly_in_a_cell(void) {
+  struct written it;
+  int counts[100] = {0};
+  make(&it, ROCK "cell -1 4 to 9 5\ngrading dust 1e-9 20000\nfill discs cell dust rock seed 7 attempts 1 else stop\n");
+  CU_ASSERT_EQUAL_FATAL(it.scene.particle_count, 20000);
+  for (size_t k = 0; k < it.scene.particle_count; k++)
+    counts[10 * (int)(it.scene.particles[k].x + 1) + (int)(10 * (it.scene.particles[k].y - 4))]++;
+  is_even(counts, 100, 20000);
+  written_free(&it);
+}
+
+/* Particles that are there already may be anywhere by whole periods. */
+static void periods_do_not_matter(void) {
+  static const char *const there[] = {"disc 1 30 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
+                                      "disc 51 0 radius 6 rock fixed\ndisc 25 10 radius 5 rock fixed\n",
+                                      "disc -99 60 radius 6 rock fixed\ndisc 125 -50 radius 5 rock fixed\n"};
+  uint64_t first = 0;
+  for (int k = 0; k < 3; k++) {
+    struct written it;
+    char page[512];
+    snprintf(page, sizeof page, CELL "%s" GRADED "fill discs cell g rock seed 4 attempts 1000 else skip\n", there[k]);
+    make(&it, page);
+    CU_ASSERT_FATAL(it.scene.particle_count > 400);
+    it.scene.particle_count -= 2;
+    memmove(it.scene.particles, it.scene.particles + 2, it.scene.particle_count * sizeof *it.scene.particles);
+    first = k ? first : bits_of(&it.scene);
+    CU_ASSERT(bits_of(&it.scene) == first);
+    written_free(&it);
+  }
+}
+
+/* A cell must be as wide as the particle, or that would overlap its own image. */
+static void one_that_fills_the_cell(void) {
+  struct written it;
+  make(&it, CELL "grading g 15.1 1 15 1\nfill discs cell g rock seed 4 attempts 1000 else skip\n");
+  CU_ASSERT_EQUAL(it.scene.particle_count, 1);
+  CU_ASSERT_EQUAL(it.scene.gradings[0].sizes[1].placed, 1);
+  CU_ASSERT_EQUAL(it.scene.fills[0].attempts_made, 1);
+  written_free(&it);
+}
+
 static void hexagonal(void) {
   struct written it;
   make(&it, ROCK "lattice discs hexagonal 3 by 4 from 10 20 radius 1 spacing 2.5 rock\n");
@@ -296,5 +367,9 @@ void suite_fill(void) {
   CU_add_test(suite, "tries and skips", tries_and_skips);
   CU_add_test(suite, "a place across the edge by rounding is none", across_the_edge_by_rounding);
   CU_add_test(suite, "the same bits", the_same_bits);
+  CU_add_test(suite, "in a cell no overlap across the edges", no_overlap_across_edges);
+  CU_add_test(suite, "in a cell uniform to the edges", evenly_in_a_cell);
+  CU_add_test(suite, "in a cell whole periods do not matter", periods_do_not_matter);
+  CU_add_test(suite, "in a cell no particle overlaps its own image", one_that_fills_the_cell);
   CU_add_test(suite, "hexagonal", hexagonal);
 }

@@ -82,6 +82,15 @@ result $? '--in-place keeps links and permissions'
 "$nineball" migrate "$work/one.md" "$work/two.md" >/dev/null 2>"$work/said"
 test $? -eq 2 && grep -q 'with --in-place' "$work/said"
 result $? 'several pages need --in-place'
+printf '# a\n```scene\nlet  kind literal\nlet b $a\nsweep word tries 4 pieces\nlet d 5 mm\n```\nlet kind literal\n' >"$work/one.md"
+"$nineball" migrate "$work/one.md" >"$work/new" 2>"$work/said"
+test $? -eq 0 && grep -qxF 'let d = 5 mm' "$work/new" && cat >"$work/wanted" <<EOF && diff "$work/wanted" "$work/said"
+$work/one.md:3:11: warning: \`literal\` is not rewritten: with \$kind, \`continuum … literal\` is \`affine … accumulated\` now
+$work/one.md:4:7: warning: if \`\$a\` is a number, write \`let b = a\`
+$work/one.md:5:12: warning: \`tries\` is not rewritten: with \$word, \`fill … tries\` is \`fill … attempts\` now
+$work/one.md:5:20: warning: \`pieces\` is not rewritten: with \$word, \`shear … pieces\` is \`shear … memory\` now
+EOF
+result $? 'old words that come by way of $NAME are named with line and column'
 printf 'a\0b' >"$work/one.md"
 cp "$work/one.md" "$work/wanted"
 "$nineball" migrate --in-place "$work/one.md" 2>"$work/said"

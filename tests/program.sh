@@ -56,6 +56,10 @@ quiet said
 absent passes.out
 verdict 'a page that passes: status 0, no files'
 
+run 0 check "$pages/filled-cell.md"
+out '5 of 5 checks passed'
+verdict 'a periodic cell that is filled across its edges, and pressed'
+
 run 1 check "$pages/fails.md"
 out 'FAIL  D.x expected 1.6'
 out 'pass  time expected 1'

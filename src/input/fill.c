@@ -13,16 +13,17 @@ enum { ATTEMPTS_MAX = 1000000 }; /* about a second for each size that does not f
 
 enum { AT_NAME };
 enum { AT_SHAPE, AT_CIRCLE, AT_RADIUS = AT_CIRCLE + 2, AT_BOX, AT_TO = AT_BOX + 2, AT_GRADING = AT_TO + 2 };
-enum { AT_MATERIAL = AT_GRADING + 1, AT_SEED, AT_ATTEMPTS, AT_ELSE };
+enum { AT_MATERIAL = AT_GRADING + 1, AT_SEED, AT_ATTEMPTS, AT_ELSE, AT_CELL };
 
 /* clang-format off */
 static const struct nb_argument grading_fields[] = {NAME(AT_NAME, "a name for the grading"), END};
 static const struct nb_argument fill_fields[] = {
   SHAPE(AT_SHAPE),
-  CLAUSE("circle", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_CIRCLE, 2, "a box", "A circle about that centre."),
-  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, "a box", "Radius of the circle."),
-  CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "a circle", "The corner of a box with the smallest x and y; a box to fill has no walls."),
-  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "a circle", "The opposite corner of the box."),
+  CLAUSE("circle", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_CIRCLE, 2, "|another place", "A circle about that centre."),
+  CLAUSE("radius", "R", NB_UNIT_LENGTH, NB_POSITIVE, AT_RADIUS, 1, "another place", "Radius of the circle."),
+  CLAUSE("box", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_BOX, 2, "|another place", "The corner of a box with the smallest x and y; a box to fill has no walls."),
+  CLAUSE("to", "X Y", NB_UNIT_LENGTH, NB_ANY, AT_TO, 2, "another place", "The opposite corner of the box."),
+  FLAG("cell", AT_CELL, "|another place", "The periodic cell, across its edges: the packing has no wall effect."),
   WORD("GRADING", AT_GRADING, "the name of a grading"),
   MATERIAL(AT_MATERIAL),
   COUNT("seed", "N", AT_SEED, NULL, "Seed of the random numbers."),
@@ -124,16 +125,20 @@ static void report_no_space(struct nb_reader *reader, const struct nb_scene *sce
       it->count, it->name, fill->attempts, list);
 }
 
-/* The area is either a complete circle or a complete box. */
-static void check_area(struct nb_reader *reader, const struct nb_value *value, const struct nb_fill *fill) {
-  const bool circle = value[AT_CIRCLE].token && value[AT_RADIUS].token && !value[AT_BOX].token && !value[AT_TO].token;
-  const bool box = value[AT_BOX].token && value[AT_TO].token && !value[AT_CIRCLE].token && !value[AT_RADIUS].token;
-  if (!circle && !box)
+/* One of a circle, a box and the cell, whole. */
+static void take_place(struct nb_reader *reader, const struct nb_scene *scene, const struct nb_value *value,
+                       struct nb_fill *fill) {
+  const bool circle = value[AT_CIRCLE].token, box = value[AT_BOX].token, cell = value[AT_CELL].token;
+  if (circle + box + cell != 1 || circle == !value[AT_RADIUS].token || box == !value[AT_TO].token)
     nb_token_mistake(reader, &reader->tokens[0], NULL,
-                     "expected one place to fill: `circle X Y radius R` or `box X Y to X Y`");
-  if (box && !(fill->x1 > fill->x && fill->y1 > fill->y))
-    nb_token_mistake(reader, value[AT_TO].token, NULL,
-                     "expected a north-east corner with larger x and y than the first one");
+                     "expected one place to fill: `circle X Y radius R`, `box X Y to X Y` or `cell`");
+  if (cell && !nb_lacks_cell(scene, reader)) {
+    fill->width = scene->cell.h[0], fill->height = scene->cell.h[3];
+    fill->x = scene->cell.x - fill->width / 2, fill->y = scene->cell.y - fill->height / 2;
+    fill->x1 = fill->x + fill->width, fill->y1 = fill->y + fill->height;
+  }
+  if (!circle)
+    nb_corners_swapped(reader, fill->x, fill->y, fill->x1, fill->y1);
   if (!isfinite(area(fill)))
     nb_token_mistake(reader, &reader->tokens[0], NULL, "expected a finite area to fill, this one is too large");
 }
@@ -159,7 +164,7 @@ NB_APPLY(apply_fill) {
   if (fill.attempts > ATTEMPTS_MAX)
     nb_token_mistake(reader, value[AT_ATTEMPTS].token, NULL, "expected at most %d attempts for each particle",
                      ATTEMPTS_MAX);
-  check_area(reader, value, &fill);
+  take_place(reader, scene, value, &fill);
   const struct nb_particle like =
       nb_particle_of(reader, scene, (enum nb_shape)value[AT_SHAPE].number, value[AT_MATERIAL].token, false,
                      reader->bad ? 0 : scene->gradings[fill.grading].count);
@@ -180,8 +185,8 @@ NB_STATEMENTS(fill) = {
    "Radii of the particles that `fill` places, and how many of each.",
    "grading   mixed  8 mm 2  5 mm 6"},
   {"fill", NB_IN_SCENE, fill_fields, NULL, 0, false, apply_fill,
-   "Discs or spheres of a grading, randomly placed in a circle or a box, largest first, and numbered in this order (R89, sections 4.4 and 6.4). They lie wholly inside and touch neither each other nor particles "
-   "defined above; walls are ignored. A seed gives the same packing on every machine. If no position is found for a particle within the attempts, "
+   "Discs or spheres of a grading, randomly placed in a circle, a box or the periodic cell, largest first, and numbered in this order (R89, sections 4.4 and 6.4). They lie wholly inside and touch neither each other nor particles "
+   "defined above; walls are ignored. `fill discs cell …` places them across the edges of the cell too, and none touches an image of another one. A seed gives the same packing on every machine. If no position is found for a particle within the attempts, "
    "`else stop` ends with an error, as the old generator of R89 does. `else skip` continues with the next smaller size; a quantity counts the skipped particles.",
    "fill      spheres circle 200 mm 40 mm radius 30 mm  mixed steel  seed 1  attempts 1000  else skip\n"
    "fill      discs box 250 mm 100 mm to 320 mm 180 mm  mixed glass  seed 4  attempts 1000  else stop"},

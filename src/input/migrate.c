@@ -16,7 +16,8 @@ static int block_of(const char *info) {
   return kind < 0 ? -1 : (int)blocks[kind];
 }
 
-void nb_migrate(struct nb_text *text, char *page) {
+void nb_migrate(struct nb_text *text, char *page, const char *path, FILE *warnings) {
+  size_t number = 1;
   size_t open = 0; /* length of the fence of the block that the line is in; 0: none */
   char sign = 0, s, *end;
   int block = -1;
@@ -28,7 +29,9 @@ void nb_migrate(struct nb_text *text, char *page) {
     const size_t fence = nb_fence(line, &s, &info), start = text->length;
     const bool closes = open && fence >= open && s == sign && info[strspn(info, "\r")] == '\0';
     const bool words = open && !closes && block >= 0, opens = !open && fence;
-    nb_old_line(text, line, words ? (enum nb_old_block)block : opens ? NB_OLD_OPENING : NB_OLD_PROSE);
+    const enum nb_old_block kind = words ? (enum nb_old_block)block : opens ? NB_OLD_OPENING : NB_OLD_PROSE;
+    nb_old_line(text, line, kind);
+    nb_old_warn(warnings, path, number++, line, kind);
     if (opens && !text->failed && nb_fence(text->at + start, &s, &info))
       open = fence, sign = s, block = block_of(info);
     else if (closes)

@@ -424,6 +424,34 @@ const char *nb_old_name(char *hint, const char *name) {
   return hint_of(hint, row);
 }
 
+/* A row of statements that has the word and in which it is no longer; NULL: none. */
+static const struct nb_old_word *row_of_word(const char *word, size_t length) {
+  const struct nb_old_word *row = nb_old_words();
+  while (row->old && (row->kind != NB_OLD_STATEMENT || is_any(word) ||
+                      index_of(row->old, word, length) == index_of(row->old, "", 1) ||
+                      index_of(row->now, word, length) < index_of(row->now, "", 1)))
+    row++;
+  return row->old ? row : NULL;
+}
+
+void nb_old_warn(FILE *out, const char *path, size_t number, const char *text, enum nb_old_block block) {
+  struct line line;
+  const bool whole = block == NB_OLD_STATEMENTS && split(&line, text, block) && line.count > 2;
+  const bool let = whole && is_word(&line.words[0], "let");
+  for (size_t w = 2; whole && (let || is_word(&line.words[0], "sweep")) && w < line.count; w++) {
+    const struct word *word = &line.words[w];
+    const struct nb_old_word *row = row_of_word(word->at, word->length);
+    if (let && w == 2 && word->at[0] == '$')
+      fprintf(out, "%s:%zu:%zu: warning: if `%.*s` is a number, write `let %.*s = %.*s`\n", path, number,
+              word->column + 1, (int)word->length, word->at, (int)line.words[1].length, line.words[1].at,
+              (int)word->length - 1, word->at + 1);
+    else if (row)
+      fprintf(out, "%s:%zu:%zu: warning: `%.*s` is not rewritten: with $%.*s, `%s` is `%s` now\n", path, number,
+              word->column + 1, (int)word->length, word->at, (int)line.words[1].length, line.words[1].at, row->old,
+              row->now);
+  }
+}
+
 bool nb_old_help(FILE *out, const char *word) {
   bool found = false;
   for (const struct nb_old_word *row = nb_old_words(); row->old; row++) {

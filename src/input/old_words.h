@@ -36,7 +36,10 @@ const char *nb_old_name(char *hint, const char *name); /* the same for the name 
 /* Prints the replacement of an old word; false: it is none. */
 bool nb_old_help(FILE *out, const char *word);
 
+/* Prints a warning for each value of a `let` or `sweep` that no row can rewrite: a $NAME, and an old word. */
+void nb_old_warn(FILE *out, const char *path, size_t number, const char *line, enum nb_old_block block);
+
 /* migrate.c: adds the rewritten page; changes the page while it runs. */
-void nb_migrate(struct nb_text *text, char *page);
+void nb_migrate(struct nb_text *text, char *page, const char *path, FILE *warnings);
 
 #endif

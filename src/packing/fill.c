@@ -1,7 +1,8 @@
 /* Random packings: particles of a grading, placed one after the other without overlap.
  *
  * The largest size comes first. A centre is drawn from a uniform distribution over the positions at which the whole
- * particle is inside the circle or the box. If the particle would overlap one that is already there, another centre is
+ * particle is inside the circle or the box, or over the whole periodic cell; there no image of another particle may
+ * overlap either, so that the packing has no edge. If the particle would overlap one that is already there, another centre is
  * drawn, up to `attempts` times per particle. If all attempts fail, R89's old generator stops (R89, section 6.4.1), and
  * the new one continues with the next smaller size (R89, section 4.4).
  *
@@ -21,59 +22,78 @@
 #include "packing.h"
 #include "random_numbers.h"
 
-static void grid_add(struct nb_grid *grid, const struct nb_particle *particle, size_t index) {
-  nb_grid_add(grid, (int)index, vec(particle->x, particle->y), 2 * particle->radius);
+/* x as many periods off as bring it to the period that begins at `from`; without a period x itself. */
+static double wrapped(double x, double from, double period) {
+  return period > 0 ? x - period * floor((x - from) / period) : x;
 }
 
-static bool grid_create(struct nb_grid *grid, const struct nb_scene *scene, const struct nb_grading *grading) {
+static void grid_add(struct nb_grid *grid, const struct nb_fill *fill, const struct nb_particle *particle,
+                     size_t index) {
+  const struct nb_vec at = {wrapped(particle->x, fill->x, fill->width), wrapped(particle->y, fill->y, fill->height)};
+  nb_grid_add(grid, (int)index, at, 2 * particle->radius);
+}
+
+static bool grid_create(struct nb_grid *grid, const struct nb_fill *fill, const struct nb_scene *scene,
+                        const struct nb_grading *grading) {
   double largest = grading->sizes[0].radius;
   for (size_t k = 0; k < scene->particle_count; k++)
     largest = fmax(largest, scene->particles[k].radius);
   if (!nb_grid_create(grid, scene->particle_count + grading->count, 2 * largest))
     return false;
   for (size_t k = 0; k < scene->particle_count; k++)
-    grid_add(grid, &scene->particles[k], k);
+    grid_add(grid, fill, &scene->particles[k], k);
   return true;
 }
 
-static bool overlap(const struct nb_particle *a, const struct nb_particle *b) {
-  const double dx = a->x - b->x, dy = a->y - b->y, apart = a->radius + b->radius;
+/* With the nearest image of b. */
+static bool overlap(const struct nb_fill *fill, const struct nb_particle *a, const struct nb_particle *b) {
+  const double dx = wrapped(a->x - b->x, -fill->width / 2, fill->width),
+               dy = wrapped(a->y - b->y, -fill->height / 2, fill->height), apart = a->radius + b->radius;
   return dx * dx + dy * dy < apart * apart;
 }
 
-/* Whether particle `count` (not placed yet) overlaps none of those on a level of the grid. */
-static bool no_overlap_on_level(const struct nb_grid *grid, int level, const struct nb_particle *particles,
-                                size_t count) {
+/* Whether particle `count` (not placed yet), or its image there, overlaps none of those on a level of the grid. */
+static bool no_overlap_on_level(const struct nb_grid *grid, int level, const struct nb_fill *fill, struct nb_vec at,
+                                const struct nb_particle *particles, size_t count) {
   const struct nb_particle *particle = &particles[count];
   const double range = particle->radius + grid->width[level] / 2;
-  const int64_t west = nb_grid_place(grid, level, particle->x - range),
-                east = nb_grid_place(grid, level, particle->x + range);
-  const int64_t south = nb_grid_place(grid, level, particle->y - range),
-                north = nb_grid_place(grid, level, particle->y + range);
+  const int64_t west = nb_grid_place(grid, level, at.x - range), east = nb_grid_place(grid, level, at.x + range);
+  const int64_t south = nb_grid_place(grid, level, at.y - range), north = nb_grid_place(grid, level, at.y + range);
   if ((double)(east - west) * (double)(north - south) > (double)count) { /* it is far larger than those of the level */
     for (size_t k = 0; k < count; k++)
-      if (overlap(particle, &particles[k]))
+      if (overlap(fill, particle, &particles[k]))
         return false;
     return true;
   }
   for (int64_t y = south; y <= north; y++)
     for (int64_t x = west; x <= east; x++)
       NB_GRID_FOR_BOX(grid, other, ((struct nb_box){level, x, y}))
-  if (overlap(particle, &particles[other]))
+  if (overlap(fill, particle, &particles[other]))
     return false;
   return true;
 }
 
-static bool no_overlap(const struct nb_grid *grid, const struct nb_particle *particles, size_t count) {
+static bool no_overlap(const struct nb_grid *grid, const struct nb_fill *fill, const struct nb_particle *particles,
+                       size_t count) {
+  const int images = fill->width > 0; /* to each side */
   for (int level = 0; level < NB_GRID_LEVELS; level++)
-    if (grid->count[level] && !no_overlap_on_level(grid, level, particles, count))
-      return false;
+    for (int x = -images; x <= images && grid->count[level]; x++)
+      for (int y = -images; y <= images; y++) {
+        const struct nb_vec at = {particles[count].x + x * fill->width, particles[count].y + y * fill->height};
+        if (!no_overlap_on_level(grid, level, fill, at, particles, count))
+          return false;
+      }
   return true;
 }
 
 /* False if rounding has put the particle across the edge. */
 static bool draw_centre(struct nb_particle *particle, const struct nb_fill *fill, struct nb_random *random) {
   const double r = particle->radius;
+  if (fill->width > 0) {
+    particle->x = fill->x + nb_random_fraction(random) * fill->width;
+    particle->y = fill->y + nb_random_fraction(random) * fill->height;
+    return true;
+  }
   if (!fill->circle) {
     particle->x = fill->x + r + nb_random_fraction(random) * (fill->x1 - fill->x - 2 * r);
     particle->y = fill->y + r + nb_random_fraction(random) * (fill->y1 - fill->y - 2 * r);
@@ -101,9 +121,9 @@ static bool place(struct nb_scene *scene, struct nb_fill *fill, struct nb_grid *
   *particle = *prototype;
   for (unsigned long attempt = 0; attempt < fill->attempts; attempt++) {
     fill->attempts_made++;
-    if (!draw_centre(particle, fill, random) || !no_overlap(grid, scene->particles, scene->particle_count))
+    if (!draw_centre(particle, fill, random) || !no_overlap(grid, fill, scene->particles, scene->particle_count))
       continue;
-    grid_add(grid, particle, scene->particle_count++);
+    grid_add(grid, fill, particle, scene->particle_count++);
     return true;
   }
   return false;
@@ -117,7 +137,7 @@ enum nb_fill_result nb_fill_random(struct nb_scene *scene, struct nb_fill *fill,
       nb_array_reserve(scene->particles, scene->particle_count, grading->count, sizeof *particles);
   if (particles)
     scene->particles = particles;
-  enum nb_fill_result result = particles && grid_create(&grid, scene, grading) ? NB_FILL_DONE : NB_FILL_NO_MEMORY;
+  enum nb_fill_result result = particles && grid_create(&grid, fill, scene, grading) ? NB_FILL_DONE : NB_FILL_NO_MEMORY;
   for (size_t s = 0; s < grading->size_count && result == NB_FILL_DONE; s++) {
     struct nb_size *size = &grading->sizes[s];
     const size_t before = scene->particle_count;

@@ -310,7 +310,7 @@ static enum nb_status migrate(const char *path, bool in_place, struct nb_error *
     free(page);
     return nb_error_set(error, NB_BAD_USE, "expected a page, found a file that is no text");
   }
-  nb_migrate(&text, page);
+  nb_migrate(&text, page, path, stderr);
   enum nb_status status = text.failed ? nb_error_memory(error) : NB_OK;
   if (!status && !in_place) {
     fputs(text.at ? text.at : "", stdout);

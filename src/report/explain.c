@@ -97,8 +97,11 @@ static void explain_start(FILE *out, const struct nb_scene *scene, const struct 
 static void explain_fill(FILE *out, const struct nb_scene *scene, const struct nb_fill *fill) {
   const struct nb_grading *grading = &scene->gradings[fill->grading];
   fprintf(out, "  %s %s, seed %lu: %zu of %zu particles placed in %llu attempts, particles %zu to %zu (line %d)\n",
-          fill->circle ? "circle with" : "box with", grading->name, fill->seed, fill->count, grading->count,
-          fill->attempts_made, fill->first + 1, fill->first + fill->count, fill->line);
+          fill->circle      ? "circle with"
+          : fill->width > 0 ? "cell with"
+                            : "box with",
+          grading->name, fill->seed, fill->count, grading->count, fill->attempts_made, fill->first + 1,
+          fill->first + fill->count, fill->line);
   for (size_t s = 0; s < grading->size_count; s++) {
     const struct nb_size *size = &grading->sizes[s];
     size_t placed = 0;
