@@ -13,7 +13,7 @@ here=$(cd "${srcdir:-.}" && pwd)
 command -v gcovr >/dev/null || { echo "coverage: gcovr is not there; SECTIONS=ci ./setup installs it" >&2; exit 2; }
 mkdir -p coverage && cd coverage
 test -f Makefile || "$here/configure" -q ${CC:+CC="$CC"} CFLAGS='-g -O0 --coverage'
-${MAKE:-make} -j "$(nproc)" all-local nineball tests/unit >said 2>&1 || { tail said >&2; exit 1; }
+${MAKE:-make} -j "$(nproc)" nineball tests/unit >said 2>&1 || { tail said >&2; exit 1; }
 find . -name '*.gcda' -exec rm -f {} +
 
 export NINEBALL="$(pwd)/nineball" srcdir="$here"
