@@ -20,7 +20,7 @@ const struct nb_synonym *nb_synonym(const char *word) {
   /* clang-format off */
   static const struct nb_synonym synonyms[] = { /* each word once */
     {"ball balls disk disks particle particles grain grains body bodies clump", "disc, sphere"}, {"grid mesh regular", "lattice"},
-    {"generate create create_atoms insert distribute pour random cloud", "fill, lattice, disc, sphere"}, {"psd gradation", "grading"},
+    {"generate create create_atoms insert", "fill, lattice, disc, sphere"}, {"distribute pour random cloud", "fill"}, {"psd gradation", "grading"},
     {"facet facets plane plate", "wall"}, {"domain container create_box", "box, cell"}, {"periodic pbc", "cell"},
     {"contact_model cmat pair_style model", "normal, shear"}, {"property prop attribute set assign", "material, pair, let"},
     {"variable define parameter fish", "let"}, {"loop foreach for while", "sweep, repeat"}, {"bond bonds cement adhesion", "cohesion"},

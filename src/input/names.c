@@ -272,16 +272,21 @@ static void offer_names(struct nb_guess *guess, const struct nb_scene *scene, in
     }
 }
 
+/* The monitor of this name; -1: none. */
+static int monitor_named(const struct nb_scene *scene, const char *name, size_t length) {
+  int w = (int)scene->monitor_count - 1;
+  while (w >= 0 && (strncmp(scene->monitors[w].name, name, length) != 0 || scene->monitors[w].name[length]))
+    w--;
+  return w;
+}
+
 bool nb_quantity_find(struct nb_quantity *quantity, const struct nb_scene *scene, const char *text) {
   *quantity = (struct nb_quantity){.monitor = -1};
   if (find_quantity(quantity, scene, -1, text))
     return true;
-  const size_t length = strcspn(text, "."); /* the name of a monitor has no dot */
-  for (int w = 0; w < (int)scene->monitor_count && text[length]; w++)
-    if (strncmp(scene->monitors[w].name, text, length) == 0 && !scene->monitors[w].name[length] &&
-        find_quantity(quantity, scene, w, text + length + 1))
-      return true;
-  return false;
+  const size_t length = strcspn(text, "."); /* a monitor's name has no dot */
+  const int w = text[length] ? monitor_named(scene, text, length) : -1;
+  return w >= 0 && find_quantity(quantity, scene, w, text + length + 1);
 }
 
 double nb_quantity_value(struct nb_quantity quantity, const struct nb_model *model) {
@@ -340,14 +345,6 @@ static const char *list_quantities(char *hint, const struct nb_scene *scene, int
   return hint;
 }
 
-/* The monitor of this name; -1: none. */
-static int monitor_named(const struct nb_scene *scene, const char *name, size_t length) {
-  int w = (int)scene->monitor_count - 1;
-  while (w >= 0 && (strncmp(scene->monitors[w].name, name, length) != 0 || scene->monitors[w].name[length]))
-    w--;
-  return w;
-}
-
 static bool begins_name(const char *text, size_t length) {
   size_t k = 0;
   while (kind_at(k) && (strncmp(kind_at(k)->name, text, length) != 0 || kind_at(k)->name[length] != '.'))
@@ -366,12 +363,11 @@ const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const cha
     return hint;
   if (owner >= 0)
     return list_quantities(hint, scene, owner);
-  if (begins)
-    snprintf(hint, NB_HINT_SIZE, "all quantities that begin so: `nineball --help %.*s`", (int)length, text);
-  else if (text[length] && !scene->contact_test)
-    snprintf(hint, NB_HINT_SIZE, "nothing is called `%.*s`: `monitor NAME …` and `region NAME …` name what is measured",
-             (int)length, text);
-  else
-    snprintf(hint, NB_HINT_SIZE, "all quantities: `nineball --help quantities`");
+  const bool unknown = text[length] && !begins && !scene->contact_test;
+  const char *const topic = begins || unknown ? text : "quantities";
+  snprintf(hint, NB_HINT_SIZE,
+           unknown ? "nothing is called `%.*s`: `monitor NAME …` and `region NAME …` name what is measured"
+                   : "see `nineball --help %.*s`",
+           (int)strcspn(topic, "."), topic);
   return hint;
 }

@@ -424,12 +424,15 @@ const char *nb_old_name(char *hint, const char *name) {
   return hint_of(hint, row);
 }
 
-/* A row of statements that has the word and in which it is no longer; NULL: none. */
+static bool has_word(const char *pattern, const char *word, size_t length) {
+  return index_of(pattern, word, length) < index_of(pattern, "", 1);
+}
+
+/* A row of statements in which the word is an old one; NULL: none. */
 static const struct nb_old_word *row_of_word(const char *word, size_t length) {
   const struct nb_old_word *row = nb_old_words();
-  while (row->old && (row->kind != NB_OLD_STATEMENT || is_any(word) ||
-                      index_of(row->old, word, length) == index_of(row->old, "", 1) ||
-                      index_of(row->now, word, length) < index_of(row->now, "", 1)))
+  while (row->old && (row->kind != NB_OLD_STATEMENT || is_any(word) || !has_word(row->old, word, length) ||
+                      has_word(row->now, word, length)))
     row++;
   return row->old ? row : NULL;
 }
@@ -456,10 +459,9 @@ bool nb_old_help(FILE *out, const char *word) {
   bool found = false;
   for (const struct nb_old_word *row = nb_old_words(); row->old; row++) {
     const char *dot = strchr(word, '.'), *old = row->old + (*row->old == '.');
-    const size_t all = index_of(old, "", 1);
-    if (index_of(old, word, strlen(word)) == all && !(dot && strcmp(old, dot + 1) == 0))
+    if (!has_word(old, word, strlen(word)) && !(dot && strcmp(old, dot + 1) == 0))
       continue;
-    if (index_of(row->now, word, strlen(word)) < index_of(row->now, "", 1) && row->kind <= NB_OLD_EXPECT)
+    if (has_word(row->now, word, strlen(word)) && row->kind <= NB_OLD_EXPECT)
       continue; /* the word is still in use */
     fprintf(out, "  " NOW "\n", row->old, row->now);
     found = true;

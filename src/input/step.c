@@ -16,11 +16,15 @@ static const enum nb_step_kind kinds[] = {NB_STEP_STABLE,           NB_STEP_COLL
                                           NB_STEP_RAYLEIGH,         NB_STEP_RAYLEIGH_MEAN, NB_STEP_RAYLEIGH_FIT,
                                           NB_STEP_RAYLEIGH_FIT_MEAN};
 
-/* Whether that word follows the number, `0.2` or `20 %`. */
-static bool follows(const struct nb_reader *reader, const char *word) {
+/* Whether one of the words follows the number, `0.2` or `20 %`. */
+static bool follows(const struct nb_reader *reader, const char *words) {
   size_t behind = reader->next + 1;
   behind += behind < reader->count && strcmp(reader->tokens[behind].text, "%") == 0;
-  return behind < reader->count && strcmp(reader->tokens[behind].text, word) == 0;
+  const char *const text = behind < reader->count ? reader->tokens[behind].text : "|";
+  size_t length = strcspn(words, "|");
+  while (words[length] && !(strlen(text) == length && strncmp(words, text, length) == 0))
+    words += length + 1, length = strcspn(words, "|");
+  return strlen(text) == length && strncmp(words, text, length) == 0;
 }
 
 /* TIME, F of something, or N per collision. */
@@ -28,7 +32,8 @@ NB_APPLY(apply_step) {
   struct nb_scene_reading *reading = subject;
   struct nb_stage *stage = nb_current_stage(reading->scene);
   struct nb_step *here = stage ? &stage->step : &reading->scene->step;
-  const bool fraction = follows(reader, "of"), per = follows(reader, "per"), setting = reader == &reading->setting;
+  const bool fraction = follows(reader, "of|critical|" STEP_KINDS), per = follows(reader, "per"),
+             setting = reader == &reading->setting;
   struct nb_step step = {.kind = NB_STEP_TIME, .line = setting ? 0 : (int)reader->line, .set = setting};
   (void)record;
   nb_take_number(reader, fraction || per ? NB_UNIT_NUMBER : NB_UNIT_TIME, NB_POSITIVE, &step.value);

@@ -337,6 +337,17 @@ static bool has_word(const char *syntax, const char *word) {
   return false;
 }
 
+/* The syntax, and the arguments that the word begins; false: none. */
+static bool statement_part(const struct manual *to, const struct nb_keyword *row, const char *syntax,
+                           const char *word) {
+  bool found = false;
+  wrapped(to->out, 2, 4, syntax);
+  for (const struct nb_argument *field = row->arguments; field->count; field++)
+    if (field->word && has_word(field->word, word))
+      argument(to, field), found = true;
+  return found;
+}
+
 /* Statements that begin with the word. For statements with the word in their syntax: the syntax and the argument, or the help. */
 static bool find_statement(const struct manual *to, const char *word, struct nb_guess *guess) {
   const struct nb_family *const tables[] = {nb_keywords(), nb_expect_keywords()};
@@ -345,24 +356,17 @@ static bool find_statement(const struct manual *to, const char *word, struct nb_
   bool found = false;
   for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
     for (size_t k = 0; (row = nb_keyword_row(tables[t], k)); k++) {
-      bool explained = false;
-      if (!row->word)
-        continue;
-      nb_first_word(first, row->word);
+      nb_first_word(first, row->word ? row->word : "");
       nb_guess_offer(guess, first);
       nb_keyword_syntax(syntax, sizeof syntax, row);
-      if (strcmp(first, word) == 0 || strcmp(row->word, word) == 0) {
+      const bool verb = strcmp(first, word) == 0 || (row->word && strcmp(row->word, word) == 0);
+      if (!row->word || !(verb || has_word(syntax, word)))
+        continue;
+      found = true;
+      if (verb)
         statement(to, row);
-        found = true;
-      } else if (has_word(syntax, word)) {
-        wrapped(to->out, 2, 4, syntax);
-        for (const struct nb_argument *field = row->arguments; field->count; field++)
-          if (field->word && has_word(field->word, word))
-            argument(to, field), explained = true;
-        if (!explained)
-          wrapped(to->out, 6, 6, row->help);
-        found = true;
-      }
+      else if (!statement_part(to, row, syntax, word))
+        wrapped(to->out, 6, 6, row->help);
     }
   return found;
 }
@@ -404,24 +408,20 @@ static bool find_quantity(const struct manual *to, const char *word, struct nb_g
   return found;
 }
 
-/* A function or constant of expressions, a law, a unit. */
-static bool find_name(const struct manual *to, const char *word, struct nb_guess *guess) {
+/* A law, a function or constant of expressions, a unit. */
+static bool find_name(const struct manual *to, const char *word) {
+  const struct nb_law *const normal = nb_law_find("normal", word), *const shear = nb_law_find("shear", word);
   struct nb_unit unit;
-  char kind[2 * NB_NAME_SIZE];
-  bool found = nb_name_reserved(word);
-  if (found)
+  char of[2 * NB_NAME_SIZE];
+  const bool reserved = nb_name_reserved(word), is_unit = nb_unit_read(&unit, word);
+  nb_dimension_words(of, sizeof of, unit.dimension);
+  if (normal || shear)
+    part(to, word, "a contact law; see nineball laws", (normal ? normal : shear)->title);
+  if (reserved)
     part(to, word, "of expressions", "see nineball --help expressions");
-  for (const struct nb_law *const *law = nb_laws(); *law; law++) {
-    nb_guess_offer(guess, (*law)->name);
-    if (strcmp((*law)->name, word) == 0)
-      part(to, word, "a law after `normal` or `shear`; see nineball laws", (*law)->title), found = true;
-  }
-  if (nb_unit_read(&unit, word)) {
-    nb_dimension_words(kind, sizeof kind, unit.dimension);
-    part(to, word, "a unit; see nineball --help units", unit.angle ? "an angle or an angular velocity" : kind);
-    found = true;
-  }
-  return found;
+  if (is_unit)
+    part(to, word, "a unit; see nineball --help units", unit.angle ? "an angle or an angular velocity" : of);
+  return normal || shear || reserved || is_unit;
 }
 
 /* All meanings of the word in a page. */
@@ -435,7 +435,7 @@ static bool find(const struct manual *to, const char *word, struct nb_guess *gue
       return topics[k].write(to), true;
   bool found = find_statement(to, word, guess);
   found = find_expectation(to, word, guess) || found;
-  found = find_name(to, word, guess) || found;
+  found = find_name(to, word) || found;
   found = find_quantity(to, word, guess, !found) || found;
   if (strcmp(word, "units") == 0)
     values(to);
