@@ -559,7 +559,7 @@ struct nb_result {
   unsigned long long updates;        /* contact updates: contacts listed, summed over cycles */
   unsigned long long searches;       /* for neighbours, the first one included */
   unsigned long long deep;           /* contact updates with overlaps beyond the range of Hertz theory [R89 6.4.3] */
-  char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, cycle 7, 1e-06 s" */
+  char deep_first[3 * NB_NAME_SIZE]; /* the first of them: "particle 1 and particle 2, cycle 7, time 1e-06 s" */
   double seconds;                    /* wall-clock time, s */
   struct nb_warnings warnings;       /* found during the run */
 };

@@ -60,7 +60,7 @@ static void overlap_at_the_start(void) {
     CU_ASSERT(has(&error, k == 3 ? "particle 2 overlaps particle 1 (line 7) by 1"
                                  : "particle 2 overlaps particle 1 (line 6) by 1"));
     CU_ASSERT_EQUAL(error.line, k == 3 ? 8 : 7);
-    CU_ASSERT(has(&error, "smaller radius, 1 m"));
+    CU_ASSERT(has(&error, "smaller radius, 1:"));
   }
   struct nb_error error;
   unsigned long done; /* what is fixed cannot be pushed apart, and does not meet */
@@ -98,8 +98,8 @@ static void way_in_a_step(void) {
     if ((status == NB_BROKEN) != cases[k].broken)
       printf("# %s: %s\n", cases[k].statements, error.text);
     CU_ASSERT_EQUAL(done, cases[k].broken ? 1 : 2);
-    CU_ASSERT(!cases[k].broken || has(&error, "in cycle 1, at 0.5 s, it moved by 1"));
-    CU_ASSERT(!cases[k].broken || has(&error, "its radius, 1 m"));
+    CU_ASSERT(!cases[k].broken || has(&error, "in cycle 1, at time 0.5, it moved by 1"));
+    CU_ASSERT(!cases[k].broken || has(&error, "its radius, 1:"));
   }
 }
 
@@ -150,8 +150,9 @@ static void turn_in_a_step(void) {
 #define BLADE HEAD "disc 90 0 radius 3 m\ndisc 80 0 radius 0.5 m\nwall blade -2 0 to 2 0 m spin "
   CU_ASSERT_EQUAL(outcome(&error, BLADE "-2.828", 2, &done), NB_OK); /* 2^(1/2) rad in a step of 1/2 */
   CU_ASSERT_EQUAL(outcome(&error, BLADE "-2.829", 2, &done), NB_BROKEN);
-  CU_ASSERT(has(&error, "wall `blade` (line 8): in cycle 1, at 0.5 s, it turned by -1.4145 rad in one step of 0.5 s"));
-  CU_ASSERT(has(&error, "smallest radius, 0.5 m"));
+  CU_ASSERT(
+      has(&error, "wall `blade` (line 8): in cycle 1, at time 0.5, it turned by -1.4145 rad in one step of 0.5 and"));
+  CU_ASSERT(has(&error, "smallest radius, 0.5:"));
   CU_ASSERT_EQUAL(outcome(&error, BLADE "25.132741228718345", 2, &done),
                   NB_BROKEN); /* two whole turns: its ends are back */
   CU_ASSERT_EQUAL(outcome(&error, HEAD "disc 90 0 radius 3 m fixed\nwall w -2 0 to 2 0 m spin 99", 2, &done), NB_OK);
@@ -173,7 +174,7 @@ static void overlap_later(void) {
     CU_ASSERT_EQUAL(outcome(&error, text, 99, &done), NB_BROKEN);
     CU_ASSERT_EQUAL(done, 17);
     CU_ASSERT(has(&error, "and particle 2 (line "));
-    CU_ASSERT(has(&error, "at cycle 17, 8.5 s, they overlap by 1.0625 m. The limit is the smaller radius, 1 m"));
+    CU_ASSERT(has(&error, "at cycle 17, time 8.5, they overlap by 1.0625. The limit is the smaller radius, 1:"));
   }
 }
 
@@ -265,7 +266,7 @@ static void digits_of_the_mean(void) {
   snprintf(statements, sizeof statements,
            "material m density 1 kn 1\ndisc 8388608 0 radius 1 m\ndisc %.17g 0 radius 1 m\ndisc %.17g 0 radius 1 m\n",
            8388610 - 700. / 536870912, 8388612 - 1400. / 536870912);
-  CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), "particle 2: its coordinate 8.38861e+06 m"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(warned(text, statements), "particle 2: its coordinate 8.38861e+06 has"));
 }
 
 static void each_warning_once(void) {

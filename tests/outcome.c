@@ -144,7 +144,7 @@ static void deep_overlaps_of_all_runs(void) {
   CU_ASSERT_EQUAL_FATAL(outcome.warnings.count, 1);
   CU_ASSERT_STRING_EQUAL(outcome.warnings.list[0].text, "overlaps beyond the range of the theory of elastic spheres, "
                                                         "in 20 contact updates; first particle 1 and particle 2, "
-                                                        "cycle 0, 0 s, run d=1.8 [R89 6.4.3]");
+                                                        "cycle 0, time 0, run d=1.8 [R89 6.4.3]");
   nb_outcome_free(&outcome);
 }
 

@@ -86,7 +86,7 @@ verdict 'the pages after an invalid one are run'
 
 run 3 check "$pages/nowhere.md"
 said 'particle 2 (line 9): its position is NaN or infinite'
-said 'after cycle 1, at 1 s'
+said 'after cycle 1, at time 1;'
 run 3 run "$pages/nowhere.md" -o nowhere
 out 'tables are in nowhere, up to where the run was stopped'
 grep -q '^# incomplete: particle 2 (line 9)' nowhere/table.tsv || echo 'the table is not marked as incomplete' >>why
@@ -94,7 +94,7 @@ test "$(column D.x/- nowhere/table.tsv | wc -l)" -eq 1 || echo 'the table does n
 verdict 'NaN: status 3, with particle, line and time'
 
 run 3 run "$pages/past-each-other.md"
-said 'particle 1 (line 7): in cycle 1, at 0.000396333 s, it moved by 0.396333 m in one step of 0.000396333 s'
+said 'particle 1 (line 7): in cycle 1, at time 0.000396333 s, it moved by 0.396333 m in one step of 0.000396333 s'
 said 'its radius, 0.01 m'
 verdict 'two discs that pass each other in one step: status 3, with particle, time and limit'
 
@@ -105,11 +105,11 @@ said 'the smaller radius, 0.01 m'
 verdict 'a disc that is pushed through another one: status 3, with both particles, time and limit'
 
 run 3 run "$pages/whole-turn.md"
-said 'wall `blade` (line 6): in cycle 1, at 0.001 s, it turned by 6.28319 rad in one step of 0.001 s'
+said 'wall `blade` (line 6): in cycle 1, at time 0.001 s, it turned by 6.28319 rad in one step of 0.001 s'
 verdict 'a wall that rotates too far in one step: status 3, with wall, time and limit'
 
 run 3 run "$pages/too-long-a-step.md"
-said 'particle 1 (line 5): at cycle 0, 0 s, the step 1 s is above the guaranteed stable one, 0.000792665 s'
+said 'particle 1 (line 5): at cycle 0, time 0 s, the step 1 s is above the guaranteed stable one, 0.000792665 s'
 said 'particles 1 and 2, as if they touched: write `step 0.00063 s`, or `allow unstable`' # 0.8 of the bound
 for step in '2 of stable:write `step 0.8 of stable`' '1 per collision:write `step 2 per collision`' '3 of single-contact:write `step 0.57 of single-contact`'; do
   run 3 check "$pages/too-long-a-step.md" --set step="${step%%:*}"
@@ -284,7 +284,7 @@ sed 's/kn 1  ks 1 //; s/^shear .*//' "$pages/passes.md" >soft.md
 run 0 explain soft.md
 out 'single contact: none, no contact has a stiffness'
 run 2 explain soft.md --set step='0.1 of single-contact'
-said '--set: the step is computed as inf s: a fraction needs a free particle and a contact with stiffness.'
+said '--set: the step is computed as inf: a fraction needs a free particle and a contact with stiffness.'
 run 0 explain "$pages/drives.md"
 out '  line 9: boundary circle 0 0 radius 10'
 out '    line 15: boundary strain 1e-4 per cycle -1e-4 per cycle shear 2e-5 per cycle'

@@ -175,6 +175,23 @@ static void strain(void) {
   done(&it, model);
 }
 
+/* A falling disc is not at rest: its weight is balanced by no contact. Without gravity no force acts. */
+static void imbalance_without_contacts(void) {
+  for (int falls = 0; falls < 2; falls++) {
+    struct words page = {0};
+    struct written it;
+    words_add(&page,
+              "units none\nmaterial m density 1 kn 100\nstep 1e-3\ndisc 0 0 radius 1 m velocity 1 0\nregion A all\n%s"
+              "record unbalanced.max A.unbalanced.mean\nstage s\ncycles 3\n",
+              falls ? "gravity 0 -1\n" : "");
+    struct nb_model *model = model_of(&it, &page);
+    const double expected = falls ? INFINITY : 0;
+    CU_ASSERT_EQUAL(written_now(model, "unbalanced.max"), expected);
+    CU_ASSERT_EQUAL(written_now(model, "A.unbalanced.mean"), expected);
+    done(&it, model);
+  }
+}
+
 /* Discs on springs that stand on fixed ones, and Hertz's spheres: every number by hand. */
 static void loads(void) {
   struct words page = {0};
@@ -282,6 +299,7 @@ void suite_region(void) {
   CU_add_test(suite, "a box that is turned", a_box_that_is_turned);
   CU_add_test(suite, "strain is the velocity gradient times the time", strain);
   CU_add_test(suite, "what contacts carry, on springs and by Hertz, and what is out of balance", loads);
+  CU_add_test(suite, "out-of-balance force without contacts", imbalance_without_contacts);
   CU_add_test(suite, "which way contacts point that slide", who_slides);
   CU_add_test(suite, "inside a share of the boundary", inside_a_boundary);
 }

@@ -115,7 +115,7 @@ static void a_position_that_is_no_number(void) {
                  "0\nstep 1\nallow unstable\n"
                  "monitor D disc 1\nrecord D.x\nstage a\ncycles 9\n",
                  &rows);
-  says(&error, "particle 2 (line 5): in cycle 1, at 1 s, it moved by 5e+99 m in one step of 1 s");
+  says(&error, "particle 2 (line 5): in cycle 1, at time 1, it moved by 5e+99 in one step of 1.");
   CU_ASSERT_EQUAL(rows, 1);
 }
 

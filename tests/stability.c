@@ -45,7 +45,7 @@ static void an_impact_between_two_looks(void) {
   struct nb_model *model = written_model(&it, NULL);
   const int done = watched(model, &it, 900, &error);
   CU_ASSERT(done > 50 && done < 900 && error.status == NB_BROKEN);
-  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "the step 3 s is above the guaranteed stable one"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "the step 3 is above the guaranteed stable one"));
   CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "particle 1 (line 7): at cycle "));
   const double force = written_now(model, "C.normal"), young = 0.5;
   const double square = cbrt(6 * force * young * young * 0.5) + cbrt(6 * force * young * young * 1);

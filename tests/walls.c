@@ -258,7 +258,7 @@ static void nothing_goes_through_in_silence(void) {
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);
   through("disc 0 3 radius 1 m\nwall w -5 0 to 5 0 m velocity 0 1000", given, 1); /* the wall was too fast */
   through("disc 0 3 radius 1 m\nwall w -5 0 to 5 0 m spin 2000",
-          "wall `w` (line 6): in cycle 1, at 0.01 s, it turned by 20 rad", 1);
+          "wall `w` (line 6): in cycle 1, at time 0.01, it turned by 20 rad", 1);
   through("material h density 1e9 kn 10\ndisc 0 0.5 radius 1e-3 h velocity 0 -0.09\nwall w -5 0 to 5 0 m about 1 -2\n"
           "disc 50 50 radius 30 m",
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);

@@ -118,11 +118,12 @@ enum nb_status nb_cell_check_width(const struct nb_model *model, struct nb_error
   const double width = nb_wrap_width(&wrap), least = 2 * (2 * model->cell->largest_radius + model->search.skin);
   if (width >= least)
     return NB_OK;
+  const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   return nb_error_set(
       error, model->cycle ? NB_BROKEN : NB_BAD_USE,
-      "line %d: the cell is %g m wide at cycle %lu, at %g s: a particle could touch two images of another one. "
-      "The smallest width is twice the sum of the largest diameter and the skin, %g m",
-      model->scene->cell.line, width, model->cycle, model->time, least);
+      "line %d: the cell is %g%s wide at cycle %lu, at time %g%s: a particle could touch two images of another one. "
+      "The smallest width is twice the sum of the largest diameter and the skin, %g%s",
+      model->scene->cell.line, width, m, model->cycle, model->time, s, least, m);
 }
 
 /* ---- measures ---- */

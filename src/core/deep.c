@@ -55,13 +55,14 @@ void nb_deep_record_first(struct nb_model *model) {
   while (c + 1 < contacts->count && !nb_is_deep(model, c))
     c++;
   const bool wall = model->material_pairs[contacts->material_pair[c]].wall;
+  const char *s = nb_unit(model->scene, " s");
   const int n = snprintf(deep->first, sizeof deep->first, "particle %d and ", model->particles.number[contacts->a[c]]);
   char *rest = deep->first + n;
   const size_t room = sizeof deep->first - (size_t)n;
   if (wall)
-    snprintf(rest, room, "wall %s, cycle %lu, %g s", model->scene->walls[contacts->b[c]].name, model->cycle,
-             model->time);
+    snprintf(rest, room, "wall %s, cycle %lu, time %g%s", model->scene->walls[contacts->b[c]].name, model->cycle,
+             model->time, s);
   else
-    snprintf(rest, room, "particle %d, cycle %lu, %g s", model->particles.number[contacts->b[c]], model->cycle,
-             model->time);
+    snprintf(rest, room, "particle %d, cycle %lu, time %g%s", model->particles.number[contacts->b[c]], model->cycle,
+             model->time, s);
 }

@@ -35,11 +35,13 @@ static double displacement_of(const struct nb_model *model, int i) {
 enum nb_status nb_guard_positions(const struct nb_model *model, struct nb_error *error) {
   for (size_t k = 0; k < model->particles.count; k++) {
     const struct nb_vec x = model->particles.position[model->particles.slot[k]];
+    const char *s = nb_unit(model->scene, " s");
     if (!(x.x - x.x == 0 && x.y - x.y == 0)) /* infinity minus itself is NaN too */
-      return nb_error_set(error, NB_BROKEN,
-                          "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at %g s; the step "
-                          "is %g s, the critical one %g s: try a smaller step",
-                          k + 1, line_of(model, (int)k + 1), model->cycle, model->time, model->step, model->critical);
+      return nb_error_set(
+          error, NB_BROKEN,
+          "particle %zu (line %d): its position is NaN or infinite after cycle %lu, at time %g%s; the step "
+          "is %g%s, the single-contact one %g%s: try a smaller step",
+          k + 1, line_of(model, (int)k + 1), model->cycle, model->time, s, model->step, s, model->critical, s);
   }
   return NB_OK;
 }
@@ -49,24 +51,27 @@ static enum nb_status check_displacement(const struct nb_model *model, int i, st
   const double displacement = displacement_of(model, i), radius = model->particles.surface[i].radius;
   if (!(displacement > radius) || nb_removed(model, (size_t)i))
     return NB_OK;
+  const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   return nb_error_set(
       error, NB_BROKEN,
-      "particle %d (line %d): in cycle %lu, at %g s, it moved by %g m in one step of %g s. The limit is "
-      "its radius, %g m: beyond that it may pass through others. Try a smaller step",
-      number, line_of(model, number), model->cycle, model->time, displacement, model->previous_step, radius);
+      "particle %d (line %d): in cycle %lu, at time %g%s, it moved by %g%s in one step of %g%s. The limit is "
+      "its radius, %g%s: beyond that it may pass through others. Try a smaller step",
+      number, line_of(model, number), model->cycle, model->time, s, displacement, m, model->previous_step, s, radius,
+      m);
 }
 
 static enum nb_status check_rotation(const struct nb_model *model, size_t w, struct nb_error *error) {
   const double angle = model->walls.spin[w] * model->previous_step;
   if (!nb_rotates_too_far(model, w, angle))
     return NB_OK;
+  const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   return nb_error_set(
       error, NB_BROKEN,
-      "wall `%s` (line %d): in cycle %lu, at %g s, it turned by %g rad in one step of %g s and may have "
-      "passed through a particle. The limit is set by the smallest radius, %g m: the arc of the wall's "
+      "wall `%s` (line %d): in cycle %lu, at time %g%s, it turned by %g rad in one step of %g%s and may have "
+      "passed through a particle. The limit is set by the smallest radius, %g%s: the arc of the wall's "
       "far end may be no farther from the chord. Try a smaller step",
-      model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, angle, model->previous_step,
-      model->search.smallest_radius);
+      model->scene->walls[w].name, model->scene->walls[w].line, model->cycle, model->time, s, angle,
+      model->previous_step, s, model->search.smallest_radius, m);
 }
 
 enum nb_status nb_guard_motion(const struct nb_model *model, struct nb_error *error) {
@@ -89,21 +94,22 @@ enum nb_status nb_guard_pairs(const struct nb_model *model, struct nb_error *err
     if (!(overlap > radius))
       continue;
     const int a = particles->number[i], b = particles->number[j];
+    const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
     if (model->cycle == 0) {
       nb_error_set(
           error, NB_BAD_USE,
-          "particle %d overlaps particle %d (line %d) by %g m. Expected at most the smaller radius, %g m: move "
+          "particle %d overlaps particle %d (line %d) by %g%s. Expected at most the smaller radius, %g%s: move "
           "them apart, or make them smaller",
-          b, a, line_of(model, a), overlap, radius);
+          b, a, line_of(model, a), overlap, m, radius, m);
       error->line = line_of(model, b);
       return NB_BAD_USE;
     }
     return nb_error_set(
         error, NB_BROKEN,
-        "particle %d (line %d) and particle %d (line %d): at cycle %lu, %g s, they overlap by %g m. The "
-        "limit is the smaller radius, %g m: beyond that they pass through each other. Try a smaller "
+        "particle %d (line %d) and particle %d (line %d): at cycle %lu, time %g%s, they overlap by %g%s. The "
+        "limit is the smaller radius, %g%s: beyond that they pass through each other. Try a smaller "
         "step, a stiffer contact, or a smaller load",
-        a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, overlap, radius);
+        a, line_of(model, a), b, line_of(model, b), model->cycle, model->time, s, overlap, m, radius, m);
   }
   return NB_OK;
 }
@@ -149,10 +155,11 @@ void nb_guard_resolution(struct nb_model *model) {
   model->search.coarse_warned = ulp(x) > resolution_limit * overlap;
   if (!model->search.coarse_warned)
     return;
+  const char *m = nb_unit(model->scene, " m");
   nb_warn(
       &model->warnings, line_of(model, particles->number[i]),
-      "particle %d: its coordinate %g m has a resolution (ulp) of %g m, that is %.2g %% of the overlap of %g m%s at "
+      "particle %d: its coordinate %g%s has a resolution (ulp) of %g%s, that is %.2g %% of the overlap of %g%s%s at "
       "cycle %lu. Forces are no better than that (limit: 0.1 %%): put the scene nearer to the origin",
-      particles->number[i], x, ulp(x), 100 * ulp(x) / overlap, overlap,
+      particles->number[i], x, m, ulp(x), m, 100 * ulp(x) / overlap, overlap, m,
       count > 0 ? " (the mean of all contacts)" : " to come (a thousandth of the smallest radius)", model->cycle);
 }

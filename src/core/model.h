@@ -231,6 +231,11 @@ enum nb_status nb_blocks_create(struct nb_model *model, struct nb_error *error);
 #define NB_REQUEST_ENERGY (1u << 30) /* the energy balance */
 #define NB_REQUEST_STORED (1u << 31) /* energies that require laws with stored energy */
 
+/* A unit in a message, such as " m"; empty with `units none`. */
+static inline const char *nb_unit(const struct nb_scene *scene, const char *unit) {
+  return scene->unitless ? "" : unit;
+}
+
 /* Whether a stage has removed the particle (loading/remove.c). */
 static inline bool nb_removed(const struct nb_model *model, size_t slot) {
   return model->particles.removed && model->particles.removed[slot];

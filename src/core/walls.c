@@ -105,6 +105,7 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
   const struct nb_scene *scene = model->scene;
   const int number = model->particles.number[i];
   const double radius = model->particles.surface[i].radius;
+  const char *m = nb_unit(model->scene, " m"), *s = nb_unit(model->scene, " s");
   if (model->cycle == 0)
     return nb_error_set(
         error, NB_BROKEN,
@@ -112,11 +113,11 @@ static enum nb_status crossing_error(const struct nb_model *model, size_t i, siz
         scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line);
   return nb_error_set(
       error, NB_BROKEN,
-      "particle %d (line %d) passed through wall `%s` (line %d) in cycle %lu, at %g s: its centre is now "
-      "on the other side. The limit is its radius, %g m; in this step of %g s it moved %g m against "
+      "particle %d (line %d) passed through wall `%s` (line %d) in cycle %lu, at time %g%s: its centre is now "
+      "on the other side. The limit is its radius, %g%s; in this step of %g%s it moved %g%s against "
       "the wall: try %s",
       number, scene->particles[number - 1].line, scene->walls[w].name, scene->walls[w].line, model->cycle, model->time,
-      radius, model->previous_step, displacement,
+      s, radius, m, model->previous_step, s, displacement, m,
       displacement > radius / 2 ? "a smaller step" : "a stiffer wall, or a smaller load");
 }
 

@@ -145,7 +145,8 @@ static const struct nb_quantity_kind kinds[] = {
      "contacts of elastic spheres that overlap by more than 7 % of the smaller diameter, summed over all cycles "
      "[R89 6.4.3]"},
     {"unbalanced.max", 0, "1", 0, unbalanced_max,
-     "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; 0 without contacts"},
+     "largest unbalanced force on a particle over largest contact force, dF/F of [CS79 table 1]; infinite without "
+     "contacts, 0 where no force acts"},
     {"energy.kinetic", 0, "J", 0, kinetic_energy, "of all free particles, rotation included"},
     {"energy.stored", 0, "J", NB_OF_STORED | NB_REQUEST_STORED, stored_energy,
      "in all springs, from the laws' state functions"},

@@ -109,5 +109,5 @@ double nb_unbalanced_max(const struct nb_model *model) {
     const double size = vec_length(model->contacts.force[c]);
     contact = size > contact ? size : contact;
   }
-  return contact > 0 ? sum / contact : 0;
+  return sum > 0 ? sum / contact : 0; /* infinite while forces act and no contact bears any */
 }

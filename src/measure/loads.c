@@ -73,7 +73,7 @@ void nb_measure_loads(const struct nb_model *model, struct nb_region_state *regi
   loads->sliding = normal.count > 0 ? sliding / normal.count : 0;
   loads->near_sliding = normal.count > 0 ? near_sliding / normal.count : 0;
   loads->unbalanced_force = mean_force_sum(model, region);
-  loads->unbalanced_mean = loads->normal.mean > 0 ? loads->unbalanced_force / loads->normal.mean : 0;
+  loads->unbalanced_mean = loads->unbalanced_force > 0 ? loads->unbalanced_force / loads->normal.mean : 0;
 }
 
 /* A shear force at this fraction of its limit or above counts as near it. The value is a convention, which the

@@ -82,7 +82,8 @@ const struct nb_quantity_kind nb_region_kinds[] = {
     LOAD("sliding.near", NB_SCALAR, "1", near_sliding,
          "fraction of the contacts whose shear force is 0.99 of its limit or more"),
     LOAD("unbalanced.mean", NB_SCALAR, "1", unbalanced_mean,
-         "mean unbalanced force on a free particle over the mean normal force of the contacts"),
+         "mean unbalanced force on a free particle over the mean normal force of the contacts; infinite without "
+         "contacts"),
     LOAD("unbalanced.force", NB_SCALAR, "N", unbalanced_force,
          "mean magnitude of the unbalanced force on a free particle"),
 

@@ -138,9 +138,9 @@ enum nb_status nb_step_set(struct nb_model *model, const struct nb_step *step, s
   if (!(model->step > 0) || !isfinite(model->step))
     return nb_error_set(
         error, NB_BAD_USE,
-        "%s: the step is computed as %g s: a fraction needs a free particle and a contact with stiffness. Give its "
+        "%s: the step is computed as %g%s: a fraction needs a free particle and a contact with stiffness. Give its "
         "material `kn`, or write `step TIME`",
-        source_of(source, sizeof source, step), model->step);
+        source_of(source, sizeof source, step), model->step, nb_unit(model->scene, " s"));
   return NB_OK;
 }
 

@@ -18,8 +18,6 @@
 #include "run/contact_test.h"
 #include "run/restart.h"
 
-static const char *unit(const struct nb_scene *scene, const char *name) { return scene->unitless ? "" : name; }
-
 /* ---- statements of the page, with the values of this run ---- */
 
 /* Reads a line of the page; false: it is not a statement. */
@@ -107,7 +105,7 @@ static void explain_fill(FILE *out, const struct nb_scene *scene, const struct n
     size_t placed = 0;
     for (size_t k = fill->first; k < fill->first + fill->count; k++)
       placed += scene->particles[k].radius == size->radius;
-    fprintf(out, "    radius %g%s: %zu", size->radius, unit(scene, " m"), placed);
+    fprintf(out, "    radius %g%s: %zu", size->radius, nb_unit(scene, " m"), placed);
     if (placed < size->count)
       fprintf(out, ", %zu not placed, no space", size->count - placed);
     fputc('\n', out);
@@ -243,7 +241,7 @@ static void explain_hooks(FILE *out, const struct nb_model *model) {
 }
 
 static bool explain_plan(FILE *out, const struct nb_model *model) {
-  const char *m = unit(model->scene, " m");
+  const char *m = nb_unit(model->scene, " m");
   if (model->search.skin < INFINITY)
     fprintf(out, "neighbour list\n  %zu pairs closer than %g%s; rebuilt when a particle or wall has moved %g%s\n",
             model->contacts.count, model->search.skin, m, model->search.skin / 2, m);
@@ -314,12 +312,12 @@ static void explain_collision(FILE *out, const struct nb_model *model, const cha
     fprintf(out, "wall %s", model->scene->walls[collision.b].name);
   else
     fprintf(out, "particle %d", model->particles.number[collision.b]);
-  fprintf(out, " at %g%s\n", collision.speed, unit(model->scene, " m/s"));
+  fprintf(out, " at %g%s\n", collision.speed, nb_unit(model->scene, " m/s"));
 }
 
 static void explain_step(FILE *out, const struct nb_model *model) {
   const struct nb_step *step = &model->scene->stages[model->scene->start.stages].step;
-  const char *s = unit(model->scene, " s");
+  const char *s = nb_unit(model->scene, " s");
   const bool elastic = nb_step_elastic(model);
   fprintf(out, "step\n  %g%s", model->step, s);
   if (step->set)
@@ -361,7 +359,7 @@ static void explain_gain(FILE *out, const struct nb_model *model, const struct n
   fputs("    gain of the servo: rate = error/(2 B T), and the integral of the error over 16 T; ", out);
   if (nb_servo_scales(model, servo, &b, &t))
     fprintf(out, "now the bulk stiffness B is %g%s, the travel time T of a wave across the assembly %g%s\n", b,
-            unit(scene, " Pa"), t, unit(scene, " s"));
+            nb_unit(scene, " Pa"), t, nb_unit(scene, " s"));
   else
     fputs("B is the bulk stiffness, T the travel time of a wave across the assembly; there are no contacts yet\n", out);
 }
@@ -414,7 +412,7 @@ static void explain_contact_test_law(FILE *out, const struct nb_law *law, int do
 
 static void explain_contact(FILE *out, const struct nb_scene *scene, const struct nb_contact_test *contact_test) {
   static const char *const shapes[] = {[NB_DISC] = "disc", [NB_SPHERE] = "sphere"};
-  const char *m = unit(scene, " m"), *pa = unit(scene, " Pa");
+  const char *m = nb_unit(scene, " m"), *pa = nb_unit(scene, " Pa");
   fputs("contact test\n  ", out);
   for (size_t k = 0; k < scene->particle_count; k++) {
     const struct nb_particle *particle = &scene->particles[k];
