@@ -168,7 +168,7 @@ static void groups(void) {
 
 void suite_verdict_sweep(void) {
   CU_pSuite suite = CU_add_suite("verdict_sweep", NULL, NULL);
-  CU_add_test(suite, "rises and falls: from each value to the next", trends);
+  CU_add_test(suite, "increases and decreases: from each value to the next", trends);
   CU_add_test(suite, "same: both edges", same);
   CU_add_test(suite, "order: both edges of the slope", orders);
   CU_add_test(suite, "other sweeps are judged apart", groups);
