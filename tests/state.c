@@ -137,19 +137,26 @@ static void rules_of_stages_fit(void) {
   written_free(&it);
 }
 
+/* Reads a scene of two stages, and captures the state at the end of the first one. */
+static void capture(struct nb_saved *saved, struct written *it, const char *statements) {
+  struct words page = {0};
+  struct nb_error error;
+  words_add(&page, "units none\n%srecord time\nstep 0.01\nstage a\ncycles 1\nstage b\ncycles 1\n", statements);
+  written_scene(it, &page);
+  struct nb_model *model = written_model(it, &(struct nb_options){.keep_all = true, .threads = 1});
+  continued_stages(model, 0, 1);
+  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(saved, model, &error), NB_OK);
+  CU_ASSERT_EQUAL(nb_saved_fits(saved, &it->scene, "a", &error), NB_OK);
+  nb_model_free(model);
+}
+
 /* The state of other particles is refused: of another radius, shape, material or mobility, one by one. */
 static void other_particles_do_not_fit(void) {
-  struct words page = {0};
   struct written it;
   struct nb_saved saved;
   struct nb_error error;
-  words_add(&page, "units none\nmaterial m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 0 radius 1 m\n"
-                   "disc 5 0 radius 1 n fixed\nrecord time\nstep 0.01\nstage a\ncycles 1\nstage b\ncycles 1\n");
-  written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
-  continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
-  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  capture(&saved, &it,
+          "material m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 0 radius 1 m\ndisc 5 0 radius 1 n fixed\n");
   const struct nb_saved_particle was = saved.particles[1];
   struct nb_saved_particle others[4] = {was, was, was, was};
   others[0].radius = nextafter(1, 2), others[1].shape = NB_SPHERE, others[2].material = 0, others[3].mobility = NB_FREE;
@@ -158,24 +165,17 @@ static void other_particles_do_not_fit(void) {
     CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_BAD_USE);
   }
   nb_saved_free(&saved);
-  nb_model_free(model);
   written_free(&it);
 }
 
 /* A material or a wall of another name, and a wall too few: whatever else is the same. */
 static void other_names_do_not_fit(void) {
-  struct words page = {0};
   struct written it;
   struct nb_saved saved;
   struct nb_error error;
-  words_add(&page, "units none\nmaterial m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 5 radius 1 m\n"
-                   "wall v -1 0 to 1 0 n\nwall w -1 -9 to 1 -9 n\nrecord time\nstep 0.01\nstage a\ncycles 1\n"
-                   "stage b\ncycles 1\n");
-  written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
-  continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
-  CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
+  capture(&saved, &it,
+          "material m density 1 kn 100\nmaterial n density 1 kn 100\ndisc 0 5 radius 1 m\nwall v -1 0 to 1 0 n\nwall w "
+          "-1 -9 to 1 -9 n\n");
   char *const names[] = {saved.materials[0].name, saved.materials[1].name, saved.walls[0].name, saved.walls[1].name};
   for (int k = 0; k < 4; k++) {
     const char was = names[k][0];
@@ -188,25 +188,18 @@ static void other_names_do_not_fit(void) {
   saved.wall_count = 2;
   CU_ASSERT_EQUAL(nb_saved_fits(&saved, &it.scene, "a", &error), NB_OK);
   nb_saved_free(&saved);
-  nb_model_free(model);
   written_free(&it);
 }
 
 /* A contact of the state between what is far apart in it, with a particle and with a wall. */
 static void contacts_that_are_apart_do_not_fit(void) {
-  struct words page = {0};
   struct written it;
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
-  words_add(&page, "units none\nmaterial m density 1 kn 100\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\n"
-                   "disc 9 0 radius 1 m\nwall w 50 -9 to 50 9 m\nrecord time\nstep 0.01\nstage a\ncycles 1\n"
-                   "stage b\ncycles 1\n");
-  written_scene(&it, &page);
-  struct nb_model *model = written_model(&it, &(struct nb_options){.keep_all = true, .threads = 1});
-  continued_stages(model, 0, 1);
-  CU_ASSERT_EQUAL_FATAL(nb_saved_capture(&saved, model, &error), NB_OK);
+  capture(&saved, &it,
+          "material m density 1 kn 100\ndisc 0 0 radius 1 m\ndisc 1.9 0 radius 1 m\ndisc 9 0 radius 1 m\nwall w 50 -9 "
+          "to 50 9 m\n");
   CU_ASSERT_EQUAL_FATAL(saved.contact_count, 1);
-  nb_model_free(model);
   it.scene.start.stages = 1;
   static const char *const ends[] = {"particle 1 with particle 3", "particle 1 with wall 1"};
   for (int wall = 0; wall < 2; wall++) {
