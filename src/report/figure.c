@@ -54,42 +54,34 @@ static void write_measures(FILE *out, const struct nb_page_run *run, const char 
     write_value(out, "reference_", run->solution.values[k].name, number, run->solution.values[k].value);
 }
 
-/* The data block `$NAMENUMBER`, copied by gnuplot so that the script has the rows only once. */
-static void copy_block(FILE *out, const char *name, const char *number) {
-  fputs("set print $", out), write_name(out, name);
-  fprintf(out, "%s\ndo for [nineball_row=1:|$", number), write_name(out, name);
-  fputs("|] { print $", out), write_name(out, name);
-  fputs("[nineball_row] }\nunset print\n", out);
+static bool has_sweep(const struct nb_scene *scene) {
+  size_t k = 0;
+  while (k < scene->binding_count && scene->bindings[k].sweep < 0)
+    k++;
+  return k < scene->binding_count;
 }
 
-/* Values and tables of one run of several have its number behind their names. A single run has both names, with _1 and without, so
- * that the figure of a sweep needs no change when one value is left of it. */
+/* Values and tables of a run have its number behind their names if the page has a sweep, also when --set leaves one value of it: the
+ * figure needs no change then. */
 static void write_run(FILE *out, const struct nb_outcome *outcome, size_t r) {
   const struct nb_page_run *run = &outcome->runs[r];
-  const bool single = outcome->run_count == 1;
-  char number[32], name[2 * NB_NAME_SIZE];
-  snprintf(number, sizeof number, "_%zu", r + 1);
-  if (single)
-    write_measures(out, run, "");
+  char number[32] = "";
+  if (has_sweep(&run->scene))
+    snprintf(number, sizeof number, "_%zu", r + 1);
   write_measures(out, run, number);
-  fprintf(out, "$table%s << EOD\n", single ? "" : number);
+  fprintf(out, "$table%s << EOD\n", number);
   nb_table_write_run(out, run);
   fputs("EOD\n", out);
-  if (single)
-    copy_block(out, "table", number);
   for (size_t k = 0; k < run->result.snapshot_count; k++) {
     const struct nb_snapshot *snapshot = &run->result.snapshots[k];
     const struct nb_table *table;
     const char *part;
     for (int t = 0; nb_snapshot_part(snapshot, t, &part, &table); t++) {
-      snprintf(name, sizeof name, "%s_%s", run->scene.stages[snapshot->stage].name, part);
       fputc('$', out);
-      write_name(out, name);
-      fprintf(out, "%s << EOD\n", single ? "" : number);
+      write_name(out, run->scene.stages[snapshot->stage].name);
+      fprintf(out, "_%s%s << EOD\n", part, number);
       nb_table_write(out, table);
       fputs("EOD\n", out);
-      if (single)
-        copy_block(out, name, number);
     }
   }
 }

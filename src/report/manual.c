@@ -177,8 +177,7 @@ static void figures(const struct manual *to) {
        "the recorded rows of the run; a column is `column('C.normal/N')`, by its head. `reference C.normal/N` is "
        "the reference, at "
        "every row, of a quantity that is compared with a curve. With a sweep `$table_1`, `$table_2`, …, one "
-       "for each run. A single run has its blocks and variables under both names, without a number and with `_1`, "
-       "so that the figure of a sweep also works when `--set` leaves one value"},
+       "for each run, also when `--set` leaves one value"},
       {"$values",
        "one row for each run: the swept values, then every measure of the expect blocks, computed and reference"},
       {"runs", "the number of runs; `run[i]` are the swept values of run i: \"v=0.12, n=40\""},
