@@ -33,19 +33,14 @@ struct impact {
 
 /* Finds the largest overlap, the end of the contact, if it has one, and the nodes. */
 static bool solve_equations(struct impact *impact, double beta) {
-  const double longest = 20, tick = 0.05;
-  double y[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT, before[HERTZ_UNKNOWNS], deepest[HERTZ_UNKNOWNS] = {0};
-  impact->end = INFINITY, impact->rebound = 0, impact->last = longest;
-  while (y[HERTZ_TIME] < longest && isinf(impact->end)) {
-    memcpy(before, y, sizeof y);
-    if (!hertz_advance(y, beta, tick, deepest))
-      return false;
-    if (!(y[HERTZ_OVERLAP] > 0)) {
-      if (!hertz_integrate(before, beta, HERTZ_OVERLAP, 0))
-        return false;
-      impact->end = impact->last = before[HERTZ_TIME], impact->rebound = -before[HERTZ_SPEED];
-    }
-  }
+  const double longest = 20;
+  double y[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT, deepest[HERTZ_UNKNOWNS] = {0};
+  if (!hertz_rebound(y, beta, 0, longest, deepest))
+    return false;
+  const bool ends = !(y[HERTZ_OVERLAP] > 0);
+  impact->end = ends ? y[HERTZ_TIME] : INFINITY;
+  impact->rebound = ends ? -y[HERTZ_SPEED] : 0;
+  impact->last = ends ? impact->end : longest;
   impact->largest = deepest[HERTZ_OVERLAP], impact->largest_time = deepest[HERTZ_TIME];
   memcpy(impact->node[0], (double[])HERTZ_FIRST_CONTACT, sizeof y);
   for (int k = 1; k < NODES; k++) {

@@ -13,20 +13,9 @@
 #include "hertz.h"
 #include "hertz_motion.h"
 
-/* Past the largest overlap, stored in `deepest`, and out to s = `end`. False: GSL gave up, or s does not come there. */
+/* False: GSL gave up, or s does not return to `end`. */
 static bool integrate_to_rebound(double y[], double beta, double end, double deepest[]) {
-  const double tick = 0.02, longest = 50;
-  while (y[HERTZ_TIME] < longest) {
-    double before[HERTZ_UNKNOWNS];
-    memcpy(before, y, sizeof before);
-    if (!hertz_advance(y, beta, tick, deepest))
-      return false;
-    if (y[HERTZ_SPEED] < 0 && !(y[HERTZ_OVERLAP] > end)) {
-      memcpy(y, before, sizeof before);
-      return hertz_integrate(y, beta, HERTZ_OVERLAP, end);
-    }
-  }
-  return false;
+  return hertz_rebound(y, beta, end, 50, deepest) && !(y[HERTZ_OVERLAP] > end);
 }
 
 static enum nb_status solve(struct nb_solution *solution, const struct nb_scene *scene, struct nb_error *error) {

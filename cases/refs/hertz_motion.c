@@ -39,13 +39,22 @@ bool hertz_integrate(double y[], double beta, int along, double to) {
   return solved;
 }
 
-bool hertz_advance(double y[], double beta, double time, double deepest[]) {
-  double before[HERTZ_UNKNOWNS];
-  memcpy(before, y, sizeof before);
-  if (!hertz_integrate(y, beta, HERTZ_TIME, y[HERTZ_TIME] + time))
-    return false;
-  if (!(before[HERTZ_SPEED] > 0) || y[HERTZ_SPEED] > 0)
-    return true;
-  memcpy(deepest, before, sizeof before);
-  return hertz_integrate(deepest, beta, HERTZ_SPEED, 0);
+bool hertz_rebound(double y[], double beta, double end, double longest, double deepest[]) {
+  const double tick = 0.05; /* short compared with the impact, 2.94 */
+  while (y[HERTZ_TIME] < longest) {
+    double before[HERTZ_UNKNOWNS];
+    memcpy(before, y, sizeof before);
+    if (!hertz_integrate(y, beta, HERTZ_TIME, y[HERTZ_TIME] + tick))
+      return false;
+    if (before[HERTZ_SPEED] > 0 && !(y[HERTZ_SPEED] > 0)) {
+      memcpy(deepest, before, sizeof before);
+      if (!hertz_integrate(deepest, beta, HERTZ_SPEED, 0))
+        return false;
+    }
+    if (y[HERTZ_SPEED] < 0 && !(y[HERTZ_OVERLAP] > end)) {
+      memcpy(y, before, sizeof before);
+      return hertz_integrate(y, beta, HERTZ_OVERLAP, end);
+    }
+  }
+  return true;
 }

@@ -21,7 +21,8 @@ enum { HERTZ_TIME, HERTZ_OVERLAP, HERTZ_SPEED, HERTZ_UNKNOWNS }; /* t, s, s' */
 
 /* Integrates y over its unknown `along` to the value `to` of it. False: GSL gave up. */
 bool hertz_integrate(double y[], double beta, int along, double to);
-/* Integrates y over a time. If the largest overlap lies in it, `deepest` is the state there, else it is not changed. */
-bool hertz_advance(double y[], double beta, double time, double deepest[]);
+/* Integrates y to s = `end` on the way back, but not beyond the time `longest`; then s is still larger. `deepest` becomes
+ * the state of largest overlap. False: GSL gave up. */
+bool hertz_rebound(double y[], double beta, double end, double longest, double deepest[]);
 
 #endif
