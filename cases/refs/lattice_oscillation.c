@@ -114,13 +114,13 @@ struct oscillation *oscillation_create(const struct lattice *lattice, const stru
   }
   oscillation->unit = unit;
   gsl_vector *straight = gsl_vector_alloc(lattice->stretch->size1), *load = gsl_vector_alloc(n);
-  gsl_vector *fraction = gsl_vector_alloc(n); /* the force when a mode's q is 1 */
+  gsl_vector *mode_force = gsl_vector_alloc(n); /* the force when a mode's q is 1 */
   gsl_vector_const_view stretch = gsl_matrix_const_row(lattice->stretch, row);
-  gsl_blas_dgemv(CblasTrans, gsl_vector_get(lattice->springs, row), modes->shape, &stretch.vector, 0, fraction);
+  gsl_blas_dgemv(CblasTrans, gsl_vector_get(lattice->springs, row), modes->shape, &stretch.vector, 0, mode_force);
   for (size_t k = 0; k < lattice->change_count; k++) {
     add_wall_loads(lattice, modes, lattice->changes[k].change, straight, load);
     double start = (double)lattice->changes[k].cycle, own = gsl_vector_get(straight, row);
-    double least = no_motion * (fabs(own) + gsl_blas_dnrm2(load) * gsl_blas_dnrm2(fraction) / top);
+    double least = no_motion * (fabs(own) + gsl_blas_dnrm2(load) * gsl_blas_dnrm2(mode_force) / top);
     oscillation->terms[oscillation->count++] = (struct oscillation_term){.start = start, .size = own};
     for (size_t i = 0; i < n; i++) {
       double square = gsl_vector_get(modes->square, i);
@@ -128,14 +128,14 @@ struct oscillation *oscillation_create(const struct lattice *lattice, const stru
         continue;
       struct oscillation_term term = wave_of(sqrt(square), lattice->step, time);
       term.start = start;
-      term.size = gsl_vector_get(fraction, i) * gsl_vector_get(load, i) / square;
+      term.size = gsl_vector_get(mode_force, i) * gsl_vector_get(load, i) / square;
       if (fabs(term.size) > least)
         oscillation->terms[oscillation->count++] = term;
     }
   }
   gsl_vector_free(straight);
   gsl_vector_free(load);
-  gsl_vector_free(fraction);
+  gsl_vector_free(mode_force);
   return oscillation;
 }
 

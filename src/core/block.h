@@ -113,12 +113,12 @@ static inline double nb_touch_fraction(double overlap, double dn) {
 /* ---- history.c ---- */
 /* An empty history of so many contacts; a failed allocation is recorded in the owner. */
 struct nb_history nb_history_create(struct nb_owner *owner, int doubles, size_t contacts);
-struct nb_history nb_history_from(const struct nb_history *memory, size_t first); /* of the contacts from `first` on */
+struct nb_history nb_history_from(const struct nb_history *history, size_t first); /* of the contacts from `first` on */
 void nb_history_copy(struct nb_history *to, size_t there, const struct nb_history *from,
                      size_t here); /* of one contact */
-void nb_history_forget(struct nb_history *memory, size_t contact);
+void nb_history_forget(struct nb_history *history, size_t contact);
 /* The history of a contact as its law reads it, copied to `buffer` or in place. */
-const double *nb_history_read(const struct nb_history *memory, size_t contact, double room[NB_HISTORY]);
+const double *nb_history_read(const struct nb_history *history, size_t contact, double buffer[NB_HISTORY]);
 
 struct nb_material_pair;
 

@@ -1,13 +1,13 @@
 /* The guaranteed stable step.
  *
- * A free vibration x_n = z^n u of the cycle [CS79 20-36], with the factors `keep` and `push` of mass-proportional
+ * A free vibration x_n = z^n u of the cycle [CS79 20-36], with the factors `keep` and `impulse` of mass-proportional
  * damping (motion.c), obeys
  *
- *   z^2 - (1 + keep) z + keep  +  push dt^2 k z  +  push dt c (z - 1)  =  0,      k = u'K u/u'M u,  c = u'C u/u'M u
+ *   z^2 - (1 + keep) z + keep  +  impulse dt^2 k z  +  impulse dt c (z - 1)  = 0,   k = u'K u/u'M u,  c = u'C u/u'M u
  *
  * K the springs, C the dashpots, which lag by half a step. No z leaves the unit circle as long as, for every u,
  *
- *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/push = 4 undamped and with [CS79 34-36]
+ *   dt^2 k + 2 dt c <= L,      L = 2 (1 + keep)/impulse = 4 undamped and with [CS79 34-36]
  *
  * and the first one leaves it at z = -1, a motion that changes its sign every cycle. So a dashpot acts like an
  * additional spring 2 c/dt, and CS79's mass-proportional damping, which is centred in time, does not lower the limit.

@@ -69,7 +69,7 @@ static void stop_particles(struct nb_model *model) {
   nb_balance_jump(model, NB_TERM_CHANGED, false);
 }
 
-/* `reverse velocities` reverses the walls before the stage sets their velocities, */
+/* `reverse velocities` for the walls, before the stage sets their velocities. */
 static void reverse_walls(struct nb_model *model) {
   for (size_t w = 0; w < model->walls.count; w++) {
     model->walls.velocity[w] = vec_scale(-1, model->walls.velocity[w]);
@@ -77,7 +77,7 @@ static void reverse_walls(struct nb_model *model) {
   }
 }
 
-/* and the particles when the step of the stage is known. */
+/* `reverse velocities` for the particles, when the step of the stage is known. */
 static void reverse_particles(struct nb_model *model) {
   nb_balance_jump(model, NB_TERM_CHANGED, true);
   nb_motion_reverse(model);
