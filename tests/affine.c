@@ -140,7 +140,7 @@ static void what_is_fixed_is_not_imposed(void) {
 }
 
 void suite_affine(void) {
-  CU_pSuite suite = CU_add_suite("carry", NULL, NULL);
+  CU_pSuite suite = CU_add_suite("affine", NULL, NULL);
   CU_add_test(suite, "a cell and a continuum are alike", a_cell_and_a_continuum_are_alike);
   CU_add_test(suite, "energies balance", energies_balance);
   CU_add_test(suite, "a reversed cell comes back", a_reversed_cell_comes_back);

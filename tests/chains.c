@@ -12,7 +12,7 @@
 static const double pi = 3.14159265358979323846;
 
 /* Chains of the region A. */
-static void is(struct words *page, double chains, double length, double fraction, double turn) {
+static void is(struct words *page, double chains, double length, double fraction, double bend) {
   struct written it;
   words_add(page, "region A all\nrecord A.chains A.chains.length A.chains.fraction A.chains.bend\nstage s\ncycles 1\n");
   written_scene(&it, page);
@@ -20,7 +20,7 @@ static void is(struct words *page, double chains, double length, double fraction
   CU_ASSERT_EQUAL(written_now(model, "A.chains"), chains);
   CU_ASSERT_EQUAL(written_now(model, "A.chains.length"), length);
   CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.fraction"), fraction, 1e-15);
-  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.bend"), turn, 1e-12);
+  CU_ASSERT_DOUBLE_EQUAL(written_now(model, "A.chains.bend"), bend, 1e-12);
   nb_model_free(model);
   written_free(&it);
 }

@@ -218,7 +218,7 @@ static void the_traction_is_mindlins(void) {
 }
 
 void suite_contact_test(void) {
-  CU_pSuite suite = CU_add_suite("bench", NULL, NULL);
+  CU_pSuite suite = CU_add_suite("contact_test", NULL, NULL);
   CU_add_test(suite, "segments go along straight lines", segments_go_along_straight_lines);
   CU_add_test(suite, "forces are reached", forces_are_reached);
   CU_add_test(suite, "what cannot be reached stops", what_cannot_be_reached_stops);

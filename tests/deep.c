@@ -11,8 +11,6 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
-
 static struct nb_model *model_of(struct written *it, const char *first, const char *second) {
   struct words page = {0};
   words_add(&page, "units none\n%s%s", first, second);

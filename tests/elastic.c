@@ -43,12 +43,12 @@ static void increments_lose_speed(void) {
   static const struct {
     int steps;
     double kept, within;
-  } solution[] = {
+  } expected[] = {
       {30, 0.97069, 5e-6}, {35, 0.97463, 5e-6}, {40, 0.97764, 5e-6}, {80, 0.98857, 5e-6}, {400, 0.99769, 5e-6}};
-  for (size_t k = 0; k < sizeof solution / sizeof *solution; k++) {
+  for (size_t k = 0; k < sizeof expected / sizeof *expected; k++) {
     double left;
-    CU_ASSERT_DOUBLE_EQUAL(rebound("hertz_increment", solution[k].steps, &left), solution[k].kept, solution[k].within);
-    if (solution[k].steps <= 40)
+    CU_ASSERT_DOUBLE_EQUAL(rebound("hertz_increment", expected[k].steps, &left), expected[k].kept, expected[k].within);
+    if (expected[k].steps <= 40)
       CU_ASSERT_DOUBLE_EQUAL(left, 0.10, 0.01); /* likewise: 0.109, 0.100, 0.093 */
   }
 }

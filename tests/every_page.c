@@ -26,24 +26,24 @@ static void shorten(struct nb_scene *scene, double budget) {
   }
 }
 
-/* On the bench a column asks the laws for what not all of them know: no more than the page's own do. */
-static void add_column(struct nb_scene *scene, const char *name, size_t room, unsigned solution) {
+/* In a contact test some columns need what not all laws have: only those that need no more than the columns of the page. */
+static void add_column(struct nb_scene *scene, const char *name, size_t room, unsigned allowed) {
   struct nb_column *column = &scene->columns[scene->column_count];
   if (scene->column_count >= room || !nb_quantity_find(&column->quantity, scene, name) ||
-      (scene->contact_test && column->quantity.kind->fields & ~solution))
+      (scene->contact_test && column->quantity.kind->fields & ~allowed))
     return;
   snprintf(column->name, sizeof column->name, "%.120s", name);
   scene->column_count++;
 }
 
-/* Without energies, where a law does not know them. */
+/* Without energies where a law has no stored energy. */
 static void record_everything(struct nb_scene *scene, bool energies) {
   enum { ROOM = 20000 };
   struct nb_quantity_row row;
-  unsigned solution = 0;
+  unsigned allowed = 0;
   char name[3 * NB_NAME_SIZE];
   for (size_t c = 0; c < scene->column_count; c++)
-    solution |= scene->columns[c].quantity.kind->fields;
+    allowed |= scene->columns[c].quantity.kind->fields;
   free(scene->columns);
   scene->columns = calloc(ROOM, sizeof *scene->columns);
   scene->column_count = 0;
@@ -51,10 +51,10 @@ static void record_everything(struct nb_scene *scene, bool energies) {
   for (size_t k = 0; nb_quantity_row(&row, k); k++) {
     if (!energies && strncmp(row.name, "energy.", 7) == 0)
       continue;
-    add_column(scene, row.name, ROOM, solution);
+    add_column(scene, row.name, ROOM, allowed);
     for (size_t w = 0; w < scene->monitor_count; w++) {
       snprintf(name, sizeof name, "%s.%s", scene->monitors[w].name, row.name);
-      add_column(scene, name, ROOM, solution);
+      add_column(scene, name, ROOM, allowed);
     }
   }
 }

@@ -113,7 +113,7 @@ static void proportional_loading(void) {
 
 /* One step from an overlap to a smaller one at the same slip: T does no work, so what is lost is what is stored less, at any friction
  * and step, whether the front passes all rings or the contact slides in the end. */
-static void parting_dissipative_what_was_held(void) {
+static void parting_loses_what_was_held(void) {
   for (int k = 0; k < 24; k++) {
     struct exact it = exact_of(steel);
     it.pair.friction = k % 3 == 0 ? 0.3 : k % 3 == 1 ? 1e4 : 1e-3;
@@ -272,7 +272,7 @@ void suite_exact(void) {
   CU_add_test(suite, "Mindlin's curves", mindlins_curves);
   CU_add_test(suite, "loops and slides lose what they must", loops_lose);
   CU_add_test(suite, "proportional loading is reversible", proportional_loading);
-  CU_add_test(suite, "parting loses what was held", parting_dissipative_what_was_held);
+  CU_add_test(suite, "parting loses what was held", parting_loses_what_was_held);
   CU_add_test(suite, "steps of any length lose as much", steps_of_any_length_lose_as_much);
   CU_add_test(suite, "polygons, by hand, at any step", polygons);
   CU_add_test(suite, "friction changes under load", friction_changes);

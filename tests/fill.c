@@ -27,13 +27,13 @@ static void make(struct written *it, const char *statements) {
 /* The first five numbers of seed 1234567 as many sources print them, such as Rosetta Code, Pseudo-random
  * numbers/Splitmix64. */
 static void published_numbers(void) {
-  static const uint64_t solution[] = {UINT64_C(6457827717110365317), UINT64_C(3203168211198807973),
+  static const uint64_t expected[] = {UINT64_C(6457827717110365317), UINT64_C(3203168211198807973),
                                       UINT64_C(9817491932198370423), UINT64_C(4593380528125082431),
                                       UINT64_C(16408922859458223821)};
-  struct nb_random bits = {1234567}, shares = {1234567};
+  struct nb_random bits = {1234567}, fractions = {1234567};
   for (int k = 0; k < 5; k++) {
-    CU_ASSERT(nb_random_bits(&bits) == solution[k]);
-    CU_ASSERT(nb_random_fraction(&shares) == ldexp((double)(solution[k] >> 11), -53));
+    CU_ASSERT(nb_random_bits(&bits) == expected[k]);
+    CU_ASSERT(nb_random_fraction(&fractions) == ldexp((double)(expected[k] >> 11), -53));
   }
 }
 
@@ -349,8 +349,8 @@ static void hexagonal(void) {
     int neighbours = 0;
     for (size_t j = 0; j < 12; j++)
       neighbours += j != k && fabs(hypot(at[j].x - at[k].x, at[j].y - at[k].y) - 2.5) < 1e-14;
-    static const int solution[] = {2, 4, 3, 5, 6, 3, 3, 6, 5, 3, 4, 2}; /* counted on paper */
-    CU_ASSERT_EQUAL(neighbours, solution[k]);
+    static const int expected[] = {2, 4, 3, 5, 6, 3, 3, 6, 5, 3, 4, 2}; /* counted on paper */
+    CU_ASSERT_EQUAL(neighbours, expected[k]);
   }
   written_free(&it);
 }

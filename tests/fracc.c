@@ -9,8 +9,6 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
-
 /* [R89 4.36-4.40] as they stand: |SF| before and after a step, the velocity over it. */
 static double by_hand(double mass, double dt, double before, double after, double vx, double vy) {
   const double way = hypot(vx, vy) * dt, critical = 2 * sqrt(mass * way / fabs(after - before));

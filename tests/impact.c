@@ -11,7 +11,6 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
 static const double pi = 3.14159265358979323846;
 
 /* A ball of m = 4 pi/3 R^3 rho and q = 5/2 on springs, k_n = 400, k_s = 320, mu = 0.3: kappa = 1.25. */

@@ -74,8 +74,8 @@ static void bench_fill(struct bench *it, unsigned seed) {
   }
 }
 
-static bool near(double seen, long double solution, double scale) {
-  return fabsl(seen - solution) <= 16 * 2.2e-16L * (fabsl(solution) + scale);
+static bool near(double computed, long double expected, double scale) {
+  return fabsl(computed - expected) <= 16 * 2.2e-16L * (fabsl(expected) + scale);
 }
 
 /* [CS79 8-15] for disc c against a point at (qx, qy) with radius `other`, velocity (ux, uy) and surface speed `turning`. */

@@ -67,10 +67,10 @@ void planted_solution(struct nb_outcome *outcome, const char *name, double value
 
 static double at(const void *data, double x) { return ((const double *)data)[(int)x]; }
 
-void planted_curve(struct nb_outcome *outcome, int count, const double *solution) {
+void planted_curve(struct nb_outcome *outcome, int count, const double *values) {
   double *data = malloc((size_t)count * sizeof *data);
   CU_ASSERT_PTR_NOT_NULL_FATAL(data);
-  memcpy(data, solution, (size_t)count * sizeof *data);
+  memcpy(data, values, (size_t)count * sizeof *data);
   solution_curve(&outcome->runs[0].solution, "A.x", "time", at, data);
 }
 
@@ -105,13 +105,13 @@ void planted_sweeps(const struct planted_sweep *list, size_t count) {
   }
 }
 
-void planted_one(const char *expectation, const char *solution, double value, int count, const double *x,
-                 enum nb_mark mark, const char *words) {
+void planted_one(const char *expectation, const char *name, double value, int count, const double *x, enum nb_mark mark,
+                 const char *words) {
   struct nb_outcome outcome;
   planted_page(&outcome, "", expectation);
   planted_rows(&outcome, 0, count, x);
-  if (solution)
-    planted_solution(&outcome, solution, value);
+  if (name)
+    planted_solution(&outcome, name, value);
   planted_is(&outcome, mark);
   planted_says(&outcome, words);
   nb_outcome_free(&outcome);

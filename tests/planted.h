@@ -25,7 +25,7 @@ void planted_runs(struct nb_outcome *outcome, const double *x);
 /* What the reference knows, of all runs. */
 void planted_solution(struct nb_outcome *outcome, const char *name, double value);
 /* The curve of A.x along time: the known value at row r is the r-th of these. */
-void planted_curve(struct nb_outcome *outcome, int count, const double *solution);
+void planted_curve(struct nb_outcome *outcome, int count, const double *values);
 /* The verdict; the test fails, and the words are printed, unless the first check has this mark. */
 void planted_is(struct nb_outcome *outcome, enum nb_mark mark);
 /* The test fails unless the words of the first check have this text in them. */
@@ -41,7 +41,7 @@ struct planted_sweep {
 void planted_sweeps(const struct planted_sweep *list, size_t count);
 
 /* One expectation of one run; the reference knows one value, or nothing. */
-void planted_one(const char *expectation, const char *solution, double value, int count, const double *x,
-                 enum nb_mark mark, const char *words);
+void planted_one(const char *expectation, const char *name, double value, int count, const double *x, enum nb_mark mark,
+                 const char *words);
 
 #endif

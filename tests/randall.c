@@ -37,7 +37,7 @@ static void slip_to(struct rings *r, double alpha, double delta) {
 }
 
 /* After these segments, each of which is a reversal. */
-static double solution(double alpha, const struct segment *segments, int count) {
+static double shear_force(double alpha, const struct segment *segments, int count) {
   const double a = slope() * alpha;
   struct rings r = {alpha, {alpha}, 0};
   double delta = 0;
@@ -55,7 +55,7 @@ static double error_of(const char *law, const struct segment *segments, int coun
   go(&it, alpha, 0);
   for (int k = 0; k < count; k++)
     lead(&it, segments[k].alpha * alpha, segments[k].slip * slope() * alpha, steps);
-  return (it.s.force - solution(alpha, segments, count)) / (mu * N);
+  return (it.s.force - shear_force(alpha, segments, count)) / (mu * N);
 }
 
 /* First order, and small: at 500 steps a segment it is below 1e-3 of mu N, at twice as many half of it. */
@@ -66,22 +66,22 @@ static void expect_first_order(const struct segment *segments, int count) {
 
 /* ---- constant N ---- */
 
-/* [R89 3.25, 3.40, 3.50] solved for T; known() says the same, to rounding. */
+/* [R89 3.25, 3.40, 3.50] solved for T; shear_force() returns the same, to rounding. */
 static void curves_of_constant_normal_force(void) {
   static const struct segment segments[] = {{1, 0.7}, {1, -0.9}, {1, 0.6}};
   const double t1 = 1 - pow(1 - 0.7, 1.5), t2 = t1 - 2 * (1 - pow(1 - 0.9 / 2, 1.5));
   const double t3 = t2 + 2 * (1 - pow(1 - 0.6 / 2, 1.5)), t[] = {t1, t2, t3};
   for (int k = 0; k < 3; k++) {
-    CU_ASSERT(fabs(solution(deep(N), segments, k + 1) - t[k] * mu * N) < 1e-13 * N);
+    CU_ASSERT(fabs(shear_force(deep(N), segments, k + 1) - t[k] * mu * N) < 1e-13 * N);
     expect_first_order(segments, k + 1);
   }
 }
 
 /* Between T* and -T* a cycle loses  (24/5 (1 - (1-x)^(5/3)) - 4 x (1 + (1-x)^(2/3))) mu N A,  x = T*'/mu N: the area between 3.40 and its
  * mirror image. */
-static void loop_dissipative_what_it_should(void) {
+static void loop_loses_what_it_should(void) {
   const double x = 0.8, a = slope() * deep(N), star = a * (1 - pow(1 - x, 2. / 3));
-  const double solution = (4.8 * (1 - pow(1 - x, 5. / 3)) - 4 * x * (1 + pow(1 - x, 2. / 3))) * mu * N * a;
+  const double expected = (4.8 * (1 - pow(1 - x, 5. / 3)) - 4 * x * (1 + pow(1 - x, 2. / 3))) * mu * N * a;
   double errors[2];
   for (int k = 0; k < 2; k++) {
     const int steps = k ? 2000 : 1000;
@@ -91,9 +91,9 @@ static void loop_dissipative_what_it_should(void) {
     const double before = it.work;
     lead(&it, deep(N), -2 * star, 2 * steps);
     lead(&it, deep(N), 2 * star, 2 * steps);
-    errors[k] = (it.work - before) / solution - 1;
+    errors[k] = (it.work - before) / expected - 1;
   }
-  CU_ASSERT(solution > 0 && fabs(errors[0]) < 5e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
+  CU_ASSERT(expected > 0 && fabs(errors[0]) < 5e-3 && fabs(errors[1] - errors[0] / 2) < 0.1 * fabs(errors[0]));
 }
 
 /* Re-unloading goes back along the reloading curve: elastic, R89's approximation [R89 3.3]. */
@@ -263,7 +263,7 @@ void suite_randall(void) {
   CU_pSuite suite = CU_add_suite("randall", NULL, NULL);
   CU_add_test(suite, "constant N: loading, unloading, reloading", curves_of_constant_normal_force);
   CU_add_test(suite, "what is remembered", what_is_remembered);
-  CU_add_test(suite, "a closed loop loses what it should", loop_dissipative_what_it_should);
+  CU_add_test(suite, "a closed loop loses what it should", loop_loses_what_it_should);
   CU_add_test(suite, "re-unloading retraces reloading", unloading_again_retraces_reloading);
   CU_add_test(suite, "N and T rising and falling", all_ways_of_normal_and_tangential_force);
   CU_add_test(suite, "the front takes what the edge gives up", front_takes_what_the_edge_gives_up);

@@ -15,11 +15,11 @@ static const double pi = 3.14159265358979323846;
 static void the_root(void) {
   const struct {
     double nu, alpha, fit;
-  } solution[] = {{0, 0.874032, 0.0029}, {0.25, 0.919402, -0.0022}, {0.5, 0.955313, 0.0030}};
+  } expected[] = {{0, 0.874032, 0.0029}, {0.25, 0.919402, -0.0022}, {0.5, 0.955313, 0.0030}};
   for (size_t k = 0; k < 3; k++) {
-    const double alpha = nb_rayleigh_root(solution[k].nu);
-    CU_ASSERT(fabs(alpha - solution[k].alpha) < 0.5e-6);
-    CU_ASSERT(fabs(nb_rayleigh_fit(solution[k].nu) / alpha - 1 - solution[k].fit) < 0.5e-4);
+    const double alpha = nb_rayleigh_root(expected[k].nu);
+    CU_ASSERT(fabs(alpha - expected[k].alpha) < 0.5e-6);
+    CU_ASSERT(fabs(nb_rayleigh_fit(expected[k].nu) / alpha - 1 - expected[k].fit) < 0.5e-4);
   }
   for (double nu = 0; nu <= 0.5; nu += 0.01) {
     const double alpha = nb_rayleigh_root(nu), x = alpha * alpha, q = (1 - 2 * nu) / (2 * (1 - nu));

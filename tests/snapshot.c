@@ -42,7 +42,7 @@ static void columns(void) {
     const double overlap = k ? 0.02 : 0.01, a = sqrt(2. / 3 * overlap), n = 4. / 3 * E * a * overlap;
     const struct {
       const char *name;
-      double solution;
+      double expected;
     } rows[] = {{"overlap", overlap},
                 {"normal", n},
                 {"radius", a},
@@ -51,7 +51,7 @@ static void columns(void) {
                 {"angle", k ? pi / 2 : 0},
                 {"limit", k ? 0.5 * n : 0}}; /* a does not rub on a */
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
-      CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, rows[r].name), rows[r].solution, 1e-12 * (1 + rows[r].solution));
+      CU_ASSERT_DOUBLE_EQUAL(written_cell(contacts, k, rows[r].name), rows[r].expected, 1e-12 * (1 + rows[r].expected));
   }
   nb_result_free(&result);
   written_free(&it);

@@ -152,8 +152,8 @@ static void it_may_get_deep(void) {
     CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
     const double b = fmax(2 * ratios[n], 2) * sqrt(0.5), root = (-b + sqrt(b * b + 4 * 0.25 * 2)) / (2 * 0.25);
     const double stiffness = root * root, young = 1 / (2 * 0.91),
-                 solution = stiffness * stiffness / (4 * young * young * 0.5);
-    CU_ASSERT_DOUBLE_EQUAL(overlap_stable(model, 0) / solution, 1, 1e-9);
+                 expected = stiffness * stiffness / (4 * young * young * 0.5);
+    CU_ASSERT_DOUBLE_EQUAL(overlap_stable(model, 0) / expected, 1, 1e-9);
     nb_model_free(model);
     written_free(&it);
   }
@@ -171,8 +171,8 @@ static void a_particle_that_is_held(void) {
   struct nb_model *model = written_model(&it, NULL);
   CU_ASSERT_EQUAL(nb_stage_begin(model, &it.scene.stages[0], &error), NB_OK);
   const double stiffness = 4 / (2.4 * 2.4), young = 1 / (2 * 0.91);
-  const double solution = stiffness * stiffness / (4 * young * young * 0.5);
-  CU_ASSERT(fabs(overlap_stable(model, 0) - solution) < 1e-9 * solution);
+  const double expected = stiffness * stiffness / (4 * young * young * 0.5);
+  CU_ASSERT(fabs(overlap_stable(model, 0) - expected) < 1e-9 * expected);
   nb_model_free(model);
   written_free(&it);
 }
@@ -197,8 +197,8 @@ static void three_share_it(void) {
   const double most[2] = {q[0] + fmin(of_a, of_b), q[1] + of_a};
   for (int k = 0; k < 2; k++) {
     const double stiffness = most[k] / 2.25;
-    const double solution = stiffness * stiffness / (4 * young * young * radius[k]);
-    CU_ASSERT(fabs(overlap_stable(model, k) - solution) < 1e-9 * solution);
+    const double expected = stiffness * stiffness / (4 * young * young * radius[k]);
+    CU_ASSERT(fabs(overlap_stable(model, k) - expected) < 1e-9 * expected);
   }
   CU_ASSERT_EQUAL(model->blocks.stable_overlap[0].overlap, overlap_stable(model, 0));
   CU_ASSERT_EQUAL(model->blocks.stable_overlap[1].overlap, overlap_stable(model, 1));
@@ -255,7 +255,7 @@ static void no_cycle_is_unsure(void) {
 }
 
 void suite_stability(void) {
-  CU_pSuite suite = CU_add_suite("watch", NULL, NULL);
+  CU_pSuite suite = CU_add_suite("stability", NULL, NULL);
   CU_add_test(suite, "an impact between two looks", an_impact_between_two_looks);
   CU_add_test(suite, "a pair may use it up", a_pair_may_use_it_up);
   CU_add_test(suite, "a stiffer way back is sure earlier", a_stiffer_way_back_is_sure_earlier);

@@ -12,8 +12,6 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
-
 /* All of one scene: what the program computes, and the references. */
 struct told {
   double safe, critical; /* the program */

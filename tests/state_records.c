@@ -88,8 +88,8 @@ static size_t line_number(const char *text, const char *at) {
   return number;
 }
 
-/* Reads the text with the bytes from `from` to `to` replaced; what is said. */
-static struct nb_error given(const char *text, size_t size, const char *from, const char *to, const char *by) {
+/* Reads the text with the bytes from `from` to `to` replaced by others, and returns the error. */
+static struct nb_error read_changed(const char *text, size_t size, const char *from, const char *to, const char *by) {
   struct nb_saved saved;
   struct nb_error error = {NB_OK, ""};
   size_t sealed_size;
@@ -108,7 +108,7 @@ static void refused(const char *text, size_t size, char *field, size_t length, c
     line--;
   snprintf(where, sizeof where, "a.state:%zu:%zu: ", line_number(text, field), (size_t)(field - line) + 1);
   where[vector ? strcspn(where, ":") + 1 : strlen(where)] = 0; /* a vector is refused at its last number */
-  const struct nb_error error = given(text, size, field, field + length, by);
+  const struct nb_error error = read_changed(text, size, field, field + length, by);
   if (strncmp(error.text, where, strlen(where)) != 0)
     printf("# `%s` in %.*s: expected %s…, found `%s`\n", by, (int)(strcspn(field, "\n") + (size_t)(field - line)), line,
            where, error.text);
@@ -122,7 +122,7 @@ static void every_field(void) {
     size_t size;
     char *text = state_of(records[r].page, &size), *end, *at = line_of(text, records[r].record, &end);
     at += strlen(records[r].record);
-    CU_ASSERT_EQUAL(given(text, size, text, text, "").status, NB_OK);
+    CU_ASSERT_EQUAL(read_changed(text, size, text, text, "").status, NB_OK);
     for (const char *kind = records[r].fields; *kind && *at == ' '; kind++) {
       const size_t length = strcspn(++at, " \n");
       for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
@@ -166,9 +166,9 @@ static void every_record(void) {
     size_t size;
     char *text = state_of(rows[r].page, &size), *end, *at = line_of(text, rows[r].record, &end), twice[1024];
     snprintf(twice, sizeof twice, "%.*s\n%.*s\n", (int)(end - at), at, (int)(end - at), at);
-    struct nb_error error = given(text, size, at, end + 1, twice);
+    struct nb_error error = read_changed(text, size, at, end + 1, twice);
     CU_ASSERT_PTR_NOT_NULL(strstr(error.text, "expected such a record once"));
-    error = given(text, size, at, end + 1, "");
+    error = read_changed(text, size, at, end + 1, "");
     CU_ASSERT(rows[r].removed ? strstr(error.text, rows[r].removed) != NULL : error.status == NB_OK);
     free(text);
   }
@@ -179,11 +179,12 @@ static void without_particles(void) {
       "nineball state 1\nprogram 1\npage a\nhash 0000000000000000\nstage a\ncycle 1 1\n"
       "time 0x1p+0 0x1p+0\nunits si\ngravity 0x0p+0 0x0p+0\nlaw normal linear\nlaw shear none 0\n"
       "end 0000000000000000\n";
-  const struct nb_error error = given(text, sizeof text - 1, text, text, "");
+  const struct nb_error error = read_changed(text, sizeof text - 1, text, text, "");
   CU_ASSERT_STRING_EQUAL(error.text, "a.state:12:1: expected a record `body` above, found `end`");
   /* A last line without an end, and its right checksum. */
   const char *end = strstr(text, "\nend ");
-  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, sizeof text - 1, end, end + 1, "").text, "expected another checksum"));
+  CU_ASSERT_PTR_NOT_NULL(
+      strstr(read_changed(text, sizeof text - 1, end, end + 1, "").text, "expected another checksum"));
 }
 
 /* As many records, and as many numbers in one, as there may be; and one more. */
@@ -193,18 +194,19 @@ static void at_most(void) {
   char *many = calloc(NB_NAMED_MAX + 1, 16);
   for (int k = 0; k + 1 < NB_NAMED_MAX; k++) /* there is one already */
     strcat(many, "setting a=1\n");
-  CU_ASSERT_EQUAL(given(text, size, at, at, many).status, NB_OK);
+  CU_ASSERT_EQUAL(read_changed(text, size, at, at, many).status, NB_OK);
   strcat(many, "setting a=1\n");
-  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, at, many).text, "expected at most 2000 such records"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(read_changed(text, size, at, at, many).text, "expected at most 2000 such records"));
   free(many);
   at = line_of(text, "shear", &end);
   many = calloc(NB_HISTORY_MAX + 3, 3);
   strcpy(many, "shear");
   for (int k = 0; k < NB_HISTORY_MAX; k++)
     strcat(many, " 0");
-  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, end, many).text, "a contact history that the law can have"));
+  CU_ASSERT_PTR_NOT_NULL(
+      strstr(read_changed(text, size, at, end, many).text, "a contact history that the law can have"));
   strcat(many, " 0");
-  CU_ASSERT_PTR_NOT_NULL(strstr(given(text, size, at, end, many).text, "expected at most 1292 numbers"));
+  CU_ASSERT_PTR_NOT_NULL(strstr(read_changed(text, size, at, end, many).text, "expected at most 1292 numbers"));
   free(many), free(text);
 }
 

@@ -63,20 +63,20 @@ static void one_rigid_sphere(void) {
 static size_t columns(double *sum, size_t *mistakes, bool unitless, const char *text) {
   static const struct nb_wanted_column wanted[] = {{"a", "b", false}, {"c", NULL, true}};
   char path[] = "/tmp/nineball-columns-XXXXXX";
-  struct nb_mistakes given = {0};
+  struct nb_mistakes found = {0};
   double *values;
   size_t rows;
   const int file = mkstemp(path);
   CU_ASSERT_FATAL(file >= 0);
   CU_ASSERT_FATAL(write(file, text, strlen(text)) == (ssize_t)strlen(text));
   close(file);
-  nb_columns_read(&values, &rows, path, wanted, 2, unitless, &given);
+  nb_columns_read(&values, &rows, path, wanted, 2, unitless, &found);
   unlink(path);
-  *sum = 0, *mistakes = given.count;
+  *sum = 0, *mistakes = found.count;
   for (size_t k = 0; k < rows; k++)
     *sum += values[2 * k] + 1000 * values[2 * k + 1];
   free(values);
-  nb_mistakes_free(&given);
+  nb_mistakes_free(&found);
   return rows;
 }
 
@@ -198,7 +198,7 @@ static void the_wrong_place(void) {
   for (size_t k = 0; (row = nb_keyword_row(nb_keywords(), k)); k++)
     for (size_t f = 0; f < sizeof frames / sizeof *frames; f++) {
       const unsigned here = frames[f].here;
-      char line[256], name[64], given[160];
+      char line[256], name[64], expected[160];
       struct words words = {0};
       struct nb_mistakes mistakes = {0};
       struct nb_page page = {0};
@@ -210,9 +210,9 @@ static void the_wrong_place(void) {
       words_add(&words, "%s%s%s", frames[f].before, line, frames[f].behind);
       nb_page_read_bytes(&page, "wrong.md", words.text, words.length, &mistakes);
       nb_scene_read(&scene, &page, 0, NULL, &mistakes);
-      snprintf(given, sizeof given, "belongs %s", rightly(row->where, here));
-      if (!mistakes.text || !strstr(mistakes.text, given)) {
-        printf("# no `%s` in what is said of `%s`:\n# %s\n", given, line, mistakes.text ? mistakes.text : "nothing");
+      snprintf(expected, sizeof expected, "belongs %s", rightly(row->where, here));
+      if (!mistakes.text || !strstr(mistakes.text, expected)) {
+        printf("# no `%s` in what is said of `%s`:\n# %s\n", expected, line, mistakes.text ? mistakes.text : "nothing");
         CU_FAIL("the message does not say where a statement belongs");
       }
       wrong++;

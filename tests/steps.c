@@ -8,8 +8,6 @@
 #include "suites.h"
 #include "written.h"
 
-#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
-
 /* ---- the step of a page ---- */
 
 #define PAIR "units none\nmaterial m density 0.31830988618379067 kn 8\n" /* a disc of radius 1 has the mass 1 */

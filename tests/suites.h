@@ -1,4 +1,4 @@
-/* The suites of unit tests: a file of SUITES in Makefile.am, tests/X.c, defines `void suite_X(void)`, which adds its
+/* The suites of unit tests: a file of SUITES in build-aux/lists.mk, tests/X.c, defines `void suite_X(void)`, which adds its
  * suite and its tests to CUnit's register. The list is made from SUITES; nothing else has to know of a new suite.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
@@ -8,5 +8,8 @@
 #define NB_SUITE(name) void suite_##name(void);
 #include "suites-register.h"
 #undef NB_SUITE
+
+/* Asserts |a - b| <= fraction * |b|. */
+#define NEAR(a, b, fraction) CU_ASSERT(fabs((a) - (b)) <= (fraction)*fabs(b))
 
 #endif

@@ -12,7 +12,7 @@
 /* What is planted is on the edge and holds; a little further that way it does not. */
 struct edge {
   const char *expectation;
-  double solution[6]; /* of A.x; of a curve row by row */
+  double reference[6]; /* of A.x; of a curve row by row */
   int count;
   double x[6];
   int which, outwards;
@@ -27,10 +27,10 @@ static void edges(const struct edge *list, size_t count) {
       x[list[k].which] += beyond * list[k].outwards * 1e-12;
       planted_page(&outcome, "", list[k].expectation);
       planted_rows(&outcome, 0, list[k].count, x);
-      planted_curve(&outcome, list[k].count, list[k].solution);
+      planted_curve(&outcome, list[k].count, list[k].reference);
       const struct nb_measure *measure = &outcome.runs[0].expectations.list[0].measure;
       if (!measure->is_residual)
-        planted_solution(&outcome, measure->label, list[k].solution[0]);
+        planted_solution(&outcome, measure->label, list[k].reference[0]);
       planted_is(&outcome, beyond ? NB_FAIL : NB_PASS);
       nb_outcome_free(&outcome);
     }
@@ -124,7 +124,7 @@ static void along(void) {
 static void worst_row(void) {
   static const struct {
     const char *expectation, *words;
-    double solution[3], x[3];
+    double reference[3], x[3];
   } rows[] = {
       {"A.x versus time within 1e-4 %",
        "computed 20, reference 10, error 100 %, tolerance 0.0001 %; the worst of 3 rows, at time = 2",
@@ -171,7 +171,7 @@ static void worst_row(void) {
     struct nb_outcome outcome;
     planted_page(&outcome, "", rows[k].expectation);
     planted_rows(&outcome, 0, 3, rows[k].x);
-    planted_curve(&outcome, 3, rows[k].solution);
+    planted_curve(&outcome, 3, rows[k].reference);
     planted_is(&outcome, NB_FAIL);
     planted_says(&outcome, rows[k].words);
     nb_outcome_free(&outcome);
@@ -226,7 +226,7 @@ static void words(void) {
 }
 
 /* A reference may know a measure of one stage, or of any. */
-static void known_of_a_stage(void) {
+static void reference_of_a_stage(void) {
   static const double x[] = {1, 2, 3, 4, 5, 6};
   planted_one("A.x in one within 0", "A.x in one", 3, 6, x, NB_PASS, "reference 3");
   planted_one("A.x in one within 0", "A.x", 3, 6, x, NB_PASS, "reference 3");
@@ -260,6 +260,6 @@ void suite_verdict(void) {
   CU_add_test(suite, "along: the worst row is found behind any other", worst_row);
   CU_add_test(suite, "a percentage of 0 is explained", percentage_of_zero);
   CU_add_test(suite, "the words of a check", words);
-  CU_add_test(suite, "what a reference knows of a stage", known_of_a_stage);
+  CU_add_test(suite, "what a reference knows of a stage", reference_of_a_stage);
   CU_add_test(suite, "checks are counted by their marks", counted);
 }

@@ -248,21 +248,21 @@ static void through(const char *statements, const char *wanted, long cycle) {
 }
 
 static void nothing_goes_through_in_silence(void) {
-  const char *given = "particle 1 (line 5) passed through wall `w` (line 6)";
-  through("disc 0 1.45 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", given, 2); /* from afar, in one step */
-  through("disc 0 0.95 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", given, 1);
-  through("disc 0 10.5 radius 1 m velocity 0 -1e6\nwall w -5 0 to 5 0 m", given, 1);
-  through("disc 0 3 radius 1 m velocity 0 -30\nwall w -5 0 to 5 0 m", given, -1); /* pressed through */
+  const char *passed = "particle 1 (line 5) passed through wall `w` (line 6)";
+  through("disc 0 1.45 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", passed, 2); /* from afar, in one step */
+  through("disc 0 0.95 radius 1 m velocity 0 -99\nwall w -5 0 to 5 0 m", passed, 1);
+  through("disc 0 10.5 radius 1 m velocity 0 -1e6\nwall w -5 0 to 5 0 m", passed, 1);
+  through("disc 0 3 radius 1 m velocity 0 -30\nwall w -5 0 to 5 0 m", passed, -1); /* pressed through */
   through("material h density 1e9 kn 10\ndisc 0 0.5 radius 1e-3 h velocity 0 -0.09\nwall w -5 0 to 5 0 m\n"
           "disc 50 50 radius 30 m",
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);
-  through("disc 0 3 radius 1 m\nwall w -5 0 to 5 0 m velocity 0 1000", given, 1); /* the wall was too fast */
+  through("disc 0 3 radius 1 m\nwall w -5 0 to 5 0 m velocity 0 1000", passed, 1); /* the wall was too fast */
   through("disc 0 3 radius 1 m\nwall w -5 0 to 5 0 m spin 2000",
           "wall `w` (line 6): in cycle 1, at time 0.01, it turned by 20 rad", 1);
   through("material h density 1e9 kn 10\ndisc 0 0.5 radius 1e-3 h velocity 0 -0.09\nwall w -5 0 to 5 0 m about 1 -2\n"
           "disc 50 50 radius 30 m",
           "particle 1 (line 6) passed through wall `w` (line 7)", 556);
-  through("disc 0 1e-3 radius 1e-6 m velocity 0 -30\nwall w -5 0 to 5 0 m about 1 -2\ndisc 50 50 radius 30 m", given,
+  through("disc 0 1e-3 radius 1e-6 m velocity 0 -30\nwall w -5 0 to 5 0 m about 1 -2\ndisc 50 50 radius 30 m", passed,
           1);
   /* Both go by less than half the skin, so nothing is searched: 3 m at 1.8 m/s. */
   through("skin 4\nmaterial h density 1e9 kn 10\ndisc 0 3 radius 0.02 h velocity 0 -0.9\n"
@@ -271,7 +271,7 @@ static void nothing_goes_through_in_silence(void) {
   /* just beyond, and going away */
   through("disc 0 -1e-4 radius 1e-6 m velocity 0 -9e-5\nwall w -5 0 to 5 0 m\ndisc 50 50 radius 30 m", NULL, 1000);
   through("disc 0 -1e-4 radius 1e-6 m\nwall w -5 0 to 5 0 m velocity 0 30\ndisc 50 50 radius 30 m", NULL, 1000);
-  through("disc 90 2 radius 1e-3 m\nwall w -100 0 to 100 0 m spin 5\ndisc 500 500 radius 30 m", given,
+  through("disc 90 2 radius 1e-3 m\nwall w -100 0 to 100 0 m spin 5\ndisc 500 500 radius 30 m", passed,
           1); /* a long one */
   through("disc 0 3 radius 1 m velocity 0 -999\nwall w -5 0 to 0 0 m\nwall v 0 0 to 5 0 m", "passed through wall", 1);
   through("disc 0 0 radius 1 m\nwall w -5 0 to 5 0 m", "on neither side", 0);
