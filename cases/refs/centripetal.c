@@ -1,15 +1,16 @@
-/* Reference: stress in frictionless spheres at rest under central gravity G.                                      [R89 6.4.2]
+/* Reference: stress in frictionless spheres at rest under central gravity G.                                   [R89 6.4.2]
  *
  * Without friction the stress is isotropic, p(r), and radial equilibrium at distance r from the centre is
  *
- *   dp/dr = -G M/(pi R^2 t),   p = p_0 (1 - r/R),   p_0 = G M/(pi R t)        mean over a circle of radius a: p_0 (1 - 2a/(3R))
+ *   dp/dr = -G M/(pi R^2 t),   p = p_0 (1 - r/R),   p_0 = G M/(pi R t)    mean over a circle of radius a: p_0 (1 - 2a/(3R))
  *
  *   G   acceleration, m/s2     M   total mass, kg     t   mean diameter, taken as the thickness of the layer, m
  *   R   radius of the assembly, m:   pi R^2 (1 - n) = sum pi r_i^2,   n its areal porosity
  *
  * n = 0.155 is assumed, the middle of the range 0.14 to 0.17 of random frictionless packings.
  *
- * Returns   A.stress.mean in the last stage, Pa, for every monitor A of a circular region; its centre must be that of gravity
+ * Returns   A.stress.mean in the last stage, Pa, for every monitor A of a circular region; its centre must be that of
+ *           gravity
  * Error     p_0 is proportional to (1 - n)^(1/2): an error of 0.015 in n gives 1 %
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */

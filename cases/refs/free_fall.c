@@ -12,8 +12,8 @@
  * bisection between the lowest point and the next highest one. If u < 0 there, the particle stays in contact.
  *
  * Returns, for D that monitors the particle and C its contact:   D.y, D.vy along time; C.overlap max
- * Exact in continuous time. A run finds the beginning of a contact within a step, where the force of a dashpot jumps: first
- * order in the step with a dashpot, second order without.
+ * Exact in continuous time. A run finds the beginning of a contact within a step, where the force of a dashpot jumps:
+ * first order in the step with a dashpot, second order without.
  *
  * Source   [MFiX DEM-01], elementary.
  *

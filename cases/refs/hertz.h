@@ -37,8 +37,8 @@ double hertz_ratio(double restitution);
 /* The normal force at an overlap, N [R89 5.5] */
 double hertz_force(const struct hertz *hertz, double overlap);
 
-/* NB_BAD_USE unless the scene has this pair only: no gravity, no global damping, no spin, stages that change nothing.
- * */
+/* NB_BAD_USE unless the scene has this pair only: no gravity, no global damping, no spin, stages that change
+ * nothing. */
 enum nb_status hertz_read(struct hertz *hertz, const struct nb_scene *scene, const char *reference,
                           struct nb_error *error);
 

@@ -6,8 +6,8 @@
  *
  *   s'' = -(5/4) s^(3/2) - (15/2)^(1/2) beta s^(1/4) s',     s(0) = 0, s'(0) = 1
  *
- * by the eighth-order method of Prince and Dormand at 1e-13. To find where an unknown reaches a value, the equations are
- * integrated over that unknown instead of time (Henon 1982).
+ * by the eighth-order method of Prince and Dormand at 1e-13. To find where an unknown reaches a value, the equations
+ * are integrated over that unknown instead of time (Henon 1982).
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_HERTZ_MOTION_H
@@ -21,8 +21,8 @@ enum { HERTZ_TIME, HERTZ_OVERLAP, HERTZ_SPEED, HERTZ_UNKNOWNS }; /* t, s, s' */
 
 /* Integrates y over its unknown `along` to the value `to` of it. False: GSL gave up. */
 bool hertz_integrate(double y[], double beta, int along, double to);
-/* Integrates y to s = `end` on the way back, but not beyond the time `longest`; then s is still larger. `deepest` becomes
- * the state of largest overlap. False: GSL gave up. */
+/* Integrates y to s = `end` on the way back, but not beyond the time `longest`; then s is still larger. `deepest`
+ * becomes the state of largest overlap. False: GSL gave up. */
 bool hertz_rebound(double y[], double beta, double end, double longest, double deepest[]);
 
 #endif

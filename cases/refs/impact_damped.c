@@ -4,9 +4,9 @@
  *   psi'  = -(5/2) chi (f + g),     g = (8/5) (15 kappa/8)^(1/2) beta xi^(1/4) psi; 0 in gross sliding       [R89 4.19]
  *
  * in the units of impact_springs.h; c = 2 beta (M k)^(1/2) with k = dN/d(alpha) = 2 E* a normal and k = 8 G* a = 2 E*
- * a/kappa tangential. Friction limits f by the elastic force xi^(3/2). hertz_motion.c integrates the approach. A step in
- * which sliding begins or ends has g in all of it or not at all, which makes the result first order in the step, so an
- * impact is cut into many steps.
+ * a/kappa tangential. Friction limits f by the elastic force xi^(3/2). hertz_motion.c integrates the approach. A step
+ * in which sliding begins or ends has g in all of it or not at all, which makes the result first order in the step, so
+ * an impact is cut into many steps.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

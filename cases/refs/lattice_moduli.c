@@ -5,7 +5,7 @@
  * the thickness t, the spacing s, the normal force F, and springs k_n = dF/d(alpha), k_s at every contact:
  *
  *   square      sigma = F/(s t),     C_11 = k_n/t,               C_12 = 0,                2 G = k_s/t
- *   hexagonal   sigma = 4 b F/(s t), C_11 = b (3 k_n + k_s)/t,   C_12 = b (k_n - k_s)/t,  2 G = C_11 - C_12,  b = 3^(1/2)/4
+ *   hexagonal   sigma = 4 b F/(s t), C_11 = b (3 k_n + k_s)/t, C_12 = b (k_n - k_s)/t, 2 G = C_11 - C_12, b = 3^(1/2)/4
  *
  * The hexagonal lattice has the bulk modulus 3^(1/2)/2 k_n/t in the plane and is isotropic. Compression is positive:
  * sigma_xx decreases by C_11 e_xx + C_12 e_yy, sigma_xy by 2 G e_xy. Linear springs: F = k_n alpha. Elastic spheres

@@ -6,8 +6,8 @@
 
 #include "lattice.h"
 
-/* Adds both forces of every monitored contact in the equilibrium after each stage. `equilibrium` computes the forces, in N, from
- * the displacements of the walls, `travel`. */
+/* Adds both forces of every monitored contact in the equilibrium after each stage. `equilibrium` computes the forces,
+ * in N, from the displacements of the walls, `travel`. */
 enum nb_status lattice_add_equilibria(struct nb_solution *solution, const struct nb_scene *scene,
                                       enum nb_status (*equilibrium)(const struct lattice *lattice,
                                                                     const gsl_vector *travel, gsl_vector *forces,

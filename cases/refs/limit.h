@@ -6,8 +6,9 @@
 
 #include "lattice.h"
 
-/* d2u/dt2 = -K u - C du/dt,   K = S^T diag(springs) S,   C = S^T diag(dashpots) S,   S = lattice.stretch. Every degree of
- * freedom u_i is scaled by the square root of its mass or moment of inertia (lattice.h), so the mass matrix is the identity. */
+/* d2u/dt2 = -K u - C du/dt,   K = S^T diag(springs) S,   C = S^T diag(dashpots) S,   S = lattice.stretch. Every degree
+ * of freedom u_i is scaled by the square root of its mass or moment of inertia (lattice.h), so the mass matrix is the
+ * identity. */
 struct limit {
   struct lattice lattice;
   gsl_vector *dashpots; /* c_n, c_s of contact 0, of contact 1, ..., N s/m */
@@ -21,16 +22,16 @@ enum nb_status limit_build(struct limit *limit, const struct nb_scene *scene, co
                            double largest_gap, struct nb_error *error);
 void limit_free(struct limit *limit);
 
-/* Method 1: the spectral radius of the matrix that maps (u, v dt) of one cycle to those of the next. Above 1, an oscillation
- * grows. */
+/* Method 1: the spectral radius of the matrix that maps (u, v dt) of one cycle to those of the next. Above 1, an
+ * oscillation grows. */
 double limit_radius(const struct limit *limit, double step);
 /* The largest step, s, with a spectral radius of at most 1. */
 double limit_of_cycle(const struct limit *limit);
 /* Method 2: the step, s, at which the largest eigenvalue of dt^2 K + 2 dt C equals 2 (1 + keep)/gain. */
 double limit_of_modes(const struct limit *limit);
-/* Method 3: the guaranteed stable step, s. It is the smallest limit of any contact alone, with its two particles and six degrees
- * of freedom. The mass of a particle is divided among its contacts in proportion to their normal springs and dashpots, its
- * moment of inertia in proportion to the tangential ones. */
+/* Method 3: the guaranteed stable step, s. It is the smallest limit of any contact alone, with its two particles and
+ * six degrees of freedom. The mass of a particle is divided among its contacts in proportion to their normal springs
+ * and dashpots, its moment of inertia in proportion to the tangential ones. */
 double limit_of_contacts(const struct limit *limit, const struct nb_scene *scene);
 
 #endif

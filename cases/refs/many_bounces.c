@@ -12,8 +12,8 @@
  *   e = e_0 - 2 b (1 + e_0) eps,    e_0 = exp(-pi b/s)
  *
  * Returns, for D that monitors the particle:   D.y in STAGE, of each stage that ends at the top (`until D.vy below 0`)
- * Exact in continuous time. The scheme misses the beginning and the end of the dashpot's force by up to half a step, and
- * its dashpot lags half a step: b w dt (2 + pi b/2) of e.
+ * Exact in continuous time. The scheme misses the beginning and the end of the dashpot's force by up to half a step,
+ * and its dashpot lags half a step: b w dt (2 + pi b/2) of e.
  *
  * Source   [MFiX DEM-02].
  *

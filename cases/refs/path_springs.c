@@ -14,8 +14,8 @@
  * Returns, as curves along step and at the end of each segment:
  *   overlap, slip, normal, shear, traction.force (equal to shear), stored.shear, dissipated, work.shear
  * The slip for a prescribed force is found by bisection. work.shear is the sum of stored.shear and dissipated: the work
- * along the path, not along its rows. Error: with n springs the error of T is of the order of mu N/n^2, 1e-7 of mu N; so are the
- * energies.
+ * along the path, not along its rows. Error: with n springs the error of T is of the order of mu N/n^2, 1e-7 of mu N;
+ * so are the energies.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <math.h>

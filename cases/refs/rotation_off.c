@@ -4,9 +4,9 @@
  *   w = 0                 from a stage with `rotation off` on
  *   R w' = -q mu g        with rotation, q = m R^2/I: 2 for a disc, 5/2 for a sphere
  *
- * The slip velocity is s' = v + R w. With rotation it falls by (1 + q) mu g per second until the particle rolls, v = -R w; without
- * rotation s' = v falls by mu g per second until the particle stops. A stage with `until C.sliding below X` ends then.
- * mu is the friction of `pair`, in the scene or in a stage.
+ * The slip velocity is s' = v + R w. With rotation it falls by (1 + q) mu g per second until the particle rolls,
+ * v = -R w; without rotation s' = v falls by mu g per second until the particle stops. A stage with `until C.sliding
+ * below X` ends then. mu is the friction of `pair`, in the scene or in a stage.
  *
  * Returns, for D that monitors the particle:
  *   D.vx, D.spin in STAGE       at the end of each stage

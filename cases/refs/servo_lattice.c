@@ -1,21 +1,21 @@
 /* Reference: a square lattice of springs in a periodic cell with a servo, for small strains.
  *
- * The strain rate is l + L, 1/s: l is given on the page, L is that of the servo. All discs follow the cell without rotation, and
- * discs are 1 m thick, so k_n and k_s are also the stiffnesses of the lattice in Pa:
+ * The strain rate is l + L, 1/s: l is given on the page, L is that of the servo. All discs follow the cell without
+ * rotation, and discs are 1 m thick, so k_n and k_s are also the stiffnesses of the lattice in Pa:
  *
  *   s_xx' = -k_n (l_xx + L_xx),   s_yy' = -k_n (l_yy + L_yy),   s_xy' = -k_s (l_xy + L_xy)
  *   B = k_n/2,   T = W (rho/B)^(1/2),   W = (area of the cell)^(1/2)
  *
- * The error of a controlled stress s with target s0 is e = s - s0. A ramp changes s0 at the rate q. Z is the integral term of
- * the servo. With f = 1 for xx and yy, and f = k_s/k_n for xy:
+ * The error of a controlled stress s with target s0 is e = s - s0. A ramp changes s0 at the rate q. Z is the integral
+ * term of the servo. With f = 1 for xx and yy, and f = k_s/k_n for xy:
  *
  *   e' = -f e/T - f k_n Z - c,   Z' = e/(16 k_n T^2),   c = f k_n l + q,   so   e'' + f e'/T + f e/(16 T^2) = 0
  *   e  = a exp(-u t) + b exp(-v t),   u, v = f (1 -+ (1 - 1/(4f))^(1/2))/(2T)
  *
  * a and b follow from e(0) and e'(0) at the beginning of the stage. The servo sets Z = -g e/(k_n T) there,
- * g = (1 - (3/4)^(1/2))/2 (src/loading/servo.c). While |e| exceeds k_n T r, where r is the `at most` rate, the rate is limited and
- * e' = -f k_n r (1 - g) - c for e > 0. A stress that is not controlled follows s' = -k_n l or -k_s l. `servo mean` controls
- * (xx + yy)/2; the difference xx - yy then follows l.
+ * g = (1 - (3/4)^(1/2))/2 (src/loading/servo.c). While |e| exceeds k_n T r, where r is the `at most` rate, the rate is
+ * limited and e' = -f k_n r (1 - g) - c for e > 0. A stress that is not controlled follows s' = -k_n l or -k_s l.
+ * `servo mean` controls (xx + yy)/2; the difference xx - yy then follows l.
  *
  * Returns   cell.stress.xx, cell.stress.yy, cell.stress.xy versus time, Pa
  * Error     relative, of the order of s/k_n and dt/T

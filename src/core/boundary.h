@@ -1,5 +1,5 @@
-/* The boundary of an assembly: which particles belong to it, its loading, and whether particles rotate. loading/boundary.c sets it;
- * measure/boundary.c computes the enclosed area and the stress on it.
+/* The boundary of an assembly: which particles belong to it, its loading, and whether particles rotate.
+ * loading/boundary.c sets it; measure/boundary.c computes the enclosed area and the stress on it.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_BOUNDARY_H
@@ -20,8 +20,9 @@ struct nb_ring {
 };
 
 struct nb_boundary_state {
-  struct nb_vec *
-      boundary_force; /* for each slot, N: force of a stress on the boundary; model->particles points here while it acts; NULL: no stage has one */
+  /* For each slot, N: force of a stress on the boundary. model->particles points here while it acts. NULL: no stage has
+   * one. */
+  struct nb_vec *boundary_force;
   struct nb_tensor stress; /* that stress, Pa */
   bool rotates;            /* `rotation on` */
   struct nb_ring ring;

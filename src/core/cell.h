@@ -1,7 +1,7 @@
 /* A periodic cell that is strained affinely.        [R89 2.3, 4.5.2]
  *
- * The two sides of the cell are the columns of H. Every particle has an image at x + H m for each pair m of integers. The
- * images move as the particle does, except for the velocity that straining adds between them. See cell.c.
+ * The two sides of the cell are the columns of H. Every particle has an image at x + H m for each pair m of integers.
+ * The images move as the particle does, except for the velocity that straining adds between them. See cell.c.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CELL_H
@@ -12,11 +12,11 @@
 struct nb_cell {
   struct nb_vec centre;          /* the point that straining does not move, m */
   struct nb_tensor h, initial_h; /* H now and at time 0, m */
-  struct nb_tensor
-      image_velocity; /* L H in the last step: an image m sides away is faster than its particle by this times m, m/s */
+  /* L H in the last step: an image m sides away is faster than its particle by this times m, m/s */
+  struct nb_tensor image_velocity;
   struct nb_tensor deformation; /* F since the last search, 1 */
-  double travel_limit,
-      largest_radius; /* how far a particle may move relative to the affine motion before the next search; the largest radius; m */
+  double travel_limit;   /* how far a particle may move relative to the affine motion before the next search, m */
+  double largest_radius; /* m */
 };
 
 struct nb_model;

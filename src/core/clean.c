@@ -1,5 +1,5 @@
-/* Cleans every text from a page, a file name, a state or gnuplot before it goes to a terminal: a control character could move the
- * cursor, hide earlier output, or act as typed input.
+/* Cleans every text from a page, a file name, a state or gnuplot before it goes to a terminal: a control character
+ * could move the cursor, hide earlier output, or act as typed input.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "clean.h"

@@ -73,7 +73,7 @@ static void find_constants(struct nb_contacts *contacts, size_t c, const struct 
     contacts->kept[NB_REDUCED][c] = wall ? radius : nb_reduced_radius(radius, particles->surface[b].radius);
 }
 
-/* Selects the nearest image of the second particle: the cell is wide enough that no other image comes within the skin. */
+/* Selects the nearest image of the second particle: the cell is so wide that no other one comes within the skin. */
 static void find_images(struct nb_contacts *contacts, const struct nb_model *model) {
   const struct nb_wrap wrap = nb_cell_wrap(model->cell);
   const struct nb_vec *x = model->particles.position;
@@ -117,9 +117,9 @@ static bool number_contacts(int contact[], const struct nb_neighbour_pairs *pair
   return true;
 }
 
-/* Lists the contacts of each particle in the order of force summation: by the partners' numbers, walls last. Contacts in
- * which the particle is the second one come first, because their partners have smaller numbers. `pairs` is already in
- * this order. */
+/* Lists the contacts of each particle in the order of force summation: by the partners' numbers, walls last. Contacts
+ * in which the particle is the second one come first, because their partners have smaller numbers. `pairs` is already
+ * in this order. */
 static void fill_incidence(struct nb_incidence *of, const struct nb_neighbour_pairs *pairs, const int contact[],
                            const struct nb_model *model) {
   for (size_t p = 0; p < pairs->count; p++) {

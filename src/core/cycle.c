@@ -1,7 +1,7 @@
 /* The calculation cycle [CS79, The calculation cycle].
  *
- *   Motion     Newton's second law gives, from the forces at t_N, the velocities at t_(N+1/2) and the positions at t_(N+1);
- *              walls move with their given velocities.
+ *   Motion     Newton's second law gives, from the forces at t_N, the velocities at t_(N+1/2) and the positions at
+ *              t_(N+1); walls move with their given velocities.
  *   Contacts   If something has moved far enough, a search renews the list of contacts.
  *   Forces     The force-displacement laws give the forces at t_(N+1) from positions and velocities.
  *

@@ -1,8 +1,9 @@
-/* A grid of square boxes on several levels, to find objects near a point: for the neighbour search and for random filling.
+/* A grid of square boxes on several levels, to find objects near a point: for the neighbour search and for random
+ * filling.
  *
  * A box is found by a hash of its integer coordinates, so the grid needs no origin and no extent. Each level has boxes
- * half as wide as the level above it. An object belongs to the finest level whose boxes are at least as wide as the object, so a few
- * large objects do not slow down the search among many small ones.
+ * half as wide as the level above it. An object belongs to the finest level whose boxes are at least as wide as the
+ * object, so a few large objects do not slow down the search among many small ones.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_GRID_H

@@ -1,9 +1,9 @@
-/* The state of a running simulation: the scene's data as arrays, and the planned passes. Internal to the library; for users
- * `struct nb_model` is an opaque type.
+/* The state of a running simulation: the scene's data as arrays, and the planned passes. Internal to the library; for
+ * users `struct nb_model` is an opaque type.
  *
  * A particle's slot is the index of its data in the arrays; its number (1, 2, ...) never changes. Results depend on
- * numbers only: sums over a particle's contacts run in the order of the partners' numbers, walls last, so they do not depend on
- * storage order, search or threads, to the last bit.
+ * numbers only: sums over a particle's contacts run in the order of the partners' numbers, walls last, so they do not
+ * depend on storage order, search or threads, to the last bit.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_MODEL_H
@@ -264,8 +264,8 @@ void nb_guard_resolution(struct nb_model *model);
 enum nb_status nb_neighbours_search(struct nb_model *model, struct nb_error *error);
 
 /* motion.c */
-/* Both move particles or walls by one step. They return how many have moved by more than half the skin since the last search,
- * or to NaN. */
+/* Both move particles or walls by one step. They return how many have moved by more than half the skin since the last
+ * search, or to NaN. */
 int nb_motion_part(struct nb_model *model, int part, int parts);
 int nb_motion_walls(struct nb_model *model);    /* walls.c */
 void nb_motion_reverse(struct nb_model *model); /* time reversal; model->step must be that of the next step */
@@ -287,7 +287,7 @@ struct nb_vec nb_unbalanced_force(const struct nb_model *model,
 
 /* Sets a particle's velocities at t_N. */
 void nb_motion_set_velocity(struct nb_model *model, size_t slot, struct nb_velocities now);
-/* Keeps a particle's velocities at t_N when a force and a moment end there: adds their effect to the half-step velocities. */
+/* Adds the effect of a force and a moment that end at t_N to the half-step velocities, so that those at t_N stay. */
 void nb_motion_offset_force(struct nb_model *model, size_t slot, struct nb_force ending);
 
 /* walls.c */

@@ -10,16 +10,18 @@
  *   CON1, velocity     keep = CON1,              impulse = 1
  *   CON1, all          keep = CON1,              impulse = CON1
  *
- * With affine motion the total velocity is u = v + c, where c = L (x_N - x_0) in the step from t_N, and L is a strain rate
- * about x_0 [R89 4.41]. Forces and damping act on v:
+ * With affine motion the total velocity is u = v + c, where c = L (x_N - x_0) in the step from t_N, and L is a strain
+ * rate about x_0 [R89 4.41]. Forces and damping act on v:
  *
  *   u_(N+1/2) = keep (u_(N-1/2) - c_(N-1/2)) + impulse (sum F / m)_N dt + c_(N+1/2)
  *
- * Contacts read u; the affine part of the relative displacement of two particles with separation z is L z dt [R89 4.42].
- * Particles held by a boundary have v = 0. A scene in which only a boundary moves affinely uses the loop without c.
+ * Contacts read u; the affine part of the relative displacement of two particles with separation z is L z dt
+ * [R89 4.42]. Particles held by a boundary have v = 0. A scene in which only a boundary moves affinely uses the loop
+ * without c.
  *
- * A page's velocities belong to time 0, those of the scheme to half steps. So the first kick lasts half a step, and a kick
- * between two steps of unequal length lasts their mean. BALL starts from rest without forces, where both are the same.
+ * A page's velocities belong to time 0, those of the scheme to half steps. So the first kick lasts half a step, and a
+ * kick between two steps of unequal length lasts their mean. BALL starts from rest without forces, where both are the
+ * same.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "motion.h"
@@ -152,8 +154,7 @@ static inline NB_FORM void rotate(const struct task *task, const struct batch *b
     surface[k].speed = spin[k] * surface[k].radius;
 }
 
-/* A cell moves the positions of the last search affinely too, so travel_limit applies to the motion relative to it.
- * */
+/* A cell moves the positions of the last search affinely too, so travel_limit applies to the motion relative to it. */
 static inline NB_FORM void move_list(const struct task *task, size_t from, size_t n) {
   struct nb_vec *search_position = task->particles.search_position;
   for (size_t k = from; k < from + n; k++)

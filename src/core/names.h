@@ -22,8 +22,8 @@ enum { NB_COMPONENTS_MAX = 5 }; /* most numbers that a family is computed from *
 /* A row of the table: one quantity, or a family. */
 struct nb_quantity_kind {
   const char *name;
-  unsigned
-      monitors; /* set of monitor kinds; 0: the whole scene; or NB_OF_IMPACT, NB_OF_CELL, NB_OF_BOX, NB_OF_CONTACT_TEST */
+  /* Set of monitor kinds; 0: the whole scene; or NB_OF_IMPACT, NB_OF_CELL, NB_OF_BOX, NB_OF_CONTACT_TEST. */
+  unsigned monitors;
   const char *unit;
   unsigned fields; /* contact fields it reads; in a contact test what it requires of the laws */
   double (*value)(const struct nb_model *model, const struct nb_monitor *monitor);
@@ -52,7 +52,7 @@ enum { NB_OF_STORED = NB_BIT(NB_OVERLAP) | NB_BIT(NB_NORMAL) | NB_BIT(NB_STIFFNE
 extern const struct nb_quantity_kind nb_contact_test_kinds[];
 
 /* input/names.c */
-/* What to type instead of a name that no quantity of the scene has, in a text of NB_HINT_SIZE: the nearest one, or what there is. */
+/* What to type instead of a name that is no quantity of the scene: the nearest name, or a list. */
 const char *nb_quantity_hint(char *hint, const struct nb_scene *scene, const char *text);
 bool nb_quantity_is_residual(struct nb_quantity quantity); /* a residual, 0 by definition */
 /* The k-th quantity, for the manual; false past the last one. */

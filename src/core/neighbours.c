@@ -1,15 +1,16 @@
-/* The neighbour list: pairs of particles, and of particles and walls, that are closer than the skin.  [CS79; R89 4.3.1, TOL]
+/* The neighbour list: pairs of particles, and of particles and walls, closer than the skin.     [CS79; R89 4.3.1, TOL]
  *
- * All pairs closer than the skin are listed, touching or not. Until a particle or a wall has moved by more than half the
- * skin, a pair that is not listed cannot touch. A scene without motion is searched once, when it is created. If no free particle can
- * touch anything, the skin is infinite and there is no search. A contact that stays in the list keeps its history.
+ * All pairs closer than the skin are listed, touching or not. Until a particle or a wall has moved by more than half
+ * the skin, a pair that is not listed cannot touch. A scene without motion is searched once, when it is created. If no
+ * free particle can touch anything, the skin is infinite and there is no search. A contact that stays in the list keeps
+ * its history.
  *
- * Particles are in a grid of boxes with levels by size (grid.h), each on the finest level whose boxes are at least as wide as its
- * diameter plus the skin. For each particle the nine boxes around it are searched, on its own level and on those of larger
- * particles. Scenes of a few particles need no grid.
+ * Particles are in a grid of boxes with levels by size (grid.h), each on the finest level whose boxes are at least as
+ * wide as its diameter plus the skin. For each particle the nine boxes around it are searched, on its own level and on
+ * those of larger particles. Scenes of a few particles need no grid.
  *
- * In a periodic cell (cell.c) each particle is represented by its image in the cell. The search starts also from those of
- * its images that are near the cell, which finds every pair once.
+ * In a periodic cell (cell.c) each particle is represented by its image in the cell. The search starts also from those
+ * of its images that are near the cell, which finds every pair once.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>
@@ -122,8 +123,7 @@ static bool neighbours_around(struct nb_neighbour_pairs *pairs, struct nb_model 
   return true;
 }
 
-/* Images are searched for up to this fraction, 1, beyond the range of a contact: rounding, 1e-16, then misses none.
- * */
+/* Images are searched for up to this fraction, 1, beyond the range of a contact: rounding, 1e-16, then misses none. */
 static const double image_margin = 1e-12;
 
 /* Searches from those of the nine images of i that are in the cell or within the range of a contact. */

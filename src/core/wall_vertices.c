@@ -1,17 +1,17 @@
 /* A single contact at a vertex, the common end of two walls.
  *
- * When a disc rolls from one wall onto the next, both walls are near at the vertex E. The nearest point of the first wall
- * is E, that of the other is E or a point inside. Two contacts would push the disc twice. Therefore
+ * When a disc rolls from one wall onto the next, both walls are near at the vertex E. The nearest point of the first
+ * wall is E, that of the other is E or a point inside. Two contacts would push the disc twice. Therefore
  *
- *   a contact at E is suppressed (treated as not touching) when the nearest point of the other wall is inside that wall;
+ *   a contact at E is suppressed (counts as not touching) when the nearest point of the other wall is inside that wall;
  *   of two contacts at E that of the wall defined first on the page is kept.
  *
- * A disc pressed into a corner touches the insides of both walls and keeps two contacts. When a disc passes from one wall to
- * the other, the contact that becomes suppressed passes its history to the one that becomes active. So neither the normal
- * nor the shear force jumps at a vertex of a straight line or at an outer corner.
+ * A disc pressed into a corner touches the insides of both walls and keeps two contacts. When a disc passes from one
+ * wall to the other, the contact that becomes suppressed passes its history to the one that becomes active. So neither
+ * the normal nor the shear force jumps at a vertex of a straight line or at an outer corner.
  *
- * Two ends form a vertex while their distance is below `coincidence_limit` plus the rounding of coordinates far from the origin. Ends
- * that are apart at time 0 never do.
+ * Two ends form a vertex while their distance is below `coincidence_limit` plus the rounding of coordinates far from
+ * the origin. Ends that are apart at time 0 never do.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -21,8 +21,8 @@
 
 enum { NOW = 1, BEFORE = 2 }; /* bits of `suppressed`: in the current forces, and in the previous ones */
 
-/* Ends closer than this fraction of the disc's radius, 1, form a vertex: the largest error this causes in an overlap.
- * */
+/* Ends closer than this fraction of the disc's radius, 1, form a vertex: the largest error this causes in an
+ * overlap. */
 static const double coincidence_limit = 1e-9;
 
 static double coincidence_distance(struct nb_vec end, double radius) {

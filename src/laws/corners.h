@@ -1,10 +1,10 @@
-/* The loading path (overlap against tangential displacement) that the exact law stores for a contact: corners, from the centre
- * outwards, joined by straight pieces. Symbols and units as in shear_mindlin_deresiewicz.c.
+/* The loading path (overlap against tangential displacement) that the exact law stores for a contact: corners, from the
+ * centre outwards, joined by straight pieces. Symbols and units as in shear_mindlin_deresiewicz.c.
  *
- * Merging two pieces keeps delta at their outer ends and changes u between them by a triangle. An error du(x) changes T by
- * mu N Int du d2n, d2n = (3/4) x^(-1/2) dx^2, so the cost of a merge is the area of the triangle over x^(1/2). When all pieces
- * are in use, the corner with the lowest cost is removed; the cost includes the errors of earlier merges in its pieces. A
- * neighbouring corner then moves along u so that T is kept too, and the error stays within three pieces.
+ * Merging two pieces keeps delta at their outer ends and changes u between them by a triangle. An error du(x) changes T
+ * by mu N Int du d2n, d2n = (3/4) x^(-1/2) dx^2, so the cost of a merge is the area of the triangle over x^(1/2). When
+ * all pieces are in use, the corner with the lowest cost is removed; the cost includes the errors of earlier merges in
+ * its pieces. A neighbouring corner then moves along u so that T is kept too, and the error stays within three pieces.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_CORNERS_H
@@ -12,8 +12,8 @@
 
 #include "law.h"
 
-/* The begin of piece k, and its line. The entry after the last piece is its end: x and u, with d and b of that piece.
- * */
+/* The begin of piece k, and its line. The entry after the last piece is its end: x and u, with d and b of that
+ * piece. */
 struct corner {
   double x, u, d, b; /* on the piece u grows by d per unit of x, and t = b + d n */
   double e;          /* twice the area between u and its value before merges; of older ones a fraction */
@@ -24,8 +24,8 @@ static inline bool reachable(double x0, double u0, double x, double u) { return 
 
 static inline double n_of(double x) { return x * sqrt(x); }
 
-/* Twice the area of the triangle that a merge of two pieces with spans x1 and x2 adds to u: its height times x1 + x2.
- * */
+/* Twice the area of the triangle that a merge of two pieces with spans x1 and x2 adds to u: its height times
+ * x1 + x2. */
 static inline double kink(double d1, double d2, double x1, double x2) { return fabs(d1 - d2) * (x1 * x2); }
 
 /* Int t du over a piece; stored_energy sums it over all pieces. */

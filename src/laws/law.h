@@ -1,12 +1,14 @@
-/* The interface of a contact law: a function of values for one contact. It does not depend on steps, particles, loops or files.
+/* The interface of a contact law: a function of values for one contact. It does not depend on steps, particles, loops
+ * or files.
  *
  *   struct nb_normal normal_NAME(struct nb_pair p, double overlap, double dn, double m[])
  *   struct nb_shear  shear_NAME(struct nb_pair p, struct nb_normal n, double ds, double m[])
  *
- * overlap is never negative. It is 0 without contact; force and stiffness must then be 0. A law that yields may have no force at an
- * overlap smaller than an earlier one; the stable step uses the greatest stiffness that can follow (measure/stable_step.c). dn and ds
- * are the normal and tangential increments of this step, m. m is the history of this contact, as many doubles as the law declares,
- * 0 at first touch; the law updates it for the next step. Forces are elastic; dashpots are added later, from the stiffnesses returned here.
+ * overlap is never negative. It is 0 without contact; force and stiffness must then be 0. A law that yields may have no
+ * force at an overlap smaller than an earlier one; the stable step uses the greatest stiffness that can follow
+ * (measure/stable_step.c). dn and ds are the normal and tangential increments of this step, m. m is the history of this
+ * contact, as many doubles as the law declares, 0 at first touch; the law updates it for the next step. Forces are
+ * elastic; dashpots are added later, from the stiffnesses returned here.
  *
  * Straight-line laws use only + - x / sqrt fabs copysign and ?:, so that the compiler vectorises their loop.
  *
@@ -50,8 +52,8 @@ struct nb_law {
   bool cohesionless;     /* does not support cohesion: a page with some is invalid */
   bool dissipative;      /* dissipates energy before gross sliding, and returns how much */
   bool non_conservative; /* may create energy in a closed path; its file says how much */
-  bool
-      incremental; /* adds to the previous force: its stiffness is that of the next step; the force may end before the overlap */
+  /* Adds to the previous force: its stiffness is that of the next step, and the force may end before the overlap. */
+  bool incremental;
   nb_run_pass *run[NB_ISAS]; /* for a block */
   struct nb_normal (*normal)(struct nb_pair, double overlap, double dn,
                              double m[]); /* for contact tests and unit tests */

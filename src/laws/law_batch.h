@@ -1,13 +1,13 @@
-/* The loop of a law over a block, for each instruction set, and its entry in the register. The last line of a law's file includes
- * this file, after the definitions
+/* The loop of a law over a block, for each instruction set, and its entry in the register. The last line of a law's
+ * file includes this file, after the definitions
  *
  *   #define LAW     shear_linear            its function, and the name of its file
  *   #define SHEAR   or  #define NORMAL      the kind of law
  *   #define TITLE   "..."                   one line
  *   #define SOURCE  "[CS79 17-19]"          where the equations come from
- *   #define PARAMETERS "ks, friction"       material properties that its force depends on; young and poisson give E* and G*
+ *   #define PARAMETERS "ks, friction"       material properties that its force depends on; young, poisson: E* and G*
  *   #define HISTORY 1                       doubles of history per contact
- *   #define PIECE   4, #define PIECES  16   additional doubles for each piece of the history, and the number of pieces (optional)
+ *   #define PIECE   4, #define PIECES  16   doubles for each piece of the history, and the number of pieces (optional)
  *   #define NEEDS   NB_BIT(NB_NORMAL_INCREMENT)   fields that it reads besides those every law gets (optional)
  *   #define STORED  shear_linear_stored     its elastic energy (optional)
  *   #define ELASTIC                         for elastic spheres: p.young, p.shear and p.radius (optional)
@@ -17,11 +17,11 @@
  *   #define USED  ..._used                  returns the number of doubles in use in a row (optional)
  *   #define VALID ..._valid                 tells whether doubles from a file are a valid row (optional)
  *   #define PIECES_OF  ..._pieces           returns the pieces of its history (optional)
- *   #define STAGED                          split into three functions, see law_stages.h (optional; elastic shear laws with rows)
+ *   #define STAGED                          split into three functions, see law_stages.h (optional; for laws with rows)
  *   #define BRANCHING, NON_CONSERVATIVE, INCREMENTAL   (optional, see law.h)
  *
- * A law with more than four doubles of history finds m[0] = 0 when the history is empty; the others are then undefined. Such a
- * law is not called without contact.
+ * A law with more than four doubles of history finds m[0] = 0 when the history is empty; the others are then undefined.
+ * Such a law is not called without contact.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 

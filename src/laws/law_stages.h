@@ -1,14 +1,16 @@
-/* The loop of a law in three stages, for a law with a long row of history per contact. Reading and writing the row needs
- * branches, the computation between does not. Each stage is a loop over as many contacts as fit into the first-level cache with
- * their rows, so that the middle loop vectorises and the others do not wait for it. The law's file defines
+/* The loop of a law in three stages, for a law with a long row of history per contact. Reading and writing the row
+ * needs branches, the computation between does not. Each stage is a loop over as many contacts as fit into the
+ * first-level cache with their rows, so that the middle loop vectorises and the others do not wait for it. The law's
+ * file defines
  *
  *   #define STAGED
  *   #define FETCHED  struct fetched         of doubles: what the first stage reads from the row
  *   #define SOLVED   struct piece           of doubles: the result of the second stage
  *
  *   FETCHED         LAW_fetch(p, n, m)
- *   struct nb_shear LAW_solve(p, n, ds, fetched, &solved)               straight-line, see law.h; does not set `sliding`
- *   void            LAW_store(p, n, ds, m, solved, &out, counts)        may set it, and replace the force; counts: the energy lost too
+ *   struct nb_shear LAW_solve(p, n, ds, fetched, &solved)               straight-line (law.h); does not set `sliding`
+ *   void            LAW_store(p, n, ds, m, solved, &out, counts)        may set it and replace the force; if `counts`,
+ *                                                                       computes the energy lost
  *
  * and no function LAW, which is the three in sequence.
  *

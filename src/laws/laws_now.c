@@ -1,7 +1,7 @@
 /* The current contact laws: those of the scene, until a stage changes them.
  *
- * A new law starts with an empty contact history, because it cannot interpret that of another law. A different number of
- * pieces counts as a new law. A law that a stage repeats unchanged keeps its history.
+ * A new law starts with an empty contact history, because it cannot interpret that of another law. A different number
+ * of pieces counts as a new law. A law that a stage repeats unchanged keeps its history.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <string.h>

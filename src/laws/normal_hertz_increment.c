@@ -6,19 +6,20 @@
  *
  * Without a previous force there is no radius, and the first force is  N = (4/3) E* (R* dn^3)^(1/2)  [R89 4.11].
  *
- * Source     [R89 4.11, 4.12, 4.14]. The returned stiffness 2 E* a is that of the next step, with the new a; R89's dashpot
- *            [R89 4.13] uses the a before the step, which is equal to first order.
- * Order      first, with an error of one sign: dn at the old radius is too little while N grows and too much while it falls. An impact
- *            rebounds with 0.971, 0.975 and 0.978 of its speed at 30, 35 and 40 steps per collision
+ * Source     [R89 4.11, 4.12, 4.14]. The returned stiffness 2 E* a is that of the next step, with the new a; R89's
+ *            dashpot [R89 4.13] uses the a before the step, which is equal to first order.
+ * Order      first, with an error of one sign: dn at the old radius is too little while N grows and too much while it
+ *            falls. An impact rebounds with 0.971, 0.975 and 0.978 of its speed at 30, 35 and 40 steps per collision
  *            (cases/2-hertz/hertz-increment.md), and the force ends while a tenth of the largest overlap is left.
- * Separation when N <= 0, and then "the contact data is set to zero" (4.3.1): N, a, and the history of the shear law. The
- *            particles may still overlap; R89's [4.11] would then need the root of a negative number. Interpretation here: no
- *            force while they separate, and a new first touch, by 4.11, if they approach again before the overlap has ended. An
- *            overlap at time 0 was never an increment and causes no force.
+ * Separation when N <= 0, and then "the contact data is set to zero" (4.3.1): N, a, and the history of the shear law.
+ *            The particles may still overlap; R89's [4.11] would then need the root of a negative number.
+ *            Interpretation here: no force while they separate, and a new first touch, by 4.11, if they approach again
+ *            before the overlap has ended. An overlap at time 0 was never an increment and causes no force.
  * Range      as normal_hertz.c.
  * History    m[0]  N, N.
- * Stores     (2/5) N a^2/R*, the energy of Hertz's contact at the force N. No step returns more energy than it takes from the store:
- *            with the mean of N over the step the work exceeds the stored energy by a second-order term, on loading and unloading.
+ * Stores     (2/5) N a^2/R*, the energy of Hertz's contact at the force N. No step returns more energy than it takes
+ *            from the store: with the mean of N over the step the work exceeds the stored energy by a second-order
+ *            term, on loading and unloading.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

@@ -1,4 +1,5 @@
-/* Functions that shear_randall.c and shear_randall_literal.c share: the increment and the sticking fraction of the radius.
+/* Functions that shear_randall.c and shear_randall_literal.c share: the increment and the sticking fraction of the
+ * radius.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #ifndef NB_RANDALL_H
@@ -9,8 +10,8 @@
 
 #include "law.h"
 
-/* x^(1/3), within two units of the last place. It uses only + - x / and is the same on all machines; library
- * functions cbrt round differently. The start value, from the exponent, has an error of at most 3 %; Halley's step turns a
+/* x^(1/3), within two units of the last place. It uses only + - x / and is the same on all machines; library functions
+ * cbrt round differently. The start value, from the exponent, has an error of at most 3 %; Halley's step turns a
  * relative error e into (2/3) e^3. */
 static inline double cube_root(double x) {
   const double size = fabs(x);

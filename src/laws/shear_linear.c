@@ -1,6 +1,7 @@
 /* The linear spring with a slider:                        F_s <- F_s + k_s ds,  limited to  |F_s| <= F_n tan(phi) + c
  *
- *   ds        tangential increment of this step, m, positive when the first particle moves along t past the second [CS79 13, 15]
+ *   ds        tangential increment of this step, m, positive when the first particle moves along t past the second
+ *             [CS79 13, 15]
  *   k_s       shear stiffness of the pair, N/m
  *   tan(phi)  the smaller friction of the two materials, 1
  *   c         the smaller cohesion, N; it increases the shear limit of a compressed contact and causes no attraction

@@ -4,40 +4,45 @@
  *
  *   alpha, N  overlap, m, and Hertz's force at it, N(x) = N (x/alpha)^(3/2); alpha = a^2/R*, the overlap of the force
  *   delta     tangential displacement since the last gross sliding, m;  T  its force, N
- *   D(x)      of the ring that joined the contact at the overlap x: its traction as a fraction of the friction limit; 1 or -1 where
- *             it has slipped
+ *   D(x)      of the ring that joined the contact at the overlap x: its traction as a fraction of the friction limit; 1
+ *             or -1 where it has slipped
  *   mu        the smaller friction of the two materials, 1
  *
- * D is piecewise constant: delta(x) = mu kappa Int_0^x D is a polygonal path, the shortest loading path that leads to the present state
- * of the contact. A step to a new alpha and delta keeps those corners k from which a path with |D| <= 1 leads there:
+ * D is piecewise constant: delta(x) = mu kappa Int_0^x D is a polygonal path, the shortest loading path that leads to
+ * the present state of the contact. A step to a new alpha and delta keeps those corners k from which a path with
+ * |D| <= 1 leads there:
  *
  *   |delta - delta_k| <= mu kappa (alpha - x_k)
  *
- * If the last corner is kept, a new ring sticks, with D = d(delta)/(mu kappa d(alpha)). If an inner one is the last kept, the path
- * continues from it on its old piece up to the slip front c, and from c to alpha with D = s, s = 1 or -1: those rings have
- * slipped. If none is kept, not even the one at 0, the contact slides. The result does not depend on the step size: a
- * step is exact where (alpha, delta) moves on a straight line, and so is a path of as many segments as there are pieces.
+ * If the last corner is kept, a new ring sticks, with D = d(delta)/(mu kappa d(alpha)). If an inner one is the last
+ * kept, the path continues from it on its old piece up to the slip front c, and from c to alpha with D = s, s = 1 or
+ * -1: those rings have slipped. If none is kept, not even the one at 0, the contact slides. The result does not depend
+ * on the step size: a step is exact where (alpha, delta) moves on a straight line, and so is a path of as many segments
+ * as there are pieces.
  *
- * A piece that changes delta(x) by less than 1e-7 mu kappa alpha is merged with the one before it, with delta kept. When all pieces are
- * in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000 reversals the measured error of T is
- * at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of the stored energy by a merge counts as loss; it may
- * be negative.
+ * A piece that changes delta(x) by less than 1e-7 mu kappa alpha is merged with the one before it, with delta kept.
+ * When all pieces are in use, two others are merged (corners.h). In contacts with decaying oscillations of 20 to 3000
+ * reversals the measured error of T is at most 1.2e-4 mu N with 64 pieces, the default (docs/CONTACT.md). The change of
+ * the stored energy by a merge counts as loss; it may be negative.
  *
- * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced by d(delta)(x), with
- *            forces 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a smaller one, at y, by its d(delta), so
- *            by reciprocity the interaction energy of the two is the force of the smaller one times that displacement:
- *            U = Int d(delta)(x) Int_(y < x) 8 G* a(y) d(delta)(y), where the inner integral is T(x).
- * Dissipates a slip front that advances inwards from c to c - dc takes d(delta) = mu kappa (1 - s D) dc. Of its work T d(delta),
- *            mu^2 kappa (1 - s D) [N(alpha) - N(c) - N'(c)(alpha - c)] dc  is not stored. Sliding dissipates mu N times
- *            displacement. Both use alpha at the time of the front, so the sum is exact on a straight segment without a reversal.
+ * Stores     Int_0^alpha T(x) d(delta). The tractions are a sum of flat punches of radius a(x), each displaced
+ *            by d(delta)(x), with forces 8 G* a(x) d(delta). A punch of radius a(x) displaces the whole area of a
+ *            smaller one, at y, by its d(delta), so by reciprocity the interaction energy of the two is the force of
+ *            the smaller one times that displacement: U = Int d(delta)(x) Int_(y < x) 8 G* a(y) d(delta)(y), where the
+ *            inner integral is T(x).
+ * Dissipates a slip front that advances inwards from c to c - dc takes d(delta) = mu kappa (1 - s D) dc. Of its work
+ *            T d(delta), mu^2 kappa (1 - s D) [N(alpha) - N(c) - N'(c)(alpha - c)] dc  is not stored. Sliding
+ *            dissipates mu N times displacement. Both use alpha at the time of the front, so the sum is exact on a
+ *            straight segment without a reversal.
  * Source     Jaeger (1993-1998); Aleshin, Bou Matar and Van Den Abeele (2015). All cases of Mindlin and Deresiewicz
  *            (1953) follow: [R89 3.25, 3.40, 3.50, 3.94].
- * Range      slip along one line; no coupling of normal and tangential motion; friction limits the traction, so no cohesion. When
- *            the friction changes, the path of the pieces is computed again; where it grows nothing moves.
+ * Range      slip along one line; no coupling of normal and tangential motion; friction limits the traction, so no
+ *            cohesion. When the friction changes, the path of the pieces is computed again; where it grows nothing
+ *            moves.
  * History    in variables that do not contain mu, E* and N. x stands for x R*, the square of a radius, m2;
  *            n = x^(3/2), m3; u = R* delta/(mu kappa), m2; t = Int D dn, m3, so that T/mu N = t/n at alpha
  *            m[0]  number of pieces; 0: none;  m[1]  mu kappa of these pieces
- *            m[2 + 5k ...]  the corner at which piece k begins, from the centre outwards (corners.h); piece 0 begins at 0
+ *            m[2 + 5k ...]  the corner at which piece k begins, from the centre outwards (corners.h); piece 0 at 0
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <float.h>
@@ -128,8 +133,8 @@ static int append_or_merge(struct corner at[], int k, double x, const struct pie
 }
 
 /* The energy lost in a step, as Int t du: at the front, which passes the end of the piece before the new one and all
- * pieces outside it, and by sliding. For a displacement in the sense s the front is at the y where y - s u(y) equals g =
- * x - s u of the edge, which falls during the step; below 0 the contact slides. */
+ * pieces outside it, and by sliding. For a displacement in the sense s the front is at the y where y - s u(y)
+ * equals g = x - s u of the edge, which falls during the step; below 0 the contact slides. */
 static double energy_loss(const struct corner at[], int pieces, double x, double u, int index,
                           const struct piece *piece) {
   const double s =

@@ -1,15 +1,17 @@
-/* As shear_mindlin.c, but T decreases with the radius when N falls:    T <- T a/a_before + 8 G* a ds,  limited to  |T| <= mu N + c
+/* As shear_mindlin.c, but T decreases with the radius when N falls: T <- T a/a_before + 8 G* a ds, limited to |T| <= mu N + c
  *
- *   a, a_before   radius of the contact circle at the end of this step and of the previous one, m; the ratio is 1 unless N fell
+ *   a, a_before   radius of the contact circle at the end of this step and of the previous one, m; the ratio is 1
+ *                 unless N fell
  *   ds, G*, mu, c, N   as in shear_mindlin.c
  *
  * Source     in use wherever shear_mindlin.c was found to create energy; the increment is [R89 3.27].
  * Order      exact at constant N, first order in the step while N changes, as shear_mindlin.c.
  * Range      as normal_hertz.c.
  * History    m[0]  T, N;   m[1]  a, m.
- * Energy     none is created in any closed path. T^2/(16 G* a), the work of applying T at this a, falls when a grows at constant T,
- *            falls with a when T is reduced with it, and otherwise changes by T ds: it never exceeds the work done. But it is no state
- *            function: a change of N loses energy without sliding. So no stored energy is declared, and shear work is recorded.
+ * Energy     none is created in any closed path. T^2/(16 G* a), the work of applying T at this a, falls when a grows at
+ *            constant T, falls with a when T is reduced with it, and otherwise changes by T ds: it never exceeds the
+ *            work done. But it is no state function: a change of N loses energy without sliding. So no stored energy is
+ *            declared, and shear work is recorded.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "law.h"

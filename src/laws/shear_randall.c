@@ -1,35 +1,44 @@
-/* R89's law of elastic spheres with micro-slip, in increments, with a memory of two reversals, in its best interpretation:
+/* R89's law of elastic spheres with micro-slip, in increments, with a memory of two reversals, in its best
+ * interpretation:
  *
  *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL),       |T| <= mu N       [R89 4.15]
  *
  *   ds, dN  tangential increment, m, and change of normal force, N, in this step;  a  the radius after it, m
- *   theta   c/a, c the slip front: [R89 4.22-4.24]; 1 while the step only makes up for rings that stick outside c [R89 4.25]
+ *   theta   c/a, c the slip front: [R89 4.22-4.24]; 1 while the step only makes up for rings that stick outside c
+ *           [R89 4.25]
  *   CDF     sense of the virgin loading;  UFL  -1 in unloading, else 1
- *   T*, T** forces at which unloading and reloading began; a change of N moves them to the curves of the new N [R89 4.20, 4.21]
- *   DD      deficit of the rings that stuck when they joined, m: what they lack to full slip in the sense of the motion [R89 4.17]
- *   ds_c    mu dN/(8 G* a), the increment at which a new ring is just at its limit and the front stays in place [R89 4.16]
+ *   T*, T** forces at which unloading and reloading began; a change of N moves them to the curves of the new N
+ *           [R89 4.20, 4.21]
+ *   DD      deficit of the rings that stuck when they joined, m: what they lack to full slip in the sense of the motion
+ *           [R89 4.17]
+ *   ds_c    mu dN/(8 G* a), the increment at which a new ring is just at its limit and the front stays in place
+ *           [R89 4.16]
  *
- * The text of FORD and THETA contradicts itself and the exact contact in places; shear_randall_literal.c follows the text.
- * The interpretation here:
+ * The text of FORD and THETA contradicts itself and the exact contact in places; shear_randall_literal.c follows the
+ * text. The interpretation here:
  *
- *   - A reversal sets T* or T** before theta is computed. `branch` tells whether they have a value, because 0 is a valid force.
+ *   - A reversal sets T* or T** before theta is computed. `branch` tells whether they have a value, because 0 is a
+ *     valid force.
  *   - dN moves T* and T** in every step, including the one that sets them.
- *   - Increments are compared in the sense of the motion, |ds| > ds_c + DD, for N rising and falling. DD grows by ds_c - |ds|
- *     with either sign, but not below 0. It is reset by a reversal, virgin loading and sliding, and starts with the first motion.
- *   - While N falls, slip continues in its sense, with ds = 0 and against motion slower than |ds_c|; only faster motion is a reversal.
+ *   - Increments are compared in the sense of the motion, |ds| > ds_c + DD, for N rising and falling. DD grows by
+ *     ds_c - |ds| with either sign, but not below 0. It is reset by a reversal, virgin loading and sliding, and starts
+ *     with the first motion.
+ *   - While N falls, slip continues in its sense, with ds = 0 and against motion slower than |ds_c|; only faster motion
+ *     is a reversal.
  *   - Re-unloading, between T** and T*, follows the reloading curve, with UFL = 1 as in reloading.
- *   - T* is deleted when reloading reaches T*, when unloading reaches -T*, or when a falling N brings T* to T; T** likewise.
- *     Virgin loading has the sense of T, also where T changed its sign while N fell.
+ *   - T* is deleted when reloading reaches T*, when unloading reaches -T*, or when a falling N brings T* to T; T**
+ *     likewise. Virgin loading has the sense of T, also where T changed its sign while N fell.
  *   - theta is never negative. Sliding means |T| > mu N, or no sticking region; it resets the history.
  *
  * Source     [R89 3.94-3.98, 4.15-4.25], FORD and THETA.
  * Order      first in the step, relative to its own limit of small steps: theta is that of the step's begin.
- * Range      as normal_hertz.c; friction limits the traction, so no cohesion. In that limit exact while N is constant or falls, and
- *            where it rises more slowly than slip, |ds| > ds_c, for up to two nested reversals. Of further ones, the inner ones are
- *            elastic [R89 3.3]. Rings that stick as N grows are represented by DD alone, which a reversal resets.
+ * Range      as normal_hertz.c; friction limits the traction, so no cohesion. In that limit exact while N is constant
+ *            or falls, and where it rises more slowly than slip, |ds| > ds_c, for up to two nested reversals. Of
+ *            further ones, the inner ones are elastic [R89 3.3]. Rings that stick as N grows are represented by DD
+ *            alone, which a reversal resets.
  * History    m[0..6]  N of the previous step, 0: none; T, T*, T**, N; DD, m; CDF, 0 before the first motion; branch.
- * Creates    energy: around a closed square of N and ds, from N to 2 N and out by A/5, A = 3 mu N/(16 G* a), 0.0074 mu N A in
- *            the second cycle and less in later ones. So it has no stored energy.
+ * Creates    energy: around a closed square of N and ds, from N to 2 N and out by A/5, A = 3 mu N/(16 G* a), 0.0074
+ *            mu N A in the second cycle and less in later ones. So it has no stored energy.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "randall.h"

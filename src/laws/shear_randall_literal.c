@@ -3,24 +3,28 @@
  *
  *   dT = CDF (theta (8 G* a ds CDF - mu dN UFL) + mu dN UFL)                         [R89 4.15]
  *
- * In the text T* and T** are 0 while they have no value, are set after dT has been computed, and are not moved by the dN of that
- * step. UFL is -1 in re-unloading too. theta of reloading uses T* instead of T** [R89 4.24], and nothing limits any theta to 1. The
- * critical increment contains mu twice. DD loses |ds_c| in every step in which N falls [R89 4.18], grows with |ds| in unloading,
- * and is never reset.
+ * In the text T* and T** are 0 while they have no value, are set after dT has been computed, and are not moved by the
+ * dN of that step. UFL is -1 in re-unloading too. theta of reloading uses T* instead of T** [R89 4.24], and nothing
+ * limits any theta to 1. The critical increment contains mu twice. DD loses |ds_c| in every step in which N falls
+ * [R89 4.18], grows with |ds| in unloading, and is never reset.
  *
  * Choices where the text cannot be coded, or is silent:
  *
- *   - Chapter 3 has positive forces only. Sliding is |T| > mu N, with the sign of T; the increment compared with ds_c + DD is ds CDF.
+ *   - Chapter 3 has positive forces only. Sliding is |T| > mu N, with the sign of T; the increment compared with
+ *     ds_c + DD is ds CDF.
  *   - CDF of a contact without T*, T and T** is the sense of ds.
- *   - Virgin loading resumes where |T| >= |T*|, by which THETA distinguishes it from reloading; T** is deleted where T CDF <= T** CDF.
- *   - theta of a negative number is the negative root, and the result is limited to mu N. The contact stiffness 8 G* a theta
- *     is then 0; otherwise critical damping, which uses its root, would have no value [R89 4.19].
+ *   - Virgin loading resumes where |T| >= |T*|, by which THETA distinguishes it from reloading; T** is deleted where T
+ *     CDF <= T** CDF.
+ *   - theta of a negative number is the negative root, and the result is limited to mu N. The contact stiffness 8 G* a
+ *     theta is then 0; otherwise critical damping, which uses its root, would have no value [R89 4.19].
  *
- * With mu twice in the critical increment, a contact that should stick slides from first touch on: T = mu N to the last bit of
- * both, and that bit decides whether dT < mu dN. What follows then varies by a third of psi2 (tests/randall_exact.c).
+ * With mu twice in the critical increment, a contact that should stick slides from first touch on: T = mu N to the last
+ * bit of both, and that bit decides whether dT < mu dN. What follows then varies by a third of psi2
+ * (tests/randall_exact.c).
  *
  * Source     [R89 4.15-4.25], FORD and THETA.
- * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and hardly elsewhere.
+ * Range      as shear_randall.c. Exact in the limit of small steps in virgin loading at constant N, and hardly
+ *            elsewhere.
  * History    m[0..4]  N of the previous step, 0: none; T, T*, T**, N; DD, m.
  * Creates    energy, from the first cycle on: around the square of shear_randall.c 0.0067, then 0.0113 mu N A in each.
  *

@@ -2,9 +2,9 @@
  *
  * The largest size comes first. A centre is drawn from a uniform distribution over the positions at which the whole
  * particle is inside the circle or the box, or over the whole periodic cell; there no image of another particle may
- * overlap either, so that the packing has no edge. If the particle would overlap one that is already there, another centre is
- * drawn, up to `attempts` times per particle. If all attempts fail, R89's old generator stops (R89, section 6.4.1), and
- * the new one continues with the next smaller size (R89, section 4.4).
+ * overlap either, so that the packing has no edge. If the particle would overlap one that is already there, another
+ * centre is drawn, up to `attempts` times per particle. If all attempts fail, R89's old generator stops (R89, section
+ * 6.4.1), and the new one continues with the next smaller size (R89, section 4.4).
  *
  * There are no initial contacts (R89, section 6.4): d^2 >= (R_x + R_y)^2 as rounded, for the very positions in the
  * scene. Since the square root is correctly rounded, R_x + R_y - d is not positive there either.

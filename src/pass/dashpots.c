@@ -10,9 +10,9 @@
  *
  * Scenes without damping ratios keep no M* and take no roots.
  *
- * The stiffnesses are those that the laws returned in this cycle. D_s is 0 while the contact slides [CS79, Damping]; F_n + D_n
- * may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law used only a part of
- * ds. The friction limit of F_s was computed from F_n alone, before this pass.
+ * The stiffnesses are those that the laws returned in this cycle. D_s is 0 while the contact slides [CS79, Damping];
+ * F_n + D_n may be tensile. ds/dt is the mean over the whole last step, even if the contact began in it and the law
+ * used only a part of ds. The friction limit of F_s was computed from F_n alone, before this pass.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "pass.h"

@@ -1,14 +1,14 @@
 /* A contact test: one contact whose approach and tangential displacement, or whose forces, are prescribed.
  *
- * A step calls the laws as the loop over a block does (laws/law_batch.h): an open contact has no history, and the tangential
- * increment counts only for the fraction of the step in which the contact is closed.
+ * A step calls the laws as the loop over a block does (laws/law_batch.h): an open contact has no history, and the
+ * tangential increment counts only for the fraction of the step in which the contact is closed.
  *
- * A segment goes in steps from the present value of each component, normal and tangential, linearly to its target. A target can
- * be a displacement or a force. For a force, the displacement is found by trial steps on copies of the contact history: first the
- * normal force, which does not depend on the tangential displacement, then the shear force.
+ * A segment goes in steps from the present value of each component, normal and tangential, linearly to its target. A
+ * target can be a displacement or a force. For a force, the displacement is found by trial steps on copies of the
+ * contact history: first the normal force, which does not depend on the tangential displacement, then the shear force.
  *
- * The force of a law never decreases as the approach or the tangential displacement grows, so bisection down to adjacent doubles
- * finds the displacement. The force is then exact to rounding.
+ * The force of a law never decreases as the approach or the tangential displacement grows, so bisection down to
+ * adjacent doubles finds the displacement. The force is then exact to rounding.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "contact_test.h"
@@ -129,8 +129,9 @@ static double bisect(struct nb_contact_test *contact_test, const struct unknown 
   }
 }
 
-/* Finds the displacement nearest to `from` at which the force reaches `target`. Returns false if it never does; *reached is then
- * the force at the largest displacement tried. A force that misses the target by rounding only counts as reached. */
+/* Finds the displacement nearest to `from` at which the force reaches `target`. Returns false if it never does;
+ * *reached is then the force at the largest displacement tried. A force that misses the target by rounding only counts
+ * as reached. */
 static bool find_displacement(double *place, double *reached, struct nb_contact_test *contact_test,
                               const struct unknown *unknown, double from, double target) {
   static const double rounding = 1e-13;

@@ -1,4 +1,5 @@
-/* The contact test: one contact without motion or time. It calls the contact laws as the kernels of the force calculation do, step by step.
+/* The contact test: one contact without motion or time. It calls the contact laws as the kernels of the force
+ * calculation do, step by step.
  *
  *   contact_test.c             one step, a segment, the whole test
  *   contact_test_quantities.c  the quantities of the contact, and the traction over the contact circle

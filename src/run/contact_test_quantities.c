@@ -1,8 +1,10 @@
 /* Quantities and snapshots of a contact test.
  *
- * The traction over the contact circle, from the memory diagram D(x) of a law that keeps it in pieces (docs/CONTACT.md, v).
+ * The traction over the contact circle, from the memory diagram D(x) of a law that keeps it in pieces (docs/CONTACT.md,
+ * v).
  *
- *   p(r; x)  Hertz's pressure at the radius r and the overlap x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle, Pa
+ *   p(r; x)  Hertz's pressure at the radius r and the overlap x, (2 E* / (pi R*)) sqrt(R* x - r^2) inside the circle,
+ *            Pa
  *   q(r)     traction, mu times the integral of D(x) dp(r; x), Pa
  *   T        shear force, mu times the integral of D(x) dN(x), N: the integral of q over the circle
  *
@@ -59,8 +61,8 @@ static double traction_at(const struct nb_contact_test *contact_test, const stru
   return q;
 }
 
-/* The integral of q dA with dA = pi d(r^2), piece by piece by Simpson's rule in w. The substitution r^2 = to - (to - from) w^2
- * makes the square root at the outer edge of a piece linear in w. */
+/* The integral of q dA with dA = pi d(r^2), piece by piece by Simpson's rule in w. The substitution r^2 = to - (to -
+ * from) w^2 makes the square root at the outer edge of a piece linear in w. */
 static double traction(const struct nb_contact_test *contact_test) {
   enum { HALVES = 100 };
   const struct history history = history_of(contact_test);

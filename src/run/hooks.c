@@ -1,7 +1,8 @@
-/* The hooks of a cycle: what a scene does besides motion, search and force calculation. A scene lists only the hooks it needs.
+/* The hooks of a cycle: what a scene does besides motion, search and force calculation. A scene lists only the hooks it
+ * needs.
  *
- * The hooks run in the order of the table. The order matters: the energy balance reads the forces before and after the motion,
- * the boundary gets its velocities before the particles move, and a stage changes properties before the search.
+ * The hooks run in the order of the table. The order matters: the energy balance reads the forces before and after the
+ * motion, the boundary gets its velocities before the particles move, and a stage changes properties before the search.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <assert.h>

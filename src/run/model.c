@@ -16,7 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shuffled order for tests: every second particle from the front, the others from the back. Results must not depend on it. */
+/* Shuffled order for tests: every second particle from the front, the others from the back. Results must not depend on
+ * it. */
 static size_t slot_of(size_t index, size_t count, bool shuffle) {
   if (!shuffle)
     return index;
@@ -93,7 +94,8 @@ static void make_walls(struct nb_walls *w, const struct nb_scene *scene, struct 
   w->spin = numbers(owner, n), w->angle = numbers(owner, n);
 }
 
-/* One material pair for every two materials of particles, and for every material of particles with every one of walls. */
+/* One material pair for every two materials of particles, and for every material of particles with every one of
+ * walls. */
 static bool make_material_pairs(struct nb_model *model) {
   const struct nb_scene *scene = model->scene;
   const size_t n = scene->material_count;
@@ -118,8 +120,8 @@ static bool make_material_pairs(struct nb_model *model) {
   return allocated;
 }
 
-/* The skin of the neighbour list, m: as the page says, else a tenth of the mean radius, so that searches are rare and most listed
- * pairs touch. Infinite if no particle is free or nothing else is there: then no search is needed. */
+/* The skin of the neighbour list, m: as the page says, else a tenth of the mean radius, so that searches are rare and
+ * most listed pairs touch. Infinite if no particle is free or nothing else is there: then no search is needed. */
 static double skin_of(const struct nb_model *model) {
   const struct nb_particles *particles = &model->particles;
   double sum = 0;

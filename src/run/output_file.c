@@ -19,8 +19,8 @@ static void release(struct nb_save *save) {
   *save = (struct nb_save){0};
 }
 
-/* A process that writes a temporary file holds a lock on it (flock), which ends with the process. So a file that can be locked
- * is a leftover. */
+/* A process that writes a temporary file holds a lock on it (flock), which ends with the process. So a file that can be
+ * locked is a leftover. */
 static bool is_leftover(int folder, const char *name) {
   const int file = openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   const bool leftover = file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0;
@@ -48,8 +48,8 @@ static void remove_leftovers(const char *path) {
   free(where);
 }
 
-/* Creates a temporary file; never opens an existing one or follows a link. The file is ours if its name still leads to it after it
- * is locked: another process may have removed it as a leftover in between. */
+/* Creates a temporary file; never opens an existing one or follows a link. The file is ours if its name still leads to
+ * it after it is locked: another process may have removed it as a leftover in between. */
 static int create(char *temporary, size_t size, const char *path) {
   const unsigned long process = (unsigned long)getpid();
   for (unsigned long number = process; number < process + 1000; number++) {

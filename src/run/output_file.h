@@ -11,8 +11,8 @@ struct nb_save {
   char *path, *temporary;
 };
 
-/* Errors are NB_BAD_USE with the reason that the system gives. The file at `path` appears, or replaces the old one, when
- * nb_save_end returns NB_OK. nb_save_end frees everything in any case. */
+/* Errors are NB_BAD_USE with the reason that the system gives. The file at `path` appears, or replaces the old one,
+ * when nb_save_end returns NB_OK. nb_save_end frees everything in any case. */
 enum nb_status nb_save_begin(struct nb_save *save, const char *path, struct nb_error *error);
 /* The same for a file that exists and is writable; symbolic links to it and its permissions are kept. */
 enum nb_status nb_save_replace_begin(struct nb_save *save, const char *path, struct nb_error *error);

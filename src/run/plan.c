@@ -1,7 +1,7 @@
 /* The plan: the passes that the contacts of each material pair need, and no others.
  *
- * A frictionless contact has no tangential increment and no shear force. A contact without dashpots has no normal increment,
- * unless its law needs it. A field that nothing reads later is not kept. `nineball explain` prints the plan.
+ * A frictionless contact has no tangential increment and no shear force. A contact without dashpots has no normal
+ * increment, unless its law needs it. A field that nothing reads later is not kept. `nineball explain` prints the plan.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include <stdlib.h>

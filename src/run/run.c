@@ -80,7 +80,8 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
 
 enum { CONTINUES, ENDED, EXHAUSTED };
 
-/* Runs one cycle and records a row if one is due. *outcome: whether the stage continues; unchanged if the cycle fails. */
+/* Runs one cycle and records a row if one is due. *outcome: whether the stage continues; unchanged if the cycle
+ * fails. */
 static enum nb_status run_cycle(struct run *run, int index, int *outcome, struct nb_error *error) {
   const struct nb_stage *stage = &run->scene->stages[index];
   struct nb_model *model = run->model;
@@ -115,8 +116,8 @@ static enum nb_status run_stage(struct run *run, int index, struct nb_error *err
   return status ? status : snapshot_status;
 }
 
-/* Runs all stages of the scene, or those after the stage of the state from which it starts. The result has what was recorded, even
- * after an error. *end receives the state at the end, unless `end` is NULL. */
+/* Runs all stages of the scene, or those after the stage of the state from which it starts. The result has what was
+ * recorded, even after an error. *end receives the state at the end, unless `end` is NULL. */
 static enum nb_status run_scene(struct run *run, const struct nb_options *options, struct nb_saved *end,
                                 struct nb_error *error) {
   const struct nb_scene *scene = run->scene;

@@ -6,10 +6,11 @@
  *   n/N          for gravity, in the velocity update around t_n
  *   (n - 1/2)/N  for velocities of walls, over the step that ends at t_n: then the displacement of the wall is exact
  *
- * Without a ramp the change is made at t_0. The forces at t_0 have been computed with the old properties and laws; the new ones
- * apply from t_1 on. The velocity update around t_0 spans half the old step and half the new one, so it uses the mean of old and
- * new gravity, weighted with these times; so do mass-proportional damping (motion.h) and a stress on a boundary (boundary.c).
- * `zero velocities` is a start from rest: the next velocity update lasts half a step, and dashpot forces are 0.
+ * Without a ramp the change is made at t_0. The forces at t_0 have been computed with the old properties and laws; the
+ * new ones apply from t_1 on. The velocity update around t_0 spans half the old step and half the new one, so it uses
+ * the mean of old and new gravity, weighted with these times; so do mass-proportional damping (motion.h) and a stress
+ * on a boundary (boundary.c). `zero velocities` is a start from rest: the next velocity update lasts half a step, and
+ * dashpot forces are 0.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "laws/laws_now.h"

@@ -1,12 +1,13 @@
 /* Captures the state of a model, and restores it in another one.
  *
- * The force of a contact and its history at t_N are saved, not computed again: the laws have already used the increments of the
- * last step. A model that continues from a state searches for neighbours, restores forces and histories, and begins with the
- * motion. Its results equal those of an uninterrupted run to the bit.
+ * The force of a contact and its history at t_N are saved, not computed again: the laws have already used the
+ * increments of the last step. A model that continues from a state searches for neighbours, restores forces and
+ * histories, and begins with the motion. Its results equal those of an uninterrupted run to the bit.
  *
- * The saved strain rates are those of the last step, because the first row of the next stage records them. The strain rates that
- * the page requests hold until a stage requests others; the contribution of a servo ends with its stage. The search positions, and
- * the particles that may cross the boundary before the next search, are not saved: they do not affect results.
+ * The saved strain rates are those of the last step, because the first row of the next stage records them. The strain
+ * rates that the page requests hold until a stage requests others; the contribution of a servo ends with its stage. The
+ * search positions, and the particles that may cross the boundary before the next search, are not saved: they do not
+ * affect results.
  *
  * Copyright (C) 2026 the nineball authors. GPL-3.0-or-later. */
 #include "state.h"
