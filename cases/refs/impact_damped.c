@@ -22,22 +22,20 @@ static double duration(double beta) {
   return hertz_rebound(y, beta, 0, longest, deepest) && !(y[HERTZ_OVERLAP] > 0) ? y[HERTZ_TIME] : NAN;
 }
 
-double impact_damped(double chi, double kappa, double beta, double psi1, int steps) {
+/* psi2, with so many springs at the overlaps `depth`, whose stretches u are 0; INFINITY: it has no end. */
+static double rebound(double chi, double kappa, double beta, double psi1, int steps, double *u, const double *depth,
+                      int springs) {
   const double dashpot = 1.6 * sqrt(15 * kappa / 8) * beta, dt = duration(beta) / steps;
-  const int springs = steps / 4;
-  double *u = calloc((size_t)springs, sizeof *u), *depth = calloc((size_t)springs, sizeof *depth);
   double psi = psi1, f = 0, y[HERTZ_UNKNOWNS] = HERTZ_FIRST_CONTACT;
   bool slides = false;
-  for (int i = 0; u && depth && i < springs; i++)
-    depth[i] = (i + 0.5) / springs * ((i + 0.5) / springs);
-  for (int k = 0; u && depth && dt > 0 && k < steps; k++) {
+  for (int k = 0; dt > 0 && k < steps; k++) {
     const double xi = y[HERTZ_OVERLAP] > 0 ? y[HERTZ_OVERLAP] : 0, kick = k ? dt : dt / 2;
     /* g, with psi at the middle of the step */
     const double half = slides ? 0 : 1.25 * chi * dashpot * sqrt(sqrt(xi)) * kick;
     double sliding;
     psi = (psi * (1 - half) - 2.5 * chi * f * kick) / (1 + half);
     if (!hertz_integrate(y, beta, HERTZ_TIME, (k + 1) * dt))
-      psi = NAN;
+      return INFINITY;
     const double next = y[HERTZ_OVERLAP] > 0 && k + 1 < steps ? y[HERTZ_OVERLAP] : 0;
     f = impact_press(u, depth, springs, xi, next, psi * dt, &sliding);
     if (xi > depth[0] && next > depth[0])
@@ -45,7 +43,16 @@ double impact_damped(double chi, double kappa, double beta, double psi1, int ste
     else if (next > xi) /* before the first spring touches */
       slides = fabs(psi) * dt > next - xi;
   }
-  const bool made = u && depth;
+  return dt > 0 && isfinite(psi) ? psi : INFINITY;
+}
+
+double impact_damped(double chi, double kappa, double beta, double psi1, int steps) {
+  const int springs = steps / 4;
+  double *u = calloc((size_t)springs, sizeof *u), *depth = calloc((size_t)springs, sizeof *depth), psi2 = NAN;
+  for (int i = 0; depth && i < springs; i++)
+    depth[i] = (i + 0.5) / springs * ((i + 0.5) / springs);
+  if (u && depth)
+    psi2 = rebound(chi, kappa, beta, psi1, steps, u, depth, springs);
   free(u), free(depth);
-  return !made ? NAN : dt > 0 && isfinite(psi) ? psi : INFINITY;
+  return psi2;
 }

@@ -1,4 +1,4 @@
-/* Normal impact of two elastic spheres without damping: R*, greatest overlap and duration.               [R89 4.5, 5.9, 5.12]
+/* Normal impact of two elastic spheres without damping: R*, greatest overlap and duration.              [R89 4.5, 5.9, 5.12]
  *
  *   R* = R_1 R_2/(R_1 + R_2), R_1 for a sphere at a wall
  *

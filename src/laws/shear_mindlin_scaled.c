@@ -1,4 +1,4 @@
-/* As shear_mindlin.c, but T decreases with the radius when N falls: T <- T a/a_before + 8 G* a ds, limited to |T| <= mu N + c
+/* As shear_mindlin.c, but T falls with the radius when N falls: T <- T a/a_before + 8 G* a ds, limited to |T| <= mu N + c
  *
  *   a, a_before   radius of the contact circle at the end of this step and of the previous one, m; the ratio is 1
  *                 unless N fell

@@ -50,10 +50,10 @@ static bool uses_damping_ratio(const struct nb_damping *damping) {
 }
 
 static enum nb_dashpot_kind dashpot_kind(const struct nb_scene *scene) {
-  bool oscillation = uses_damping_ratio(&scene->damping);
+  bool ratio = uses_damping_ratio(&scene->damping);
   for (size_t s = 0; s < scene->stage_count; s++)
-    oscillation = oscillation || uses_damping_ratio(&scene->stages[s].damping);
-  return first_deep_line(scene) > 0 ? NB_DASHPOTS_DEEP : oscillation ? NB_DASHPOTS_RATIO : NB_DASHPOTS_TIME;
+    ratio = ratio || uses_damping_ratio(&scene->stages[s].damping);
+  return first_deep_line(scene) > 0 ? NB_DASHPOTS_DEEP : ratio ? NB_DASHPOTS_RATIO : NB_DASHPOTS_TIME;
 }
 
 static bool has_friction(const struct nb_material_pair *material_pair) {
@@ -81,8 +81,8 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
   material_pair->pass_count = 0;
   if (stiffens(normal, shear))
     model->plan.kept |= NB_BIT(NB_STABLE_OVERLAP);
-  const enum nb_dashpot_kind form = dashpot_kind(scene);
-  if (form >= NB_DASHPOTS_RATIO)
+  const enum nb_dashpot_kind kind = dashpot_kind(scene);
+  if (kind >= NB_DASHPOTS_RATIO)
     model->plan.kept |= NB_BIT(NB_MASS);
   const struct nb_pass *geometry = geometry_pass(model, material_pair);
   const struct nb_pass *resolve = &nb_pass_resolve[material_pair->shear != NULL];
@@ -95,7 +95,7 @@ static void plan_material_pair(struct nb_model *model, struct nb_material_pair *
     add_pass(material_pair, shear->run[isa], model->laws.shear_line, "shear ", shear->name);
   if (normal->elastic)
     add_pass(material_pair, nb_pass_deep.run[isa], first_deep_line(scene), "", nb_pass_deep.name);
-  const struct nb_pass *dashpots = &nb_pass_dashpots[form];
+  const struct nb_pass *dashpots = &nb_pass_dashpots[kind];
   if (model->plan.dashpots)
     add_pass(material_pair, dashpots->run[isa], first_damped_line(scene), "", dashpots->name);
   add_pass(material_pair, resolve->run[isa], 0, "", resolve->name);

@@ -68,7 +68,7 @@ static void note_laws(const struct run *run, const struct nb_stage *stage) {
       continue;
     const struct nb_law *law = shear ? next->shear : next->normal;
     snprintf(old, sizeof old, "%s", (shear ? before->shear : before->normal)->name);
-    if (shear && next->shear == before->shear) { /* its memory size is another one */
+    if (shear && next->shear == before->shear) { /* only its memory size changes */
       snprintf(memory, sizeof memory, " memory %g", next->pieces);
       snprintf(old, sizeof old, "memory %g", before->pieces);
     }

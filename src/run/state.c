@@ -58,14 +58,14 @@ static void capture_walls(struct nb_saved *saved, const struct nb_model *model) 
 }
 
 /* Appends the history of a contact to the saved ones; nothing if it is all 0. */
-static struct nb_saved_history capture_history(struct nb_saved *saved, const struct nb_history *memory,
+static struct nb_saved_history capture_history(struct nb_saved *saved, const struct nb_history *history,
                                                const struct nb_law *law, size_t c) {
   double buffer[NB_HISTORY];
-  const double *m = nb_history_read(memory, c, buffer);
+  const double *m = nb_history_read(history, c, buffer);
   struct nb_saved_history it = {.at = saved->history_count};
-  for (int k = 0; k < (memory->rows ? 1 : memory->doubles); k++)
+  for (int k = 0; k < (history->rows ? 1 : history->doubles); k++)
     if (m[k] != 0)
-      it.count = law->used ? law->used(m) : memory->doubles;
+      it.count = law->used ? law->used(m) : history->doubles;
   memcpy(saved->history + it.at, m, (size_t)it.count * sizeof *m);
   saved->history_count += (size_t)it.count;
   return it;
@@ -94,13 +94,13 @@ static void capture_contacts(struct nb_saved *saved, const struct nb_model *mode
 
 static bool allocate(struct nb_saved *saved, const struct nb_model *model) {
   const struct nb_contacts *contacts = &model->contacts;
-  const size_t remembered = (size_t)(contacts->normal_history.doubles + contacts->shear_history.doubles);
+  const size_t doubles = (size_t)(contacts->normal_history.doubles + contacts->shear_history.doubles);
   saved->materials = calloc(model->scene->material_count + 1, sizeof *saved->materials);
   saved->rules = calloc(model->properties.rule_count + 1, sizeof *saved->rules);
   saved->particles = calloc(model->particles.count + 1, sizeof *saved->particles);
   saved->walls = calloc(model->walls.count + 1, sizeof *saved->walls);
   saved->contacts = calloc(contacts->count + 1, sizeof *saved->contacts);
-  saved->history = calloc(contacts->count * remembered + 1, sizeof *saved->history);
+  saved->history = calloc(contacts->count * doubles + 1, sizeof *saved->history);
   return saved->materials && saved->rules && saved->particles && saved->walls && saved->contacts && saved->history;
 }
 
@@ -283,16 +283,16 @@ void nb_saved_restore(struct nb_model *model, const struct nb_saved *saved) {
   model->step = model->previous_step = saved->step;
 }
 
-static void restore_history(struct nb_history *memory, size_t c, const double *values, struct nb_saved_history it) {
-  const int n = it.count < memory->doubles ? it.count : memory->doubles;
-  if (n > 0 && memory->rows)
-    memcpy(memory->rows + c * (size_t)memory->doubles, values + it.at, (size_t)n * sizeof *values);
-  for (int m = 0; m < n && !memory->rows; m++)
-    memory->field[m][c] = values[it.at + (size_t)m];
+static void restore_history(struct nb_history *history, size_t c, const double *values, struct nb_saved_history it) {
+  const int n = it.count < history->doubles ? it.count : history->doubles;
+  if (n > 0 && history->rows)
+    memcpy(history->rows + c * (size_t)history->doubles, values + it.at, (size_t)n * sizeof *values);
+  for (int m = 0; m < n && !history->rows; m++)
+    history->field[m][c] = values[it.at + (size_t)m];
 }
 
 static void restore_contact(struct nb_contacts *contacts, size_t c, const struct nb_saved_contact *it,
-                            const double *memory) {
+                            const double *history) {
   contacts->force[c] = it->force;
 #define RESTORE(which, name, range)                                                                                    \
   if (contacts->kept[which])                                                                                           \
@@ -304,8 +304,8 @@ static void restore_contact(struct nb_contacts *contacts, size_t c, const struct
   }
   if (contacts->suppressed)
     contacts->suppressed[c] = it->suppressed;
-  restore_history(&contacts->normal_history, c, memory, it->normal);
-  restore_history(&contacts->shear_history, c, memory, it->shear);
+  restore_history(&contacts->normal_history, c, history, it->normal);
+  restore_history(&contacts->shear_history, c, history, it->shear);
 }
 
 enum nb_status nb_saved_restore_contacts(struct nb_model *model, const struct nb_saved *saved, struct nb_error *error) {
